@@ -5,9 +5,9 @@
 #include "input.h"
 #include "options.h"
 #include "output.h"
+#include "tr.h"
 #include "usage_error.h"
 
-#include <QCoreApplication>
 #include <QFileInfo>
 #include <QRegularExpression>
 
@@ -18,10 +18,6 @@ namespace cli {
 namespace {
 
 constexpr int maxChunks = 1'000'000;
-
-QString tr(const char* text) {
-    return QCoreApplication::translate("cli", text);
-}
 
 Chunk chunkOf(const std::string& text) {
     const QStringList parts = QString::fromStdString(text).split(u'/');

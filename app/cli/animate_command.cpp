@@ -11,10 +11,10 @@
 #include "messages.h"
 #include "progress_bar.h"
 #include "render_space.h"
+#include "tr.h"
 
 #include "io/picture/png_check.h"
 
-#include <QCoreApplication>
 #include <QDir>
 #include <QFileInfo>
 
@@ -24,10 +24,6 @@
 namespace cli {
 
 namespace {
-
-QString tr(const char* text) {
-    return QCoreApplication::translate("cli", text);
-}
 
 class FrameSession {
 public:

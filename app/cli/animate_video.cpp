@@ -6,11 +6,11 @@
 #include "frame_source.h"
 #include "interrupt.h"
 #include "messages.h"
+#include "tr.h"
 #include "video_output.h"
 
 #include "io/fractint/entry_writer.h"
 
-#include <QCoreApplication>
 #include <QFileInfo>
 
 #include <memory>
@@ -18,10 +18,6 @@
 namespace cli {
 
 namespace {
-
-QString tr(const char* text) {
-    return QCoreApplication::translate("cli", text);
-}
 
 ExitStatus refused(const QString& path, const QString& sentence) {
     reportError(path, sentence);

@@ -3,18 +3,13 @@
 
 #include "messages.h"
 #include "render_note.h"
-
-#include <QCoreApplication>
+#include "tr.h"
 
 #include <algorithm>
 
 namespace cli {
 
 namespace {
-
-QString tr(const char* text) {
-    return QCoreApplication::translate("cli", text);
-}
 
 bool isAnimated(const document::Entry& entry) {
     return document::animationFacts(*entry.fractal).has_value();

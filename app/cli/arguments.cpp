@@ -4,6 +4,7 @@
 #include "input.h"
 #include "messages.h"
 #include "parser.h"
+#include "tr.h"
 #include "usage_error.h"
 
 #include "animation/frame_rate.h"
@@ -13,7 +14,6 @@
 #include "io/text/number.h"
 
 #include <QColor>
-#include <QCoreApplication>
 #include <QFileInfo>
 #include <QRegularExpression>
 #include <QStringList>
@@ -25,10 +25,6 @@
 namespace cli {
 
 namespace {
-
-QString tr(const char* text) {
-    return QCoreApplication::translate("cli", text);
-}
 
 [[noreturn]] void refuse(const std::string& option, const std::string& text, const QString& wanted) {
     throw UsageError{tr("%1 “%2” is not valid: %3")

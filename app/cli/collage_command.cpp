@@ -6,6 +6,7 @@
 #include "messages.h"
 #include "output.h"
 #include "progress_bar.h"
+#include "tr.h"
 #include "usage_error.h"
 
 #include "collage/suggestions.h"
@@ -14,7 +15,6 @@
 #include "io/picture/png_export.h"
 #include "io/report/json_writer.h"
 
-#include <QCoreApplication>
 #include <QFileInfo>
 
 #include <memory>
@@ -23,10 +23,6 @@
 namespace cli {
 
 namespace {
-
-QString tr(const char* text) {
-    return QCoreApplication::translate("cli", text);
-}
 
 struct CollageArguments {
     std::string picture;

@@ -10,6 +10,7 @@
 #include "progress_bar.h"
 #include "solid_arguments.h"
 #include "symmetry_arguments.h"
+#include "tr.h"
 #include "usage_error.h"
 
 #include "document/edits/cage_edits.h"
@@ -20,7 +21,6 @@
 #include "io/fractint/fractint_writer.h"
 #include "io/solid/openscad.h"
 
-#include <QCoreApplication>
 #include <QDir>
 #include <QFileInfo>
 #include <QSet>
@@ -37,7 +37,7 @@ namespace {
 namespace fs = std::filesystem;
 
 using io::TextFormat;
-struct Arguments {
+struct ConvertArguments {
     std::vector<std::string> files; // the inputs, then the output
     std::vector<std::string> entries;
     std::string format;
@@ -51,13 +51,9 @@ struct Arguments {
     Verbosity verbosity;
 };
 
-QString tr(const char* text) {
-    return QCoreApplication::translate("cli", text);
-}
-
 // What every input is converted to, checked before any of them is read.
 struct Plan {
-    Format format = TextFormat::Fractint;
+    ConvertFormat format = TextFormat::Fractint;
     io::ReadOptions reading;
     io::TextOptions writing;
     std::uint64_t points = 0;
@@ -97,7 +93,7 @@ bool makeFolder(const QString& path) {
     return isFolder(path);
 }
 
-Plan planOf(const Arguments& arguments) {
+Plan planOf(const ConvertArguments& arguments) {
     Plan plan;
     plan.output = fileNameOf(arguments.files.back());
     const QFileInfo output(plan.output);
@@ -149,7 +145,7 @@ bool hasActiveMap(const document::Fractal& fractal) {
 }
 
 // Why the entry cannot be written in this form; the code takes up the cage where that is asked.
-std::optional<QString> obstacle(document::Entry& entry, const Input& input, const Arguments& arguments,
+std::optional<QString> obstacle(document::Entry& entry, const Input& input, const ConvertArguments& arguments,
                                 const Plan& plan) {
     const QString loss = plan.change.isWanted() ? document::dimensionLoss(*entry.fractal) : QString();
     if (auto reason = changeDimension(entry, plan.change)) return reason;
@@ -175,7 +171,7 @@ std::optional<QString> obstacle(document::Entry& entry, const Input& input, cons
     if (expansion.warning) reportWarning(input.name, *expansion.warning);
     if (const auto* points = std::get_if<io::PointFormat>(&plan.format))
         return io::obstacle({*entry.fractal, plan.points, plan.seed, *points});
-    if (plan.format == Format(TextFormat::Aifs) && !hasActiveMap(fractal))
+    if (plan.format == ConvertFormat(TextFormat::Aifs) && !hasActiveMap(fractal))
         return tr("“%1” was omitted: no map is active.").arg(fractal.name);
     return std::nullopt;
 }
@@ -187,7 +183,7 @@ void warnOf(const QString& loss, const document::Entry& entry, const QString& fi
            fileName);
 }
 
-Content contentOf(const Input& input, const Arguments& arguments, const Plan& plan) {
+Content contentOf(const Input& input, const ConvertArguments& arguments, const Plan& plan) {
     const Selection selection = select(input, arguments.entries);
     Content content{input.collection.file, selection.entries.size(),
                     reportAll(selection.problems, input.name)};
@@ -255,7 +251,7 @@ struct Written {
 
 class Converter {
 public:
-    Converter(const Arguments& arguments, const Plan& plan, const Interrupt& interrupt)
+    Converter(const ConvertArguments& arguments, const Plan& plan, const Interrupt& interrupt)
         : m_arguments(arguments), m_plan(plan), m_interrupt(interrupt), m_stop(interrupt.token()) {}
 
     bool isInterrupted() const { return m_isInterrupted; } // before all was written
@@ -472,7 +468,7 @@ private:
         return write(output, scad.text);
     }
 
-    const Arguments& m_arguments;
+    const ConvertArguments& m_arguments;
     const Plan& m_plan;
     const Interrupt& m_interrupt;
     std::stop_token m_stop;
@@ -484,7 +480,7 @@ private:
     QSet<QString> m_taken; // files in the folder, in small letters
 };
 
-ExitStatus convert(const Arguments& arguments) {
+ExitStatus convert(const ConvertArguments& arguments) {
     const ProgressMode mode = applied(arguments.verbosity);
     const Plan plan = planOf(arguments);
     const Interrupt interrupt;
@@ -512,7 +508,7 @@ ExitStatus convert(const Arguments& arguments) {
 } // namespace
 
 Command convertCommand() {
-    auto arguments = std::make_shared<Arguments>();
+    auto arguments = std::make_shared<ConvertArguments>();
     Command command("convert", "Convert entries to another format", "convert FILE... OUT [OPTION]...");
     const OptionGroup files = command.group("Files");
     files

@@ -1,37 +1,28 @@
 // SPDX-License-Identifier: MIT
 #include "convert_format.h"
 
+#include "tr.h"
 #include "usage_error.h"
-
-#include <QCoreApplication>
 
 namespace cli {
 
 using io::TextFormat;
 
-namespace {
-
-QString tr(const char* text) {
-    return QCoreApplication::translate("cli", text);
+bool isFractint(const ConvertFormat& format) {
+    return format == ConvertFormat(TextFormat::Fractint);
 }
 
-} // namespace
-
-bool isFractint(const Format& format) {
-    return format == Format(TextFormat::Fractint);
-}
-
-bool isTable(const Format& format) {
+bool isTable(const ConvertFormat& format) {
     const auto* text = std::get_if<TextFormat>(&format);
     return text && io::holdsOneSystem(*text);
 }
 
-bool holdsOneEntry(const Format& format) {
+bool holdsOneEntry(const ConvertFormat& format) {
     return isTable(format) ||
            !(std::holds_alternative<TextFormat>(format) || std::holds_alternative<PdfFormat>(format));
 }
 
-QString suffixOf(const Format& format) {
+QString suffixOf(const ConvertFormat& format) {
     if (const auto* text = std::get_if<TextFormat>(&format)) return io::suffixOf(*text);
     if (std::holds_alternative<PdfFormat>(format)) return QStringLiteral("pdf");
     if (std::holds_alternative<ScadFormat>(format)) return QStringLiteral("scad");
@@ -40,7 +31,7 @@ QString suffixOf(const Format& format) {
                                                                      : QStringLiteral("csv");
 }
 
-Format formatOf(const QString& name, bool hasPoints, bool hasVoxels) {
+ConvertFormat formatOf(const QString& name, bool hasPoints, bool hasVoxels) {
     if (hasPoints && name.compare(u"csv", Qt::CaseInsensitive) == 0) return io::PointFormat::Csv;
     if (name.compare(u"ply", Qt::CaseInsensitive) == 0) {
         if (hasPoints) return io::PointFormat::Ply;
@@ -59,7 +50,7 @@ Format formatOf(const QString& name, bool hasPoints, bool hasVoxels) {
             .arg(name)};
 }
 
-QString dimensionObstacle(const Format& format, const document::Fractal& fractal) {
+QString dimensionObstacle(const ConvertFormat& format, const document::Fractal& fractal) {
     if (std::holds_alternative<io::MeshFormat>(format) || std::holds_alternative<ScadFormat>(format))
         return document::system3(fractal)
                    ? QString()

@@ -19,17 +19,17 @@ struct PdfFormat {
 struct ScadFormat {
     friend bool operator==(const ScadFormat&, const ScadFormat&) = default;
 };
-using Format = std::variant<io::TextFormat, io::PointFormat, PdfFormat, io::MeshFormat, ScadFormat>;
+using ConvertFormat = std::variant<io::TextFormat, io::PointFormat, PdfFormat, io::MeshFormat, ScadFormat>;
 
-bool isFractint(const Format& format);
-bool isTable(const Format& format);
-bool holdsOneEntry(const Format& format);
-QString suffixOf(const Format& format);
+bool isFractint(const ConvertFormat& format);
+bool isTable(const ConvertFormat& format);
+bool holdsOneEntry(const ConvertFormat& format);
+QString suffixOf(const ConvertFormat& format);
 
 // By the suffix or name of the format, and whether points or voxels were asked for. Throws UsageError.
-Format formatOf(const QString& name, bool hasPoints, bool hasVoxels);
+ConvertFormat formatOf(const QString& name, bool hasPoints, bool hasVoxels);
 
 // Why the format cannot store an entry of this dimension; empty where it can.
-QString dimensionObstacle(const Format& format, const document::Fractal& fractal);
+QString dimensionObstacle(const ConvertFormat& format, const document::Fractal& fractal);
 
 } // namespace cli

@@ -7,6 +7,7 @@
 #include "messages.h"
 #include "output.h"
 #include "progress_bar.h"
+#include "tr.h"
 #include "usage_error.h"
 #include "video_output.h"
 
@@ -19,7 +20,6 @@
 #include "io/picture/png_check.h"
 #include "io/picture/png_system.h"
 
-#include <QCoreApplication>
 #include <QDateTime>
 #include <QDir>
 #include <QFileInfo>
@@ -47,10 +47,6 @@ struct EncodeArguments {
 };
 
 constexpr const char* allFrames = "all";
-
-QString tr(const char* text) {
-    return QCoreApplication::translate("cli", text);
-}
 
 void check(EncodeArguments& arguments) {
     const QString pattern = fileNameOf(arguments.pattern);

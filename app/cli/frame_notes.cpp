@@ -3,18 +3,13 @@
 
 #include "messages.h"
 #include "render_note.h"
+#include "tr.h"
 
 #include "document/animated_fractal.h"
-
-#include <QCoreApplication>
 
 namespace cli {
 
 namespace {
-
-QString tr(const char* text) {
-    return QCoreApplication::translate("cli", text);
-}
 
 QString momentText(const animation::Moment& moment) {
     return moment.denominator == 1 ? QString::number(moment.numerator)

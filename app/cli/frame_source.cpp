@@ -4,17 +4,12 @@
 #include "arguments.h"
 #include "render_plane.h"
 #include "render_space.h"
+#include "tr.h"
 #include "usage_error.h"
-
-#include <QCoreApplication>
 
 namespace cli {
 
 namespace {
-
-QString tr(const char* text) {
-    return QCoreApplication::translate("cli", text);
-}
 
 bool showsNumbers(const io::SpaceExport& picture) {
     return picture.look == attractor::LookInSpace::Depth || picture.look == attractor::LookInSpace::Normals;

@@ -6,12 +6,12 @@
 #include "messages.h"
 #include "output.h"
 #include "progress_bar.h"
+#include "tr.h"
 #include "usage_error.h"
 
 #include "io/picture/contact_sheet.h"
 #include "io/picture/picture_writers.h"
 
-#include <QCoreApplication>
 #include <QFileInfo>
 #include <QPageSize>
 
@@ -22,7 +22,7 @@ namespace cli {
 
 namespace {
 
-struct Arguments {
+struct GalleryArguments {
     std::vector<std::string> files;
     std::vector<std::string> entries;
     std::string output;
@@ -33,10 +33,6 @@ struct Arguments {
     Verbosity verbosity;
 };
 
-QString tr(const char* text) {
-    return QCoreApplication::translate("cli", text);
-}
-
 // "sierpinski.ifs" → "Sierpinski"
 QString headingOf(const QString& fileName) {
     QString title = QFileInfo(fileName).completeBaseName();
@@ -45,7 +41,7 @@ QString headingOf(const QString& fileName) {
     return title;
 }
 
-io::ContactSheet sheetOf(const Arguments& arguments) {
+io::ContactSheet sheetOf(const GalleryArguments& arguments) {
     io::ContactSheet sheet;
     sheet.title = QString::fromStdString(arguments.title);
     if (arguments.columns) sheet.columns = integerArgument("--columns", *arguments.columns, 1, 1000);
@@ -122,7 +118,7 @@ ExitStatus reportOmitted(const Selection& selection, const Input& input) {
 }
 
 // What is wrong with a file is said, and its good entries are shown all the same.
-ExitStatus addFiles(const Arguments& arguments, const Style& style, io::ContactSheet& sheet) {
+ExitStatus addFiles(const GalleryArguments& arguments, const Style& style, io::ContactSheet& sheet) {
     ExitStatus worst = ExitStatus::Done;
     for (const std::string& file : arguments.files) {
         const auto input = readInput(file);
@@ -141,7 +137,7 @@ ExitStatus addFiles(const Arguments& arguments, const Style& style, io::ContactS
     return worst;
 }
 
-ExitStatus gallery(const Arguments& arguments) {
+ExitStatus gallery(const GalleryArguments& arguments) {
     const ProgressMode mode = applied(arguments.verbosity);
     io::ContactSheet sheet = sheetOf(arguments);
     Style style{{}, {}, sheet.paper == io::ContactSheet::Paper::Light};
@@ -181,7 +177,7 @@ ExitStatus gallery(const Arguments& arguments) {
 } // namespace
 
 Command galleryCommand() {
-    auto arguments = std::make_shared<Arguments>();
+    auto arguments = std::make_shared<GalleryArguments>();
     Command command("gallery", "Draw all entries of collections on one sheet",
                     "gallery FILE... -o SHEET [OPTION]...");
     const OptionGroup files = command.group("Files");

@@ -5,13 +5,13 @@
 #include "messages.h"
 #include "progress_bar.h"
 #include "shown_frame.h"
+#include "tr.h"
 #include "usage_error.h"
 
 #include "io/file/standard_output.h"
 #include "io/report/info_json.h"
 #include "io/report/info_text.h"
 
-#include <QCoreApplication>
 #include <QHash>
 
 #include <atomic>
@@ -27,7 +27,7 @@ namespace cli {
 
 namespace {
 
-struct Arguments {
+struct InfoArguments {
     std::string file;
     std::vector<std::string> entries;
     bool json = false;
@@ -40,7 +40,7 @@ struct Arguments {
     Verbosity verbosity;
 };
 
-std::optional<double> tolerance(const Arguments& arguments) {
+std::optional<double> tolerance(const InfoArguments& arguments) {
     if (!arguments.hullTolerance) return std::nullopt;
     return positiveArgument("--hull-tolerance", *arguments.hullTolerance);
 }
@@ -105,7 +105,7 @@ void limit(io::InfoSubject& subject, std::chrono::duration<double> perFact) {
     subject.end = ifs::ProcessorClock::now() + perCall * perFact;
 }
 
-QByteArray factsOf(const Arguments& arguments, io::InfoSubject subject, ProgressMode mode,
+QByteArray factsOf(const InfoArguments& arguments, io::InfoSubject subject, ProgressMode mode,
                    std::optional<double> budget) {
     document::Problems remarks;
     subject.hullTolerance = tolerance(arguments);
@@ -129,10 +129,9 @@ void dropEntriesEndedBefore(const std::string& frame, Selection& selection, cons
     const animation::Moment moment = momentArgument("--frame", frame);
     selection.entries.removeIf([&](const document::Entry& entry) {
         if (isLoaded(entry) && !document::animationFacts(*entry.fractal))
-            reportWarning(fileName,
-                          QCoreApplication::translate("cli", "“%1” has no animation: its properties are the "
-                                                             "same in every frame.")
-                              .arg(printableLine(entry.fractal->name)));
+            reportWarning(fileName, tr("“%1” has no animation: its properties are the "
+                                       "same in every frame.")
+                                        .arg(printableLine(entry.fractal->name)));
         const QString obstacle = frameObstacle(*entry.fractal, moment);
         if (!obstacle.isEmpty()) reportError(fileName, obstacle);
         selection.complete &= obstacle.isEmpty();
@@ -144,13 +143,11 @@ std::optional<double> budgetArgument(const std::string& text) {
     if (text == "none") return std::nullopt;
     constexpr double maxSeconds = 1e6;
     const double seconds = positiveArgument("--budget", text);
-    if (seconds > maxSeconds)
-        throw UsageError{
-            QCoreApplication::translate("cli", "--budget must be none, or at most 1000000 seconds.")};
+    if (seconds > maxSeconds) throw UsageError{tr("--budget must be none, or at most 1000000 seconds.")};
     return seconds;
 }
 
-ExitStatus info(const Arguments& arguments) {
+ExitStatus info(const InfoArguments& arguments) {
     const ProgressMode mode = applied(arguments.verbosity);
     const auto budget = budgetArgument(arguments.budget);
     tolerance(arguments);
@@ -175,7 +172,7 @@ ExitStatus info(const Arguments& arguments) {
 } // namespace
 
 Command infoCommand() {
-    auto arguments = std::make_shared<Arguments>();
+    auto arguments = std::make_shared<InfoArguments>();
     Command command("info", "Show what a file contains and the properties of its systems",
                     "info FILE [OPTION]...");
     command.group("Files")

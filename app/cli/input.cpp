@@ -3,11 +3,11 @@
 
 #include "messages.h"
 #include "options.h"
+#include "tr.h"
 
 #include "io/file/native_path.h"
 #include "io/file/save_file.h"
 
-#include <QCoreApplication>
 #include <QFile>
 
 #include <algorithm>
@@ -15,10 +15,6 @@
 namespace cli {
 
 namespace {
-
-QString tr(const char* text) {
-    return QCoreApplication::translate("cli", text);
-}
 
 io::Loaded readStandardInput() {
     QFile file;

@@ -3,8 +3,7 @@
 
 #include "exit_status.h"
 #include "messages.h"
-
-#include <QCoreApplication>
+#include "tr.h"
 
 #include <chrono>
 #include <csignal>
@@ -37,8 +36,7 @@ ExitStatus statusOf(int signal) {
 
 [[noreturn]] void endNow(int signal) {
     reportError(QStringLiteral("barycage-cli"),
-                signal == outOfTime ? QCoreApplication::translate("cli", "The time limit has passed.")
-                                    : QCoreApplication::translate("cli", "Interrupted."));
+                signal == outOfTime ? tr("The time limit has passed.") : tr("Interrupted."));
     std::_Exit(int(statusOf(signal)));
 }
 

@@ -4,6 +4,7 @@
 #include "messages.h"
 #include "output.h"
 #include "parser.h"
+#include "tr.h"
 #include "usage_error.h"
 
 #include <QGuiApplication>
@@ -42,8 +43,7 @@ ExitStatus run(const cli::Program& program, const std::vector<std::string>& word
         cli::reportUsage(isCommand ? QString::fromStdString(words.front()) : QString(), error.sentence);
         return ExitStatus::WrongUsage;
     } catch (const std::bad_alloc&) {
-        cli::reportError(QStringLiteral("barycage-cli"),
-                         QCoreApplication::translate("cli", "There is not enough memory for this."));
+        cli::reportError(QStringLiteral("barycage-cli"), cli::tr("There is not enough memory for this."));
         return ExitStatus::CannotReadOrWrite;
     } catch (const std::system_error& error) {
         cli::reportError(QStringLiteral("barycage-cli"), QString::fromLocal8Bit(error.what()));

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "messages.h"
 
+#include "tr.h"
+
 #include "document/reordered_text.h"
 #include "io/file/standard_output.h"
-
-#include <QCoreApplication>
 
 #include <cstdio>
 #include <utility>
@@ -70,7 +70,7 @@ void reportUsage(const QString& subcommand, const QString& sentence) {
     const QString program = QStringLiteral("barycage-cli");
     const QString command = subcommand.isEmpty() ? program : program + u' ' + subcommand;
     line(QStringLiteral("%1: error: %2").arg(command, sentence));
-    line(QCoreApplication::translate("cli", "Try “%1 --help”.").arg(command));
+    line(tr("Try “%1 --help”.").arg(command));
 }
 
 bool print(const QByteArray& text) {

@@ -5,6 +5,7 @@
 #include "messages.h"
 #include "output.h"
 #include "progress_bar.h"
+#include "tr.h"
 #include "usage_error.h"
 
 #include "animation/moment.h"
@@ -12,7 +13,6 @@
 #include "document/edits/morph_edits.h"
 #include "io/fractint/entry_writer.h"
 
-#include <QCoreApplication>
 #include <QFileInfo>
 
 #include <memory>
@@ -20,10 +20,6 @@
 namespace cli {
 
 namespace {
-
-QString tr(const char* text) {
-    return QCoreApplication::translate("cli", text);
-}
 
 struct MorphArguments {
     std::string file;

@@ -2,13 +2,12 @@
 #include "output.h"
 
 #include "messages.h"
+#include "tr.h"
 
 #include "io/file/hard_links.h"
 #include "io/file/native_path.h"
 #include "io/file/save_file.h"
 #include "io/file/standard_output.h"
-
-#include <QCoreApplication>
 
 #include <cerrno>
 #include <filesystem>
@@ -24,8 +23,7 @@ int otherNames(const QString& output) {
 // Of the file that was there before.
 void warnAboutLinks(const QString& output, int otherNames) {
     if (otherNames == 0) return;
-    reportWarning(output, QCoreApplication::translate(
-                              "cli", "Other names of the file (hard links) keep the old contents."));
+    reportWarning(output, tr("Other names of the file (hard links) keep the old contents."));
 }
 
 } // namespace

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "parser.h"
 
+#include "tr.h"
 #include "usage_error.h"
 
 #include <QByteArrayView>
-#include <QCoreApplication>
 
 #include <algorithm>
 #include <cctype>
@@ -14,10 +14,6 @@
 namespace cli {
 
 namespace {
-
-QString tr(const char* text) {
-    return QCoreApplication::translate("cli", text);
-}
 
 QString shown(const std::string& word) {
     return QString::fromStdString(word);

@@ -2,14 +2,13 @@
 #include "pdf_pages.h"
 
 #include "messages.h"
+#include "tr.h"
 
 #include "document/fractal_geometry.h"
 #include "document/space_geometry.h"
 #include "io/exports/export_recipe.h"
 #include "io/picture/pdf_writer.h"
 #include "io/picture/space_export.h"
-
-#include <QCoreApplication>
 
 namespace cli {
 
@@ -18,10 +17,6 @@ namespace {
 constexpr int side = 700;       // pixels of SVG, a good seven inches
 constexpr int finer = 3;        // pixels of a solid, along each of those
 constexpr double margin = 0.05; // around it
-
-QString tr(const char* text) {
-    return QCoreApplication::translate("cli", text);
-}
 
 io::Failure addShapes(io::PdfFile& file, const document::Fractal& fractal, const std::stop_token& stop) {
     attractor::Camera camera;

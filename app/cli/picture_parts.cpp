@@ -9,12 +9,12 @@
 #include "output.h"
 #include "output_names.h"
 #include "progress_bar.h"
+#include "tr.h"
 #include "usage_error.h"
 
 #include "io/file/standard_output.h"
 #include "io/picture/picture_writers.h"
 
-#include <QCoreApplication>
 #include <QFileInfo>
 
 #include <memory>
@@ -26,10 +26,6 @@ namespace cli {
 namespace {
 
 constexpr int maxParts = 1'000'000;
-
-QString tr(const char* text) {
-    return QCoreApplication::translate("cli", text);
-}
 
 // i of n, from "i/n"; i counts from 0.
 struct Share {

@@ -6,13 +6,13 @@
 #include "options.h"
 #include "output.h"
 #include "output_names.h"
+#include "tr.h"
 #include "usage_error.h"
 
 #include "attractor/kernels/kernels.h"
 #include "io/picture/picture_writers.h"
 #include "io/text/number.h"
 
-#include <QCoreApplication>
 #include <QFileInfo>
 #include <QStringList>
 
@@ -21,10 +21,6 @@
 namespace cli {
 
 namespace {
-
-QString tr(const char* text) {
-    return QCoreApplication::translate("cli", text);
-}
 
 // All steps in one picture.
 bool isStrip(const RenderArguments& arguments) {

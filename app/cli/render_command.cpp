@@ -14,13 +14,13 @@
 #include "render_plane.h"
 #include "render_space.h"
 #include "shown_frame.h"
+#include "tr.h"
 #include "usage_error.h"
 
 #include "attractor/colour/palette_library.h"
 #include "document/fractal_geometry.h"
 #include "io/export_job.h"
 
-#include <QCoreApplication>
 #include <QDir>
 #include <QFileInfo>
 #include <QHash>
@@ -33,10 +33,6 @@
 namespace cli {
 
 namespace {
-
-QString tr(const char* text) {
-    return QCoreApplication::translate("cli", text);
-}
 
 void checkDepth(const document::Fractal& fractal, const attractor::Camera& camera,
                 const RenderArguments& arguments) {

@@ -2,18 +2,9 @@
 #include "render_note.h"
 
 #include "messages.h"
-
-#include <QCoreApplication>
+#include "tr.h"
 
 namespace cli {
-
-namespace {
-
-QString tr(const char* text) {
-    return QCoreApplication::translate("cli", text);
-}
-
-} // namespace
 
 QString sentenceOf(attractor::RenderNote note, bool isInSpace) {
     switch (note) {

@@ -4,14 +4,13 @@
 #include "arguments.h"
 #include "messages.h"
 #include "render_view.h"
+#include "tr.h"
 #include "usage_error.h"
 
 #include "document/edits/cage_edits.h"
 #include "document/fractal_geometry.h"
 #include "document/map_handles.h"
 #include "ifs/extent/convex_hull.h"
-
-#include <QCoreApplication>
 
 #include <algorithm>
 #include <cmath>
@@ -20,10 +19,6 @@
 namespace cli {
 
 namespace {
-
-QString tr(const char* text) {
-    return QCoreApplication::translate("cli", text);
-}
 
 // N of "hull:N".
 int hullCorners(const std::string& text) {

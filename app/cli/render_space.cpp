@@ -6,6 +6,7 @@
 #include "messages.h"
 #include "output.h"
 #include "solid_options.h"
+#include "tr.h"
 #include "usage_error.h"
 
 #include "attractor/samples/prepared_space.h"
@@ -19,8 +20,6 @@
 #include "io/report/figure_error.h"
 #include "io/text/number.h"
 
-#include <QCoreApplication>
-
 #include <algorithm>
 #include <cmath>
 
@@ -32,10 +31,6 @@ using attractor::LookInSpace;
 using Corners = std::vector<ifs::Vector<3>>;
 
 constexpr std::uint64_t maxBytes = std::uint64_t{4} << 30; // of memory for one picture
-
-QString tr(const char* text) {
-    return QCoreApplication::translate("cli", text);
-}
 
 QString quoted(const std::string& text) {
     return QString::fromStdString(text);
@@ -158,7 +153,7 @@ Corners cornersArgument(const char* option, const std::string& text) {
 }
 
 // hull, of 16 corners, or hull:N; nullopt for other texts.
-std::optional<int> hullCorners(const std::string& text) {
+std::optional<int> hullVertices(const std::string& text) {
     constexpr int usual = 16;
     if (text == "hull") return usual;
     if (!text.starts_with("hull:")) return std::nullopt;
@@ -173,7 +168,7 @@ std::optional<int> hullCorners(const std::string& text) {
 Corners restOf(const RenderArguments& options, const document::System3& system,
                const ifs::SupportFunction<3>* support) {
     const std::string text = options.restCage.value_or("canonical");
-    const std::optional<int> hull = hullCorners(text);
+    const std::optional<int> hull = hullVertices(text);
     if (text != "canonical" && text != "box" && text != "octahedron" && !hull)
         return cornersArgument("--rest-cage", text);
     if (support == nullptr)

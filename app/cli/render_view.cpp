@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "render_view.h"
 
+#include "tr.h"
 #include "usage_error.h"
 
 #include "attractor/samples/prepared_system.h"
 #include "document/fractal_geometry.h"
-
-#include <QCoreApplication>
 
 #include <cmath>
 #include <vector>
@@ -37,11 +36,9 @@ ViewBox boxOfIterate(const document::Fractal& fractal, int n) {
         attractor::prepared(*document::system2(fractal), document::movedBranches(fractal));
     const std::vector<ifs::AffineMap<2>>& maps = system.maps;
     if (std::pow(double(maps.size()), n) > maxCopies)
-        throw UsageError{
-            QCoreApplication::translate(
-                "cli", "--iterations %1 would draw %2 copies of the cage; the limit is 10 million.")
-                .arg(n)
-                .arg(std::pow(double(maps.size()), n), 0, 'g', 3)};
+        throw UsageError{tr("--iterations %1 would draw %2 copies of the cage; the limit is 10 million.")
+                             .arg(n)
+                             .arg(std::pow(double(maps.size()), n), 0, 'g', 3)};
     struct Copy {
         ifs::AffineMap<2> map;
         int left;

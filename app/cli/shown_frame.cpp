@@ -2,19 +2,10 @@
 #include "shown_frame.h"
 
 #include "arguments.h"
+#include "tr.h"
 #include "usage_error.h"
 
-#include <QCoreApplication>
-
 namespace cli {
-
-namespace {
-
-QString tr(const char* text) {
-    return QCoreApplication::translate("cli", text);
-}
-
-} // namespace
 
 QString frameObstacle(const document::Fractal& entry, const animation::Moment& moment) {
     const auto facts = document::animationFacts(entry);

@@ -5,24 +5,15 @@
 #include "messages.h"
 #include "options.h"
 #include "render_arguments.h"
+#include "tr.h"
 #include "usage_error.h"
 
 #include "document/edits/dimension_edits.h"
 #include "io/text/number.h"
 
-#include <QCoreApplication>
-
 #include <cmath>
 
 namespace cli {
-
-namespace {
-
-QString tr(const char* text) {
-    return QCoreApplication::translate("cli", text);
-}
-
-} // namespace
 
 void addSolidOptions(Command& command, SolidArguments& arguments) {
     const OptionGroup solids = command.group("Solids");

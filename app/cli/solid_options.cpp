@@ -2,13 +2,12 @@
 #include "solid_options.h"
 
 #include "arguments.h"
+#include "tr.h"
 #include "usage_error.h"
 
 #include "document/space_geometry.h"
 #include "io/fractint/space_comments.h"
 #include "io/text/number.h"
-
-#include <QCoreApplication>
 
 namespace cli {
 
@@ -16,10 +15,6 @@ namespace {
 
 using attractor::LookInSpace;
 using attractor::SolidColour;
-
-QString tr(const char* text) {
-    return QCoreApplication::translate("cli", text);
-}
 
 bool usesPalette(SolidColour colour) {
     return colour == SolidColour::Address || colour == SolidColour::Height || colour == SolidColour::Depth;

@@ -6,20 +6,16 @@
 #include "messages.h"
 #include "options.h"
 #include "output.h"
+#include "tr.h"
 #include "usage_error.h"
 
 #include "attractor/tops/key_tops.h"
 
-#include <QCoreApplication>
 #include <QFileInfo>
 
 namespace cli {
 
 namespace {
-
-QString tr(const char* text) {
-    return QCoreApplication::translate("cli", text);
-}
 
 StealTask taskOf(const StealArguments& arguments) {
     const int tasks =

@@ -10,6 +10,7 @@
 #include "render_plane.h"
 #include "render_view.h"
 #include "steal_arguments.h"
+#include "tr.h"
 #include "usage_error.h"
 
 #include "attractor/tops/picture_patterns.h"
@@ -25,7 +26,6 @@
 #include "io/tops/picture_reader.h"
 #include "io/tops/steal_export.h"
 
-#include <QCoreApplication>
 #include <QDir>
 #include <QFileInfo>
 
@@ -39,10 +39,6 @@ namespace {
 
 using Layout = io::JsonWriter::Layout;
 
-QString tr(const char* text) {
-    return QCoreApplication::translate("cli", text);
-}
-
 // The two entries, and the files that they are in.
 struct Sources {
     std::optional<Input> file, fromFile;
@@ -54,7 +50,7 @@ struct Sources {
     const Input& secondFile() const { return fromFile ? *fromFile : *file; }
 };
 
-const document::Entry* only(const ToDraw& found, const std::string& name) {
+const document::Entry* onlyEntry(const ToDraw& found, const std::string& name) {
     if (found.entries.size() > 1)
         throw UsageError{
             tr("--entry and --from each name one entry, not “%1”.").arg(QString::fromStdString(name))};
@@ -75,13 +71,13 @@ Sources readSources(const StealArguments& arguments) {
         arguments.entry ? std::vector{*arguments.entry} : std::vector<std::string>{};
     const ToDraw drawn = entriesToDraw(*sources.file, names);
     sources.status = drawn.status;
-    sources.first = only(drawn, arguments.entry.value_or(std::string()));
+    sources.first = onlyEntry(drawn, arguments.entry.value_or(std::string()));
     if (sources.first == nullptr) return sources;
     sources.theft = theftOf(arguments, *sources.first->fractal);
     const std::string partner = sources.theft.partner.toStdString();
     const ToDraw painted = entriesToDraw(sources.secondFile(), {partner}, isOneFile ? &drawn : nullptr);
     sources.status = std::max(sources.status, painted.status);
-    sources.second = only(painted, partner);
+    sources.second = onlyEntry(painted, partner);
     return sources;
 }
 

@@ -2,12 +2,11 @@
 #include "symmetry_arguments.h"
 
 #include "options.h"
+#include "tr.h"
 #include "usage_error.h"
 
 #include "document/edits/link_expansion.h"
 #include "document/edits/symmetry_edits.h"
-
-#include <QCoreApplication>
 
 #include <memory>
 #include <utility>
@@ -15,10 +14,6 @@
 namespace cli {
 
 namespace {
-
-QString tr(const char* text) {
-    return QCoreApplication::translate("cli", text);
-}
 
 template <int Dim>
 std::optional<document::Fractal> symmetric(const document::Fractal& fractal, const io::NamedSymmetry& named) {

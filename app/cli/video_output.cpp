@@ -2,8 +2,7 @@
 #include "video_output.h"
 
 #include "messages.h"
-
-#include <QCoreApplication>
+#include "tr.h"
 
 #include <memory>
 #include <optional>
@@ -14,10 +13,6 @@ namespace cli {
 namespace {
 
 constexpr double shareOfFrames = 0.9; // of the progress; the rest is finishing
-
-QString tr(const char* text) {
-    return QCoreApplication::translate("cli", text);
-}
 
 void warnAboutFormat(const QString& path, const io::VideoSettings& settings) {
     const io::VideoFormatFacts facts = io::factsOf(settings.format);

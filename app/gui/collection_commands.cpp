@@ -2,21 +2,16 @@
 #include "collection_commands.h"
 
 #include "document/document.h"
+#include "document/text.h"
 #include "document/tops/partner_names.h"
 #include "file_commands.h"
 #include "open_file.h"
 #include "panels/collection/collection_panel.h"
 
-#include <QCoreApplication>
-
 #include <memory>
 #include <utility>
 
 namespace {
-
-struct Text {
-    Q_DECLARE_TR_FUNCTIONS(MainWindow)
-};
 
 using document::EntryId;
 using Fractals = QList<document::Fractal>;

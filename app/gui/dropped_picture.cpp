@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "dropped_picture.h"
 
+#include "document/text.h"
 #include "io/file/background.h"
 #include "io/file/save_file.h"
 #include "io/picture/picture_decoder.h"
@@ -10,7 +11,6 @@
 #include "panels/collage/target_box.h"
 #include "widgets/wait_for.h"
 
-#include <QCoreApplication>
 #include <QDockWidget>
 #include <QFileInfo>
 #include <QMainWindow>
@@ -32,7 +32,7 @@ bool isPlainPicture(const QString& path, QWidget* window) {
                                               : io::readRasterSystem(loaded.bytes);
         isPlain.addResult(!loaded.failure && system.text.isEmpty());
     });
-    const QString label = QCoreApplication::translate("MainWindow", "Reading “%1”…").arg(file.fileName());
+    const QString label = Text::tr("Reading “%1”…").arg(file.fileName());
     return view::waitFor(QFuture<void>(reading), label, window) && reading.isResultReadyAt(0) &&
            reading.resultAt(0);
 }

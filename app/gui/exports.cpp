@@ -3,6 +3,7 @@
 
 #include "dialogs/export/animation_export_dialog.h"
 #include "dialogs/export/export_progress.h"
+#include "document/text.h"
 #include "session.h"
 #include "window_messages.h"
 
@@ -16,14 +17,6 @@
 #include <algorithm>
 
 namespace exports {
-
-namespace {
-
-struct Text {
-    Q_DECLARE_TR_FUNCTIONS(Exports)
-};
-
-} // namespace
 
 QString folder() {
     return QStandardPaths::writableLocation(QStandardPaths::AppLocalDataLocation) +

@@ -44,7 +44,7 @@ QByteArray resource(const QString& name) {
     return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
 }
 
-struct Reading {
+struct LessonReading {
     io::Failure failure;
     io::LessonFile lesson;  // when there is no failure
     QString fractals;       // their path; empty when they are gone, or elsewhere
@@ -70,18 +70,19 @@ QString fractalsOf(const QString& lesson, const QString& reference) {
 }
 
 // The file that is open needs no question.
-QFuture<Reading> readBeside(const QString& path, const QString& openFile) {
-    return io::inBackground<Reading>(io::Lane::Reading, [path, openFile](QPromise<Reading>& promise) {
-        Reading reading;
-        const io::Loaded loaded = io::loadFile(path);
-        reading.failure = loaded.failure;
-        if (!loaded.failure) reading.lesson = io::readLesson(loaded.bytes);
-        const QString& reference = reading.lesson.lesson.file;
-        reading.isForeign = !io::liesInside(QFileInfo(path).absolutePath(), reference) &&
-                            absolutePath(path, reference) != openFile;
-        if (!reference.isEmpty() && !reading.isForeign) reading.fractals = fractalsOf(path, reference);
-        promise.addResult(std::move(reading));
-    });
+QFuture<LessonReading> readBeside(const QString& path, const QString& openFile) {
+    return io::inBackground<LessonReading>(
+        io::Lane::Reading, [path, openFile](QPromise<LessonReading>& promise) {
+            LessonReading reading;
+            const io::Loaded loaded = io::loadFile(path);
+            reading.failure = loaded.failure;
+            if (!loaded.failure) reading.lesson = io::readLesson(loaded.bytes);
+            const QString& reference = reading.lesson.lesson.file;
+            reading.isForeign = !io::liesInside(QFileInfo(path).absolutePath(), reference) &&
+                                absolutePath(path, reference) != openFile;
+            if (!reference.isEmpty() && !reading.isForeign) reading.fractals = fractalsOf(path, reference);
+            promise.addResult(std::move(reading));
+        });
 }
 
 } // namespace
@@ -220,11 +221,11 @@ bool LessonCommands::adopt(const LessonPlace& place, const QString& name, io::Le
 
 bool LessonCommands::open(const QString& path) {
     const QString name = QFileInfo(path).fileName();
-    QFuture<Reading> work = readBeside(path, m_file->path());
+    QFuture<LessonReading> work = readBeside(path, m_file->path());
     const QPointer<LessonCommands> self(this);
     if (!view::waitFor(QFuture<void>(work), tr("Reading “%1”…").arg(name), m_parts.window)) return false;
     if (!self) return false;
-    Reading reading = work.takeResult();
+    LessonReading reading = work.takeResult();
     if (reading.failure) {
         context().messages->fail(tr("%1 could not be opened").arg(name), *reading.failure);
         return false;

@@ -6,9 +6,8 @@
 #include "document/edits/cage_edits.h"
 #include "document/fractal_geometry.h"
 #include "document/space_geometry.h"
+#include "document/text.h"
 #include "stage.h"
-
-#include <QCoreApplication>
 
 #include <algorithm>
 #include <type_traits>
@@ -25,10 +24,6 @@ using document::LessonState;
 using document::LessonTool;
 using document::Outline;
 using Tool = view::CanvasView::Tool;
-
-struct Text {
-    Q_DECLARE_TR_FUNCTIONS(Lesson)
-};
 
 constexpr Outline outlines[] = {Outline::Box,         Outline::Hull,    Outline::Simplex,
                                 Outline::FixedPoints, Outline::Ellipse, Outline::Cylinders};

@@ -1,20 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "panel_texts.h"
+#include "document/text.h"
 
 #include <QAction>
-#include <QCoreApplication>
 #include <QDockWidget>
 #include <QMainWindow>
 
 #include <utility>
-
-namespace {
-
-struct Text {
-    Q_DECLARE_TR_FUNCTIONS(MainWindow)
-};
-
-} // namespace
 
 void explainPanels(const QMainWindow& window) {
     for (const auto& [id, text] :

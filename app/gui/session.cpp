@@ -2,11 +2,11 @@
 #include "session.h"
 
 #include "desktop/settings.h"
+#include "document/text.h"
 #include "io/file/slow_disk.h"
 #include "window_messages.h"
 
 #include <QApplication>
-#include <QCoreApplication>
 #include <QFileInfo>
 #include <QVariant>
 
@@ -16,11 +16,7 @@ namespace session {
 
 namespace {
 
-struct Text {
-    Q_DECLARE_TR_FUNCTIONS(MainWindow)
-};
-
-const QString key = QStringLiteral("session/files");
+const QString filesKey = QStringLiteral("session/files");
 constexpr char toReopen[] = "filesToReopen"; // a property of the application
 
 QStringList filesOf(const QList<SessionWindow*>& windows) {
@@ -57,7 +53,7 @@ std::optional<QStringList> closeAll() {
     QApplication::closeAllWindows();
     if (!shown().isEmpty()) return std::nullopt;
     const QStringList paths = filesOf(closing);
-    view::store(key, paths);
+    view::store(filesKey, paths);
     return paths;
 }
 
@@ -88,12 +84,12 @@ bool showOther(const QString& path, const QWidget* window) {
 }
 
 QStringList files() {
-    return io::withoutGone(view::stored(key).toStringList());
+    return io::withoutGone(view::stored(filesKey).toStringList());
 }
 
 void remember() {
     // Also while other windows are open: the program may be killed before they close.
-    view::store(key, filesOf(shown()));
+    view::store(filesKey, filesOf(shown()));
 }
 
 void quit() {

@@ -55,7 +55,7 @@ std::optional<CommonNorm<Dim>> descended(const ifs::Matrix<Dim>& form,
                                          std::span<const ifs::AffineMap<Dim>> maps) {
     const auto norm = rootsOf<Dim>(form);
     if (!norm) return std::nullopt;
-    ifs::Coordinates<Dim> best{norm->root, 0};
+    ifs::NormCoordinates<Dim> best{norm->root, 0};
     for (const auto& map : maps)
         best.longest =
             std::max(best.longest, ifs::spectralNorm<Dim>(norm->root * map.linear * norm->inverse));

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "document/map_solo.h"
 #include "document/fractal_geometry.h"
+#include "document/text.h"
 #include "ifs/linear/singular_vectors.h"
-
-#include <QCoreApplication>
 
 #include <algorithm>
 #include <optional>
@@ -13,10 +12,6 @@
 namespace document {
 
 namespace {
-
-struct Text {
-    Q_DECLARE_TR_FUNCTIONS(document::MapSolo)
-};
 
 // Of the largest extent; what is as thin looks flat, and can be drawn as a solid.
 constexpr double thin = 1e-3;

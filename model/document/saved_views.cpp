@@ -16,10 +16,10 @@ namespace {
 const QString nameKey = QStringLiteral("barycage: view ");
 const QString cameraKey = QStringLiteral("barycage: view-camera ");
 constexpr qsizetype maxLine = 69;       // bytes
-constexpr qsizetype maxName = 48;       // bytes
+constexpr qsizetype maxViewName = 48;   // bytes
 constexpr std::size_t planeNumbers = 4; // and the rotation, where there is one
 constexpr std::size_t spaceNumbers = 10;
-constexpr double farthest = 1e30; // of positions and heights, as far as the canvas zooms
+constexpr double maxDistance = 1e30; // of positions and heights, as far as the canvas zooms
 
 // The lines of one view.
 struct Block {
@@ -33,7 +33,8 @@ void readNumbers(const QString& values, Block& block) {
     for (const QString& text : values.split(u' ', Qt::SkipEmptyParts)) {
         bool isNumber = false;
         const double number = text.toDouble(&isNumber);
-        block.isWrong |= !isNumber || !(std::abs(number) <= farthest) || block.numbers.size() >= spaceNumbers;
+        block.isWrong |=
+            !isNumber || !(std::abs(number) <= maxDistance) || block.numbers.size() >= spaceNumbers;
         if (block.isWrong) return;
         block.numbers.push_back(number);
     }
@@ -55,7 +56,7 @@ std::vector<Block> blocksIn(const QStringList& comments) {
 
 std::optional<attractor::View> planeView(const std::vector<double>& n) {
     const bool isTurned = n.size() == planeNumbers + 1;
-    if ((n.size() != planeNumbers && !isTurned) || !(n[2] >= 1 / farthest) || std::abs(n[3]) != 1)
+    if ((n.size() != planeNumbers && !isTurned) || !(n[2] >= 1 / maxDistance) || std::abs(n[3]) != 1)
         return std::nullopt;
     return attractor::View{{n[0], n[1]},
                            n[2],
@@ -66,7 +67,7 @@ std::optional<attractor::View> planeView(const std::vector<double>& n) {
 std::optional<attractor::OrbitCamera> spaceView(const std::vector<double>& n) {
     if (n.size() != spaceNumbers) return std::nullopt;
     const attractor::Orientation orientation(n[3], n[4], n[5], n[6]);
-    if (std::abs(orientation.norm() - 1) > 1e-3 || !(n[7] >= 1 / farthest)) return std::nullopt;
+    if (std::abs(orientation.norm() - 1) > 1e-3 || !(n[7] >= 1 / maxDistance)) return std::nullopt;
     if (!(n[8] > 0 && n[8] < 180) || (n[9] != 0 && n[9] != 1)) return std::nullopt;
     attractor::OrbitCamera camera;
     camera.target = {n[0], n[1], n[2]};
@@ -185,7 +186,7 @@ QString storableViewName(const QString& name) {
     QString stored;
     for (const QChar& letter : name.simplified())
         if (letter.isPrint() || letter.isSurrogate()) stored += letter;
-    while (stored.toUtf8().size() > maxName)
+    while (stored.toUtf8().size() > maxViewName)
         stored.chop(stored.size() > 1 && stored.back().isLowSurrogate() ? 2 : 1);
     return stored.simplified();
 }

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "document/space_geometry.h"
 #include "document/fractal_geometry.h"
+#include "document/text.h"
 #include "ifs/cage/cage_surface.h"
-
-#include <QCoreApplication>
 
 #include <algorithm>
 #include <cmath>
@@ -96,7 +95,7 @@ std::optional<Reach> reachOf(const Fractal& fractal, double tolerance) {
 
 QString spaceObstacle(const Fractal& fractal) {
     if (space(fractal)) return {};
-    return QCoreApplication::translate("document::SpaceGeometry", "This entry is not a system in space.");
+    return Text::tr("This entry is not a system in space.");
 }
 
 std::shared_ptr<const ifs::SupportFunction<3>> spaceSupport(const Fractal& fractal) {

@@ -16,7 +16,7 @@ namespace {
 
 using Points = std::vector<ifs::Vector<3>>;
 
-constexpr std::size_t maxCylinders = 1024;
+constexpr std::size_t maxOutlines = 1024;
 constexpr double hullTolerance = 5e-3;     // of the attractor's radius: nobody sees more
 constexpr double cylinderTolerance = 3e-2; // each of very many is small
 
@@ -93,7 +93,7 @@ void addCylinders(std::vector<SpaceOutline>& shapes, const SpaceFacts& facts, in
     if (!facts.code.support || maps.empty()) return;
     std::vector<SpaceOutline> level{hullOf(*facts.code.support, cylinderTolerance, facts.placed)};
     level.front().kind = Outline::Cylinders;
-    for (int k = 0; k < depth && level.size() * maps.size() <= maxCylinders; ++k) {
+    for (int k = 0; k < depth && level.size() * maps.size() <= maxOutlines; ++k) {
         std::vector<SpaceOutline> next;
         for (std::size_t i = 0; i < maps.size(); ++i)
             for (const SpaceOutline& shorter : level) {

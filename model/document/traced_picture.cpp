@@ -8,7 +8,7 @@ namespace document {
 
 namespace {
 
-using Shape = TraceOptions::Shape;
+using TracedShape = TraceOptions::Shape;
 
 constexpr double margin = 0.25;       // around the shape, a share of its longer side
 constexpr int opaqueLevel = 127;      // up to which 255 − opacity is opaque
@@ -18,7 +18,7 @@ constexpr double outlineError = 0.75; // pixels
 // Cropped, and seen as the options want it.
 collage::GreyPicture prepared(const collage::GreyPicture& picture, const TraceOptions& options) {
     collage::GreyPicture part = options.crop ? collage::cropped(picture, *options.crop) : picture;
-    if (options.shape == Shape::Dark) std::ranges::fill(part.opacity, std::uint8_t(255));
+    if (options.shape == TracedShape::Dark) std::ranges::fill(part.opacity, std::uint8_t(255));
     return part;
 }
 
@@ -38,7 +38,7 @@ double distanceToSegment(const ifs::Vector<2>& p, const ifs::Vector<2>& a, const
 }
 
 // The corner between two others that is farthest from the line between them, and how far.
-std::pair<std::size_t, double> farthest(const Outline& outline, std::size_t first, std::size_t last) {
+std::pair<std::size_t, double> farthestPoint(const Outline& outline, std::size_t first, std::size_t last) {
     std::pair<std::size_t, double> found{first, 0};
     for (std::size_t k = first + 1; k < last; ++k) {
         const double distance = distanceToSegment(outline[k], outline[first], outline[last % outline.size()]);
@@ -51,14 +51,14 @@ std::pair<std::size_t, double> farthest(const Outline& outline, std::size_t firs
 Outline simplified(const Outline& outline, double error) {
     std::vector<std::uint8_t> stays(outline.size());
     std::vector<std::pair<std::size_t, std::size_t>> parts;
-    const std::size_t opposite = farthest(outline, 0, outline.size()).first;
+    const std::size_t opposite = farthestPoint(outline, 0, outline.size()).first;
     stays[0] = stays[opposite] = 1;
     parts.emplace_back(0, opposite);
     parts.emplace_back(opposite, outline.size());
     while (!parts.empty()) {
         const auto [first, last] = parts.back();
         parts.pop_back();
-        const auto [corner, distance] = farthest(outline, first, last);
+        const auto [corner, distance] = farthestPoint(outline, first, last);
         if (distance <= error) continue;
         stays[corner] = 1;
         parts.emplace_back(first, corner);
@@ -151,7 +151,8 @@ std::optional<TracedPicture> tracedPicture(const collage::GreyPicture& picture, 
     TracedPicture traced;
     traced.picture = prepared(picture, options);
     // Without transparency everything is opaque, and there is no shape.
-    if (options.shape == Shape::Opaque && !collage::isShapedByOpacity(traced.picture)) return std::nullopt;
+    if (options.shape == TracedShape::Opaque && !collage::isShapedByOpacity(traced.picture))
+        return std::nullopt;
     traced.mask = collage::targetMask(traced.picture, levelOf(traced.picture, options), options.polarity);
     const std::size_t area = collage::area(traced.mask);
     if (area == 0 || area == traced.mask.cells.size()) return std::nullopt;

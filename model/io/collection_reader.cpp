@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "io/collection_reader.h"
 
+#include "document/text.h"
 #include "document/unique_names.h"
 #include "io/exchange/aifs_reader.h"
 #include "io/fractint/format_detection.h"
@@ -75,10 +76,9 @@ std::optional<QString> otherReading(const Table& table) {
     for (std::size_t i = 6; i < numbers.size(); i += 7)
         sum += numbers[i] >= 0 ? numbers[i] : NAN;
     if (!(std::abs(sum - 1) <= tolerance)) return std::nullopt;
-    return QCoreApplication::translate(
-               "Text", "The numbers can be read as %1 maps of 6 numbers, line by line, or as %2 "
-                       "maps of 7 numbers, whose weights then sum to 1. They are read line by "
-                       "line; for the other reading, put 7 numbers on each line.")
+    return Text::tr("The numbers can be read as %1 maps of 6 numbers, line by line, or as %2 "
+                    "maps of 7 numbers, whose weights then sum to 1. They are read line by "
+                    "line; for the other reading, put 7 numbers on each line.")
         .arg(table.rows.size())
         .arg(numbers.size() / 7);
 }
@@ -90,9 +90,8 @@ std::optional<Collection> collectionOfTable(const QByteArray& bytes, const QStri
     Collection result{QStringLiteral("table"), {}, false};
     document::FractalFile& file = result.file;
     if (bytes.size() > maxTable) {
-        file.problems << errorOf(
-            QCoreApplication::translate("Text", "No iterated function system was found, and the file is too "
-                                                "large for a table of numbers: the limit is 64 MB."));
+        file.problems << errorOf(Text::tr("No iterated function system was found, and the file is too "
+                                          "large for a table of numbers: the limit is 64 MB."));
         return result;
     }
     Table table = readTable(QString::fromUtf8(bytes), columns, TableMaps::PlaneOrSpace);
@@ -119,9 +118,8 @@ std::optional<Collection> collectionOfTable(const QByteArray& bytes, const QStri
                                                     table.lines[i], 1, sentence};
             };
             if (const auto index = someWeightMissing(rows))
-                warn(*index, QCoreApplication::translate(
-                                 "Text", "Map %1 has no weight, so all weights are computed from the "
-                                         "determinants and the given ones are ignored.")
+                warn(*index, Text::tr("Map %1 has no weight, so all weights are computed from the "
+                                      "determinants and the given ones are ignored.")
                                  .arg(*index + 1));
             for (std::size_t i = 0; i < rows.size() && entry.problems.size() < maxRemarks; ++i)
                 if (const auto sentence =
@@ -155,16 +153,15 @@ QString nameOf(Notation notation) {
 document::Problem recognised(Notation notation, qsizetype systems, qsizetype maps, bool isOrderAssumed) {
     QString sentence =
         notation == Notation::Lists
-            ? QCoreApplication::translate(
-                  "Text",
+            ? Text::tr(
                   "This is not the format of a fractal program. Its lists of numbers are read as tables of "
                   "maps (systems: %1, maps: %2), in the order a b c d e f unless names give another order.")
-            : QCoreApplication::translate("Text", "This is read as %3 (systems: %1, maps: %2).");
+            : Text::tr("This is read as %3 (systems: %1, maps: %2).");
     sentence = sentence.arg(systems).arg(maps);
     if (notation != Notation::Lists) sentence = sentence.arg(nameOf(notation));
     if (notation != Notation::Lists && isOrderAssumed)
-        sentence += u' ' + QCoreApplication::translate("Text", "Nothing names its columns: their order is "
-                                                               "taken to be a b c d e f.");
+        sentence += u' ' + Text::tr("Nothing names its columns: their order is "
+                                    "taken to be a b c d e f.");
     return {document::Problem::Severity::Warning, {}, 0, 0, sentence};
 }
 
@@ -173,10 +170,8 @@ document::Problems located(document::Problems problems, const ListedMaps& listed
     for (document::Problem& problem : problems) {
         const auto row = std::size_t(problem.line);
         if (row > 0 && !nameOf(listed.notation).isEmpty())
-            problem.message = QCoreApplication::translate("Text", "In %1, row %2: %3")
-                                  .arg(nameOf(listed.notation))
-                                  .arg(row)
-                                  .arg(problem.message);
+            problem.message =
+                Text::tr("In %1, row %2: %3").arg(nameOf(listed.notation)).arg(row).arg(problem.message);
         problem.line = row > 0 && row <= listed.lines.size() ? listed.lines[row - 1] : 0;
         problem.column = problem.line > 0 ? 1 : 0;
     }
@@ -275,12 +270,11 @@ Collection collectionOfUtf16(QByteArray text, const QString& path, const ReadOpt
         text = head.replace(declaration, QStringLiteral("\\1")).toUtf8() + text.mid(longest);
     Collection collection = readCollection(text, path, options);
     if (collection.format == u"fractint")
-        collection.file.problems.prepend(
-            {document::Problem::Severity::Warning,
-             {},
-             0,
-             0,
-             QCoreApplication::translate("Text", "The text is encoded in UTF-16; it is saved as UTF-8.")});
+        collection.file.problems.prepend({document::Problem::Severity::Warning,
+                                          {},
+                                          0,
+                                          0,
+                                          Text::tr("The text is encoded in UTF-16; it is saved as UTF-8.")});
     return collection;
 }
 
@@ -318,8 +312,7 @@ Collection readCollection(const QByteArray& bytes, const QString& path, const Re
             warnOfSums(file.entries.first(), system->maps, 0);
     if (std::ranges::none_of(file.entries, isLoaded) && isOfAnotherKind(bytes)) {
         file = {};
-        file.problems << errorOf(QCoreApplication::translate(
-            "Text",
+        file.problems << errorOf(Text::tr(
             "This is a program, a page or another document, not a Fractint collection, and none of its "
             "numbers are affine maps."));
         return {QStringLiteral("unknown"), std::move(file), false};

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "io/export_job.h"
 
+#include "document/text.h"
 #include "io/file/background.h"
-
-#include <QCoreApplication>
 
 #include <new>
 
@@ -74,9 +73,8 @@ ExportOutcome exportTo(const Export& what, const QString& path, const Progress& 
         return exportSvg(std::get<SvgExport>(what), path, progress, stop);
     } catch (const std::bad_alloc&) {
         ExportOutcome outcome;
-        outcome.failure = QCoreApplication::translate(
-            "ExportJob",
-            "There is not enough memory for this picture. Reduce its size or the supersampling.");
+        outcome.failure =
+            Text::tr("There is not enough memory for this picture. Reduce its size or the supersampling.");
         return outcome;
     }
 }

@@ -490,84 +490,6 @@
     </message>
 </context>
 <context>
-    <name>CageEdits</name>
-    <message>
-        <source>This entry is not a system in the plane.</source>
-        <translation>Dieser Eintrag hat keine Abbildungen der Ebene.</translation>
-    </message>
-    <message>
-        <source>The cage is at rest: the picture shows the code.</source>
-        <translation>Der Käfig ist in Ruhe: Gezeigt wird der Code selbst.</translation>
-    </message>
-    <message>
-        <source>The cage bends the picture, and no affine code produces a bent picture. Choose “Affine fit” to bake the closest affine placement.</source>
-        <translation>Der Käfig biegt das Bild, und kein affiner Code hat ein gebogenes Bild. Mit „Affin angepasst“ lässt sich einrechnen, was ihm am nächsten kommt.</translation>
-    </message>
-    <message>
-        <source>The cage is flat, so its placement cannot be baked into the code. Open the cage first.</source>
-        <translation>Der Käfig ist flach, seine Lage lässt sich nicht in den Code einrechnen. Öffnen Sie zuerst den Käfig.</translation>
-    </message>
-    <message>
-        <source>Moving the cage moves the picture. Bake to change the code.</source>
-        <translation>Den Käfig zu bewegen bewegt das Bild. Der Code bleibt, wie er ist, bis Sie einrechnen.</translation>
-    </message>
-    <message>
-        <source>Moving the whole cage rewrites the code. Moving single vertices bends the picture, which no code can reproduce, so the code does not change.</source>
-        <translation>Den ganzen Käfig zu bewegen schreibt den Code um. Einzelne Ecken zu bewegen biegt das Bild; dem kann kein Code folgen, und er bleibt.</translation>
-    </message>
-    <message>
-        <source>Moving the cage rewrites all coefficients of the code; the cage is then at rest in its new position.</source>
-        <translation>Den Käfig zu bewegen schreibt jeden Koeffizienten des Codes um, und der Käfig ruht, wo er ist.</translation>
-    </message>
-    <message>
-        <source>The cage is not at rest: it already holds a placement.</source>
-        <translation>Der Käfig ist nicht in Ruhe: Er hält bereits eine Lage.</translation>
-    </message>
-    <message>
-        <source>Only a cage with three vertices can be unbaked.</source>
-        <translation>Nur ein Dreieck kann aus dem Code herausgerechnet werden.</translation>
-    </message>
-    <message>
-        <source>The cage is not convex: the picture may fold over itself at the notch.</source>
-        <translation>Der Käfig hat eine Kerbe: Dort kann sich das Bild überfalten.</translation>
-    </message>
-    <message>
-        <source>The cage is folded: parts of the picture overlap. Move the vertices apart to unfold it.</source>
-        <translation>Der Käfig ist gefaltet: Teile des Bildes liegen übereinander. Bewegen Sie die Ecken auseinander, um ihn zu entfalten.</translation>
-    </message>
-    <message>
-        <source>No map is active, so there is nothing to enclose.</source>
-        <translation>Keine Abbildung ist aktiv; es gibt nichts einzuschließen.</translation>
-    </message>
-    <message>
-        <source>A bent picture cannot be given another cage. First reset the cage or choose “Affine fit”.</source>
-        <translation>Ein gebogenes Bild kann kein anderer Käfig halten. Setzen Sie zuerst den Käfig zurück oder wählen Sie „Affin angepasst“.</translation>
-    </message>
-    <message>
-        <source>The cage is flat. First open or reset the triangle.</source>
-        <translation>Der Käfig ist flach. Öffnen Sie zuerst das Dreieck oder setzen Sie es zurück.</translation>
-    </message>
-    <message>
-        <source>This system has no attractor that can be enclosed.</source>
-        <translation>Dieses System hat keinen Attraktor, der eingeschlossen werden könnte.</translation>
-    </message>
-    <message>
-        <source>The cage is at rest.</source>
-        <translation>Der Käfig ist in Ruhe.</translation>
-    </message>
-    <message>
-        <source>The maps are linked; a cage cannot be fitted to linked maps.</source>
-        <translation>Die Abbildungen sind verknüpft; verknüpften Abbildungen lässt sich kein Käfig anpassen.</translation>
-    </message>
-</context>
-<context>
-    <name>ClusterJob</name>
-    <message>
-        <source>The folder %1 cannot be created.</source>
-        <translation>Der Ordner %1 kann nicht angelegt werden.</translation>
-    </message>
-</context>
-<context>
     <name>Collection</name>
     <message>
         <source>From the paper</source>
@@ -739,145 +661,6 @@
     </message>
 </context>
 <context>
-    <name>DimensionEdits</name>
-    <message>
-        <source>“%1” is not a system in the plane, so it cannot be lifted.</source>
-        <translation>„%1“ ist kein System in der Ebene und kann deshalb nicht in den Raum gehoben werden.</translation>
-    </message>
-    <message>
-        <source>The cage of “%1” has more than three corners, so it cannot become a tetrahedron. Bake or reset it first.</source>
-        <translation>Der Käfig von „%1“ hat mehr als drei Ecken, aus denen kein Tetraeder wird. Rechnen Sie ihn zuerst ein oder setzen Sie ihn zurück.</translation>
-    </message>
-    <message>
-        <source>“%1” is not a system in space, so it cannot be flattened.</source>
-        <translation>„%1“ ist kein System im Raum und kann deshalb nicht abgeflacht werden.</translation>
-    </message>
-    <message>
-        <source>The direction must have a length other than 0.</source>
-        <translation>Die Richtung darf nicht die Länge 0 haben.</translation>
-    </message>
-    <message>
-        <source>“%1” has moved branches, which cannot be flattened. Reset them first.</source>
-        <translation>„%1“ hat verschobene Äste, die nicht abgeflacht werden können. Setzen Sie sie zuerst zurück.</translation>
-    </message>
-    <message>
-        <source>The cage of “%1” cannot be baked into its maps, so it cannot be flattened.</source>
-        <translation>Der Käfig von „%1“ kann nicht in die Abbildungen eingerechnet werden; deshalb ist kein Abflachen möglich.</translation>
-    </message>
-    <message>
-        <source>The maps of “%1” are linked, and maps in space cannot be linked.</source>
-        <translation>Die Abbildungen von „%1“ sind verknüpft, was Abbildungen im Raum nicht sein können.</translation>
-    </message>
-    <message>
-        <source>Map %1 of “%2” does not keep this direction, so the projection is not an iterated function system. Export a picture seen from that direction instead.</source>
-        <translation>Abbildung %1 von „%2“ ändert die Richtung; die Projektion ist deshalb kein iteriertes Funktionensystem. Exportieren Sie stattdessen ein Bild von dieser Seite.</translation>
-    </message>
-    <message>
-        <source>The animation of “%1” cannot be taken to another dimension, so it is left out.</source>
-        <translation>Die Animation von „%1“ kann nicht in eine andere Dimension mitgenommen werden und entfällt.</translation>
-    </message>
-</context>
-<context>
-    <name>Enqueue</name>
-    <message>
-        <source>The name “%1” does not match the chosen format. Choose another name.</source>
-        <translation>Der Name „%1“ passt nicht zum gewählten Format. Wählen Sie einen anderen Namen.</translation>
-    </message>
-    <message>
-        <source>Another export in the queue writes “%1”. Choose another name.</source>
-        <translation>Ein anderer Export in der Warteschlange schreibt „%1“. Wählen Sie einen anderen Namen.</translation>
-    </message>
-    <message>
-        <source>Added to the queue: %1.</source>
-        <translation>In die Warteschlange aufgenommen: %1.</translation>
-    </message>
-</context>
-<context>
-    <name>ExportJob</name>
-    <message>
-        <source>There is not enough memory for this picture. Reduce its size or the supersampling.</source>
-        <translation>Für dieses Bild reicht der Speicher nicht. Machen Sie es kleiner oder verringern Sie die Überabtastung.</translation>
-    </message>
-</context>
-<context>
-    <name>ExportTask</name>
-    <message>
-        <source>It is damaged.</source>
-        <translation>Er ist beschädigt.</translation>
-    </message>
-    <message>
-        <source>It is not an export of this program.</source>
-        <translation>Es ist kein Export dieses Programms.</translation>
-    </message>
-    <message>
-        <source>Its settings are not supported by this version.</source>
-        <translation>Seine Einstellungen gibt es in dieser Version nicht.</translation>
-    </message>
-    <message>
-        <source>Its file name does not match its format.</source>
-        <translation>Die Datei, die er nennt, passt nicht zu seinem Format.</translation>
-    </message>
-</context>
-<context>
-    <name>Exports</name>
-    <message numerus="yes">
-        <source>%n exports from the last session are in the queue.</source>
-        <translation>
-            <numerusform>%n Export vom letzten Mal ist in der Warteschlange.</numerusform>
-            <numerusform>%n Exporte vom letzten Mal sind in der Warteschlange.</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>Exports are not finished</source>
-        <translation>Exporte sind nicht fertig</translation>
-    </message>
-    <message numerus="yes">
-        <source>%n exports are still in the queue.</source>
-        <translation>
-            <numerusform>%n Export ist noch in der Warteschlange.</numerusform>
-            <numerusform>%n Exporte sind noch in der Warteschlange.</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>They will continue the next time you start Barycage. Close it now?</source>
-        <translation>
-            <numerusform>Er läuft weiter, wenn Sie Barycage das nächste Mal starten. Jetzt schließen?</numerusform>
-            <numerusform>Sie laufen weiter, wenn Sie Barycage das nächste Mal starten. Jetzt schließen?</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>&amp;Close</source>
-        <translation>&amp;Schließen</translation>
-    </message>
-    <message>
-        <source>Export is not finished</source>
-        <translation>Export ist nicht fertig</translation>
-    </message>
-    <message>
-        <source>A file is still being exported.</source>
-        <translation>Eine Datei wird noch exportiert.</translation>
-    </message>
-    <message>
-        <source>If you stop now, no file is written.</source>
-        <translation>Wenn Sie jetzt anhalten, wird keine Datei geschrieben.</translation>
-    </message>
-    <message>
-        <source>&amp;Stop Export</source>
-        <translation>Export an&amp;halten</translation>
-    </message>
-    <message>
-        <source>&amp;Continue</source>
-        <translation>&amp;Fortsetzen</translation>
-    </message>
-</context>
-<context>
-    <name>FileDialogs</name>
-    <message>
-        <source>Pictures (%1);;All files (*)</source>
-        <translation>Bilder (%1);;Alle Dateien (*)</translation>
-    </message>
-</context>
-<context>
     <name>FlameBanner</name>
     <message>
         <source>Flames</source>
@@ -916,65 +699,7 @@
     </message>
 </context>
 <context>
-    <name>Lesson</name>
-    <message>
-        <source>The file has no entry “%1”.</source>
-        <translation>Die Datei hat keinen Eintrag „%1“.</translation>
-    </message>
-    <message>
-        <source>Show a step of the lesson</source>
-        <translation>Einen Schritt der Lektion zeigen</translation>
-    </message>
-    <message>
-        <source>The cage of this entry does not have the same corners as in the lesson.</source>
-        <translation>Der Käfig dieses Eintrags hat andere Ecken als in der Lektion.</translation>
-    </message>
-</context>
-<context>
-    <name>LessonReader</name>
-    <message>
-        <source>The lesson is larger than 4 MB, which is the limit.</source>
-        <translation>Die Lektion ist größer als 4 MB, die Grenze.</translation>
-    </message>
-    <message>
-        <source>This is not a lesson: its first line does not begin with “lesson:”.</source>
-        <translation>Das ist keine Lektion: Die erste Zeile beginnt nicht mit „lesson:“.</translation>
-    </message>
-    <message>
-        <source>The lesson has no steps.</source>
-        <translation>Die Lektion hat keine Schritte.</translation>
-    </message>
-    <message>
-        <source>This line was ignored: settings look like “file: name.ifs”, and steps begin with “##”.</source>
-        <translation>Diese Zeile wurde übergangen: Einstellungen sehen aus wie „file: name.ifs“, Schritte beginnen mit „##“.</translation>
-    </message>
-    <message>
-        <source>The lesson has more than %1 steps; the others were ignored.</source>
-        <translation>Die Lektion hat mehr als %1 Schritte; die übrigen wurden übergangen.</translation>
-    </message>
-    <message>
-        <source>The text of step %1 is longer than %2 characters and was cut.</source>
-        <translation>Der Text von Schritt %1 ist länger als %2 Zeichen und wurde gekürzt.</translation>
-    </message>
-    <message>
-        <source>“%1: %2” was not understood.</source>
-        <translation>„%1: %2“ wurde nicht verstanden.</translation>
-    </message>
-    <message>
-        <source>“%1” is unknown to this version and is kept.</source>
-        <translation>„%1“ ist dieser Version unbekannt und bleibt erhalten.</translation>
-    </message>
-    <message>
-        <source>A lesson cannot refer to “%1”. It can refer to a file in its own folder, or to a .ifs or .par file in another one.</source>
-        <translation>Eine Lektion kann nicht auf „%1“ verweisen, nur auf eine Datei in ihrem eigenen Ordner oder auf eine Datei .ifs oder .par in einem anderen.</translation>
-    </message>
-</context>
-<context>
     <name>MainWindow</name>
-    <message>
-        <source>Add %1</source>
-        <translation>%1 hinzufügen</translation>
-    </message>
     <message>
         <source>Show or hide the “%1” panel</source>
         <translation>Das Feld „%1“ zeigen oder verbergen</translation>
@@ -1602,38 +1327,6 @@
         <translation>Werkzeuge</translation>
     </message>
     <message>
-        <source>The fractals in the open file. The canvas shows the one you select here.</source>
-        <translation>Die Fraktale der offenen Datei. Das hier gewählte ist im Bild.</translation>
-    </message>
-    <message>
-        <source>Ready-made fractals by theme, and your own folders of fractals.</source>
-        <translation>Fraktale zum Anfangen, nach Themen, und Ihre eigenen Ordner davon.</translation>
-    </message>
-    <message>
-        <source>The maps of the fractal: its code, one map per row.</source>
-        <translation>Die Abbildungen des Fraktals: sein Code, eine Abbildung je Zeile.</translation>
-    </message>
-    <message>
-        <source>The control cage in numbers: its vertices, their positions at rest, what moving them does, and other cages to choose from.</source>
-        <translation>Der Kontrollkäfig in Zahlen: wo seine Ecken sind, wo sie in Ruhe sind, was ihre Bewegung bewirkt, und andere Käfige zur Wahl.</translation>
-    </message>
-    <message>
-        <source>Colours, brightness and background of the picture. They are saved with the fractal.</source>
-        <translation>Farben, Helligkeit und Hintergrund des Bildes. Sie werden mit dem Fraktal gespeichert.</translation>
-    </message>
-    <message>
-        <source>Mathematical properties of this fractal. Point to a name to see what it means.</source>
-        <translation>Mathematische Kennwerte dieses Fraktals. Zeigen Sie auf einen Namen, um zu lesen, was er bedeutet.</translation>
-    </message>
-    <message>
-        <source>Every step since the file was opened. Select one to go back or forward to it.</source>
-        <translation>Jeder Schritt, seit die Datei geöffnet wurde. Wählen Sie einen, um zu ihm zurück- oder vorzugehen.</translation>
-    </message>
-    <message>
-        <source>Problems found in the file, with line and column. The text in the file is kept unchanged.</source>
-        <translation>In der Datei gefundene Probleme, mit Zeile und Spalte. Der Text der Datei bleibt unverändert.</translation>
-    </message>
-    <message>
         <source>&amp;Tour</source>
         <translation>&amp;Rundgang</translation>
     </message>
@@ -2046,10 +1739,6 @@
         <translation>Zeitleiste</translation>
     </message>
     <message>
-        <source>The animation of this fractal: its motions, and the keys of everything that can move.</source>
-        <translation>Die Animation dieses Fraktals: seine Bewegungen und die Schlüssel von allem, was sich bewegen kann.</translation>
-    </message>
-    <message>
         <source>Fractal &amp;Transformation</source>
         <translation>Fraktale &amp;Transformation</translation>
     </message>
@@ -2090,20 +1779,12 @@
         <translation>Collage</translation>
     </message>
     <message>
-        <source>Find a fractal that looks like a picture: the target, how well the fractal agrees with it, and ways to fit it.</source>
-        <translation>Ein Fraktal zu einem Bild: das Ziel, wie gut das Fraktal mit ihm übereinstimmt, und Anpassungen.</translation>
-    </message>
-    <message>
         <source>Four &amp;Views</source>
         <translation>&amp;Vier Ansichten</translation>
     </message>
     <message>
         <source>Define the control triangle with three clicks, or in space the tetrahedron with four</source>
         <translation>Legt das Kontrolldreieck mit drei Klicks fest, im Raum das Tetraeder mit vier</translation>
-    </message>
-    <message>
-        <source>Which map may follow which in the chaos game, as a graph and as a matrix.</source>
-        <translation>Welche Abbildungen das Chaosspiel nach welchen anwenden darf, als Graph und als Matrix.</translation>
     </message>
     <message>
         <source>Look from the front (1 on the keypad)</source>
@@ -2324,18 +2005,6 @@
     <message>
         <source>Show the current map alone, or all of them again</source>
         <translation>Die aktuelle Abbildung allein zeigen, oder wieder alle</translation>
-    </message>
-    <message>
-        <source>States of this fractal that you kept while working on it. Click one to restore it.</source>
-        <translation>Zustände dieses Fraktals, die Sie beim Arbeiten festgehalten haben. Klicken Sie einen an, um ihn wiederherzustellen.</translation>
-    </message>
-    <message>
-        <source>Pictures drawn one after another in the background, with the progress of each.</source>
-        <translation>Bilder, die nacheinander im Hintergrund gezeichnet werden, und wie weit jedes ist.</translation>
-    </message>
-    <message>
-        <source>A lesson about these fractals: its steps, each with a text and the state of the window, to be played in full screen.</source>
-        <translation>Eine Lektion über diese Fraktale: ihre Schritte, jeder mit einem Text und dem Zustand des Fensters, auf dem ganzen Bildschirm abzuspielen.</translation>
     </message>
     <message>
         <source>Saved &amp;Views</source>
@@ -2600,10 +2269,6 @@
     <message>
         <source>Drag the corners of the cage</source>
         <translation>Die Ecken des Käfigs ziehen</translation>
-    </message>
-    <message>
-        <source>%1 is already open in this window.</source>
-        <translation>%1 ist in diesem Fenster bereits geöffnet.</translation>
     </message>
     <message>
         <source>Show the solid from the top, the front and the right, and in perspective</source>
@@ -2884,89 +2549,6 @@
     </message>
 </context>
 <context>
-    <name>PictureWriter</name>
-    <message>
-        <source>A %1 picture has at most %2 pixels along a side.</source>
-        <translation>Ein %1-Bild hat höchstens %2 Pixel je Seite.</translation>
-    </message>
-    <message>
-        <source>A JPEG picture cannot be transparent. Choose a background colour or another format.</source>
-        <translation>Ein JPEG-Bild kann nicht durchsichtig sein. Wählen Sie eine Hintergrundfarbe oder ein anderes Format.</translation>
-    </message>
-    <message>
-        <source>A JPEG picture has at most %1 dots per inch.</source>
-        <translation>Ein JPEG-Bild hat höchstens %1 Punkte pro Zoll.</translation>
-    </message>
-    <message>
-        <source>Such a picture cannot be written as %1.</source>
-        <translation>Ein solches Bild kann nicht als %1 geschrieben werden.</translation>
-    </message>
-    <message>
-        <source>The picture cannot be written: %1</source>
-        <translation>Das Bild kann nicht geschrieben werden: %1</translation>
-    </message>
-    <message>
-        <source>the WebP encoder does not have enough memory.</source>
-        <translation>der WebP-Kodierer hat nicht genug Speicher.</translation>
-    </message>
-</context>
-<context>
-    <name>PngSystem</name>
-    <message>
-        <source>The picture contains no system: it was not written by Barycage, or another program removed the text that holds it.</source>
-        <translation>Das Bild enthält kein System: Es wurde nicht von Barycage geschrieben, oder ein anderes Programm hat seinen Text entfernt.</translation>
-    </message>
-    <message>
-        <source>The system in the picture is larger than 8 MB.</source>
-        <translation>Das System im Bild hat mehr als 8 MB.</translation>
-    </message>
-    <message>
-        <source>The file is not a PNG picture, or it is damaged.</source>
-        <translation>Die Datei ist kein PNG-Bild, oder sie ist beschädigt.</translation>
-    </message>
-    <message>
-        <source>The picture contains too much text: the limit is 40 MB in total.</source>
-        <translation>Das Bild trägt zu viel Text: Die Grenze liegt bei insgesamt 40 MB.</translation>
-    </message>
-    <message>
-        <source>The picture cannot be opened.</source>
-        <translation>Das Bild kann nicht geöffnet werden.</translation>
-    </message>
-    <message>
-        <source>The file is not a PNG picture.</source>
-        <translation>Die Datei ist kein PNG-Bild.</translation>
-    </message>
-    <message>
-        <source>The picture is damaged or incomplete. Draw it again.</source>
-        <translation>Das Bild ist beschädigt oder unvollständig. Zeichnen Sie es neu.</translation>
-    </message>
-</context>
-<context>
-    <name>PngWriter</name>
-    <message>
-        <source>The picture cannot be written: %1</source>
-        <translation>Das Bild kann nicht geschrieben werden: %1</translation>
-    </message>
-</context>
-<context>
-    <name>PrintPreview</name>
-    <message>
-        <source>%1 could not be written. Print it to another folder.</source>
-        <translation>%1 konnte nicht geschrieben werden. Drucken Sie in einen anderen Ordner.</translation>
-    </message>
-    <message>
-        <source>Written to %1.</source>
-        <translation>Geschrieben nach %1.</translation>
-    </message>
-</context>
-<context>
-    <name>RasterSystem</name>
-    <message>
-        <source>The picture is damaged, or its text cannot be read.</source>
-        <translation>Das Bild ist beschädigt, oder sein Text kann nicht gelesen werden.</translation>
-    </message>
-</context>
-<context>
     <name>Recovery</name>
     <message>
         <source>%1, %2</source>
@@ -3011,13 +2593,6 @@
             <numerusform>(%n Fenster)</numerusform>
             <numerusform>(%n Fenster)</numerusform>
         </translation>
-    </message>
-</context>
-<context>
-    <name>SaveBeside</name>
-    <message>
-        <source>Saving “%1”…</source>
-        <translation>„%1“ wird gespeichert …</translation>
     </message>
 </context>
 <context>
@@ -3119,45 +2694,6 @@
     <message>
         <source>Move corner %1 of branch %2</source>
         <translation>Ecke %1 des Astes %2 bewegen</translation>
-    </message>
-</context>
-<context>
-    <name>SpaceCageEdits</name>
-    <message>
-        <source>No map is active, so there is nothing to enclose.</source>
-        <translation>Keine Abbildung ist aktiv; es gibt nichts einzuschließen.</translation>
-    </message>
-    <message>
-        <source>The cage is at rest: the picture shows the code.</source>
-        <translation>Der Käfig ist in Ruhe: Gezeigt wird der Code selbst.</translation>
-    </message>
-    <message>
-        <source>The cage is flat, so its placement cannot be baked into the code. Open the cage first.</source>
-        <translation>Der Käfig ist flach, seine Lage lässt sich nicht in den Code einrechnen. Öffnen Sie zuerst den Käfig.</translation>
-    </message>
-    <message>
-        <source>The cage is not at rest: it already holds a placement.</source>
-        <translation>Der Käfig ist nicht in Ruhe: Er hält bereits eine Lage.</translation>
-    </message>
-    <message>
-        <source>Only a cage with four vertices can be unbaked.</source>
-        <translation>Nur ein Käfig mit vier Ecken kann herausgelöst werden.</translation>
-    </message>
-    <message>
-        <source>The cage is flat. First open or reset the tetrahedron.</source>
-        <translation>Der Käfig ist flach. Öffnen Sie zuerst das Tetraeder oder setzen Sie es zurück.</translation>
-    </message>
-    <message>
-        <source>This system has no attractor that can be enclosed.</source>
-        <translation>Dieses System hat keinen Attraktor, der eingeschlossen werden könnte.</translation>
-    </message>
-    <message>
-        <source>The cage bends the picture, and no affine code produces a bent picture. Choose “Affine fit” to bake the closest affine placement.</source>
-        <translation>Der Käfig biegt das Bild, und kein affiner Code hat ein gebogenes Bild. Mit „Affin angepasst“ lässt sich einrechnen, was ihm am nächsten kommt.</translation>
-    </message>
-    <message>
-        <source>The cage bends the picture, so no other cage would show it. First reset the cage or choose “Affine fit”.</source>
-        <translation>Der Käfig biegt das Bild, und kein anderer Käfig zeigt dasselbe. Setzen Sie ihn erst zurück oder wählen Sie „Affin angepasst“.</translation>
     </message>
 </context>
 <context>
@@ -3361,13 +2897,6 @@
     </message>
 </context>
 <context>
-    <name>StealExport</name>
-    <message>
-        <source>An exact picture of this system would take too long. Draw it with samples.</source>
-        <translation>Ein exaktes Bild dieses Systems würde zu lange dauern. Zeichnen Sie es mit Stichproben.</translation>
-    </message>
-</context>
-<context>
     <name>SvgSystem</name>
     <message>
         <source>The system in the picture is larger than 8 MB.</source>
@@ -3388,40 +2917,6 @@
     <message>
         <source>The picture contains no system: it was not written by Barycage, or another program removed it.</source>
         <translation>Das Bild enthält kein System: Es wurde nicht von Barycage geschrieben, oder ein anderes Programm hat es entfernt.</translation>
-    </message>
-</context>
-<context>
-    <name>TaskFolder</name>
-    <message>
-        <source>It is not a regular file.</source>
-        <translation>Es ist keine gewöhnliche Datei.</translation>
-    </message>
-    <message>
-        <source>It is too large.</source>
-        <translation>Er ist zu groß.</translation>
-    </message>
-    <message>
-        <source>It cannot be read.</source>
-        <translation>Er kann nicht gelesen werden.</translation>
-    </message>
-    <message>
-        <source>An export from the last session was skipped. %1 Its damaged file was renamed to %2.</source>
-        <translation>Ein Export vom letzten Mal wurde übergangen. %1 Seine beschädigte Datei wurde in %2 umbenannt.</translation>
-    </message>
-</context>
-<context>
-    <name>TaskJob</name>
-    <message>
-        <source>A file “%1” was created after you added this export. Choose Try Again to replace it.</source>
-        <translation>Seit Sie diesen Export hinzugefügt haben, ist eine Datei „%1“ entstanden. „Erneut versuchen“ ersetzt sie.</translation>
-    </message>
-    <message>
-        <source>The fractal in this export cannot be read.</source>
-        <translation>Das Fraktal in diesem Export kann nicht gelesen werden.</translation>
-    </message>
-    <message>
-        <source>There is not enough memory for this picture.</source>
-        <translation>Für dieses Bild reicht der Speicher nicht.</translation>
     </message>
 </context>
 <context>
@@ -4937,6 +4432,888 @@
         <source>Standard output cannot be written to: %1.</source>
         <translation>Auf die Standardausgabe kann nicht geschrieben werden: %1.</translation>
     </message>
+    <message>
+        <source>Add %1</source>
+        <translation>%1 hinzufügen</translation>
+    </message>
+    <message>
+        <source>Reading “%1”…</source>
+        <translation>„%1“ wird gelesen…</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n exports from the last session are in the queue.</source>
+        <translation>
+            <numerusform>%n Export vom letzten Mal ist in der Warteschlange.</numerusform>
+            <numerusform>%n Exporte vom letzten Mal sind in der Warteschlange.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Export is not finished</source>
+        <translation>Export ist nicht fertig</translation>
+    </message>
+    <message>
+        <source>A file is still being exported.</source>
+        <translation>Eine Datei wird noch exportiert.</translation>
+    </message>
+    <message>
+        <source>If you stop now, no file is written.</source>
+        <translation>Wenn Sie jetzt anhalten, wird keine Datei geschrieben.</translation>
+    </message>
+    <message>
+        <source>&amp;Stop Export</source>
+        <translation>Export an&amp;halten</translation>
+    </message>
+    <message>
+        <source>&amp;Continue</source>
+        <translation>&amp;Fortsetzen</translation>
+    </message>
+    <message>
+        <source>Exports are not finished</source>
+        <translation>Exporte sind nicht fertig</translation>
+    </message>
+    <message numerus="yes">
+        <source>They will continue the next time you start Barycage. Close it now?</source>
+        <translation>
+            <numerusform>Er läuft weiter, wenn Sie Barycage das nächste Mal starten. Jetzt schließen?</numerusform>
+            <numerusform>Sie laufen weiter, wenn Sie Barycage das nächste Mal starten. Jetzt schließen?</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>&amp;Close</source>
+        <translation>&amp;Schließen</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n exports are still in the queue.</source>
+        <translation>
+            <numerusform>%n Export ist noch in der Warteschlange.</numerusform>
+            <numerusform>%n Exporte sind noch in der Warteschlange.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>The file has no entry “%1”.</source>
+        <translation>Die Datei hat keinen Eintrag „%1“.</translation>
+    </message>
+    <message>
+        <source>Show a step of the lesson</source>
+        <translation>Einen Schritt der Lektion zeigen</translation>
+    </message>
+    <message>
+        <source>The cage of this entry does not have the same corners as in the lesson.</source>
+        <translation>Der Käfig dieses Eintrags hat andere Ecken als in der Lektion.</translation>
+    </message>
+    <message>
+        <source>The fractals in the open file. The canvas shows the one you select here.</source>
+        <translation>Die Fraktale der offenen Datei. Das hier gewählte ist im Bild.</translation>
+    </message>
+    <message>
+        <source>Ready-made fractals by theme, and your own folders of fractals.</source>
+        <translation>Fraktale zum Anfangen, nach Themen, und Ihre eigenen Ordner davon.</translation>
+    </message>
+    <message>
+        <source>The maps of the fractal: its code, one map per row.</source>
+        <translation>Die Abbildungen des Fraktals: sein Code, eine Abbildung je Zeile.</translation>
+    </message>
+    <message>
+        <source>Which map may follow which in the chaos game, as a graph and as a matrix.</source>
+        <translation>Welche Abbildungen das Chaosspiel nach welchen anwenden darf, als Graph und als Matrix.</translation>
+    </message>
+    <message>
+        <source>The control cage in numbers: its vertices, their positions at rest, what moving them does, and other cages to choose from.</source>
+        <translation>Der Kontrollkäfig in Zahlen: wo seine Ecken sind, wo sie in Ruhe sind, was ihre Bewegung bewirkt, und andere Käfige zur Wahl.</translation>
+    </message>
+    <message>
+        <source>Colours, brightness and background of the picture. They are saved with the fractal.</source>
+        <translation>Farben, Helligkeit und Hintergrund des Bildes. Sie werden mit dem Fraktal gespeichert.</translation>
+    </message>
+    <message>
+        <source>Mathematical properties of this fractal. Point to a name to see what it means.</source>
+        <translation>Mathematische Kennwerte dieses Fraktals. Zeigen Sie auf einen Namen, um zu lesen, was er bedeutet.</translation>
+    </message>
+    <message>
+        <source>Every step since the file was opened. Select one to go back or forward to it.</source>
+        <translation>Jeder Schritt, seit die Datei geöffnet wurde. Wählen Sie einen, um zu ihm zurück- oder vorzugehen.</translation>
+    </message>
+    <message>
+        <source>States of this fractal that you kept while working on it. Click one to restore it.</source>
+        <translation>Zustände dieses Fraktals, die Sie beim Arbeiten festgehalten haben. Klicken Sie einen an, um ihn wiederherzustellen.</translation>
+    </message>
+    <message>
+        <source>The animation of this fractal: its motions, and the keys of everything that can move.</source>
+        <translation>Die Animation dieses Fraktals: seine Bewegungen und die Schlüssel von allem, was sich bewegen kann.</translation>
+    </message>
+    <message>
+        <source>Find a fractal that looks like a picture: the target, how well the fractal agrees with it, and ways to fit it.</source>
+        <translation>Ein Fraktal zu einem Bild: das Ziel, wie gut das Fraktal mit ihm übereinstimmt, und Anpassungen.</translation>
+    </message>
+    <message>
+        <source>Pictures drawn one after another in the background, with the progress of each.</source>
+        <translation>Bilder, die nacheinander im Hintergrund gezeichnet werden, und wie weit jedes ist.</translation>
+    </message>
+    <message>
+        <source>A lesson about these fractals: its steps, each with a text and the state of the window, to be played in full screen.</source>
+        <translation>Eine Lektion über diese Fraktale: ihre Schritte, jeder mit einem Text und dem Zustand des Fensters, auf dem ganzen Bildschirm abzuspielen.</translation>
+    </message>
+    <message>
+        <source>Problems found in the file, with line and column. The text in the file is kept unchanged.</source>
+        <translation>In der Datei gefundene Probleme, mit Zeile und Spalte. Der Text der Datei bleibt unverändert.</translation>
+    </message>
+    <message>
+        <source>%1 is already open in this window.</source>
+        <translation>%1 ist in diesem Fenster bereits geöffnet.</translation>
+    </message>
+    <message>
+        <source>%1 by %2°</source>
+        <translation>%1 um %2°</translation>
+    </message>
+    <message>
+        <source>%1 by %2</source>
+        <translation>%1 um den Faktor %2</translation>
+    </message>
+    <message>
+        <source>%1 to (%2, %3)</source>
+        <translation>%1 nach (%2, %3)</translation>
+    </message>
+    <message>
+        <source>%1 by (%2, %3)</source>
+        <translation>%1 um (%2, %3)</translation>
+    </message>
+    <message>
+        <source>%1°</source>
+        <comment>an angle</comment>
+        <translation>%1°</translation>
+    </message>
+    <message>
+        <source>× %1</source>
+        <comment>a factor</comment>
+        <translation>× %1</translation>
+    </message>
+    <message>
+        <source>Δ (%1, %2)  length %3</source>
+        <translation>Δ (%1, %2)  Länge %3</translation>
+    </message>
+    <message>
+        <source>edge %1</source>
+        <translation>Kante %1</translation>
+    </message>
+    <message>
+        <source>edges %1 and %2</source>
+        <translation>Kanten %1 und %2</translation>
+    </message>
+    <message>
+        <source>Map %1</source>
+        <comment>begins a sentence</comment>
+        <translation>Abbildung %1</translation>
+    </message>
+    <message>
+        <source>Map %1</source>
+        <translation>Abbildung %1</translation>
+    </message>
+    <message>
+        <source>Map that takes no part</source>
+        <translation>Abbildung, die nicht teilnimmt</translation>
+    </message>
+    <message>
+        <source>Branch %1</source>
+        <translation>Ast %1</translation>
+    </message>
+    <message>
+        <source>%1, corner %2</source>
+        <translation>%1, Ecke %2</translation>
+    </message>
+    <message>
+        <source>Vertex %1</source>
+        <translation>Ecke %1</translation>
+    </message>
+    <message>
+        <source>Edge from vertex %1</source>
+        <translation>Kante von Ecke %1</translation>
+    </message>
+    <message>
+        <source>The whole cage</source>
+        <translation>Der ganze Käfig</translation>
+    </message>
+    <message>
+        <source>Pivot</source>
+        <translation>Drehpunkt</translation>
+    </message>
+    <message>
+        <source>Round handle</source>
+        <translation>Runder Griff</translation>
+    </message>
+    <message>
+        <source>Square handle</source>
+        <translation>Quadratischer Griff</translation>
+    </message>
+    <message>
+        <source>the arrow keys move both its ends</source>
+        <translation>die Pfeiltasten bewegen ihre beiden Enden</translation>
+    </message>
+    <message>
+        <source>the arrow keys move it</source>
+        <translation>die Pfeiltasten bewegen es</translation>
+    </message>
+    <message>
+        <source>the arrow keys turn by one degree</source>
+        <translation>die Pfeiltasten drehen um ein Grad</translation>
+    </message>
+    <message>
+        <source>the arrow keys scale by one percent</source>
+        <translation>die Pfeiltasten skalieren um ein Prozent</translation>
+    </message>
+    <message>
+        <source>Drag to move the pivot, the centre of rotation and scaling.</source>
+        <translation>Den Drehpunkt ziehen: Um ihn wird gedreht und skaliert.</translation>
+    </message>
+    <message>
+        <source>Drag to rotate about the pivot; hold Shift for steps of 15°.</source>
+        <translation>Ziehen dreht um den Drehpunkt; Umschalt: in Schritten von 15°.</translation>
+    </message>
+    <message>
+        <source>Drag to scale about the pivot; hold Shift for x or y only.</source>
+        <translation>Ziehen skaliert um den Drehpunkt; Umschalt: nur in x oder y.</translation>
+    </message>
+    <message>
+        <source>pasted</source>
+        <comment>name of an entry made from a table</comment>
+        <translation>eingefügt</translation>
+    </message>
+    <message>
+        <source>The name “%1” does not match the chosen format. Choose another name.</source>
+        <translation>Der Name „%1“ passt nicht zum gewählten Format. Wählen Sie einen anderen Namen.</translation>
+    </message>
+    <message>
+        <source>Another export in the queue writes “%1”. Choose another name.</source>
+        <translation>Ein anderer Export in der Warteschlange schreibt „%1“. Wählen Sie einen anderen Namen.</translation>
+    </message>
+    <message>
+        <source>Added to the queue: %1.</source>
+        <translation>In die Warteschlange aufgenommen: %1.</translation>
+    </message>
+    <message>
+        <source>%1 × %2 are %3 million pixels. Drawing them may take hours, and the file may need up to %4.</source>
+        <translation>%1 × %2 sind %3 Millionen Pixel. Sie zu zeichnen kann Stunden dauern, und die Datei kann bis zu %4 groß werden.</translation>
+    </message>
+    <message>
+        <source>Memory needed: about %1.</source>
+        <translation>Benötigter Speicher: etwa %1.</translation>
+    </message>
+    <message>
+        <source>Very large picture</source>
+        <translation>Sehr großes Bild</translation>
+    </message>
+    <message>
+        <source>This picture is very large.</source>
+        <translation>Dieses Bild ist sehr groß.</translation>
+    </message>
+    <message>
+        <source>&amp;Export Anyway</source>
+        <translation>Trotzdem &amp;exportieren</translation>
+    </message>
+    <message>
+        <source>%1 could not be written. Print it to another folder.</source>
+        <translation>%1 konnte nicht geschrieben werden. Drucken Sie in einen anderen Ordner.</translation>
+    </message>
+    <message>
+        <source>Written to %1.</source>
+        <translation>Geschrieben nach %1.</translation>
+    </message>
+    <message>
+        <source>Find in the guide</source>
+        <translation>Im Handbuch suchen</translation>
+    </message>
+    <message>
+        <source>Finds these words in the guide. Enter goes to the next match, Shift+Enter to the previous one. Ctrl+F comes back here.</source>
+        <translation>Markiert diese Wörter im Handbuch. Die Eingabetaste zeigt die nächste Stelle, mit der Umschalttaste die vorige. Strg+F führt hierher.</translation>
+    </message>
+    <message>
+        <source>Not found</source>
+        <translation>Nicht gefunden</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 von %2</translation>
+    </message>
+    <message>
+        <source>User Guide</source>
+        <translation>Handbuch</translation>
+    </message>
+    <message>
+        <source>The user guide: what you can do with Barycage, in the order in which you need it.</source>
+        <translation>Das Handbuch: was sich hier tun lässt, in der Reihenfolge, in der man es braucht.</translation>
+    </message>
+    <message>
+        <source>Minimal Canonical Simplex</source>
+        <translation>Minimales kanonisches Simplex</translation>
+    </message>
+    <message>
+        <source>Canonical Simplex %1</source>
+        <translation>Kanonisches Simplex %1</translation>
+    </message>
+    <message>
+        <source>Bounding Box</source>
+        <translation>Umschließendes Rechteck</translation>
+    </message>
+    <message>
+        <source>Smallest Rectangle</source>
+        <translation>Kleinstes Rechteck</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n Corners</source>
+        <translation>
+            <numerusform>%n Ecke</numerusform>
+            <numerusform>%n Ecken</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Convex Hull, Simplified to</source>
+        <translation>Konvexe Hülle, vereinfacht auf</translation>
+    </message>
+    <message>
+        <source>Regular Polygon with</source>
+        <translation>Regelmäßiges Vieleck mit</translation>
+    </message>
+    <message>
+        <source>Three Edges of the Bounding Box</source>
+        <translation>Drei Kanten des umgebenden Quaders</translation>
+    </message>
+    <message>
+        <source>Bounding Box, Eight Corners</source>
+        <translation>Hüllquader, acht Ecken</translation>
+    </message>
+    <message>
+        <source>Octahedron</source>
+        <translation>Oktaeder</translation>
+    </message>
+    <message>
+        <source>Reading the pasted text…</source>
+        <translation>Das Eingefügte wird gelesen …</translation>
+    </message>
+    <message>
+        <source>Nothing was pasted. Line %1 of the clipboard: %2</source>
+        <translation>Nichts wurde eingefügt. Zeile %1 der Zwischenablage: %2</translation>
+    </message>
+    <message>
+        <source>Nothing was pasted. %1</source>
+        <translation>Nichts wurde eingefügt. %1</translation>
+    </message>
+    <message>
+        <source>Nothing was pasted: the clipboard contains no rows of 6 or 7 numbers.</source>
+        <translation>Nichts wurde eingefügt: Die Zwischenablage enthält keine Zeilen von 6 oder 7 Zahlen.</translation>
+    </message>
+    <message>
+        <source>Paste a map</source>
+        <translation>Eine Abbildung einfügen</translation>
+    </message>
+    <message>
+        <source>Paste %1 maps</source>
+        <translation>%1 Abbildungen einfügen</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n maps added.</source>
+        <translation>
+            <numerusform>%n Abbildung hinzugefügt.</numerusform>
+            <numerusform>%n Abbildungen hinzugefügt.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>The selected maps were replaced; %n maps pasted.</source>
+        <translation>
+            <numerusform>Die ausgewählten Abbildungen wurden ersetzt; %n Abbildung eingefügt.</numerusform>
+            <numerusform>Die ausgewählten Abbildungen wurden ersetzt; %n Abbildungen eingefügt.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>By |Determinant|</source>
+        <translation>Nach |Determinante|</translation>
+    </message>
+    <message>
+        <source>Equal</source>
+        <translation>Gleich</translation>
+    </message>
+    <message>
+        <source>By Dimension</source>
+        <translation>Nach Dimension</translation>
+    </message>
+    <message>
+        <source>Normalise</source>
+        <translation>Normieren</translation>
+    </message>
+    <message>
+        <source>Weights</source>
+        <translation>Gewichte</translation>
+    </message>
+    <message>
+        <source>The same weight for every map</source>
+        <translation>Dasselbe Gewicht für jede Abbildung</translation>
+    </message>
+    <message>
+        <source>Weights that cover the attractor evenly at its own dimension</source>
+        <translation>Gewichte, die den Attraktor in seiner eigenen Dimension gleichmäßig bedecken</translation>
+    </message>
+    <message>
+        <source>Scale all weights so that they sum to 1</source>
+        <translation>Dieselben Verhältnisse, mit der Summe 1</translation>
+    </message>
+    <message>
+        <source>Set the weights of all maps that are switched on by a rule</source>
+        <translation>Gewichte aller eingeschalteten Abbildungen nach einer Regel</translation>
+    </message>
+    <message>
+        <source>Pictures (%1);;All files (*)</source>
+        <translation>Bilder (%1);;Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>Saving “%1”…</source>
+        <translation>„%1“ wird gespeichert …</translation>
+    </message>
+    <message>
+        <source>None</source>
+        <translation>Keine</translation>
+    </message>
+    <message>
+        <source>Mirror</source>
+        <translation>Spiegelung</translation>
+    </message>
+    <message>
+        <source>Rotation</source>
+        <translation>Drehung</translation>
+    </message>
+    <message>
+        <source>Dihedral</source>
+        <translation>Diedergruppe</translation>
+    </message>
+    <message>
+        <source>Tetrahedral</source>
+        <translation>Tetraedergruppe</translation>
+    </message>
+    <message>
+        <source>Octahedral</source>
+        <translation>Oktaedergruppe</translation>
+    </message>
+    <message>
+        <source>Icosahedral</source>
+        <translation>Ikosaedergruppe</translation>
+    </message>
+    <message>
+        <source>This entry is not a system in the plane.</source>
+        <translation>Dieser Eintrag hat keine Abbildungen der Ebene.</translation>
+    </message>
+    <message>
+        <source>The cage is at rest: the picture shows the code.</source>
+        <translation>Der Käfig ist in Ruhe: Gezeigt wird der Code selbst.</translation>
+    </message>
+    <message>
+        <source>The cage bends the picture, and no affine code produces a bent picture. Choose “Affine fit” to bake the closest affine placement.</source>
+        <translation>Der Käfig biegt das Bild, und kein affiner Code hat ein gebogenes Bild. Mit „Affin angepasst“ lässt sich einrechnen, was ihm am nächsten kommt.</translation>
+    </message>
+    <message>
+        <source>The cage is flat, so its placement cannot be baked into the code. Open the cage first.</source>
+        <translation>Der Käfig ist flach, seine Lage lässt sich nicht in den Code einrechnen. Öffnen Sie zuerst den Käfig.</translation>
+    </message>
+    <message>
+        <source>The cage is at rest.</source>
+        <translation>Der Käfig ist in Ruhe.</translation>
+    </message>
+    <message>
+        <source>Moving the cage moves the picture. Bake to change the code.</source>
+        <translation>Den Käfig zu bewegen bewegt das Bild. Der Code bleibt, wie er ist, bis Sie einrechnen.</translation>
+    </message>
+    <message>
+        <source>Moving the whole cage rewrites the code. Moving single vertices bends the picture, which no code can reproduce, so the code does not change.</source>
+        <translation>Den ganzen Käfig zu bewegen schreibt den Code um. Einzelne Ecken zu bewegen biegt das Bild; dem kann kein Code folgen, und er bleibt.</translation>
+    </message>
+    <message>
+        <source>Moving the cage rewrites all coefficients of the code; the cage is then at rest in its new position.</source>
+        <translation>Den Käfig zu bewegen schreibt jeden Koeffizienten des Codes um, und der Käfig ruht, wo er ist.</translation>
+    </message>
+    <message>
+        <source>The cage is not at rest: it already holds a placement.</source>
+        <translation>Der Käfig ist nicht in Ruhe: Er hält bereits eine Lage.</translation>
+    </message>
+    <message>
+        <source>Only a cage with three vertices can be unbaked.</source>
+        <translation>Nur ein Dreieck kann aus dem Code herausgerechnet werden.</translation>
+    </message>
+    <message>
+        <source>The cage is not convex: the picture may fold over itself at the notch.</source>
+        <translation>Der Käfig hat eine Kerbe: Dort kann sich das Bild überfalten.</translation>
+    </message>
+    <message>
+        <source>The cage is folded: parts of the picture overlap. Move the vertices apart to unfold it.</source>
+        <translation>Der Käfig ist gefaltet: Teile des Bildes liegen übereinander. Bewegen Sie die Ecken auseinander, um ihn zu entfalten.</translation>
+    </message>
+    <message>
+        <source>No map is active, so there is nothing to enclose.</source>
+        <translation>Keine Abbildung ist aktiv; es gibt nichts einzuschließen.</translation>
+    </message>
+    <message>
+        <source>The maps are linked; a cage cannot be fitted to linked maps.</source>
+        <translation>Die Abbildungen sind verknüpft; verknüpften Abbildungen lässt sich kein Käfig anpassen.</translation>
+    </message>
+    <message>
+        <source>A bent picture cannot be given another cage. First reset the cage or choose “Affine fit”.</source>
+        <translation>Ein gebogenes Bild kann kein anderer Käfig halten. Setzen Sie zuerst den Käfig zurück oder wählen Sie „Affin angepasst“.</translation>
+    </message>
+    <message>
+        <source>The cage is flat. First open or reset the triangle.</source>
+        <translation>Der Käfig ist flach. Öffnen Sie zuerst das Dreieck oder setzen Sie es zurück.</translation>
+    </message>
+    <message>
+        <source>This system has no attractor that can be enclosed.</source>
+        <translation>Dieses System hat keinen Attraktor, der eingeschlossen werden könnte.</translation>
+    </message>
+    <message>
+        <source>All maps are off.</source>
+        <translation>Alle Abbildungen sind aus.</translation>
+    </message>
+    <message>
+        <source>The maps are linked. Only maps that may all follow each other can be compared with a picture.</source>
+        <translation>Die Abbildungen sind verknüpft. Nur Abbildungen, die alle aufeinander folgen dürfen, lassen sich mit einem Bild vergleichen.</translation>
+    </message>
+    <message>
+        <source>A symmetry repeats the maps. Expand it to compare them with a picture.</source>
+        <translation>Eine Symmetrie wiederholt die Abbildungen. Schreiben Sie sie aus, um die Abbildungen mit einem Bild zu vergleichen.</translation>
+    </message>
+    <message>
+        <source>The cage bends the picture, or is flat. Reset the cage to compare the maps.</source>
+        <translation>Der Käfig verbiegt das Bild oder ist flach. Setzen Sie ihn zurück, um die Abbildungen zu vergleichen.</translation>
+    </message>
+    <message>
+        <source>The animation of “%1” cannot be taken to another dimension, so it is left out.</source>
+        <translation>Die Animation von „%1“ kann nicht in eine andere Dimension mitgenommen werden und entfällt.</translation>
+    </message>
+    <message>
+        <source>“%1” is not a system in the plane, so it cannot be lifted.</source>
+        <translation>„%1“ ist kein System in der Ebene und kann deshalb nicht in den Raum gehoben werden.</translation>
+    </message>
+    <message>
+        <source>The maps of “%1” are linked, and maps in space cannot be linked.</source>
+        <translation>Die Abbildungen von „%1“ sind verknüpft, was Abbildungen im Raum nicht sein können.</translation>
+    </message>
+    <message>
+        <source>The cage of “%1” has more than three corners, so it cannot become a tetrahedron. Bake or reset it first.</source>
+        <translation>Der Käfig von „%1“ hat mehr als drei Ecken, aus denen kein Tetraeder wird. Rechnen Sie ihn zuerst ein oder setzen Sie ihn zurück.</translation>
+    </message>
+    <message>
+        <source>“%1” is not a system in space, so it cannot be flattened.</source>
+        <translation>„%1“ ist kein System im Raum und kann deshalb nicht abgeflacht werden.</translation>
+    </message>
+    <message>
+        <source>The direction must have a length other than 0.</source>
+        <translation>Die Richtung darf nicht die Länge 0 haben.</translation>
+    </message>
+    <message>
+        <source>“%1” has moved branches, which cannot be flattened. Reset them first.</source>
+        <translation>„%1“ hat verschobene Äste, die nicht abgeflacht werden können. Setzen Sie sie zuerst zurück.</translation>
+    </message>
+    <message>
+        <source>The cage of “%1” cannot be baked into its maps, so it cannot be flattened.</source>
+        <translation>Der Käfig von „%1“ kann nicht in die Abbildungen eingerechnet werden; deshalb ist kein Abflachen möglich.</translation>
+    </message>
+    <message>
+        <source>Map %1 of “%2” does not keep this direction, so the projection is not an iterated function system. Export a picture seen from that direction instead.</source>
+        <translation>Abbildung %1 von „%2“ ändert die Richtung; die Projektion ist deshalb kein iteriertes Funktionensystem. Exportieren Sie stattdessen ein Bild von dieser Seite.</translation>
+    </message>
+    <message>
+        <source>An entry needs a name.</source>
+        <translation>Ein Eintrag braucht einen Namen.</translation>
+    </message>
+    <message>
+        <source>Names cannot contain spaces: Fractint reads only the first word.</source>
+        <translation>Namen dürfen keine Leerzeichen enthalten: Fractint liest nur das erste Wort.</translation>
+    </message>
+    <message>
+        <source>“%1” cannot be part of a name, because it has a meaning in .ifs files.</source>
+        <translation>„%1“ kann nicht Teil eines Namens sein, weil es in .ifs-Dateien eine Bedeutung hat.</translation>
+    </message>
+    <message>
+        <source>A name can have at most %1 characters; Fractint ignores the rest.</source>
+        <translation>Ein Name hat höchstens %1 Zeichen; Fractint übergeht den Rest.</translation>
+    </message>
+    <message>
+        <source>Fractint does not list an entry called “%1”; choose another name.</source>
+        <translation>Fractint führt einen Eintrag namens „%1“ nicht auf; wählen Sie einen anderen Namen.</translation>
+    </message>
+    <message>
+        <source>Another entry is called “%1” (upper and lower case are not distinguished).</source>
+        <translation>Ein anderer Eintrag heißt „%1“ (Groß- und Kleinbuchstaben gelten als gleich).</translation>
+    </message>
+    <message>
+        <source>A branch</source>
+        <translation>Ein Ast</translation>
+    </message>
+    <message>
+        <source>%1 has keys, which the maps of the new system could not follow. Remove its keys in the timeline first.</source>
+        <translation>%1 hat Schlüsselbilder, denen die Abbildungen des neuen Systems nicht folgen könnten. Entfernen Sie sie zuerst aus der Zeitleiste.</translation>
+    </message>
+    <message>
+        <source>A motion moves single maps, and the maps of the new system are others. Remove this motion from the timeline first.</source>
+        <translation>Eine Bewegung bewegt einzelne Abbildungen, und die des neuen Systems sind andere. Entfernen Sie diese Bewegung zuerst aus der Zeitleiste.</translation>
+    </message>
+    <message>
+        <source>%1 has keys: it would be rewritten at this frame only, and what has none at every frame. Remove its keys in the timeline first.</source>
+        <translation>%1 hat Schlüsselbilder und würde nur in diesem Bild umgeschrieben, alles ohne Schlüsselbilder dagegen in jedem. Entfernen Sie diese zuerst aus der Zeitleiste.</translation>
+    </message>
+    <message>
+        <source>Maps in space cannot be linked.</source>
+        <translation>Abbildungen im Raum lassen sich nicht verknüpfen.</translation>
+    </message>
+    <message>
+        <source>This entry could not be read, so its maps cannot be linked.</source>
+        <translation>Dieser Eintrag konnte nicht gelesen werden; seine Abbildungen lassen sich nicht verknüpfen.</translation>
+    </message>
+    <message>
+        <source>More than %1 maps cannot be linked.</source>
+        <translation>Mehr als %1 Abbildungen lassen sich nicht verknüpfen.</translation>
+    </message>
+    <message>
+        <source>With the links of “%1” every sequence of maps ends, so plain maps would have nothing to draw.</source>
+        <translation>Die Verknüpfungen von „%1“ lassen jede Folge von Abbildungen enden, also gibt es nichts, was einfache Abbildungen zeichnen könnten.</translation>
+    </message>
+    <message>
+        <source>Plain maps of “%1” would be more than %2 words of its maps, which is the limit. Keep the links in an .ifs or .flame file, or remove them.</source>
+        <translation>Einfache Abbildungen von „%1“ wären mehr als %2 Wörter seiner Abbildungen, was die Grenze ist. Behalten Sie die Verknüpfungen in einer .ifs- oder .flame-Datei, oder entfernen Sie sie.</translation>
+    </message>
+    <message>
+        <source>The links of “%1” cannot be written as plain maps: a sequence of maps can go on for ever without reaching one that may follow every map. Keep the links in an .ifs or .flame file, or remove them.</source>
+        <translation>Die Verknüpfungen von „%1“ lassen sich nicht als einfache Abbildungen schreiben: Eine Folge von Abbildungen kann endlos weitergehen, ohne eine zu erreichen, die auf jede Abbildung folgen darf. Behalten Sie die Verknüpfungen in einer .ifs- oder .flame-Datei, oder entfernen Sie sie.</translation>
+    </message>
+    <message>
+        <source>Plain maps of “%1” would be words of its maps, which cannot take part in its animation or in its moved branches. Remove these first.</source>
+        <translation>Einfache Abbildungen von „%1“ wären Wörter seiner Abbildungen, die an seiner Animation oder seinen bewegten Ästen nicht teilnehmen können. Entfernen Sie diese zuerst.</translation>
+    </message>
+    <message>
+        <source>Map %1 is locked. Unlock it in the Maps panel first.</source>
+        <translation>Abbildung %1 ist gesperrt. Geben Sie sie erst im Bereich Abbildungen frei.</translation>
+    </message>
+    <message>
+        <source>Maps %1 are locked. Unlock them in the Maps panel first.</source>
+        <translation>Die Abbildungen %1 sind gesperrt. Geben Sie sie erst im Bereich Abbildungen frei.</translation>
+    </message>
+    <message>
+        <source>Lock a map</source>
+        <translation>Eine Abbildung sperren</translation>
+    </message>
+    <message>
+        <source>Unlock a map</source>
+        <translation>Eine Abbildung freigeben</translation>
+    </message>
+    <message>
+        <source>Lock %1 maps</source>
+        <translation>%1 Abbildungen sperren</translation>
+    </message>
+    <message>
+        <source>Unlock %1 maps</source>
+        <translation>%1 Abbildungen freigeben</translation>
+    </message>
+    <message>
+        <source>Remove the name of map %1</source>
+        <translation>Den Namen der Abbildung %1 entfernen</translation>
+    </message>
+    <message>
+        <source>Name map %1 “%2”</source>
+        <translation>Abbildung %1 „%2“ nennen</translation>
+    </message>
+    <message>
+        <source>Only a cage with four vertices can be unbaked.</source>
+        <translation>Nur ein Käfig mit vier Ecken kann herausgelöst werden.</translation>
+    </message>
+    <message>
+        <source>The cage bends the picture, so no other cage would show it. First reset the cage or choose “Affine fit”.</source>
+        <translation>Der Käfig biegt das Bild, und kein anderer Käfig zeigt dasselbe. Setzen Sie ihn erst zurück oder wählen Sie „Affin angepasst“.</translation>
+    </message>
+    <message>
+        <source>The cage is flat. First open or reset the tetrahedron.</source>
+        <translation>Der Käfig ist flach. Öffnen Sie zuerst das Tetraeder oder setzen Sie es zurück.</translation>
+    </message>
+    <message>
+        <source>Select a map first.</source>
+        <translation>Erst eine Abbildung wählen.</translation>
+    </message>
+    <message>
+        <source>The maps are linked. Only maps that may all follow each other can be shown alone.</source>
+        <translation>Die Abbildungen sind verknüpft. Nur Abbildungen, die alle aufeinander folgen dürfen, lassen sich allein zeigen.</translation>
+    </message>
+    <message>
+        <source>The cage bends the picture, in which no map can be shown alone. Reset the cage first.</source>
+        <translation>Der Käfig biegt das Bild, in dem sich keine Abbildung allein zeigen lässt. Setzen Sie erst den Käfig zurück.</translation>
+    </message>
+    <message>
+        <source>Map %1 takes everything to one point, so there is nothing to show alone.</source>
+        <translation>Abbildung %1 führt alles in einen Punkt, es gibt also nichts allein zu zeigen.</translation>
+    </message>
+    <message>
+        <source>This entry is not a system in space.</source>
+        <translation>Dieser Eintrag ist kein System im Raum.</translation>
+    </message>
+    <message>
+        <source>This entry has no maps to vary.</source>
+        <translation>Dieser Eintrag hat keine Abbildungen, die sich abwandeln ließen.</translation>
+    </message>
+    <message>
+        <source>The folder %1 cannot be created.</source>
+        <translation>Der Ordner %1 kann nicht angelegt werden.</translation>
+    </message>
+    <message>
+        <source>There is not enough memory for this picture. Reduce its size or the supersampling.</source>
+        <translation>Für dieses Bild reicht der Speicher nicht. Machen Sie es kleiner oder verringern Sie die Überabtastung.</translation>
+    </message>
+    <message>
+        <source>It is damaged.</source>
+        <translation>Er ist beschädigt.</translation>
+    </message>
+    <message>
+        <source>It is not an export of this program.</source>
+        <translation>Es ist kein Export dieses Programms.</translation>
+    </message>
+    <message>
+        <source>Its settings are not supported by this version.</source>
+        <translation>Seine Einstellungen gibt es in dieser Version nicht.</translation>
+    </message>
+    <message>
+        <source>Its file name does not match its format.</source>
+        <translation>Die Datei, die er nennt, passt nicht zu seinem Format.</translation>
+    </message>
+    <message>
+        <source>It is not a regular file.</source>
+        <translation>Es ist keine gewöhnliche Datei.</translation>
+    </message>
+    <message>
+        <source>It cannot be read.</source>
+        <translation>Er kann nicht gelesen werden.</translation>
+    </message>
+    <message>
+        <source>It is too large.</source>
+        <translation>Er ist zu groß.</translation>
+    </message>
+    <message>
+        <source>An export from the last session was skipped. %1 Its damaged file was renamed to %2.</source>
+        <translation>Ein Export vom letzten Mal wurde übergangen. %1 Seine beschädigte Datei wurde in %2 umbenannt.</translation>
+    </message>
+    <message>
+        <source>A file “%1” was created after you added this export. Choose Try Again to replace it.</source>
+        <translation>Seit Sie diesen Export hinzugefügt haben, ist eine Datei „%1“ entstanden. „Erneut versuchen“ ersetzt sie.</translation>
+    </message>
+    <message>
+        <source>The fractal in this export cannot be read.</source>
+        <translation>Das Fraktal in diesem Export kann nicht gelesen werden.</translation>
+    </message>
+    <message>
+        <source>There is not enough memory for this picture.</source>
+        <translation>Für dieses Bild reicht der Speicher nicht.</translation>
+    </message>
+    <message>
+        <source>The lesson is larger than 4 MB, which is the limit.</source>
+        <translation>Die Lektion ist größer als 4 MB, die Grenze.</translation>
+    </message>
+    <message>
+        <source>This is not a lesson: its first line does not begin with “lesson:”.</source>
+        <translation>Das ist keine Lektion: Die erste Zeile beginnt nicht mit „lesson:“.</translation>
+    </message>
+    <message>
+        <source>The lesson has no steps.</source>
+        <translation>Die Lektion hat keine Schritte.</translation>
+    </message>
+    <message>
+        <source>This line was ignored: settings look like “file: name.ifs”, and steps begin with “##”.</source>
+        <translation>Diese Zeile wurde übergangen: Einstellungen sehen aus wie „file: name.ifs“, Schritte beginnen mit „##“.</translation>
+    </message>
+    <message>
+        <source>The lesson has more than %1 steps; the others were ignored.</source>
+        <translation>Die Lektion hat mehr als %1 Schritte; die übrigen wurden übergangen.</translation>
+    </message>
+    <message>
+        <source>The text of step %1 is longer than %2 characters and was cut.</source>
+        <translation>Der Text von Schritt %1 ist länger als %2 Zeichen und wurde gekürzt.</translation>
+    </message>
+    <message>
+        <source>A lesson cannot refer to “%1”. It can refer to a file in its own folder, or to a .ifs or .par file in another one.</source>
+        <translation>Eine Lektion kann nicht auf „%1“ verweisen, nur auf eine Datei in ihrem eigenen Ordner oder auf eine Datei .ifs oder .par in einem anderen.</translation>
+    </message>
+    <message>
+        <source>“%1: %2” was not understood.</source>
+        <translation>„%1: %2“ wurde nicht verstanden.</translation>
+    </message>
+    <message>
+        <source>“%1” is unknown to this version and is kept.</source>
+        <translation>„%1“ ist dieser Version unbekannt und bleibt erhalten.</translation>
+    </message>
+    <message>
+        <source>A %1 picture has at most %2 pixels along a side.</source>
+        <translation>Ein %1-Bild hat höchstens %2 Pixel je Seite.</translation>
+    </message>
+    <message>
+        <source>A JPEG picture cannot be transparent. Choose a background colour or another format.</source>
+        <translation>Ein JPEG-Bild kann nicht durchsichtig sein. Wählen Sie eine Hintergrundfarbe oder ein anderes Format.</translation>
+    </message>
+    <message>
+        <source>A JPEG picture has at most %1 dots per inch.</source>
+        <translation>Ein JPEG-Bild hat höchstens %1 Punkte pro Zoll.</translation>
+    </message>
+    <message>
+        <source>Such a picture cannot be written as %1.</source>
+        <translation>Ein solches Bild kann nicht als %1 geschrieben werden.</translation>
+    </message>
+    <message>
+        <source>The picture cannot be opened.</source>
+        <translation>Das Bild kann nicht geöffnet werden.</translation>
+    </message>
+    <message>
+        <source>The file is not a PNG picture.</source>
+        <translation>Die Datei ist kein PNG-Bild.</translation>
+    </message>
+    <message>
+        <source>The picture is damaged or incomplete. Draw it again.</source>
+        <translation>Das Bild ist beschädigt oder unvollständig. Zeichnen Sie es neu.</translation>
+    </message>
+    <message>
+        <source>The picture contains no system: it was not written by Barycage, or another program removed the text that holds it.</source>
+        <translation>Das Bild enthält kein System: Es wurde nicht von Barycage geschrieben, oder ein anderes Programm hat seinen Text entfernt.</translation>
+    </message>
+    <message>
+        <source>The system in the picture is larger than 8 MB.</source>
+        <translation>Das System im Bild hat mehr als 8 MB.</translation>
+    </message>
+    <message>
+        <source>The picture contains too much text: the limit is 40 MB in total.</source>
+        <translation>Das Bild trägt zu viel Text: Die Grenze liegt bei insgesamt 40 MB.</translation>
+    </message>
+    <message>
+        <source>The file is not a PNG picture, or it is damaged.</source>
+        <translation>Die Datei ist kein PNG-Bild, oder sie ist beschädigt.</translation>
+    </message>
+    <message>
+        <source>The picture cannot be written: %1</source>
+        <translation>Das Bild kann nicht geschrieben werden: %1</translation>
+    </message>
+    <message>
+        <source>The picture is damaged, or its text cannot be read.</source>
+        <translation>Das Bild ist beschädigt, oder sein Text kann nicht gelesen werden.</translation>
+    </message>
+    <message>
+        <source>the WebP encoder does not have enough memory.</source>
+        <translation>der WebP-Kodierer hat nicht genug Speicher.</translation>
+    </message>
+    <message>
+        <source>An exact picture of this system would take too long. Draw it with samples.</source>
+        <translation>Ein exaktes Bild dieses Systems würde zu lange dauern. Zeichnen Sie es mit Stichproben.</translation>
+    </message>
+    <message>
+        <source>The folder for temporary files does not have enough space for the frames: %1.</source>
+        <translation>Im Ordner für temporäre Dateien ist kein Platz für die Einzelbilder: %1.</translation>
+    </message>
+    <message>
+        <source>FFmpeg&apos;s libraries are not installed on this machine, so no videos can be written. Install them, or write the frames as PNG pictures instead.</source>
+        <translation>FFmpegs Bibliotheken sind auf diesem Rechner nicht installiert, also können keine Videos geschrieben werden. Installieren Sie sie, oder schreiben Sie die Einzelbilder stattdessen als PNG-Bilder.</translation>
+    </message>
+    <message>
+        <source>FFmpeg&apos;s libraries on this machine cannot write %1 files: the encoder %2 is missing. Choose another format.</source>
+        <translation>Die Bibliotheken von FFmpeg auf diesem Rechner können keine %1-Dateien schreiben: Der Encoder %2 fehlt. Wählen Sie ein anderes Format.</translation>
+    </message>
+    <message>
+        <source>The video cannot be written: %1.</source>
+        <translation>Das Video kann nicht geschrieben werden: %1.</translation>
+    </message>
 </context>
 <context>
     <name>Tour</name>
@@ -5047,18 +5424,6 @@
 <context>
     <name>VideoWriter</name>
     <message>
-        <source>The folder for temporary files does not have enough space for the frames: %1.</source>
-        <translation>Im Ordner für temporäre Dateien ist kein Platz für die Einzelbilder: %1.</translation>
-    </message>
-    <message>
-        <source>FFmpeg&apos;s libraries on this machine cannot write %1 files: the encoder %2 is missing. Choose another format.</source>
-        <translation>Die Bibliotheken von FFmpeg auf diesem Rechner können keine %1-Dateien schreiben: Der Encoder %2 fehlt. Wählen Sie ein anderes Format.</translation>
-    </message>
-    <message>
-        <source>The video cannot be written: %1.</source>
-        <translation>Das Video kann nicht geschrieben werden: %1.</translation>
-    </message>
-    <message>
         <source>There is not enough memory for a frame of the video.</source>
         <translation>Für ein Einzelbild des Videos reicht der Speicher nicht.</translation>
     </message>
@@ -5085,10 +5450,6 @@
     <message>
         <source>This build of Barycage does not include FFmpeg&apos;s libraries and cannot write videos. Write the frames as PNG pictures instead.</source>
         <translation>Dieses Barycage wurde ohne die Bibliotheken von FFmpeg gebaut und schreibt keine Videos. Schreiben Sie die Einzelbilder stattdessen als PNG-Bilder.</translation>
-    </message>
-    <message>
-        <source>FFmpeg&apos;s libraries are not installed on this machine, so no videos can be written. Install them, or write the frames as PNG pictures instead.</source>
-        <translation>FFmpegs Bibliotheken sind auf diesem Rechner nicht installiert, also können keine Videos geschrieben werden. Installieren Sie sie, oder schreiben Sie die Einzelbilder stattdessen als PNG-Bilder.</translation>
     </message>
 </context>
 <context>
@@ -5246,165 +5607,11 @@
     </message>
 </context>
 <context>
-    <name>document::CollageEdits</name>
-    <message>
-        <source>All maps are off.</source>
-        <translation>Alle Abbildungen sind aus.</translation>
-    </message>
-    <message>
-        <source>The cage bends the picture, or is flat. Reset the cage to compare the maps.</source>
-        <translation>Der Käfig verbiegt das Bild oder ist flach. Setzen Sie ihn zurück, um die Abbildungen zu vergleichen.</translation>
-    </message>
-    <message>
-        <source>The maps are linked. Only maps that may all follow each other can be compared with a picture.</source>
-        <translation>Die Abbildungen sind verknüpft. Nur Abbildungen, die alle aufeinander folgen dürfen, lassen sich mit einem Bild vergleichen.</translation>
-    </message>
-    <message>
-        <source>A symmetry repeats the maps. Expand it to compare them with a picture.</source>
-        <translation>Eine Symmetrie wiederholt die Abbildungen. Schreiben Sie sie aus, um die Abbildungen mit einem Bild zu vergleichen.</translation>
-    </message>
-</context>
-<context>
     <name>document::Document</name>
     <message>
         <source>%1 (frame %2)</source>
         <comment>what is done, at which frame</comment>
         <translation>%1 (Bild %2)</translation>
-    </message>
-</context>
-<context>
-    <name>document::EntriesEdits</name>
-    <message>
-        <source>An entry needs a name.</source>
-        <translation>Ein Eintrag braucht einen Namen.</translation>
-    </message>
-    <message>
-        <source>Names cannot contain spaces: Fractint reads only the first word.</source>
-        <translation>Namen dürfen keine Leerzeichen enthalten: Fractint liest nur das erste Wort.</translation>
-    </message>
-    <message>
-        <source>“%1” cannot be part of a name, because it has a meaning in .ifs files.</source>
-        <translation>„%1“ kann nicht Teil eines Namens sein, weil es in .ifs-Dateien eine Bedeutung hat.</translation>
-    </message>
-    <message>
-        <source>A name can have at most %1 characters; Fractint ignores the rest.</source>
-        <translation>Ein Name hat höchstens %1 Zeichen; Fractint übergeht den Rest.</translation>
-    </message>
-    <message>
-        <source>Fractint does not list an entry called “%1”; choose another name.</source>
-        <translation>Fractint führt einen Eintrag namens „%1“ nicht auf; wählen Sie einen anderen Namen.</translation>
-    </message>
-    <message>
-        <source>Another entry is called “%1” (upper and lower case are not distinguished).</source>
-        <translation>Ein anderer Eintrag heißt „%1“ (Groß- und Kleinbuchstaben gelten als gleich).</translation>
-    </message>
-</context>
-<context>
-    <name>document::KeyedMaps</name>
-    <message>
-        <source>Map %1</source>
-        <translation>Abbildung %1</translation>
-    </message>
-    <message>
-        <source>A branch</source>
-        <translation>Ein Ast</translation>
-    </message>
-    <message>
-        <source>%1 has keys, which the maps of the new system could not follow. Remove its keys in the timeline first.</source>
-        <translation>%1 hat Schlüsselbilder, denen die Abbildungen des neuen Systems nicht folgen könnten. Entfernen Sie sie zuerst aus der Zeitleiste.</translation>
-    </message>
-    <message>
-        <source>A motion moves single maps, and the maps of the new system are others. Remove this motion from the timeline first.</source>
-        <translation>Eine Bewegung bewegt einzelne Abbildungen, und die des neuen Systems sind andere. Entfernen Sie diese Bewegung zuerst aus der Zeitleiste.</translation>
-    </message>
-    <message>
-        <source>%1 has keys: it would be rewritten at this frame only, and what has none at every frame. Remove its keys in the timeline first.</source>
-        <translation>%1 hat Schlüsselbilder und würde nur in diesem Bild umgeschrieben, alles ohne Schlüsselbilder dagegen in jedem. Entfernen Sie diese zuerst aus der Zeitleiste.</translation>
-    </message>
-</context>
-<context>
-    <name>document::LinkEdits</name>
-    <message>
-        <source>Maps in space cannot be linked.</source>
-        <translation>Abbildungen im Raum lassen sich nicht verknüpfen.</translation>
-    </message>
-    <message>
-        <source>This entry could not be read, so its maps cannot be linked.</source>
-        <translation>Dieser Eintrag konnte nicht gelesen werden; seine Abbildungen lassen sich nicht verknüpfen.</translation>
-    </message>
-    <message>
-        <source>More than %1 maps cannot be linked.</source>
-        <translation>Mehr als %1 Abbildungen lassen sich nicht verknüpfen.</translation>
-    </message>
-    <message>
-        <source>With the links of “%1” every sequence of maps ends, so plain maps would have nothing to draw.</source>
-        <translation>Die Verknüpfungen von „%1“ lassen jede Folge von Abbildungen enden, also gibt es nichts, was einfache Abbildungen zeichnen könnten.</translation>
-    </message>
-    <message>
-        <source>Plain maps of “%1” would be words of its maps, which cannot take part in its animation or in its moved branches. Remove these first.</source>
-        <translation>Einfache Abbildungen von „%1“ wären Wörter seiner Abbildungen, die an seiner Animation oder seinen bewegten Ästen nicht teilnehmen können. Entfernen Sie diese zuerst.</translation>
-    </message>
-    <message>
-        <source>Plain maps of “%1” would be more than %2 words of its maps, which is the limit. Keep the links in an .ifs or .flame file, or remove them.</source>
-        <translation>Einfache Abbildungen von „%1“ wären mehr als %2 Wörter seiner Abbildungen, was die Grenze ist. Behalten Sie die Verknüpfungen in einer .ifs- oder .flame-Datei, oder entfernen Sie sie.</translation>
-    </message>
-    <message>
-        <source>The links of “%1” cannot be written as plain maps: a sequence of maps can go on for ever without reaching one that may follow every map. Keep the links in an .ifs or .flame file, or remove them.</source>
-        <translation>Die Verknüpfungen von „%1“ lassen sich nicht als einfache Abbildungen schreiben: Eine Folge von Abbildungen kann endlos weitergehen, ohne eine zu erreichen, die auf jede Abbildung folgen darf. Behalten Sie die Verknüpfungen in einer .ifs- oder .flame-Datei, oder entfernen Sie sie.</translation>
-    </message>
-</context>
-<context>
-    <name>document::MapLocks</name>
-    <message>
-        <source>Map %1 is locked. Unlock it in the Maps panel first.</source>
-        <translation>Abbildung %1 ist gesperrt. Geben Sie sie erst im Bereich Abbildungen frei.</translation>
-    </message>
-    <message>
-        <source>Maps %1 are locked. Unlock them in the Maps panel first.</source>
-        <translation>Die Abbildungen %1 sind gesperrt. Geben Sie sie erst im Bereich Abbildungen frei.</translation>
-    </message>
-    <message>
-        <source>Lock a map</source>
-        <translation>Eine Abbildung sperren</translation>
-    </message>
-    <message>
-        <source>Unlock a map</source>
-        <translation>Eine Abbildung freigeben</translation>
-    </message>
-    <message>
-        <source>Lock %1 maps</source>
-        <translation>%1 Abbildungen sperren</translation>
-    </message>
-    <message>
-        <source>Unlock %1 maps</source>
-        <translation>%1 Abbildungen freigeben</translation>
-    </message>
-    <message>
-        <source>Remove the name of map %1</source>
-        <translation>Den Namen der Abbildung %1 entfernen</translation>
-    </message>
-    <message>
-        <source>Name map %1 “%2”</source>
-        <translation>Abbildung %1 „%2“ nennen</translation>
-    </message>
-</context>
-<context>
-    <name>document::MapSolo</name>
-    <message>
-        <source>Select a map first.</source>
-        <translation>Erst eine Abbildung wählen.</translation>
-    </message>
-    <message>
-        <source>The maps are linked. Only maps that may all follow each other can be shown alone.</source>
-        <translation>Die Abbildungen sind verknüpft. Nur Abbildungen, die alle aufeinander folgen dürfen, lassen sich allein zeigen.</translation>
-    </message>
-    <message>
-        <source>The cage bends the picture, in which no map can be shown alone. Reset the cage first.</source>
-        <translation>Der Käfig biegt das Bild, in dem sich keine Abbildung allein zeigen lässt. Setzen Sie erst den Käfig zurück.</translation>
-    </message>
-    <message>
-        <source>Map %1 takes everything to one point, so there is nothing to show alone.</source>
-        <translation>Abbildung %1 führt alles in einen Punkt, es gibt also nichts allein zu zeigen.</translation>
     </message>
 </context>
 <context>
@@ -5471,20 +5678,6 @@
     <message>
         <source>Delete a map</source>
         <translation>Eine Abbildung löschen</translation>
-    </message>
-</context>
-<context>
-    <name>document::SpaceGeometry</name>
-    <message>
-        <source>This entry is not a system in space.</source>
-        <translation>Dieser Eintrag ist kein System im Raum.</translation>
-    </message>
-</context>
-<context>
-    <name>document::Variations</name>
-    <message>
-        <source>This entry has no maps to vary.</source>
-        <translation>Dieser Eintrag hat keine Abbildungen, die sich abwandeln ließen.</translation>
     </message>
 </context>
 <context>
@@ -6489,33 +6682,6 @@
         <translation>Einrechnen</translation>
     </message>
     <message>
-        <source>Minimal Canonical Simplex</source>
-        <translation>Minimales kanonisches Simplex</translation>
-    </message>
-    <message>
-        <source>Canonical Simplex %1</source>
-        <translation>Kanonisches Simplex %1</translation>
-    </message>
-    <message>
-        <source>Bounding Box</source>
-        <translation>Umschließendes Rechteck</translation>
-    </message>
-    <message numerus="yes">
-        <source>%n Corners</source>
-        <translation>
-            <numerusform>%n Ecke</numerusform>
-            <numerusform>%n Ecken</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>Convex Hull, Simplified to</source>
-        <translation>Konvexe Hülle, vereinfacht auf</translation>
-    </message>
-    <message>
-        <source>Regular Polygon with</source>
-        <translation>Regelmäßiges Vieleck mit</translation>
-    </message>
-    <message>
         <source>Fit</source>
         <translation>Einpassen</translation>
     </message>
@@ -6732,10 +6898,6 @@
         <translation>%1, Kante %2, Ecke (%3, %4, %5)</translation>
     </message>
     <message>
-        <source>Three Edges of the Bounding Box</source>
-        <translation>Drei Kanten des umgebenden Quaders</translation>
-    </message>
-    <message>
         <source>The system has very many maps. Computing the cage around it…</source>
         <translation>Das System hat sehr viele Abbildungen: Der Käfig darum wird gerade gesucht …</translation>
     </message>
@@ -6744,20 +6906,8 @@
         <translation>%1 Ecken: mit Mittelwertkoordinaten gebogen, nicht einrechenbar.</translation>
     </message>
     <message>
-        <source>Bounding Box, Eight Corners</source>
-        <translation>Hüllquader, acht Ecken</translation>
-    </message>
-    <message>
-        <source>Octahedron</source>
-        <translation>Oktaeder</translation>
-    </message>
-    <message>
         <source>Define the tetrahedron with four clicks on the canvas; the picture stays</source>
         <translation>Legt das Tetraeder mit vier Klicks auf der Zeichenfläche fest; das Bild bleibt</translation>
-    </message>
-    <message>
-        <source>Smallest Rectangle</source>
-        <translation>Kleinstes Rechteck</translation>
     </message>
 </context>
 <context>
@@ -7149,77 +7299,6 @@
     </message>
 </context>
 <context>
-    <name>view::CanvasScene</name>
-    <message>
-        <source>Vertex %1</source>
-        <translation>Ecke %1</translation>
-    </message>
-    <message>
-        <source>Edge from vertex %1</source>
-        <translation>Kante von Ecke %1</translation>
-    </message>
-    <message>
-        <source>The whole cage</source>
-        <translation>Der ganze Käfig</translation>
-    </message>
-    <message>
-        <source>Pivot</source>
-        <translation>Drehpunkt</translation>
-    </message>
-    <message>
-        <source>the arrow keys move both its ends</source>
-        <translation>die Pfeiltasten bewegen ihre beiden Enden</translation>
-    </message>
-    <message>
-        <source>the arrow keys move it</source>
-        <translation>die Pfeiltasten bewegen es</translation>
-    </message>
-    <message>
-        <source>Branch %1</source>
-        <translation>Ast %1</translation>
-    </message>
-    <message>
-        <source>Map %1</source>
-        <translation>Abbildung %1</translation>
-    </message>
-    <message>
-        <source>%1, corner %2</source>
-        <translation>%1, Ecke %2</translation>
-    </message>
-    <message>
-        <source>the arrow keys turn by one degree</source>
-        <translation>die Pfeiltasten drehen um ein Grad</translation>
-    </message>
-    <message>
-        <source>the arrow keys scale by one percent</source>
-        <translation>die Pfeiltasten skalieren um ein Prozent</translation>
-    </message>
-    <message>
-        <source>Drag to move the pivot, the centre of rotation and scaling.</source>
-        <translation>Den Drehpunkt ziehen: Um ihn wird gedreht und skaliert.</translation>
-    </message>
-    <message>
-        <source>Drag to rotate about the pivot; hold Shift for steps of 15°.</source>
-        <translation>Ziehen dreht um den Drehpunkt; Umschalt: in Schritten von 15°.</translation>
-    </message>
-    <message>
-        <source>Drag to scale about the pivot; hold Shift for x or y only.</source>
-        <translation>Ziehen skaliert um den Drehpunkt; Umschalt: nur in x oder y.</translation>
-    </message>
-    <message>
-        <source>Round handle</source>
-        <translation>Runder Griff</translation>
-    </message>
-    <message>
-        <source>Square handle</source>
-        <translation>Quadratischer Griff</translation>
-    </message>
-    <message>
-        <source>Map that takes no part</source>
-        <translation>Abbildung, die nicht teilnimmt</translation>
-    </message>
-</context>
-<context>
     <name>view::CanvasView</name>
     <message>
         <source>Canvas</source>
@@ -7256,14 +7335,6 @@
     <message>
         <source>The picture and its cage. Drag a corner, an edge or the inside of the cage; hold Ctrl to rotate, Alt to scale, Shift to keep directions. The wheel zooms at the pointer, the middle button pans. Tab moves from handle to handle, the arrow keys move the handle, F6 leaves the canvas.</source>
         <translation>Das Bild und sein Käfig. Ziehen Sie eine Ecke, eine Kante oder das Innere des Käfigs; Strg dreht, Alt skaliert, Umschalt hält Richtungen. Das Rad zoomt am Zeiger, die mittlere Taste bewegt die Ebene. Tab geht von Griff zu Griff, die Pfeiltasten bewegen sie, F6 verlässt die Fläche.</translation>
-    </message>
-</context>
-<context>
-    <name>view::Clipboard</name>
-    <message>
-        <source>pasted</source>
-        <comment>name of an entry made from a table</comment>
-        <translation>eingefügt</translation>
     </message>
 </context>
 <context>
@@ -8801,26 +8872,6 @@
         <translation>Was das Bild zeigt: was die Zeichenfläche zeigt, oder den Attraktor mit schmalem Rand, wohin die Zeichenfläche auch blickt. Gespeicherte Ansichten stehen ebenfalls in der Liste.</translation>
     </message>
     <message>
-        <source>%1 × %2 are %3 million pixels. Drawing them may take hours, and the file may need up to %4.</source>
-        <translation>%1 × %2 sind %3 Millionen Pixel. Sie zu zeichnen kann Stunden dauern, und die Datei kann bis zu %4 groß werden.</translation>
-    </message>
-    <message>
-        <source>Memory needed: about %1.</source>
-        <translation>Benötigter Speicher: etwa %1.</translation>
-    </message>
-    <message>
-        <source>Very large picture</source>
-        <translation>Sehr großes Bild</translation>
-    </message>
-    <message>
-        <source>This picture is very large.</source>
-        <translation>Dieses Bild ist sehr groß.</translation>
-    </message>
-    <message>
-        <source>&amp;Export Anyway</source>
-        <translation>Trotzdem &amp;exportieren</translation>
-    </message>
-    <message>
         <source>%1 mm</source>
         <translation>%1 mm</translation>
     </message>
@@ -9521,33 +9572,6 @@ Tasten: Bild auf und Bild ab wählen eine Marke, die Pfeile bewegen sie, Einfg f
     <message>
         <source>Move a stop of the palette</source>
         <translation>Eine Marke der Palette bewegen</translation>
-    </message>
-</context>
-<context>
-    <name>view::Guide</name>
-    <message>
-        <source>User Guide</source>
-        <translation>Handbuch</translation>
-    </message>
-    <message>
-        <source>The user guide: what you can do with Barycage, in the order in which you need it.</source>
-        <translation>Das Handbuch: was sich hier tun lässt, in der Reihenfolge, in der man es braucht.</translation>
-    </message>
-    <message>
-        <source>Find in the guide</source>
-        <translation>Im Handbuch suchen</translation>
-    </message>
-    <message>
-        <source>Finds these words in the guide. Enter goes to the next match, Shift+Enter to the previous one. Ctrl+F comes back here.</source>
-        <translation>Markiert diese Wörter im Handbuch. Die Eingabetaste zeigt die nächste Stelle, mit der Umschalttaste die vorige. Strg+F führt hierher.</translation>
-    </message>
-    <message>
-        <source>Not found</source>
-        <translation>Nicht gefunden</translation>
-    </message>
-    <message>
-        <source>%1 of %2</source>
-        <translation>%1 von %2</translation>
     </message>
 </context>
 <context>
@@ -10634,44 +10658,12 @@ Tasten: Bild auf und Bild ab wählen eine Marke, die Pfeile bewegen sie, Einfg f
         <translation>Den effektiven Code zum Code machen; der Käfig ruht danach</translation>
     </message>
     <message>
-        <source>By |Determinant|</source>
-        <translation>Nach |Determinante|</translation>
-    </message>
-    <message>
         <source>Weights in proportion to the areas of the images, for an even picture</source>
         <translation>Gewichte im Verhältnis der Flächen der Bilder, damit das Bild gleichmäßig wird</translation>
     </message>
     <message>
-        <source>Equal</source>
-        <translation>Gleich</translation>
-    </message>
-    <message>
-        <source>The same weight for every map</source>
-        <translation>Dasselbe Gewicht für jede Abbildung</translation>
-    </message>
-    <message>
-        <source>By Dimension</source>
-        <translation>Nach Dimension</translation>
-    </message>
-    <message>
-        <source>Weights that cover the attractor evenly at its own dimension</source>
-        <translation>Gewichte, die den Attraktor in seiner eigenen Dimension gleichmäßig bedecken</translation>
-    </message>
-    <message>
-        <source>Normalise</source>
-        <translation>Normieren</translation>
-    </message>
-    <message>
-        <source>Scale all weights so that they sum to 1</source>
-        <translation>Dieselben Verhältnisse, mit der Summe 1</translation>
-    </message>
-    <message>
         <source>Weights</source>
         <translation>Gewichte</translation>
-    </message>
-    <message>
-        <source>Set the weights of all maps that are switched on by a rule</source>
-        <translation>Gewichte aller eingeschalteten Abbildungen nach einer Regel</translation>
     </message>
     <message>
         <source>Show columns: %1</source>
@@ -10722,26 +10714,6 @@ Tasten: Bild auf und Bild ab wählen eine Marke, die Pfeile bewegen sie, Einfg f
         <translation>Abbildungen umordnen</translation>
     </message>
     <message>
-        <source>Nothing was pasted. Line %1 of the clipboard: %2</source>
-        <translation>Nichts wurde eingefügt. Zeile %1 der Zwischenablage: %2</translation>
-    </message>
-    <message>
-        <source>Nothing was pasted. %1</source>
-        <translation>Nichts wurde eingefügt. %1</translation>
-    </message>
-    <message>
-        <source>Nothing was pasted: the clipboard contains no rows of 6 or 7 numbers.</source>
-        <translation>Nichts wurde eingefügt: Die Zwischenablage enthält keine Zeilen von 6 oder 7 Zahlen.</translation>
-    </message>
-    <message>
-        <source>Paste a map</source>
-        <translation>Eine Abbildung einfügen</translation>
-    </message>
-    <message>
-        <source>Paste %1 maps</source>
-        <translation>%1 Abbildungen einfügen</translation>
-    </message>
-    <message>
         <source>Bake the cage into the code</source>
         <translation>Den Käfig in den Code einrechnen</translation>
     </message>
@@ -10752,10 +10724,6 @@ Tasten: Bild auf und Bild ab wählen eine Marke, die Pfeile bewegen sie, Einfg f
     <message>
         <source>Each row is a map: it takes (x, y) to (a x + b y + e, c x + d y + f) and is used in proportion to its weight p. Double-click a number or start typing to change it; the picture follows every keystroke. Drag the number of a row to move it.</source>
         <translation>Jede Zeile ist eine Abbildung: (x, y) geht über in (a x + b y + e, c x + d y + f), so oft, wie ihr Gewicht p sagt. Klicken Sie doppelt auf eine Zahl oder beginnen Sie zu tippen, um sie zu ändern; das Bild folgt jeder Taste. Ziehen Sie die Nummer einer Zeile, um sie zu verschieben.</translation>
-    </message>
-    <message>
-        <source>Reading the pasted text…</source>
-        <translation>Das Eingefügte wird gelesen …</translation>
     </message>
     <message>
         <source>Properties of the map</source>
@@ -10856,20 +10824,6 @@ Tasten: Bild auf und Bild ab wählen eine Marke, die Pfeile bewegen sie, Einfg f
     <message>
         <source>Map %1 only, of %2 selected    %3</source>
         <translation>Nur Abbildung %1, von %2 gewählten    %3</translation>
-    </message>
-    <message numerus="yes">
-        <source>%n maps added.</source>
-        <translation>
-            <numerusform>%n Abbildung hinzugefügt.</numerusform>
-            <numerusform>%n Abbildungen hinzugefügt.</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>The selected maps were replaced; %n maps pasted.</source>
-        <translation>
-            <numerusform>Die ausgewählten Abbildungen wurden ersetzt; %n Abbildung eingefügt.</numerusform>
-            <numerusform>Die ausgewählten Abbildungen wurden ersetzt; %n Abbildungen eingefügt.</numerusform>
-        </translation>
     </message>
 </context>
 <context>
@@ -11446,47 +11400,6 @@ Tasten: Bild auf und Bild ab wählen eine Marke, die Pfeile bewegen sie, Einfg f
     <message>
         <source>Makes a palette of the colours of a picture, or of those along a line in it.</source>
         <translation>Macht eine Palette aus den Farben eines Bildes oder aus denen entlang einer Linie darin.</translation>
-    </message>
-</context>
-<context>
-    <name>view::PolygonTool</name>
-    <message>
-        <source>%1 by %2°</source>
-        <translation>%1 um %2°</translation>
-    </message>
-    <message>
-        <source>%1 by %2</source>
-        <translation>%1 um den Faktor %2</translation>
-    </message>
-    <message>
-        <source>%1 to (%2, %3)</source>
-        <translation>%1 nach (%2, %3)</translation>
-    </message>
-    <message>
-        <source>%1 by (%2, %3)</source>
-        <translation>%1 um (%2, %3)</translation>
-    </message>
-    <message>
-        <source>%1°</source>
-        <comment>an angle</comment>
-        <translation>%1°</translation>
-    </message>
-    <message>
-        <source>× %1</source>
-        <comment>a factor</comment>
-        <translation>× %1</translation>
-    </message>
-    <message>
-        <source>Δ (%1, %2)  length %3</source>
-        <translation>Δ (%1, %2)  Länge %3</translation>
-    </message>
-    <message>
-        <source>edge %1</source>
-        <translation>Kante %1</translation>
-    </message>
-    <message>
-        <source>edges %1 and %2</source>
-        <translation>Kanten %1 und %2</translation>
     </message>
 </context>
 <context>
@@ -13204,34 +13117,6 @@ Tasten: Bild auf und Bild ab wählen eine Marke, die Pfeile bewegen sie, Einfg f
     <message>
         <source>Turn the mirrors of the symmetry</source>
         <translation>Spiegelachsen der Symmetrie drehen</translation>
-    </message>
-    <message>
-        <source>None</source>
-        <translation>Keine</translation>
-    </message>
-    <message>
-        <source>Mirror</source>
-        <translation>Spiegelung</translation>
-    </message>
-    <message>
-        <source>Rotation</source>
-        <translation>Drehung</translation>
-    </message>
-    <message>
-        <source>Dihedral</source>
-        <translation>Diedergruppe</translation>
-    </message>
-    <message>
-        <source>Tetrahedral</source>
-        <translation>Tetraedergruppe</translation>
-    </message>
-    <message>
-        <source>Octahedral</source>
-        <translation>Oktaedergruppe</translation>
-    </message>
-    <message>
-        <source>Icosahedral</source>
-        <translation>Ikosaedergruppe</translation>
     </message>
     <message>
         <source>List the maps that the symmetry stands for</source>

@@ -12,30 +12,6 @@
     </message>
 </context>
 <context>
-    <name>Exports</name>
-    <message numerus="yes">
-        <source>%n exports from the last session are in the queue.</source>
-        <translation>
-            <numerusform>%n export from the last session is in the queue.</numerusform>
-            <numerusform>%n exports from the last session are in the queue.</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>%n exports are still in the queue.</source>
-        <translation>
-            <numerusform>%n export is still in the queue.</numerusform>
-            <numerusform>%n exports are still in the queue.</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>They will continue the next time you start Barycage. Close it now?</source>
-        <translation>
-            <numerusform>It goes on when you start Barycage the next time. Close it now?</numerusform>
-            <numerusform>They will continue the next time you start Barycage. Close it now?</numerusform>
-        </translation>
-    </message>
-</context>
-<context>
     <name>FlameBanner</name>
     <message numerus="yes">
         <source>%n flames</source>
@@ -88,6 +64,48 @@
             <numerusform>%n more maps</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>%n exports from the last session are in the queue.</source>
+        <translation>
+            <numerusform>%n export from the last session is in the queue.</numerusform>
+            <numerusform>%n exports from the last session are in the queue.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>They will continue the next time you start Barycage. Close it now?</source>
+        <translation>
+            <numerusform>It goes on when you start Barycage the next time. Close it now?</numerusform>
+            <numerusform>They will continue the next time you start Barycage. Close it now?</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n exports are still in the queue.</source>
+        <translation>
+            <numerusform>%n export is still in the queue.</numerusform>
+            <numerusform>%n exports are still in the queue.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n Corners</source>
+        <translation>
+            <numerusform>%n Corner</numerusform>
+            <numerusform>%n Corners</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n maps added.</source>
+        <translation>
+            <numerusform>%n map added.</numerusform>
+            <numerusform>%n maps added.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>The selected maps were replaced; %n maps pasted.</source>
+        <translation>
+            <numerusform>The selected maps were replaced; %n map pasted.</numerusform>
+            <numerusform>The selected maps were replaced; %n maps pasted.</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>view::AnimationExportDialog</name>
@@ -103,16 +121,6 @@
         <translation>
             <numerusform>%n file with the name of one of these pictures exists already and holds something else.</numerusform>
             <numerusform>%n files with the names of these pictures exist already and hold something else.</numerusform>
-        </translation>
-    </message>
-</context>
-<context>
-    <name>view::CagePanel</name>
-    <message numerus="yes">
-        <source>%n Corners</source>
-        <translation>
-            <numerusform>%n Corner</numerusform>
-            <numerusform>%n Corners</numerusform>
         </translation>
     </message>
 </context>
@@ -236,23 +244,6 @@
         <translation>
             <numerusform>Remove %n link</numerusform>
             <numerusform>Remove %n links</numerusform>
-        </translation>
-    </message>
-</context>
-<context>
-    <name>view::MapsPanel</name>
-    <message numerus="yes">
-        <source>%n maps added.</source>
-        <translation>
-            <numerusform>%n map added.</numerusform>
-            <numerusform>%n maps added.</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>The selected maps were replaced; %n maps pasted.</source>
-        <translation>
-            <numerusform>The selected maps were replaced; %n map pasted.</numerusform>
-            <numerusform>The selected maps were replaced; %n maps pasted.</numerusform>
         </translation>
     </message>
 </context>

@@ -490,84 +490,6 @@
     </message>
 </context>
 <context>
-    <name>CageEdits</name>
-    <message>
-        <source>This entry is not a system in the plane.</source>
-        <translation>Esta entrada no tiene aplicaciones del plano.</translation>
-    </message>
-    <message>
-        <source>The cage is at rest: the picture shows the code.</source>
-        <translation>La jaula está en reposo: lo que se muestra es el código.</translation>
-    </message>
-    <message>
-        <source>The cage bends the picture, and no affine code produces a bent picture. Choose “Affine fit” to bake the closest affine placement.</source>
-        <translation>La jaula curva la imagen, y ningún código afín tiene una imagen curvada. Elija «Ajuste afín» para incorporar lo que más se le acerca.</translation>
-    </message>
-    <message>
-        <source>The cage is flat, so its placement cannot be baked into the code. Open the cage first.</source>
-        <translation>La jaula es plana, así que su posición no se puede incorporar al código. Abra primero la jaula.</translation>
-    </message>
-    <message>
-        <source>Moving the cage moves the picture. Bake to change the code.</source>
-        <translation>Mover la jaula mueve la imagen. El código queda como está hasta que usted incorpore la colocación.</translation>
-    </message>
-    <message>
-        <source>Moving the whole cage rewrites the code. Moving single vertices bends the picture, which no code can reproduce, so the code does not change.</source>
-        <translation>Mover la jaula entera reescribe el código. Mover vértices sueltos curva la imagen, lo que ningún código puede seguir, y el código no cambia.</translation>
-    </message>
-    <message>
-        <source>Moving the cage rewrites all coefficients of the code; the cage is then at rest in its new position.</source>
-        <translation>Mover la jaula reescribe todos los coeficientes del código, y la jaula queda en reposo donde está.</translation>
-    </message>
-    <message>
-        <source>The cage is not at rest: it already holds a placement.</source>
-        <translation>La jaula no está en reposo: ya contiene una posición.</translation>
-    </message>
-    <message>
-        <source>Only a cage with three vertices can be unbaked.</source>
-        <translation>Solo un triángulo se puede extraer del código.</translation>
-    </message>
-    <message>
-        <source>The cage is not convex: the picture may fold over itself at the notch.</source>
-        <translation>La jaula tiene un entrante: ahí la imagen puede plegarse sobre sí misma.</translation>
-    </message>
-    <message>
-        <source>The cage is folded: parts of the picture overlap. Move the vertices apart to unfold it.</source>
-        <translation>La jaula está plegada: hay partes de la imagen unas sobre otras. Separe los vértices para desplegarla.</translation>
-    </message>
-    <message>
-        <source>No map is active, so there is nothing to enclose.</source>
-        <translation>No interviene ninguna aplicación, así que no hay nada que encerrar.</translation>
-    </message>
-    <message>
-        <source>A bent picture cannot be given another cage. First reset the cage or choose “Affine fit”.</source>
-        <translation>Una imagen curvada no se puede sujetar con otra jaula. Antes restablezca la jaula o elija «Ajuste afín».</translation>
-    </message>
-    <message>
-        <source>The cage is flat. First open or reset the triangle.</source>
-        <translation>La jaula está aplastada. Antes abra el triángulo o restablézcalo.</translation>
-    </message>
-    <message>
-        <source>This system has no attractor that can be enclosed.</source>
-        <translation>Este sistema no tiene un atractor que se pueda encerrar.</translation>
-    </message>
-    <message>
-        <source>The cage is at rest.</source>
-        <translation>La jaula está en reposo.</translation>
-    </message>
-    <message>
-        <source>The maps are linked; a cage cannot be fitted to linked maps.</source>
-        <translation>Las aplicaciones están enlazadas; no se puede ajustar una jaula a aplicaciones enlazadas.</translation>
-    </message>
-</context>
-<context>
-    <name>ClusterJob</name>
-    <message>
-        <source>The folder %1 cannot be created.</source>
-        <translation>No se puede crear la carpeta %1.</translation>
-    </message>
-</context>
-<context>
     <name>Collection</name>
     <message>
         <source>From the paper</source>
@@ -739,145 +661,6 @@
     </message>
 </context>
 <context>
-    <name>DimensionEdits</name>
-    <message>
-        <source>“%1” is not a system in the plane, so it cannot be lifted.</source>
-        <translation>«%1» no es un sistema del plano, así que no se puede llevar al espacio.</translation>
-    </message>
-    <message>
-        <source>The cage of “%1” has more than three corners, so it cannot become a tetrahedron. Bake or reset it first.</source>
-        <translation>La jaula de «%1» tiene más de tres vértices y no da un tetraedro. Incorpórela o restablézcala antes.</translation>
-    </message>
-    <message>
-        <source>“%1” is not a system in space, so it cannot be flattened.</source>
-        <translation>«%1» no es un sistema del espacio, así que no se puede aplanar.</translation>
-    </message>
-    <message>
-        <source>The direction must have a length other than 0.</source>
-        <translation>La dirección no puede tener longitud 0.</translation>
-    </message>
-    <message>
-        <source>“%1” has moved branches, which cannot be flattened. Reset them first.</source>
-        <translation>«%1» tiene ramas movidas, que no se pueden aplanar. Restablézcalas antes.</translation>
-    </message>
-    <message>
-        <source>The cage of “%1” cannot be baked into its maps, so it cannot be flattened.</source>
-        <translation>La jaula de «%1» no se puede incorporar a las aplicaciones, así que no se puede aplanar.</translation>
-    </message>
-    <message>
-        <source>The maps of “%1” are linked, and maps in space cannot be linked.</source>
-        <translation>Las aplicaciones de «%1» están enlazadas, y las del espacio no pueden estarlo.</translation>
-    </message>
-    <message>
-        <source>Map %1 of “%2” does not keep this direction, so the projection is not an iterated function system. Export a picture seen from that direction instead.</source>
-        <translation>La aplicación %1 de «%2» desvía la dirección, así que la proyección no es un sistema de funciones iteradas. Exporte en su lugar una imagen desde ese lado.</translation>
-    </message>
-    <message>
-        <source>The animation of “%1” cannot be taken to another dimension, so it is left out.</source>
-        <translation>La animación de «%1» no puede llevarse a otra dimensión, por lo que se omite.</translation>
-    </message>
-</context>
-<context>
-    <name>Enqueue</name>
-    <message>
-        <source>The name “%1” does not match the chosen format. Choose another name.</source>
-        <translation>El nombre «%1» no corresponde al formato elegido. Elija otro nombre.</translation>
-    </message>
-    <message>
-        <source>Another export in the queue writes “%1”. Choose another name.</source>
-        <translation>Otra exportación de la cola escribe «%1». Elija otro nombre.</translation>
-    </message>
-    <message>
-        <source>Added to the queue: %1.</source>
-        <translation>Añadida a la cola: %1.</translation>
-    </message>
-</context>
-<context>
-    <name>ExportJob</name>
-    <message>
-        <source>There is not enough memory for this picture. Reduce its size or the supersampling.</source>
-        <translation>No hay memoria suficiente para esta imagen. Hágala más pequeña o use menos supermuestreo.</translation>
-    </message>
-</context>
-<context>
-    <name>ExportTask</name>
-    <message>
-        <source>It is damaged.</source>
-        <translation>Está dañada.</translation>
-    </message>
-    <message>
-        <source>It is not an export of this program.</source>
-        <translation>No es una exportación de este programa.</translation>
-    </message>
-    <message>
-        <source>Its settings are not supported by this version.</source>
-        <translation>Sus ajustes no son de esta versión.</translation>
-    </message>
-    <message>
-        <source>Its file name does not match its format.</source>
-        <translation>El archivo que nombra no corresponde a su formato.</translation>
-    </message>
-</context>
-<context>
-    <name>Exports</name>
-    <message numerus="yes">
-        <source>%n exports from the last session are in the queue.</source>
-        <translation>
-            <numerusform>%n exportación de la última vez está en la cola.</numerusform>
-            <numerusform>%n exportaciones de la última vez están en la cola.</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>Exports are not finished</source>
-        <translation>Hay exportaciones sin terminar</translation>
-    </message>
-    <message numerus="yes">
-        <source>%n exports are still in the queue.</source>
-        <translation>
-            <numerusform>%n exportación sigue en la cola.</numerusform>
-            <numerusform>%n exportaciones siguen en la cola.</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>They will continue the next time you start Barycage. Close it now?</source>
-        <translation>
-            <numerusform>Continuará la próxima vez que inicie Barycage. ¿Cerrarlo ahora?</numerusform>
-            <numerusform>Continuarán la próxima vez que inicie Barycage. ¿Cerrarlo ahora?</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>&amp;Close</source>
-        <translation>Ce&amp;rrar</translation>
-    </message>
-    <message>
-        <source>Export is not finished</source>
-        <translation>La exportación no ha terminado</translation>
-    </message>
-    <message>
-        <source>A file is still being exported.</source>
-        <translation>Todavía se está exportando un archivo.</translation>
-    </message>
-    <message>
-        <source>If you stop now, no file is written.</source>
-        <translation>Si la detiene ahora, no se escribe ningún archivo.</translation>
-    </message>
-    <message>
-        <source>&amp;Stop Export</source>
-        <translation>&amp;Detener la exportación</translation>
-    </message>
-    <message>
-        <source>&amp;Continue</source>
-        <translation>&amp;Continuar</translation>
-    </message>
-</context>
-<context>
-    <name>FileDialogs</name>
-    <message>
-        <source>Pictures (%1);;All files (*)</source>
-        <translation>Imágenes (%1);;Todos los archivos (*)</translation>
-    </message>
-</context>
-<context>
     <name>FlameBanner</name>
     <message>
         <source>Flames</source>
@@ -916,65 +699,7 @@
     </message>
 </context>
 <context>
-    <name>Lesson</name>
-    <message>
-        <source>The file has no entry “%1”.</source>
-        <translation>El archivo no tiene ninguna entrada «%1».</translation>
-    </message>
-    <message>
-        <source>Show a step of the lesson</source>
-        <translation>Mostrar un paso de la lección</translation>
-    </message>
-    <message>
-        <source>The cage of this entry does not have the same corners as in the lesson.</source>
-        <translation>La jaula de esta entrada tiene otros vértices que en la lección.</translation>
-    </message>
-</context>
-<context>
-    <name>LessonReader</name>
-    <message>
-        <source>The lesson is larger than 4 MB, which is the limit.</source>
-        <translation>La lección ocupa más de 4 MB, que es el límite.</translation>
-    </message>
-    <message>
-        <source>This is not a lesson: its first line does not begin with “lesson:”.</source>
-        <translation>Esto no es una lección: su primera línea no empieza por «lesson:».</translation>
-    </message>
-    <message>
-        <source>The lesson has no steps.</source>
-        <translation>La lección no tiene pasos.</translation>
-    </message>
-    <message>
-        <source>This line was ignored: settings look like “file: name.ifs”, and steps begin with “##”.</source>
-        <translation>Se ha pasado por alto esta línea: los ajustes tienen la forma «file: nombre.ifs» y los pasos empiezan por «##».</translation>
-    </message>
-    <message>
-        <source>The lesson has more than %1 steps; the others were ignored.</source>
-        <translation>La lección tiene más de %1 pasos; los demás se han pasado por alto.</translation>
-    </message>
-    <message>
-        <source>The text of step %1 is longer than %2 characters and was cut.</source>
-        <translation>El texto del paso %1 tiene más de %2 caracteres y se ha cortado.</translation>
-    </message>
-    <message>
-        <source>“%1: %2” was not understood.</source>
-        <translation>No se ha entendido «%1: %2».</translation>
-    </message>
-    <message>
-        <source>“%1” is unknown to this version and is kept.</source>
-        <translation>Esta versión no conoce «%1» y lo conserva.</translation>
-    </message>
-    <message>
-        <source>A lesson cannot refer to “%1”. It can refer to a file in its own folder, or to a .ifs or .par file in another one.</source>
-        <translation>Una lección no puede referirse a «%1», sino solo a un archivo de su propia carpeta o a un archivo .ifs o .par de otra.</translation>
-    </message>
-</context>
-<context>
     <name>MainWindow</name>
-    <message>
-        <source>Add %1</source>
-        <translation>Añadir %1</translation>
-    </message>
     <message>
         <source>Show or hide the “%1” panel</source>
         <translation>Mostrar u ocultar el panel «%1»</translation>
@@ -1602,38 +1327,6 @@
         <translation>Herramientas</translation>
     </message>
     <message>
-        <source>The fractals in the open file. The canvas shows the one you select here.</source>
-        <translation>Los fractales del archivo abierto. El que se elige aquí es el que aparece en la imagen.</translation>
-    </message>
-    <message>
-        <source>Ready-made fractals by theme, and your own folders of fractals.</source>
-        <translation>Fractales para empezar, por temas, y las carpetas de fractales de usted.</translation>
-    </message>
-    <message>
-        <source>The maps of the fractal: its code, one map per row.</source>
-        <translation>Las aplicaciones del fractal: su código, una aplicación por fila.</translation>
-    </message>
-    <message>
-        <source>The control cage in numbers: its vertices, their positions at rest, what moving them does, and other cages to choose from.</source>
-        <translation>La jaula de control en números: dónde están sus vértices, dónde están en reposo, qué efecto tiene moverlos y otras jaulas entre las que elegir.</translation>
-    </message>
-    <message>
-        <source>Colours, brightness and background of the picture. They are saved with the fractal.</source>
-        <translation>Colores, brillo y fondo de la imagen. Se guardan con el fractal.</translation>
-    </message>
-    <message>
-        <source>Mathematical properties of this fractal. Point to a name to see what it means.</source>
-        <translation>Propiedades matemáticas de este fractal. Señale un nombre para leer qué significa.</translation>
-    </message>
-    <message>
-        <source>Every step since the file was opened. Select one to go back or forward to it.</source>
-        <translation>Cada paso desde que se abrió el archivo. Elija uno para volver a él o para avanzar hasta él.</translation>
-    </message>
-    <message>
-        <source>Problems found in the file, with line and column. The text in the file is kept unchanged.</source>
-        <translation>Problemas encontrados en el archivo, con línea y columna. El texto del archivo se conserva sin cambios.</translation>
-    </message>
-    <message>
         <source>&amp;Tour</source>
         <translation>&amp;Recorrido</translation>
     </message>
@@ -2046,10 +1739,6 @@
         <translation>Línea de tiempo</translation>
     </message>
     <message>
-        <source>The animation of this fractal: its motions, and the keys of everything that can move.</source>
-        <translation>La animación de este fractal: sus movimientos y las claves de todo lo que puede moverse.</translation>
-    </message>
-    <message>
         <source>Fractal &amp;Transformation</source>
         <translation>&amp;Transformación fractal</translation>
     </message>
@@ -2090,20 +1779,12 @@
         <translation>Collage</translation>
     </message>
     <message>
-        <source>Find a fractal that looks like a picture: the target, how well the fractal agrees with it, and ways to fit it.</source>
-        <translation>Un fractal para una imagen: el objetivo, cuánto concuerda con él el fractal, y ajustes.</translation>
-    </message>
-    <message>
         <source>Four &amp;Views</source>
         <translation>Cuatro &amp;vistas</translation>
     </message>
     <message>
         <source>Define the control triangle with three clicks, or in space the tetrahedron with four</source>
         <translation>Define el triángulo de control con tres clics; en el espacio, el tetraedro con cuatro</translation>
-    </message>
-    <message>
-        <source>Which map may follow which in the chaos game, as a graph and as a matrix.</source>
-        <translation>Qué aplicaciones puede aplicar el juego del caos después de cuáles, como grafo y como matriz.</translation>
     </message>
     <message>
         <source>Look from the front (1 on the keypad)</source>
@@ -2324,18 +2005,6 @@
     <message>
         <source>Show the current map alone, or all of them again</source>
         <translation>Mostrar sola la aplicación actual, o todas de nuevo</translation>
-    </message>
-    <message>
-        <source>States of this fractal that you kept while working on it. Click one to restore it.</source>
-        <translation>Estados de este fractal que guardó mientras trabajaba. Haga clic en uno para restaurarlo.</translation>
-    </message>
-    <message>
-        <source>Pictures drawn one after another in the background, with the progress of each.</source>
-        <translation>Imágenes que se dibujan una tras otra en segundo plano, y el progreso de cada una.</translation>
-    </message>
-    <message>
-        <source>A lesson about these fractals: its steps, each with a text and the state of the window, to be played in full screen.</source>
-        <translation>Una lección sobre estos fractales: sus pasos, cada uno con un texto y el estado de la ventana, para reproducirla en toda la pantalla.</translation>
     </message>
     <message>
         <source>Saved &amp;Views</source>
@@ -2600,10 +2269,6 @@
     <message>
         <source>Drag the corners of the cage</source>
         <translation>Arrastrar los vértices de la jaula</translation>
-    </message>
-    <message>
-        <source>%1 is already open in this window.</source>
-        <translation>%1 ya está abierto en esta ventana.</translation>
     </message>
     <message>
         <source>Show the solid from the top, the front and the right, and in perspective</source>
@@ -2884,89 +2549,6 @@
     </message>
 </context>
 <context>
-    <name>PictureWriter</name>
-    <message>
-        <source>A %1 picture has at most %2 pixels along a side.</source>
-        <translation>Una imagen %1 tiene como máximo %2 píxeles por lado.</translation>
-    </message>
-    <message>
-        <source>A JPEG picture cannot be transparent. Choose a background colour or another format.</source>
-        <translation>Una imagen JPEG no puede ser transparente. Elija un color de fondo u otro formato.</translation>
-    </message>
-    <message>
-        <source>A JPEG picture has at most %1 dots per inch.</source>
-        <translation>Una imagen JPEG tiene como máximo %1 puntos por pulgada.</translation>
-    </message>
-    <message>
-        <source>Such a picture cannot be written as %1.</source>
-        <translation>Una imagen así no se puede escribir como %1.</translation>
-    </message>
-    <message>
-        <source>The picture cannot be written: %1</source>
-        <translation>No se puede escribir la imagen: %1</translation>
-    </message>
-    <message>
-        <source>the WebP encoder does not have enough memory.</source>
-        <translation>el codificador WebP no tiene suficiente memoria.</translation>
-    </message>
-</context>
-<context>
-    <name>PngSystem</name>
-    <message>
-        <source>The picture contains no system: it was not written by Barycage, or another program removed the text that holds it.</source>
-        <translation>La imagen no contiene ningún sistema: no la escribió Barycage, u otro programa eliminó su texto.</translation>
-    </message>
-    <message>
-        <source>The system in the picture is larger than 8 MB.</source>
-        <translation>El sistema de la imagen ocupa más de 8 MB.</translation>
-    </message>
-    <message>
-        <source>The file is not a PNG picture, or it is damaged.</source>
-        <translation>El archivo no es una imagen PNG o está dañado.</translation>
-    </message>
-    <message>
-        <source>The picture contains too much text: the limit is 40 MB in total.</source>
-        <translation>La imagen lleva demasiado texto: el límite es de 40 MB en total.</translation>
-    </message>
-    <message>
-        <source>The picture cannot be opened.</source>
-        <translation>No se puede abrir la imagen.</translation>
-    </message>
-    <message>
-        <source>The file is not a PNG picture.</source>
-        <translation>El archivo no es una imagen PNG.</translation>
-    </message>
-    <message>
-        <source>The picture is damaged or incomplete. Draw it again.</source>
-        <translation>La imagen está dañada o incompleta. Dibújela de nuevo.</translation>
-    </message>
-</context>
-<context>
-    <name>PngWriter</name>
-    <message>
-        <source>The picture cannot be written: %1</source>
-        <translation>No se puede escribir la imagen: %1</translation>
-    </message>
-</context>
-<context>
-    <name>PrintPreview</name>
-    <message>
-        <source>%1 could not be written. Print it to another folder.</source>
-        <translation>No se pudo escribir %1. Imprima en otra carpeta.</translation>
-    </message>
-    <message>
-        <source>Written to %1.</source>
-        <translation>Escrito en %1.</translation>
-    </message>
-</context>
-<context>
-    <name>RasterSystem</name>
-    <message>
-        <source>The picture is damaged, or its text cannot be read.</source>
-        <translation>La imagen está dañada o no se puede leer su texto.</translation>
-    </message>
-</context>
-<context>
     <name>Recovery</name>
     <message>
         <source>%1, %2</source>
@@ -3011,13 +2593,6 @@
             <numerusform>(%n ventana)</numerusform>
             <numerusform>(%n ventanas)</numerusform>
         </translation>
-    </message>
-</context>
-<context>
-    <name>SaveBeside</name>
-    <message>
-        <source>Saving “%1”…</source>
-        <translation>Guardando «%1»…</translation>
     </message>
 </context>
 <context>
@@ -3119,45 +2694,6 @@
     <message>
         <source>Move corner %1 of branch %2</source>
         <translation>Mover la esquina %1 de la rama %2</translation>
-    </message>
-</context>
-<context>
-    <name>SpaceCageEdits</name>
-    <message>
-        <source>No map is active, so there is nothing to enclose.</source>
-        <translation>No interviene ninguna aplicación, así que no hay nada que encerrar.</translation>
-    </message>
-    <message>
-        <source>The cage is at rest: the picture shows the code.</source>
-        <translation>La jaula está en reposo: lo que se muestra es el código.</translation>
-    </message>
-    <message>
-        <source>The cage is flat, so its placement cannot be baked into the code. Open the cage first.</source>
-        <translation>La jaula es plana, así que su posición no se puede incorporar al código. Abra primero la jaula.</translation>
-    </message>
-    <message>
-        <source>The cage is not at rest: it already holds a placement.</source>
-        <translation>La jaula no está en reposo: ya contiene una posición.</translation>
-    </message>
-    <message>
-        <source>Only a cage with four vertices can be unbaked.</source>
-        <translation>Solo se puede extraer una jaula de cuatro vértices.</translation>
-    </message>
-    <message>
-        <source>The cage is flat. First open or reset the tetrahedron.</source>
-        <translation>La jaula es plana. Primero abra o restablezca el tetraedro.</translation>
-    </message>
-    <message>
-        <source>This system has no attractor that can be enclosed.</source>
-        <translation>Este sistema no tiene un atractor que se pueda encerrar.</translation>
-    </message>
-    <message>
-        <source>The cage bends the picture, and no affine code produces a bent picture. Choose “Affine fit” to bake the closest affine placement.</source>
-        <translation>La jaula curva la imagen, y ningún código afín tiene una imagen curvada. Elija «Ajuste afín» para incorporar lo que más se le acerca.</translation>
-    </message>
-    <message>
-        <source>The cage bends the picture, so no other cage would show it. First reset the cage or choose “Affine fit”.</source>
-        <translation>La jaula curva la imagen, y ninguna otra jaula la mostraría. Antes restablezca la jaula o elija «Ajuste afín».</translation>
     </message>
 </context>
 <context>
@@ -3361,13 +2897,6 @@
     </message>
 </context>
 <context>
-    <name>StealExport</name>
-    <message>
-        <source>An exact picture of this system would take too long. Draw it with samples.</source>
-        <translation>Una imagen exacta de este sistema tardaría demasiado. Dibújela con muestras.</translation>
-    </message>
-</context>
-<context>
     <name>SvgSystem</name>
     <message>
         <source>The system in the picture is larger than 8 MB.</source>
@@ -3388,40 +2917,6 @@
     <message>
         <source>The picture contains no system: it was not written by Barycage, or another program removed it.</source>
         <translation>La imagen no contiene ningún sistema: no la escribió Barycage, u otro programa lo eliminó.</translation>
-    </message>
-</context>
-<context>
-    <name>TaskFolder</name>
-    <message>
-        <source>It is not a regular file.</source>
-        <translation>No es un archivo ordinario.</translation>
-    </message>
-    <message>
-        <source>It is too large.</source>
-        <translation>Es demasiado grande.</translation>
-    </message>
-    <message>
-        <source>It cannot be read.</source>
-        <translation>No se puede leer.</translation>
-    </message>
-    <message>
-        <source>An export from the last session was skipped. %1 Its damaged file was renamed to %2.</source>
-        <translation>Se ha omitido una exportación de la última vez. %1 Se ha cambiado el nombre de su archivo dañado a %2.</translation>
-    </message>
-</context>
-<context>
-    <name>TaskJob</name>
-    <message>
-        <source>A file “%1” was created after you added this export. Choose Try Again to replace it.</source>
-        <translation>Desde que añadió esta exportación ha aparecido un archivo «%1». Reintentar lo reemplaza.</translation>
-    </message>
-    <message>
-        <source>The fractal in this export cannot be read.</source>
-        <translation>No se puede leer el fractal de esta exportación.</translation>
-    </message>
-    <message>
-        <source>There is not enough memory for this picture.</source>
-        <translation>No hay memoria suficiente para esta imagen.</translation>
     </message>
 </context>
 <context>
@@ -4937,6 +4432,888 @@
         <source>Standard output cannot be written to: %1.</source>
         <translation>No se puede escribir en la salida estándar: %1.</translation>
     </message>
+    <message>
+        <source>Add %1</source>
+        <translation>Añadir %1</translation>
+    </message>
+    <message>
+        <source>Reading “%1”…</source>
+        <translation>Leyendo «%1»…</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n exports from the last session are in the queue.</source>
+        <translation>
+            <numerusform>%n exportación de la última vez está en la cola.</numerusform>
+            <numerusform>%n exportaciones de la última vez están en la cola.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Export is not finished</source>
+        <translation>La exportación no ha terminado</translation>
+    </message>
+    <message>
+        <source>A file is still being exported.</source>
+        <translation>Todavía se está exportando un archivo.</translation>
+    </message>
+    <message>
+        <source>If you stop now, no file is written.</source>
+        <translation>Si la detiene ahora, no se escribe ningún archivo.</translation>
+    </message>
+    <message>
+        <source>&amp;Stop Export</source>
+        <translation>&amp;Detener la exportación</translation>
+    </message>
+    <message>
+        <source>&amp;Continue</source>
+        <translation>&amp;Continuar</translation>
+    </message>
+    <message>
+        <source>Exports are not finished</source>
+        <translation>Hay exportaciones sin terminar</translation>
+    </message>
+    <message numerus="yes">
+        <source>They will continue the next time you start Barycage. Close it now?</source>
+        <translation>
+            <numerusform>Continuará la próxima vez que inicie Barycage. ¿Cerrarlo ahora?</numerusform>
+            <numerusform>Continuarán la próxima vez que inicie Barycage. ¿Cerrarlo ahora?</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>&amp;Close</source>
+        <translation>Ce&amp;rrar</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n exports are still in the queue.</source>
+        <translation>
+            <numerusform>%n exportación sigue en la cola.</numerusform>
+            <numerusform>%n exportaciones siguen en la cola.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>The file has no entry “%1”.</source>
+        <translation>El archivo no tiene ninguna entrada «%1».</translation>
+    </message>
+    <message>
+        <source>Show a step of the lesson</source>
+        <translation>Mostrar un paso de la lección</translation>
+    </message>
+    <message>
+        <source>The cage of this entry does not have the same corners as in the lesson.</source>
+        <translation>La jaula de esta entrada tiene otros vértices que en la lección.</translation>
+    </message>
+    <message>
+        <source>The fractals in the open file. The canvas shows the one you select here.</source>
+        <translation>Los fractales del archivo abierto. El que se elige aquí es el que aparece en la imagen.</translation>
+    </message>
+    <message>
+        <source>Ready-made fractals by theme, and your own folders of fractals.</source>
+        <translation>Fractales para empezar, por temas, y las carpetas de fractales de usted.</translation>
+    </message>
+    <message>
+        <source>The maps of the fractal: its code, one map per row.</source>
+        <translation>Las aplicaciones del fractal: su código, una aplicación por fila.</translation>
+    </message>
+    <message>
+        <source>Which map may follow which in the chaos game, as a graph and as a matrix.</source>
+        <translation>Qué aplicaciones puede aplicar el juego del caos después de cuáles, como grafo y como matriz.</translation>
+    </message>
+    <message>
+        <source>The control cage in numbers: its vertices, their positions at rest, what moving them does, and other cages to choose from.</source>
+        <translation>La jaula de control en números: dónde están sus vértices, dónde están en reposo, qué efecto tiene moverlos y otras jaulas entre las que elegir.</translation>
+    </message>
+    <message>
+        <source>Colours, brightness and background of the picture. They are saved with the fractal.</source>
+        <translation>Colores, brillo y fondo de la imagen. Se guardan con el fractal.</translation>
+    </message>
+    <message>
+        <source>Mathematical properties of this fractal. Point to a name to see what it means.</source>
+        <translation>Propiedades matemáticas de este fractal. Señale un nombre para leer qué significa.</translation>
+    </message>
+    <message>
+        <source>Every step since the file was opened. Select one to go back or forward to it.</source>
+        <translation>Cada paso desde que se abrió el archivo. Elija uno para volver a él o para avanzar hasta él.</translation>
+    </message>
+    <message>
+        <source>States of this fractal that you kept while working on it. Click one to restore it.</source>
+        <translation>Estados de este fractal que guardó mientras trabajaba. Haga clic en uno para restaurarlo.</translation>
+    </message>
+    <message>
+        <source>The animation of this fractal: its motions, and the keys of everything that can move.</source>
+        <translation>La animación de este fractal: sus movimientos y las claves de todo lo que puede moverse.</translation>
+    </message>
+    <message>
+        <source>Find a fractal that looks like a picture: the target, how well the fractal agrees with it, and ways to fit it.</source>
+        <translation>Un fractal para una imagen: el objetivo, cuánto concuerda con él el fractal, y ajustes.</translation>
+    </message>
+    <message>
+        <source>Pictures drawn one after another in the background, with the progress of each.</source>
+        <translation>Imágenes que se dibujan una tras otra en segundo plano, y el progreso de cada una.</translation>
+    </message>
+    <message>
+        <source>A lesson about these fractals: its steps, each with a text and the state of the window, to be played in full screen.</source>
+        <translation>Una lección sobre estos fractales: sus pasos, cada uno con un texto y el estado de la ventana, para reproducirla en toda la pantalla.</translation>
+    </message>
+    <message>
+        <source>Problems found in the file, with line and column. The text in the file is kept unchanged.</source>
+        <translation>Problemas encontrados en el archivo, con línea y columna. El texto del archivo se conserva sin cambios.</translation>
+    </message>
+    <message>
+        <source>%1 is already open in this window.</source>
+        <translation>%1 ya está abierto en esta ventana.</translation>
+    </message>
+    <message>
+        <source>%1 by %2°</source>
+        <translation>%1 en %2°</translation>
+    </message>
+    <message>
+        <source>%1 by %2</source>
+        <translation>%1 por %2</translation>
+    </message>
+    <message>
+        <source>%1 to (%2, %3)</source>
+        <translation>%1 a (%2, %3)</translation>
+    </message>
+    <message>
+        <source>%1 by (%2, %3)</source>
+        <translation>%1 en (%2, %3)</translation>
+    </message>
+    <message>
+        <source>%1°</source>
+        <comment>an angle</comment>
+        <translation>%1°</translation>
+    </message>
+    <message>
+        <source>× %1</source>
+        <comment>a factor</comment>
+        <translation>× %1</translation>
+    </message>
+    <message>
+        <source>Δ (%1, %2)  length %3</source>
+        <translation>Δ (%1, %2)  longitud %3</translation>
+    </message>
+    <message>
+        <source>edge %1</source>
+        <translation>arista %1</translation>
+    </message>
+    <message>
+        <source>edges %1 and %2</source>
+        <translation>aristas %1 y %2</translation>
+    </message>
+    <message>
+        <source>Map %1</source>
+        <comment>begins a sentence</comment>
+        <translation>La aplicación %1</translation>
+    </message>
+    <message>
+        <source>Map %1</source>
+        <translation>Aplicación %1</translation>
+    </message>
+    <message>
+        <source>Map that takes no part</source>
+        <translation>Aplicación que no interviene</translation>
+    </message>
+    <message>
+        <source>Branch %1</source>
+        <translation>Rama %1</translation>
+    </message>
+    <message>
+        <source>%1, corner %2</source>
+        <translation>%1, esquina %2</translation>
+    </message>
+    <message>
+        <source>Vertex %1</source>
+        <translation>Vértice %1</translation>
+    </message>
+    <message>
+        <source>Edge from vertex %1</source>
+        <translation>Arista desde el vértice %1</translation>
+    </message>
+    <message>
+        <source>The whole cage</source>
+        <translation>La jaula entera</translation>
+    </message>
+    <message>
+        <source>Pivot</source>
+        <translation>Pivote</translation>
+    </message>
+    <message>
+        <source>Round handle</source>
+        <translation>Tirador redondo</translation>
+    </message>
+    <message>
+        <source>Square handle</source>
+        <translation>Tirador cuadrado</translation>
+    </message>
+    <message>
+        <source>the arrow keys move both its ends</source>
+        <translation>las teclas de flecha mueven sus dos extremos</translation>
+    </message>
+    <message>
+        <source>the arrow keys move it</source>
+        <translation>las teclas de flecha lo mueven</translation>
+    </message>
+    <message>
+        <source>the arrow keys turn by one degree</source>
+        <translation>las flechas giran un grado</translation>
+    </message>
+    <message>
+        <source>the arrow keys scale by one percent</source>
+        <translation>las flechas escalan un uno por ciento</translation>
+    </message>
+    <message>
+        <source>Drag to move the pivot, the centre of rotation and scaling.</source>
+        <translation>Arrastre el pivote: se gira y se escala en torno a él.</translation>
+    </message>
+    <message>
+        <source>Drag to rotate about the pivot; hold Shift for steps of 15°.</source>
+        <translation>Arrastre para girar en torno al pivote; Mayús: en pasos de 15°.</translation>
+    </message>
+    <message>
+        <source>Drag to scale about the pivot; hold Shift for x or y only.</source>
+        <translation>Arrastre para escalar en torno al pivote; Mayús: solo en x o en y.</translation>
+    </message>
+    <message>
+        <source>pasted</source>
+        <comment>name of an entry made from a table</comment>
+        <translation>pegado</translation>
+    </message>
+    <message>
+        <source>The name “%1” does not match the chosen format. Choose another name.</source>
+        <translation>El nombre «%1» no corresponde al formato elegido. Elija otro nombre.</translation>
+    </message>
+    <message>
+        <source>Another export in the queue writes “%1”. Choose another name.</source>
+        <translation>Otra exportación de la cola escribe «%1». Elija otro nombre.</translation>
+    </message>
+    <message>
+        <source>Added to the queue: %1.</source>
+        <translation>Añadida a la cola: %1.</translation>
+    </message>
+    <message>
+        <source>%1 × %2 are %3 million pixels. Drawing them may take hours, and the file may need up to %4.</source>
+        <translation>%1 × %2 son %3 millones de píxeles. Dibujarlos puede llevar horas, y el archivo puede ocupar hasta %4.</translation>
+    </message>
+    <message>
+        <source>Memory needed: about %1.</source>
+        <translation>Memoria necesaria: unos %1.</translation>
+    </message>
+    <message>
+        <source>Very large picture</source>
+        <translation>Imagen muy grande</translation>
+    </message>
+    <message>
+        <source>This picture is very large.</source>
+        <translation>Esta imagen es muy grande.</translation>
+    </message>
+    <message>
+        <source>&amp;Export Anyway</source>
+        <translation>&amp;Exportar de todos modos</translation>
+    </message>
+    <message>
+        <source>%1 could not be written. Print it to another folder.</source>
+        <translation>No se pudo escribir %1. Imprima en otra carpeta.</translation>
+    </message>
+    <message>
+        <source>Written to %1.</source>
+        <translation>Escrito en %1.</translation>
+    </message>
+    <message>
+        <source>Find in the guide</source>
+        <translation>Buscar en la guía</translation>
+    </message>
+    <message>
+        <source>Finds these words in the guide. Enter goes to the next match, Shift+Enter to the previous one. Ctrl+F comes back here.</source>
+        <translation>Marca estas palabras en la guía. Intro muestra el lugar siguiente, Mayús+Intro el anterior. Ctrl+F lleva hasta aquí.</translation>
+    </message>
+    <message>
+        <source>Not found</source>
+        <translation>No se encontró</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 de %2</translation>
+    </message>
+    <message>
+        <source>User Guide</source>
+        <translation>Guía del usuario</translation>
+    </message>
+    <message>
+        <source>The user guide: what you can do with Barycage, in the order in which you need it.</source>
+        <translation>La guía del usuario: lo que se puede hacer aquí, en el orden en que hace falta.</translation>
+    </message>
+    <message>
+        <source>Minimal Canonical Simplex</source>
+        <translation>Símplex canónico mínimo</translation>
+    </message>
+    <message>
+        <source>Canonical Simplex %1</source>
+        <translation>Símplex canónico %1</translation>
+    </message>
+    <message>
+        <source>Bounding Box</source>
+        <translation>Rectángulo envolvente</translation>
+    </message>
+    <message>
+        <source>Smallest Rectangle</source>
+        <translation>Rectángulo mínimo</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n Corners</source>
+        <translation>
+            <numerusform>%n vértice</numerusform>
+            <numerusform>%n vértices</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Convex Hull, Simplified to</source>
+        <translation>Envolvente convexa, simplificada a</translation>
+    </message>
+    <message>
+        <source>Regular Polygon with</source>
+        <translation>Polígono regular de</translation>
+    </message>
+    <message>
+        <source>Three Edges of the Bounding Box</source>
+        <translation>Tres aristas de la caja envolvente</translation>
+    </message>
+    <message>
+        <source>Bounding Box, Eight Corners</source>
+        <translation>Caja envolvente, ocho vértices</translation>
+    </message>
+    <message>
+        <source>Octahedron</source>
+        <translation>Octaedro</translation>
+    </message>
+    <message>
+        <source>Reading the pasted text…</source>
+        <translation>Leyendo lo pegado…</translation>
+    </message>
+    <message>
+        <source>Nothing was pasted. Line %1 of the clipboard: %2</source>
+        <translation>No se pegó nada. Línea %1 del portapapeles: %2</translation>
+    </message>
+    <message>
+        <source>Nothing was pasted. %1</source>
+        <translation>No se pegó nada. %1</translation>
+    </message>
+    <message>
+        <source>Nothing was pasted: the clipboard contains no rows of 6 or 7 numbers.</source>
+        <translation>No se pegó nada: el portapapeles no contiene filas de 6 o 7 números.</translation>
+    </message>
+    <message>
+        <source>Paste a map</source>
+        <translation>Pegar una aplicación</translation>
+    </message>
+    <message>
+        <source>Paste %1 maps</source>
+        <translation>Pegar %1 aplicaciones</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n maps added.</source>
+        <translation>
+            <numerusform>%n aplicación añadida.</numerusform>
+            <numerusform>%n aplicaciones añadidas.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>The selected maps were replaced; %n maps pasted.</source>
+        <translation>
+            <numerusform>Se reemplazaron las aplicaciones seleccionadas; %n aplicación pegada.</numerusform>
+            <numerusform>Se reemplazaron las aplicaciones seleccionadas; %n aplicaciones pegadas.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>By |Determinant|</source>
+        <translation>Según el |determinante|</translation>
+    </message>
+    <message>
+        <source>Equal</source>
+        <translation>Iguales</translation>
+    </message>
+    <message>
+        <source>By Dimension</source>
+        <translation>Según la dimensión</translation>
+    </message>
+    <message>
+        <source>Normalise</source>
+        <translation>Normalizar</translation>
+    </message>
+    <message>
+        <source>Weights</source>
+        <translation>Pesos</translation>
+    </message>
+    <message>
+        <source>The same weight for every map</source>
+        <translation>El mismo peso para todas las aplicaciones</translation>
+    </message>
+    <message>
+        <source>Weights that cover the attractor evenly at its own dimension</source>
+        <translation>Pesos que cubren el atractor de modo uniforme en su propia dimensión</translation>
+    </message>
+    <message>
+        <source>Scale all weights so that they sum to 1</source>
+        <translation>Las mismas proporciones, con suma 1</translation>
+    </message>
+    <message>
+        <source>Set the weights of all maps that are switched on by a rule</source>
+        <translation>Los pesos de todas las aplicaciones activas, según una regla</translation>
+    </message>
+    <message>
+        <source>Pictures (%1);;All files (*)</source>
+        <translation>Imágenes (%1);;Todos los archivos (*)</translation>
+    </message>
+    <message>
+        <source>Saving “%1”…</source>
+        <translation>Guardando «%1»…</translation>
+    </message>
+    <message>
+        <source>None</source>
+        <translation>Ninguna</translation>
+    </message>
+    <message>
+        <source>Mirror</source>
+        <translation>Reflexión</translation>
+    </message>
+    <message>
+        <source>Rotation</source>
+        <translation>Rotación</translation>
+    </message>
+    <message>
+        <source>Dihedral</source>
+        <translation>Diédrica</translation>
+    </message>
+    <message>
+        <source>Tetrahedral</source>
+        <translation>Tetraédrica</translation>
+    </message>
+    <message>
+        <source>Octahedral</source>
+        <translation>Octaédrica</translation>
+    </message>
+    <message>
+        <source>Icosahedral</source>
+        <translation>Icosaédrica</translation>
+    </message>
+    <message>
+        <source>This entry is not a system in the plane.</source>
+        <translation>Esta entrada no tiene aplicaciones del plano.</translation>
+    </message>
+    <message>
+        <source>The cage is at rest: the picture shows the code.</source>
+        <translation>La jaula está en reposo: lo que se muestra es el código.</translation>
+    </message>
+    <message>
+        <source>The cage bends the picture, and no affine code produces a bent picture. Choose “Affine fit” to bake the closest affine placement.</source>
+        <translation>La jaula curva la imagen, y ningún código afín tiene una imagen curvada. Elija «Ajuste afín» para incorporar lo que más se le acerca.</translation>
+    </message>
+    <message>
+        <source>The cage is flat, so its placement cannot be baked into the code. Open the cage first.</source>
+        <translation>La jaula es plana, así que su posición no se puede incorporar al código. Abra primero la jaula.</translation>
+    </message>
+    <message>
+        <source>The cage is at rest.</source>
+        <translation>La jaula está en reposo.</translation>
+    </message>
+    <message>
+        <source>Moving the cage moves the picture. Bake to change the code.</source>
+        <translation>Mover la jaula mueve la imagen. El código queda como está hasta que usted incorpore la colocación.</translation>
+    </message>
+    <message>
+        <source>Moving the whole cage rewrites the code. Moving single vertices bends the picture, which no code can reproduce, so the code does not change.</source>
+        <translation>Mover la jaula entera reescribe el código. Mover vértices sueltos curva la imagen, lo que ningún código puede seguir, y el código no cambia.</translation>
+    </message>
+    <message>
+        <source>Moving the cage rewrites all coefficients of the code; the cage is then at rest in its new position.</source>
+        <translation>Mover la jaula reescribe todos los coeficientes del código, y la jaula queda en reposo donde está.</translation>
+    </message>
+    <message>
+        <source>The cage is not at rest: it already holds a placement.</source>
+        <translation>La jaula no está en reposo: ya contiene una posición.</translation>
+    </message>
+    <message>
+        <source>Only a cage with three vertices can be unbaked.</source>
+        <translation>Solo un triángulo se puede extraer del código.</translation>
+    </message>
+    <message>
+        <source>The cage is not convex: the picture may fold over itself at the notch.</source>
+        <translation>La jaula tiene un entrante: ahí la imagen puede plegarse sobre sí misma.</translation>
+    </message>
+    <message>
+        <source>The cage is folded: parts of the picture overlap. Move the vertices apart to unfold it.</source>
+        <translation>La jaula está plegada: hay partes de la imagen unas sobre otras. Separe los vértices para desplegarla.</translation>
+    </message>
+    <message>
+        <source>No map is active, so there is nothing to enclose.</source>
+        <translation>No interviene ninguna aplicación, así que no hay nada que encerrar.</translation>
+    </message>
+    <message>
+        <source>The maps are linked; a cage cannot be fitted to linked maps.</source>
+        <translation>Las aplicaciones están enlazadas; no se puede ajustar una jaula a aplicaciones enlazadas.</translation>
+    </message>
+    <message>
+        <source>A bent picture cannot be given another cage. First reset the cage or choose “Affine fit”.</source>
+        <translation>Una imagen curvada no se puede sujetar con otra jaula. Antes restablezca la jaula o elija «Ajuste afín».</translation>
+    </message>
+    <message>
+        <source>The cage is flat. First open or reset the triangle.</source>
+        <translation>La jaula está aplastada. Antes abra el triángulo o restablézcalo.</translation>
+    </message>
+    <message>
+        <source>This system has no attractor that can be enclosed.</source>
+        <translation>Este sistema no tiene un atractor que se pueda encerrar.</translation>
+    </message>
+    <message>
+        <source>All maps are off.</source>
+        <translation>Todas las aplicaciones están desactivadas.</translation>
+    </message>
+    <message>
+        <source>The maps are linked. Only maps that may all follow each other can be compared with a picture.</source>
+        <translation>Las aplicaciones están enlazadas. Solo se pueden comparar con una imagen aplicaciones que puedan seguirse todas entre sí.</translation>
+    </message>
+    <message>
+        <source>A symmetry repeats the maps. Expand it to compare them with a picture.</source>
+        <translation>Una simetría repite las aplicaciones. Despliéguela para comparar las aplicaciones con una imagen.</translation>
+    </message>
+    <message>
+        <source>The cage bends the picture, or is flat. Reset the cage to compare the maps.</source>
+        <translation>La jaula dobla la imagen o es plana. Restablezca la jaula para comparar las aplicaciones.</translation>
+    </message>
+    <message>
+        <source>The animation of “%1” cannot be taken to another dimension, so it is left out.</source>
+        <translation>La animación de «%1» no puede llevarse a otra dimensión, por lo que se omite.</translation>
+    </message>
+    <message>
+        <source>“%1” is not a system in the plane, so it cannot be lifted.</source>
+        <translation>«%1» no es un sistema del plano, así que no se puede llevar al espacio.</translation>
+    </message>
+    <message>
+        <source>The maps of “%1” are linked, and maps in space cannot be linked.</source>
+        <translation>Las aplicaciones de «%1» están enlazadas, y las del espacio no pueden estarlo.</translation>
+    </message>
+    <message>
+        <source>The cage of “%1” has more than three corners, so it cannot become a tetrahedron. Bake or reset it first.</source>
+        <translation>La jaula de «%1» tiene más de tres vértices y no da un tetraedro. Incorpórela o restablézcala antes.</translation>
+    </message>
+    <message>
+        <source>“%1” is not a system in space, so it cannot be flattened.</source>
+        <translation>«%1» no es un sistema del espacio, así que no se puede aplanar.</translation>
+    </message>
+    <message>
+        <source>The direction must have a length other than 0.</source>
+        <translation>La dirección no puede tener longitud 0.</translation>
+    </message>
+    <message>
+        <source>“%1” has moved branches, which cannot be flattened. Reset them first.</source>
+        <translation>«%1» tiene ramas movidas, que no se pueden aplanar. Restablézcalas antes.</translation>
+    </message>
+    <message>
+        <source>The cage of “%1” cannot be baked into its maps, so it cannot be flattened.</source>
+        <translation>La jaula de «%1» no se puede incorporar a las aplicaciones, así que no se puede aplanar.</translation>
+    </message>
+    <message>
+        <source>Map %1 of “%2” does not keep this direction, so the projection is not an iterated function system. Export a picture seen from that direction instead.</source>
+        <translation>La aplicación %1 de «%2» desvía la dirección, así que la proyección no es un sistema de funciones iteradas. Exporte en su lugar una imagen desde ese lado.</translation>
+    </message>
+    <message>
+        <source>An entry needs a name.</source>
+        <translation>Una entrada necesita un nombre.</translation>
+    </message>
+    <message>
+        <source>Names cannot contain spaces: Fractint reads only the first word.</source>
+        <translation>Los nombres no pueden contener espacios: Fractint lee solo la primera palabra.</translation>
+    </message>
+    <message>
+        <source>“%1” cannot be part of a name, because it has a meaning in .ifs files.</source>
+        <translation>«%1» no puede formar parte de un nombre, porque tiene un significado en los archivos .ifs.</translation>
+    </message>
+    <message>
+        <source>A name can have at most %1 characters; Fractint ignores the rest.</source>
+        <translation>Un nombre tiene a lo sumo %1 caracteres; Fractint omite el resto.</translation>
+    </message>
+    <message>
+        <source>Fractint does not list an entry called “%1”; choose another name.</source>
+        <translation>Fractint no incluye en su lista una entrada llamada «%1»; elija otro nombre.</translation>
+    </message>
+    <message>
+        <source>Another entry is called “%1” (upper and lower case are not distinguished).</source>
+        <translation>Otra entrada se llama «%1» (no se distinguen mayúsculas y minúsculas).</translation>
+    </message>
+    <message>
+        <source>A branch</source>
+        <translation>Una rama</translation>
+    </message>
+    <message>
+        <source>%1 has keys, which the maps of the new system could not follow. Remove its keys in the timeline first.</source>
+        <translation>%1 tiene fotogramas clave que las aplicaciones del nuevo sistema no podrían seguir. Elimínelos primero de la línea de tiempo.</translation>
+    </message>
+    <message>
+        <source>A motion moves single maps, and the maps of the new system are others. Remove this motion from the timeline first.</source>
+        <translation>Un movimiento mueve aplicaciones concretas, y las del nuevo sistema son otras. Elimine primero este movimiento de la línea de tiempo.</translation>
+    </message>
+    <message>
+        <source>%1 has keys: it would be rewritten at this frame only, and what has none at every frame. Remove its keys in the timeline first.</source>
+        <translation>%1 tiene fotogramas clave: solo se reescribiría en este fotograma, y lo que no los tiene, en todos. Elimínelos primero de la línea de tiempo.</translation>
+    </message>
+    <message>
+        <source>Maps in space cannot be linked.</source>
+        <translation>Las aplicaciones del espacio no se pueden enlazar.</translation>
+    </message>
+    <message>
+        <source>This entry could not be read, so its maps cannot be linked.</source>
+        <translation>Esta entrada no se pudo leer, así que sus aplicaciones no se pueden enlazar.</translation>
+    </message>
+    <message>
+        <source>More than %1 maps cannot be linked.</source>
+        <translation>No se pueden enlazar más de %1 aplicaciones.</translation>
+    </message>
+    <message>
+        <source>With the links of “%1” every sequence of maps ends, so plain maps would have nothing to draw.</source>
+        <translation>Los enlaces de «%1» hacen que toda sucesión de aplicaciones termine, así que no hay nada que aplicaciones simples pudieran dibujar.</translation>
+    </message>
+    <message>
+        <source>Plain maps of “%1” would be more than %2 words of its maps, which is the limit. Keep the links in an .ifs or .flame file, or remove them.</source>
+        <translation>Las aplicaciones simples de «%1» serían más de %2 palabras de sus aplicaciones, que es el límite. Conserve los enlaces en un archivo .ifs o .flame, o elimínelos.</translation>
+    </message>
+    <message>
+        <source>The links of “%1” cannot be written as plain maps: a sequence of maps can go on for ever without reaching one that may follow every map. Keep the links in an .ifs or .flame file, or remove them.</source>
+        <translation>Los enlaces de «%1» no se pueden escribir como aplicaciones simples: una sucesión de aplicaciones puede continuar sin fin sin llegar a una que pueda seguir a todas. Conserve los enlaces en un archivo .ifs o .flame, o quítelos.</translation>
+    </message>
+    <message>
+        <source>Plain maps of “%1” would be words of its maps, which cannot take part in its animation or in its moved branches. Remove these first.</source>
+        <translation>Las aplicaciones simples de «%1» serían palabras de sus aplicaciones, que no pueden participar en su animación ni en sus ramas movidas. Quite estas primero.</translation>
+    </message>
+    <message>
+        <source>Map %1 is locked. Unlock it in the Maps panel first.</source>
+        <translation>La aplicación %1 está bloqueada. Desbloquéela antes en el panel Aplicaciones.</translation>
+    </message>
+    <message>
+        <source>Maps %1 are locked. Unlock them in the Maps panel first.</source>
+        <translation>Las aplicaciones %1 están bloqueadas. Desbloquéelas antes en el panel Aplicaciones.</translation>
+    </message>
+    <message>
+        <source>Lock a map</source>
+        <translation>Bloquear una aplicación</translation>
+    </message>
+    <message>
+        <source>Unlock a map</source>
+        <translation>Desbloquear una aplicación</translation>
+    </message>
+    <message>
+        <source>Lock %1 maps</source>
+        <translation>Bloquear %1 aplicaciones</translation>
+    </message>
+    <message>
+        <source>Unlock %1 maps</source>
+        <translation>Desbloquear %1 aplicaciones</translation>
+    </message>
+    <message>
+        <source>Remove the name of map %1</source>
+        <translation>Quitar el nombre de la aplicación %1</translation>
+    </message>
+    <message>
+        <source>Name map %1 “%2”</source>
+        <translation>Llamar «%2» a la aplicación %1</translation>
+    </message>
+    <message>
+        <source>Only a cage with four vertices can be unbaked.</source>
+        <translation>Solo se puede extraer una jaula de cuatro vértices.</translation>
+    </message>
+    <message>
+        <source>The cage bends the picture, so no other cage would show it. First reset the cage or choose “Affine fit”.</source>
+        <translation>La jaula curva la imagen, y ninguna otra jaula la mostraría. Antes restablezca la jaula o elija «Ajuste afín».</translation>
+    </message>
+    <message>
+        <source>The cage is flat. First open or reset the tetrahedron.</source>
+        <translation>La jaula es plana. Primero abra o restablezca el tetraedro.</translation>
+    </message>
+    <message>
+        <source>Select a map first.</source>
+        <translation>Elija primero una aplicación.</translation>
+    </message>
+    <message>
+        <source>The maps are linked. Only maps that may all follow each other can be shown alone.</source>
+        <translation>Las aplicaciones están enlazadas. Solo se pueden mostrar solas aplicaciones que puedan seguirse todas entre sí.</translation>
+    </message>
+    <message>
+        <source>The cage bends the picture, in which no map can be shown alone. Reset the cage first.</source>
+        <translation>La jaula dobla la imagen, y así no se puede mostrar una sola aplicación. Restablezca antes la jaula.</translation>
+    </message>
+    <message>
+        <source>Map %1 takes everything to one point, so there is nothing to show alone.</source>
+        <translation>La aplicación %1 lleva todo a un punto, así que no hay nada que mostrar solo.</translation>
+    </message>
+    <message>
+        <source>This entry is not a system in space.</source>
+        <translation>Esta entrada no es un sistema en el espacio.</translation>
+    </message>
+    <message>
+        <source>This entry has no maps to vary.</source>
+        <translation>Esta entrada no tiene aplicaciones que variar.</translation>
+    </message>
+    <message>
+        <source>The folder %1 cannot be created.</source>
+        <translation>No se puede crear la carpeta %1.</translation>
+    </message>
+    <message>
+        <source>There is not enough memory for this picture. Reduce its size or the supersampling.</source>
+        <translation>No hay memoria suficiente para esta imagen. Hágala más pequeña o use menos supermuestreo.</translation>
+    </message>
+    <message>
+        <source>It is damaged.</source>
+        <translation>Está dañada.</translation>
+    </message>
+    <message>
+        <source>It is not an export of this program.</source>
+        <translation>No es una exportación de este programa.</translation>
+    </message>
+    <message>
+        <source>Its settings are not supported by this version.</source>
+        <translation>Sus ajustes no son de esta versión.</translation>
+    </message>
+    <message>
+        <source>Its file name does not match its format.</source>
+        <translation>El archivo que nombra no corresponde a su formato.</translation>
+    </message>
+    <message>
+        <source>It is not a regular file.</source>
+        <translation>No es un archivo ordinario.</translation>
+    </message>
+    <message>
+        <source>It cannot be read.</source>
+        <translation>No se puede leer.</translation>
+    </message>
+    <message>
+        <source>It is too large.</source>
+        <translation>Es demasiado grande.</translation>
+    </message>
+    <message>
+        <source>An export from the last session was skipped. %1 Its damaged file was renamed to %2.</source>
+        <translation>Se ha omitido una exportación de la última vez. %1 Se ha cambiado el nombre de su archivo dañado a %2.</translation>
+    </message>
+    <message>
+        <source>A file “%1” was created after you added this export. Choose Try Again to replace it.</source>
+        <translation>Desde que añadió esta exportación ha aparecido un archivo «%1». Reintentar lo reemplaza.</translation>
+    </message>
+    <message>
+        <source>The fractal in this export cannot be read.</source>
+        <translation>No se puede leer el fractal de esta exportación.</translation>
+    </message>
+    <message>
+        <source>There is not enough memory for this picture.</source>
+        <translation>No hay memoria suficiente para esta imagen.</translation>
+    </message>
+    <message>
+        <source>The lesson is larger than 4 MB, which is the limit.</source>
+        <translation>La lección ocupa más de 4 MB, que es el límite.</translation>
+    </message>
+    <message>
+        <source>This is not a lesson: its first line does not begin with “lesson:”.</source>
+        <translation>Esto no es una lección: su primera línea no empieza por «lesson:».</translation>
+    </message>
+    <message>
+        <source>The lesson has no steps.</source>
+        <translation>La lección no tiene pasos.</translation>
+    </message>
+    <message>
+        <source>This line was ignored: settings look like “file: name.ifs”, and steps begin with “##”.</source>
+        <translation>Se ha pasado por alto esta línea: los ajustes tienen la forma «file: nombre.ifs» y los pasos empiezan por «##».</translation>
+    </message>
+    <message>
+        <source>The lesson has more than %1 steps; the others were ignored.</source>
+        <translation>La lección tiene más de %1 pasos; los demás se han pasado por alto.</translation>
+    </message>
+    <message>
+        <source>The text of step %1 is longer than %2 characters and was cut.</source>
+        <translation>El texto del paso %1 tiene más de %2 caracteres y se ha cortado.</translation>
+    </message>
+    <message>
+        <source>A lesson cannot refer to “%1”. It can refer to a file in its own folder, or to a .ifs or .par file in another one.</source>
+        <translation>Una lección no puede referirse a «%1», sino solo a un archivo de su propia carpeta o a un archivo .ifs o .par de otra.</translation>
+    </message>
+    <message>
+        <source>“%1: %2” was not understood.</source>
+        <translation>No se ha entendido «%1: %2».</translation>
+    </message>
+    <message>
+        <source>“%1” is unknown to this version and is kept.</source>
+        <translation>Esta versión no conoce «%1» y lo conserva.</translation>
+    </message>
+    <message>
+        <source>A %1 picture has at most %2 pixels along a side.</source>
+        <translation>Una imagen %1 tiene como máximo %2 píxeles por lado.</translation>
+    </message>
+    <message>
+        <source>A JPEG picture cannot be transparent. Choose a background colour or another format.</source>
+        <translation>Una imagen JPEG no puede ser transparente. Elija un color de fondo u otro formato.</translation>
+    </message>
+    <message>
+        <source>A JPEG picture has at most %1 dots per inch.</source>
+        <translation>Una imagen JPEG tiene como máximo %1 puntos por pulgada.</translation>
+    </message>
+    <message>
+        <source>Such a picture cannot be written as %1.</source>
+        <translation>Una imagen así no se puede escribir como %1.</translation>
+    </message>
+    <message>
+        <source>The picture cannot be opened.</source>
+        <translation>No se puede abrir la imagen.</translation>
+    </message>
+    <message>
+        <source>The file is not a PNG picture.</source>
+        <translation>El archivo no es una imagen PNG.</translation>
+    </message>
+    <message>
+        <source>The picture is damaged or incomplete. Draw it again.</source>
+        <translation>La imagen está dañada o incompleta. Dibújela de nuevo.</translation>
+    </message>
+    <message>
+        <source>The picture contains no system: it was not written by Barycage, or another program removed the text that holds it.</source>
+        <translation>La imagen no contiene ningún sistema: no la escribió Barycage, u otro programa eliminó su texto.</translation>
+    </message>
+    <message>
+        <source>The system in the picture is larger than 8 MB.</source>
+        <translation>El sistema de la imagen ocupa más de 8 MB.</translation>
+    </message>
+    <message>
+        <source>The picture contains too much text: the limit is 40 MB in total.</source>
+        <translation>La imagen lleva demasiado texto: el límite es de 40 MB en total.</translation>
+    </message>
+    <message>
+        <source>The file is not a PNG picture, or it is damaged.</source>
+        <translation>El archivo no es una imagen PNG o está dañado.</translation>
+    </message>
+    <message>
+        <source>The picture cannot be written: %1</source>
+        <translation>No se puede escribir la imagen: %1</translation>
+    </message>
+    <message>
+        <source>The picture is damaged, or its text cannot be read.</source>
+        <translation>La imagen está dañada o no se puede leer su texto.</translation>
+    </message>
+    <message>
+        <source>the WebP encoder does not have enough memory.</source>
+        <translation>el codificador WebP no tiene suficiente memoria.</translation>
+    </message>
+    <message>
+        <source>An exact picture of this system would take too long. Draw it with samples.</source>
+        <translation>Una imagen exacta de este sistema tardaría demasiado. Dibújela con muestras.</translation>
+    </message>
+    <message>
+        <source>The folder for temporary files does not have enough space for the frames: %1.</source>
+        <translation>En la carpeta de archivos temporales no hay espacio para los fotogramas: %1.</translation>
+    </message>
+    <message>
+        <source>FFmpeg&apos;s libraries are not installed on this machine, so no videos can be written. Install them, or write the frames as PNG pictures instead.</source>
+        <translation>Las bibliotecas de FFmpeg no están instaladas en este equipo, así que no se pueden escribir vídeos. Instálelas o escriba los fotogramas como imágenes PNG.</translation>
+    </message>
+    <message>
+        <source>FFmpeg&apos;s libraries on this machine cannot write %1 files: the encoder %2 is missing. Choose another format.</source>
+        <translation>Las bibliotecas de FFmpeg de este equipo no pueden escribir archivos %1: falta el codificador %2. Elija otro formato.</translation>
+    </message>
+    <message>
+        <source>The video cannot be written: %1.</source>
+        <translation>No se puede escribir el vídeo: %1.</translation>
+    </message>
 </context>
 <context>
     <name>Tour</name>
@@ -5047,18 +5424,6 @@
 <context>
     <name>VideoWriter</name>
     <message>
-        <source>The folder for temporary files does not have enough space for the frames: %1.</source>
-        <translation>En la carpeta de archivos temporales no hay espacio para los fotogramas: %1.</translation>
-    </message>
-    <message>
-        <source>FFmpeg&apos;s libraries on this machine cannot write %1 files: the encoder %2 is missing. Choose another format.</source>
-        <translation>Las bibliotecas de FFmpeg de este equipo no pueden escribir archivos %1: falta el codificador %2. Elija otro formato.</translation>
-    </message>
-    <message>
-        <source>The video cannot be written: %1.</source>
-        <translation>No se puede escribir el vídeo: %1.</translation>
-    </message>
-    <message>
         <source>There is not enough memory for a frame of the video.</source>
         <translation>No hay memoria suficiente para un fotograma del vídeo.</translation>
     </message>
@@ -5085,10 +5450,6 @@
     <message>
         <source>This build of Barycage does not include FFmpeg&apos;s libraries and cannot write videos. Write the frames as PNG pictures instead.</source>
         <translation>Este Barycage se compiló sin las bibliotecas de FFmpeg y no escribe vídeos. Escriba los fotogramas como imágenes PNG.</translation>
-    </message>
-    <message>
-        <source>FFmpeg&apos;s libraries are not installed on this machine, so no videos can be written. Install them, or write the frames as PNG pictures instead.</source>
-        <translation>Las bibliotecas de FFmpeg no están instaladas en este equipo, así que no se pueden escribir vídeos. Instálelas o escriba los fotogramas como imágenes PNG.</translation>
     </message>
 </context>
 <context>
@@ -5246,165 +5607,11 @@
     </message>
 </context>
 <context>
-    <name>document::CollageEdits</name>
-    <message>
-        <source>All maps are off.</source>
-        <translation>Todas las aplicaciones están desactivadas.</translation>
-    </message>
-    <message>
-        <source>The cage bends the picture, or is flat. Reset the cage to compare the maps.</source>
-        <translation>La jaula dobla la imagen o es plana. Restablezca la jaula para comparar las aplicaciones.</translation>
-    </message>
-    <message>
-        <source>The maps are linked. Only maps that may all follow each other can be compared with a picture.</source>
-        <translation>Las aplicaciones están enlazadas. Solo se pueden comparar con una imagen aplicaciones que puedan seguirse todas entre sí.</translation>
-    </message>
-    <message>
-        <source>A symmetry repeats the maps. Expand it to compare them with a picture.</source>
-        <translation>Una simetría repite las aplicaciones. Despliéguela para comparar las aplicaciones con una imagen.</translation>
-    </message>
-</context>
-<context>
     <name>document::Document</name>
     <message>
         <source>%1 (frame %2)</source>
         <comment>what is done, at which frame</comment>
         <translation>%1 (fotograma %2)</translation>
-    </message>
-</context>
-<context>
-    <name>document::EntriesEdits</name>
-    <message>
-        <source>An entry needs a name.</source>
-        <translation>Una entrada necesita un nombre.</translation>
-    </message>
-    <message>
-        <source>Names cannot contain spaces: Fractint reads only the first word.</source>
-        <translation>Los nombres no pueden contener espacios: Fractint lee solo la primera palabra.</translation>
-    </message>
-    <message>
-        <source>“%1” cannot be part of a name, because it has a meaning in .ifs files.</source>
-        <translation>«%1» no puede formar parte de un nombre, porque tiene un significado en los archivos .ifs.</translation>
-    </message>
-    <message>
-        <source>A name can have at most %1 characters; Fractint ignores the rest.</source>
-        <translation>Un nombre tiene a lo sumo %1 caracteres; Fractint omite el resto.</translation>
-    </message>
-    <message>
-        <source>Fractint does not list an entry called “%1”; choose another name.</source>
-        <translation>Fractint no incluye en su lista una entrada llamada «%1»; elija otro nombre.</translation>
-    </message>
-    <message>
-        <source>Another entry is called “%1” (upper and lower case are not distinguished).</source>
-        <translation>Otra entrada se llama «%1» (no se distinguen mayúsculas y minúsculas).</translation>
-    </message>
-</context>
-<context>
-    <name>document::KeyedMaps</name>
-    <message>
-        <source>Map %1</source>
-        <translation>La aplicación %1</translation>
-    </message>
-    <message>
-        <source>A branch</source>
-        <translation>Una rama</translation>
-    </message>
-    <message>
-        <source>%1 has keys, which the maps of the new system could not follow. Remove its keys in the timeline first.</source>
-        <translation>%1 tiene fotogramas clave que las aplicaciones del nuevo sistema no podrían seguir. Elimínelos primero de la línea de tiempo.</translation>
-    </message>
-    <message>
-        <source>A motion moves single maps, and the maps of the new system are others. Remove this motion from the timeline first.</source>
-        <translation>Un movimiento mueve aplicaciones concretas, y las del nuevo sistema son otras. Elimine primero este movimiento de la línea de tiempo.</translation>
-    </message>
-    <message>
-        <source>%1 has keys: it would be rewritten at this frame only, and what has none at every frame. Remove its keys in the timeline first.</source>
-        <translation>%1 tiene fotogramas clave: solo se reescribiría en este fotograma, y lo que no los tiene, en todos. Elimínelos primero de la línea de tiempo.</translation>
-    </message>
-</context>
-<context>
-    <name>document::LinkEdits</name>
-    <message>
-        <source>Maps in space cannot be linked.</source>
-        <translation>Las aplicaciones del espacio no se pueden enlazar.</translation>
-    </message>
-    <message>
-        <source>This entry could not be read, so its maps cannot be linked.</source>
-        <translation>Esta entrada no se pudo leer, así que sus aplicaciones no se pueden enlazar.</translation>
-    </message>
-    <message>
-        <source>More than %1 maps cannot be linked.</source>
-        <translation>No se pueden enlazar más de %1 aplicaciones.</translation>
-    </message>
-    <message>
-        <source>With the links of “%1” every sequence of maps ends, so plain maps would have nothing to draw.</source>
-        <translation>Los enlaces de «%1» hacen que toda sucesión de aplicaciones termine, así que no hay nada que aplicaciones simples pudieran dibujar.</translation>
-    </message>
-    <message>
-        <source>Plain maps of “%1” would be words of its maps, which cannot take part in its animation or in its moved branches. Remove these first.</source>
-        <translation>Las aplicaciones simples de «%1» serían palabras de sus aplicaciones, que no pueden participar en su animación ni en sus ramas movidas. Quite estas primero.</translation>
-    </message>
-    <message>
-        <source>Plain maps of “%1” would be more than %2 words of its maps, which is the limit. Keep the links in an .ifs or .flame file, or remove them.</source>
-        <translation>Las aplicaciones simples de «%1» serían más de %2 palabras de sus aplicaciones, que es el límite. Conserve los enlaces en un archivo .ifs o .flame, o elimínelos.</translation>
-    </message>
-    <message>
-        <source>The links of “%1” cannot be written as plain maps: a sequence of maps can go on for ever without reaching one that may follow every map. Keep the links in an .ifs or .flame file, or remove them.</source>
-        <translation>Los enlaces de «%1» no se pueden escribir como aplicaciones simples: una sucesión de aplicaciones puede continuar sin fin sin llegar a una que pueda seguir a todas. Conserve los enlaces en un archivo .ifs o .flame, o quítelos.</translation>
-    </message>
-</context>
-<context>
-    <name>document::MapLocks</name>
-    <message>
-        <source>Map %1 is locked. Unlock it in the Maps panel first.</source>
-        <translation>La aplicación %1 está bloqueada. Desbloquéela antes en el panel Aplicaciones.</translation>
-    </message>
-    <message>
-        <source>Maps %1 are locked. Unlock them in the Maps panel first.</source>
-        <translation>Las aplicaciones %1 están bloqueadas. Desbloquéelas antes en el panel Aplicaciones.</translation>
-    </message>
-    <message>
-        <source>Lock a map</source>
-        <translation>Bloquear una aplicación</translation>
-    </message>
-    <message>
-        <source>Unlock a map</source>
-        <translation>Desbloquear una aplicación</translation>
-    </message>
-    <message>
-        <source>Lock %1 maps</source>
-        <translation>Bloquear %1 aplicaciones</translation>
-    </message>
-    <message>
-        <source>Unlock %1 maps</source>
-        <translation>Desbloquear %1 aplicaciones</translation>
-    </message>
-    <message>
-        <source>Remove the name of map %1</source>
-        <translation>Quitar el nombre de la aplicación %1</translation>
-    </message>
-    <message>
-        <source>Name map %1 “%2”</source>
-        <translation>Llamar «%2» a la aplicación %1</translation>
-    </message>
-</context>
-<context>
-    <name>document::MapSolo</name>
-    <message>
-        <source>Select a map first.</source>
-        <translation>Elija primero una aplicación.</translation>
-    </message>
-    <message>
-        <source>The maps are linked. Only maps that may all follow each other can be shown alone.</source>
-        <translation>Las aplicaciones están enlazadas. Solo se pueden mostrar solas aplicaciones que puedan seguirse todas entre sí.</translation>
-    </message>
-    <message>
-        <source>The cage bends the picture, in which no map can be shown alone. Reset the cage first.</source>
-        <translation>La jaula dobla la imagen, y así no se puede mostrar una sola aplicación. Restablezca antes la jaula.</translation>
-    </message>
-    <message>
-        <source>Map %1 takes everything to one point, so there is nothing to show alone.</source>
-        <translation>La aplicación %1 lleva todo a un punto, así que no hay nada que mostrar solo.</translation>
     </message>
 </context>
 <context>
@@ -5471,20 +5678,6 @@
     <message>
         <source>Delete a map</source>
         <translation>Eliminar una aplicación</translation>
-    </message>
-</context>
-<context>
-    <name>document::SpaceGeometry</name>
-    <message>
-        <source>This entry is not a system in space.</source>
-        <translation>Esta entrada no es un sistema en el espacio.</translation>
-    </message>
-</context>
-<context>
-    <name>document::Variations</name>
-    <message>
-        <source>This entry has no maps to vary.</source>
-        <translation>Esta entrada no tiene aplicaciones que variar.</translation>
     </message>
 </context>
 <context>
@@ -6489,33 +6682,6 @@
         <translation>Incorporar</translation>
     </message>
     <message>
-        <source>Minimal Canonical Simplex</source>
-        <translation>Símplex canónico mínimo</translation>
-    </message>
-    <message>
-        <source>Canonical Simplex %1</source>
-        <translation>Símplex canónico %1</translation>
-    </message>
-    <message>
-        <source>Bounding Box</source>
-        <translation>Rectángulo envolvente</translation>
-    </message>
-    <message numerus="yes">
-        <source>%n Corners</source>
-        <translation>
-            <numerusform>%n vértice</numerusform>
-            <numerusform>%n vértices</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>Convex Hull, Simplified to</source>
-        <translation>Envolvente convexa, simplificada a</translation>
-    </message>
-    <message>
-        <source>Regular Polygon with</source>
-        <translation>Polígono regular de</translation>
-    </message>
-    <message>
         <source>Fit</source>
         <translation>Ajustar</translation>
     </message>
@@ -6732,10 +6898,6 @@
         <translation>%1, arista %2, vértice (%3, %4, %5)</translation>
     </message>
     <message>
-        <source>Three Edges of the Bounding Box</source>
-        <translation>Tres aristas de la caja envolvente</translation>
-    </message>
-    <message>
         <source>The system has very many maps. Computing the cage around it…</source>
         <translation>El sistema tiene muchísimas aplicaciones: se está buscando la jaula que lo rodea…</translation>
     </message>
@@ -6744,20 +6906,8 @@
         <translation>%1 vértices: curvada con coordenadas de valor medio, no se puede incorporar.</translation>
     </message>
     <message>
-        <source>Bounding Box, Eight Corners</source>
-        <translation>Caja envolvente, ocho vértices</translation>
-    </message>
-    <message>
-        <source>Octahedron</source>
-        <translation>Octaedro</translation>
-    </message>
-    <message>
         <source>Define the tetrahedron with four clicks on the canvas; the picture stays</source>
         <translation>Define el tetraedro con cuatro clics en el lienzo; la imagen no cambia</translation>
-    </message>
-    <message>
-        <source>Smallest Rectangle</source>
-        <translation>Rectángulo mínimo</translation>
     </message>
 </context>
 <context>
@@ -7149,77 +7299,6 @@
     </message>
 </context>
 <context>
-    <name>view::CanvasScene</name>
-    <message>
-        <source>Vertex %1</source>
-        <translation>Vértice %1</translation>
-    </message>
-    <message>
-        <source>Edge from vertex %1</source>
-        <translation>Arista desde el vértice %1</translation>
-    </message>
-    <message>
-        <source>The whole cage</source>
-        <translation>La jaula entera</translation>
-    </message>
-    <message>
-        <source>Pivot</source>
-        <translation>Pivote</translation>
-    </message>
-    <message>
-        <source>the arrow keys move both its ends</source>
-        <translation>las teclas de flecha mueven sus dos extremos</translation>
-    </message>
-    <message>
-        <source>the arrow keys move it</source>
-        <translation>las teclas de flecha lo mueven</translation>
-    </message>
-    <message>
-        <source>Branch %1</source>
-        <translation>Rama %1</translation>
-    </message>
-    <message>
-        <source>Map %1</source>
-        <translation>Aplicación %1</translation>
-    </message>
-    <message>
-        <source>%1, corner %2</source>
-        <translation>%1, esquina %2</translation>
-    </message>
-    <message>
-        <source>the arrow keys turn by one degree</source>
-        <translation>las flechas giran un grado</translation>
-    </message>
-    <message>
-        <source>the arrow keys scale by one percent</source>
-        <translation>las flechas escalan un uno por ciento</translation>
-    </message>
-    <message>
-        <source>Drag to move the pivot, the centre of rotation and scaling.</source>
-        <translation>Arrastre el pivote: se gira y se escala en torno a él.</translation>
-    </message>
-    <message>
-        <source>Drag to rotate about the pivot; hold Shift for steps of 15°.</source>
-        <translation>Arrastre para girar en torno al pivote; Mayús: en pasos de 15°.</translation>
-    </message>
-    <message>
-        <source>Drag to scale about the pivot; hold Shift for x or y only.</source>
-        <translation>Arrastre para escalar en torno al pivote; Mayús: solo en x o en y.</translation>
-    </message>
-    <message>
-        <source>Round handle</source>
-        <translation>Tirador redondo</translation>
-    </message>
-    <message>
-        <source>Square handle</source>
-        <translation>Tirador cuadrado</translation>
-    </message>
-    <message>
-        <source>Map that takes no part</source>
-        <translation>Aplicación que no interviene</translation>
-    </message>
-</context>
-<context>
     <name>view::CanvasView</name>
     <message>
         <source>Canvas</source>
@@ -7256,14 +7335,6 @@
     <message>
         <source>The picture and its cage. Drag a corner, an edge or the inside of the cage; hold Ctrl to rotate, Alt to scale, Shift to keep directions. The wheel zooms at the pointer, the middle button pans. Tab moves from handle to handle, the arrow keys move the handle, F6 leaves the canvas.</source>
         <translation>La imagen y su jaula. Arrastre un vértice, una arista o el interior de la jaula; Ctrl gira, Alt escala, Mayús conserva la dirección. La rueda amplía o reduce en torno al puntero, el botón central mueve el plano. Tab pasa de un tirador a otro, las teclas de flecha los mueven, F6 sale.</translation>
-    </message>
-</context>
-<context>
-    <name>view::Clipboard</name>
-    <message>
-        <source>pasted</source>
-        <comment>name of an entry made from a table</comment>
-        <translation>pegado</translation>
     </message>
 </context>
 <context>
@@ -8801,26 +8872,6 @@
         <translation>Lo que muestra la imagen: lo que muestra el lienzo, o el atractor con un pequeño margen, mire donde mire el lienzo. Las vistas guardadas también están en la lista.</translation>
     </message>
     <message>
-        <source>%1 × %2 are %3 million pixels. Drawing them may take hours, and the file may need up to %4.</source>
-        <translation>%1 × %2 son %3 millones de píxeles. Dibujarlos puede llevar horas, y el archivo puede ocupar hasta %4.</translation>
-    </message>
-    <message>
-        <source>Memory needed: about %1.</source>
-        <translation>Memoria necesaria: unos %1.</translation>
-    </message>
-    <message>
-        <source>Very large picture</source>
-        <translation>Imagen muy grande</translation>
-    </message>
-    <message>
-        <source>This picture is very large.</source>
-        <translation>Esta imagen es muy grande.</translation>
-    </message>
-    <message>
-        <source>&amp;Export Anyway</source>
-        <translation>&amp;Exportar de todos modos</translation>
-    </message>
-    <message>
         <source>%1 mm</source>
         <translation>%1 mm</translation>
     </message>
@@ -9521,33 +9572,6 @@ Teclas: Re Pág y Av Pág eligen una parada, las flechas la mueven, Ins añade u
     <message>
         <source>Move a stop of the palette</source>
         <translation>Mover una parada de la paleta</translation>
-    </message>
-</context>
-<context>
-    <name>view::Guide</name>
-    <message>
-        <source>User Guide</source>
-        <translation>Guía del usuario</translation>
-    </message>
-    <message>
-        <source>The user guide: what you can do with Barycage, in the order in which you need it.</source>
-        <translation>La guía del usuario: lo que se puede hacer aquí, en el orden en que hace falta.</translation>
-    </message>
-    <message>
-        <source>Find in the guide</source>
-        <translation>Buscar en la guía</translation>
-    </message>
-    <message>
-        <source>Finds these words in the guide. Enter goes to the next match, Shift+Enter to the previous one. Ctrl+F comes back here.</source>
-        <translation>Marca estas palabras en la guía. Intro muestra el lugar siguiente, Mayús+Intro el anterior. Ctrl+F lleva hasta aquí.</translation>
-    </message>
-    <message>
-        <source>Not found</source>
-        <translation>No se encontró</translation>
-    </message>
-    <message>
-        <source>%1 of %2</source>
-        <translation>%1 de %2</translation>
     </message>
 </context>
 <context>
@@ -10634,44 +10658,12 @@ Teclas: Re Pág y Av Pág eligen una parada, las flechas la mueven, Ins añade u
         <translation>Convertir el código efectivo en el código; la jaula queda entonces en reposo</translation>
     </message>
     <message>
-        <source>By |Determinant|</source>
-        <translation>Según el |determinante|</translation>
-    </message>
-    <message>
         <source>Weights in proportion to the areas of the images, for an even picture</source>
         <translation>Pesos proporcionales a las áreas de las imágenes, para que la imagen sea uniforme</translation>
     </message>
     <message>
-        <source>Equal</source>
-        <translation>Iguales</translation>
-    </message>
-    <message>
-        <source>The same weight for every map</source>
-        <translation>El mismo peso para todas las aplicaciones</translation>
-    </message>
-    <message>
-        <source>By Dimension</source>
-        <translation>Según la dimensión</translation>
-    </message>
-    <message>
-        <source>Weights that cover the attractor evenly at its own dimension</source>
-        <translation>Pesos que cubren el atractor de modo uniforme en su propia dimensión</translation>
-    </message>
-    <message>
-        <source>Normalise</source>
-        <translation>Normalizar</translation>
-    </message>
-    <message>
-        <source>Scale all weights so that they sum to 1</source>
-        <translation>Las mismas proporciones, con suma 1</translation>
-    </message>
-    <message>
         <source>Weights</source>
         <translation>Pesos</translation>
-    </message>
-    <message>
-        <source>Set the weights of all maps that are switched on by a rule</source>
-        <translation>Los pesos de todas las aplicaciones activas, según una regla</translation>
     </message>
     <message>
         <source>Show columns: %1</source>
@@ -10722,26 +10714,6 @@ Teclas: Re Pág y Av Pág eligen una parada, las flechas la mueven, Ins añade u
         <translation>Reordenar las aplicaciones</translation>
     </message>
     <message>
-        <source>Nothing was pasted. Line %1 of the clipboard: %2</source>
-        <translation>No se pegó nada. Línea %1 del portapapeles: %2</translation>
-    </message>
-    <message>
-        <source>Nothing was pasted. %1</source>
-        <translation>No se pegó nada. %1</translation>
-    </message>
-    <message>
-        <source>Nothing was pasted: the clipboard contains no rows of 6 or 7 numbers.</source>
-        <translation>No se pegó nada: el portapapeles no contiene filas de 6 o 7 números.</translation>
-    </message>
-    <message>
-        <source>Paste a map</source>
-        <translation>Pegar una aplicación</translation>
-    </message>
-    <message>
-        <source>Paste %1 maps</source>
-        <translation>Pegar %1 aplicaciones</translation>
-    </message>
-    <message>
         <source>Bake the cage into the code</source>
         <translation>Incorporar la jaula al código</translation>
     </message>
@@ -10752,10 +10724,6 @@ Teclas: Re Pág y Av Pág eligen una parada, las flechas la mueven, Ins añade u
     <message>
         <source>Each row is a map: it takes (x, y) to (a x + b y + e, c x + d y + f) and is used in proportion to its weight p. Double-click a number or start typing to change it; the picture follows every keystroke. Drag the number of a row to move it.</source>
         <translation>Cada fila es una aplicación: (x, y) va a (a x + b y + e, c x + d y + f), con la frecuencia que dice su peso p. Haga doble clic en un número, o empiece a escribir, para cambiarlo; la imagen sigue cada tecla. Arrastre el número de una fila para moverla.</translation>
-    </message>
-    <message>
-        <source>Reading the pasted text…</source>
-        <translation>Leyendo lo pegado…</translation>
     </message>
     <message>
         <source>Properties of the map</source>
@@ -10856,20 +10824,6 @@ Teclas: Re Pág y Av Pág eligen una parada, las flechas la mueven, Ins añade u
     <message>
         <source>Map %1 only, of %2 selected    %3</source>
         <translation>Solo la aplicación %1, de %2 seleccionadas    %3</translation>
-    </message>
-    <message numerus="yes">
-        <source>%n maps added.</source>
-        <translation>
-            <numerusform>%n aplicación añadida.</numerusform>
-            <numerusform>%n aplicaciones añadidas.</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>The selected maps were replaced; %n maps pasted.</source>
-        <translation>
-            <numerusform>Se reemplazaron las aplicaciones seleccionadas; %n aplicación pegada.</numerusform>
-            <numerusform>Se reemplazaron las aplicaciones seleccionadas; %n aplicaciones pegadas.</numerusform>
-        </translation>
     </message>
 </context>
 <context>
@@ -11446,47 +11400,6 @@ Teclas: Re Pág y Av Pág eligen una parada, las flechas la mueven, Ins añade u
     <message>
         <source>Makes a palette of the colours of a picture, or of those along a line in it.</source>
         <translation>Crea una paleta con los colores de una imagen, o con los que hay a lo largo de una línea en ella.</translation>
-    </message>
-</context>
-<context>
-    <name>view::PolygonTool</name>
-    <message>
-        <source>%1 by %2°</source>
-        <translation>%1 en %2°</translation>
-    </message>
-    <message>
-        <source>%1 by %2</source>
-        <translation>%1 por %2</translation>
-    </message>
-    <message>
-        <source>%1 to (%2, %3)</source>
-        <translation>%1 a (%2, %3)</translation>
-    </message>
-    <message>
-        <source>%1 by (%2, %3)</source>
-        <translation>%1 en (%2, %3)</translation>
-    </message>
-    <message>
-        <source>%1°</source>
-        <comment>an angle</comment>
-        <translation>%1°</translation>
-    </message>
-    <message>
-        <source>× %1</source>
-        <comment>a factor</comment>
-        <translation>× %1</translation>
-    </message>
-    <message>
-        <source>Δ (%1, %2)  length %3</source>
-        <translation>Δ (%1, %2)  longitud %3</translation>
-    </message>
-    <message>
-        <source>edge %1</source>
-        <translation>arista %1</translation>
-    </message>
-    <message>
-        <source>edges %1 and %2</source>
-        <translation>aristas %1 y %2</translation>
     </message>
 </context>
 <context>
@@ -13204,34 +13117,6 @@ Teclas: Re Pág y Av Pág eligen una parada, las flechas la mueven, Ins añade u
     <message>
         <source>Turn the mirrors of the symmetry</source>
         <translation>Girar los espejos de la simetría</translation>
-    </message>
-    <message>
-        <source>None</source>
-        <translation>Ninguna</translation>
-    </message>
-    <message>
-        <source>Mirror</source>
-        <translation>Reflexión</translation>
-    </message>
-    <message>
-        <source>Rotation</source>
-        <translation>Rotación</translation>
-    </message>
-    <message>
-        <source>Dihedral</source>
-        <translation>Diédrica</translation>
-    </message>
-    <message>
-        <source>Tetrahedral</source>
-        <translation>Tetraédrica</translation>
-    </message>
-    <message>
-        <source>Octahedral</source>
-        <translation>Octaédrica</translation>
-    </message>
-    <message>
-        <source>Icosahedral</source>
-        <translation>Icosaédrica</translation>
     </message>
     <message>
         <source>List the maps that the symmetry stands for</source>

@@ -490,84 +490,6 @@
     </message>
 </context>
 <context>
-    <name>CageEdits</name>
-    <message>
-        <source>This entry is not a system in the plane.</source>
-        <translation>Cette entrée n’a pas d’applications du plan.</translation>
-    </message>
-    <message>
-        <source>The cage is at rest: the picture shows the code.</source>
-        <translation>La cage est au repos&#x202f;: l’image affichée est celle du code.</translation>
-    </message>
-    <message>
-        <source>The cage bends the picture, and no affine code produces a bent picture. Choose “Affine fit” to bake the closest affine placement.</source>
-        <translation>La cage courbe l’image, et aucun code affine ne donne une image courbée. Choisissez «&#x202f;Ajustement affine&#x202f;» pour intégrer au code ce qui s’en approche le plus.</translation>
-    </message>
-    <message>
-        <source>The cage is flat, so its placement cannot be baked into the code. Open the cage first.</source>
-        <translation>La cage est plate : son placement ne peut pas être intégré au code. Ouvrez d’abord la cage.</translation>
-    </message>
-    <message>
-        <source>Moving the cage moves the picture. Bake to change the code.</source>
-        <translation>Déplacer la cage déplace l’image. Le code reste tel quel tant que vous n’y intégrez pas le placement.</translation>
-    </message>
-    <message>
-        <source>Moving the whole cage rewrites the code. Moving single vertices bends the picture, which no code can reproduce, so the code does not change.</source>
-        <translation>Déplacer la cage entière réécrit le code. Déplacer un seul sommet courbe l’image, ce qu’aucun code ne peut suivre&#x202f;; le code reste alors tel quel.</translation>
-    </message>
-    <message>
-        <source>Moving the cage rewrites all coefficients of the code; the cage is then at rest in its new position.</source>
-        <translation>Déplacer la cage réécrit tous les coefficients du code, et la cage est au repos là où elle se trouve.</translation>
-    </message>
-    <message>
-        <source>The cage is not at rest: it already holds a placement.</source>
-        <translation>La cage n’est pas au repos : elle porte déjà un placement.</translation>
-    </message>
-    <message>
-        <source>Only a cage with three vertices can be unbaked.</source>
-        <translation>Seul un triangle peut être extrait du code.</translation>
-    </message>
-    <message>
-        <source>The cage is not convex: the picture may fold over itself at the notch.</source>
-        <translation>La cage a une encoche&#x202f;: l’image peut s’y replier sur elle-même.</translation>
-    </message>
-    <message>
-        <source>The cage is folded: parts of the picture overlap. Move the vertices apart to unfold it.</source>
-        <translation>La cage est repliée&#x202f;: des parties de l’image se superposent. Écartez les sommets pour la déplier.</translation>
-    </message>
-    <message>
-        <source>No map is active, so there is nothing to enclose.</source>
-        <translation>Aucune application n’est active&#x202f;: il n’y a rien à entourer.</translation>
-    </message>
-    <message>
-        <source>A bent picture cannot be given another cage. First reset the cage or choose “Affine fit”.</source>
-        <translation>Une image courbée ne peut pas être confiée à une autre cage. Réinitialisez d’abord la cage, ou choisissez «&#x202f;Ajustement affine&#x202f;».</translation>
-    </message>
-    <message>
-        <source>The cage is flat. First open or reset the triangle.</source>
-        <translation>La cage est plate. Ouvrez d’abord le triangle, ou réinitialisez-le.</translation>
-    </message>
-    <message>
-        <source>This system has no attractor that can be enclosed.</source>
-        <translation>Ce système n’a pas d’attracteur à entourer.</translation>
-    </message>
-    <message>
-        <source>The cage is at rest.</source>
-        <translation>La cage est au repos.</translation>
-    </message>
-    <message>
-        <source>The maps are linked; a cage cannot be fitted to linked maps.</source>
-        <translation>Les applications sont liées&#x202f;; on ne peut pas ajuster de cage à des applications liées.</translation>
-    </message>
-</context>
-<context>
-    <name>ClusterJob</name>
-    <message>
-        <source>The folder %1 cannot be created.</source>
-        <translation>Le dossier %1 ne peut pas être créé.</translation>
-    </message>
-</context>
-<context>
     <name>Collection</name>
     <message>
         <source>From the paper</source>
@@ -739,145 +661,6 @@
     </message>
 </context>
 <context>
-    <name>DimensionEdits</name>
-    <message>
-        <source>“%1” is not a system in the plane, so it cannot be lifted.</source>
-        <translation>« %1 » n’est pas un système du plan et ne peut donc pas être élevé dans l’espace.</translation>
-    </message>
-    <message>
-        <source>The cage of “%1” has more than three corners, so it cannot become a tetrahedron. Bake or reset it first.</source>
-        <translation>La cage de « %1 » a plus de trois sommets et ne donne pas de tétraèdre. Intégrez-la ou réinitialisez-la d’abord.</translation>
-    </message>
-    <message>
-        <source>“%1” is not a system in space, so it cannot be flattened.</source>
-        <translation>« %1 » n’est pas un système de l’espace et ne peut donc pas être aplati.</translation>
-    </message>
-    <message>
-        <source>The direction must have a length other than 0.</source>
-        <translation>La direction ne peut pas être de longueur nulle.</translation>
-    </message>
-    <message>
-        <source>“%1” has moved branches, which cannot be flattened. Reset them first.</source>
-        <translation>« %1 » a des branches déplacées, qui ne peuvent pas être aplaties. Réinitialisez-les d’abord.</translation>
-    </message>
-    <message>
-        <source>The cage of “%1” cannot be baked into its maps, so it cannot be flattened.</source>
-        <translation>La cage de « %1 » ne peut pas être intégrée aux applications ; il ne peut donc pas être aplati.</translation>
-    </message>
-    <message>
-        <source>The maps of “%1” are linked, and maps in space cannot be linked.</source>
-        <translation>Les applications de «&#x202f;%1&#x202f;» sont liées, ce que ne peuvent pas être celles de l’espace.</translation>
-    </message>
-    <message>
-        <source>Map %1 of “%2” does not keep this direction, so the projection is not an iterated function system. Export a picture seen from that direction instead.</source>
-        <translation>L’application %1 de « %2 » change cette direction ; la projection n’est donc pas un système de fonctions itérées. Exportez plutôt une image vue de ce côté.</translation>
-    </message>
-    <message>
-        <source>The animation of “%1” cannot be taken to another dimension, so it is left out.</source>
-        <translation>L’animation de « %1 » ne peut pas être transposée dans une autre dimension ; elle est omise.</translation>
-    </message>
-</context>
-<context>
-    <name>Enqueue</name>
-    <message>
-        <source>The name “%1” does not match the chosen format. Choose another name.</source>
-        <translation>Le nom « %1 » ne correspond pas au format choisi. Choisissez un autre nom.</translation>
-    </message>
-    <message>
-        <source>Another export in the queue writes “%1”. Choose another name.</source>
-        <translation>Un autre export de la file d’attente écrit « %1 ». Choisissez un autre nom.</translation>
-    </message>
-    <message>
-        <source>Added to the queue: %1.</source>
-        <translation>Ajouté à la file d’attente : %1.</translation>
-    </message>
-</context>
-<context>
-    <name>ExportJob</name>
-    <message>
-        <source>There is not enough memory for this picture. Reduce its size or the supersampling.</source>
-        <translation>La mémoire ne suffit pas pour cette image. Réduisez-la, ou diminuez le suréchantillonnage.</translation>
-    </message>
-</context>
-<context>
-    <name>ExportTask</name>
-    <message>
-        <source>It is damaged.</source>
-        <translation>Il est endommagé.</translation>
-    </message>
-    <message>
-        <source>It is not an export of this program.</source>
-        <translation>Ce n’est pas un export de ce programme.</translation>
-    </message>
-    <message>
-        <source>Its settings are not supported by this version.</source>
-        <translation>Ses réglages ne sont pas ceux de cette version.</translation>
-    </message>
-    <message>
-        <source>Its file name does not match its format.</source>
-        <translation>Le fichier qu’il nomme ne correspond pas à son format.</translation>
-    </message>
-</context>
-<context>
-    <name>Exports</name>
-    <message numerus="yes">
-        <source>%n exports from the last session are in the queue.</source>
-        <translation>
-            <numerusform>%n export de la dernière fois est dans la file d’attente.</numerusform>
-            <numerusform>%n exports de la dernière fois sont dans la file d’attente.</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>Exports are not finished</source>
-        <translation>Des exports ne sont pas terminés</translation>
-    </message>
-    <message numerus="yes">
-        <source>%n exports are still in the queue.</source>
-        <translation>
-            <numerusform>%n export est encore dans la file d’attente.</numerusform>
-            <numerusform>%n exports sont encore dans la file d’attente.</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>They will continue the next time you start Barycage. Close it now?</source>
-        <translation>
-            <numerusform>Il reprendra au prochain démarrage de Barycage. Fermer maintenant ?</numerusform>
-            <numerusform>Ils reprendront au prochain démarrage de Barycage. Fermer maintenant ?</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>&amp;Close</source>
-        <translation>Fer&amp;mer</translation>
-    </message>
-    <message>
-        <source>Export is not finished</source>
-        <translation>L’export n’est pas terminé</translation>
-    </message>
-    <message>
-        <source>A file is still being exported.</source>
-        <translation>Un fichier est encore en cours d’exportation.</translation>
-    </message>
-    <message>
-        <source>If you stop now, no file is written.</source>
-        <translation>Si vous l’arrêtez maintenant, aucun fichier n’est écrit.</translation>
-    </message>
-    <message>
-        <source>&amp;Stop Export</source>
-        <translation>&amp;Arrêter l’export</translation>
-    </message>
-    <message>
-        <source>&amp;Continue</source>
-        <translation>&amp;Continuer</translation>
-    </message>
-</context>
-<context>
-    <name>FileDialogs</name>
-    <message>
-        <source>Pictures (%1);;All files (*)</source>
-        <translation>Images (%1);;Tous les fichiers (*)</translation>
-    </message>
-</context>
-<context>
     <name>FlameBanner</name>
     <message>
         <source>Flames</source>
@@ -916,65 +699,7 @@
     </message>
 </context>
 <context>
-    <name>Lesson</name>
-    <message>
-        <source>The file has no entry “%1”.</source>
-        <translation>Le fichier n’a pas d’entrée «&#x202f;%1&#x202f;».</translation>
-    </message>
-    <message>
-        <source>Show a step of the lesson</source>
-        <translation>Montrer une étape de la leçon</translation>
-    </message>
-    <message>
-        <source>The cage of this entry does not have the same corners as in the lesson.</source>
-        <translation>La cage de cette entrée a d’autres sommets que dans la leçon.</translation>
-    </message>
-</context>
-<context>
-    <name>LessonReader</name>
-    <message>
-        <source>The lesson is larger than 4 MB, which is the limit.</source>
-        <translation>La leçon dépasse la limite de 4 Mo.</translation>
-    </message>
-    <message>
-        <source>This is not a lesson: its first line does not begin with “lesson:”.</source>
-        <translation>Ce n’est pas une leçon&#x202f;: sa première ligne ne commence pas par «&#x202f;lesson:&#x202f;».</translation>
-    </message>
-    <message>
-        <source>The lesson has no steps.</source>
-        <translation>La leçon n’a pas d’étapes.</translation>
-    </message>
-    <message>
-        <source>This line was ignored: settings look like “file: name.ifs”, and steps begin with “##”.</source>
-        <translation>Cette ligne a été ignorée&#x202f;: les réglages ont la forme «&#x202f;file: nom.ifs&#x202f;» et les étapes commencent par «&#x202f;##&#x202f;».</translation>
-    </message>
-    <message>
-        <source>The lesson has more than %1 steps; the others were ignored.</source>
-        <translation>La leçon a plus de %1 étapes&#x202f;; les autres ont été ignorées.</translation>
-    </message>
-    <message>
-        <source>The text of step %1 is longer than %2 characters and was cut.</source>
-        <translation>Le texte de l’étape %1 dépasse %2 caractères et a été coupé.</translation>
-    </message>
-    <message>
-        <source>“%1: %2” was not understood.</source>
-        <translation>«&#x202f;%1: %2&#x202f;» n’a pas été compris.</translation>
-    </message>
-    <message>
-        <source>“%1” is unknown to this version and is kept.</source>
-        <translation>«&#x202f;%1&#x202f;» est inconnu de cette version et reste conservé.</translation>
-    </message>
-    <message>
-        <source>A lesson cannot refer to “%1”. It can refer to a file in its own folder, or to a .ifs or .par file in another one.</source>
-        <translation>Une leçon ne peut pas désigner «&#x202f;%1&#x202f;», mais seulement un fichier de son propre dossier, ou un fichier .ifs ou .par d’un autre.</translation>
-    </message>
-</context>
-<context>
     <name>MainWindow</name>
-    <message>
-        <source>Add %1</source>
-        <translation>Ajouter %1</translation>
-    </message>
     <message>
         <source>Show or hide the “%1” panel</source>
         <translation>Afficher ou masquer le panneau «&#x202f;%1&#x202f;»</translation>
@@ -1602,38 +1327,6 @@
         <translation>Outils</translation>
     </message>
     <message>
-        <source>The fractals in the open file. The canvas shows the one you select here.</source>
-        <translation>Les fractales du fichier ouvert. Celle que l’on choisit ici est à l’image.</translation>
-    </message>
-    <message>
-        <source>Ready-made fractals by theme, and your own folders of fractals.</source>
-        <translation>Des fractales pour commencer, classées par thème, et vos propres dossiers de fractales.</translation>
-    </message>
-    <message>
-        <source>The maps of the fractal: its code, one map per row.</source>
-        <translation>Les applications de la fractale&#x202f;: son code, une application par ligne.</translation>
-    </message>
-    <message>
-        <source>The control cage in numbers: its vertices, their positions at rest, what moving them does, and other cages to choose from.</source>
-        <translation>La cage de contrôle en nombres&#x202f;: où sont ses sommets, où ils sont au repos, ce que produit leur déplacement, et d’autres cages à choisir.</translation>
-    </message>
-    <message>
-        <source>Colours, brightness and background of the picture. They are saved with the fractal.</source>
-        <translation>Couleurs, luminosité et fond de l’image. Ils sont enregistrés avec la fractale.</translation>
-    </message>
-    <message>
-        <source>Mathematical properties of this fractal. Point to a name to see what it means.</source>
-        <translation>Propriétés mathématiques de cette fractale. Pointez un nom pour lire ce qu’il signifie.</translation>
-    </message>
-    <message>
-        <source>Every step since the file was opened. Select one to go back or forward to it.</source>
-        <translation>Toutes les étapes depuis l’ouverture du fichier. Choisissez-en une pour y revenir ou pour y avancer.</translation>
-    </message>
-    <message>
-        <source>Problems found in the file, with line and column. The text in the file is kept unchanged.</source>
-        <translation>Problèmes trouvés dans le fichier, avec la ligne et la colonne. Le texte du fichier reste inchangé.</translation>
-    </message>
-    <message>
         <source>&amp;Tour</source>
         <translation>&amp;Visite guidée</translation>
     </message>
@@ -2046,10 +1739,6 @@
         <translation>Chronologie</translation>
     </message>
     <message>
-        <source>The animation of this fractal: its motions, and the keys of everything that can move.</source>
-        <translation>L’animation de cette fractale : ses mouvements et les clés de tout ce qui peut bouger.</translation>
-    </message>
-    <message>
         <source>Fractal &amp;Transformation</source>
         <translation>&amp;Transformation fractale</translation>
     </message>
@@ -2090,20 +1779,12 @@
         <translation>Collage</translation>
     </message>
     <message>
-        <source>Find a fractal that looks like a picture: the target, how well the fractal agrees with it, and ways to fit it.</source>
-        <translation>Une fractale pour une image : la cible, son accord avec la fractale, et des ajustements.</translation>
-    </message>
-    <message>
         <source>Four &amp;Views</source>
         <translation>Quatre &amp;vues</translation>
     </message>
     <message>
         <source>Define the control triangle with three clicks, or in space the tetrahedron with four</source>
         <translation>Définit le triangle de contrôle par trois clics, dans l’espace le tétraèdre par quatre</translation>
-    </message>
-    <message>
-        <source>Which map may follow which in the chaos game, as a graph and as a matrix.</source>
-        <translation>Quelles applications le jeu du chaos peut appliquer après lesquelles, sous forme de graphe et de matrice.</translation>
     </message>
     <message>
         <source>Look from the front (1 on the keypad)</source>
@@ -2324,18 +2005,6 @@
     <message>
         <source>Show the current map alone, or all of them again</source>
         <translation>Afficher seule l’application courante, ou de nouveau toutes</translation>
-    </message>
-    <message>
-        <source>States of this fractal that you kept while working on it. Click one to restore it.</source>
-        <translation>États de cette fractale que vous avez gardés en travaillant. Cliquez sur l’un d’eux pour le rétablir.</translation>
-    </message>
-    <message>
-        <source>Pictures drawn one after another in the background, with the progress of each.</source>
-        <translation>Les images dessinées l’une après l’autre en arrière-plan, et l’avancement de chacune.</translation>
-    </message>
-    <message>
-        <source>A lesson about these fractals: its steps, each with a text and the state of the window, to be played in full screen.</source>
-        <translation>Une leçon sur ces fractales&#x202f;: ses étapes, chacune avec un texte et l’état de la fenêtre, à jouer sur tout l’écran.</translation>
     </message>
     <message>
         <source>Saved &amp;Views</source>
@@ -2600,10 +2269,6 @@
     <message>
         <source>Drag the corners of the cage</source>
         <translation>Faire glisser les coins de la cage</translation>
-    </message>
-    <message>
-        <source>%1 is already open in this window.</source>
-        <translation>%1 est déjà ouvert dans cette fenêtre.</translation>
     </message>
     <message>
         <source>Show the solid from the top, the front and the right, and in perspective</source>
@@ -2884,89 +2549,6 @@
     </message>
 </context>
 <context>
-    <name>PictureWriter</name>
-    <message>
-        <source>A %1 picture has at most %2 pixels along a side.</source>
-        <translation>Une image %1 a au plus %2 pixels de côté.</translation>
-    </message>
-    <message>
-        <source>A JPEG picture cannot be transparent. Choose a background colour or another format.</source>
-        <translation>Une image JPEG ne peut pas être transparente. Choisissez une couleur de fond ou un autre format.</translation>
-    </message>
-    <message>
-        <source>A JPEG picture has at most %1 dots per inch.</source>
-        <translation>Une image JPEG a au plus %1 points par pouce.</translation>
-    </message>
-    <message>
-        <source>Such a picture cannot be written as %1.</source>
-        <translation>Une telle image ne peut pas être écrite en %1.</translation>
-    </message>
-    <message>
-        <source>The picture cannot be written: %1</source>
-        <translation>Impossible d’écrire l’image&#x202f;: %1</translation>
-    </message>
-    <message>
-        <source>the WebP encoder does not have enough memory.</source>
-        <translation>l’encodeur WebP n’a pas assez de mémoire.</translation>
-    </message>
-</context>
-<context>
-    <name>PngSystem</name>
-    <message>
-        <source>The picture contains no system: it was not written by Barycage, or another program removed the text that holds it.</source>
-        <translation>L’image ne contient pas de système&#x202f;: elle n’a pas été écrite par Barycage, ou un autre programme en a retiré le texte.</translation>
-    </message>
-    <message>
-        <source>The system in the picture is larger than 8 MB.</source>
-        <translation>Le système contenu dans l’image dépasse 8 Mo.</translation>
-    </message>
-    <message>
-        <source>The file is not a PNG picture, or it is damaged.</source>
-        <translation>Le fichier n’est pas une image PNG, ou il est endommagé.</translation>
-    </message>
-    <message>
-        <source>The picture contains too much text: the limit is 40 MB in total.</source>
-        <translation>L’image contient trop de texte&#x202f;: la limite est de 40 Mo en tout.</translation>
-    </message>
-    <message>
-        <source>The picture cannot be opened.</source>
-        <translation>L’image ne peut pas être ouverte.</translation>
-    </message>
-    <message>
-        <source>The file is not a PNG picture.</source>
-        <translation>Le fichier n’est pas une image PNG.</translation>
-    </message>
-    <message>
-        <source>The picture is damaged or incomplete. Draw it again.</source>
-        <translation>L’image est endommagée ou incomplète. Dessinez-la à nouveau.</translation>
-    </message>
-</context>
-<context>
-    <name>PngWriter</name>
-    <message>
-        <source>The picture cannot be written: %1</source>
-        <translation>Impossible d’écrire l’image&#x202f;: %1</translation>
-    </message>
-</context>
-<context>
-    <name>PrintPreview</name>
-    <message>
-        <source>%1 could not be written. Print it to another folder.</source>
-        <translation>%1 n’a pas pu être écrit. Imprimez dans un autre dossier.</translation>
-    </message>
-    <message>
-        <source>Written to %1.</source>
-        <translation>Écrit dans %1.</translation>
-    </message>
-</context>
-<context>
-    <name>RasterSystem</name>
-    <message>
-        <source>The picture is damaged, or its text cannot be read.</source>
-        <translation>L’image est endommagée, ou son texte est illisible.</translation>
-    </message>
-</context>
-<context>
     <name>Recovery</name>
     <message>
         <source>%1, %2</source>
@@ -3011,13 +2593,6 @@
             <numerusform>(%n fenêtre)</numerusform>
             <numerusform>(%n fenêtres)</numerusform>
         </translation>
-    </message>
-</context>
-<context>
-    <name>SaveBeside</name>
-    <message>
-        <source>Saving “%1”…</source>
-        <translation>Enregistrement de «&#x202f;%1&#x202f;»…</translation>
     </message>
 </context>
 <context>
@@ -3119,45 +2694,6 @@
     <message>
         <source>Move corner %1 of branch %2</source>
         <translation>Déplacer le coin %1 de la branche %2</translation>
-    </message>
-</context>
-<context>
-    <name>SpaceCageEdits</name>
-    <message>
-        <source>No map is active, so there is nothing to enclose.</source>
-        <translation>Aucune application n’est active&#x202f;: il n’y a rien à entourer.</translation>
-    </message>
-    <message>
-        <source>The cage is at rest: the picture shows the code.</source>
-        <translation>La cage est au repos&#x202f;: l’image affichée est celle du code.</translation>
-    </message>
-    <message>
-        <source>The cage is flat, so its placement cannot be baked into the code. Open the cage first.</source>
-        <translation>La cage est plate : son placement ne peut pas être intégré au code. Ouvrez d’abord la cage.</translation>
-    </message>
-    <message>
-        <source>The cage is not at rest: it already holds a placement.</source>
-        <translation>La cage n’est pas au repos : elle porte déjà un placement.</translation>
-    </message>
-    <message>
-        <source>Only a cage with four vertices can be unbaked.</source>
-        <translation>Seule une cage à quatre sommets peut être extraite.</translation>
-    </message>
-    <message>
-        <source>The cage is flat. First open or reset the tetrahedron.</source>
-        <translation>La cage est plate. Ouvrez ou réinitialisez d’abord le tétraèdre.</translation>
-    </message>
-    <message>
-        <source>This system has no attractor that can be enclosed.</source>
-        <translation>Ce système n’a pas d’attracteur à entourer.</translation>
-    </message>
-    <message>
-        <source>The cage bends the picture, and no affine code produces a bent picture. Choose “Affine fit” to bake the closest affine placement.</source>
-        <translation>La cage courbe l’image, et aucun code affine ne donne une image courbée. Choisissez «&#x202f;Ajustement affine&#x202f;» pour intégrer au code ce qui s’en approche le plus.</translation>
-    </message>
-    <message>
-        <source>The cage bends the picture, so no other cage would show it. First reset the cage or choose “Affine fit”.</source>
-        <translation>La cage courbe l’image, et aucune autre cage ne la montrerait. Réinitialisez d’abord la cage ou choisissez «&#x202f;Ajustement affine&#x202f;».</translation>
     </message>
 </context>
 <context>
@@ -3361,13 +2897,6 @@
     </message>
 </context>
 <context>
-    <name>StealExport</name>
-    <message>
-        <source>An exact picture of this system would take too long. Draw it with samples.</source>
-        <translation>Une image exacte de ce système prendrait trop de temps. Dessinez-la par échantillons.</translation>
-    </message>
-</context>
-<context>
     <name>SvgSystem</name>
     <message>
         <source>The system in the picture is larger than 8 MB.</source>
@@ -3388,40 +2917,6 @@
     <message>
         <source>The picture contains no system: it was not written by Barycage, or another program removed it.</source>
         <translation>L’image ne contient pas de système&#x202f;: elle n’a pas été écrite par Barycage, ou un autre programme l’en a retiré.</translation>
-    </message>
-</context>
-<context>
-    <name>TaskFolder</name>
-    <message>
-        <source>It is not a regular file.</source>
-        <translation>Ce n’est pas un fichier ordinaire.</translation>
-    </message>
-    <message>
-        <source>It is too large.</source>
-        <translation>Il est trop volumineux.</translation>
-    </message>
-    <message>
-        <source>It cannot be read.</source>
-        <translation>Il ne peut pas être lu.</translation>
-    </message>
-    <message>
-        <source>An export from the last session was skipped. %1 Its damaged file was renamed to %2.</source>
-        <translation>Un export de la dernière fois a été ignoré. %1 Son fichier endommagé a été renommé en %2.</translation>
-    </message>
-</context>
-<context>
-    <name>TaskJob</name>
-    <message>
-        <source>A file “%1” was created after you added this export. Choose Try Again to replace it.</source>
-        <translation>Un fichier « %1 » est apparu depuis que vous avez ajouté cet export. Réessayer le remplace.</translation>
-    </message>
-    <message>
-        <source>The fractal in this export cannot be read.</source>
-        <translation>La fractale de cet export ne peut pas être lue.</translation>
-    </message>
-    <message>
-        <source>There is not enough memory for this picture.</source>
-        <translation>Il n’y a pas assez de mémoire pour cette image.</translation>
     </message>
 </context>
 <context>
@@ -4937,6 +4432,888 @@
         <source>Standard output cannot be written to: %1.</source>
         <translation>Impossible d’écrire sur la sortie standard&#x202f;: %1.</translation>
     </message>
+    <message>
+        <source>Add %1</source>
+        <translation>Ajouter %1</translation>
+    </message>
+    <message>
+        <source>Reading “%1”…</source>
+        <translation>Lecture de « %1 »…</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n exports from the last session are in the queue.</source>
+        <translation>
+            <numerusform>%n export de la dernière fois est dans la file d’attente.</numerusform>
+            <numerusform>%n exports de la dernière fois sont dans la file d’attente.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Export is not finished</source>
+        <translation>L’export n’est pas terminé</translation>
+    </message>
+    <message>
+        <source>A file is still being exported.</source>
+        <translation>Un fichier est encore en cours d’exportation.</translation>
+    </message>
+    <message>
+        <source>If you stop now, no file is written.</source>
+        <translation>Si vous l’arrêtez maintenant, aucun fichier n’est écrit.</translation>
+    </message>
+    <message>
+        <source>&amp;Stop Export</source>
+        <translation>&amp;Arrêter l’export</translation>
+    </message>
+    <message>
+        <source>&amp;Continue</source>
+        <translation>&amp;Continuer</translation>
+    </message>
+    <message>
+        <source>Exports are not finished</source>
+        <translation>Des exports ne sont pas terminés</translation>
+    </message>
+    <message numerus="yes">
+        <source>They will continue the next time you start Barycage. Close it now?</source>
+        <translation>
+            <numerusform>Il reprendra au prochain démarrage de Barycage. Fermer maintenant ?</numerusform>
+            <numerusform>Ils reprendront au prochain démarrage de Barycage. Fermer maintenant ?</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>&amp;Close</source>
+        <translation>Fer&amp;mer</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n exports are still in the queue.</source>
+        <translation>
+            <numerusform>%n export est encore dans la file d’attente.</numerusform>
+            <numerusform>%n exports sont encore dans la file d’attente.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>The file has no entry “%1”.</source>
+        <translation>Le fichier n’a pas d’entrée «&#x202f;%1&#x202f;».</translation>
+    </message>
+    <message>
+        <source>Show a step of the lesson</source>
+        <translation>Montrer une étape de la leçon</translation>
+    </message>
+    <message>
+        <source>The cage of this entry does not have the same corners as in the lesson.</source>
+        <translation>La cage de cette entrée a d’autres sommets que dans la leçon.</translation>
+    </message>
+    <message>
+        <source>The fractals in the open file. The canvas shows the one you select here.</source>
+        <translation>Les fractales du fichier ouvert. Celle que l’on choisit ici est à l’image.</translation>
+    </message>
+    <message>
+        <source>Ready-made fractals by theme, and your own folders of fractals.</source>
+        <translation>Des fractales pour commencer, classées par thème, et vos propres dossiers de fractales.</translation>
+    </message>
+    <message>
+        <source>The maps of the fractal: its code, one map per row.</source>
+        <translation>Les applications de la fractale&#x202f;: son code, une application par ligne.</translation>
+    </message>
+    <message>
+        <source>Which map may follow which in the chaos game, as a graph and as a matrix.</source>
+        <translation>Quelles applications le jeu du chaos peut appliquer après lesquelles, sous forme de graphe et de matrice.</translation>
+    </message>
+    <message>
+        <source>The control cage in numbers: its vertices, their positions at rest, what moving them does, and other cages to choose from.</source>
+        <translation>La cage de contrôle en nombres&#x202f;: où sont ses sommets, où ils sont au repos, ce que produit leur déplacement, et d’autres cages à choisir.</translation>
+    </message>
+    <message>
+        <source>Colours, brightness and background of the picture. They are saved with the fractal.</source>
+        <translation>Couleurs, luminosité et fond de l’image. Ils sont enregistrés avec la fractale.</translation>
+    </message>
+    <message>
+        <source>Mathematical properties of this fractal. Point to a name to see what it means.</source>
+        <translation>Propriétés mathématiques de cette fractale. Pointez un nom pour lire ce qu’il signifie.</translation>
+    </message>
+    <message>
+        <source>Every step since the file was opened. Select one to go back or forward to it.</source>
+        <translation>Toutes les étapes depuis l’ouverture du fichier. Choisissez-en une pour y revenir ou pour y avancer.</translation>
+    </message>
+    <message>
+        <source>States of this fractal that you kept while working on it. Click one to restore it.</source>
+        <translation>États de cette fractale que vous avez gardés en travaillant. Cliquez sur l’un d’eux pour le rétablir.</translation>
+    </message>
+    <message>
+        <source>The animation of this fractal: its motions, and the keys of everything that can move.</source>
+        <translation>L’animation de cette fractale : ses mouvements et les clés de tout ce qui peut bouger.</translation>
+    </message>
+    <message>
+        <source>Find a fractal that looks like a picture: the target, how well the fractal agrees with it, and ways to fit it.</source>
+        <translation>Une fractale pour une image : la cible, son accord avec la fractale, et des ajustements.</translation>
+    </message>
+    <message>
+        <source>Pictures drawn one after another in the background, with the progress of each.</source>
+        <translation>Les images dessinées l’une après l’autre en arrière-plan, et l’avancement de chacune.</translation>
+    </message>
+    <message>
+        <source>A lesson about these fractals: its steps, each with a text and the state of the window, to be played in full screen.</source>
+        <translation>Une leçon sur ces fractales&#x202f;: ses étapes, chacune avec un texte et l’état de la fenêtre, à jouer sur tout l’écran.</translation>
+    </message>
+    <message>
+        <source>Problems found in the file, with line and column. The text in the file is kept unchanged.</source>
+        <translation>Problèmes trouvés dans le fichier, avec la ligne et la colonne. Le texte du fichier reste inchangé.</translation>
+    </message>
+    <message>
+        <source>%1 is already open in this window.</source>
+        <translation>%1 est déjà ouvert dans cette fenêtre.</translation>
+    </message>
+    <message>
+        <source>%1 by %2°</source>
+        <translation>%1 de %2°</translation>
+    </message>
+    <message>
+        <source>%1 by %2</source>
+        <translation>%1 d’un facteur %2</translation>
+    </message>
+    <message>
+        <source>%1 to (%2, %3)</source>
+        <translation>%1 en (%2, %3)</translation>
+    </message>
+    <message>
+        <source>%1 by (%2, %3)</source>
+        <translation>%1 de (%2, %3)</translation>
+    </message>
+    <message>
+        <source>%1°</source>
+        <comment>an angle</comment>
+        <translation>%1°</translation>
+    </message>
+    <message>
+        <source>× %1</source>
+        <comment>a factor</comment>
+        <translation>× %1</translation>
+    </message>
+    <message>
+        <source>Δ (%1, %2)  length %3</source>
+        <translation>Δ (%1, %2)  longueur %3</translation>
+    </message>
+    <message>
+        <source>edge %1</source>
+        <translation>arête %1</translation>
+    </message>
+    <message>
+        <source>edges %1 and %2</source>
+        <translation>arêtes %1 et %2</translation>
+    </message>
+    <message>
+        <source>Map %1</source>
+        <comment>begins a sentence</comment>
+        <translation>L’application %1</translation>
+    </message>
+    <message>
+        <source>Map %1</source>
+        <translation>Application %1</translation>
+    </message>
+    <message>
+        <source>Map that takes no part</source>
+        <translation>Application qui ne participe pas</translation>
+    </message>
+    <message>
+        <source>Branch %1</source>
+        <translation>Branche %1</translation>
+    </message>
+    <message>
+        <source>%1, corner %2</source>
+        <translation>%1, coin %2</translation>
+    </message>
+    <message>
+        <source>Vertex %1</source>
+        <translation>Sommet %1</translation>
+    </message>
+    <message>
+        <source>Edge from vertex %1</source>
+        <translation>Arête partant du sommet %1</translation>
+    </message>
+    <message>
+        <source>The whole cage</source>
+        <translation>La cage entière</translation>
+    </message>
+    <message>
+        <source>Pivot</source>
+        <translation>Pivot</translation>
+    </message>
+    <message>
+        <source>Round handle</source>
+        <translation>Poignée ronde</translation>
+    </message>
+    <message>
+        <source>Square handle</source>
+        <translation>Poignée carrée</translation>
+    </message>
+    <message>
+        <source>the arrow keys move both its ends</source>
+        <translation>les touches fléchées déplacent ses deux extrémités</translation>
+    </message>
+    <message>
+        <source>the arrow keys move it</source>
+        <translation>les touches fléchées déplacent l’élément</translation>
+    </message>
+    <message>
+        <source>the arrow keys turn by one degree</source>
+        <translation>les flèches tournent d’un degré</translation>
+    </message>
+    <message>
+        <source>the arrow keys scale by one percent</source>
+        <translation>les flèches changent l’échelle d’un pour cent</translation>
+    </message>
+    <message>
+        <source>Drag to move the pivot, the centre of rotation and scaling.</source>
+        <translation>Tirez le pivot : rotation et mise à l’échelle se font autour de lui.</translation>
+    </message>
+    <message>
+        <source>Drag to rotate about the pivot; hold Shift for steps of 15°.</source>
+        <translation>Tirez pour tourner autour du pivot ; Maj : par pas de 15°.</translation>
+    </message>
+    <message>
+        <source>Drag to scale about the pivot; hold Shift for x or y only.</source>
+        <translation>Tirez pour mettre à l’échelle autour du pivot ; Maj : selon x ou y seulement.</translation>
+    </message>
+    <message>
+        <source>pasted</source>
+        <comment>name of an entry made from a table</comment>
+        <translation>collage</translation>
+    </message>
+    <message>
+        <source>The name “%1” does not match the chosen format. Choose another name.</source>
+        <translation>Le nom « %1 » ne correspond pas au format choisi. Choisissez un autre nom.</translation>
+    </message>
+    <message>
+        <source>Another export in the queue writes “%1”. Choose another name.</source>
+        <translation>Un autre export de la file d’attente écrit « %1 ». Choisissez un autre nom.</translation>
+    </message>
+    <message>
+        <source>Added to the queue: %1.</source>
+        <translation>Ajouté à la file d’attente : %1.</translation>
+    </message>
+    <message>
+        <source>%1 × %2 are %3 million pixels. Drawing them may take hours, and the file may need up to %4.</source>
+        <translation>%1 × %2 font %3 millions de pixels. Les dessiner peut prendre des heures, et le fichier peut occuper jusqu’à %4.</translation>
+    </message>
+    <message>
+        <source>Memory needed: about %1.</source>
+        <translation>Mémoire nécessaire&#x202f;: environ %1.</translation>
+    </message>
+    <message>
+        <source>Very large picture</source>
+        <translation>Très grande image</translation>
+    </message>
+    <message>
+        <source>This picture is very large.</source>
+        <translation>Cette image est très grande.</translation>
+    </message>
+    <message>
+        <source>&amp;Export Anyway</source>
+        <translation>&amp;Exporter quand même</translation>
+    </message>
+    <message>
+        <source>%1 could not be written. Print it to another folder.</source>
+        <translation>%1 n’a pas pu être écrit. Imprimez dans un autre dossier.</translation>
+    </message>
+    <message>
+        <source>Written to %1.</source>
+        <translation>Écrit dans %1.</translation>
+    </message>
+    <message>
+        <source>Find in the guide</source>
+        <translation>Chercher dans le guide</translation>
+    </message>
+    <message>
+        <source>Finds these words in the guide. Enter goes to the next match, Shift+Enter to the previous one. Ctrl+F comes back here.</source>
+        <translation>Marque ces mots dans le guide. Entrée montre le passage suivant, Maj+Entrée le précédent. Ctrl+F mène ici.</translation>
+    </message>
+    <message>
+        <source>Not found</source>
+        <translation>Introuvable</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 sur %2</translation>
+    </message>
+    <message>
+        <source>User Guide</source>
+        <translation>Guide d’utilisation</translation>
+    </message>
+    <message>
+        <source>The user guide: what you can do with Barycage, in the order in which you need it.</source>
+        <translation>Le guide d’utilisation&#x202f;: ce que l’on peut faire ici, dans l’ordre où l’on en a besoin.</translation>
+    </message>
+    <message>
+        <source>Minimal Canonical Simplex</source>
+        <translation>Simplexe canonique minimal</translation>
+    </message>
+    <message>
+        <source>Canonical Simplex %1</source>
+        <translation>Simplexe canonique %1</translation>
+    </message>
+    <message>
+        <source>Bounding Box</source>
+        <translation>Boîte englobante</translation>
+    </message>
+    <message>
+        <source>Smallest Rectangle</source>
+        <translation>Plus petit rectangle</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n Corners</source>
+        <translation>
+            <numerusform>%n sommet</numerusform>
+            <numerusform>%n sommets</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Convex Hull, Simplified to</source>
+        <translation>Enveloppe convexe simplifiée à</translation>
+    </message>
+    <message>
+        <source>Regular Polygon with</source>
+        <translation>Polygone régulier à</translation>
+    </message>
+    <message>
+        <source>Three Edges of the Bounding Box</source>
+        <translation>Trois arêtes de la boîte englobante</translation>
+    </message>
+    <message>
+        <source>Bounding Box, Eight Corners</source>
+        <translation>Boîte englobante, huit coins</translation>
+    </message>
+    <message>
+        <source>Octahedron</source>
+        <translation>Octaèdre</translation>
+    </message>
+    <message>
+        <source>Reading the pasted text…</source>
+        <translation>Lecture de ce qui a été collé…</translation>
+    </message>
+    <message>
+        <source>Nothing was pasted. Line %1 of the clipboard: %2</source>
+        <translation>Rien n’a été collé. Ligne %1 du presse-papiers&#x202f;: %2</translation>
+    </message>
+    <message>
+        <source>Nothing was pasted. %1</source>
+        <translation>Rien n’a été collé. %1</translation>
+    </message>
+    <message>
+        <source>Nothing was pasted: the clipboard contains no rows of 6 or 7 numbers.</source>
+        <translation>Rien n’a été collé&#x202f;: le presse-papiers ne contient pas de lignes de 6 ou 7 nombres.</translation>
+    </message>
+    <message>
+        <source>Paste a map</source>
+        <translation>Coller une application</translation>
+    </message>
+    <message>
+        <source>Paste %1 maps</source>
+        <translation>Coller %1 applications</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n maps added.</source>
+        <translation>
+            <numerusform>%n application ajoutée.</numerusform>
+            <numerusform>%n applications ajoutées.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>The selected maps were replaced; %n maps pasted.</source>
+        <translation>
+            <numerusform>Les applications sélectionnées ont été remplacées ; %n application collée.</numerusform>
+            <numerusform>Les applications sélectionnées ont été remplacées ; %n applications collées.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>By |Determinant|</source>
+        <translation>Selon |déterminant|</translation>
+    </message>
+    <message>
+        <source>Equal</source>
+        <translation>Égaux</translation>
+    </message>
+    <message>
+        <source>By Dimension</source>
+        <translation>Selon la dimension</translation>
+    </message>
+    <message>
+        <source>Normalise</source>
+        <translation>Normaliser</translation>
+    </message>
+    <message>
+        <source>Weights</source>
+        <translation>Poids</translation>
+    </message>
+    <message>
+        <source>The same weight for every map</source>
+        <translation>Le même poids pour toutes les applications</translation>
+    </message>
+    <message>
+        <source>Weights that cover the attractor evenly at its own dimension</source>
+        <translation>Poids couvrant uniformément l’attracteur dans sa propre dimension</translation>
+    </message>
+    <message>
+        <source>Scale all weights so that they sum to 1</source>
+        <translation>Les mêmes proportions, avec la somme 1</translation>
+    </message>
+    <message>
+        <source>Set the weights of all maps that are switched on by a rule</source>
+        <translation>Poids de toutes les applications actives, selon une règle</translation>
+    </message>
+    <message>
+        <source>Pictures (%1);;All files (*)</source>
+        <translation>Images (%1);;Tous les fichiers (*)</translation>
+    </message>
+    <message>
+        <source>Saving “%1”…</source>
+        <translation>Enregistrement de «&#x202f;%1&#x202f;»…</translation>
+    </message>
+    <message>
+        <source>None</source>
+        <translation>Aucune</translation>
+    </message>
+    <message>
+        <source>Mirror</source>
+        <translation>Miroir</translation>
+    </message>
+    <message>
+        <source>Rotation</source>
+        <translation>Rotation</translation>
+    </message>
+    <message>
+        <source>Dihedral</source>
+        <translation>Diédrale</translation>
+    </message>
+    <message>
+        <source>Tetrahedral</source>
+        <translation>Tétraédrique</translation>
+    </message>
+    <message>
+        <source>Octahedral</source>
+        <translation>Octaédrique</translation>
+    </message>
+    <message>
+        <source>Icosahedral</source>
+        <translation>Icosaédrique</translation>
+    </message>
+    <message>
+        <source>This entry is not a system in the plane.</source>
+        <translation>Cette entrée n’a pas d’applications du plan.</translation>
+    </message>
+    <message>
+        <source>The cage is at rest: the picture shows the code.</source>
+        <translation>La cage est au repos&#x202f;: l’image affichée est celle du code.</translation>
+    </message>
+    <message>
+        <source>The cage bends the picture, and no affine code produces a bent picture. Choose “Affine fit” to bake the closest affine placement.</source>
+        <translation>La cage courbe l’image, et aucun code affine ne donne une image courbée. Choisissez «&#x202f;Ajustement affine&#x202f;» pour intégrer au code ce qui s’en approche le plus.</translation>
+    </message>
+    <message>
+        <source>The cage is flat, so its placement cannot be baked into the code. Open the cage first.</source>
+        <translation>La cage est plate : son placement ne peut pas être intégré au code. Ouvrez d’abord la cage.</translation>
+    </message>
+    <message>
+        <source>The cage is at rest.</source>
+        <translation>La cage est au repos.</translation>
+    </message>
+    <message>
+        <source>Moving the cage moves the picture. Bake to change the code.</source>
+        <translation>Déplacer la cage déplace l’image. Le code reste tel quel tant que vous n’y intégrez pas le placement.</translation>
+    </message>
+    <message>
+        <source>Moving the whole cage rewrites the code. Moving single vertices bends the picture, which no code can reproduce, so the code does not change.</source>
+        <translation>Déplacer la cage entière réécrit le code. Déplacer un seul sommet courbe l’image, ce qu’aucun code ne peut suivre&#x202f;; le code reste alors tel quel.</translation>
+    </message>
+    <message>
+        <source>Moving the cage rewrites all coefficients of the code; the cage is then at rest in its new position.</source>
+        <translation>Déplacer la cage réécrit tous les coefficients du code, et la cage est au repos là où elle se trouve.</translation>
+    </message>
+    <message>
+        <source>The cage is not at rest: it already holds a placement.</source>
+        <translation>La cage n’est pas au repos : elle porte déjà un placement.</translation>
+    </message>
+    <message>
+        <source>Only a cage with three vertices can be unbaked.</source>
+        <translation>Seul un triangle peut être extrait du code.</translation>
+    </message>
+    <message>
+        <source>The cage is not convex: the picture may fold over itself at the notch.</source>
+        <translation>La cage a une encoche&#x202f;: l’image peut s’y replier sur elle-même.</translation>
+    </message>
+    <message>
+        <source>The cage is folded: parts of the picture overlap. Move the vertices apart to unfold it.</source>
+        <translation>La cage est repliée&#x202f;: des parties de l’image se superposent. Écartez les sommets pour la déplier.</translation>
+    </message>
+    <message>
+        <source>No map is active, so there is nothing to enclose.</source>
+        <translation>Aucune application n’est active&#x202f;: il n’y a rien à entourer.</translation>
+    </message>
+    <message>
+        <source>The maps are linked; a cage cannot be fitted to linked maps.</source>
+        <translation>Les applications sont liées&#x202f;; on ne peut pas ajuster de cage à des applications liées.</translation>
+    </message>
+    <message>
+        <source>A bent picture cannot be given another cage. First reset the cage or choose “Affine fit”.</source>
+        <translation>Une image courbée ne peut pas être confiée à une autre cage. Réinitialisez d’abord la cage, ou choisissez «&#x202f;Ajustement affine&#x202f;».</translation>
+    </message>
+    <message>
+        <source>The cage is flat. First open or reset the triangle.</source>
+        <translation>La cage est plate. Ouvrez d’abord le triangle, ou réinitialisez-le.</translation>
+    </message>
+    <message>
+        <source>This system has no attractor that can be enclosed.</source>
+        <translation>Ce système n’a pas d’attracteur à entourer.</translation>
+    </message>
+    <message>
+        <source>All maps are off.</source>
+        <translation>Toutes les applications sont désactivées.</translation>
+    </message>
+    <message>
+        <source>The maps are linked. Only maps that may all follow each other can be compared with a picture.</source>
+        <translation>Les applications sont liées. Seules des applications qui peuvent toutes se suivre peuvent être comparées à une image.</translation>
+    </message>
+    <message>
+        <source>A symmetry repeats the maps. Expand it to compare them with a picture.</source>
+        <translation>Une symétrie répète les applications. Développez-la pour comparer les applications à une image.</translation>
+    </message>
+    <message>
+        <source>The cage bends the picture, or is flat. Reset the cage to compare the maps.</source>
+        <translation>La cage déforme l’image ou est plate. Réinitialisez-la pour comparer les applications.</translation>
+    </message>
+    <message>
+        <source>The animation of “%1” cannot be taken to another dimension, so it is left out.</source>
+        <translation>L’animation de « %1 » ne peut pas être transposée dans une autre dimension ; elle est omise.</translation>
+    </message>
+    <message>
+        <source>“%1” is not a system in the plane, so it cannot be lifted.</source>
+        <translation>« %1 » n’est pas un système du plan et ne peut donc pas être élevé dans l’espace.</translation>
+    </message>
+    <message>
+        <source>The maps of “%1” are linked, and maps in space cannot be linked.</source>
+        <translation>Les applications de «&#x202f;%1&#x202f;» sont liées, ce que ne peuvent pas être celles de l’espace.</translation>
+    </message>
+    <message>
+        <source>The cage of “%1” has more than three corners, so it cannot become a tetrahedron. Bake or reset it first.</source>
+        <translation>La cage de « %1 » a plus de trois sommets et ne donne pas de tétraèdre. Intégrez-la ou réinitialisez-la d’abord.</translation>
+    </message>
+    <message>
+        <source>“%1” is not a system in space, so it cannot be flattened.</source>
+        <translation>« %1 » n’est pas un système de l’espace et ne peut donc pas être aplati.</translation>
+    </message>
+    <message>
+        <source>The direction must have a length other than 0.</source>
+        <translation>La direction ne peut pas être de longueur nulle.</translation>
+    </message>
+    <message>
+        <source>“%1” has moved branches, which cannot be flattened. Reset them first.</source>
+        <translation>« %1 » a des branches déplacées, qui ne peuvent pas être aplaties. Réinitialisez-les d’abord.</translation>
+    </message>
+    <message>
+        <source>The cage of “%1” cannot be baked into its maps, so it cannot be flattened.</source>
+        <translation>La cage de « %1 » ne peut pas être intégrée aux applications ; il ne peut donc pas être aplati.</translation>
+    </message>
+    <message>
+        <source>Map %1 of “%2” does not keep this direction, so the projection is not an iterated function system. Export a picture seen from that direction instead.</source>
+        <translation>L’application %1 de « %2 » change cette direction ; la projection n’est donc pas un système de fonctions itérées. Exportez plutôt une image vue de ce côté.</translation>
+    </message>
+    <message>
+        <source>An entry needs a name.</source>
+        <translation>Une entrée a besoin d’un nom.</translation>
+    </message>
+    <message>
+        <source>Names cannot contain spaces: Fractint reads only the first word.</source>
+        <translation>Les noms ne peuvent pas contenir d’espaces : Fractint ne lit que le premier mot.</translation>
+    </message>
+    <message>
+        <source>“%1” cannot be part of a name, because it has a meaning in .ifs files.</source>
+        <translation>«&#x202f;%1&#x202f;» ne peut pas figurer dans un nom, car il a un sens particulier dans les fichiers .ifs.</translation>
+    </message>
+    <message>
+        <source>A name can have at most %1 characters; Fractint ignores the rest.</source>
+        <translation>Un nom a au plus %1 caractères&#x202f;; Fractint ignore le reste.</translation>
+    </message>
+    <message>
+        <source>Fractint does not list an entry called “%1”; choose another name.</source>
+        <translation>Fractint ne liste pas une entrée nommée «&#x202f;%1&#x202f;»&#x202f;; choisissez un autre nom.</translation>
+    </message>
+    <message>
+        <source>Another entry is called “%1” (upper and lower case are not distinguished).</source>
+        <translation>Une autre entrée se nomme «&#x202f;%1&#x202f;» (majuscules et minuscules ne sont pas distinguées).</translation>
+    </message>
+    <message>
+        <source>A branch</source>
+        <translation>Une branche</translation>
+    </message>
+    <message>
+        <source>%1 has keys, which the maps of the new system could not follow. Remove its keys in the timeline first.</source>
+        <translation>%1 a des images clés que les applications du nouveau système ne pourraient pas suivre. Supprimez-les d’abord de la ligne de temps.</translation>
+    </message>
+    <message>
+        <source>A motion moves single maps, and the maps of the new system are others. Remove this motion from the timeline first.</source>
+        <translation>Un mouvement déplace certaines applications, et celles du nouveau système sont autres. Supprimez d’abord ce mouvement de la ligne de temps.</translation>
+    </message>
+    <message>
+        <source>%1 has keys: it would be rewritten at this frame only, and what has none at every frame. Remove its keys in the timeline first.</source>
+        <translation>%1 a des images clés : la réécriture ne vaudrait que pour cette image, et pour toutes là où il n’y en a pas. Supprimez-les d’abord de la ligne de temps.</translation>
+    </message>
+    <message>
+        <source>Maps in space cannot be linked.</source>
+        <translation>Les applications de l’espace ne peuvent pas être liées.</translation>
+    </message>
+    <message>
+        <source>This entry could not be read, so its maps cannot be linked.</source>
+        <translation>Cette entrée n’a pas pu être lue&#x202f;; ses applications ne peuvent donc pas être liées.</translation>
+    </message>
+    <message>
+        <source>More than %1 maps cannot be linked.</source>
+        <translation>On ne peut pas lier plus de %1 applications.</translation>
+    </message>
+    <message>
+        <source>With the links of “%1” every sequence of maps ends, so plain maps would have nothing to draw.</source>
+        <translation>Les liens de « %1 » font finir toute suite d’applications : il n’y a rien que des applications simples pourraient dessiner.</translation>
+    </message>
+    <message>
+        <source>Plain maps of “%1” would be more than %2 words of its maps, which is the limit. Keep the links in an .ifs or .flame file, or remove them.</source>
+        <translation>Les applications simples de «&#x202f;%1&#x202f;» seraient plus de %2 mots de ses applications, ce qui est la limite. Gardez les liens dans un fichier .ifs ou .flame, ou supprimez-les.</translation>
+    </message>
+    <message>
+        <source>The links of “%1” cannot be written as plain maps: a sequence of maps can go on for ever without reaching one that may follow every map. Keep the links in an .ifs or .flame file, or remove them.</source>
+        <translation>Les liens de « %1 » ne peuvent pas s’écrire comme des applications simples : une suite d’applications peut continuer sans fin sans en atteindre une qui puisse suivre toutes les autres. Gardez les liens dans un fichier .ifs ou .flame, ou retirez-les.</translation>
+    </message>
+    <message>
+        <source>Plain maps of “%1” would be words of its maps, which cannot take part in its animation or in its moved branches. Remove these first.</source>
+        <translation>Les applications simples de « %1 » seraient des mots de ses applications, qui ne peuvent participer ni à son animation ni à ses branches déplacées. Retirez-les d’abord.</translation>
+    </message>
+    <message>
+        <source>Map %1 is locked. Unlock it in the Maps panel first.</source>
+        <translation>L’application %1 est verrouillée. Déverrouillez-la d’abord dans le panneau Applications.</translation>
+    </message>
+    <message>
+        <source>Maps %1 are locked. Unlock them in the Maps panel first.</source>
+        <translation>Les applications %1 sont verrouillées. Déverrouillez-les d’abord dans le panneau Applications.</translation>
+    </message>
+    <message>
+        <source>Lock a map</source>
+        <translation>Verrouiller une application</translation>
+    </message>
+    <message>
+        <source>Unlock a map</source>
+        <translation>Déverrouiller une application</translation>
+    </message>
+    <message>
+        <source>Lock %1 maps</source>
+        <translation>Verrouiller %1 applications</translation>
+    </message>
+    <message>
+        <source>Unlock %1 maps</source>
+        <translation>Déverrouiller %1 applications</translation>
+    </message>
+    <message>
+        <source>Remove the name of map %1</source>
+        <translation>Supprimer le nom de l’application %1</translation>
+    </message>
+    <message>
+        <source>Name map %1 “%2”</source>
+        <translation>Nommer « %2 » l’application %1</translation>
+    </message>
+    <message>
+        <source>Only a cage with four vertices can be unbaked.</source>
+        <translation>Seule une cage à quatre sommets peut être extraite.</translation>
+    </message>
+    <message>
+        <source>The cage bends the picture, so no other cage would show it. First reset the cage or choose “Affine fit”.</source>
+        <translation>La cage courbe l’image, et aucune autre cage ne la montrerait. Réinitialisez d’abord la cage ou choisissez «&#x202f;Ajustement affine&#x202f;».</translation>
+    </message>
+    <message>
+        <source>The cage is flat. First open or reset the tetrahedron.</source>
+        <translation>La cage est plate. Ouvrez ou réinitialisez d’abord le tétraèdre.</translation>
+    </message>
+    <message>
+        <source>Select a map first.</source>
+        <translation>Choisissez d’abord une application.</translation>
+    </message>
+    <message>
+        <source>The maps are linked. Only maps that may all follow each other can be shown alone.</source>
+        <translation>Les applications sont liées. Seules des applications qui peuvent toutes se suivre peuvent être affichées seules.</translation>
+    </message>
+    <message>
+        <source>The cage bends the picture, in which no map can be shown alone. Reset the cage first.</source>
+        <translation>La cage courbe l’image : aucune application ne peut y être affichée seule. Réinitialisez d’abord la cage.</translation>
+    </message>
+    <message>
+        <source>Map %1 takes everything to one point, so there is nothing to show alone.</source>
+        <translation>L’application %1 envoie tout en un point : il n’y a rien à afficher seul.</translation>
+    </message>
+    <message>
+        <source>This entry is not a system in space.</source>
+        <translation>Cette entrée n’est pas un système dans l’espace.</translation>
+    </message>
+    <message>
+        <source>This entry has no maps to vary.</source>
+        <translation>Cette entrée n’a pas d’applications à faire varier.</translation>
+    </message>
+    <message>
+        <source>The folder %1 cannot be created.</source>
+        <translation>Le dossier %1 ne peut pas être créé.</translation>
+    </message>
+    <message>
+        <source>There is not enough memory for this picture. Reduce its size or the supersampling.</source>
+        <translation>La mémoire ne suffit pas pour cette image. Réduisez-la, ou diminuez le suréchantillonnage.</translation>
+    </message>
+    <message>
+        <source>It is damaged.</source>
+        <translation>Il est endommagé.</translation>
+    </message>
+    <message>
+        <source>It is not an export of this program.</source>
+        <translation>Ce n’est pas un export de ce programme.</translation>
+    </message>
+    <message>
+        <source>Its settings are not supported by this version.</source>
+        <translation>Ses réglages ne sont pas ceux de cette version.</translation>
+    </message>
+    <message>
+        <source>Its file name does not match its format.</source>
+        <translation>Le fichier qu’il nomme ne correspond pas à son format.</translation>
+    </message>
+    <message>
+        <source>It is not a regular file.</source>
+        <translation>Ce n’est pas un fichier ordinaire.</translation>
+    </message>
+    <message>
+        <source>It cannot be read.</source>
+        <translation>Il ne peut pas être lu.</translation>
+    </message>
+    <message>
+        <source>It is too large.</source>
+        <translation>Il est trop volumineux.</translation>
+    </message>
+    <message>
+        <source>An export from the last session was skipped. %1 Its damaged file was renamed to %2.</source>
+        <translation>Un export de la dernière fois a été ignoré. %1 Son fichier endommagé a été renommé en %2.</translation>
+    </message>
+    <message>
+        <source>A file “%1” was created after you added this export. Choose Try Again to replace it.</source>
+        <translation>Un fichier « %1 » est apparu depuis que vous avez ajouté cet export. Réessayer le remplace.</translation>
+    </message>
+    <message>
+        <source>The fractal in this export cannot be read.</source>
+        <translation>La fractale de cet export ne peut pas être lue.</translation>
+    </message>
+    <message>
+        <source>There is not enough memory for this picture.</source>
+        <translation>Il n’y a pas assez de mémoire pour cette image.</translation>
+    </message>
+    <message>
+        <source>The lesson is larger than 4 MB, which is the limit.</source>
+        <translation>La leçon dépasse la limite de 4 Mo.</translation>
+    </message>
+    <message>
+        <source>This is not a lesson: its first line does not begin with “lesson:”.</source>
+        <translation>Ce n’est pas une leçon&#x202f;: sa première ligne ne commence pas par «&#x202f;lesson:&#x202f;».</translation>
+    </message>
+    <message>
+        <source>The lesson has no steps.</source>
+        <translation>La leçon n’a pas d’étapes.</translation>
+    </message>
+    <message>
+        <source>This line was ignored: settings look like “file: name.ifs”, and steps begin with “##”.</source>
+        <translation>Cette ligne a été ignorée&#x202f;: les réglages ont la forme «&#x202f;file: nom.ifs&#x202f;» et les étapes commencent par «&#x202f;##&#x202f;».</translation>
+    </message>
+    <message>
+        <source>The lesson has more than %1 steps; the others were ignored.</source>
+        <translation>La leçon a plus de %1 étapes&#x202f;; les autres ont été ignorées.</translation>
+    </message>
+    <message>
+        <source>The text of step %1 is longer than %2 characters and was cut.</source>
+        <translation>Le texte de l’étape %1 dépasse %2 caractères et a été coupé.</translation>
+    </message>
+    <message>
+        <source>A lesson cannot refer to “%1”. It can refer to a file in its own folder, or to a .ifs or .par file in another one.</source>
+        <translation>Une leçon ne peut pas désigner «&#x202f;%1&#x202f;», mais seulement un fichier de son propre dossier, ou un fichier .ifs ou .par d’un autre.</translation>
+    </message>
+    <message>
+        <source>“%1: %2” was not understood.</source>
+        <translation>«&#x202f;%1: %2&#x202f;» n’a pas été compris.</translation>
+    </message>
+    <message>
+        <source>“%1” is unknown to this version and is kept.</source>
+        <translation>«&#x202f;%1&#x202f;» est inconnu de cette version et reste conservé.</translation>
+    </message>
+    <message>
+        <source>A %1 picture has at most %2 pixels along a side.</source>
+        <translation>Une image %1 a au plus %2 pixels de côté.</translation>
+    </message>
+    <message>
+        <source>A JPEG picture cannot be transparent. Choose a background colour or another format.</source>
+        <translation>Une image JPEG ne peut pas être transparente. Choisissez une couleur de fond ou un autre format.</translation>
+    </message>
+    <message>
+        <source>A JPEG picture has at most %1 dots per inch.</source>
+        <translation>Une image JPEG a au plus %1 points par pouce.</translation>
+    </message>
+    <message>
+        <source>Such a picture cannot be written as %1.</source>
+        <translation>Une telle image ne peut pas être écrite en %1.</translation>
+    </message>
+    <message>
+        <source>The picture cannot be opened.</source>
+        <translation>L’image ne peut pas être ouverte.</translation>
+    </message>
+    <message>
+        <source>The file is not a PNG picture.</source>
+        <translation>Le fichier n’est pas une image PNG.</translation>
+    </message>
+    <message>
+        <source>The picture is damaged or incomplete. Draw it again.</source>
+        <translation>L’image est endommagée ou incomplète. Dessinez-la à nouveau.</translation>
+    </message>
+    <message>
+        <source>The picture contains no system: it was not written by Barycage, or another program removed the text that holds it.</source>
+        <translation>L’image ne contient pas de système&#x202f;: elle n’a pas été écrite par Barycage, ou un autre programme en a retiré le texte.</translation>
+    </message>
+    <message>
+        <source>The system in the picture is larger than 8 MB.</source>
+        <translation>Le système contenu dans l’image dépasse 8 Mo.</translation>
+    </message>
+    <message>
+        <source>The picture contains too much text: the limit is 40 MB in total.</source>
+        <translation>L’image contient trop de texte&#x202f;: la limite est de 40 Mo en tout.</translation>
+    </message>
+    <message>
+        <source>The file is not a PNG picture, or it is damaged.</source>
+        <translation>Le fichier n’est pas une image PNG, ou il est endommagé.</translation>
+    </message>
+    <message>
+        <source>The picture cannot be written: %1</source>
+        <translation>Impossible d’écrire l’image&#x202f;: %1</translation>
+    </message>
+    <message>
+        <source>The picture is damaged, or its text cannot be read.</source>
+        <translation>L’image est endommagée, ou son texte est illisible.</translation>
+    </message>
+    <message>
+        <source>the WebP encoder does not have enough memory.</source>
+        <translation>l’encodeur WebP n’a pas assez de mémoire.</translation>
+    </message>
+    <message>
+        <source>An exact picture of this system would take too long. Draw it with samples.</source>
+        <translation>Une image exacte de ce système prendrait trop de temps. Dessinez-la par échantillons.</translation>
+    </message>
+    <message>
+        <source>The folder for temporary files does not have enough space for the frames: %1.</source>
+        <translation>Le dossier des fichiers temporaires n’a pas assez de place pour les images&#x202f;: %1.</translation>
+    </message>
+    <message>
+        <source>FFmpeg&apos;s libraries are not installed on this machine, so no videos can be written. Install them, or write the frames as PNG pictures instead.</source>
+        <translation>Les bibliothèques de FFmpeg ne sont pas installées sur cette machine, aucune vidéo ne peut donc être écrite. Installez-les, ou écrivez plutôt les images en PNG.</translation>
+    </message>
+    <message>
+        <source>FFmpeg&apos;s libraries on this machine cannot write %1 files: the encoder %2 is missing. Choose another format.</source>
+        <translation>Les bibliothèques de FFmpeg de cette machine ne peuvent pas écrire de fichiers %1&#x202f;: l’encodeur %2 manque. Choisissez un autre format.</translation>
+    </message>
+    <message>
+        <source>The video cannot be written: %1.</source>
+        <translation>La vidéo ne peut pas être écrite&#x202f;: %1.</translation>
+    </message>
 </context>
 <context>
     <name>Tour</name>
@@ -5047,18 +5424,6 @@
 <context>
     <name>VideoWriter</name>
     <message>
-        <source>The folder for temporary files does not have enough space for the frames: %1.</source>
-        <translation>Le dossier des fichiers temporaires n’a pas assez de place pour les images&#x202f;: %1.</translation>
-    </message>
-    <message>
-        <source>FFmpeg&apos;s libraries on this machine cannot write %1 files: the encoder %2 is missing. Choose another format.</source>
-        <translation>Les bibliothèques de FFmpeg de cette machine ne peuvent pas écrire de fichiers %1&#x202f;: l’encodeur %2 manque. Choisissez un autre format.</translation>
-    </message>
-    <message>
-        <source>The video cannot be written: %1.</source>
-        <translation>La vidéo ne peut pas être écrite&#x202f;: %1.</translation>
-    </message>
-    <message>
         <source>There is not enough memory for a frame of the video.</source>
         <translation>La mémoire ne suffit pas pour une image de la vidéo.</translation>
     </message>
@@ -5085,10 +5450,6 @@
     <message>
         <source>This build of Barycage does not include FFmpeg&apos;s libraries and cannot write videos. Write the frames as PNG pictures instead.</source>
         <translation>Ce Barycage a été compilé sans les bibliothèques de FFmpeg et n’écrit pas de vidéos. Écrivez plutôt les images en PNG.</translation>
-    </message>
-    <message>
-        <source>FFmpeg&apos;s libraries are not installed on this machine, so no videos can be written. Install them, or write the frames as PNG pictures instead.</source>
-        <translation>Les bibliothèques de FFmpeg ne sont pas installées sur cette machine, aucune vidéo ne peut donc être écrite. Installez-les, ou écrivez plutôt les images en PNG.</translation>
     </message>
 </context>
 <context>
@@ -5246,165 +5607,11 @@
     </message>
 </context>
 <context>
-    <name>document::CollageEdits</name>
-    <message>
-        <source>All maps are off.</source>
-        <translation>Toutes les applications sont désactivées.</translation>
-    </message>
-    <message>
-        <source>The cage bends the picture, or is flat. Reset the cage to compare the maps.</source>
-        <translation>La cage déforme l’image ou est plate. Réinitialisez-la pour comparer les applications.</translation>
-    </message>
-    <message>
-        <source>The maps are linked. Only maps that may all follow each other can be compared with a picture.</source>
-        <translation>Les applications sont liées. Seules des applications qui peuvent toutes se suivre peuvent être comparées à une image.</translation>
-    </message>
-    <message>
-        <source>A symmetry repeats the maps. Expand it to compare them with a picture.</source>
-        <translation>Une symétrie répète les applications. Développez-la pour comparer les applications à une image.</translation>
-    </message>
-</context>
-<context>
     <name>document::Document</name>
     <message>
         <source>%1 (frame %2)</source>
         <comment>what is done, at which frame</comment>
         <translation>%1 (image %2)</translation>
-    </message>
-</context>
-<context>
-    <name>document::EntriesEdits</name>
-    <message>
-        <source>An entry needs a name.</source>
-        <translation>Une entrée a besoin d’un nom.</translation>
-    </message>
-    <message>
-        <source>Names cannot contain spaces: Fractint reads only the first word.</source>
-        <translation>Les noms ne peuvent pas contenir d’espaces : Fractint ne lit que le premier mot.</translation>
-    </message>
-    <message>
-        <source>“%1” cannot be part of a name, because it has a meaning in .ifs files.</source>
-        <translation>«&#x202f;%1&#x202f;» ne peut pas figurer dans un nom, car il a un sens particulier dans les fichiers .ifs.</translation>
-    </message>
-    <message>
-        <source>A name can have at most %1 characters; Fractint ignores the rest.</source>
-        <translation>Un nom a au plus %1 caractères&#x202f;; Fractint ignore le reste.</translation>
-    </message>
-    <message>
-        <source>Fractint does not list an entry called “%1”; choose another name.</source>
-        <translation>Fractint ne liste pas une entrée nommée «&#x202f;%1&#x202f;»&#x202f;; choisissez un autre nom.</translation>
-    </message>
-    <message>
-        <source>Another entry is called “%1” (upper and lower case are not distinguished).</source>
-        <translation>Une autre entrée se nomme «&#x202f;%1&#x202f;» (majuscules et minuscules ne sont pas distinguées).</translation>
-    </message>
-</context>
-<context>
-    <name>document::KeyedMaps</name>
-    <message>
-        <source>Map %1</source>
-        <translation>L’application %1</translation>
-    </message>
-    <message>
-        <source>A branch</source>
-        <translation>Une branche</translation>
-    </message>
-    <message>
-        <source>%1 has keys, which the maps of the new system could not follow. Remove its keys in the timeline first.</source>
-        <translation>%1 a des images clés que les applications du nouveau système ne pourraient pas suivre. Supprimez-les d’abord de la ligne de temps.</translation>
-    </message>
-    <message>
-        <source>A motion moves single maps, and the maps of the new system are others. Remove this motion from the timeline first.</source>
-        <translation>Un mouvement déplace certaines applications, et celles du nouveau système sont autres. Supprimez d’abord ce mouvement de la ligne de temps.</translation>
-    </message>
-    <message>
-        <source>%1 has keys: it would be rewritten at this frame only, and what has none at every frame. Remove its keys in the timeline first.</source>
-        <translation>%1 a des images clés : la réécriture ne vaudrait que pour cette image, et pour toutes là où il n’y en a pas. Supprimez-les d’abord de la ligne de temps.</translation>
-    </message>
-</context>
-<context>
-    <name>document::LinkEdits</name>
-    <message>
-        <source>Maps in space cannot be linked.</source>
-        <translation>Les applications de l’espace ne peuvent pas être liées.</translation>
-    </message>
-    <message>
-        <source>This entry could not be read, so its maps cannot be linked.</source>
-        <translation>Cette entrée n’a pas pu être lue&#x202f;; ses applications ne peuvent donc pas être liées.</translation>
-    </message>
-    <message>
-        <source>More than %1 maps cannot be linked.</source>
-        <translation>On ne peut pas lier plus de %1 applications.</translation>
-    </message>
-    <message>
-        <source>With the links of “%1” every sequence of maps ends, so plain maps would have nothing to draw.</source>
-        <translation>Les liens de « %1 » font finir toute suite d’applications : il n’y a rien que des applications simples pourraient dessiner.</translation>
-    </message>
-    <message>
-        <source>Plain maps of “%1” would be words of its maps, which cannot take part in its animation or in its moved branches. Remove these first.</source>
-        <translation>Les applications simples de « %1 » seraient des mots de ses applications, qui ne peuvent participer ni à son animation ni à ses branches déplacées. Retirez-les d’abord.</translation>
-    </message>
-    <message>
-        <source>Plain maps of “%1” would be more than %2 words of its maps, which is the limit. Keep the links in an .ifs or .flame file, or remove them.</source>
-        <translation>Les applications simples de «&#x202f;%1&#x202f;» seraient plus de %2 mots de ses applications, ce qui est la limite. Gardez les liens dans un fichier .ifs ou .flame, ou supprimez-les.</translation>
-    </message>
-    <message>
-        <source>The links of “%1” cannot be written as plain maps: a sequence of maps can go on for ever without reaching one that may follow every map. Keep the links in an .ifs or .flame file, or remove them.</source>
-        <translation>Les liens de « %1 » ne peuvent pas s’écrire comme des applications simples : une suite d’applications peut continuer sans fin sans en atteindre une qui puisse suivre toutes les autres. Gardez les liens dans un fichier .ifs ou .flame, ou retirez-les.</translation>
-    </message>
-</context>
-<context>
-    <name>document::MapLocks</name>
-    <message>
-        <source>Map %1 is locked. Unlock it in the Maps panel first.</source>
-        <translation>L’application %1 est verrouillée. Déverrouillez-la d’abord dans le panneau Applications.</translation>
-    </message>
-    <message>
-        <source>Maps %1 are locked. Unlock them in the Maps panel first.</source>
-        <translation>Les applications %1 sont verrouillées. Déverrouillez-les d’abord dans le panneau Applications.</translation>
-    </message>
-    <message>
-        <source>Lock a map</source>
-        <translation>Verrouiller une application</translation>
-    </message>
-    <message>
-        <source>Unlock a map</source>
-        <translation>Déverrouiller une application</translation>
-    </message>
-    <message>
-        <source>Lock %1 maps</source>
-        <translation>Verrouiller %1 applications</translation>
-    </message>
-    <message>
-        <source>Unlock %1 maps</source>
-        <translation>Déverrouiller %1 applications</translation>
-    </message>
-    <message>
-        <source>Remove the name of map %1</source>
-        <translation>Supprimer le nom de l’application %1</translation>
-    </message>
-    <message>
-        <source>Name map %1 “%2”</source>
-        <translation>Nommer « %2 » l’application %1</translation>
-    </message>
-</context>
-<context>
-    <name>document::MapSolo</name>
-    <message>
-        <source>Select a map first.</source>
-        <translation>Choisissez d’abord une application.</translation>
-    </message>
-    <message>
-        <source>The maps are linked. Only maps that may all follow each other can be shown alone.</source>
-        <translation>Les applications sont liées. Seules des applications qui peuvent toutes se suivre peuvent être affichées seules.</translation>
-    </message>
-    <message>
-        <source>The cage bends the picture, in which no map can be shown alone. Reset the cage first.</source>
-        <translation>La cage courbe l’image : aucune application ne peut y être affichée seule. Réinitialisez d’abord la cage.</translation>
-    </message>
-    <message>
-        <source>Map %1 takes everything to one point, so there is nothing to show alone.</source>
-        <translation>L’application %1 envoie tout en un point : il n’y a rien à afficher seul.</translation>
     </message>
 </context>
 <context>
@@ -5471,20 +5678,6 @@
     <message>
         <source>Delete a map</source>
         <translation>Supprimer une application</translation>
-    </message>
-</context>
-<context>
-    <name>document::SpaceGeometry</name>
-    <message>
-        <source>This entry is not a system in space.</source>
-        <translation>Cette entrée n’est pas un système dans l’espace.</translation>
-    </message>
-</context>
-<context>
-    <name>document::Variations</name>
-    <message>
-        <source>This entry has no maps to vary.</source>
-        <translation>Cette entrée n’a pas d’applications à faire varier.</translation>
     </message>
 </context>
 <context>
@@ -6489,33 +6682,6 @@
         <translation>Intégrer</translation>
     </message>
     <message>
-        <source>Minimal Canonical Simplex</source>
-        <translation>Simplexe canonique minimal</translation>
-    </message>
-    <message>
-        <source>Canonical Simplex %1</source>
-        <translation>Simplexe canonique %1</translation>
-    </message>
-    <message>
-        <source>Bounding Box</source>
-        <translation>Boîte englobante</translation>
-    </message>
-    <message numerus="yes">
-        <source>%n Corners</source>
-        <translation>
-            <numerusform>%n sommet</numerusform>
-            <numerusform>%n sommets</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>Convex Hull, Simplified to</source>
-        <translation>Enveloppe convexe simplifiée à</translation>
-    </message>
-    <message>
-        <source>Regular Polygon with</source>
-        <translation>Polygone régulier à</translation>
-    </message>
-    <message>
         <source>Fit</source>
         <translation>Ajuster</translation>
     </message>
@@ -6732,10 +6898,6 @@
         <translation>%1, arête %2, sommet (%3, %4, %5)</translation>
     </message>
     <message>
-        <source>Three Edges of the Bounding Box</source>
-        <translation>Trois arêtes de la boîte englobante</translation>
-    </message>
-    <message>
         <source>The system has very many maps. Computing the cage around it…</source>
         <translation>Le système a de très nombreuses applications : la cage qui l’entoure est en cours de calcul…</translation>
     </message>
@@ -6744,20 +6906,8 @@
         <translation>%1 sommets&#x202f;: image courbée par les coordonnées de la valeur moyenne, impossible à intégrer au code.</translation>
     </message>
     <message>
-        <source>Bounding Box, Eight Corners</source>
-        <translation>Boîte englobante, huit coins</translation>
-    </message>
-    <message>
-        <source>Octahedron</source>
-        <translation>Octaèdre</translation>
-    </message>
-    <message>
         <source>Define the tetrahedron with four clicks on the canvas; the picture stays</source>
         <translation>Définit le tétraèdre par quatre clics sur le canevas ; l’image reste</translation>
-    </message>
-    <message>
-        <source>Smallest Rectangle</source>
-        <translation>Plus petit rectangle</translation>
     </message>
 </context>
 <context>
@@ -7149,77 +7299,6 @@
     </message>
 </context>
 <context>
-    <name>view::CanvasScene</name>
-    <message>
-        <source>Vertex %1</source>
-        <translation>Sommet %1</translation>
-    </message>
-    <message>
-        <source>Edge from vertex %1</source>
-        <translation>Arête partant du sommet %1</translation>
-    </message>
-    <message>
-        <source>The whole cage</source>
-        <translation>La cage entière</translation>
-    </message>
-    <message>
-        <source>Pivot</source>
-        <translation>Pivot</translation>
-    </message>
-    <message>
-        <source>the arrow keys move both its ends</source>
-        <translation>les touches fléchées déplacent ses deux extrémités</translation>
-    </message>
-    <message>
-        <source>the arrow keys move it</source>
-        <translation>les touches fléchées déplacent l’élément</translation>
-    </message>
-    <message>
-        <source>Branch %1</source>
-        <translation>Branche %1</translation>
-    </message>
-    <message>
-        <source>Map %1</source>
-        <translation>Application %1</translation>
-    </message>
-    <message>
-        <source>%1, corner %2</source>
-        <translation>%1, coin %2</translation>
-    </message>
-    <message>
-        <source>the arrow keys turn by one degree</source>
-        <translation>les flèches tournent d’un degré</translation>
-    </message>
-    <message>
-        <source>the arrow keys scale by one percent</source>
-        <translation>les flèches changent l’échelle d’un pour cent</translation>
-    </message>
-    <message>
-        <source>Drag to move the pivot, the centre of rotation and scaling.</source>
-        <translation>Tirez le pivot : rotation et mise à l’échelle se font autour de lui.</translation>
-    </message>
-    <message>
-        <source>Drag to rotate about the pivot; hold Shift for steps of 15°.</source>
-        <translation>Tirez pour tourner autour du pivot ; Maj : par pas de 15°.</translation>
-    </message>
-    <message>
-        <source>Drag to scale about the pivot; hold Shift for x or y only.</source>
-        <translation>Tirez pour mettre à l’échelle autour du pivot ; Maj : selon x ou y seulement.</translation>
-    </message>
-    <message>
-        <source>Round handle</source>
-        <translation>Poignée ronde</translation>
-    </message>
-    <message>
-        <source>Square handle</source>
-        <translation>Poignée carrée</translation>
-    </message>
-    <message>
-        <source>Map that takes no part</source>
-        <translation>Application qui ne participe pas</translation>
-    </message>
-</context>
-<context>
     <name>view::CanvasView</name>
     <message>
         <source>Canvas</source>
@@ -7256,14 +7335,6 @@
     <message>
         <source>The picture and its cage. Drag a corner, an edge or the inside of the cage; hold Ctrl to rotate, Alt to scale, Shift to keep directions. The wheel zooms at the pointer, the middle button pans. Tab moves from handle to handle, the arrow keys move the handle, F6 leaves the canvas.</source>
         <translation>L’image et sa cage. Tirez un sommet, une arête ou l’intérieur de la cage&#x202f;; Ctrl fait tourner, Alt redimensionne, Maj garde les directions. La molette zoome sur le pointeur, le bouton du milieu déplace le plan. Tab passe d’une poignée à l’autre, les touches fléchées les déplacent, F6 quitte la zone.</translation>
-    </message>
-</context>
-<context>
-    <name>view::Clipboard</name>
-    <message>
-        <source>pasted</source>
-        <comment>name of an entry made from a table</comment>
-        <translation>collage</translation>
     </message>
 </context>
 <context>
@@ -8801,26 +8872,6 @@
         <translation>Ce que montre l’image : ce que montre le canevas, ou l’attracteur avec une petite marge, où que regarde le canevas. Les vues enregistrées sont aussi dans la liste.</translation>
     </message>
     <message>
-        <source>%1 × %2 are %3 million pixels. Drawing them may take hours, and the file may need up to %4.</source>
-        <translation>%1 × %2 font %3 millions de pixels. Les dessiner peut prendre des heures, et le fichier peut occuper jusqu’à %4.</translation>
-    </message>
-    <message>
-        <source>Memory needed: about %1.</source>
-        <translation>Mémoire nécessaire&#x202f;: environ %1.</translation>
-    </message>
-    <message>
-        <source>Very large picture</source>
-        <translation>Très grande image</translation>
-    </message>
-    <message>
-        <source>This picture is very large.</source>
-        <translation>Cette image est très grande.</translation>
-    </message>
-    <message>
-        <source>&amp;Export Anyway</source>
-        <translation>&amp;Exporter quand même</translation>
-    </message>
-    <message>
         <source>%1 mm</source>
         <translation>%1 mm</translation>
     </message>
@@ -9521,33 +9572,6 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
     <message>
         <source>Move a stop of the palette</source>
         <translation>Déplacer un repère de la palette</translation>
-    </message>
-</context>
-<context>
-    <name>view::Guide</name>
-    <message>
-        <source>User Guide</source>
-        <translation>Guide d’utilisation</translation>
-    </message>
-    <message>
-        <source>The user guide: what you can do with Barycage, in the order in which you need it.</source>
-        <translation>Le guide d’utilisation&#x202f;: ce que l’on peut faire ici, dans l’ordre où l’on en a besoin.</translation>
-    </message>
-    <message>
-        <source>Find in the guide</source>
-        <translation>Chercher dans le guide</translation>
-    </message>
-    <message>
-        <source>Finds these words in the guide. Enter goes to the next match, Shift+Enter to the previous one. Ctrl+F comes back here.</source>
-        <translation>Marque ces mots dans le guide. Entrée montre le passage suivant, Maj+Entrée le précédent. Ctrl+F mène ici.</translation>
-    </message>
-    <message>
-        <source>Not found</source>
-        <translation>Introuvable</translation>
-    </message>
-    <message>
-        <source>%1 of %2</source>
-        <translation>%1 sur %2</translation>
     </message>
 </context>
 <context>
@@ -10634,44 +10658,12 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
         <translation>Faire du code effectif le code&#x202f;; la cage est ensuite au repos</translation>
     </message>
     <message>
-        <source>By |Determinant|</source>
-        <translation>Selon |déterminant|</translation>
-    </message>
-    <message>
         <source>Weights in proportion to the areas of the images, for an even picture</source>
         <translation>Poids proportionnels aux aires des images, pour une image uniforme</translation>
     </message>
     <message>
-        <source>Equal</source>
-        <translation>Égaux</translation>
-    </message>
-    <message>
-        <source>The same weight for every map</source>
-        <translation>Le même poids pour toutes les applications</translation>
-    </message>
-    <message>
-        <source>By Dimension</source>
-        <translation>Selon la dimension</translation>
-    </message>
-    <message>
-        <source>Weights that cover the attractor evenly at its own dimension</source>
-        <translation>Poids couvrant uniformément l’attracteur dans sa propre dimension</translation>
-    </message>
-    <message>
-        <source>Normalise</source>
-        <translation>Normaliser</translation>
-    </message>
-    <message>
-        <source>Scale all weights so that they sum to 1</source>
-        <translation>Les mêmes proportions, avec la somme 1</translation>
-    </message>
-    <message>
         <source>Weights</source>
         <translation>Poids</translation>
-    </message>
-    <message>
-        <source>Set the weights of all maps that are switched on by a rule</source>
-        <translation>Poids de toutes les applications actives, selon une règle</translation>
     </message>
     <message>
         <source>Show columns: %1</source>
@@ -10722,26 +10714,6 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
         <translation>Réordonner les applications</translation>
     </message>
     <message>
-        <source>Nothing was pasted. Line %1 of the clipboard: %2</source>
-        <translation>Rien n’a été collé. Ligne %1 du presse-papiers&#x202f;: %2</translation>
-    </message>
-    <message>
-        <source>Nothing was pasted. %1</source>
-        <translation>Rien n’a été collé. %1</translation>
-    </message>
-    <message>
-        <source>Nothing was pasted: the clipboard contains no rows of 6 or 7 numbers.</source>
-        <translation>Rien n’a été collé&#x202f;: le presse-papiers ne contient pas de lignes de 6 ou 7 nombres.</translation>
-    </message>
-    <message>
-        <source>Paste a map</source>
-        <translation>Coller une application</translation>
-    </message>
-    <message>
-        <source>Paste %1 maps</source>
-        <translation>Coller %1 applications</translation>
-    </message>
-    <message>
         <source>Bake the cage into the code</source>
         <translation>Intégrer la cage au code</translation>
     </message>
@@ -10752,10 +10724,6 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
     <message>
         <source>Each row is a map: it takes (x, y) to (a x + b y + e, c x + d y + f) and is used in proportion to its weight p. Double-click a number or start typing to change it; the picture follows every keystroke. Drag the number of a row to move it.</source>
         <translation>Chaque ligne est une application&#x202f;: (x, y) devient (a x + b y + e, c x + d y + f), aussi souvent que le dit son poids p. Double-cliquez sur un nombre, ou commencez à taper, pour le modifier&#x202f;; l’image suit chaque frappe. Faites glisser le numéro d’une ligne pour la déplacer.</translation>
-    </message>
-    <message>
-        <source>Reading the pasted text…</source>
-        <translation>Lecture de ce qui a été collé…</translation>
     </message>
     <message>
         <source>Properties of the map</source>
@@ -10856,20 +10824,6 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
     <message>
         <source>Map %1 only, of %2 selected    %3</source>
         <translation>Application %1 seule, sur %2 sélectionnées    %3</translation>
-    </message>
-    <message numerus="yes">
-        <source>%n maps added.</source>
-        <translation>
-            <numerusform>%n application ajoutée.</numerusform>
-            <numerusform>%n applications ajoutées.</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>The selected maps were replaced; %n maps pasted.</source>
-        <translation>
-            <numerusform>Les applications sélectionnées ont été remplacées ; %n application collée.</numerusform>
-            <numerusform>Les applications sélectionnées ont été remplacées ; %n applications collées.</numerusform>
-        </translation>
     </message>
 </context>
 <context>
@@ -11446,47 +11400,6 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
     <message>
         <source>Makes a palette of the colours of a picture, or of those along a line in it.</source>
         <translation>Crée une palette avec les couleurs d’une image, ou avec celles le long d’une ligne.</translation>
-    </message>
-</context>
-<context>
-    <name>view::PolygonTool</name>
-    <message>
-        <source>%1 by %2°</source>
-        <translation>%1 de %2°</translation>
-    </message>
-    <message>
-        <source>%1 by %2</source>
-        <translation>%1 d’un facteur %2</translation>
-    </message>
-    <message>
-        <source>%1 to (%2, %3)</source>
-        <translation>%1 en (%2, %3)</translation>
-    </message>
-    <message>
-        <source>%1 by (%2, %3)</source>
-        <translation>%1 de (%2, %3)</translation>
-    </message>
-    <message>
-        <source>%1°</source>
-        <comment>an angle</comment>
-        <translation>%1°</translation>
-    </message>
-    <message>
-        <source>× %1</source>
-        <comment>a factor</comment>
-        <translation>× %1</translation>
-    </message>
-    <message>
-        <source>Δ (%1, %2)  length %3</source>
-        <translation>Δ (%1, %2)  longueur %3</translation>
-    </message>
-    <message>
-        <source>edge %1</source>
-        <translation>arête %1</translation>
-    </message>
-    <message>
-        <source>edges %1 and %2</source>
-        <translation>arêtes %1 et %2</translation>
     </message>
 </context>
 <context>
@@ -13204,34 +13117,6 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
     <message>
         <source>Turn the mirrors of the symmetry</source>
         <translation>Tourner les miroirs de la symétrie</translation>
-    </message>
-    <message>
-        <source>None</source>
-        <translation>Aucune</translation>
-    </message>
-    <message>
-        <source>Mirror</source>
-        <translation>Miroir</translation>
-    </message>
-    <message>
-        <source>Rotation</source>
-        <translation>Rotation</translation>
-    </message>
-    <message>
-        <source>Dihedral</source>
-        <translation>Diédrale</translation>
-    </message>
-    <message>
-        <source>Tetrahedral</source>
-        <translation>Tétraédrique</translation>
-    </message>
-    <message>
-        <source>Octahedral</source>
-        <translation>Octaédrique</translation>
-    </message>
-    <message>
-        <source>Icosahedral</source>
-        <translation>Icosaédrique</translation>
     </message>
     <message>
         <source>List the maps that the symmetry stands for</source>

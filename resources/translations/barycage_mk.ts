@@ -491,84 +491,6 @@
     </message>
 </context>
 <context>
-    <name>CageEdits</name>
-    <message>
-        <source>This entry is not a system in the plane.</source>
-        <translation>Овој запис нема пресликувања на рамнината.</translation>
-    </message>
-    <message>
-        <source>The cage is at rest: the picture shows the code.</source>
-        <translation>Кафезот е во мирување: се прикажува самиот код.</translation>
-    </message>
-    <message>
-        <source>The cage bends the picture, and no affine code produces a bent picture. Choose “Affine fit” to bake the closest affine placement.</source>
-        <translation>Кафезот ја свиткува сликата, а ниеден афин код не дава свиткана слика. Изберете „Афино приближување“ за да се впише она што е најблиску до неа.</translation>
-    </message>
-    <message>
-        <source>The cage is flat, so its placement cannot be baked into the code. Open the cage first.</source>
-        <translation>Кафезот е рамен, па неговата положба не може да се впише во кодот. Прво отворете го кафезот.</translation>
-    </message>
-    <message>
-        <source>Moving the cage moves the picture. Bake to change the code.</source>
-        <translation>Поместувањето на кафезот ја поместува сликата. Кодот останува ист додека не го впишете тоа во него.</translation>
-    </message>
-    <message>
-        <source>Moving the whole cage rewrites the code. Moving single vertices bends the picture, which no code can reproduce, so the code does not change.</source>
-        <translation>Поместувањето на целиот кафез го менува кодот. Поместувањето на одделни темиња ја свиткува сликата; тоа кодот не може да го следи, па останува ист.</translation>
-    </message>
-    <message>
-        <source>Moving the cage rewrites all coefficients of the code; the cage is then at rest in its new position.</source>
-        <translation>Поместувањето на кафезот ги менува сите коефициенти на кодот, а кафезот останува во мирување таму каде што е.</translation>
-    </message>
-    <message>
-        <source>The cage is not at rest: it already holds a placement.</source>
-        <translation>Кафезот не мирува: веќе содржи положба.</translation>
-    </message>
-    <message>
-        <source>Only a cage with three vertices can be unbaked.</source>
-        <translation>Од кодот може да се извади само триаголник.</translation>
-    </message>
-    <message>
-        <source>The cage is not convex: the picture may fold over itself at the notch.</source>
-        <translation>Кафезот има вдлабнатина: таму сликата може да се превитка преку себе.</translation>
-    </message>
-    <message>
-        <source>The cage is folded: parts of the picture overlap. Move the vertices apart to unfold it.</source>
-        <translation>Кафезот е превиткан: делови од сликата лежат еден врз друг. Раздалечете ги темињата за да го одвиткате.</translation>
-    </message>
-    <message>
-        <source>No map is active, so there is nothing to enclose.</source>
-        <translation>Не учествува ниедно пресликување, па нема што да се опфати.</translation>
-    </message>
-    <message>
-        <source>A bent picture cannot be given another cage. First reset the cage or choose “Affine fit”.</source>
-        <translation>Свиткана слика не може да ја држи друг кафез. Прво вратете го кафезот во мирување или изберете „Афино приближување“.</translation>
-    </message>
-    <message>
-        <source>The cage is flat. First open or reset the triangle.</source>
-        <translation>Кафезот е сплескан. Прво раширете го триаголникот или вратете го во мирување.</translation>
-    </message>
-    <message>
-        <source>This system has no attractor that can be enclosed.</source>
-        <translation>Овој систем нема атрактор што би можел да се опфати.</translation>
-    </message>
-    <message>
-        <source>The cage is at rest.</source>
-        <translation>Кафезот е во мирување.</translation>
-    </message>
-    <message>
-        <source>The maps are linked; a cage cannot be fitted to linked maps.</source>
-        <translation>Пресликувањата се поврзани; кафез не може да се прилагоди на поврзани пресликувања.</translation>
-    </message>
-</context>
-<context>
-    <name>ClusterJob</name>
-    <message>
-        <source>The folder %1 cannot be created.</source>
-        <translation>Папката %1 не може да се создаде.</translation>
-    </message>
-</context>
-<context>
     <name>Collection</name>
     <message>
         <source>From the paper</source>
@@ -740,148 +662,6 @@
     </message>
 </context>
 <context>
-    <name>DimensionEdits</name>
-    <message>
-        <source>“%1” is not a system in the plane, so it cannot be lifted.</source>
-        <translation>„%1“ не е систем во рамнината, па не може да се подигне во просторот.</translation>
-    </message>
-    <message>
-        <source>The cage of “%1” has more than three corners, so it cannot become a tetrahedron. Bake or reset it first.</source>
-        <translation>Кафезот на „%1“ има повеќе од три темиња, од кои не се добива тетраедар. Прво впишете го или вратете го.</translation>
-    </message>
-    <message>
-        <source>“%1” is not a system in space, so it cannot be flattened.</source>
-        <translation>„%1“ не е систем во просторот, па не може да се израмни.</translation>
-    </message>
-    <message>
-        <source>The direction must have a length other than 0.</source>
-        <translation>Насоката не смее да има должина 0.</translation>
-    </message>
-    <message>
-        <source>“%1” has moved branches, which cannot be flattened. Reset them first.</source>
-        <translation>„%1“ има поместени гранки, кои не можат да се израмнат. Прво вратете ги.</translation>
-    </message>
-    <message>
-        <source>The cage of “%1” cannot be baked into its maps, so it cannot be flattened.</source>
-        <translation>Кафезот на „%1“ не може да се впише во пресликувањата, па не може да се израмни.</translation>
-    </message>
-    <message>
-        <source>The maps of “%1” are linked, and maps in space cannot be linked.</source>
-        <translation>Пресликувањата на „%1“ се поврзани, а пресликувањата во просторот не можат да бидат.</translation>
-    </message>
-    <message>
-        <source>Map %1 of “%2” does not keep this direction, so the projection is not an iterated function system. Export a picture seen from that direction instead.</source>
-        <translation>Пресликувањето %1 од „%2“ ја менува насоката, па проекцијата не е итериран систем функции. Наместо тоа, извезете слика од таа страна.</translation>
-    </message>
-    <message>
-        <source>The animation of “%1” cannot be taken to another dimension, so it is left out.</source>
-        <translation>Анимацијата на „%1“ не може да се пренесе во друга димензија, па се изоставува.</translation>
-    </message>
-</context>
-<context>
-    <name>Enqueue</name>
-    <message>
-        <source>The name “%1” does not match the chosen format. Choose another name.</source>
-        <translation>Името „%1“ не одговара на избраниот формат. Изберете друго име.</translation>
-    </message>
-    <message>
-        <source>Another export in the queue writes “%1”. Choose another name.</source>
-        <translation>Друг извоз во редот ја пишува „%1“. Изберете друго име.</translation>
-    </message>
-    <message>
-        <source>Added to the queue: %1.</source>
-        <translation>Додадено во редот: %1.</translation>
-    </message>
-</context>
-<context>
-    <name>ExportJob</name>
-    <message>
-        <source>There is not enough memory for this picture. Reduce its size or the supersampling.</source>
-        <translation>Нема доволно меморија за оваа слика. Намалете ја или намалете го суперсемплирањето.</translation>
-    </message>
-</context>
-<context>
-    <name>ExportTask</name>
-    <message>
-        <source>It is damaged.</source>
-        <translation>Оштетен е.</translation>
-    </message>
-    <message>
-        <source>It is not an export of this program.</source>
-        <translation>Не е извоз од оваа програма.</translation>
-    </message>
-    <message>
-        <source>Its settings are not supported by this version.</source>
-        <translation>Неговите поставки не се од оваа верзија.</translation>
-    </message>
-    <message>
-        <source>Its file name does not match its format.</source>
-        <translation>Датотеката што ја наведува не одговара на неговиот формат.</translation>
-    </message>
-</context>
-<context>
-    <name>Exports</name>
-    <message numerus="yes">
-        <source>%n exports from the last session are in the queue.</source>
-        <translation>
-            <numerusform>%n извоз од минатиот пат е во редот.</numerusform>
-            <numerusform>%n извози од минатиот пат се во редот.</numerusform>
-            <numerusform>%n извози од минатиот пат се во редот.</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>Exports are not finished</source>
-        <translation>Извозите не се завршени</translation>
-    </message>
-    <message numerus="yes">
-        <source>%n exports are still in the queue.</source>
-        <translation>
-            <numerusform>%n извоз е сѐ уште во редот.</numerusform>
-            <numerusform>%n извози се сѐ уште во редот.</numerusform>
-            <numerusform>%n извози се сѐ уште во редот.</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>They will continue the next time you start Barycage. Close it now?</source>
-        <translation>
-            <numerusform>Ќе продолжи кога следниот пат ќе го стартувате Barycage. Да се затвори сега?</numerusform>
-            <numerusform>Ќе продолжат кога следниот пат ќе го стартувате Barycage. Да се затвори сега?</numerusform>
-            <numerusform>Ќе продолжат кога следниот пат ќе го стартувате Barycage. Да се затвори сега?</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>&amp;Close</source>
-        <translation>&amp;Затвори</translation>
-    </message>
-    <message>
-        <source>Export is not finished</source>
-        <translation>Извозот не е завршен</translation>
-    </message>
-    <message>
-        <source>A file is still being exported.</source>
-        <translation>Датотека сè уште се извезува.</translation>
-    </message>
-    <message>
-        <source>If you stop now, no file is written.</source>
-        <translation>Ако запрете сега, нема да се запише датотека.</translation>
-    </message>
-    <message>
-        <source>&amp;Stop Export</source>
-        <translation>&amp;Запри го извозот</translation>
-    </message>
-    <message>
-        <source>&amp;Continue</source>
-        <translation>&amp;Продолжи</translation>
-    </message>
-</context>
-<context>
-    <name>FileDialogs</name>
-    <message>
-        <source>Pictures (%1);;All files (*)</source>
-        <translation>Слики (%1);;Сите датотеки (*)</translation>
-    </message>
-</context>
-<context>
     <name>FlameBanner</name>
     <message>
         <source>Flames</source>
@@ -921,65 +701,7 @@
     </message>
 </context>
 <context>
-    <name>Lesson</name>
-    <message>
-        <source>The file has no entry “%1”.</source>
-        <translation>Датотеката нема запис „%1“.</translation>
-    </message>
-    <message>
-        <source>Show a step of the lesson</source>
-        <translation>Прикажи чекор од лекцијата</translation>
-    </message>
-    <message>
-        <source>The cage of this entry does not have the same corners as in the lesson.</source>
-        <translation>Кафезот на овој запис има други темиња отколку во лекцијата.</translation>
-    </message>
-</context>
-<context>
-    <name>LessonReader</name>
-    <message>
-        <source>The lesson is larger than 4 MB, which is the limit.</source>
-        <translation>Лекцијата е поголема од 4 MB, што е границата.</translation>
-    </message>
-    <message>
-        <source>This is not a lesson: its first line does not begin with “lesson:”.</source>
-        <translation>Ова не е лекција: првиот ред не почнува со „lesson:“.</translation>
-    </message>
-    <message>
-        <source>The lesson has no steps.</source>
-        <translation>Лекцијата нема чекори.</translation>
-    </message>
-    <message>
-        <source>This line was ignored: settings look like “file: name.ifs”, and steps begin with “##”.</source>
-        <translation>Овој ред е прескокнат: поставките изгледаат како „file: ime.ifs“, а чекорите почнуваат со „##“.</translation>
-    </message>
-    <message>
-        <source>The lesson has more than %1 steps; the others were ignored.</source>
-        <translation>Лекцијата има повеќе од %1 чекори; другите се прескокнати.</translation>
-    </message>
-    <message>
-        <source>The text of step %1 is longer than %2 characters and was cut.</source>
-        <translation>Текстот на чекорот %1 е подолг од %2 знаци и е скратен.</translation>
-    </message>
-    <message>
-        <source>“%1: %2” was not understood.</source>
-        <translation>„%1: %2“ не е разбрано.</translation>
-    </message>
-    <message>
-        <source>“%1” is unknown to this version and is kept.</source>
-        <translation>„%1“ ѝ е непознато на оваа верзија и се задржува.</translation>
-    </message>
-    <message>
-        <source>A lesson cannot refer to “%1”. It can refer to a file in its own folder, or to a .ifs or .par file in another one.</source>
-        <translation>Лекција не може да упати на „%1“, туку само на датотека во својата папка или на датотека .ifs или .par во друга.</translation>
-    </message>
-</context>
-<context>
     <name>MainWindow</name>
-    <message>
-        <source>Add %1</source>
-        <translation>Додавање на %1</translation>
-    </message>
     <message>
         <source>Show or hide the “%1” panel</source>
         <translation>Прикажи или скриј го панелот „%1“</translation>
@@ -1610,38 +1332,6 @@
         <translation>Алатки</translation>
     </message>
     <message>
-        <source>The fractals in the open file. The canvas shows the one you select here.</source>
-        <translation>Фракталите од отворената датотека. Избраниот се прикажува на сликата.</translation>
-    </message>
-    <message>
-        <source>Ready-made fractals by theme, and your own folders of fractals.</source>
-        <translation>Фрактали за почеток, подредени по теми, и Ваши папки со фрактали.</translation>
-    </message>
-    <message>
-        <source>The maps of the fractal: its code, one map per row.</source>
-        <translation>Пресликувањата на фракталот: неговиот код, по едно пресликување во редица.</translation>
-    </message>
-    <message>
-        <source>The control cage in numbers: its vertices, their positions at rest, what moving them does, and other cages to choose from.</source>
-        <translation>Контролниот кафез во броеви: каде му се темињата, каде се тие во мирување, што прави нивното поместување и други кафези за избор.</translation>
-    </message>
-    <message>
-        <source>Colours, brightness and background of the picture. They are saved with the fractal.</source>
-        <translation>Бои, осветленост и позадина на сликата. Се зачувуваат со фракталот.</translation>
-    </message>
-    <message>
-        <source>Mathematical properties of this fractal. Point to a name to see what it means.</source>
-        <translation>Математички својства на овој фрактал. Задржете го покажувачот над некое име за да прочитате што значи.</translation>
-    </message>
-    <message>
-        <source>Every step since the file was opened. Select one to go back or forward to it.</source>
-        <translation>Сите чекори откако е отворена датотеката. Изберете еден за да се вратите на него или да одите напред.</translation>
-    </message>
-    <message>
-        <source>Problems found in the file, with line and column. The text in the file is kept unchanged.</source>
-        <translation>Проблеми најдени во датотеката, со ред и колона. Текстот на датотеката останува непроменет.</translation>
-    </message>
-    <message>
         <source>&amp;Tour</source>
         <translation>&amp;Обиколка</translation>
     </message>
@@ -2054,10 +1744,6 @@
         <translation>Временска лента</translation>
     </message>
     <message>
-        <source>The animation of this fractal: its motions, and the keys of everything that can move.</source>
-        <translation>Анимацијата на овој фрактал: неговите движења и клучевите на сè што може да се движи.</translation>
-    </message>
-    <message>
         <source>Fractal &amp;Transformation</source>
         <translation>Фрактална &amp;трансформација</translation>
     </message>
@@ -2098,20 +1784,12 @@
         <translation>Колаж</translation>
     </message>
     <message>
-        <source>Find a fractal that looks like a picture: the target, how well the fractal agrees with it, and ways to fit it.</source>
-        <translation>Фрактал за слика: целта, колку фракталот се согласува со неа, и прилагодувања.</translation>
-    </message>
-    <message>
         <source>Four &amp;Views</source>
         <translation>Четири &amp;погледи</translation>
     </message>
     <message>
         <source>Define the control triangle with three clicks, or in space the tetrahedron with four</source>
         <translation>Го одредува контролниот триаголник со три клика, во просторот тетраедарот со четири</translation>
-    </message>
-    <message>
-        <source>Which map may follow which in the chaos game, as a graph and as a matrix.</source>
-        <translation>Кои пресликувања играта на хаос смее да ги примени по кои, како граф и како матрица.</translation>
     </message>
     <message>
         <source>Look from the front (1 on the keypad)</source>
@@ -2332,18 +2010,6 @@
     <message>
         <source>Show the current map alone, or all of them again</source>
         <translation>Прикажи го само тековното пресликување, или пак сите</translation>
-    </message>
-    <message>
-        <source>States of this fractal that you kept while working on it. Click one to restore it.</source>
-        <translation>Состојби на овој фрактал што сте ги зачувале додека работевте. Кликнете на една за да ја вратите.</translation>
-    </message>
-    <message>
-        <source>Pictures drawn one after another in the background, with the progress of each.</source>
-        <translation>Слики што се цртаат една по друга во заднина, и докаде е секоја.</translation>
-    </message>
-    <message>
-        <source>A lesson about these fractals: its steps, each with a text and the state of the window, to be played in full screen.</source>
-        <translation>Лекција за овие фрактали: нејзините чекори, секој со текст и состојба на прозорецот, за пуштање на целиот екран.</translation>
     </message>
     <message>
         <source>Saved &amp;Views</source>
@@ -2608,10 +2274,6 @@
     <message>
         <source>Drag the corners of the cage</source>
         <translation>Влечи ги темињата на кафезот</translation>
-    </message>
-    <message>
-        <source>%1 is already open in this window.</source>
-        <translation>%1 веќе е отворена во овој прозорец.</translation>
     </message>
     <message>
         <source>Show the solid from the top, the front and the right, and in perspective</source>
@@ -2892,89 +2554,6 @@
     </message>
 </context>
 <context>
-    <name>PictureWriter</name>
-    <message>
-        <source>A %1 picture has at most %2 pixels along a side.</source>
-        <translation>Слика во формат %1 има најмногу %2 пиксели по страна.</translation>
-    </message>
-    <message>
-        <source>A JPEG picture cannot be transparent. Choose a background colour or another format.</source>
-        <translation>Слика JPEG не може да биде проѕирна. Изберете боја на позадината или друг формат.</translation>
-    </message>
-    <message>
-        <source>A JPEG picture has at most %1 dots per inch.</source>
-        <translation>Слика JPEG има најмногу %1 точки на инч.</translation>
-    </message>
-    <message>
-        <source>Such a picture cannot be written as %1.</source>
-        <translation>Таква слика не може да се запише како %1.</translation>
-    </message>
-    <message>
-        <source>The picture cannot be written: %1</source>
-        <translation>Сликата не може да се запише: %1</translation>
-    </message>
-    <message>
-        <source>the WebP encoder does not have enough memory.</source>
-        <translation>кодерот за WebP нема доволно меморија.</translation>
-    </message>
-</context>
-<context>
-    <name>PngSystem</name>
-    <message>
-        <source>The picture contains no system: it was not written by Barycage, or another program removed the text that holds it.</source>
-        <translation>Сликата не содржи систем: не ја запишал Barycage или друга програма ѝ го отстранила текстот.</translation>
-    </message>
-    <message>
-        <source>The system in the picture is larger than 8 MB.</source>
-        <translation>Системот во сликата е поголем од 8 MB.</translation>
-    </message>
-    <message>
-        <source>The file is not a PNG picture, or it is damaged.</source>
-        <translation>Датотеката не е PNG-слика или е оштетена.</translation>
-    </message>
-    <message>
-        <source>The picture contains too much text: the limit is 40 MB in total.</source>
-        <translation>Сликата носи премногу текст: границата е вкупно 40 MB.</translation>
-    </message>
-    <message>
-        <source>The picture cannot be opened.</source>
-        <translation>Сликата не може да се отвори.</translation>
-    </message>
-    <message>
-        <source>The file is not a PNG picture.</source>
-        <translation>Датотеката не е PNG-слика.</translation>
-    </message>
-    <message>
-        <source>The picture is damaged or incomplete. Draw it again.</source>
-        <translation>Сликата е оштетена или нецелосна. Нацртајте ја повторно.</translation>
-    </message>
-</context>
-<context>
-    <name>PngWriter</name>
-    <message>
-        <source>The picture cannot be written: %1</source>
-        <translation>Сликата не може да се запише: %1</translation>
-    </message>
-</context>
-<context>
-    <name>PrintPreview</name>
-    <message>
-        <source>%1 could not be written. Print it to another folder.</source>
-        <translation>%1 не можеше да се запише. Печатете во друга папка.</translation>
-    </message>
-    <message>
-        <source>Written to %1.</source>
-        <translation>Запишано во %1.</translation>
-    </message>
-</context>
-<context>
-    <name>RasterSystem</name>
-    <message>
-        <source>The picture is damaged, or its text cannot be read.</source>
-        <translation>Сликата е оштетена, или нејзиниот текст не може да се прочита.</translation>
-    </message>
-</context>
-<context>
     <name>Recovery</name>
     <message>
         <source>%1, %2</source>
@@ -3020,13 +2599,6 @@
             <numerusform>(%n прозорци)</numerusform>
             <numerusform>(%n прозорци)</numerusform>
         </translation>
-    </message>
-</context>
-<context>
-    <name>SaveBeside</name>
-    <message>
-        <source>Saving “%1”…</source>
-        <translation>Се зачувува „%1“…</translation>
     </message>
 </context>
 <context>
@@ -3128,45 +2700,6 @@
     <message>
         <source>Move corner %1 of branch %2</source>
         <translation>Помести го аголот %1 на гранката %2</translation>
-    </message>
-</context>
-<context>
-    <name>SpaceCageEdits</name>
-    <message>
-        <source>No map is active, so there is nothing to enclose.</source>
-        <translation>Не учествува ниедно пресликување, па нема што да се опфати.</translation>
-    </message>
-    <message>
-        <source>The cage is at rest: the picture shows the code.</source>
-        <translation>Кафезот е во мирување: се прикажува самиот код.</translation>
-    </message>
-    <message>
-        <source>The cage is flat, so its placement cannot be baked into the code. Open the cage first.</source>
-        <translation>Кафезот е рамен, па неговата положба не може да се впише во кодот. Прво отворете го кафезот.</translation>
-    </message>
-    <message>
-        <source>The cage is not at rest: it already holds a placement.</source>
-        <translation>Кафезот не мирува: веќе содржи положба.</translation>
-    </message>
-    <message>
-        <source>Only a cage with four vertices can be unbaked.</source>
-        <translation>Може да се извади само кафез со четири темиња.</translation>
-    </message>
-    <message>
-        <source>The cage is flat. First open or reset the tetrahedron.</source>
-        <translation>Кафезот е рамен. Прво отворете го или вратете го тетраедарот.</translation>
-    </message>
-    <message>
-        <source>This system has no attractor that can be enclosed.</source>
-        <translation>Овој систем нема атрактор што би можел да се опфати.</translation>
-    </message>
-    <message>
-        <source>The cage bends the picture, and no affine code produces a bent picture. Choose “Affine fit” to bake the closest affine placement.</source>
-        <translation>Кафезот ја свиткува сликата, а ниеден афин код не дава свиткана слика. Изберете „Афино приближување“ за да се впише она што е најблиску до неа.</translation>
-    </message>
-    <message>
-        <source>The cage bends the picture, so no other cage would show it. First reset the cage or choose “Affine fit”.</source>
-        <translation>Кафезот ја свиткува сликата, па ниеден друг кафез не би ја покажал. Прво вратете го кафезот или изберете „Афино приближување“.</translation>
     </message>
 </context>
 <context>
@@ -3370,13 +2903,6 @@
     </message>
 </context>
 <context>
-    <name>StealExport</name>
-    <message>
-        <source>An exact picture of this system would take too long. Draw it with samples.</source>
-        <translation>Точна слика на овој систем би траела предолго. Нацртајте ја со примероци.</translation>
-    </message>
-</context>
-<context>
     <name>SvgSystem</name>
     <message>
         <source>The system in the picture is larger than 8 MB.</source>
@@ -3397,40 +2923,6 @@
     <message>
         <source>The picture contains no system: it was not written by Barycage, or another program removed it.</source>
         <translation>Сликата не содржи систем: не ја запишал Barycage или друга програма го отстранила.</translation>
-    </message>
-</context>
-<context>
-    <name>TaskFolder</name>
-    <message>
-        <source>It is not a regular file.</source>
-        <translation>Не е обична датотека.</translation>
-    </message>
-    <message>
-        <source>It is too large.</source>
-        <translation>Преголем е.</translation>
-    </message>
-    <message>
-        <source>It cannot be read.</source>
-        <translation>Не може да се прочита.</translation>
-    </message>
-    <message>
-        <source>An export from the last session was skipped. %1 Its damaged file was renamed to %2.</source>
-        <translation>Еден извоз од минатиот пат е прескокнат. %1 Неговата оштетена датотека е преименувана во %2.</translation>
-    </message>
-</context>
-<context>
-    <name>TaskJob</name>
-    <message>
-        <source>A file “%1” was created after you added this export. Choose Try Again to replace it.</source>
-        <translation>Откако го додадовте овој извоз, се појави датотека „%1“. „Обиди се повторно“ ја заменува.</translation>
-    </message>
-    <message>
-        <source>The fractal in this export cannot be read.</source>
-        <translation>Фракталот во овој извоз не може да се прочита.</translation>
-    </message>
-    <message>
-        <source>There is not enough memory for this picture.</source>
-        <translation>Нема доволно меморија за оваа слика.</translation>
     </message>
 </context>
 <context>
@@ -4947,6 +4439,894 @@
         <source>Standard output cannot be written to: %1.</source>
         <translation>Не може да се запише на стандардниот излез: %1.</translation>
     </message>
+    <message>
+        <source>Add %1</source>
+        <translation>Додавање на %1</translation>
+    </message>
+    <message>
+        <source>Reading “%1”…</source>
+        <translation>Се чита „%1“…</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n exports from the last session are in the queue.</source>
+        <translation>
+            <numerusform>%n извоз од минатиот пат е во редот.</numerusform>
+            <numerusform>%n извози од минатиот пат се во редот.</numerusform>
+            <numerusform>%n извози од минатиот пат се во редот.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Export is not finished</source>
+        <translation>Извозот не е завршен</translation>
+    </message>
+    <message>
+        <source>A file is still being exported.</source>
+        <translation>Датотека сè уште се извезува.</translation>
+    </message>
+    <message>
+        <source>If you stop now, no file is written.</source>
+        <translation>Ако запрете сега, нема да се запише датотека.</translation>
+    </message>
+    <message>
+        <source>&amp;Stop Export</source>
+        <translation>&amp;Запри го извозот</translation>
+    </message>
+    <message>
+        <source>&amp;Continue</source>
+        <translation>&amp;Продолжи</translation>
+    </message>
+    <message>
+        <source>Exports are not finished</source>
+        <translation>Извозите не се завршени</translation>
+    </message>
+    <message numerus="yes">
+        <source>They will continue the next time you start Barycage. Close it now?</source>
+        <translation>
+            <numerusform>Ќе продолжи кога следниот пат ќе го стартувате Barycage. Да се затвори сега?</numerusform>
+            <numerusform>Ќе продолжат кога следниот пат ќе го стартувате Barycage. Да се затвори сега?</numerusform>
+            <numerusform>Ќе продолжат кога следниот пат ќе го стартувате Barycage. Да се затвори сега?</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>&amp;Close</source>
+        <translation>&amp;Затвори</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n exports are still in the queue.</source>
+        <translation>
+            <numerusform>%n извоз е сѐ уште во редот.</numerusform>
+            <numerusform>%n извози се сѐ уште во редот.</numerusform>
+            <numerusform>%n извози се сѐ уште во редот.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>The file has no entry “%1”.</source>
+        <translation>Датотеката нема запис „%1“.</translation>
+    </message>
+    <message>
+        <source>Show a step of the lesson</source>
+        <translation>Прикажи чекор од лекцијата</translation>
+    </message>
+    <message>
+        <source>The cage of this entry does not have the same corners as in the lesson.</source>
+        <translation>Кафезот на овој запис има други темиња отколку во лекцијата.</translation>
+    </message>
+    <message>
+        <source>The fractals in the open file. The canvas shows the one you select here.</source>
+        <translation>Фракталите од отворената датотека. Избраниот се прикажува на сликата.</translation>
+    </message>
+    <message>
+        <source>Ready-made fractals by theme, and your own folders of fractals.</source>
+        <translation>Фрактали за почеток, подредени по теми, и Ваши папки со фрактали.</translation>
+    </message>
+    <message>
+        <source>The maps of the fractal: its code, one map per row.</source>
+        <translation>Пресликувањата на фракталот: неговиот код, по едно пресликување во редица.</translation>
+    </message>
+    <message>
+        <source>Which map may follow which in the chaos game, as a graph and as a matrix.</source>
+        <translation>Кои пресликувања играта на хаос смее да ги примени по кои, како граф и како матрица.</translation>
+    </message>
+    <message>
+        <source>The control cage in numbers: its vertices, their positions at rest, what moving them does, and other cages to choose from.</source>
+        <translation>Контролниот кафез во броеви: каде му се темињата, каде се тие во мирување, што прави нивното поместување и други кафези за избор.</translation>
+    </message>
+    <message>
+        <source>Colours, brightness and background of the picture. They are saved with the fractal.</source>
+        <translation>Бои, осветленост и позадина на сликата. Се зачувуваат со фракталот.</translation>
+    </message>
+    <message>
+        <source>Mathematical properties of this fractal. Point to a name to see what it means.</source>
+        <translation>Математички својства на овој фрактал. Задржете го покажувачот над некое име за да прочитате што значи.</translation>
+    </message>
+    <message>
+        <source>Every step since the file was opened. Select one to go back or forward to it.</source>
+        <translation>Сите чекори откако е отворена датотеката. Изберете еден за да се вратите на него или да одите напред.</translation>
+    </message>
+    <message>
+        <source>States of this fractal that you kept while working on it. Click one to restore it.</source>
+        <translation>Состојби на овој фрактал што сте ги зачувале додека работевте. Кликнете на една за да ја вратите.</translation>
+    </message>
+    <message>
+        <source>The animation of this fractal: its motions, and the keys of everything that can move.</source>
+        <translation>Анимацијата на овој фрактал: неговите движења и клучевите на сè што може да се движи.</translation>
+    </message>
+    <message>
+        <source>Find a fractal that looks like a picture: the target, how well the fractal agrees with it, and ways to fit it.</source>
+        <translation>Фрактал за слика: целта, колку фракталот се согласува со неа, и прилагодувања.</translation>
+    </message>
+    <message>
+        <source>Pictures drawn one after another in the background, with the progress of each.</source>
+        <translation>Слики што се цртаат една по друга во заднина, и докаде е секоја.</translation>
+    </message>
+    <message>
+        <source>A lesson about these fractals: its steps, each with a text and the state of the window, to be played in full screen.</source>
+        <translation>Лекција за овие фрактали: нејзините чекори, секој со текст и состојба на прозорецот, за пуштање на целиот екран.</translation>
+    </message>
+    <message>
+        <source>Problems found in the file, with line and column. The text in the file is kept unchanged.</source>
+        <translation>Проблеми најдени во датотеката, со ред и колона. Текстот на датотеката останува непроменет.</translation>
+    </message>
+    <message>
+        <source>%1 is already open in this window.</source>
+        <translation>%1 веќе е отворена во овој прозорец.</translation>
+    </message>
+    <message>
+        <source>%1 by %2°</source>
+        <translation>%1 за %2°</translation>
+    </message>
+    <message>
+        <source>%1 by %2</source>
+        <translation>%1 со фактор %2</translation>
+    </message>
+    <message>
+        <source>%1 to (%2, %3)</source>
+        <translation>%1 во (%2, %3)</translation>
+    </message>
+    <message>
+        <source>%1 by (%2, %3)</source>
+        <translation>%1 за (%2, %3)</translation>
+    </message>
+    <message>
+        <source>%1°</source>
+        <comment>an angle</comment>
+        <translation>%1°</translation>
+    </message>
+    <message>
+        <source>× %1</source>
+        <comment>a factor</comment>
+        <translation>× %1</translation>
+    </message>
+    <message>
+        <source>Δ (%1, %2)  length %3</source>
+        <translation>Δ (%1, %2)  должина %3</translation>
+    </message>
+    <message>
+        <source>edge %1</source>
+        <translation>раб %1</translation>
+    </message>
+    <message>
+        <source>edges %1 and %2</source>
+        <translation>рабови %1 и %2</translation>
+    </message>
+    <message>
+        <source>Map %1</source>
+        <comment>begins a sentence</comment>
+        <translation>Пресликувањето %1</translation>
+    </message>
+    <message>
+        <source>Map %1</source>
+        <translation>Пресликување %1</translation>
+    </message>
+    <message>
+        <source>Map that takes no part</source>
+        <translation>Пресликување што не учествува</translation>
+    </message>
+    <message>
+        <source>Branch %1</source>
+        <translation>Гранка %1</translation>
+    </message>
+    <message>
+        <source>%1, corner %2</source>
+        <translation>%1, агол %2</translation>
+    </message>
+    <message>
+        <source>Vertex %1</source>
+        <translation>Теме %1</translation>
+    </message>
+    <message>
+        <source>Edge from vertex %1</source>
+        <translation>Страна од темето %1</translation>
+    </message>
+    <message>
+        <source>The whole cage</source>
+        <translation>Целиот кафез</translation>
+    </message>
+    <message>
+        <source>Pivot</source>
+        <translation>Стожер</translation>
+    </message>
+    <message>
+        <source>Round handle</source>
+        <translation>Тркалезна рачка</translation>
+    </message>
+    <message>
+        <source>Square handle</source>
+        <translation>Квадратна рачка</translation>
+    </message>
+    <message>
+        <source>the arrow keys move both its ends</source>
+        <translation>двата краја се поместуваат со стрелките</translation>
+    </message>
+    <message>
+        <source>the arrow keys move it</source>
+        <translation>се поместува со стрелките</translation>
+    </message>
+    <message>
+        <source>the arrow keys turn by one degree</source>
+        <translation>стрелките ротираат за еден степен</translation>
+    </message>
+    <message>
+        <source>the arrow keys scale by one percent</source>
+        <translation>стрелките скалираат за еден процент</translation>
+    </message>
+    <message>
+        <source>Drag to move the pivot, the centre of rotation and scaling.</source>
+        <translation>Влечете ја стожерната точка: ротирањето и скалирањето се околу неа.</translation>
+    </message>
+    <message>
+        <source>Drag to rotate about the pivot; hold Shift for steps of 15°.</source>
+        <translation>Влечете за ротирање околу стожерот; Shift: во чекори од 15°.</translation>
+    </message>
+    <message>
+        <source>Drag to scale about the pivot; hold Shift for x or y only.</source>
+        <translation>Влечете за скалирање околу стожерот; Shift: само по x или y.</translation>
+    </message>
+    <message>
+        <source>pasted</source>
+        <comment>name of an entry made from a table</comment>
+        <translation>вметнато</translation>
+    </message>
+    <message>
+        <source>The name “%1” does not match the chosen format. Choose another name.</source>
+        <translation>Името „%1“ не одговара на избраниот формат. Изберете друго име.</translation>
+    </message>
+    <message>
+        <source>Another export in the queue writes “%1”. Choose another name.</source>
+        <translation>Друг извоз во редот ја пишува „%1“. Изберете друго име.</translation>
+    </message>
+    <message>
+        <source>Added to the queue: %1.</source>
+        <translation>Додадено во редот: %1.</translation>
+    </message>
+    <message>
+        <source>%1 × %2 are %3 million pixels. Drawing them may take hours, and the file may need up to %4.</source>
+        <translation>%1 × %2 се %3 милиони пиксели. Цртањето може да трае со часови, а датотеката може да зафати до %4.</translation>
+    </message>
+    <message>
+        <source>Memory needed: about %1.</source>
+        <translation>Потребна меморија: околу %1.</translation>
+    </message>
+    <message>
+        <source>Very large picture</source>
+        <translation>Многу голема слика</translation>
+    </message>
+    <message>
+        <source>This picture is very large.</source>
+        <translation>Оваа слика е многу голема.</translation>
+    </message>
+    <message>
+        <source>&amp;Export Anyway</source>
+        <translation>&amp;Сепак извези</translation>
+    </message>
+    <message>
+        <source>%1 could not be written. Print it to another folder.</source>
+        <translation>%1 не можеше да се запише. Печатете во друга папка.</translation>
+    </message>
+    <message>
+        <source>Written to %1.</source>
+        <translation>Запишано во %1.</translation>
+    </message>
+    <message>
+        <source>Find in the guide</source>
+        <translation>Барај во упатството</translation>
+    </message>
+    <message>
+        <source>Finds these words in the guide. Enter goes to the next match, Shift+Enter to the previous one. Ctrl+F comes back here.</source>
+        <translation>Ги означува овие зборови во упатството. Enter го покажува следното место, Shift+Enter претходното. Ctrl+F води овде.</translation>
+    </message>
+    <message>
+        <source>Not found</source>
+        <translation>Не е најдено</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 од %2</translation>
+    </message>
+    <message>
+        <source>User Guide</source>
+        <translation>Упатство за корисници</translation>
+    </message>
+    <message>
+        <source>The user guide: what you can do with Barycage, in the order in which you need it.</source>
+        <translation>Упатството за корисници: што може да се направи тука, по редоследот по кој е потребно.</translation>
+    </message>
+    <message>
+        <source>Minimal Canonical Simplex</source>
+        <translation>Минимален каноничен симплекс</translation>
+    </message>
+    <message>
+        <source>Canonical Simplex %1</source>
+        <translation>Каноничен симплекс %1</translation>
+    </message>
+    <message>
+        <source>Bounding Box</source>
+        <translation>Опфаќачки правоаголник</translation>
+    </message>
+    <message>
+        <source>Smallest Rectangle</source>
+        <translation>Најмал правоаголник</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n Corners</source>
+        <translation>
+            <numerusform>%n теме</numerusform>
+            <numerusform>%n темиња</numerusform>
+            <numerusform>%n темиња</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Convex Hull, Simplified to</source>
+        <translation>Конвексна обвивка, упростена на</translation>
+    </message>
+    <message>
+        <source>Regular Polygon with</source>
+        <translation>Правилен многуаголник со</translation>
+    </message>
+    <message>
+        <source>Three Edges of the Bounding Box</source>
+        <translation>Три рабови на опфатната кутија</translation>
+    </message>
+    <message>
+        <source>Bounding Box, Eight Corners</source>
+        <translation>Опфаќачка кутија, осум темиња</translation>
+    </message>
+    <message>
+        <source>Octahedron</source>
+        <translation>Октаедар</translation>
+    </message>
+    <message>
+        <source>Reading the pasted text…</source>
+        <translation>Се чита вметнатото…</translation>
+    </message>
+    <message>
+        <source>Nothing was pasted. Line %1 of the clipboard: %2</source>
+        <translation>Ништо не е вметнато. Ред %1 од таблата со исечоци: %2</translation>
+    </message>
+    <message>
+        <source>Nothing was pasted. %1</source>
+        <translation>Ништо не е вметнато. %1</translation>
+    </message>
+    <message>
+        <source>Nothing was pasted: the clipboard contains no rows of 6 or 7 numbers.</source>
+        <translation>Ништо не е вметнато: таблата со исечоци не содржи редици од 6 или 7 броја.</translation>
+    </message>
+    <message>
+        <source>Paste a map</source>
+        <translation>Вметнување на пресликување</translation>
+    </message>
+    <message>
+        <source>Paste %1 maps</source>
+        <translation>Вметнување на %1 пресликувања</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n maps added.</source>
+        <translation>
+            <numerusform>Додадено %n пресликување.</numerusform>
+            <numerusform>Додадени %n пресликувања.</numerusform>
+            <numerusform>Додадени %n пресликувања.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>The selected maps were replaced; %n maps pasted.</source>
+        <translation>
+            <numerusform>Избраните пресликувања се заменети; вметнато %n пресликување.</numerusform>
+            <numerusform>Избраните пресликувања се заменети; вметнати %n пресликувања.</numerusform>
+            <numerusform>Избраните пресликувања се заменети; вметнати %n пресликувања.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>By |Determinant|</source>
+        <translation>Според |детерминанта|</translation>
+    </message>
+    <message>
+        <source>Equal</source>
+        <translation>Еднакви</translation>
+    </message>
+    <message>
+        <source>By Dimension</source>
+        <translation>Според димензија</translation>
+    </message>
+    <message>
+        <source>Normalise</source>
+        <translation>Нормализирај</translation>
+    </message>
+    <message>
+        <source>Weights</source>
+        <translation>Тежини</translation>
+    </message>
+    <message>
+        <source>The same weight for every map</source>
+        <translation>Иста тежина за секое пресликување</translation>
+    </message>
+    <message>
+        <source>Weights that cover the attractor evenly at its own dimension</source>
+        <translation>Тежини за рамномерна покриеност на атракторот во неговата сопствена димензија</translation>
+    </message>
+    <message>
+        <source>Scale all weights so that they sum to 1</source>
+        <translation>Истите односи, со збир 1</translation>
+    </message>
+    <message>
+        <source>Set the weights of all maps that are switched on by a rule</source>
+        <translation>Тежини на сите вклучени пресликувања, според некое правило</translation>
+    </message>
+    <message>
+        <source>Pictures (%1);;All files (*)</source>
+        <translation>Слики (%1);;Сите датотеки (*)</translation>
+    </message>
+    <message>
+        <source>Saving “%1”…</source>
+        <translation>Се зачувува „%1“…</translation>
+    </message>
+    <message>
+        <source>None</source>
+        <translation>Нема</translation>
+    </message>
+    <message>
+        <source>Mirror</source>
+        <translation>Огледало</translation>
+    </message>
+    <message>
+        <source>Rotation</source>
+        <translation>Ротација</translation>
+    </message>
+    <message>
+        <source>Dihedral</source>
+        <translation>Диедарска</translation>
+    </message>
+    <message>
+        <source>Tetrahedral</source>
+        <translation>Тетраедарска</translation>
+    </message>
+    <message>
+        <source>Octahedral</source>
+        <translation>Октаедарска</translation>
+    </message>
+    <message>
+        <source>Icosahedral</source>
+        <translation>Икосаедарска</translation>
+    </message>
+    <message>
+        <source>This entry is not a system in the plane.</source>
+        <translation>Овој запис нема пресликувања на рамнината.</translation>
+    </message>
+    <message>
+        <source>The cage is at rest: the picture shows the code.</source>
+        <translation>Кафезот е во мирување: се прикажува самиот код.</translation>
+    </message>
+    <message>
+        <source>The cage bends the picture, and no affine code produces a bent picture. Choose “Affine fit” to bake the closest affine placement.</source>
+        <translation>Кафезот ја свиткува сликата, а ниеден афин код не дава свиткана слика. Изберете „Афино приближување“ за да се впише она што е најблиску до неа.</translation>
+    </message>
+    <message>
+        <source>The cage is flat, so its placement cannot be baked into the code. Open the cage first.</source>
+        <translation>Кафезот е рамен, па неговата положба не може да се впише во кодот. Прво отворете го кафезот.</translation>
+    </message>
+    <message>
+        <source>The cage is at rest.</source>
+        <translation>Кафезот е во мирување.</translation>
+    </message>
+    <message>
+        <source>Moving the cage moves the picture. Bake to change the code.</source>
+        <translation>Поместувањето на кафезот ја поместува сликата. Кодот останува ист додека не го впишете тоа во него.</translation>
+    </message>
+    <message>
+        <source>Moving the whole cage rewrites the code. Moving single vertices bends the picture, which no code can reproduce, so the code does not change.</source>
+        <translation>Поместувањето на целиот кафез го менува кодот. Поместувањето на одделни темиња ја свиткува сликата; тоа кодот не може да го следи, па останува ист.</translation>
+    </message>
+    <message>
+        <source>Moving the cage rewrites all coefficients of the code; the cage is then at rest in its new position.</source>
+        <translation>Поместувањето на кафезот ги менува сите коефициенти на кодот, а кафезот останува во мирување таму каде што е.</translation>
+    </message>
+    <message>
+        <source>The cage is not at rest: it already holds a placement.</source>
+        <translation>Кафезот не мирува: веќе содржи положба.</translation>
+    </message>
+    <message>
+        <source>Only a cage with three vertices can be unbaked.</source>
+        <translation>Од кодот може да се извади само триаголник.</translation>
+    </message>
+    <message>
+        <source>The cage is not convex: the picture may fold over itself at the notch.</source>
+        <translation>Кафезот има вдлабнатина: таму сликата може да се превитка преку себе.</translation>
+    </message>
+    <message>
+        <source>The cage is folded: parts of the picture overlap. Move the vertices apart to unfold it.</source>
+        <translation>Кафезот е превиткан: делови од сликата лежат еден врз друг. Раздалечете ги темињата за да го одвиткате.</translation>
+    </message>
+    <message>
+        <source>No map is active, so there is nothing to enclose.</source>
+        <translation>Не учествува ниедно пресликување, па нема што да се опфати.</translation>
+    </message>
+    <message>
+        <source>The maps are linked; a cage cannot be fitted to linked maps.</source>
+        <translation>Пресликувањата се поврзани; кафез не може да се прилагоди на поврзани пресликувања.</translation>
+    </message>
+    <message>
+        <source>A bent picture cannot be given another cage. First reset the cage or choose “Affine fit”.</source>
+        <translation>Свиткана слика не може да ја држи друг кафез. Прво вратете го кафезот во мирување или изберете „Афино приближување“.</translation>
+    </message>
+    <message>
+        <source>The cage is flat. First open or reset the triangle.</source>
+        <translation>Кафезот е сплескан. Прво раширете го триаголникот или вратете го во мирување.</translation>
+    </message>
+    <message>
+        <source>This system has no attractor that can be enclosed.</source>
+        <translation>Овој систем нема атрактор што би можел да се опфати.</translation>
+    </message>
+    <message>
+        <source>All maps are off.</source>
+        <translation>Сите пресликувања се исклучени.</translation>
+    </message>
+    <message>
+        <source>The maps are linked. Only maps that may all follow each other can be compared with a picture.</source>
+        <translation>Пресликувањата се поврзани. Со слика може да се споредат само пресликувања кои сите може да следат едно по друго.</translation>
+    </message>
+    <message>
+        <source>A symmetry repeats the maps. Expand it to compare them with a picture.</source>
+        <translation>Симетрија ги повторува пресликувањата. Разгрнете ја за да ги споредите пресликувањата со слика.</translation>
+    </message>
+    <message>
+        <source>The cage bends the picture, or is flat. Reset the cage to compare the maps.</source>
+        <translation>Кафезот ја витка сликата или е рамен. Вратете го за да се споредат пресликувањата.</translation>
+    </message>
+    <message>
+        <source>The animation of “%1” cannot be taken to another dimension, so it is left out.</source>
+        <translation>Анимацијата на „%1“ не може да се пренесе во друга димензија, па се изоставува.</translation>
+    </message>
+    <message>
+        <source>“%1” is not a system in the plane, so it cannot be lifted.</source>
+        <translation>„%1“ не е систем во рамнината, па не може да се подигне во просторот.</translation>
+    </message>
+    <message>
+        <source>The maps of “%1” are linked, and maps in space cannot be linked.</source>
+        <translation>Пресликувањата на „%1“ се поврзани, а пресликувањата во просторот не можат да бидат.</translation>
+    </message>
+    <message>
+        <source>The cage of “%1” has more than three corners, so it cannot become a tetrahedron. Bake or reset it first.</source>
+        <translation>Кафезот на „%1“ има повеќе од три темиња, од кои не се добива тетраедар. Прво впишете го или вратете го.</translation>
+    </message>
+    <message>
+        <source>“%1” is not a system in space, so it cannot be flattened.</source>
+        <translation>„%1“ не е систем во просторот, па не може да се израмни.</translation>
+    </message>
+    <message>
+        <source>The direction must have a length other than 0.</source>
+        <translation>Насоката не смее да има должина 0.</translation>
+    </message>
+    <message>
+        <source>“%1” has moved branches, which cannot be flattened. Reset them first.</source>
+        <translation>„%1“ има поместени гранки, кои не можат да се израмнат. Прво вратете ги.</translation>
+    </message>
+    <message>
+        <source>The cage of “%1” cannot be baked into its maps, so it cannot be flattened.</source>
+        <translation>Кафезот на „%1“ не може да се впише во пресликувањата, па не може да се израмни.</translation>
+    </message>
+    <message>
+        <source>Map %1 of “%2” does not keep this direction, so the projection is not an iterated function system. Export a picture seen from that direction instead.</source>
+        <translation>Пресликувањето %1 од „%2“ ја менува насоката, па проекцијата не е итериран систем функции. Наместо тоа, извезете слика од таа страна.</translation>
+    </message>
+    <message>
+        <source>An entry needs a name.</source>
+        <translation>Записот мора да има име.</translation>
+    </message>
+    <message>
+        <source>Names cannot contain spaces: Fractint reads only the first word.</source>
+        <translation>Имињата не смеат да содржат празни места: Fractint го чита само првиот збор.</translation>
+    </message>
+    <message>
+        <source>“%1” cannot be part of a name, because it has a meaning in .ifs files.</source>
+        <translation>„%1“ не може да биде дел од името, бидејќи има посебно значење во .ifs-датотеките.</translation>
+    </message>
+    <message>
+        <source>A name can have at most %1 characters; Fractint ignores the rest.</source>
+        <translation>Името има најмногу %1 знаци; остатокот Fractint го занемарува.</translation>
+    </message>
+    <message>
+        <source>Fractint does not list an entry called “%1”; choose another name.</source>
+        <translation>Fractint не наведува запис со име „%1“; изберете друго име.</translation>
+    </message>
+    <message>
+        <source>Another entry is called “%1” (upper and lower case are not distinguished).</source>
+        <translation>Друг запис се вика „%1“ (големите и малите букви не се разликуваат).</translation>
+    </message>
+    <message>
+        <source>A branch</source>
+        <translation>Една гранка</translation>
+    </message>
+    <message>
+        <source>%1 has keys, which the maps of the new system could not follow. Remove its keys in the timeline first.</source>
+        <translation>%1 има клучеви што пресликувањата на новиот систем не би можеле да ги следат. Прво отстранете ги од временската линија.</translation>
+    </message>
+    <message>
+        <source>A motion moves single maps, and the maps of the new system are others. Remove this motion from the timeline first.</source>
+        <translation>Едно движење поместува одделни пресликувања, а тие на новиот систем се други. Прво отстранете го ова движење од временската линија.</translation>
+    </message>
+    <message>
+        <source>%1 has keys: it would be rewritten at this frame only, and what has none at every frame. Remove its keys in the timeline first.</source>
+        <translation>%1 има клучеви: би се препишало само во оваа слика, а она што нема клучеви во сите. Прво отстранете ги од временската линија.</translation>
+    </message>
+    <message>
+        <source>Maps in space cannot be linked.</source>
+        <translation>Пресликувањата во просторот не можат да се поврзат.</translation>
+    </message>
+    <message>
+        <source>This entry could not be read, so its maps cannot be linked.</source>
+        <translation>Овој запис не можеше да се прочита, па неговите пресликувања не можат да се поврзат.</translation>
+    </message>
+    <message>
+        <source>More than %1 maps cannot be linked.</source>
+        <translation>Повеќе од %1 пресликувања не можат да се поврзат.</translation>
+    </message>
+    <message>
+        <source>With the links of “%1” every sequence of maps ends, so plain maps would have nothing to draw.</source>
+        <translation>Врските на „%1“ ја завршуваат секоја низа пресликувања, па нема ништо што обични пресликувања би можеле да го нацртаат.</translation>
+    </message>
+    <message>
+        <source>Plain maps of “%1” would be more than %2 words of its maps, which is the limit. Keep the links in an .ifs or .flame file, or remove them.</source>
+        <translation>Обичните пресликувања на „%1“ би биле повеќе од %2 зборови од неговите пресликувања, што е границата. Задржете ги врските во датотека .ifs или .flame, или отстранете ги.</translation>
+    </message>
+    <message>
+        <source>The links of “%1” cannot be written as plain maps: a sequence of maps can go on for ever without reaching one that may follow every map. Keep the links in an .ifs or .flame file, or remove them.</source>
+        <translation>Врските на „%1“ не можат да се запишат како обични пресликувања: низа пресликувања може да продолжи бескрајно без да стигне до пресликување што смее да го следи секое. Задржете ги врските во датотека .ifs или .flame, или отстранете ги.</translation>
+    </message>
+    <message>
+        <source>Plain maps of “%1” would be words of its maps, which cannot take part in its animation or in its moved branches. Remove these first.</source>
+        <translation>Обичните пресликувања на „%1“ би биле зборови од неговите пресликувања, кои не можат да учествуваат во неговата анимација или во поместените гранки. Прво отстранете ги нив.</translation>
+    </message>
+    <message>
+        <source>Map %1 is locked. Unlock it in the Maps panel first.</source>
+        <translation>Пресликувањето %1 е заклучено. Прво отклучете го во панелот Пресликувања.</translation>
+    </message>
+    <message>
+        <source>Maps %1 are locked. Unlock them in the Maps panel first.</source>
+        <translation>Пресликувањата %1 се заклучени. Прво отклучете ги во панелот Пресликувања.</translation>
+    </message>
+    <message>
+        <source>Lock a map</source>
+        <translation>Заклучување на пресликување</translation>
+    </message>
+    <message>
+        <source>Unlock a map</source>
+        <translation>Отклучување на пресликување</translation>
+    </message>
+    <message>
+        <source>Lock %1 maps</source>
+        <translation>Заклучување на %1 пресликувања</translation>
+    </message>
+    <message>
+        <source>Unlock %1 maps</source>
+        <translation>Отклучување на %1 пресликувања</translation>
+    </message>
+    <message>
+        <source>Remove the name of map %1</source>
+        <translation>Бришење на името на пресликувањето %1</translation>
+    </message>
+    <message>
+        <source>Name map %1 “%2”</source>
+        <translation>Именување на пресликувањето %1 „%2“</translation>
+    </message>
+    <message>
+        <source>Only a cage with four vertices can be unbaked.</source>
+        <translation>Може да се извади само кафез со четири темиња.</translation>
+    </message>
+    <message>
+        <source>The cage bends the picture, so no other cage would show it. First reset the cage or choose “Affine fit”.</source>
+        <translation>Кафезот ја свиткува сликата, па ниеден друг кафез не би ја покажал. Прво вратете го кафезот или изберете „Афино приближување“.</translation>
+    </message>
+    <message>
+        <source>The cage is flat. First open or reset the tetrahedron.</source>
+        <translation>Кафезот е рамен. Прво отворете го или вратете го тетраедарот.</translation>
+    </message>
+    <message>
+        <source>Select a map first.</source>
+        <translation>Прво избери пресликување.</translation>
+    </message>
+    <message>
+        <source>The maps are linked. Only maps that may all follow each other can be shown alone.</source>
+        <translation>Пресликувањата се поврзани. Само пресликувања кои сите може да следат едно по друго може да се прикажат сами.</translation>
+    </message>
+    <message>
+        <source>The cage bends the picture, in which no map can be shown alone. Reset the cage first.</source>
+        <translation>Кафезот ја криви сликата, па ниедно пресликување не може да се прикаже само. Прво вратете го кафезот.</translation>
+    </message>
+    <message>
+        <source>Map %1 takes everything to one point, so there is nothing to show alone.</source>
+        <translation>Пресликувањето %1 сѐ води во една точка, па нема што да се прикаже само.</translation>
+    </message>
+    <message>
+        <source>This entry is not a system in space.</source>
+        <translation>Овој запис не е систем во просторот.</translation>
+    </message>
+    <message>
+        <source>This entry has no maps to vary.</source>
+        <translation>Овој запис нема пресликувања за варирање.</translation>
+    </message>
+    <message>
+        <source>The folder %1 cannot be created.</source>
+        <translation>Папката %1 не може да се создаде.</translation>
+    </message>
+    <message>
+        <source>There is not enough memory for this picture. Reduce its size or the supersampling.</source>
+        <translation>Нема доволно меморија за оваа слика. Намалете ја или намалете го суперсемплирањето.</translation>
+    </message>
+    <message>
+        <source>It is damaged.</source>
+        <translation>Оштетен е.</translation>
+    </message>
+    <message>
+        <source>It is not an export of this program.</source>
+        <translation>Не е извоз од оваа програма.</translation>
+    </message>
+    <message>
+        <source>Its settings are not supported by this version.</source>
+        <translation>Неговите поставки не се од оваа верзија.</translation>
+    </message>
+    <message>
+        <source>Its file name does not match its format.</source>
+        <translation>Датотеката што ја наведува не одговара на неговиот формат.</translation>
+    </message>
+    <message>
+        <source>It is not a regular file.</source>
+        <translation>Не е обична датотека.</translation>
+    </message>
+    <message>
+        <source>It cannot be read.</source>
+        <translation>Не може да се прочита.</translation>
+    </message>
+    <message>
+        <source>It is too large.</source>
+        <translation>Преголем е.</translation>
+    </message>
+    <message>
+        <source>An export from the last session was skipped. %1 Its damaged file was renamed to %2.</source>
+        <translation>Еден извоз од минатиот пат е прескокнат. %1 Неговата оштетена датотека е преименувана во %2.</translation>
+    </message>
+    <message>
+        <source>A file “%1” was created after you added this export. Choose Try Again to replace it.</source>
+        <translation>Откако го додадовте овој извоз, се појави датотека „%1“. „Обиди се повторно“ ја заменува.</translation>
+    </message>
+    <message>
+        <source>The fractal in this export cannot be read.</source>
+        <translation>Фракталот во овој извоз не може да се прочита.</translation>
+    </message>
+    <message>
+        <source>There is not enough memory for this picture.</source>
+        <translation>Нема доволно меморија за оваа слика.</translation>
+    </message>
+    <message>
+        <source>The lesson is larger than 4 MB, which is the limit.</source>
+        <translation>Лекцијата е поголема од 4 MB, што е границата.</translation>
+    </message>
+    <message>
+        <source>This is not a lesson: its first line does not begin with “lesson:”.</source>
+        <translation>Ова не е лекција: првиот ред не почнува со „lesson:“.</translation>
+    </message>
+    <message>
+        <source>The lesson has no steps.</source>
+        <translation>Лекцијата нема чекори.</translation>
+    </message>
+    <message>
+        <source>This line was ignored: settings look like “file: name.ifs”, and steps begin with “##”.</source>
+        <translation>Овој ред е прескокнат: поставките изгледаат како „file: ime.ifs“, а чекорите почнуваат со „##“.</translation>
+    </message>
+    <message>
+        <source>The lesson has more than %1 steps; the others were ignored.</source>
+        <translation>Лекцијата има повеќе од %1 чекори; другите се прескокнати.</translation>
+    </message>
+    <message>
+        <source>The text of step %1 is longer than %2 characters and was cut.</source>
+        <translation>Текстот на чекорот %1 е подолг од %2 знаци и е скратен.</translation>
+    </message>
+    <message>
+        <source>A lesson cannot refer to “%1”. It can refer to a file in its own folder, or to a .ifs or .par file in another one.</source>
+        <translation>Лекција не може да упати на „%1“, туку само на датотека во својата папка или на датотека .ifs или .par во друга.</translation>
+    </message>
+    <message>
+        <source>“%1: %2” was not understood.</source>
+        <translation>„%1: %2“ не е разбрано.</translation>
+    </message>
+    <message>
+        <source>“%1” is unknown to this version and is kept.</source>
+        <translation>„%1“ ѝ е непознато на оваа верзија и се задржува.</translation>
+    </message>
+    <message>
+        <source>A %1 picture has at most %2 pixels along a side.</source>
+        <translation>Слика во формат %1 има најмногу %2 пиксели по страна.</translation>
+    </message>
+    <message>
+        <source>A JPEG picture cannot be transparent. Choose a background colour or another format.</source>
+        <translation>Слика JPEG не може да биде проѕирна. Изберете боја на позадината или друг формат.</translation>
+    </message>
+    <message>
+        <source>A JPEG picture has at most %1 dots per inch.</source>
+        <translation>Слика JPEG има најмногу %1 точки на инч.</translation>
+    </message>
+    <message>
+        <source>Such a picture cannot be written as %1.</source>
+        <translation>Таква слика не може да се запише како %1.</translation>
+    </message>
+    <message>
+        <source>The picture cannot be opened.</source>
+        <translation>Сликата не може да се отвори.</translation>
+    </message>
+    <message>
+        <source>The file is not a PNG picture.</source>
+        <translation>Датотеката не е PNG-слика.</translation>
+    </message>
+    <message>
+        <source>The picture is damaged or incomplete. Draw it again.</source>
+        <translation>Сликата е оштетена или нецелосна. Нацртајте ја повторно.</translation>
+    </message>
+    <message>
+        <source>The picture contains no system: it was not written by Barycage, or another program removed the text that holds it.</source>
+        <translation>Сликата не содржи систем: не ја запишал Barycage или друга програма ѝ го отстранила текстот.</translation>
+    </message>
+    <message>
+        <source>The system in the picture is larger than 8 MB.</source>
+        <translation>Системот во сликата е поголем од 8 MB.</translation>
+    </message>
+    <message>
+        <source>The picture contains too much text: the limit is 40 MB in total.</source>
+        <translation>Сликата носи премногу текст: границата е вкупно 40 MB.</translation>
+    </message>
+    <message>
+        <source>The file is not a PNG picture, or it is damaged.</source>
+        <translation>Датотеката не е PNG-слика или е оштетена.</translation>
+    </message>
+    <message>
+        <source>The picture cannot be written: %1</source>
+        <translation>Сликата не може да се запише: %1</translation>
+    </message>
+    <message>
+        <source>The picture is damaged, or its text cannot be read.</source>
+        <translation>Сликата е оштетена, или нејзиниот текст не може да се прочита.</translation>
+    </message>
+    <message>
+        <source>the WebP encoder does not have enough memory.</source>
+        <translation>кодерот за WebP нема доволно меморија.</translation>
+    </message>
+    <message>
+        <source>An exact picture of this system would take too long. Draw it with samples.</source>
+        <translation>Точна слика на овој систем би траела предолго. Нацртајте ја со примероци.</translation>
+    </message>
+    <message>
+        <source>The folder for temporary files does not have enough space for the frames: %1.</source>
+        <translation>Во папката за привремени датотеки нема место за кадрите: %1.</translation>
+    </message>
+    <message>
+        <source>FFmpeg&apos;s libraries are not installed on this machine, so no videos can be written. Install them, or write the frames as PNG pictures instead.</source>
+        <translation>Библиотеките на FFmpeg не се инсталирани на овој компјутер, па не може да се запишуваат видеа. Инсталирајте ги или запишете ги кадрите како PNG-слики.</translation>
+    </message>
+    <message>
+        <source>FFmpeg&apos;s libraries on this machine cannot write %1 files: the encoder %2 is missing. Choose another format.</source>
+        <translation>Библиотеките на FFmpeg на овој компјутер не можат да запишуваат датотеки %1: недостасува кодерот %2. Изберете друг формат.</translation>
+    </message>
+    <message>
+        <source>The video cannot be written: %1.</source>
+        <translation>Видеото не може да се запише: %1.</translation>
+    </message>
 </context>
 <context>
     <name>Tour</name>
@@ -5057,18 +5437,6 @@
 <context>
     <name>VideoWriter</name>
     <message>
-        <source>The folder for temporary files does not have enough space for the frames: %1.</source>
-        <translation>Во папката за привремени датотеки нема место за кадрите: %1.</translation>
-    </message>
-    <message>
-        <source>FFmpeg&apos;s libraries on this machine cannot write %1 files: the encoder %2 is missing. Choose another format.</source>
-        <translation>Библиотеките на FFmpeg на овој компјутер не можат да запишуваат датотеки %1: недостасува кодерот %2. Изберете друг формат.</translation>
-    </message>
-    <message>
-        <source>The video cannot be written: %1.</source>
-        <translation>Видеото не може да се запише: %1.</translation>
-    </message>
-    <message>
         <source>There is not enough memory for a frame of the video.</source>
         <translation>Нема доволно меморија за кадар од видеото.</translation>
     </message>
@@ -5095,10 +5463,6 @@
     <message>
         <source>This build of Barycage does not include FFmpeg&apos;s libraries and cannot write videos. Write the frames as PNG pictures instead.</source>
         <translation>Овој Barycage е изграден без библиотеките на FFmpeg и не запишува видеа. Запишете ги кадрите како PNG-слики.</translation>
-    </message>
-    <message>
-        <source>FFmpeg&apos;s libraries are not installed on this machine, so no videos can be written. Install them, or write the frames as PNG pictures instead.</source>
-        <translation>Библиотеките на FFmpeg не се инсталирани на овој компјутер, па не може да се запишуваат видеа. Инсталирајте ги или запишете ги кадрите како PNG-слики.</translation>
     </message>
 </context>
 <context>
@@ -5256,165 +5620,11 @@
     </message>
 </context>
 <context>
-    <name>document::CollageEdits</name>
-    <message>
-        <source>All maps are off.</source>
-        <translation>Сите пресликувања се исклучени.</translation>
-    </message>
-    <message>
-        <source>The cage bends the picture, or is flat. Reset the cage to compare the maps.</source>
-        <translation>Кафезот ја витка сликата или е рамен. Вратете го за да се споредат пресликувањата.</translation>
-    </message>
-    <message>
-        <source>The maps are linked. Only maps that may all follow each other can be compared with a picture.</source>
-        <translation>Пресликувањата се поврзани. Со слика може да се споредат само пресликувања кои сите може да следат едно по друго.</translation>
-    </message>
-    <message>
-        <source>A symmetry repeats the maps. Expand it to compare them with a picture.</source>
-        <translation>Симетрија ги повторува пресликувањата. Разгрнете ја за да ги споредите пресликувањата со слика.</translation>
-    </message>
-</context>
-<context>
     <name>document::Document</name>
     <message>
         <source>%1 (frame %2)</source>
         <comment>what is done, at which frame</comment>
         <translation>%1 (слика %2)</translation>
-    </message>
-</context>
-<context>
-    <name>document::EntriesEdits</name>
-    <message>
-        <source>An entry needs a name.</source>
-        <translation>Записот мора да има име.</translation>
-    </message>
-    <message>
-        <source>Names cannot contain spaces: Fractint reads only the first word.</source>
-        <translation>Имињата не смеат да содржат празни места: Fractint го чита само првиот збор.</translation>
-    </message>
-    <message>
-        <source>“%1” cannot be part of a name, because it has a meaning in .ifs files.</source>
-        <translation>„%1“ не може да биде дел од името, бидејќи има посебно значење во .ifs-датотеките.</translation>
-    </message>
-    <message>
-        <source>A name can have at most %1 characters; Fractint ignores the rest.</source>
-        <translation>Името има најмногу %1 знаци; остатокот Fractint го занемарува.</translation>
-    </message>
-    <message>
-        <source>Fractint does not list an entry called “%1”; choose another name.</source>
-        <translation>Fractint не наведува запис со име „%1“; изберете друго име.</translation>
-    </message>
-    <message>
-        <source>Another entry is called “%1” (upper and lower case are not distinguished).</source>
-        <translation>Друг запис се вика „%1“ (големите и малите букви не се разликуваат).</translation>
-    </message>
-</context>
-<context>
-    <name>document::KeyedMaps</name>
-    <message>
-        <source>Map %1</source>
-        <translation>Пресликувањето %1</translation>
-    </message>
-    <message>
-        <source>A branch</source>
-        <translation>Една гранка</translation>
-    </message>
-    <message>
-        <source>%1 has keys, which the maps of the new system could not follow. Remove its keys in the timeline first.</source>
-        <translation>%1 има клучеви што пресликувањата на новиот систем не би можеле да ги следат. Прво отстранете ги од временската линија.</translation>
-    </message>
-    <message>
-        <source>A motion moves single maps, and the maps of the new system are others. Remove this motion from the timeline first.</source>
-        <translation>Едно движење поместува одделни пресликувања, а тие на новиот систем се други. Прво отстранете го ова движење од временската линија.</translation>
-    </message>
-    <message>
-        <source>%1 has keys: it would be rewritten at this frame only, and what has none at every frame. Remove its keys in the timeline first.</source>
-        <translation>%1 има клучеви: би се препишало само во оваа слика, а она што нема клучеви во сите. Прво отстранете ги од временската линија.</translation>
-    </message>
-</context>
-<context>
-    <name>document::LinkEdits</name>
-    <message>
-        <source>Maps in space cannot be linked.</source>
-        <translation>Пресликувањата во просторот не можат да се поврзат.</translation>
-    </message>
-    <message>
-        <source>This entry could not be read, so its maps cannot be linked.</source>
-        <translation>Овој запис не можеше да се прочита, па неговите пресликувања не можат да се поврзат.</translation>
-    </message>
-    <message>
-        <source>More than %1 maps cannot be linked.</source>
-        <translation>Повеќе од %1 пресликувања не можат да се поврзат.</translation>
-    </message>
-    <message>
-        <source>With the links of “%1” every sequence of maps ends, so plain maps would have nothing to draw.</source>
-        <translation>Врските на „%1“ ја завршуваат секоја низа пресликувања, па нема ништо што обични пресликувања би можеле да го нацртаат.</translation>
-    </message>
-    <message>
-        <source>Plain maps of “%1” would be words of its maps, which cannot take part in its animation or in its moved branches. Remove these first.</source>
-        <translation>Обичните пресликувања на „%1“ би биле зборови од неговите пресликувања, кои не можат да учествуваат во неговата анимација или во поместените гранки. Прво отстранете ги нив.</translation>
-    </message>
-    <message>
-        <source>Plain maps of “%1” would be more than %2 words of its maps, which is the limit. Keep the links in an .ifs or .flame file, or remove them.</source>
-        <translation>Обичните пресликувања на „%1“ би биле повеќе од %2 зборови од неговите пресликувања, што е границата. Задржете ги врските во датотека .ifs или .flame, или отстранете ги.</translation>
-    </message>
-    <message>
-        <source>The links of “%1” cannot be written as plain maps: a sequence of maps can go on for ever without reaching one that may follow every map. Keep the links in an .ifs or .flame file, or remove them.</source>
-        <translation>Врските на „%1“ не можат да се запишат како обични пресликувања: низа пресликувања може да продолжи бескрајно без да стигне до пресликување што смее да го следи секое. Задржете ги врските во датотека .ifs или .flame, или отстранете ги.</translation>
-    </message>
-</context>
-<context>
-    <name>document::MapLocks</name>
-    <message>
-        <source>Map %1 is locked. Unlock it in the Maps panel first.</source>
-        <translation>Пресликувањето %1 е заклучено. Прво отклучете го во панелот Пресликувања.</translation>
-    </message>
-    <message>
-        <source>Maps %1 are locked. Unlock them in the Maps panel first.</source>
-        <translation>Пресликувањата %1 се заклучени. Прво отклучете ги во панелот Пресликувања.</translation>
-    </message>
-    <message>
-        <source>Lock a map</source>
-        <translation>Заклучување на пресликување</translation>
-    </message>
-    <message>
-        <source>Unlock a map</source>
-        <translation>Отклучување на пресликување</translation>
-    </message>
-    <message>
-        <source>Lock %1 maps</source>
-        <translation>Заклучување на %1 пресликувања</translation>
-    </message>
-    <message>
-        <source>Unlock %1 maps</source>
-        <translation>Отклучување на %1 пресликувања</translation>
-    </message>
-    <message>
-        <source>Remove the name of map %1</source>
-        <translation>Бришење на името на пресликувањето %1</translation>
-    </message>
-    <message>
-        <source>Name map %1 “%2”</source>
-        <translation>Именување на пресликувањето %1 „%2“</translation>
-    </message>
-</context>
-<context>
-    <name>document::MapSolo</name>
-    <message>
-        <source>Select a map first.</source>
-        <translation>Прво избери пресликување.</translation>
-    </message>
-    <message>
-        <source>The maps are linked. Only maps that may all follow each other can be shown alone.</source>
-        <translation>Пресликувањата се поврзани. Само пресликувања кои сите може да следат едно по друго може да се прикажат сами.</translation>
-    </message>
-    <message>
-        <source>The cage bends the picture, in which no map can be shown alone. Reset the cage first.</source>
-        <translation>Кафезот ја криви сликата, па ниедно пресликување не може да се прикаже само. Прво вратете го кафезот.</translation>
-    </message>
-    <message>
-        <source>Map %1 takes everything to one point, so there is nothing to show alone.</source>
-        <translation>Пресликувањето %1 сѐ води во една точка, па нема што да се прикаже само.</translation>
     </message>
 </context>
 <context>
@@ -5481,20 +5691,6 @@
     <message>
         <source>Delete a map</source>
         <translation>Бришење на пресликување</translation>
-    </message>
-</context>
-<context>
-    <name>document::SpaceGeometry</name>
-    <message>
-        <source>This entry is not a system in space.</source>
-        <translation>Овој запис не е систем во просторот.</translation>
-    </message>
-</context>
-<context>
-    <name>document::Variations</name>
-    <message>
-        <source>This entry has no maps to vary.</source>
-        <translation>Овој запис нема пресликувања за варирање.</translation>
     </message>
 </context>
 <context>
@@ -6501,34 +6697,6 @@
         <translation>Впиши</translation>
     </message>
     <message>
-        <source>Minimal Canonical Simplex</source>
-        <translation>Минимален каноничен симплекс</translation>
-    </message>
-    <message>
-        <source>Canonical Simplex %1</source>
-        <translation>Каноничен симплекс %1</translation>
-    </message>
-    <message>
-        <source>Bounding Box</source>
-        <translation>Опфаќачки правоаголник</translation>
-    </message>
-    <message numerus="yes">
-        <source>%n Corners</source>
-        <translation>
-            <numerusform>%n теме</numerusform>
-            <numerusform>%n темиња</numerusform>
-            <numerusform>%n темиња</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>Convex Hull, Simplified to</source>
-        <translation>Конвексна обвивка, упростена на</translation>
-    </message>
-    <message>
-        <source>Regular Polygon with</source>
-        <translation>Правилен многуаголник со</translation>
-    </message>
-    <message>
         <source>Fit</source>
         <translation>Опфати</translation>
     </message>
@@ -6745,10 +6913,6 @@
         <translation>%1, раб %2, теме (%3, %4, %5)</translation>
     </message>
     <message>
-        <source>Three Edges of the Bounding Box</source>
-        <translation>Три рабови на опфатната кутија</translation>
-    </message>
-    <message>
         <source>The system has very many maps. Computing the cage around it…</source>
         <translation>Системот има многу пресликувања: кафезот околу него се бара…</translation>
     </message>
@@ -6757,20 +6921,8 @@
         <translation>%1 темиња: свиткана со координати на средна вредност, не може да се впише во кодот.</translation>
     </message>
     <message>
-        <source>Bounding Box, Eight Corners</source>
-        <translation>Опфаќачка кутија, осум темиња</translation>
-    </message>
-    <message>
-        <source>Octahedron</source>
-        <translation>Октаедар</translation>
-    </message>
-    <message>
         <source>Define the tetrahedron with four clicks on the canvas; the picture stays</source>
         <translation>Го одредува тетраедарот со четири клика на платното; сликата останува</translation>
-    </message>
-    <message>
-        <source>Smallest Rectangle</source>
-        <translation>Најмал правоаголник</translation>
     </message>
 </context>
 <context>
@@ -7162,77 +7314,6 @@
     </message>
 </context>
 <context>
-    <name>view::CanvasScene</name>
-    <message>
-        <source>Vertex %1</source>
-        <translation>Теме %1</translation>
-    </message>
-    <message>
-        <source>Edge from vertex %1</source>
-        <translation>Страна од темето %1</translation>
-    </message>
-    <message>
-        <source>The whole cage</source>
-        <translation>Целиот кафез</translation>
-    </message>
-    <message>
-        <source>Pivot</source>
-        <translation>Стожер</translation>
-    </message>
-    <message>
-        <source>the arrow keys move both its ends</source>
-        <translation>двата краја се поместуваат со стрелките</translation>
-    </message>
-    <message>
-        <source>the arrow keys move it</source>
-        <translation>се поместува со стрелките</translation>
-    </message>
-    <message>
-        <source>Branch %1</source>
-        <translation>Гранка %1</translation>
-    </message>
-    <message>
-        <source>Map %1</source>
-        <translation>Пресликување %1</translation>
-    </message>
-    <message>
-        <source>%1, corner %2</source>
-        <translation>%1, агол %2</translation>
-    </message>
-    <message>
-        <source>the arrow keys turn by one degree</source>
-        <translation>стрелките ротираат за еден степен</translation>
-    </message>
-    <message>
-        <source>the arrow keys scale by one percent</source>
-        <translation>стрелките скалираат за еден процент</translation>
-    </message>
-    <message>
-        <source>Drag to move the pivot, the centre of rotation and scaling.</source>
-        <translation>Влечете ја стожерната точка: ротирањето и скалирањето се околу неа.</translation>
-    </message>
-    <message>
-        <source>Drag to rotate about the pivot; hold Shift for steps of 15°.</source>
-        <translation>Влечете за ротирање околу стожерот; Shift: во чекори од 15°.</translation>
-    </message>
-    <message>
-        <source>Drag to scale about the pivot; hold Shift for x or y only.</source>
-        <translation>Влечете за скалирање околу стожерот; Shift: само по x или y.</translation>
-    </message>
-    <message>
-        <source>Round handle</source>
-        <translation>Тркалезна рачка</translation>
-    </message>
-    <message>
-        <source>Square handle</source>
-        <translation>Квадратна рачка</translation>
-    </message>
-    <message>
-        <source>Map that takes no part</source>
-        <translation>Пресликување што не учествува</translation>
-    </message>
-</context>
-<context>
     <name>view::CanvasView</name>
     <message>
         <source>Canvas</source>
@@ -7269,14 +7350,6 @@
     <message>
         <source>The picture and its cage. Drag a corner, an edge or the inside of the cage; hold Ctrl to rotate, Alt to scale, Shift to keep directions. The wheel zooms at the pointer, the middle button pans. Tab moves from handle to handle, the arrow keys move the handle, F6 leaves the canvas.</source>
         <translation>Сликата и нејзиниот кафез. Влечете теме, страна или внатрешноста на кафезот; Ctrl ротира, Alt скалира, Shift ги задржува правците. Тркалцето зумира кај покажувачот, средното копче ја поместува рамнината. Tab оди од рачка на рачка, стрелките ја поместуваат избраната, F6 го напушта платното.</translation>
-    </message>
-</context>
-<context>
-    <name>view::Clipboard</name>
-    <message>
-        <source>pasted</source>
-        <comment>name of an entry made from a table</comment>
-        <translation>вметнато</translation>
     </message>
 </context>
 <context>
@@ -8822,26 +8895,6 @@
         <translation>Што покажува сликата: она што го покажува платното или атракторот со мала маргина, каде и да гледа платното. Во листата се и зачуваните погледи.</translation>
     </message>
     <message>
-        <source>%1 × %2 are %3 million pixels. Drawing them may take hours, and the file may need up to %4.</source>
-        <translation>%1 × %2 се %3 милиони пиксели. Цртањето може да трае со часови, а датотеката може да зафати до %4.</translation>
-    </message>
-    <message>
-        <source>Memory needed: about %1.</source>
-        <translation>Потребна меморија: околу %1.</translation>
-    </message>
-    <message>
-        <source>Very large picture</source>
-        <translation>Многу голема слика</translation>
-    </message>
-    <message>
-        <source>This picture is very large.</source>
-        <translation>Оваа слика е многу голема.</translation>
-    </message>
-    <message>
-        <source>&amp;Export Anyway</source>
-        <translation>&amp;Сепак извези</translation>
-    </message>
-    <message>
         <source>%1 mm</source>
         <translation>%1 mm</translation>
     </message>
@@ -9548,33 +9601,6 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
     <message>
         <source>Move a stop of the palette</source>
         <translation>Поместување на маркер од палетата</translation>
-    </message>
-</context>
-<context>
-    <name>view::Guide</name>
-    <message>
-        <source>User Guide</source>
-        <translation>Упатство за корисници</translation>
-    </message>
-    <message>
-        <source>The user guide: what you can do with Barycage, in the order in which you need it.</source>
-        <translation>Упатството за корисници: што може да се направи тука, по редоследот по кој е потребно.</translation>
-    </message>
-    <message>
-        <source>Find in the guide</source>
-        <translation>Барај во упатството</translation>
-    </message>
-    <message>
-        <source>Finds these words in the guide. Enter goes to the next match, Shift+Enter to the previous one. Ctrl+F comes back here.</source>
-        <translation>Ги означува овие зборови во упатството. Enter го покажува следното место, Shift+Enter претходното. Ctrl+F води овде.</translation>
-    </message>
-    <message>
-        <source>Not found</source>
-        <translation>Не е најдено</translation>
-    </message>
-    <message>
-        <source>%1 of %2</source>
-        <translation>%1 од %2</translation>
     </message>
 </context>
 <context>
@@ -10662,44 +10688,12 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
         <translation>Ефективниот код нека стане код; потоа кафезот е во мирување</translation>
     </message>
     <message>
-        <source>By |Determinant|</source>
-        <translation>Според |детерминанта|</translation>
-    </message>
-    <message>
         <source>Weights in proportion to the areas of the images, for an even picture</source>
         <translation>Тежини пропорционални на плоштините на сликите, за сликата да биде рамномерна</translation>
     </message>
     <message>
-        <source>Equal</source>
-        <translation>Еднакви</translation>
-    </message>
-    <message>
-        <source>The same weight for every map</source>
-        <translation>Иста тежина за секое пресликување</translation>
-    </message>
-    <message>
-        <source>By Dimension</source>
-        <translation>Според димензија</translation>
-    </message>
-    <message>
-        <source>Weights that cover the attractor evenly at its own dimension</source>
-        <translation>Тежини за рамномерна покриеност на атракторот во неговата сопствена димензија</translation>
-    </message>
-    <message>
-        <source>Normalise</source>
-        <translation>Нормализирај</translation>
-    </message>
-    <message>
-        <source>Scale all weights so that they sum to 1</source>
-        <translation>Истите односи, со збир 1</translation>
-    </message>
-    <message>
         <source>Weights</source>
         <translation>Тежини</translation>
-    </message>
-    <message>
-        <source>Set the weights of all maps that are switched on by a rule</source>
-        <translation>Тежини на сите вклучени пресликувања, според некое правило</translation>
     </message>
     <message>
         <source>Show columns: %1</source>
@@ -10750,26 +10744,6 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
         <translation>Промена на редоследот на пресликувањата</translation>
     </message>
     <message>
-        <source>Nothing was pasted. Line %1 of the clipboard: %2</source>
-        <translation>Ништо не е вметнато. Ред %1 од таблата со исечоци: %2</translation>
-    </message>
-    <message>
-        <source>Nothing was pasted. %1</source>
-        <translation>Ништо не е вметнато. %1</translation>
-    </message>
-    <message>
-        <source>Nothing was pasted: the clipboard contains no rows of 6 or 7 numbers.</source>
-        <translation>Ништо не е вметнато: таблата со исечоци не содржи редици од 6 или 7 броја.</translation>
-    </message>
-    <message>
-        <source>Paste a map</source>
-        <translation>Вметнување на пресликување</translation>
-    </message>
-    <message>
-        <source>Paste %1 maps</source>
-        <translation>Вметнување на %1 пресликувања</translation>
-    </message>
-    <message>
         <source>Bake the cage into the code</source>
         <translation>Впишување на кафезот во кодот</translation>
     </message>
@@ -10780,10 +10754,6 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
     <message>
         <source>Each row is a map: it takes (x, y) to (a x + b y + e, c x + d y + f) and is used in proportion to its weight p. Double-click a number or start typing to change it; the picture follows every keystroke. Drag the number of a row to move it.</source>
         <translation>Секоја редица е пресликување: (x, y) се пресликува во (a x + b y + e, c x + d y + f), толку често колку што кажува неговата тежина p. За да промените некој број, кликнете двапати на него или почнете да пишувате; сликата го следи секое копче. Повлечете го бројот на редицата за да ја преместите.</translation>
-    </message>
-    <message>
-        <source>Reading the pasted text…</source>
-        <translation>Се чита вметнатото…</translation>
     </message>
     <message>
         <source>Properties of the map</source>
@@ -10884,22 +10854,6 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
     <message>
         <source>Map %1 only, of %2 selected    %3</source>
         <translation>Само пресликувањето %1, од избрани %2    %3</translation>
-    </message>
-    <message numerus="yes">
-        <source>%n maps added.</source>
-        <translation>
-            <numerusform>Додадено %n пресликување.</numerusform>
-            <numerusform>Додадени %n пресликувања.</numerusform>
-            <numerusform>Додадени %n пресликувања.</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>The selected maps were replaced; %n maps pasted.</source>
-        <translation>
-            <numerusform>Избраните пресликувања се заменети; вметнато %n пресликување.</numerusform>
-            <numerusform>Избраните пресликувања се заменети; вметнати %n пресликувања.</numerusform>
-            <numerusform>Избраните пресликувања се заменети; вметнати %n пресликувања.</numerusform>
-        </translation>
     </message>
 </context>
 <context>
@@ -11476,47 +11430,6 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
     <message>
         <source>Makes a palette of the colours of a picture, or of those along a line in it.</source>
         <translation>Прави палета од боите на слика, или од оние по должина на линија во неа.</translation>
-    </message>
-</context>
-<context>
-    <name>view::PolygonTool</name>
-    <message>
-        <source>%1 by %2°</source>
-        <translation>%1 за %2°</translation>
-    </message>
-    <message>
-        <source>%1 by %2</source>
-        <translation>%1 со фактор %2</translation>
-    </message>
-    <message>
-        <source>%1 to (%2, %3)</source>
-        <translation>%1 во (%2, %3)</translation>
-    </message>
-    <message>
-        <source>%1 by (%2, %3)</source>
-        <translation>%1 за (%2, %3)</translation>
-    </message>
-    <message>
-        <source>%1°</source>
-        <comment>an angle</comment>
-        <translation>%1°</translation>
-    </message>
-    <message>
-        <source>× %1</source>
-        <comment>a factor</comment>
-        <translation>× %1</translation>
-    </message>
-    <message>
-        <source>Δ (%1, %2)  length %3</source>
-        <translation>Δ (%1, %2)  должина %3</translation>
-    </message>
-    <message>
-        <source>edge %1</source>
-        <translation>раб %1</translation>
-    </message>
-    <message>
-        <source>edges %1 and %2</source>
-        <translation>рабови %1 и %2</translation>
     </message>
 </context>
 <context>
@@ -13236,34 +13149,6 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
     <message>
         <source>Turn the mirrors of the symmetry</source>
         <translation>Заврти ги огледалата на симетријата</translation>
-    </message>
-    <message>
-        <source>None</source>
-        <translation>Нема</translation>
-    </message>
-    <message>
-        <source>Mirror</source>
-        <translation>Огледало</translation>
-    </message>
-    <message>
-        <source>Rotation</source>
-        <translation>Ротација</translation>
-    </message>
-    <message>
-        <source>Dihedral</source>
-        <translation>Диедарска</translation>
-    </message>
-    <message>
-        <source>Tetrahedral</source>
-        <translation>Тетраедарска</translation>
-    </message>
-    <message>
-        <source>Octahedral</source>
-        <translation>Октаедарска</translation>
-    </message>
-    <message>
-        <source>Icosahedral</source>
-        <translation>Икосаедарска</translation>
     </message>
     <message>
         <source>List the maps that the symmetry stands for</source>

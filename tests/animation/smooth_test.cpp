@@ -119,7 +119,7 @@ template <int Dim> Numbers numbersAt(const Moving<Dim>& moving, std::int64_t at,
     return numbersOf<Dim>(moving.animation.at(moment(at, parts), moving.still));
 }
 
-template <int Dim> void everyKeyIsHit() {
+template <int Dim> void everySmoothKeyIsHit() {
     Random random(Dim);
     for (const Loop loop : {Loop::Off, Loop::Cycle, Loop::ThereAndBack}) {
         const Moving<Dim> all = moving<Dim>(random, loop);
@@ -184,7 +184,7 @@ template <int Dim> void keysAreNoCorners() {
 }
 
 // ‖A(t)‖ ≤ the larger end, in the norm in which all four keys contract.
-template <int Dim> void pathsContract(int quadruples) {
+template <int Dim> void smoothPathsContract(int quadruples) {
     Random random(Dim + 20);
     std::mt19937_64 engine(Dim);
     std::uniform_real_distribution<double> share(0, 1);
@@ -261,8 +261,8 @@ class SmoothTest : public QObject {
 
 private slots:
     void everyKeyIsHitExactly() {
-        everyKeyIsHit<2>();
-        everyKeyIsHit<3>();
+        everySmoothKeyIsHit<2>();
+        everySmoothKeyIsHit<3>();
     }
 
     void velocitiesAreContinuous() {
@@ -293,8 +293,8 @@ private slots:
     }
 
     void pathsStayContractive() {
-        pathsContract<2>(10'000);
-        pathsContract<3>(1'000);
+        smoothPathsContract<2>(10'000);
+        smoothPathsContract<3>(1'000);
     }
 
     void frameLIsFrame0() {

@@ -12,7 +12,7 @@ namespace random_collages {
 
 namespace {
 
-double between(std::mt19937& random, double a, double b) {
+double uniform(std::mt19937& random, double a, double b) {
     return a + (b - a) * random() * 0x1p-32;
 }
 
@@ -22,19 +22,19 @@ Collage contracting(std::mt19937& random, int side) {
     Collage collage{collage::emptyMask(side, side), {}};
     const double unit = side / 24.0;
     for (int disc = 0; disc < 3; ++disc) {
-        const double x = between(random, 4, 20) * unit, y = between(random, 4, 20) * unit;
-        const double r = between(random, 0.8, 5) * unit;
+        const double x = uniform(random, 4, 20) * unit, y = uniform(random, 4, 20) * unit;
+        const double r = uniform(random, 0.8, 5) * unit;
         for (int v = 0; v < side; ++v)
             for (int u = 0; u < side; ++u)
                 if (std::hypot(u - x, v - y) < r) collage.mask.cells[collage.mask.index(u, v)] = 1;
     }
     const int count = 2 + int(random() % 3);
     for (int i = 0; i < count; ++i) {
-        const double a = between(random, -1, 1), b = between(random, -1, 1), c = between(random, -1, 1),
-                     d = between(random, -1, 1), e = between(random, -0.3, 0.3),
-                     f = between(random, -0.3, 0.3);
+        const double a = uniform(random, -1, 1), b = uniform(random, -1, 1), c = uniform(random, -1, 1),
+                     d = uniform(random, -1, 1), e = uniform(random, -0.3, 0.3),
+                     f = uniform(random, -0.3, 0.3);
         ifs::AffineMap<2> map = ifs::affineMap(a, b, c, d, e, f);
-        map.linear *= between(random, 0.1, 0.85) / ifs::spectralNorm<2>(map.linear);
+        map.linear *= uniform(random, 0.1, 0.85) / ifs::spectralNorm<2>(map.linear);
         collage.maps.push_back(map);
     }
     return collage;
@@ -44,7 +44,7 @@ Collage stretching(std::mt19937& random, int side) {
     for (;;) {
         Collage collage = contracting(random, side);
         // A turn, and then a stretch.
-        const double angle = between(random, 0, 3), stretch = between(random, 2, 5);
+        const double angle = uniform(random, 0, 3), stretch = uniform(random, 2, 5);
         const ifs::Matrix<2> t = (ifs::Matrix<2>() << stretch * std::cos(angle), -stretch * std::sin(angle),
                                   std::sin(angle), std::cos(angle))
                                      .finished();

@@ -330,6 +330,6 @@ static int run(int argc, char** argv) {
     return QTest::qExec(&test, argc, argv);
 }
 
-static const support::NamedTest namedTest(__FILE__, run);
+static const support::NamedTest namedJournal(__FILE__, run);
 
 #include "journal_test.moc"

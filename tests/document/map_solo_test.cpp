@@ -14,7 +14,7 @@ using namespace document;
 
 namespace {
 
-Fractal triangle() {
+Fractal triangleOfMaps() {
     return sierpinskiTriangle();
 }
 
@@ -33,7 +33,7 @@ std::vector<ifs::Vector<2>> drawn(const Fractal& fractal) {
     return points;
 }
 
-Fractal inSpace() {
+Fractal spaceFractal() {
     System3 system;
     for (const ifs::Vector<3>& corner :
          {ifs::Vector<3>(0, 0, 0), ifs::Vector<3>(1, 0, 0), ifs::Vector<3>(0, 1, 0), ifs::Vector<3>(0, 0, 1)})
@@ -61,7 +61,7 @@ class MapSoloTest : public QObject {
 private slots:
     // The image of all of the attractor under the map, and nothing else.
     void drawsTheImageOfTheMap() {
-        const Fractal whole = triangle();
+        const Fractal whole = triangleOfMaps();
         for (std::size_t index = 0; index < 3; ++index) {
             const ifs::AffineMap<2> map = system2(whole)->maps[index].map;
             const Fractal alone = soloed(whole, idOf(whole, index));
@@ -74,11 +74,11 @@ private slots:
 
     // A map that takes all to a line, and branches that are moved, inside and elsewhere.
     void singularMapsAndMovedBranches() {
-        Fractal fractal = triangle();
+        Fractal fractal = triangleOfMaps();
         system2(fractal)->maps[0].map.linear(1, 1) = 0;
         for (const ifs::Vector<2>& point : drawn(soloed(fractal, idOf(fractal, 0))))
             QVERIFY(std::abs(point.y() - system2(fractal)->maps[0].map.translation.y()) < 1e-12);
-        Fractal moved = triangle();
+        Fractal moved = triangleOfMaps();
         const auto a = idOf(moved, 0), b = idOf(moved, 1);
         const ifs::AffineMap<2> aside{ifs::Matrix<2>::Identity(), {10, 0}};
         plane(moved)->moved = {{{a}, aside}, {{b}, {ifs::Matrix<2>::Identity(), {0, 50}}}};
@@ -92,7 +92,7 @@ private slots:
     }
 
     void coloursAreThoseOfTheWhole() {
-        Fractal fractal = triangle();
+        Fractal fractal = triangleOfMaps();
         fractal.appearance.colourBy = attractor::ColourBy::Map;
         fractal.appearance.mapColours[idOf(fractal, 1)] = {9, 8, 7, 255};
         const Fractal alone = soloed(fractal, idOf(fractal, 1));
@@ -110,17 +110,17 @@ private slots:
     }
 
     void linkedMapsAreNotShownAlone() {
-        Fractal fractal = triangle();
+        Fractal fractal = triangleOfMaps();
         ifs::setLinks(*system2(fractal), std::vector<double>{1, 0, 1, 1, 1, 1, 1, 1, 1});
         QVERIFY(!soloObstacle(fractal, idOf(fractal, 0)).isEmpty());
         QVERIFY(soloed(fractal, idOf(fractal, 0)) == fractal);
         QVERIFY(!soloObstacle(fractal, ifs::MapId::None).isEmpty());
-        QVERIFY(soloObstacle(triangle(), idOf(fractal, 0)).isEmpty());
+        QVERIFY(soloObstacle(triangleOfMaps(), idOf(fractal, 0)).isEmpty());
     }
 
     // By its cage, which is that of the whole after the map.
     void inSpaceTheCageHoldsTheImage() {
-        Fractal fractal = inSpace();
+        Fractal fractal = spaceFractal();
         system3(fractal)->maps[1].map.linear(2, 2) = 0; // flat
         for (const bool hasCage : {false, true}) {
             ifs::AffineMap<3> display;
@@ -145,7 +145,7 @@ private slots:
 
     // Its branches are where they are in the whole.
     void inSpaceBranchesStayMoved() {
-        Fractal fractal = inSpace();
+        Fractal fractal = spaceFractal();
         const auto maps = ifs::mapsOf(*system3(fractal));
         ifs::AffineMap<3> up;
         up.translation = {0.1, 0.7, 0.2};
@@ -172,7 +172,7 @@ private slots:
 
     // The part that the map makes, in its colour and in its place; y points upwards.
     void thumbnailsShowTheImage() {
-        const Fractal fractal = triangle();
+        const Fractal fractal = triangleOfMaps();
         const MapPoints points(fractal, 40, 40);
         const attractor::Rgba faint{128, 128, 128, 80};
         const QImage first = points.picture(0, faint), last = points.picture(2, faint);
@@ -186,13 +186,13 @@ private slots:
                 faintPixels += qAlpha(first.pixel(x, y)) > 10;
         QVERIFY(faintPixels > 20);
         QVERIFY(points.picture(3, faint).isNull());
-        const MapPoints solid(inSpace(), 40, 30);
+        const MapPoints solid(spaceFractal(), 40, 30);
         QVERIFY(coloured(solid.picture(0, faint), QRect(0, 0, 40, 30)) > 20);
         QVERIFY(MapPoints(Fractal(), 40, 30).picture(0, faint).isNull());
         Fractal noMaps;
         noMaps.shape = Shape<2>{};
         QVERIFY(MapPoints(noMaps, 40, 30).picture(0, faint).isNull());
-        Fractal expanding = triangle();
+        Fractal expanding = triangleOfMaps();
         for (auto& map : system2(expanding)->maps)
             map.map.linear *= 5;
         MapPoints(expanding, 40, 30).picture(0, faint);

@@ -30,7 +30,7 @@ Fractal movedSponge() {
     return fractal;
 }
 
-void bendIn(Fractal& fractal) {
+void bendInSpace(Fractal& fractal) {
     ifs::ControlCage<3> cage;
     for (int k = 0; k < 8; ++k)
         cage.rest.emplace_back((k & 1) != 0 ? 1.2 : -0.2, (k & 2) != 0 ? 1.2 : -0.2,
@@ -111,7 +111,7 @@ private slots:
     void pointsHaveTheirAddresses() {
         QFETCH(bool, isBent);
         Fractal fractal = movedSponge();
-        if (isBent) bendIn(fractal);
+        if (isBent) bendInSpace(fractal);
         for (const ifs::Word& word : {ifs::Word{19, 5, 7}, {19, 3, 2}, {2, 6, 1}, {0, 19, 3}, {12, 12, 4}}) {
             const ifs::Word address = addressInSpace(fractal, pointAt(fractal, word), 1e-4);
             QVERIFY2(beginsWith(address, word), qPrintable(addressText(address, 12)));
@@ -125,7 +125,7 @@ private slots:
     // Bent, what is moved out of the cage is still in the view.
     void bentItIsInView() {
         Fractal fractal = movedSponge();
-        bendIn(fractal);
+        bendInSpace(fractal);
         for (const ifs::Word& word : {ifs::Word{19, 19, 19}, {19, 3, 19}})
             for (const Vector<3>& u : {Vector<3>(1, 0, 0), Vector<3>(0, 1, 0), Vector<3>(0, 0, 1)})
                 QVERIFY(u.dot(pointAt(fractal, word)) <= extentAlong(fractal, u).high);

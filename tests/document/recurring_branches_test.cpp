@@ -17,18 +17,18 @@ using ifs::Vector, ifs::Word;
 
 namespace {
 
-std::shared_ptr<const Fractal> held(const Fractal& fractal) {
+std::shared_ptr<const Fractal> heldFractal(const Fractal& fractal) {
     return std::make_shared<const Fractal>(fractal);
 }
 
-Fractal triangle() {
+Fractal sierpinski() {
     Fractal fractal = sierpinskiTriangle();
     plane(fractal)->cage = ifs::ControlCage<2>{{{0, 0}, {1, 0}, {0, 1}}, {{1, 1}, {3, 1.5}, {0.5, 4}}};
     return fractal;
 }
 
 MapHandles handlesOf(const Fractal& fractal, const Word& word, BranchEdit edit) {
-    return branchHandles(held(fractal), *plane(fractal)->cage, word, edit)->handles;
+    return branchHandles(heldFractal(fractal), *plane(fractal)->cage, word, edit)->handles;
 }
 
 constexpr std::array<std::size_t, 1> first{0};
@@ -57,7 +57,7 @@ private slots:
     // Inside the branch the branch is moved as the whole of it is, again and again; nothing beside it moves.
     void theSameBranchMovesInsideIt() {
         for (const Word& word : {Word{1}, Word{2, 0}}) {
-            const Fractal before = triangle();
+            const Fractal before = sierpinski();
             const Fractal after = turned(before, word, BranchEdit::Inside, 0.3);
             QVERIFY(*system2(after) == *system2(before));
             QCOMPARE(plane(after)->moved.size(), 1U);
@@ -85,7 +85,7 @@ private slots:
     // A branch that is moved in both ways follows the pointer in either.
     void itFollowsThePointer() {
         const Word word{1}, inner{1, 1};
-        Fractal fractal = turned(triangle(), word, BranchEdit::Inside, 0.3);
+        Fractal fractal = turned(sierpinski(), word, BranchEdit::Inside, 0.3);
         for (const Word& branch : {word, inner, word}) {
             for (const BranchEdit edit : {BranchEdit::Display, BranchEdit::Inside, BranchEdit::Display}) {
                 const MapHandles handles = handlesOf(fractal, branch, edit);
@@ -105,7 +105,7 @@ private slots:
 
     // Where change∘w_σ does not contract, the branch itself is moved, and the picture stays bounded.
     void onlyWhatContractsGoesOn() {
-        const MapHandles handles = handlesOf(triangle(), {1}, BranchEdit::Inside);
+        const MapHandles handles = handlesOf(sierpinski(), {1}, BranchEdit::Inside);
         const Fractal larger = handles.withMapsChanged(first, ifs::affineMap(3, 0, 0, 3, 0, 0));
         QVERIFY(ifs::spectralRadius<2>(recurringMap(larger, {1}).linear) > 1);
         QCOMPARE(movedBranches(larger).size(), 1U);
@@ -115,7 +115,7 @@ private slots:
 
     // The picture stays when the code is written anew: baked, or over the cut set of another branch.
     void itStaysWhenTheCodeIsRewritten() {
-        Fractal fractal = turned(triangle(), {1}, BranchEdit::Inside, 0.5);
+        Fractal fractal = turned(sierpinski(), {1}, BranchEdit::Inside, 0.5);
         fractal = turned(fractal, {1, 1}, BranchEdit::Display, -0.4);
         fractal = turned(fractal, {2, 0}, BranchEdit::Inside, 0.7);
         const Box box = *displayedBox(fractal);
@@ -125,7 +125,8 @@ private slots:
         QVERIFY(!isNear(box, *displayedBox(once)));
         QVERIFY(isNear(box, *displayedBox(*baked(fractal))));
         for (const Word& word : {Word{0, 1}, Word{1, 2}, Word{2, 2}, Word{2, 0}, Word{1, 1}}) {
-            const auto branch = branchHandles(held(fractal), *plane(fractal)->cage, word, BranchEdit::OwnMap);
+            const auto branch =
+                branchHandles(heldFractal(fractal), *plane(fractal)->cage, word, BranchEdit::OwnMap);
             const std::array<std::size_t, 1> index{branch->index};
             const Fractal own = branch->handles.withMapsChanged(index, ifs::affineMap(1, 0, 0, 1, 1e-14, 0));
             QVERIFY(*system2(own) != *system2(fractal));
@@ -138,7 +139,7 @@ private slots:
 
     // The part that one map makes is what the whole shows of it.
     void aMapShownAloneKeepsIt() {
-        const Fractal fractal = turned(triangle(), {1}, BranchEdit::Inside, 0.5);
+        const Fractal fractal = turned(sierpinski(), {1}, BranchEdit::Inside, 0.5);
         const ifs::MapId id = system2(fractal)->maps[1].id;
         const Fractal alone = soloed(fractal, id);
         std::set<std::size_t> lengths;

@@ -43,4 +43,6 @@ template <class Test, class Application = NoApplication> int runTest(int argc, c
 } // namespace support
 
 /// BARYCAGE_TEST(Class) or BARYCAGE_TEST(Class, Application): in place of QTEST_APPLESS_MAIN and its kin.
-#define BARYCAGE_TEST(...) static const support::NamedTest namedTest(__FILE__, support::runTest<__VA_ARGS__>)
+#define BARYCAGE_TEST(...) BARYCAGE_NAMED_TEST(__COUNTER__, support::runTest<__VA_ARGS__>)
+#define BARYCAGE_NAMED_TEST(number, ...) BARYCAGE_NUMBERED_TEST(number, (__VA_ARGS__))
+#define BARYCAGE_NUMBERED_TEST(number, run) static const support::NamedTest namedTest##number(__FILE__, run)

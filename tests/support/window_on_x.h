@@ -148,4 +148,4 @@ template <class Test> int runOnX(int argc, char** argv) {
 } // namespace support
 
 /// BARYCAGE_TEST() of a class that derives from WindowOnX.
-#define BARYCAGE_TEST_ON_X(Class) static const support::NamedTest namedTest(__FILE__, support::runOnX<Class>)
+#define BARYCAGE_TEST_ON_X(Class) BARYCAGE_NAMED_TEST(__COUNTER__, support::runOnX<Class>)

@@ -14,7 +14,7 @@ namespace view {
 
 namespace {
 
-constexpr int patience = 30; // milliseconds that the picture has before the distance is measured
+constexpr int stepsPatience = 30; // milliseconds that the picture has before the distance is measured
 
 } // namespace
 
@@ -32,7 +32,7 @@ StepsBridge::StepsBridge(document::Document* document, RenderBridge* bridge)
       }),
       m_reading([this](std::optional<Read> read) { finishReading(std::move(read)); }, io::Lane::Reading) {
     m_measuring.setSingleShot(true);
-    m_measuring.setInterval(patience);
+    m_measuring.setInterval(stepsPatience);
     connect(&m_measuring, &QTimer::timeout, this, &StepsBridge::requestDistance);
     connect(bridge, &RenderBridge::wanted, this, &StepsBridge::requestPicture);
     connect(document, &document::Document::changed, this, [this](const document::Change& change) {

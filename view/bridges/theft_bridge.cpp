@@ -10,7 +10,7 @@ namespace view {
 
 namespace {
 
-constexpr int maxThreads = 4;
+constexpr int maxTheftThreads = 4;
 
 } // namespace
 
@@ -20,10 +20,9 @@ TheftBridge::TheftBridge(document::Document* host, RenderBridge* onHost, documen
       m_onHost(onHost),
       m_partner(partner),
       m_onPartner(onPartner),
-      m_thread(
-          std::make_unique<document::TheftThread>(std::min(attractor::hardwareThreads(), maxThreads), [this] {
-              QMetaObject::invokeMethod(this, &TheftBridge::takeFrames, Qt::QueuedConnection);
-          })) {
+      m_thread(std::make_unique<document::TheftThread>(
+          std::min(attractor::hardwareThreads(), maxTheftThreads),
+          [this] { QMetaObject::invokeMethod(this, &TheftBridge::takeFrames, Qt::QueuedConnection); })) {
     for (const RenderBridge* bridge : {onHost, onPartner})
         connect(bridge, &RenderBridge::wanted, this, &TheftBridge::request);
     // Without a transformation nothing is wanted of it; the next change may bring one.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "desktop/clipboard.h"
 
+#include "document/text.h"
 #include "io/collection_reader.h"
 #include "io/file/background.h"
 #include "io/fractint/entry_writer.h"
@@ -8,7 +9,6 @@
 #include "io/table/table_reader.h"
 #include "io/table/table_writer.h"
 
-#include <QCoreApplication>
 #include <QMetaType>
 #include <QMimeData>
 
@@ -126,8 +126,8 @@ const CopiedMaps* ourMaps(const QMimeData& mimeData) {
 }
 
 FoundEntries entriesIn(const QByteArray& text) {
-    const io::Collection collection = io::readCollection(
-        text, QCoreApplication::translate("view::Clipboard", "pasted", "name of an entry made from a table"));
+    const io::Collection collection =
+        io::readCollection(text, Text::tr("pasted", "name of an entry made from a table"));
     FoundEntries found{{}, collection.file.problems};
     for (document::Entry entry : collection.file.entries) {
         if (isReadable(entry)) entry.source.reset();

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "dialogs/guide.h"
 
+#include "document/text.h"
 #include "io/file/background.h"
 #include "widgets/icon.h"
 #include "widgets/text_edit_workarounds.h"
 
 #include <QAbstractTextDocumentLayout>
-#include <QCoreApplication>
 #include <QDialog>
 #include <QDialogButtonBox>
 #include <QFutureWatcher>
@@ -31,7 +31,7 @@ namespace view {
 
 namespace {
 
-constexpr int margin = 16;
+constexpr int pageMargin = 16;
 
 struct Picture {
     QUrl name;
@@ -47,8 +47,8 @@ QString pathOf(const QUrl& picture) {
 class Page : public TextEditWithWorkarounds<QTextBrowser> {
 public:
     explicit Page(QWidget* parent) : TextEditWithWorkarounds(parent) {
-        document()->setDocumentMargin(margin);
-        document()->setIndentWidth(1.25 * margin);
+        document()->setDocumentMargin(pageMargin);
+        document()->setIndentWidth(1.25 * pageMargin);
         setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOn); // the width does not depend on the height
         connect(&m_decoding, &QFutureWatcherBase::resultReadyAt, this, [this](int i) {
             const Picture picture = m_decoding.resultAt(i);
@@ -107,7 +107,7 @@ protected:
 private:
     // In the size that fits: what is there already, stretched, or nothing.
     Picture place(const QUrl& name) const {
-        const int room = viewport()->width() - 2 * margin;
+        const int room = viewport()->width() - 2 * pageMargin;
         const QSize whole = QImageReader(pathOf(name)).size();
         const double scale = std::min(1.0, double(room) / whole.width()) * devicePixelRatioF();
         const QSize size = (QSizeF(whole) * scale).toSize().expandedTo({1, 1});
@@ -140,11 +140,11 @@ private:
 class FindField : public QLineEdit {
 public:
     FindField(Page* page, QLabel* count, QWidget* parent) : QLineEdit(parent), m_page(page), m_count(count) {
-        setPlaceholderText(QCoreApplication::translate("view::Guide", "Find in the guide"));
+        setPlaceholderText(Text::tr("Find in the guide"));
         setAccessibleName(placeholderText());
-        setWhatsThis(QCoreApplication::translate(
-            "view::Guide", "Finds these words in the guide. Enter goes to the next match, Shift+Enter to the "
-                           "previous one. Ctrl+F comes back here."));
+        setWhatsThis(
+            Text::tr("Finds these words in the guide. Enter goes to the next match, Shift+Enter to the "
+                     "previous one. Ctrl+F comes back here."));
         setClearButtonEnabled(true);
         addAction(icon(QStringLiteral("search")), LeadingPosition);
         connect(this, &QLineEdit::textChanged, this, &FindField::find);
@@ -202,13 +202,10 @@ private:
         }
         m_page->setExtraSelections(marks);
         if (m_matches.isEmpty()) {
-            m_count->setText(text().simplified().isEmpty()
-                                 ? QString()
-                                 : QCoreApplication::translate("view::Guide", "Not found"));
+            m_count->setText(text().simplified().isEmpty() ? QString() : Text::tr("Not found"));
             return;
         }
-        m_count->setText(
-            QCoreApplication::translate("view::Guide", "%1 of %2").arg(m_shown + 1).arg(m_matches.size()));
+        m_count->setText(Text::tr("%1 of %2").arg(m_shown + 1).arg(m_matches.size()));
         QTextCursor match = m_matches[m_shown];
         match.setPosition(match.selectionStart());
         m_page->scrollTo(match);
@@ -225,11 +222,11 @@ private:
 void showGuide(QWidget* parent) {
     auto* dialog = new QDialog(parent);
     dialog->setAttribute(Qt::WA_DeleteOnClose);
-    dialog->setWindowTitle(QCoreApplication::translate("view::Guide", "User Guide"));
+    dialog->setWindowTitle(Text::tr("User Guide"));
     auto* browser = new Page(dialog);
     browser->setAccessibleName(dialog->windowTitle());
-    browser->setWhatsThis(QCoreApplication::translate(
-        "view::Guide", "The user guide: what you can do with Barycage, in the order in which you need it."));
+    browser->setWhatsThis(
+        Text::tr("The user guide: what you can do with Barycage, in the order in which you need it."));
     browser->setOpenExternalLinks(true);
     browser->open(QUrl(QStringLiteral("qrc:/guide/guide.md")));
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close, dialog);

@@ -15,8 +15,8 @@ namespace view {
 namespace {
 
 constexpr double margin = 20;
-constexpr double radius = 44; // of the ball
-constexpr double reach = 32;  // from its middle to that of a spot
+constexpr double radius = 44;    // of the ball
+constexpr double spotReach = 32; // from its middle to that of a spot
 constexpr double spot = 10;
 
 // Apart in lightness as well, so that they are told apart without colour; letters say the rest.
@@ -40,7 +40,8 @@ void AxisBall::layOut(const attractor::OrbitCamera& camera) {
     for (int axis = 0; axis < 3; ++axis)
         for (const bool isPositive : {true, false}) {
             const ifs::Vector<3> seen = (isPositive ? 1 : -1) * toCamera.col(axis);
-            m_spots[k++] = {{axis, isPositive}, m_centre + reach * QPointF(seen.x(), -seen.y()), seen.z()};
+            m_spots[k++] = {
+                {axis, isPositive}, m_centre + spotReach * QPointF(seen.x(), -seen.y()), seen.z()};
         }
     std::ranges::stable_sort(m_spots, std::greater<>(), &Spot::depth);
 }

@@ -11,7 +11,7 @@ namespace view {
 
 namespace {
 
-constexpr double grip = 12; // pixels around the handle that hold it
+constexpr double sliceGrip = 12; // pixels around the handle that hold it
 constexpr double arrowLength = 34;
 
 } // namespace
@@ -40,7 +40,7 @@ void SliceItem::setHeld(bool hovered, bool pressed) {
 }
 
 bool SliceItem::isHandleAt(const QPointF& position) const {
-    return m_plane && isVisible() && QLineF(m_handle, position).length() <= grip;
+    return m_plane && isVisible() && QLineF(m_handle, position).length() <= sliceGrip;
 }
 
 void SliceItem::paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidget*) {

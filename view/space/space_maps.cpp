@@ -21,7 +21,7 @@ namespace {
 
 using document::SpaceMapHandles;
 
-constexpr double grip = 12;           // pixels around a corner
+constexpr double cornerGrip = 12;     // pixels around a corner
 constexpr std::size_t maxShown = 300; // tetrahedra; more could not be told apart
 
 ifs::Vector<3> middleOf(const SpaceMapHandles::Corners& corners) {
@@ -163,7 +163,7 @@ void SpaceMaps::layOut(const attractor::OrbitCamera& camera, const std::optional
 std::optional<std::size_t> SpaceMaps::mapAt(const QPointF& position) const {
     const Dot* nearest = nullptr;
     for (const Dot& dot : m_dots)
-        if (QLineF(dot.pixel, position).length() <= grip && (!nearest || dot.depth < nearest->depth))
+        if (QLineF(dot.pixel, position).length() <= cornerGrip && (!nearest || dot.depth < nearest->depth))
             nearest = &dot;
     return nearest ? std::optional(nearest->map) : std::nullopt;
 }

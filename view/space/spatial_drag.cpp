@@ -17,7 +17,7 @@ using ifs::Vector;
 
 // Below this angle between an axis and the line of sight, or a plane and the line of sight, a pixel would be
 // a leap.
-const double minSine = std::sin(8 * std::numbers::pi / 180);
+const double minSlope = std::sin(8 * std::numbers::pi / 180);
 
 // What turns or scales, pressed nearer to its middle than that, is held as if it were farther from it, in
 // pixels.
@@ -53,7 +53,7 @@ attractor::Ray sight(const OrbitCamera& camera, const Vector<3>& start, const Ve
 Vector<3> alongAxis(const OrbitCamera& camera, const Vector<3>& start, const Vector<2>& motion,
                     const Vector<3>& direction) {
     const Vector<3> pressed = sight(camera, start, Vector<2>::Zero()).direction;
-    if (direction.cross(pressed).norm() < minSine) {
+    if (direction.cross(pressed).norm() < minSlope) {
         const Vector<2> shown = onScreen(camera, start, direction);
         const double scale = pixelsPerUnit(camera);
         if (!(shown.norm() > 1e-9 * scale)) return start; // it is seen as a point
@@ -70,8 +70,8 @@ Vector<3> inPlane(const OrbitCamera& camera, const Vector<3>& start, const Vecto
     const Vector<3> normal = Vector<3>::Unit(axis);
     const attractor::Ray ray = sight(camera, start, motion);
     const double sine = ray.direction.dot(normal);
-    if (std::abs(sight(camera, start, Vector<2>::Zero()).direction.dot(normal)) < minSine ||
-        std::abs(sine) < minSine / 2) { // seen from its edge
+    if (std::abs(sight(camera, start, Vector<2>::Zero()).direction.dot(normal)) < minSlope ||
+        std::abs(sine) < minSlope / 2) { // seen from its edge
         Vector<3> moved = acrossView(camera, start, motion);
         moved[axis] = start[axis];
         return moved;

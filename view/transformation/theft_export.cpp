@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "transformation/theft_export.h"
 
+#include "document/text.h"
 #include "document/tops/laid_picture.h"
 #include "io/tops/steal_export.h"
-
-#include <QCoreApplication>
 
 #include <algorithm>
 #include <variant>
@@ -12,10 +11,6 @@
 namespace view {
 
 namespace {
-
-struct Text {
-    Q_DECLARE_TR_FUNCTIONS(Text)
-};
 
 constexpr std::uint64_t pointsPerPixel = 100;
 

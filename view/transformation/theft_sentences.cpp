@@ -1,19 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include "transformation/theft_sentences.h"
 
+#include "document/text.h"
 #include "widgets/number_text.h"
-
-#include <QCoreApplication>
 
 #include <algorithm>
 
 namespace view {
 
 namespace {
-
-struct Text {
-    Q_DECLARE_TR_FUNCTIONS(Text)
-};
 
 QString sizeText(double size) {
     return size < 99.5 ? QString::number(size, 'g', 2) : QString::number(size, 'f', 0);

@@ -2,10 +2,10 @@
 #include "widgets/file_dialogs.h"
 
 #include "desktop/settings.h"
+#include "document/text.h"
 #include "io/file/slow_disk.h"
 #include "io/picture/picture_decoder.h"
 
-#include <QCoreApplication>
 #include <QDir>
 #include <QFileDialog>
 #include <QFileInfo>
@@ -56,9 +56,7 @@ QString chooseFileToOpen(QWidget* parent, const QString& title, const QString& f
 }
 
 QString choosePictureToOpen(QWidget* parent, const QString& title) {
-    return chooseFileToOpen(
-        parent, title,
-        QCoreApplication::translate("FileDialogs", "Pictures (%1);;All files (*)").arg(namesOfPictures()));
+    return chooseFileToOpen(parent, title, Text::tr("Pictures (%1);;All files (*)").arg(namesOfPictures()));
 }
 
 QString namesOfPictures() {

@@ -13,7 +13,7 @@ namespace view {
 
 namespace {
 
-QString sentence(const char* text) {
+QString refusal(const char* text) {
     return QCoreApplication::translate("NumberField", text);
 }
 
@@ -46,12 +46,12 @@ bool isTooLarge(const QString& text) {
 QString rangeProblem(double value, const NumberRange& range) {
     const bool open = range.ends == NumberRange::Ends::Open;
     if (range.min && (open ? value <= *range.min : value < *range.min))
-        return (open ? sentence(QT_TRANSLATE_NOOP("NumberField", "The number must be greater than %1."))
-                     : sentence(QT_TRANSLATE_NOOP("NumberField", "The number must be at least %1.")))
+        return (open ? refusal(QT_TRANSLATE_NOOP("NumberField", "The number must be greater than %1."))
+                     : refusal(QT_TRANSLATE_NOOP("NumberField", "The number must be at least %1.")))
             .arg(fullNumber(*range.min));
     if (range.max && (open ? value >= *range.max : value > *range.max))
-        return (open ? sentence(QT_TRANSLATE_NOOP("NumberField", "The number must be less than %1."))
-                     : sentence(QT_TRANSLATE_NOOP("NumberField", "The number must be at most %1.")))
+        return (open ? refusal(QT_TRANSLATE_NOOP("NumberField", "The number must be less than %1."))
+                     : refusal(QT_TRANSLATE_NOOP("NumberField", "The number must be at most %1.")))
             .arg(fullNumber(*range.max));
     return {};
 }
@@ -107,12 +107,12 @@ bool isFinishedNumber(const QString& text, io::NumberUnit unit) {
 QString numberProblem(const QString& text, const NumberRange& range, io::NumberUnit unit) {
     if (const auto value = typedNumber(text, unit)) return rangeProblem(*value, range);
     const QString shown = text.trimmed();
-    if (shown.isEmpty()) return sentence(QT_TRANSLATE_NOOP("NumberField", "A number is missing here."));
+    if (shown.isEmpty()) return refusal(QT_TRANSLATE_NOOP("NumberField", "A number is missing here."));
     if (isTooLarge(shown))
-        return sentence(QT_TRANSLATE_NOOP("NumberField", "“%1” is too large a number.")).arg(shown);
+        return refusal(QT_TRANSLATE_NOOP("NumberField", "“%1” is too large a number.")).arg(shown);
     if (isWithoutValue(shown))
-        return sentence(QT_TRANSLATE_NOOP("NumberField", "“%1” has no finite value.")).arg(shown);
-    return sentence(QT_TRANSLATE_NOOP("NumberField", "“%1” is not a number.")).arg(shown);
+        return refusal(QT_TRANSLATE_NOOP("NumberField", "“%1” has no finite value.")).arg(shown);
+    return refusal(QT_TRANSLATE_NOOP("NumberField", "“%1” is not a number.")).arg(shown);
 }
 
 double paceOfSteps(Qt::KeyboardModifiers modifiers) {

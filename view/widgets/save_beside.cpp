@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "widgets/save_beside.h"
 
+#include "document/text.h"
 #include "io/file/background.h"
 #include "widgets/wait_for.h"
 
-#include <QCoreApplication>
 #include <QFileInfo>
 #include <QPointer>
 #include <QWidget>
@@ -15,10 +15,6 @@
 namespace view {
 
 namespace {
-
-struct Text {
-    Q_DECLARE_TR_FUNCTIONS(SaveBeside)
-};
 
 // Somebody cancels what somebody else is about to finish; the first one decides.
 struct Shared {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "widgets/symmetry_groups.h"
+#include "document/text.h"
 
 #include <QComboBox>
-#include <QCoreApplication>
 #include <QSignalBlocker>
 
 namespace view {
@@ -10,10 +10,6 @@ namespace view {
 namespace {
 
 using enum ifs::SymmetryGroup;
-
-struct Text {
-    Q_DECLARE_TR_FUNCTIONS(view::SymmetryRow)
-};
 
 } // namespace
 

@@ -21,7 +21,7 @@ constexpr int cacheBytes = 24 * 1024 * 1024;
 constexpr int maxWanted = 512; // more rows than any screen shows; older requests are dropped
 constexpr int maxRunning = 2;  // one being drawn, one waiting: the order stays ours
 constexpr int samplesPerPixel = 24;
-constexpr double margin = 0.07;
+constexpr double shareOfMargin = 0.07;
 constexpr double defaultAzimuth = 30; // degrees, as a solid is seen at first
 constexpr double defaultElevation = 20;
 
@@ -62,7 +62,7 @@ QImage pictureInSpace(const document::Fractal& fractal, int side) {
     camera.orientation = attractor::orbit(defaultAzimuth, defaultElevation);
     camera.size.width = camera.size.height = side;
     if (!document::spaceSupport(fractal)) return nothing();
-    camera = document::fittedToPicture(fractal, camera, margin);
+    camera = document::fittedToPicture(fractal, camera, shareOfMargin);
     attractor::SolidRendering rendering(document::spaceRequest(fractal, camera));
     rendering.draw();
     attractor::Workers alone(1);
@@ -98,7 +98,7 @@ struct Drawing {
         }
         attractor::Camera camera;
         camera.width = camera.height = side;
-        camera = attractor::fitted(camera, box->min, box->max, margin);
+        camera = attractor::fitted(camera, box->min, box->max, shareOfMargin);
         attractor::RenderRequest drawn = document::renderRequest(*fractal, camera);
         drawn.samples = static_cast<std::uint64_t>(side) * side * samplesPerPixel;
         drawn.threads = 1;

@@ -21,6 +21,12 @@ inline QString plainText(const QString& tip) {
     return Qt::mightBeRichText(tip) ? QTextDocumentFragment::fromHtml(tip).toPlainText() : tip;
 }
 
+// A tip that ends as a sentence does.
+inline QString asSentence(const QString& tip) {
+    const bool ends = tip.isEmpty() || QStringLiteral(".!?…:)").contains(tip.back());
+    return ends ? tip : tip + u'.';
+}
+
 // A name as part of the title of a window, where “[*]” would stand for unsaved changes.
 inline QString titleText(QString name) {
     return name.replace(QLatin1String("[*]"), QLatin1String("[*][*]"));

@@ -49,11 +49,6 @@ QString shortcutOf(const QWidget& widget) {
                                                     : QString();
 }
 
-QString sentence(const QString& tip) {
-    const bool ends = tip.isEmpty() || QStringLiteral(".!?…:)").contains(tip.back());
-    return ends ? tip : tip + u'.';
-}
-
 // Of a field that shows an expression: the expression and its value. Of a label that is cut: all of it.
 QString contentOf(const QWidget& widget) {
     if (const auto* label = dynamic_cast<const ElidedLabel*>(&widget))
@@ -88,8 +83,9 @@ QString composedTip(const QWidget& widget) {
     if (!content.isEmpty())
         head += (head.isEmpty() ? QString() : QStringLiteral("<br>")) + content.toHtmlEscaped();
     if (tip == name) return head;
-    const QString body = isRich ? tip : sentence(tip).toHtmlEscaped().replace(u'\n', QStringLiteral("<br>"));
-    return head.isEmpty() ? (isRich ? tip : tooltipText(sentence(tip)))
+    const QString body =
+        isRich ? tip : asSentence(tip).toHtmlEscaped().replace(u'\n', QStringLiteral("<br>"));
+    return head.isEmpty() ? (isRich ? tip : tooltipText(asSentence(tip)))
                           : QStringLiteral("<p>%1<br>%2</p>").arg(head, body);
 }
 

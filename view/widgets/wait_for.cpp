@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "widgets/wait_for.h"
+#include "document/text.h"
 
-#include <QCoreApplication>
 #include <QDeadlineTimer>
 #include <QEventLoop>
 #include <QFutureWatcher>
@@ -19,10 +19,6 @@ namespace {
 using namespace std::chrono_literals;
 
 constexpr auto moment = 100ms; // nobody needs to be told of less
-
-struct Text {
-    Q_DECLARE_TR_FUNCTIONS(Text)
-};
 
 } // namespace
 

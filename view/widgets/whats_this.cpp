@@ -40,27 +40,22 @@ void explainPart(QToolButton* button, const QLineEdit& field) {
     if (button->whatsThis().isEmpty()) button->setWhatsThis(field.whatsThis());
 }
 
-QString sentence(const QString& tip) {
-    const bool ends = tip.isEmpty() || QStringLiteral(".!?…:)").contains(tip.back());
-    return ends ? tip : tip + u'.';
-}
-
 // What the panel, bar or dialog is for in which something is, after what it does itself.
 QString withPanel(const QString& tip, const QWidget* widget) {
     for (; widget; widget = widget->parentWidget())
         if (const auto* panel = qobject_cast<const QDockWidget*>(widget);
             panel && !panel->whatsThis().isEmpty())
             return WhatsThis::tr("%1 Panel “%2”: %3", "what it does, panel, what the panel is for")
-                .arg(sentence(tip), panel->windowTitle(), panel->whatsThis());
+                .arg(asSentence(tip), panel->windowTitle(), panel->whatsThis());
         else if (!widget->whatsThis().isEmpty())
-            return sentence(tip) + u' ' + widget->whatsThis();
+            return asSentence(tip) + u' ' + widget->whatsThis();
     return tip;
 }
 
 // Nothing, or no more than its tip.
 bool saysLittle(const QWidget& widget) {
     const QString text = widget.whatsThis();
-    return text.isEmpty() || sentence(text) == sentence(widget.toolTip());
+    return text.isEmpty() || asSentence(text) == asSentence(widget.toolTip());
 }
 
 } // namespace

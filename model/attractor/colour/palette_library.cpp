@@ -182,7 +182,7 @@ std::vector<LibraryPalette> made() {
     return library;
 }
 
-bool sameLetter(char a, char b) {
+bool isSameLetter(char a, char b) {
     return std::tolower(static_cast<unsigned char>(a)) == std::tolower(static_cast<unsigned char>(b));
 }
 
@@ -195,7 +195,7 @@ std::span<const LibraryPalette> paletteLibrary() {
 
 const Palette* findInLibrary(std::string_view name) {
     for (const LibraryPalette& entry : paletteLibrary())
-        if (std::ranges::equal(entry.palette.name, name, sameLetter)) return &entry.palette;
+        if (std::ranges::equal(entry.palette.name, name, isSameLetter)) return &entry.palette;
     return nullptr;
 }
 

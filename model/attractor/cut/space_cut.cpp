@@ -12,7 +12,7 @@ namespace attractor {
 
 namespace {
 
-struct Node {
+struct SpaceNode {
     ifs::AffineMap<3> word; // box → SpaceView::toPixels
     SeenWord seen;
     double probability = 1;
@@ -22,9 +22,9 @@ struct Node {
     int depth = 0;
 };
 
-class Tree {
+class SpaceTree {
 public:
-    Tree(const PreparedSpace& system, const SpaceView& view, const SpaceCutSettings& settings)
+    SpaceTree(const PreparedSpace& system, const SpaceView& view, const SpaceCutSettings& settings)
         : m_system(system), m_view(view), m_settings(settings) {
         for (const ifs::AffineMap<3>& map : system.maps)
             m_maps.push_back(system.inBox(map));
@@ -36,7 +36,7 @@ public:
         // keep their identity while the view or a map moves a little. Where all is in view, rounding does not
         // decide between two of them.
         double visible = 0;
-        for (const Node& node : leaves(16.0 / m_settings.words, stop))
+        for (const SpaceNode& node : leaves(16.0 / m_settings.words, stop))
             visible += node.probability;
         double threshold = 1;
         while (threshold > 0 && threshold > visible / m_settings.words * (1 + rounding))
@@ -59,13 +59,13 @@ private:
     static constexpr double minSamples = 32;
 
     // The pieces of what is shown that meet the view.
-    std::vector<Node> roots() const {
-        std::vector<Node> result;
-        Node root;
+    std::vector<SpaceNode> roots() const {
+        std::vector<SpaceNode> result;
+        SpaceNode root;
         root.word = m_view.toPixels * m_system.fromBox();
         root.seen = seen(root.word, m_view);
         for (const PreparedSpace::Piece& piece : m_system.pieces()) {
-            Node node = root;
+            SpaceNode node = root;
             for (const int letter : piece.word)
                 node = child(node, static_cast<std::size_t>(letter));
             if (piece.isMoved) {
@@ -77,8 +77,8 @@ private:
         return result;
     }
 
-    Node child(const Node& node, std::size_t i) const {
-        Node result;
+    SpaceNode child(const SpaceNode& node, std::size_t i) const {
+        SpaceNode result;
         result.word = node.word * m_maps[i];
         result.seen = seen(result.word, m_view);
         result.probability = node.probability * m_system.probabilities[i];
@@ -89,13 +89,15 @@ private:
         return result;
     }
 
-    bool isBent(const Node& node) const {
+    bool isBent(const SpaceNode& node) const {
         return m_followsBend && (node.seen.isCut || !(node.seen.miss <= maxBend && !node.seen.reachesEye));
     }
 
-    bool isExact(const Node& node) const { return m_settings.exactness == Exactness::All || isBent(node); }
+    bool isExact(const SpaceNode& node) const {
+        return m_settings.exactness == Exactness::All || isBent(node);
+    }
 
-    bool isLeaf(const Node& node, double threshold) const {
+    bool isLeaf(const SpaceNode& node, double threshold) const {
         if (node.depth < m_settings.minDepth) return false;
         if (!m_system.contracts) return true;
         const double size = 2 * std::max(node.seen.half.x(), node.seen.half.y());
@@ -106,13 +108,13 @@ private:
     }
 
     // Level by level.
-    std::vector<Node> leaves(double threshold, const std::stop_token& stop) {
-        std::vector<Node> done;
-        std::vector<Node> open = roots();
-        std::vector<Node> next;
+    std::vector<SpaceNode> leaves(double threshold, const std::stop_token& stop) {
+        std::vector<SpaceNode> done;
+        std::vector<SpaceNode> open = roots();
+        std::vector<SpaceNode> next;
         std::size_t looks = 0;
         while (!open.empty()) {
-            std::erase_if(open, [&](const Node& node) {
+            std::erase_if(open, [&](const SpaceNode& node) {
                 if (!isLeaf(node, threshold)) return false;
                 done.push_back(node);
                 return true;
@@ -120,10 +122,10 @@ private:
             if (open.size() * m_maps.size() + done.size() > 4 * maxWords)
                 thinOut(open, std::max<std::size_t>(64, maxWords / m_maps.size()));
             next.clear();
-            for (const Node& node : open)
+            for (const SpaceNode& node : open)
                 for (std::size_t i = 0; i < m_maps.size(); ++i) {
                     if (++looks % 4096 == 0 && stop.stop_requested()) return {};
-                    const Node candidate = child(node, i);
+                    const SpaceNode candidate = child(node, i);
                     if (candidate.seen.meets(m_view.size)) next.push_back(candidate);
                 }
             open.swap(next);
@@ -133,17 +135,17 @@ private:
         return done;
     }
 
-    void thinOut(std::vector<Node>& nodes, std::size_t wanted) {
+    void thinOut(std::vector<SpaceNode>& nodes, std::size_t wanted) {
         if (nodes.size() <= wanted) return;
         attractor::thinOut(nodes, wanted, m_settings.seed + nodes.size() + (m_thinnings++ << 32));
     }
 
-    SpaceCut words(const std::vector<Node>& nodes) const {
+    SpaceCut words(const std::vector<SpaceNode>& nodes) const {
         SpaceCut result;
-        for (const Node& node : nodes)
+        for (const SpaceNode& node : nodes)
             if (!isExact(node)) add(node, result);
         result.firstExact = result.words.size();
-        for (const Node& node : nodes)
+        for (const SpaceNode& node : nodes)
             if (isExact(node)) {
                 add(node, result);
                 result.exact.push_back(straightened(node.word, m_view).word);
@@ -151,7 +153,7 @@ private:
         return result;
     }
 
-    void add(const Node& node, SpaceCut& cut) const {
+    void add(const SpaceNode& node, SpaceCut& cut) const {
         const ifs::AffineMap<3>& map = node.seen.onScreen;
         SpaceWord word;
         for (int k = 0; k < 3; ++k) {
@@ -186,7 +188,7 @@ private:
 SpaceCut spaceCut(const PreparedSpace& system, const SpaceView& view, const SpaceCutSettings& settings,
                   const std::stop_token& stop) {
     if (system.maps.empty()) return {};
-    return Tree(system, view, settings).cut(stop);
+    return SpaceTree(system, view, settings).cut(stop);
 }
 
 } // namespace attractor

@@ -14,7 +14,6 @@ namespace attractor {
 
 namespace {
 
-constexpr double fullColour = 4095;       // 12 bits per channel
 constexpr double minWhitePoint = 4;       // an even measure is shown below the brightest tone
 constexpr double sampledPixels = 200'000; // enough for a mean
 constexpr std::size_t rampSize = 512;

@@ -14,6 +14,9 @@
 
 namespace attractor {
 
+// The brightest value of the table of encoded light: 12 bits per channel.
+inline constexpr double fullColour = 4095;
+
 // Mean density over the occupied pixels of a picture whose cells have been filled with `samples` samples over
 // the whole attractor, and for every value that `kept` does not give, white point and gain. Independent of
 // the number of samples but for noise. docs/mathematics.md, "Density to colour".

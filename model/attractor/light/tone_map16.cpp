@@ -9,7 +9,6 @@ namespace attractor {
 
 namespace {
 
-constexpr double fullColour = 4095; // 12 bits per channel
 constexpr std::uint64_t tabulated = 4096;
 
 std::uint16_t code16(double value) {

@@ -27,7 +27,7 @@ constexpr double degree = std::numbers::pi / 180;
 constexpr auto rest = std::chrono::milliseconds(100);
 constexpr std::uint64_t samplesPerCell = 4; // of a density, in a pass
 constexpr std::uint64_t minPass = 200'000;
-constexpr std::uint64_t maxPass = 10'000'000;
+constexpr std::uint64_t maxSolidPass = 10'000'000;
 constexpr int passesAtRest = 16;
 
 // How far to the right of the camera's the eyes are.
@@ -181,7 +181,7 @@ bool SolidThread::State::showCloud(const Job& job, int step, SolidFrame frame, c
     SpaceRequest request = job.request;
     request.camera = coarse(request.camera, step);
     const std::size_t cells = frame.raster.keys.size();
-    request.samples = std::clamp<std::uint64_t>(cells * samplesPerCell, minPass, maxPass);
+    request.samples = std::clamp<std::uint64_t>(cells * samplesPerCell, minPass, maxSolidPass);
     const std::vector<double> eyes = eyesOf(job.stereo);
     for (std::size_t k = 0; k < eyes.size(); ++k) {
         request.eyeShift = eyes[k];

@@ -15,8 +15,6 @@ namespace attractor {
 
 namespace {
 
-constexpr float escapeRadius = 1e6F; // in half boxes
-
 // The maps in box coordinates, one array per coefficient (a b c d e f), as long as the alias table.
 std::array<std::vector<float>, 6> boxCoefficients(const PreparedSystem& system, std::size_t slots) {
     std::array<std::vector<float>, 6> result;
@@ -81,12 +79,12 @@ Range range(const std::vector<float>& values) {
             *std::min_element(near.begin(), near.end()) == 1};
 }
 
+} // namespace
+
 void repeatBeginning(std::vector<float>& values) {
     std::copy_n(values.begin(), SampleSet::size, values.begin() + SampleSet::size);
     std::copy_n(values.begin(), kernels::chunk, values.end() - kernels::chunk);
 }
-
-} // namespace
 
 AliasTable::AliasTable(const std::vector<double>& probabilities) {
     const std::size_t count = probabilities.size();

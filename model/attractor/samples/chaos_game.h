@@ -38,6 +38,12 @@ private:
 // For each map the table that draws the next one; where maps are not linked, one for all of them.
 std::vector<AliasTable> nextMaps(const PreparedSystem& system);
 
+// An orbit that is farther from the middle than this, in half boxes, has escaped.
+inline constexpr float escapeRadius = 1e6F;
+
+// Fills the ends of the arrays of a sample set, from which kernels read beyond its size.
+void repeatBeginning(std::vector<float>& values);
+
 // Of maps that are not linked: 64 orbits that have forgotten their start, with streams of their own for every
 // (seed, pass). The same bits whatever the instruction set. An orbit that escapes begins anew in the middle
 // of the box. Neighbours along an orbit are correlated; strata of the same system undo that.

@@ -13,8 +13,6 @@ namespace attractor {
 
 namespace {
 
-constexpr float escapeRadius = 1e6F; // in half boxes
-
 class SampleDraw {
 public:
     SampleDraw(const PreparedSystem& system, std::uint64_t stream, std::vector<SampleSet>& sets)

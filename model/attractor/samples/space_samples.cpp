@@ -13,16 +13,9 @@ namespace attractor {
 
 namespace {
 
-constexpr float escapeRadius = 1e6F; // in half boxes
-
 struct Point {
     float x = 0, y = 0, z = 0;
 };
-
-void repeatBeginning(std::vector<float>& values) {
-    std::copy_n(values.begin(), SampleSet::size, values.begin() + SampleSet::size);
-    std::copy_n(values.begin(), kernels::chunk, values.end() - kernels::chunk);
-}
 
 } // namespace
 

@@ -18,7 +18,7 @@ namespace attractor {
 namespace {
 
 constexpr std::size_t bandPixels = 1U << 18; // drawn at a time by one thread
-constexpr int bandRows = 64;
+constexpr int maxBandRows = 64;
 
 // The colours of pixels of F; `points` and `pixels` are as many.
 void colour(std::span<const TopPoint> points, const MipPicture& picture, const TheftRequest& request,
@@ -60,7 +60,7 @@ public:
 
     TheftOutcome run(const std::function<bool(std::span<const std::uint32_t>)>& take) {
         const Camera& camera = m_request.camera;
-        const int rows = int(std::clamp<std::size_t>(bandPixels / std::size_t(camera.width), 1, bandRows));
+        const int rows = int(std::clamp<std::size_t>(bandPixels / std::size_t(camera.width), 1, maxBandRows));
         for (int first = 0; first < camera.height;) {
             const int left = (camera.height - first + rows - 1) / rows;
             const auto bands = std::min(m_bands.size(), std::size_t(left));

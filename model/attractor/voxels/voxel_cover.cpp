@@ -11,11 +11,9 @@ namespace attractor {
 
 namespace {
 
-using Index = VoxelGrid::Index;
-
 // Of the grid around the box; nullopt when there would be too many voxels.
-std::optional<Index> gridSize(const VoxelRequest& request) {
-    Index size{};
+std::optional<VoxelGrid::Index> gridSize(const VoxelRequest& request) {
+    VoxelGrid::Index size{};
     double voxels = 1;
     for (int k = 0; k < 3; ++k) {
         const double length = (request.max[k] - request.min[k]) / request.side;
@@ -133,7 +131,8 @@ private:
     }
 
     void fill(const ifs::Vector<3>& point) {
-        const Index voxel{int(std::floor(point[0])), int(std::floor(point[1])), int(std::floor(point[2]))};
+        const VoxelGrid::Index voxel{int(std::floor(point[0])), int(std::floor(point[1])),
+                                     int(std::floor(point[2]))};
         if (m_cover.grid.contains(voxel)) m_cover.grid.fill(voxel);
     }
 
@@ -151,8 +150,8 @@ private:
     bool isDone(const ifs::AffineMap<3>& word) {
         constexpr double rounding = 1e-9;        // voxels; the grid has at most 2²⁸
         constexpr std::int64_t maxLookedAt = 64; // voxels
-        Index low{};
-        Index high{};
+        VoxelGrid::Index low{};
+        VoxelGrid::Index high{};
         double widest = 0;
         std::int64_t count = 1;
         for (int k = 0; k < 3; ++k) {
@@ -169,7 +168,7 @@ private:
         for (int z = low[2]; z <= high[2]; ++z)
             for (int y = low[1]; y <= high[1]; ++y)
                 for (int x = low[0]; x <= high[0]; ++x) {
-                    const Index voxel{x, y, z};
+                    const VoxelGrid::Index voxel{x, y, z};
                     if (m_cover.grid.isFilled(voxel)) continue;
                     if (!isSmall) return false;
                     isKnown = false;

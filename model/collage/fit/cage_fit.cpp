@@ -14,9 +14,9 @@ namespace {
 
 using Points = std::vector<ifs::Vector<2>>;
 
-constexpr int restSide = 256;  // cells along the longer side of the cage at rest
-constexpr int iterations = 60; // of closest points
-constexpr double hold = 0.02;  // how strongly the corners stay, of the mean diagonal
+constexpr int restSide = 256;       // cells along the longer side of the cage at rest
+constexpr int iterations = 60;      // of closest points
+constexpr double cornerHold = 0.02; // how strongly the corners stay, of the mean diagonal
 constexpr int neighbours[4][2] = {{1, 0}, {-1, 0}, {0, 1}, {0, -1}};
 
 // The cells that can be reached from the edge of the mask without crossing the shape.
@@ -122,7 +122,7 @@ public:
 
     Eigen::MatrixX2d moved(const Eigen::MatrixX2d& corners) const {
         Eigen::MatrixXd normal = m_normal;
-        const double weight = hold * normal.trace() / double(normal.rows());
+        const double weight = cornerHold * normal.trace() / double(normal.rows());
         normal.diagonal().array() += weight;
         return normal.ldlt().solve(m_right + weight * corners);
     }

@@ -5,9 +5,8 @@
 #include "document/edits/space_cage_edits.h"
 #include "document/fractal_geometry.h"
 
+#include "document/text.h"
 #include "ifs/cage/hull_cage.h"
-
-#include <QCoreApplication>
 
 #include <algorithm>
 
@@ -16,10 +15,6 @@ namespace document {
 namespace {
 
 constexpr double relativeTolerance = 1e-10; // finer than anybody sees, and never slow
-
-QString sentence(const char* text) {
-    return QCoreApplication::translate("CageEdits", text);
-}
 
 ifs::Orientation<2> orientationOf(SimplexChoice choice) {
     const bool left = choice == SimplexChoice::MinusPlus || choice == SimplexChoice::MinusMinus;
@@ -94,7 +89,7 @@ bool isAtRest(const Fractal& fractal) {
 
 QString planeObstacle(const Fractal& fractal) {
     if (system2(fractal)) return {};
-    return sentence(QT_TRANSLATE_NOOP("CageEdits", "This entry is not a system in the plane."));
+    return Text::tr("This entry is not a system in the plane.");
 }
 
 QString cageObstacle(const Fractal& fractal) {
@@ -104,16 +99,13 @@ QString cageObstacle(const Fractal& fractal) {
 QString bakeObstacle(const Fractal& fractal) {
     if (space(fractal)) return spaceBakeObstacle(fractal);
     if (const QString obstacle = planeObstacle(fractal); !obstacle.isEmpty()) return obstacle;
-    if (isAtRest(fractal))
-        return sentence(QT_TRANSLATE_NOOP("CageEdits", "The cage is at rest: the picture shows the code."));
+    if (isAtRest(fractal)) return Text::tr("The cage is at rest: the picture shows the code.");
     if (ifs::bends(*cage2(fractal)))
-        return sentence(QT_TRANSLATE_NOOP(
-            "CageEdits", "The cage bends the picture, and no affine code produces a bent picture. Choose "
-                         "“Affine fit” to bake the closest affine placement."));
+        return Text::tr("The cage bends the picture, and no affine code produces a bent picture. Choose "
+                        "“Affine fit” to bake the closest affine placement.");
     if (!ifs::isInvertible(*cage2(fractal)))
-        return sentence(QT_TRANSLATE_NOOP(
-            "CageEdits",
-            "The cage is flat, so its placement cannot be baked into the code. Open the cage first."));
+        return Text::tr(
+            "The cage is flat, so its placement cannot be baked into the code. Open the cage first.");
     return {};
 }
 
@@ -124,7 +116,7 @@ std::optional<Fractal> baked(const Fractal& fractal) {
 
 QString resetObstacle(const Fractal& fractal) {
     if (dimension(fractal) == 0) return planeObstacle(fractal);
-    if (isAtRest(fractal)) return sentence(QT_TRANSLATE_NOOP("CageEdits", "The cage is at rest."));
+    if (isAtRest(fractal)) return Text::tr("The cage is at rest.");
     return {};
 }
 
@@ -145,24 +137,20 @@ QString modeText(const Fractal& fractal, CageMode mode) {
     const ifs::ControlCage<2>* cage = cage2(fractal);
     const bool bendable = cage && cage->rest.size() > 3 && cage->deformation == ifs::Deformation::Bend;
     if (mode == CageMode::Place)
-        return sentence(
-            QT_TRANSLATE_NOOP("CageEdits", "Moving the cage moves the picture. Bake to change the code."));
+        return Text::tr("Moving the cage moves the picture. Bake to change the code.");
     if (bendable)
-        return sentence(QT_TRANSLATE_NOOP(
-            "CageEdits", "Moving the whole cage rewrites the code. Moving single vertices bends the picture, "
-                         "which no code can reproduce, so the code does not change."));
-    return sentence(QT_TRANSLATE_NOOP("CageEdits", "Moving the cage rewrites all coefficients of the code; "
-                                                   "the cage is then at rest in its new position."));
+        return Text::tr("Moving the whole cage rewrites the code. Moving single vertices bends the picture, "
+                        "which no code can reproduce, so the code does not change.");
+    return Text::tr("Moving the cage rewrites all coefficients of the code; "
+                    "the cage is then at rest in its new position.");
 }
 
 QString unbakeObstacle(const Fractal& fractal) {
     if (space(fractal)) return spaceUnbakeObstacle(fractal);
     if (const QString obstacle = planeObstacle(fractal); !obstacle.isEmpty()) return obstacle;
-    if (!isAtRest(fractal))
-        return sentence(
-            QT_TRANSLATE_NOOP("CageEdits", "The cage is not at rest: it already holds a placement."));
+    if (!isAtRest(fractal)) return Text::tr("The cage is not at rest: it already holds a placement.");
     if (const ifs::ControlCage<2>* cage = cage2(fractal); cage && cage->rest.size() != 3)
-        return sentence(QT_TRANSLATE_NOOP("CageEdits", "Only a cage with three vertices can be unbaked."));
+        return Text::tr("Only a cage with three vertices can be unbaked.");
     return {};
 }
 
@@ -188,12 +176,10 @@ QString cageWarning(const Fractal& fractal) {
     case ifs::CageFlaw::None:
         return {};
     case ifs::CageFlaw::Concave:
-        return sentence(QT_TRANSLATE_NOOP(
-            "CageEdits", "The cage is not convex: the picture may fold over itself at the notch."));
+        return Text::tr("The cage is not convex: the picture may fold over itself at the notch.");
     case ifs::CageFlaw::Folded:
-        return sentence(QT_TRANSLATE_NOOP(
-            "CageEdits",
-            "The cage is folded: parts of the picture overlap. Move the vertices apart to unfold it."));
+        return Text::tr(
+            "The cage is folded: parts of the picture overlap. Move the vertices apart to unfold it.");
     }
     return {};
 }
@@ -248,20 +234,17 @@ QString fitObstacle(const Fractal& fractal) {
     if (space(fractal)) return spaceFitObstacle(fractal);
     if (const QString obstacle = planeObstacle(fractal); !obstacle.isEmpty()) return obstacle;
     if (ifs::activeMaps(*system2(fractal)).maps.empty())
-        return sentence(QT_TRANSLATE_NOOP("CageEdits", "No map is active, so there is nothing to enclose."));
+        return Text::tr("No map is active, so there is nothing to enclose.");
     if (ifs::activeMaps(*system2(fractal)).isLinked())
-        return sentence(
-            QT_TRANSLATE_NOOP("CageEdits", "The maps are linked; a cage cannot be fitted to linked maps."));
+        return Text::tr("The maps are linked; a cage cannot be fitted to linked maps.");
     const ifs::ControlCage<2>* cage = cage2(fractal);
     if (cage && ifs::bends(*cage))
-        return sentence(QT_TRANSLATE_NOOP(
-            "CageEdits",
-            "A bent picture cannot be given another cage. First reset the cage or choose “Affine fit”."));
+        return Text::tr(
+            "A bent picture cannot be given another cage. First reset the cage or choose “Affine fit”.");
     if (!isAtRest(fractal) && !ifs::isInvertible(*cage))
-        return sentence(
-            QT_TRANSLATE_NOOP("CageEdits", "The cage is flat. First open or reset the triangle."));
+        return Text::tr("The cage is flat. First open or reset the triangle.");
     if (!ifs::SupportFunction<2>::of(displayedMaps(fractal)))
-        return sentence(QT_TRANSLATE_NOOP("CageEdits", "This system has no attractor that can be enclosed."));
+        return Text::tr("This system has no attractor that can be enclosed.");
     return {};
 }
 

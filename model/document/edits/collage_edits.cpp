@@ -8,8 +8,7 @@
 #include "document/edits/cage_edits.h"
 #include "document/edits/symmetry_edits.h"
 #include "document/fractal_geometry.h"
-
-#include <QCoreApplication>
+#include "document/text.h"
 
 #include <algorithm>
 
@@ -18,10 +17,6 @@ namespace document {
 namespace {
 
 using Maps = std::vector<ifs::AffineMap<2>>;
-
-struct Text {
-    Q_DECLARE_TR_FUNCTIONS(document::CollageEdits)
-};
 
 constexpr double margin = 0.25;     // around the target, a share of its longer side
 constexpr double maxNorm = 0.9;     // of a map that a fit moves

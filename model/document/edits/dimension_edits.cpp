@@ -5,9 +5,8 @@
 #include "document/edits/cage_edits.h"
 #include "document/edits/symmetry_edits.h"
 #include "document/space_geometry.h"
+#include "document/text.h"
 #include "ifs/system/barycentric.h"
-
-#include <QCoreApplication>
 
 #include <algorithm>
 #include <cmath>
@@ -15,10 +14,6 @@
 namespace document {
 
 namespace {
-
-struct Text {
-    Q_DECLARE_TR_FUNCTIONS(DimensionEdits)
-};
 
 ifs::AffineMap<3> liftedMap(const ifs::AffineMap<2>& map, double scale) {
     ifs::AffineMap<3> result;

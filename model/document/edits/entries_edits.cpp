@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "document/edits/entries_edits.h"
 
+#include "document/text.h"
 #include "document/unique_names.h"
 
-#include <QCoreApplication>
 #include <QSet>
 
 #include <algorithm>
@@ -14,10 +14,6 @@ namespace document {
 namespace {
 
 constexpr int maxName = 18; // bytes that Fractint compares, docs/formats.md
-
-QString sentence(const char* text) {
-    return QCoreApplication::translate("document::EntriesEdits", text);
-}
 
 QByteArray textAbove(const Entry& entry) {
     return entry.source ? entry.source->before : QByteArray();
@@ -129,34 +125,20 @@ FractalFile turnedOver(FractalFile file, const QList<EntryId>& ids) {
 }
 
 std::optional<QString> nameProblem(const FractalFile& file, EntryId id, const QString& name) {
-    if (name.isEmpty())
-        return sentence(QT_TRANSLATE_NOOP("document::EntriesEdits", "An entry needs a name."));
+    if (name.isEmpty()) return Text::tr("An entry needs a name.");
     for (const QChar c : name) {
-        if (c.isSpace())
-            return sentence(
-                QT_TRANSLATE_NOOP("document::EntriesEdits",
-                                  "Names cannot contain spaces: Fractint reads only the first word."));
+        if (c.isSpace()) return Text::tr("Names cannot contain spaces: Fractint reads only the first word.");
         if ((!c.isPrint() && !c.isSurrogate()) || QStringLiteral("(){};:").contains(c))
-            return sentence(
-                       QT_TRANSLATE_NOOP("document::EntriesEdits",
-                                         "“%1” cannot be part of a name, because it has a meaning in .ifs "
-                                         "files."))
+            return Text::tr("“%1” cannot be part of a name, because it has a meaning in .ifs "
+                            "files.")
                 .arg(c);
     }
     if (name.toUtf8().size() > maxName)
-        return sentence(
-                   QT_TRANSLATE_NOOP("document::EntriesEdits",
-                                     "A name can have at most %1 characters; Fractint ignores the rest."))
-            .arg(maxName);
+        return Text::tr("A name can have at most %1 characters; Fractint ignores the rest.").arg(maxName);
     if (name.compare(QLatin1String("comment"), Qt::CaseInsensitive) == 0)
-        return sentence(
-                   QT_TRANSLATE_NOOP("document::EntriesEdits",
-                                     "Fractint does not list an entry called “%1”; choose another name."))
-            .arg(name);
+        return Text::tr("Fractint does not list an entry called “%1”; choose another name.").arg(name);
     if (isTaken(file, id, name))
-        return sentence(QT_TRANSLATE_NOOP(
-                            "document::EntriesEdits",
-                            "Another entry is called “%1” (upper and lower case are not distinguished)."))
+        return Text::tr("Another entry is called “%1” (upper and lower case are not distinguished).")
             .arg(name);
     return std::nullopt;
 }

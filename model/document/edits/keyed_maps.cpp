@@ -3,8 +3,7 @@
 
 #include "document/addresses.h"
 #include "document/map_names.h"
-
-#include <QCoreApplication>
+#include "document/text.h"
 
 #include <algorithm>
 #include <variant>
@@ -14,17 +13,13 @@ namespace document {
 
 namespace {
 
-struct Text {
-    Q_DECLARE_TR_FUNCTIONS(document::KeyedMaps)
-};
-
 // "Map 2", "A branch" or, where nothing has keys, nothing.
 template <int Dim> QString keyed(const Fractal& entry, const Shape<Dim>& shape) {
     if (!shape.animation) return {};
     const auto& maps = shape.system.maps;
     for (std::size_t i = 0; i < maps.size(); ++i)
         if (std::ranges::count(shape.animation->maps, maps[i].id, &animation::MapTrack<Dim>::map) > 0)
-            return Text::tr("Map %1").arg(mapTitle(entry, i));
+            return Text::tr("Map %1", "begins a sentence").arg(mapTitle(entry, i));
     return shape.animation->branches.empty() ? QString() : Text::tr("A branch");
 }
 

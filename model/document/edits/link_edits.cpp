@@ -1,19 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "document/edits/link_edits.h"
 
+#include "document/text.h"
 #include "ifs/system/links.h"
 
-#include <QCoreApplication>
-
 namespace document {
-
-namespace {
-
-struct Text {
-    Q_DECLARE_TR_FUNCTIONS(document::LinkEdits)
-};
-
-} // namespace
 
 QString linkObstacle(const Fractal& fractal) {
     if (space(fractal)) return Text::tr("Maps in space cannot be linked.");

@@ -2,10 +2,9 @@
 #include "document/edits/link_expansion.h"
 
 #include "document/edits/map_locks.h"
+#include "document/text.h"
 #include "ifs/links/plain_words.h"
 #include "ifs/system/links.h"
-
-#include <QCoreApplication>
 
 #include <algorithm>
 #include <utility>
@@ -13,10 +12,6 @@
 namespace document {
 
 namespace {
-
-struct Text {
-    Q_DECLARE_TR_FUNCTIONS(document::LinkEdits)
-};
 
 constexpr std::size_t maxWords = 4096;
 

@@ -2,8 +2,7 @@
 #include "document/edits/map_locks.h"
 
 #include "document/map_names.h"
-
-#include <QCoreApplication>
+#include "document/text.h"
 
 #include <algorithm>
 #include <utility>
@@ -11,10 +10,6 @@
 namespace document {
 
 namespace {
-
-struct Text {
-    Q_DECLARE_TR_FUNCTIONS(document::MapLocks)
-};
 
 constexpr qsizetype maxNamed = 6; // in a sentence
 

@@ -4,6 +4,7 @@
 #include "document/edits/map_locks.h"
 #include "document/fractal_geometry.h"
 #include "document/map_handles.h"
+#include "document/text.h"
 
 #include <QCoreApplication>
 
@@ -17,10 +18,6 @@ namespace {
 
 using ifs::AffineMap;
 using ifs::Vector;
-
-struct Steps {
-    Q_DECLARE_TR_FUNCTIONS(document::MapsArrange)
-};
 
 Vector<2> mean(const std::vector<Vector<2>>& points) {
     Vector<2> sum = Vector<2>::Zero();
@@ -86,21 +83,21 @@ QString stepText(MapsArrangement arrangement) {
     switch (arrangement) {
     case MapsArrangement::FlipLeftRight:
     case MapsArrangement::FlipUpDown:
-        return Steps::tr("Flip maps");
+        return Text::tr("Flip maps");
     case MapsArrangement::RotateLeft:
-        return Steps::tr("Rotate maps by 90°");
+        return Text::tr("Rotate maps by 90°");
     case MapsArrangement::RotateRight:
-        return Steps::tr("Rotate maps by −90°");
+        return Text::tr("Rotate maps by −90°");
     case MapsArrangement::AlignInRow:
     case MapsArrangement::AlignInColumn:
-        return Steps::tr("Align maps");
+        return Text::tr("Align maps");
     case MapsArrangement::DistributeAcross:
     case MapsArrangement::DistributeUpwards:
-        return Steps::tr("Distribute maps");
+        return Text::tr("Distribute maps");
     case MapsArrangement::FitToCorners:
         break;
     }
-    return Steps::tr("Fit maps to the corners");
+    return Text::tr("Fit maps to the corners");
 }
 
 std::size_t mapsNeeded(MapsArrangement arrangement) {
@@ -144,21 +141,21 @@ Fractal arranged(const Fractal& fractal, std::span<const std::size_t> indices, M
 
 std::optional<QString> arrangeMaps(Document& document, std::span<const std::size_t> indices,
                                    MapsArrangement arrangement) {
-    if (!system2(document.fractal())) return Steps::tr("Only maps in the plane can be arranged.");
+    if (!system2(document.fractal())) return Text::tr("Only maps in the plane can be arranged.");
     switch (const std::size_t needed = mapsNeeded(arrangement); indices.size() < needed ? needed : 0) {
     case 1:
-        return Steps::tr("Select a map first.");
+        return Text::tr("Select a map first.");
     case 2:
-        return Steps::tr("Select at least two maps first.");
+        return Text::tr("Select at least two maps first.");
     case 3:
-        return Steps::tr("Select at least three maps first.");
+        return Text::tr("Select at least three maps first.");
     default:
         break;
     }
     if (QString locked = lockObstacle(document.fractal(), indices); !locked.isEmpty()) return locked;
     const ifs::ControlCage<2> cage = effectiveCage(document.fractal());
     if (!handlesOf(document.fractal(), cage).canBeMoved())
-        return Steps::tr("The cage is flat, so maps cannot be moved in it. Reset the cage first.");
+        return Text::tr("The cage is flat, so maps cannot be moved in it. Reset the cage first.");
     document.edit(stepText(arrangement), arranged(document.fractal(), indices, arrangement));
     return std::nullopt;
 }

@@ -4,6 +4,7 @@
 #include "document/edits/map_locks.h"
 #include "document/fractal_geometry.h"
 #include "document/space_geometry.h"
+#include "document/text.h"
 #include "ifs/system/links.h"
 
 #include <QCoreApplication>
@@ -293,10 +294,6 @@ MapsEdit withMapsPasted(Fractal fractal, const Rows& rows, const SpaceMapRows& p
 
 namespace {
 
-struct Steps {
-    Q_DECLARE_TR_FUNCTIONS(document::MapsEdits)
-};
-
 std::vector<ifs::MapId> applied(Document& document, const QString& text, MapsEdit edit) {
     document.edit(text, std::move(edit.fractal));
     return std::move(edit.touched);
@@ -306,16 +303,16 @@ std::vector<ifs::MapId> applied(Document& document, const QString& text, MapsEdi
 
 std::vector<ifs::MapId> duplicateMaps(Document& document, const Rows& rows) {
     return applied(document,
-                   rows.size() == 1 ? Steps::tr("Duplicate a map")
-                                    : Steps::tr("Duplicate %1 maps").arg(rows.size()),
+                   rows.size() == 1 ? Text::tr("Duplicate a map")
+                                    : Text::tr("Duplicate %1 maps").arg(rows.size()),
                    withDuplicates(document.fractal(), rows));
 }
 
 std::vector<ifs::MapId> deleteMaps(Document& document, const Rows& rows) {
     if (!lockObstacle(document.fractal(), rows).isEmpty()) return {};
-    return applied(
-        document, rows.size() == 1 ? Steps::tr("Delete a map") : Steps::tr("Delete %1 maps").arg(rows.size()),
-        withoutMaps(document.fractal(), rows));
+    return applied(document,
+                   rows.size() == 1 ? Text::tr("Delete a map") : Text::tr("Delete %1 maps").arg(rows.size()),
+                   withoutMaps(document.fractal(), rows));
 }
 
 Fractal withWeight(Fractal fractal, int row, double weight) {

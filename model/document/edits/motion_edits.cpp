@@ -15,11 +15,11 @@ namespace document {
 namespace {
 
 constexpr double swell = 0.1;
-constexpr int directions = 64;     // in which a piece is looked at
-constexpr double margin = 0.98;    // of the largest view that sees nothing else
-constexpr double roundOff = 1e-9;  // of a similarity
-constexpr double tolerance = 1e-4; // of a support value, of the size of the attractor
-constexpr int maxNodes = 5'000;    // of its search: with more, the view only becomes a little larger
+constexpr int directions = 64;      // in which a piece is looked at
+constexpr double viewMargin = 0.98; // of the largest view that sees nothing else
+constexpr double roundOff = 1e-9;   // of a similarity
+constexpr double tolerance = 1e-4;  // of a support value, of the size of the attractor
+constexpr int maxNodes = 5'000;     // of its search: with more, the view only becomes a little larger
 
 template <int Dim> ifs::Vector<Dim> displayed(const Fractal& fractal, const ifs::Vector<Dim>& point) {
     if constexpr (Dim == 2)
@@ -203,7 +203,7 @@ std::optional<Fractal> withEndlessZoom(const Fractal& entry, double aspect, attr
     const auto system = plane(entry) && plane(entry)->moved.empty() ? effectiveSystem(entry) : std::nullopt;
     const auto copy = system ? largestCopy(*system, stop) : std::nullopt;
     if (!copy) return std::nullopt;
-    const double height = margin * 2 * copy->radius / std::hypot(1, aspect);
+    const double height = viewMargin * 2 * copy->radius / std::hypot(1, aspect);
     const attractor::View from{copy->centre, height, yAxis};
     // What lies counter-clockwise comes upright again as the picture turns the other way.
     const double turn = yAxis == attractor::YAxis::Up ? -copy->turn : copy->turn;

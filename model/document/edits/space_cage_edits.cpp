@@ -3,26 +3,20 @@
 
 #include "document/edits/rounding.h"
 #include "document/space_geometry.h"
+#include "document/text.h"
 #include "ifs/cage/space_hull_cage.h"
-
-#include <QCoreApplication>
 
 namespace document {
 
 namespace {
 
-QString sentence(const char* text) {
-    return QCoreApplication::translate("SpaceCageEdits", text);
-}
-
 QString noMap() {
-    return sentence(QT_TRANSLATE_NOOP("SpaceCageEdits", "No map is active, so there is nothing to enclose."));
+    return Text::tr("No map is active, so there is nothing to enclose.");
 }
 
 QString noCodeBends() {
-    return sentence(QT_TRANSLATE_NOOP(
-        "SpaceCageEdits", "The cage bends the picture, and no affine code produces a bent picture. Choose "
-                          "“Affine fit” to bake the closest affine placement."));
+    return Text::tr("The cage bends the picture, and no affine code produces a bent picture. Choose "
+                    "“Affine fit” to bake the closest affine placement.");
 }
 
 bool rests(const Fractal& fractal) {
@@ -31,7 +25,7 @@ bool rests(const Fractal& fractal) {
 }
 
 // The code takes up its cage; branches that are shown elsewhere go with it.
-std::optional<Fractal> withCageBaked(const Fractal& fractal) {
+std::optional<Fractal> withSpaceCageBaked(const Fractal& fractal) {
     const Shape<3>* shape = space(fractal);
     if (!shape || !shape->cage) return std::nullopt;
     auto baked = ifs::bake(shape->system, *shape->cage);
@@ -74,30 +68,24 @@ Fractal withSpaceCageMoved(Fractal fractal, ifs::ControlCage<3> cage, CageMode m
 
 QString spaceBakeObstacle(const Fractal& fractal) {
     if (const QString obstacle = spaceObstacle(fractal); !obstacle.isEmpty()) return obstacle;
-    if (rests(fractal))
-        return sentence(
-            QT_TRANSLATE_NOOP("SpaceCageEdits", "The cage is at rest: the picture shows the code."));
+    if (rests(fractal)) return Text::tr("The cage is at rest: the picture shows the code.");
     if (ifs::bends(*space(fractal)->cage)) return noCodeBends();
     if (!ifs::isInvertible(*space(fractal)->cage))
-        return sentence(QT_TRANSLATE_NOOP(
-            "SpaceCageEdits",
-            "The cage is flat, so its placement cannot be baked into the code. Open the cage first."));
+        return Text::tr(
+            "The cage is flat, so its placement cannot be baked into the code. Open the cage first.");
     return {};
 }
 
 std::optional<Fractal> spaceBaked(const Fractal& fractal) {
-    return spaceBakeObstacle(fractal).isEmpty() ? withCageBaked(fractal) : std::nullopt;
+    return spaceBakeObstacle(fractal).isEmpty() ? withSpaceCageBaked(fractal) : std::nullopt;
 }
 
 QString spaceUnbakeObstacle(const Fractal& fractal) {
     if (const QString obstacle = spaceObstacle(fractal); !obstacle.isEmpty()) return obstacle;
     if (space(fractal)->system.maps.empty()) return noMap();
-    if (!rests(fractal))
-        return sentence(
-            QT_TRANSLATE_NOOP("SpaceCageEdits", "The cage is not at rest: it already holds a placement."));
+    if (!rests(fractal)) return Text::tr("The cage is not at rest: it already holds a placement.");
     if (const auto& cage = space(fractal)->cage; cage && cage->rest.size() != 4)
-        return sentence(
-            QT_TRANSLATE_NOOP("SpaceCageEdits", "Only a cage with four vertices can be unbaked."));
+        return Text::tr("Only a cage with four vertices can be unbaked.");
     return {};
 }
 
@@ -107,7 +95,7 @@ std::optional<Fractal> spaceUnbaked(const Fractal& fractal) {
     const std::vector<ifs::Vector<3>> unit{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
     Fractal after = fractal;
     space(after)->cage = ifs::ControlCage<3>{cage->rest, unit};
-    auto result = withCageBaked(after);
+    auto result = withSpaceCageBaked(after);
     if (result) space(*result)->cage = ifs::ControlCage<3>{unit, cage->current};
     return result;
 }
@@ -117,15 +105,11 @@ QString spaceFitObstacle(const Fractal& fractal) {
     const Shape<3>& shape = *space(fractal);
     if (ifs::activeMaps(shape.system).maps.empty()) return noMap();
     if (shape.cage && ifs::bends(*shape.cage))
-        return sentence(QT_TRANSLATE_NOOP("SpaceCageEdits",
-                                          "The cage bends the picture, so no other cage would show it. First "
-                                          "reset the cage or choose “Affine fit”."));
+        return Text::tr("The cage bends the picture, so no other cage would show it. First "
+                        "reset the cage or choose “Affine fit”.");
     if (shape.cage && !rests(fractal) && !ifs::isInvertible(*shape.cage))
-        return sentence(
-            QT_TRANSLATE_NOOP("SpaceCageEdits", "The cage is flat. First open or reset the tetrahedron."));
-    if (!spaceSupport(fractal))
-        return sentence(
-            QT_TRANSLATE_NOOP("SpaceCageEdits", "This system has no attractor that can be enclosed."));
+        return Text::tr("The cage is flat. First open or reset the tetrahedron.");
+    if (!spaceSupport(fractal)) return Text::tr("This system has no attractor that can be enclosed.");
     return {};
 }
 

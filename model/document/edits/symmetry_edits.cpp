@@ -2,18 +2,13 @@
 #include "document/edits/symmetry_edits.h"
 
 #include "document/edits/map_locks.h"
-
-#include <QCoreApplication>
+#include "document/text.h"
 
 #include <utility>
 
 namespace document {
 
 namespace {
-
-struct Text {
-    Q_DECLARE_TR_FUNCTIONS(Text)
-};
 
 template <class Visit> auto ofSystem(const Fractal& fractal, Visit visit) {
     if (const auto* shape = plane(fractal)) return visit(*shape);

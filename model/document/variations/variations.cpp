@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "document/variations/variations.h"
 
+#include "document/text.h"
 #include "document/variations/crossing.h"
 #include "document/variations/varied_colours.h"
 #include "document/variations/varied_maps.h"
-
-#include <QCoreApplication>
 
 #include <algorithm>
 #include <optional>
@@ -15,7 +14,7 @@ namespace document {
 
 namespace {
 
-constexpr int trials = 60;
+constexpr int childTrials = 60;
 constexpr int fewTrials = 6;
 constexpr int weightTrials = 4;
 constexpr std::size_t manyMaps = 1000; // each trial takes long
@@ -41,7 +40,7 @@ Chance ownChance(std::uint64_t seed, std::uint64_t which) {
 
 QString variationObstacle(const Fractal& fractal) {
     if (mapCount(fractal) > 0) return {};
-    return QCoreApplication::translate("document::Variations", "This entry has no maps to vary.");
+    return Text::tr("This entry has no maps to vary.");
 }
 
 class Variations::Crossings {
@@ -103,7 +102,7 @@ Variations::Varied Variations::shaped(std::uint64_t seed, const std::stop_token&
     Chance chance = ownChance(seed, 0);
     MapVariation variation{m_mutation.strength, true, false};
     Varied best{*m_parent, *m_parent, -1};
-    const int most = mapCount(*m_parent) > manyMaps ? fewTrials : trials;
+    const int most = mapCount(*m_parent) > manyMaps ? fewTrials : childTrials;
     for (int trial = 0; trial < most && best.fills < 1 && !stop.stop_requested(); ++trial) {
         Fractal from = start(seed, trial);
         dropCageAtRest<2>(from);

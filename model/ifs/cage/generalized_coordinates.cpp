@@ -2,6 +2,7 @@
 #include "ifs/cage/generalized_coordinates.h"
 
 #include "ifs/cage/jet.h"
+#include "ifs/extent/polygon.h"
 #include "ifs/linear/symmetric_matrices.h"
 
 #include <algorithm>
@@ -20,10 +21,7 @@ constexpr double flat = 1e-8;      // condition beyond which points count as on 
 template <class Number> struct Point { Number x, y; };
 template <class Number> using Weights = std::array<Number, maxCorners>;
 
-double cross(const Vector<2>& p, const Vector<2>& q) {
-    return p.x() * q.y() - p.y() * q.x();
-}
-template <class Number> Number cross(const Point<Number>& p, const Point<Number>& q) {
+template <class Number> Number crossProduct(const Point<Number>& p, const Point<Number>& q) {
     return p.x * q.y - p.y * q.x;
 }
 
@@ -59,7 +57,7 @@ bool wachspressWeights(std::span<const Vector<2>> polygon, const Point<Number>& 
     Weights<Number> area, behind; // behind[k] = A_k ⋯ A_{n−1}
     double largest = 0;
     for (std::size_t k = 0; k < n; ++k) {
-        area[k] = cross(s[k], s[after(k, n)]);
+        area[k] = crossProduct(s[k], s[after(k, n)]);
         largest = std::max(largest, std::abs(valueOf(area[k])));
     }
     if (!(largest > 0)) return false;
@@ -98,7 +96,7 @@ bool meanValueWeights(std::span<const Vector<2>> polygon, const Point<Number>& x
     std::size_t widest = 0;
     for (std::size_t k = 0; k < n; ++k) {
         const std::size_t next = after(k, n);
-        const Number area = cross(s[k], s[next]);
+        const Number area = crossProduct(s[k], s[next]);
         const Number dot = s[k].x * s[next].x + s[k].y * s[next].y;
         const Number product = r[k] * r[next];
         const bool acute = valueOf(dot) >= 0;

@@ -12,7 +12,7 @@ namespace ifs {
 
 namespace {
 
-constexpr double atCorner = 1e-14; // of the size
+constexpr double atVertex = 1e-14; // of the size
 constexpr double inPlane = 1e-14;
 
 // α/(2 sin α) for the angle α between two directions. The sine of its half is accurate where it is small, the
@@ -85,7 +85,7 @@ void MeanValueCoordinates::add(const Vector<3>& x, Seen& seen, std::span<double>
     for (std::size_t j = 0; j < m_vertices.size(); ++j) {
         const Vector<3> d = m_vertices[j] - x;
         const double distance = d.norm();
-        if (distance <= atCorner * m_size) {
+        if (distance <= atVertex * m_size) {
             result[j] = 1;
             return;
         }

@@ -25,14 +25,14 @@ struct Polyhedron {
     double volume = 0;
 };
 
-constexpr double flat = 1e-3; // thickness of what has none, by its size
+constexpr double flatSolid = 1e-3; // thickness of what has none, by its size
 
 BoundingBox<3> certifiedBox(const SupportFunction<3>& support, double tolerance) {
     BoundingBox<3> box = boundingBox(support, tolerance);
     const auto known = [&box](double x) { return std::abs(x) <= 2 * box.error ? 0 : x; };
     box.min = (box.min.array() - box.error).unaryExpr(known);
     box.max = (box.max.array() + box.error).unaryExpr(known);
-    const double room = std::max(flat * (box.max - box.min).maxCoeff(), 1e-300);
+    const double room = std::max(flatSolid * (box.max - box.min).maxCoeff(), 1e-300);
     for (int axis = 0; axis < 3; ++axis)
         if (box.max[axis] - box.min[axis] < room) {
             const double middle = (box.min[axis] + box.max[axis]) / 2;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "ifs/dimension/rank_one.h"
+#include "ifs/linear/rounding.h"
 
 #include <Eigen/LU>
 
@@ -12,8 +13,6 @@
 namespace ifs {
 
 namespace {
-
-constexpr double roundingUnit = 0x1p-53;
 
 // image·rowᵀ
 struct RankOne {

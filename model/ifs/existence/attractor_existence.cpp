@@ -6,6 +6,7 @@
 #include "ifs/existence/expansion.h"
 #include "ifs/existence/invariant_form.h"
 #include "ifs/existence/polytope_norm.h"
+#include "ifs/linear/rounding.h"
 #include "ifs/linear/symmetric_matrices.h"
 
 #include <Eigen/LU>
@@ -19,7 +20,6 @@ namespace ifs {
 
 namespace {
 
-constexpr double roundingUnit = 0x1p-53;
 constexpr double minContractivity = 1e-3; // keeps γ^(−k) finite where products vanish
 
 // A norm below this is below 1 in spite of its rounding. Jacobi's rotations round more often.

@@ -31,13 +31,13 @@ double widening(double condition, double longest) {
     return longest < contracts ? condition / (1 - longest) : std::numeric_limits<double>::infinity();
 }
 
-template <int Dim> double widening(const Coordinates<Dim>& coordinates) {
+template <int Dim> double widening(const NormCoordinates<Dim>& coordinates) {
     return widening(condition<Dim>(coordinates.root), coordinates.longest);
 }
 
 // Maps that contract as it is are made shorter only by coordinates that do not stretch much: triangular maps
 // come as near to their diagonals as one likes, and all that is known there is stretched back.
-template <int Dim> bool isShorter(const Coordinates<Dim>& next, const Coordinates<Dim>& best) {
+template <int Dim> bool isShorter(const NormCoordinates<Dim>& next, const NormCoordinates<Dim>& best) {
     constexpr double slow = 0.99;
     return next.longest < best.longest && (best.longest >= slow || condition<Dim>(next.root) <= maxCondition);
 }
@@ -79,7 +79,7 @@ std::optional<Matrix<Dim>> rootOfForm(std::span<const AffineMap<Dim>> maps,
 constexpr std::size_t maxWork = 100'000; // norms worked out, but for maps that are too many for that
 
 // Forms in which the maps that were the longest before weigh more and more.
-template <int Dim> void weigh(Coordinates<Dim>& best, std::span<const AffineMap<Dim>> maps) {
+template <int Dim> void weigh(NormCoordinates<Dim>& best, std::span<const AffineMap<Dim>> maps) {
     constexpr double shortEnough = 0.5;
     const std::size_t rounds = std::clamp<std::size_t>(maxWork / maps.size(), 2, 20);
     Matrix<Dim> root = best.root;
@@ -94,7 +94,7 @@ template <int Dim> void weigh(Coordinates<Dim>& best, std::span<const AffineMap<
         const std::vector<double> lengths = norms<Dim>(seen);
         const double longest = std::ranges::max(lengths);
         if (!std::isfinite(longest)) return;
-        const Coordinates<Dim> next{root, longest};
+        const NormCoordinates<Dim> next{root, longest};
         if (isShorter(next, best)) best = next;
         for (std::size_t i = 0; i < weights.size(); ++i)
             weights[i] *= std::pow(std::max(lengths[i] / longest, 1e-3), 2);
@@ -103,7 +103,7 @@ template <int Dim> void weigh(Coordinates<Dim>& best, std::span<const AffineMap<
 
 // Smaller and smaller steps along the entries of the root as long as they shorten the longest map: the best
 // norm need not be that of a weighted form.
-template <int Dim> void refine(Coordinates<Dim>& best, std::span<const AffineMap<Dim>> maps) {
+template <int Dim> void refine(NormCoordinates<Dim>& best, std::span<const AffineMap<Dim>> maps) {
     constexpr double shortEnough = 0.9, minStep = 1e-3;
     constexpr int tries = 4;
     const auto shortens = [&](const Matrix<Dim>& root) {
@@ -113,7 +113,7 @@ template <int Dim> void refine(Coordinates<Dim>& best, std::span<const AffineMap
             longest = std::max(longest, spectralNorm<Dim>(root * map.linear * unroot));
             if (!(longest < best.longest)) return false;
         }
-        const Coordinates<Dim> next{root, longest};
+        const NormCoordinates<Dim> next{root, longest};
         if (!isShorter(next, best)) return false;
         best = next;
         return true;
@@ -139,7 +139,7 @@ template <int Dim> void refine(Coordinates<Dim>& best, std::span<const AffineMap
 // Maps that keep a flag of directions are triangular along it, and as short as the diagonals are, once the
 // directions are stretched enough against each other: no further than is worth what stretching costs.
 template <int Dim>
-void stretch(Coordinates<Dim>& best, const Matrix<Dim>& flag, std::span<const AffineMap<Dim>> maps) {
+void stretch(NormCoordinates<Dim>& best, const Matrix<Dim>& flag, std::span<const AffineMap<Dim>> maps) {
     constexpr double leastShare = 1e-9, minGain = 1e-6;
     for (double share = 1; share > leastShare; share /= 4) {
         Vector<Dim> lengths;
@@ -147,7 +147,7 @@ void stretch(Coordinates<Dim>& best, const Matrix<Dim>& flag, std::span<const Af
             lengths[k] = std::pow(share, Dim - 1 - k);
         Matrix<Dim> root = lengths.asDiagonal() * flag;
         root /= spectralNorm<Dim>(root);
-        const Coordinates<Dim> next{root, std::ranges::max(norms<Dim>(seenThrough<Dim>(root, maps)))};
+        const NormCoordinates<Dim> next{root, std::ranges::max(norms<Dim>(seenThrough<Dim>(root, maps)))};
         const bool isBetter = next.longest < contracts ? widening<Dim>(next) < widening<Dim>(best)
                                                        : next.longest < best.longest * (1 - minGain);
         if (isBetter) best = next;
@@ -156,7 +156,7 @@ void stretch(Coordinates<Dim>& best, const Matrix<Dim>& flag, std::span<const Af
 
 // The directions of a sum of the maps are tried as such a flag in every order, as they are and at right
 // angles.
-template <int Dim> void alongFlag(Coordinates<Dim>& best, std::span<const AffineMap<Dim>> maps) {
+template <int Dim> void alongFlag(NormCoordinates<Dim>& best, std::span<const AffineMap<Dim>> maps) {
     if (maps.size() > maxWork / 50) return;
     Matrix<Dim> sum = Matrix<Dim>::Zero(); // with weights of which no two maps cancel
     for (std::size_t i = 0; i < maps.size(); ++i)
@@ -246,7 +246,7 @@ template <int Dim> std::optional<Conditioned<Dim>> conditioned(std::span<const A
     const double before = std::ranges::max(norms<Dim>(maps));
     if (!(before >= 1))
         return unitOfLength(maps) < 1 ? seenIn<Dim>(Matrix<Dim>::Identity(), maps) : std::nullopt;
-    Coordinates<Dim> best{Matrix<Dim>::Identity(), before};
+    NormCoordinates<Dim> best{Matrix<Dim>::Identity(), before};
     weigh(best, maps);
     refine(best, maps);
     if (!(best.longest < contracts)) descend(best, maps);
@@ -254,7 +254,7 @@ template <int Dim> std::optional<Conditioned<Dim>> conditioned(std::span<const A
     constexpr double littleStretch = 100;
     if (result && result->longest < contracts && result->condition <= littleStretch) return result;
     // Also where rounding takes away what the best norm gains.
-    Coordinates<Dim> flag{Matrix<Dim>::Identity(), before};
+    NormCoordinates<Dim> flag{Matrix<Dim>::Identity(), before};
     alongFlag(flag, maps);
     auto other = flag.longest < before ? seenIn<Dim>(flag.root, maps) : std::nullopt;
     if (!result || !other) return result ? result : other;

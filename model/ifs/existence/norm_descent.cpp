@@ -100,7 +100,7 @@ template <int Dim> Matrix<Dim> stepped(const SymmetricEigenvalues<Dim>& directio
 
 } // namespace
 
-template <int Dim> void descend(Coordinates<Dim>& best, std::span<const AffineMap<Dim>> maps) {
+template <int Dim> void descend(NormCoordinates<Dim>& best, std::span<const AffineMap<Dim>> maps) {
     constexpr double shortEnough = 0.98, minGain = 1e-7;
     constexpr std::size_t maxNorms = 100'000;
     const std::size_t rounds = std::min<std::size_t>(200, maxNorms / maps.size() / 8);
@@ -130,7 +130,7 @@ template <int Dim> void descend(Coordinates<Dim>& best, std::span<const AffineMa
     }
 }
 
-template void descend(Coordinates<2>&, std::span<const AffineMap<2>>);
-template void descend(Coordinates<3>&, std::span<const AffineMap<3>>);
+template void descend(NormCoordinates<2>&, std::span<const AffineMap<2>>);
+template void descend(NormCoordinates<3>&, std::span<const AffineMap<3>>);
 
 } // namespace ifs

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "ifs/existence/polytope_norm.h"
+#include "ifs/linear/rounding.h"
 
 #include <Eigen/LU>
 
@@ -13,7 +14,6 @@ namespace ifs {
 
 namespace {
 
-constexpr double roundingUnit = 0x1p-53;
 constexpr std::size_t maxVertices = 600;
 constexpr double maxReach = 1e6; // of a vertex
 constexpr double isInside = 1 + 1e-10;

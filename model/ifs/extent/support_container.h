@@ -3,6 +3,7 @@
 
 #include "ifs/extent/direction_fan.h"
 #include "ifs/extent/outline.h"
+#include "ifs/linear/rounding.h"
 #include "ifs/system/affine_map.h"
 
 #include <algorithm>
@@ -12,8 +13,6 @@
 #include <vector>
 
 namespace ifs {
-
-inline constexpr double roundingUnit = 0x1p-53;
 
 // Bounds evaluated at most while a container is made smaller, unless the maps are too many for that.
 inline constexpr std::size_t maxTableWork = 60'000;

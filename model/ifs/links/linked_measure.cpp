@@ -16,7 +16,7 @@ namespace {
 using DynamicMatrix = Eigen::MatrixXd;
 using DynamicVector = Eigen::VectorXd;
 
-constexpr double unit = std::numeric_limits<double>::epsilon();
+constexpr double epsilon = std::numeric_limits<double>::epsilon();
 
 struct Solved {
     DynamicVector value;
@@ -32,16 +32,16 @@ std::optional<Solved> fixedVector(const DynamicMatrix& map, const DynamicVector&
     if (!inverse.allFinite()) return std::nullopt;
     const auto norm = [](const DynamicMatrix& m) { return m.cwiseAbs().rowwise().sum().maxCoeff(); };
     const double rest = norm(inverse * complement - DynamicMatrix::Identity(map.rows(), map.cols())) +
-                        2 * n * unit * norm(inverse) * norm(complement);
+                        2 * n * epsilon * norm(inverse) * norm(complement);
     if (!(rest < 0.5)) return std::nullopt;
     DynamicVector x = inverse * constant;
     for (int n2 = 0; n2 < 3; ++n2)
         x += inverse * (constant - complement * x);
     const double size = x.cwiseAbs().maxCoeff();
     // The entries of the operator and of the constant are sums of products of a few numbers each.
-    const double entries = 32 * unit * (norm(map) * size + constant.cwiseAbs().maxCoeff());
+    const double entries = 32 * epsilon * (norm(map) * size + constant.cwiseAbs().maxCoeff());
     const double residual = (constant - complement * x).cwiseAbs().maxCoeff() +
-                            2 * n * unit * (norm(complement) * size + constant.cwiseAbs().maxCoeff());
+                            2 * n * epsilon * (norm(complement) * size + constant.cwiseAbs().maxCoeff());
     return Solved{x, norm(inverse) * (residual + entries) / (1 - rest)};
 }
 
@@ -67,7 +67,7 @@ public:
         result.covariance = square - result.mean * result.mean.transpose();
         result.covariance = (result.covariance + result.covariance.transpose()).eval() / 2;
         result.longRunCovariance.setConstant(std::numeric_limits<double>::quiet_NaN());
-        const double size = result.mean.norm(), rounding = 16 * double(n) * unit;
+        const double size = result.mean.norm(), rounding = 16 * double(n) * epsilon;
         result.meanError = std::sqrt(double(Dim)) * first->error + rounding * size;
         result.covarianceError = second->error + (2 * size + result.meanError) * result.meanError +
                                  rounding * (square.norm() + size * size);
@@ -155,7 +155,7 @@ double rootOf(const std::vector<double>& ratios, std::span<const double> forward
         high *= 2;
         atHigh = height(high);
     }
-    for (int step = 0; step < 200 && high - low > 4 * unit * high; ++step) {
+    for (int step = 0; step < 200 && high - low > 4 * epsilon * high; ++step) {
         double s = step % 3 == 2 ? (low + high) / 2 : low + (high - low) * atLow / (atLow - atHigh);
         s = std::clamp(s, low, high);
         const double value = height(s);

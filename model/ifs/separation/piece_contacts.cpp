@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "ifs/separation/piece_contacts.h"
 
+#include "ifs/linear/rounding.h"
 #include "ifs/separation/exact_map.h"
 
 #include <Eigen/LU>
@@ -14,7 +15,6 @@ namespace ifs {
 namespace {
 
 constexpr std::size_t maxMaps = 64;
-constexpr double roundingUnit = 0x1p-53;
 
 // A word with its map.
 template <int Dim> struct Composed {

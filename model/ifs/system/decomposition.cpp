@@ -18,7 +18,7 @@ namespace {
 constexpr double relativeTolerance = 1e-12;
 constexpr double rankRounding = 4e-15; // of the largest singular value: smaller ones are rounding
 
-Matrix<2> rotationBy(double angle) {
+Matrix<2> rotationByRadians(double angle) {
     Matrix<2> result;
     result << std::cos(angle), -std::sin(angle), std::sin(angle), std::cos(angle);
     return result;
@@ -41,7 +41,7 @@ RotationScaleShear rotationScaleShear(const Matrix<2>& linear) {
 Matrix<2> linearPart(const RotationScaleShear& parts) {
     Matrix<2> stretch;
     stretch << parts.scaleX, parts.scaleX * parts.shear, 0, parts.scaleY;
-    return rotationBy(parts.rotation) * stretch;
+    return rotationByRadians(parts.rotation) * stretch;
 }
 
 template <> Polar<2> polar<2>(const Matrix<2>& linear) {

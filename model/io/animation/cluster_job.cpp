@@ -2,10 +2,10 @@
 #include "io/animation/cluster_job.h"
 
 #include "document/reordered_text.h"
+#include "document/text.h"
 #include "document/unique_names.h"
 #include "io/fractint/entry_writer.h"
 
-#include <QCoreApplication>
 #include <QDir>
 #include <QFile>
 
@@ -104,9 +104,7 @@ WrittenJob writeClusterJob(const QString& parent, const ClusterJob& job) {
     for (int number = 2; folder.exists(unused); ++number)
         unused = name + u'-' + QString::number(number);
     if (!folder.mkdir(unused) || !folder.cd(unused))
-        return {{},
-                QCoreApplication::translate("ClusterJob", "The folder %1 cannot be created.")
-                    .arg(folder.filePath(unused))};
+        return {{}, Text::tr("The folder %1 cannot be created.").arg(folder.filePath(unused))};
     WrittenJob written{folder.path(), fill(folder, job)};
     if (written.failure) folder.removeRecursively();
     return written;

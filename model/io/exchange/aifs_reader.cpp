@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "io/exchange/aifs_reader.h"
 
+#include "document/text.h"
 #include "io/fractint/fractint_entry.h"
 #include "io/text/coefficient.h"
 #include "io/text/number.h"
 
-#include <QCoreApplication>
 #include <QHash>
 
 #include <algorithm>
@@ -17,10 +17,6 @@ namespace {
 using document::Problem;
 
 constexpr qsizetype maxQuoted = 60;
-
-struct Text {
-    Q_DECLARE_TR_FUNCTIONS(Text)
-};
 
 // "[1,2]" → 1, 2; nullopt for anything else.
 std::optional<std::vector<double>> numbersOf(QByteArrayView text) {

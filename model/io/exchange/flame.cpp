@@ -3,6 +3,7 @@
 
 #include "document/edits/symmetry_edits.h"
 #include "document/fractal_geometry.h"
+#include "document/text.h"
 #include "ifs/system/links.h"
 #include "io/exchange/flame_colours.h"
 #include "io/exchange/flame_repair.h"
@@ -14,7 +15,6 @@
 #include "io/text/number.h"
 #include "io/text/xml_text.h"
 
-#include <QCoreApplication>
 #include <QHash>
 #include <QSet>
 #include <QXmlStreamReader>
@@ -31,10 +31,6 @@ namespace io {
 namespace {
 
 using document::Problem;
-
-struct Text {
-    Q_DECLARE_TR_FUNCTIONS(Text)
-};
 
 constexpr qsizetype maxXforms = 100'000; // per flame
 constexpr qsizetype maxFlames = 200'000; // per file

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "io/exchange/flame_repair.h"
+#include "document/text.h"
 
-#include <QCoreApplication>
 #include <QRegularExpression>
 #include <QSet>
 #include <QXmlStreamReader>
@@ -15,10 +15,6 @@ namespace {
 using document::Problem;
 
 constexpr qsizetype maxRemarks = 20;
-
-struct Text {
-    Q_DECLARE_TR_FUNCTIONS(Text)
-};
 
 struct Flaw {
     qint64 line = 0;

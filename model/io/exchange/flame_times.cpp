@@ -2,8 +2,7 @@
 #include "io/exchange/flame_times.h"
 
 #include "animation/animation.h"
-
-#include <QCoreApplication>
+#include "document/text.h"
 
 #include <algorithm>
 #include <cmath>
@@ -69,9 +68,8 @@ void joinByTime(document::FractalFile& file, const std::vector<std::optional<dou
     joined.problems = std::move(problems);
     joined.problems << document::Problem{
         document::Problem::Severity::Warning, fractal.name, 0, 0,
-        QCoreApplication::translate("Text",
-                                    "%1 flames with different times are the keys of this animation, a frame "
-                                    "for each unit of time. Its colours are those of the first one.")
+        Text::tr("%1 flames with different times are the keys of this animation, a frame "
+                 "for each unit of time. Its colours are those of the first one.")
             .arg(frames.size())};
     joined.fractal = std::make_shared<const document::Fractal>(std::move(fractal));
     file.entries = {joined};

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "io/exchange/flame_xform.h"
 
+#include "document/text.h"
 #include "io/text/coefficient.h"
 #include "io/text/number.h"
 
-#include <QCoreApplication>
 #include <QXmlStreamReader>
 
 #include <array>
@@ -13,10 +13,6 @@
 namespace io {
 
 namespace {
-
-struct Text {
-    Q_DECLARE_TR_FUNCTIONS(Text)
-};
 
 QList<double> numbers(QStringView text, bool* ok) {
     QList<double> values;

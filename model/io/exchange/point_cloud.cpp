@@ -6,11 +6,11 @@
 #include "attractor/samples/prepared_space.h"
 #include "attractor/samples/prepared_system.h"
 #include "document/fractal_geometry.h"
+#include "document/text.h"
 #include "io/exchange/point_colour.h"
 #include "io/exchange/space_points.h"
 #include "io/text/number.h"
 
-#include <QCoreApplication>
 #include <QtEndian>
 
 #include <array>
@@ -18,10 +18,6 @@
 namespace io {
 
 namespace {
-
-struct Text {
-    Q_DECLARE_TR_FUNCTIONS(Text)
-};
 
 class Writer {
 public:

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "io/exports/export_task.h"
 
+#include "document/text.h"
 #include "io/exports/recipe_json.h"
 
-#include <QCoreApplication>
 #include <QCryptographicHash>
 #include <QDir>
 #include <QJsonDocument>
@@ -14,10 +14,6 @@
 namespace io {
 
 namespace {
-
-struct Text {
-    Q_DECLARE_TR_FUNCTIONS(ExportTask)
-};
 
 const QByteArray magic("barycage-export 1\n");
 constexpr qsizetype maxHeader = 1 << 20;

@@ -3,8 +3,8 @@
 
 #include "document/process_lock.h"
 #include "document/regular_file.h"
+#include "document/text.h"
 
-#include <QCoreApplication>
 #include <QDir>
 #include <QFile>
 #include <QFileInfo>
@@ -16,10 +16,6 @@
 namespace io {
 
 namespace {
-
-struct Text {
-    Q_DECLARE_TR_FUNCTIONS(TaskFolder)
-};
 
 const QString ending = QStringLiteral(".export");
 constexpr qint64 maxTask = 256LL << 20; // bytes

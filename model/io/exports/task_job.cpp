@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "io/exports/task_job.h"
 
+#include "document/text.h"
 #include "io/fractint/fractint_reader.h"
 
-#include <QCoreApplication>
 #include <QDir>
 #include <QFileInfo>
 
@@ -21,10 +21,6 @@
 namespace io {
 
 namespace {
-
-struct Text {
-    Q_DECLARE_TR_FUNCTIONS(TaskJob)
-};
 
 // The canvas goes first. Threads made by this one inherit it.
 void yieldToOthers() {

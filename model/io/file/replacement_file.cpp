@@ -299,14 +299,14 @@ bool isWritable(const fs::path& file) {
 
 namespace {
 
-QString nameOf(const fs::path& path) {
+QString decodedName(const fs::path& path) {
     return QFile::decodeName(QByteArray::fromStdString(path.string()));
 }
 
 } // namespace
 
 struct ReplacementFile::State {
-    explicit State(const fs::path& target) : file(nameOf(target)) {}
+    explicit State(const fs::path& target) : file(decodedName(target)) {}
 
     SystemError errorUnless(bool isDone) const {
         return isDone ? SystemError() : SystemError{SystemError::Kind::Other, file.errorString()};
@@ -335,7 +335,7 @@ bool ReplacementFile::replaceTarget() {
 }
 
 bool isWritable(const fs::path& file) {
-    return QFileInfo(nameOf(file)).isWritable();
+    return QFileInfo(decodedName(file)).isWritable();
 }
 
 #endif

@@ -2,11 +2,11 @@
 #include "io/file/save_file.h"
 
 #include "document/regular_file.h"
+#include "document/text.h"
 #include "io/file/native_path.h"
 #include "io/file/replacement_file.h"
 #include "io/file/standard_output.h"
 
-#include <QCoreApplication>
 #include <QDir>
 #include <QFile>
 #include <QFileInfo>
@@ -28,10 +28,6 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr qint64 maxFile = 256LL * 1024 * 1024;
-
-struct Text {
-    Q_DECLARE_TR_FUNCTIONS(Text)
-};
 
 QString shown(const QString& path) {
     return QDir::toNativeSeparators(path);

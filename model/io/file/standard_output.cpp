@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "io/file/standard_output.h"
 
+#include "document/text.h"
 #include "io/file/native_path.h"
 
-#include <QCoreApplication>
 #include <QDir>
 
 #include <array>
@@ -22,7 +22,7 @@ const QString& standardOutputPath() {
 }
 
 QString cannotPrint(int error) {
-    return QCoreApplication::translate("Text", "Standard output cannot be written to: %1.")
+    return Text::tr("Standard output cannot be written to: %1.")
         .arg(QString::fromLocal8Bit(std::strerror(error)));
 }
 

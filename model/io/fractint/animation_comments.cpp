@@ -2,11 +2,10 @@
 #include "io/fractint/animation_comments.h"
 
 #include "document/recurring_branches.h"
+#include "document/text.h"
 #include "io/fractint/metadata_line.h"
 #include "io/palette/palette_stops.h"
 #include "io/text/number.h"
-
-#include <QCoreApplication>
 
 #include <algorithm>
 #include <span>
@@ -458,21 +457,16 @@ template <int Dim> AnimationComments::Outcome AnimationComments::applyTo(documen
         }
         outcome.kept.insert(outcome.kept.end(), block->numbers.begin(), block->numbers.end());
         outcome.sentences << (block->lines.mistake()
-                                  ? QCoreApplication::translate(
-                                        "Text", "The stored animation is not applied, because “%1” is not "
-                                                "understood; its lines are kept.")
+                                  ? Text::tr("The stored animation is not applied, because “%1” is not "
+                                             "understood; its lines are kept.")
                                         .arg(QString::fromUtf8(*block->lines.mistake()))
                               : shape.animation
-                                  ? QCoreApplication::translate(
-                                        "Text",
-                                        "The entry has more than one stored animation: the last valid "
-                                        "one is used, and the lines of the others are kept.")
-                                  : QCoreApplication::translate(
-                                        "Text",
-                                        "The stored animation is not valid and is not applied: it "
-                                        "moves maps or vertices that do not exist, a frame, number or "
-                                        "curve is out of its range, or keys are not in order. Its "
-                                        "lines are kept."));
+                                  ? Text::tr("The entry has more than one stored animation: the last valid "
+                                             "one is used, and the lines of the others are kept.")
+                                  : Text::tr("The stored animation is not valid and is not applied: it "
+                                             "moves maps or vertices that do not exist, a frame, number or "
+                                             "curve is out of its range, or keys are not in order. Its "
+                                             "lines are kept."));
     }
     return outcome;
 }

@@ -17,8 +17,8 @@ namespace {
 
 using animation::Ease, animation::Loop;
 
-constexpr std::size_t maxNumbers = 4'000'000; // of one animation
-constexpr std::size_t maxParts = 100'000;     // tracks, keys of a track, motions, maps of one of them, stops
+constexpr std::size_t maxAnimationNumbers = 4'000'000; // of one animation
+constexpr std::size_t maxParts = 100'000; // tracks, keys of a track, motions, maps of one of them, stops
 
 constexpr std::array loopNames{std::pair{Loop::Off, "off"}, std::pair{Loop::Cycle, "cycle"},
                                std::pair{Loop::ThereAndBack, "there-and-back"}};
@@ -32,10 +32,6 @@ template <class Names> auto named(const Names& names, const QByteArray& name) {
     using Value = decltype(names.front().first);
     const auto found = std::ranges::find_if(names, [&](const auto& entry) { return name == entry.second; });
     return found == names.end() ? std::nullopt : std::optional<Value>(found->first);
-}
-
-std::optional<double> number(const QByteArray& text) {
-    return parseNumber(QString::fromLatin1(text));
 }
 
 std::optional<int> whole(const QByteArray& text) {
@@ -88,7 +84,7 @@ void AnimationLines::read(const QByteArray& key, const QByteArrayList& values) {
 
 bool AnimationLines::understood(const QByteArray& key, const QByteArrayList& values) {
     m_numbers += std::size_t(values.size());
-    if (values.isEmpty() || m_numbers > maxNumbers) return false;
+    if (values.isEmpty() || m_numbers > maxAnimationNumbers) return false;
     if (key == "animation") return readHeader(values);
     if (key == "track") return readTrack(values);
     if (key == "value") return readValues(values);
@@ -96,7 +92,7 @@ bool AnimationLines::understood(const QByteArray& key, const QByteArrayList& val
     if (key == "look") return readLook(values);
     if (key != "reference") return readMotion(key, values);
     for (const QByteArray& value : values) {
-        const auto coordinate = number(value);
+        const auto coordinate = metadataNumber(value);
         if (!coordinate) return false;
         m_stored.reference.push_back(*coordinate);
     }
@@ -154,7 +150,7 @@ bool AnimationLines::readKey(const QByteArray& key, const QByteArrayList& values
     Stored::Key* last = lastKey();
     if (last == nullptr || last->ease.kind != Ease::Kind::Cubic) return false;
     for (const QByteArray& value : values) {
-        const auto handle = number(value);
+        const auto handle = metadataNumber(value);
         if (!handle) return false;
         last->handles.push_back(*handle);
     }
@@ -171,7 +167,7 @@ bool AnimationLines::readLook(const QByteArrayList& values) {
         return true;
     }
     if (what == "stop" && values.size() == 3) {
-        const auto position = number(values[1]);
+        const auto position = metadataNumber(values[1]);
         const auto colour = parseColour(values[2]);
         if (!position || !colour || look.palette.stops.size() >= maxParts) return false;
         look.palette.stops.push_back({*position, *colour});
@@ -195,7 +191,7 @@ bool AnimationLines::readLook(const QByteArrayList& values) {
                             : what == "contrast" ? &look.contrast
                             : what == "vibrancy" ? &look.vibrancy
                                                  : nullptr;
-    const auto value = number(values[1]);
+    const auto value = metadataNumber(values[1]);
     if (setting == nullptr || !value) return false;
     *setting = *value;
     return true;
@@ -213,7 +209,7 @@ bool AnimationLines::readMotion(const QByteArray& key, const QByteArrayList& val
     if (key == "of") return appendMaps(motion.maps, values);
     if (key == "pivot" || key == "axis") {
         for (const QByteArray& value : values) {
-            const auto coordinate = number(value);
+            const auto coordinate = metadataNumber(value);
             if (!coordinate) return false;
             (key == "pivot" ? motion.pivot : motion.axis).push_back(*coordinate);
         }
@@ -221,7 +217,7 @@ bool AnimationLines::readMotion(const QByteArray& key, const QByteArrayList& val
     }
     if (values.size() != 1) return false;
     if (key == "strength") {
-        motion.strength = number(values[0]);
+        motion.strength = metadataNumber(values[0]);
         return motion.strength.has_value();
     }
     const auto count = whole(values[0]);
@@ -242,7 +238,7 @@ bool AnimationLines::readValues(const QByteArrayList& values) {
         numbers = &m_stored.motions.back().waves.back().values;
     if (numbers == nullptr) return false;
     for (const QByteArray& value : values) {
-        const auto parsed = number(value);
+        const auto parsed = metadataNumber(value);
         if (!parsed) return false;
         numbers->push_back(*parsed);
     }

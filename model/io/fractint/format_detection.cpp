@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "io/fractint/format_detection.h"
 
+#include "document/text.h"
 #include "io/fractint/fractint_entry.h"
 #include "io/text/number.h"
 
 #include <QByteArrayList>
-#include <QCoreApplication>
 
 #include <algorithm>
 #include <array>
@@ -15,10 +15,6 @@ namespace io {
 namespace {
 
 constexpr qsizetype sampleSize = 4096;
-
-struct Text {
-    Q_DECLARE_TR_FUNCTIONS(Text)
-};
 
 bool isBinary(QByteArrayView bytes) {
     QByteArrayView head = bytes.first(std::min<qsizetype>(bytes.size(), 512));

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "io/fractint/fractint_entry.h"
 
+#include "document/text.h"
 #include "io/fractint/fractint_numbers.h"
 #include "io/fractint/fractint_rows.h"
 #include "io/fractint/metadata_comments.h"
 #include "io/text/export_weights.h"
-
-#include <QCoreApplication>
 
 #include <algorithm>
 #include <cmath>
@@ -21,10 +20,6 @@ using document::Problem;
 constexpr std::size_t maxMapsElsewhere = 63;
 constexpr qsizetype maxName = 18;
 constexpr std::size_t maxNumbers = maxMaps * 13;
-
-struct Text {
-    Q_DECLARE_TR_FUNCTIONS(Text)
-};
 
 struct RawToken {
     Span span;

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "io/fractint/fractint_reader.h"
 
+#include "document/text.h"
 #include "io/fractint/format_detection.h"
 #include "io/fractint/fractint_entry.h"
 
-#include <QCoreApplication>
 #include <QHash>
 
 #include <algorithm>
@@ -27,10 +27,6 @@ using fractint::BlockKind;
 constexpr qsizetype maxFileProblems = 100;
 constexpr qsizetype maxEntriesElsewhere = 2000;
 constexpr qsizetype comparedName = 18;
-
-struct Text {
-    Q_DECLARE_TR_FUNCTIONS(Text)
-};
 
 QByteArray firstLineEnd(QByteArrayView bytes) {
     if (fractint::lineEndByte(bytes) == '\r') return "\r";

@@ -2,13 +2,13 @@
 #include "io/fractint/fractint_strict.h"
 
 #include "document/edits/symmetry_edits.h"
+#include "document/text.h"
 #include "document/unique_names.h"
 #include "document/user_comments.h"
 #include "io/fractint/fractint_entry.h"
 #include "io/fractint/fractint_rows.h"
 #include "io/text/lost_parts.h"
 
-#include <QCoreApplication>
 #include <QSet>
 
 #include <algorithm>
@@ -24,15 +24,11 @@ using document::FractalFile;
 using document::Problem;
 using fractint::Row;
 
-constexpr qsizetype maxLine = 199;
+constexpr qsizetype maxStrictLine = 199;
 constexpr qsizetype maxTitle = 100; // behind the opening brace
 constexpr std::size_t maxMaps = 63;
 constexpr std::size_t maxMapsBefore18 = 31;
 constexpr qsizetype maxEntries = 2000;
-
-struct Text {
-    Q_DECLARE_TR_FUNCTIONS(Text)
-};
 
 // Letters lose their accents; what has no plain form becomes a question mark, or `replacement` in a name.
 QByteArray ascii(const QString& text, char replacement) {
@@ -90,7 +86,7 @@ private:
     }
 
     void addComment(const QString& text) {
-        const QByteArrayList lines = pieces(ascii(fractint::storedComment(text), '?'), maxLine - 2);
+        const QByteArrayList lines = pieces(ascii(fractint::storedComment(text), '?'), maxStrictLine - 2);
         if (lines.isEmpty()) m_text.bytes += ";\n";
         for (const QByteArray& line : lines)
             m_text.bytes += "; " + line + '\n';
@@ -186,7 +182,7 @@ private:
             rest -= weight;
             cells.push_back(texts(rows[i], weight));
         }
-        const auto fits = [](const QByteArray& line) { return line.size() <= maxLine; };
+        const auto fits = [](const QByteArray& line) { return line.size() <= maxStrictLine; };
         for (const QByteArrayList& lines : {fractint::alignedRows(cells), fractint::closeRows(cells)})
             if (std::ranges::all_of(lines, fits)) return lines;
         return fractint::rowsOnTwoLines(cells);

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "io/fractint/link_comments.h"
 
+#include "document/text.h"
 #include "ifs/system/links.h"
 #include "io/fractint/metadata_line.h"
 #include "io/text/number.h"
-
-#include <QCoreApplication>
 
 #include <algorithm>
 #include <cmath>
@@ -61,13 +60,12 @@ LinkComments::Outcome LinkComments::applyTo(ifs::IteratedFunctionSystem<Dim>& sy
     if (m_rows.empty()) return {};
     const std::size_t n = system.maps.size();
     if (Dim == 3)
-        return {QCoreApplication::translate(
-                    "Text", "Maps of a system in space cannot be linked: the links are not applied, and "
-                            "their lines are kept."),
+        return {Text::tr("Maps of a system in space cannot be linked: the links are not applied, and "
+                         "their lines are kept."),
                 true};
     if (n > maxLinkedMaps)
-        return {QCoreApplication::translate("Text", "More than %1 maps cannot be linked: the links are not "
-                                                    "applied, and their lines are kept.")
+        return {Text::tr("More than %1 maps cannot be linked: the links are not "
+                         "applied, and their lines are kept.")
                     .arg(maxLinkedMaps),
                 true};
     const auto fits = [n](const auto& numbered) {
@@ -76,9 +74,8 @@ LinkComments::Outcome LinkComments::applyTo(ifs::IteratedFunctionSystem<Dim>& sy
                std::ranges::all_of(row, [](double weight) { return weight >= 0 && std::isfinite(weight); });
     };
     if (const auto wrong = std::ranges::find_if_not(m_rows, fits); wrong != m_rows.end())
-        return {QCoreApplication::translate("Text",
-                                            "The links of map %1 are not valid, so no links are applied: a "
-                                            "row of links has one number for each map, 0 or larger.")
+        return {Text::tr("The links of map %1 are not valid, so no links are applied: a "
+                         "row of links has one number for each map, 0 or larger.")
                     .arg(wrong->first),
                 false};
     std::vector<double> matrix(n * n, 1);
@@ -88,9 +85,7 @@ LinkComments::Outcome LinkComments::applyTo(ifs::IteratedFunctionSystem<Dim>& sy
     auto unlinked = system;
     unlinked.links.clear();
     if (ifs::countActive(system) == 0 && ifs::countActive(unlinked) > 0)
-        return {QCoreApplication::translate(
-                    "Text", "With these links every sequence of maps ends, so no map is active."),
-                false};
+        return {Text::tr("With these links every sequence of maps ends, so no map is active."), false};
     return {};
 }
 

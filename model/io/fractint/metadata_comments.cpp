@@ -2,12 +2,11 @@
 #include "io/fractint/metadata_comments.h"
 
 #include "document/recurring_branches.h"
+#include "document/text.h"
 #include "ifs/system/links.h"
 #include "io/fractint/metadata_line.h"
 #include "io/palette/palette_stops.h"
 #include "io/text/number.h"
-
-#include <QCoreApplication>
 
 #include <algorithm>
 #include <cmath>
@@ -46,10 +45,6 @@ template <int Dim> QByteArrayList pointLines(const char* key, const ifs::Vector<
         lines.back() += (lines.back().endsWith(' ') ? "" : " ") + text;
     }
     return lines;
-}
-
-std::optional<double> number(const QByteArray& text) {
-    return parseNumber(QString::fromLatin1(text));
 }
 
 // With one such map the determinant rule serves for all, and the rows hold probabilities.
@@ -233,7 +228,7 @@ bool MetadataComments::readPoint(const QByteArrayList& values, std::vector<Point
     Point point = continues ? points.back() : Point();
     point.isOpen = !values.isEmpty() && values.back() == QByteArray(continued).trimmed();
     for (const QByteArray& value : values.first(values.size() - (point.isOpen ? 1 : 0))) {
-        const auto coordinate = number(value);
+        const auto coordinate = metadataNumber(value);
         if (!coordinate) return false;
         point.coordinates.push_back(*coordinate);
     }
@@ -269,7 +264,7 @@ bool MetadataComments::readSetting(const QByteArray& key, const QByteArrayList& 
         if (colour) (key == "plain" ? m_appearance.plain : m_appearance.background) = *colour;
         return colour.has_value();
     }
-    const auto value = number(values[0]);
+    const auto value = metadataNumber(values[0]);
     if (value && key == "vibrancy" && *value >= 0 && *value <= 1) {
         m_appearance.vibrancy = *value;
         return true;
@@ -302,13 +297,13 @@ bool MetadataComments::readMapSetting(const QByteArray& key, const QByteArrayLis
         return true;
     }
     if (key == "off") {
-        setting.weight = values.size() == 2 ? number(values[1]) : std::nullopt;
+        setting.weight = values.size() == 2 ? metadataNumber(values[1]) : std::nullopt;
         if (values.size() == 2 && !setting.weight) return false;
         m_off.push_back(setting);
         return true;
     }
     if (key == "weight") {
-        setting.weight = values.size() == 2 ? number(values[1]) : std::nullopt;
+        setting.weight = values.size() == 2 ? metadataNumber(values[1]) : std::nullopt;
         if (!(setting.weight.value_or(0) > 0)) return false;
         m_weights.push_back(setting);
         return true;
@@ -326,7 +321,7 @@ bool MetadataComments::readPalette(const QByteArray& key, const QByteArrayList& 
         return true;
     }
     if (key != "stop" || values.size() != 2 || m_stops.size() >= maxStops) return false;
-    const auto position = number(values[0]);
+    const auto position = metadataNumber(values[0]);
     const auto colour = parseColour(values[1]);
     if (!position || !colour || *position < 0 || *position > 1) return false;
     m_stops.push_back({*position, *colour});
@@ -376,14 +371,11 @@ template <int Dim> void MetadataComments::applyCage(document::Shape<Dim>& shape,
     } else if (ifs::isValid(cage)) {
         shape.cage = std::move(cage);
     } else {
-        outcome.sentences << (Dim == 2 ? QCoreApplication::translate(
-                                             "Text",
-                                             "The stored cage is not valid and is not applied: its lists of "
+        outcome.sentences << (Dim == 2
+                                  ? Text::tr("The stored cage is not valid and is not applied: its lists of "
                                              "vertices do not match, or its rest polygon is flat, crosses "
                                              "itself or has more than 64 vertices.")
-                                       : QCoreApplication::translate(
-                                             "Text",
-                                             "The stored cage is not valid and is not applied: its lists of "
+                                  : Text::tr("The stored cage is not valid and is not applied: its lists of "
                                              "vertices do not match, or its vertices at rest are in one "
                                              "plane or coincide."));
     }
@@ -411,8 +403,7 @@ template <int Dim> void MetadataComments::applyBranches(document::Shape<Dim>& sh
                            shape.moved.end();
         if (branch.by.size() != Dim + 1 || !std::ranges::all_of(branch.by, isHere) || !isAddress ||
             moved.word.size() != branch.word.size() || known || pieces > maxPieces) {
-            outcome.sentences << QCoreApplication::translate(
-                "Text",
+            outcome.sentences << Text::tr(
                 "The stored position of a branch is not valid and is not applied: its map is incomplete, its "
                 "address names maps that do not exist or occurs twice, or there are too many.");
             continue;
@@ -433,8 +424,7 @@ void MetadataComments::applyPalette(document::Fractal& fractal, QStringList& sen
     else if (m_stops.empty() && builtIn != nullptr)
         fractal.appearance.palette = *builtIn;
     else
-        sentences << QCoreApplication::translate("Text",
-                                                 "The stored palette “%1” is unknown and is not applied.")
+        sentences << Text::tr("The stored palette “%1” is unknown and is not applied.")
                          .arg(QString::fromStdString(name));
 }
 
@@ -460,9 +450,7 @@ void MetadataComments::applyToMaps(ifs::IteratedFunctionSystem<Dim>& system,
     for (const MapSetting& setting : m_off) {
         auto* map = mapAt(setting.map);
         if (map == nullptr || (map->weight && *map->weight != 0)) {
-            sentences << QCoreApplication::translate(
-                             "Text",
-                             "Map %1 was switched off here, but another program has given it a weight.")
+            sentences << Text::tr("Map %1 was switched off here, but another program has given it a weight.")
                              .arg(setting.map);
             continue;
         }
@@ -486,10 +474,9 @@ MetadataComments::Outcome MetadataComments::applyTo(document::Fractal& fractal) 
         applyCage(shape, outcome);
         applyBranches(shape, outcome);
         if (!outcome.kept.empty())
-            outcome.sentences << QCoreApplication::translate(
-                                     "Text", "This entry is %1-dimensional, but its stored cage or moved "
-                                             "branches are not: they are not applied, and their lines are "
-                                             "kept.")
+            outcome.sentences << Text::tr("This entry is %1-dimensional, but its stored cage or moved "
+                                          "branches are not: they are not applied, and their lines are "
+                                          "kept.")
                                      .arg(document::dimension(fractal));
         applyToMaps(shape.system, fractal.appearance.mapColours, outcome.sentences);
         m_labels.applyTo(fractal);

@@ -39,6 +39,10 @@ QByteArrayList metadataLines(const char* key, const QByteArrayList& values) {
     return lines;
 }
 
+std::optional<double> metadataNumber(const QByteArray& value) {
+    return parseNumber(QString::fromLatin1(value));
+}
+
 const char* nameOf(attractor::ColourBy colourBy) {
     return std::ranges::find(colourByNames, colourBy, &ColourByName::colourBy)->name;
 }

@@ -19,6 +19,9 @@ QByteArray metadataLine(const char* key, const QByteArray& values);
 // The values on as many lines with this key as they need; at least one.
 QByteArrayList metadataLines(const char* key, const QByteArrayList& values);
 
+// A value of such a line.
+std::optional<double> metadataNumber(const QByteArray& value);
+
 const char* nameOf(attractor::ColourBy colourBy);
 std::optional<attractor::ColourBy> colourByNamed(const QByteArray& name);
 

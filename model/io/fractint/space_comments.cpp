@@ -51,10 +51,6 @@ QByteArray bound(double value) {
     return std::isfinite(value) ? formatNumber(value) : QByteArray(open);
 }
 
-std::optional<double> number(const QByteArray& text) {
-    return parseNumber(QString::fromLatin1(text));
-}
-
 } // namespace
 
 const char* nameOf(LookInSpace look) {
@@ -108,14 +104,14 @@ bool SpaceComments::read(const QByteArray& key, const QByteArrayList& values) {
         return colour && values.size() == 1;
     }
     if (key == "light") {
-        const auto azimuth = number(values[0]), elevation = number(values.back());
+        const auto azimuth = metadataNumber(values[0]), elevation = metadataNumber(values.back());
         if (values.size() != 2 || !azimuth || !elevation) return false;
         m_appearance.lightAzimuth = *azimuth;
         m_appearance.lightElevation = *elevation;
         return true;
     }
     if (key == "fog") {
-        const auto fog = number(values[0]);
+        const auto fog = metadataNumber(values[0]);
         if (values.size() != 1 || !fog || !(*fog >= 0 && *fog <= attractor::SpaceAppearance::maxFog))
             return false;
         m_appearance.fog = *fog;
@@ -127,7 +123,7 @@ bool SpaceComments::read(const QByteArray& key, const QByteArrayList& values) {
     const std::size_t most = isRange ? 2 : 3;
     for (const QByteArray& value : values) {
         const bool isOpen = isRange && value == open;
-        const auto read = isOpen ? std::optional(into.empty() ? -infinite : infinite) : number(value);
+        const auto read = isOpen ? std::optional(into.empty() ? -infinite : infinite) : metadataNumber(value);
         if (!read || into.size() == most) return false;
         into.push_back(*read);
     }

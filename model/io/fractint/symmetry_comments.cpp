@@ -1,21 +1,16 @@
 // SPDX-License-Identifier: MIT
 #include "io/fractint/symmetry_comments.h"
 
+#include "document/text.h"
 #include "io/fractint/metadata_line.h"
 #include "io/text/number.h"
 #include "io/text/symmetry_text.h"
-
-#include <QCoreApplication>
 
 namespace io {
 
 namespace {
 
-constexpr std::size_t maxNumbers = 9; // of a frame in space
-
-struct Text {
-    Q_DECLARE_TR_FUNCTIONS(Text)
-};
+constexpr std::size_t maxFrameNumbers = 9; // of a frame in space
 
 template <int Dim>
 std::optional<ifs::Symmetry<Dim>> symmetryOf(const QByteArray& name, const std::vector<double>& centre,
@@ -56,7 +51,7 @@ template QByteArrayList symmetryComments<3>(const ifs::Symmetry<3>&);
 bool SymmetryComments::readNumbers(const QByteArrayList& values, std::vector<double>& numbers) {
     for (const QByteArray& value : values) {
         const auto number = parseNumber(QString::fromLatin1(value));
-        if (!number || numbers.size() == maxNumbers) return false;
+        if (!number || numbers.size() == maxFrameNumbers) return false;
         numbers.push_back(*number);
     }
     return !values.isEmpty();

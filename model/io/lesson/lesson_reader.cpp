@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "io/lesson/lesson_reader.h"
 
+#include "document/text.h"
 #include "io/lesson/lesson_words.h"
 #include "io/text/number.h"
 
-#include <QCoreApplication>
 #include <QRegularExpression>
 
 #include <algorithm>
@@ -33,10 +33,6 @@ constexpr int maxProblems = 20;
 constexpr int maxUnknown = 50; // lines in one place
 constexpr int maxPanels = 20;
 constexpr double maxSpeed = 1e6; // points per second
-
-struct Text {
-    Q_DECLARE_TR_FUNCTIONS(LessonReader)
-};
 
 QStringList words(const QString& value) {
     return value.split(u' ', Qt::SkipEmptyParts);

@@ -2,8 +2,8 @@
 #include "io/overlay/map_legend.h"
 
 #include "document/space_geometry.h"
+#include "document/text.h"
 
-#include <QCoreApplication>
 #include <QFont>
 #include <QFontMetrics>
 #include <QPainter>
@@ -16,10 +16,6 @@
 namespace io {
 
 namespace {
-
-struct Text {
-    Q_DECLARE_TR_FUNCTIONS(Text)
-};
 
 QFont font(int pixels, QFont::Weight weight = QFont::Normal) {
     QFont font;

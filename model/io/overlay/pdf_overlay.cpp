@@ -10,7 +10,7 @@ namespace io {
 
 namespace {
 
-constexpr double baseline = 0.36;      // below the middle of a digit, in sizes of the letters
+constexpr double pdfBaseline = 0.36;   // below the middle of a digit, in sizes of the letters
 constexpr double digitWidth = 0.556;   // of Helvetica-Bold, which every viewer has
 constexpr double circleArm = 0.552285; // 4 (√2 − 1) / 3: of the curve that is a quarter of a circle
 
@@ -70,7 +70,7 @@ QByteArray painted(const OverlayMark& mark, const QByteArray& path) {
 QByteArray word(const OverlayMark& mark) {
     const double width = digitWidth * mark.letterSize * double(mark.word.size());
     const double x = mark.centre.x() - width / 2;
-    const double y = mark.centre.y() + baseline * mark.letterSize;
+    const double y = mark.centre.y() + pdfBaseline * mark.letterSize;
     return "BT " + text(mark.fill) + " rg /Digits " + text(mark.letterSize) + " Tf 1 0 0 -1 " + text(x, y) +
            " Tm (" + mark.word.toLatin1() + ") Tj ET\n";
 }

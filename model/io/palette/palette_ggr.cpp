@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "io/palette/palette_ggr.h"
 
+#include "document/text.h"
 #include "io/palette/palette_stops.h"
 #include "io/text/number.h"
-
-#include <QCoreApplication>
 
 #include <algorithm>
 #include <array>
@@ -22,10 +21,6 @@ using document::Problem;
 
 constexpr qsizetype maxSegments = 4096;
 constexpr int colours = 1024; // that are looked at
-
-struct Text {
-    Q_DECLARE_TR_FUNCTIONS(Text)
-};
 
 using Colour = std::array<double, 3>; // sRGB, 0 … 1
 
@@ -169,7 +164,7 @@ std::vector<Rgba> sampled(const std::vector<Segment>& segments) {
     return result;
 }
 
-void report(PaletteFile& file, Problem::Severity severity, int line, const QString& message) {
+void reportIn(PaletteFile& file, Problem::Severity severity, int line, const QString& message) {
     file.problems << Problem{severity, {}, line, line > 0 ? 1 : 0, message};
 }
 
@@ -185,7 +180,7 @@ void readGimpGradient(const QByteArrayList& lines, QString name, PaletteFile& fi
     bool good = false;
     const int count = lines.value(at).trimmed().toInt(&good);
     if (!good || count < 1 || count > maxSegments)
-        return report(
+        return reportIn(
             file, Problem::Severity::Error, int(at) + 1,
             Text::tr("A GIMP gradient states its number of segments here, from 1 to %1.").arg(maxSegments));
     std::vector<Segment> segments;
@@ -193,7 +188,7 @@ void readGimpGradient(const QByteArrayList& lines, QString name, PaletteFile& fi
         const auto segment = segmentOf(lines.value(++at));
         const double end = segments.empty() ? 0 : segments.back().right;
         if (!segment || std::abs(segment->left - end) > 1e-3)
-            return report(
+            return reportIn(
                 file, Problem::Severity::Error, int(at) + 1,
                 Text::tr("This is not a segment of a GIMP gradient that continues the one before."));
         segments.push_back(*segment);

@@ -10,7 +10,7 @@ namespace {
 
 using attractor::Rgba;
 
-constexpr std::size_t maxColours = 4096;
+constexpr std::size_t maxHexColours = 4096;
 
 // "fc0" stands for "ffcc00"; opacities are ignored.
 Rgba colourOf(QString digits) {
@@ -26,7 +26,7 @@ Rgba colourOf(QString digits) {
 
 std::vector<Rgba> all(const QString& text, const QRegularExpression& pattern) {
     std::vector<Rgba> colours;
-    for (auto found = pattern.globalMatch(text); found.hasNext() && colours.size() < maxColours;)
+    for (auto found = pattern.globalMatch(text); found.hasNext() && colours.size() < maxHexColours;)
         colours.push_back(colourOf(found.next().captured(1)));
     return colours;
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "io/palette/palette_reader.h"
 
+#include "document/text.h"
 #include "io/palette/palette_ggr.h"
 #include "io/palette/palette_hex.h"
 #include "io/palette/palette_stops.h"
@@ -9,7 +10,6 @@
 #include "io/text/number.h"
 
 #include <QByteArrayList>
-#include <QCoreApplication>
 
 #include <optional>
 
@@ -25,10 +25,6 @@ constexpr qsizetype maxFile = 16 * 1024 * 1024;
 constexpr std::size_t maxColours = 4096;
 constexpr qsizetype maxProblems = 10;
 constexpr const char* stopPrefix = "barycage: stop ";
-
-struct Text {
-    Q_DECLARE_TR_FUNCTIONS(Text)
-};
 
 void report(PaletteFile& file, Problem::Severity severity, int line, const QString& message) {
     if (file.problems.size() < maxProblems || severity == Problem::Severity::Error)

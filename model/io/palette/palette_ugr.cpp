@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "io/palette/palette_ugr.h"
 
+#include "document/text.h"
 #include "io/palette/palette_stops.h"
-
-#include <QCoreApplication>
 
 #include <algorithm>
 #include <cmath>
@@ -19,11 +18,7 @@ using document::Problem;
 
 constexpr int circle = 400; // colours on it
 constexpr std::size_t maxPalettes = 4000;
-constexpr qsizetype maxProblems = 10;
-
-struct Text {
-    Q_DECLARE_TR_FUNCTIONS(Text)
-};
+constexpr qsizetype maxUgrProblems = 10;
 
 // Words of the text: { and } on their own, key=value (the value possibly in quotes), everything else by
 // blanks. Comments run from a semicolon to the end of the line.
@@ -178,7 +173,7 @@ public:
 
 private:
     void report(Problem::Severity severity, const QString& message) {
-        if (m_file.problems.size() < maxProblems || severity == Problem::Severity::Error)
+        if (m_file.problems.size() < maxUgrProblems || severity == Problem::Severity::Error)
             m_file.problems << Problem{severity, {}, m_words.line(), 1, message};
     }
 

@@ -3,11 +3,11 @@
 
 #include "document/fractal_geometry.h"
 #include "document/space_geometry.h"
+#include "document/text.h"
 #include "io/picture/picture_writers.h"
 #include "io/picture/space_export.h"
 
 #include <QBuffer>
-#include <QCoreApplication>
 #include <QFont>
 #include <QFontMetrics>
 #include <QHashFunctions>
@@ -24,10 +24,6 @@
 namespace io {
 
 namespace {
-
-struct Text {
-    Q_DECLARE_TR_FUNCTIONS(Text)
-};
 
 struct Inks {
     QColor paper, text, quiet, line, placeholder;

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "io/picture/grey_picture.h"
 
+#include "document/text.h"
 #include "io/picture/picture_decoder.h"
 
-#include <QCoreApplication>
 #include <QImage>
 
 #include <algorithm>
@@ -11,10 +11,6 @@
 namespace io {
 
 namespace {
-
-struct Text {
-    Q_DECLARE_TR_FUNCTIONS(Text)
-};
 
 collage::GreyPicture greyOf(const QImage& image) {
     collage::GreyPicture grey{image.width(), image.height(), {}, {}};

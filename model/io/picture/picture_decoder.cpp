@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "io/picture/picture_decoder.h"
 
+#include "document/text.h"
 #include "io/picture/gif_check.h"
 #include "io/picture/jpeg_check.h"
 #include "io/raster/exr_reader.h"
@@ -10,7 +11,6 @@
 
 #include <QBuffer>
 #include <QColorSpace>
-#include <QCoreApplication>
 #include <QImageReader>
 #include <QtEndian>
 
@@ -25,10 +25,6 @@
 namespace io {
 
 namespace {
-
-struct Text {
-    Q_DECLARE_TR_FUNCTIONS(Text)
-};
 
 constexpr qint64 maxKeptScans = qint64{512} << 20; // bytes of a JPEG that is not read row by row
 

@@ -48,7 +48,7 @@ private:
     std::unique_ptr<PngWriter> m_writer;
 };
 
-class PageWriter : public PictureWriter {
+class PagePictureWriter : public PictureWriter {
 public:
     Failure writeRows(std::span<const std::uint32_t> pixels) override {
         const auto width = std::size_t(m_format.width);
@@ -66,7 +66,7 @@ public:
     }
 
 protected:
-    explicit PageWriter(const PictureFormat& format) : m_format(format) {}
+    explicit PagePictureWriter(const PictureFormat& format) : m_format(format) {}
 
     virtual Failure writeRow(Row row) = 0;
     virtual Failure end() = 0;
@@ -80,10 +80,10 @@ private:
 };
 
 // The picture in strips, each small enough for libxml2, which refuses an attribute of ten million bytes.
-class SvgPage final : public PageWriter {
+class SvgPage final : public PagePictureWriter {
 public:
     SvgPage(PicturePage page, QIODevice& device, const PictureFormat& format)
-        : PageWriter(format), m_page(std::move(page)), m_device(device), m_xml(&device) {
+        : PagePictureWriter(format), m_page(std::move(page)), m_device(device), m_xml(&device) {
         startSvg(m_xml, {{format.width, format.height}, dotsPerInch(), m_page.title, format.systemText});
     }
 
@@ -170,10 +170,10 @@ QByteArray compressedRows(const QByteArray& png) {
 }
 
 // Colours and opacity are two pictures.
-class PdfPage final : public PageWriter {
+class PdfPage final : public PagePictureWriter {
 public:
     PdfPage(OverlayMarks marks, PdfFile& file, const PictureFormat& format)
-        : PageWriter(format), m_marks(std::move(marks)), m_file(file), m_colours(coloursOf(format)) {
+        : PagePictureWriter(format), m_marks(std::move(marks)), m_file(file), m_colours(coloursOf(format)) {
         if (format.pixels == Pixels::Transparent)
             m_opacities = std::make_unique<PngBytes>(opacitiesOf(format));
     }
@@ -247,10 +247,10 @@ private:
 };
 
 // A file of one page.
-class PdfDocument final : public PageWriter {
+class PdfDocument final : public PagePictureWriter {
 public:
     PdfDocument(PicturePage page, QIODevice& device, const PictureFormat& format)
-        : PageWriter(format),
+        : PagePictureWriter(format),
           m_title(std::move(page.title)),
           m_device(device),
           m_page(std::move(page.marks), m_file, format) {}

@@ -1,23 +1,18 @@
 // SPDX-License-Identifier: MIT
 #include "io/picture/picture_writers.h"
 
+#include "document/text.h"
 #include "io/picture/png_writer.h"
 #include "io/raster/exr_writer.h"
 #include "io/raster/jpeg_writer.h"
 #include "io/raster/tiff_writer.h"
 #include "io/raster/webp_writer.h"
 
-#include <QCoreApplication>
-
 #include <algorithm>
 
 namespace io {
 
 namespace {
-
-struct Text {
-    Q_DECLARE_TR_FUNCTIONS(PictureWriter)
-};
 
 // Pixels along a side, where there is a limit.
 std::optional<int> maxSide(PictureFile file) {

@@ -11,6 +11,9 @@
 
 namespace io {
 
+// The part of the progress of an export in which it is drawn; the rest is compression.
+inline constexpr double shareOfDrawing = 0.8;
+
 // By the ending of a file's name, in any case: png, jpg, jpeg, webp, tif, tiff or exr (with 16 bits).
 std::optional<PictureFile> pictureFileOf(const QString& suffix);
 

@@ -2,9 +2,9 @@
 #include "io/picture/png_check.h"
 
 #include "document/regular_file.h"
+#include "document/text.h"
 #include "io/file/native_path.h"
 
-#include <QCoreApplication>
 #include <QFile>
 #include <QtEndian>
 
@@ -18,7 +18,7 @@ namespace {
 
 constexpr quint32 maxLength = 0x7fffffff; // of a chunk
 constexpr qint64 piece = 1 << 20;
-constexpr qsizetype maxText = 8 << 20;                // that is remembered
+constexpr qsizetype maxKeptText = 8 << 20;            // that is remembered
 constexpr char palette = 1, colours = 2, opacity = 4; // bits of the kind of pixels
 
 struct Chunk {
@@ -47,7 +47,7 @@ std::optional<Chunk> readChunk(QIODevice& file) {
         sum = checksum(sum, bytes);
         left -= bytes.size();
         const bool isKept = chunk.type == "tEXt" || chunk.type == "IHDR";
-        if (isKept && chunk.data.size() < maxText) chunk.data += bytes;
+        if (isKept && chunk.data.size() < maxKeptText) chunk.data += bytes;
     }
     return readNumber(file) == sum ? std::optional(chunk) : std::nullopt;
 }
@@ -75,12 +75,11 @@ CheckedPng damaged(const QString& sentence) {
 CheckedPng checkedPng(const QString& path) {
     QFile file;
     if (!document::openRegular(file, nativeName(path)).isOpen())
-        return damaged(QCoreApplication::translate("PngSystem", "The picture cannot be opened."));
+        return damaged(Text::tr("The picture cannot be opened."));
     if (file.read(8) != QByteArray("\x89PNG\r\n\x1a\n", 8))
-        return damaged(QCoreApplication::translate("PngSystem", "The file is not a PNG picture."));
+        return damaged(Text::tr("The file is not a PNG picture."));
     const auto incomplete = [] {
-        return damaged(
-            QCoreApplication::translate("PngSystem", "The picture is damaged or incomplete. Draw it again."));
+        return damaged(Text::tr("The picture is damaged or incomplete. Draw it again."));
     };
     CheckedPng found;
     qsizetype remembered = 0;
@@ -97,7 +96,7 @@ CheckedPng checkedPng(const QString& path) {
         hasPixels = hasPixels || chunk->type == "IDAT";
         remembered += chunk->data.size();
         const qsizetype end = chunk->data.indexOf('\0');
-        if (end > 0 && chunk->data.startsWith("barycage:") && remembered <= maxText)
+        if (end > 0 && chunk->data.startsWith("barycage:") && remembered <= maxKeptText)
             found.texts[chunk->data.first(end)] = chunk->data.sliced(end + 1);
     }
     return hasPixels && file.atEnd() ? found : incomplete();

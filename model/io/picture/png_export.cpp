@@ -18,8 +18,6 @@ namespace {
 
 using attractor::Rgba16;
 
-constexpr double shareOfDrawing = 0.8; // of the progress; the rest is compression
-
 enum class Drawn { All, Stopped, Refused };
 
 const document::Fractal& explained(const PngExport& picture) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "io/picture/png_system.h"
+#include "document/text.h"
 
-#include <QCoreApplication>
 #include <QtEndian>
 
 #include <png.h>
@@ -88,13 +88,10 @@ EmbeddedSystem systemAmong(png_structp png, png_infop info) {
         texts, end, [](const png_text& text) { return std::strcmp(text.key, pngSystemKeyword) == 0; });
     if (found == end)
         return {{},
-                QCoreApplication::translate("PngSystem",
-                                            "The picture contains no system: it was not written by Barycage, "
-                                            "or another program removed the text that holds it.")};
+                Text::tr("The picture contains no system: it was not written by Barycage, "
+                         "or another program removed the text that holds it.")};
     const png_size_t size = std::strlen(found->text);
-    if (size > maxText)
-        return {{},
-                QCoreApplication::translate("PngSystem", "The system in the picture is larger than 8 MB.")};
+    if (size > maxText) return {{}, Text::tr("The system in the picture is larger than 8 MB.")};
     return {QByteArray(found->text, qsizetype(size)), {}};
 }
 
@@ -134,11 +131,9 @@ EmbeddedSystem readPngSystem(const QByteArray& bytes) {
     EmbeddedSystem result;
     const bool isRead = info && readChunks(png, info, &source);
     if (memory.isExceeded)
-        result.failure = QCoreApplication::translate(
-            "PngSystem", "The picture contains too much text: the limit is 40 MB in total.");
+        result.failure = Text::tr("The picture contains too much text: the limit is 40 MB in total.");
     else if (!isRead)
-        result.failure =
-            QCoreApplication::translate("PngSystem", "The file is not a PNG picture, or it is damaged.");
+        result.failure = Text::tr("The file is not a PNG picture, or it is damaged.");
     else
         result = systemAmong(png, info);
     if (isRead && result.failure)

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "io/picture/png_writer.h"
 
+#include "document/text.h"
 #include "io/picture/png_system.h"
 #include "io/raster/library_device.h"
 #include "io/raster/pixel_rows.h"
-
-#include <QCoreApplication>
 
 #include <png.h>
 
@@ -31,9 +30,7 @@ struct PngWriter::State {
     ~State() { png_destroy_write_struct(&png, &info); }
 
     void fail() {
-        if (!failure)
-            failure = QCoreApplication::translate("PngWriter", "The picture cannot be written: %1")
-                          .arg(device.errorString());
+        if (!failure) failure = Text::tr("The picture cannot be written: %1").arg(device.errorString());
         device.rethrow();
     }
 
@@ -53,11 +50,11 @@ struct PngWriter::State {
 namespace {
 
 // The two that libpng calls; neither may return after an error.
-[[noreturn]] void onError(png_structp png, png_const_charp) {
+[[noreturn]] void onWriteError(png_structp png, png_const_charp) {
     png_longjmp(png, 1);
 }
 
-void onWarning(png_structp, png_const_charp) {}
+void onWriteWarning(png_structp, png_const_charp) {}
 
 void onWrite(png_structp png, png_bytep data, png_size_t size) {
     if (!static_cast<LibraryDevice*>(png_get_io_ptr(png))->write(data, qint64(size))) png_error(png, "write");
@@ -68,7 +65,7 @@ void onFlush(png_structp) {}
 } // namespace
 
 bool PngWriter::State::start() {
-    png = png_create_write_struct(PNG_LIBPNG_VER_STRING, nullptr, onError, onWarning);
+    png = png_create_write_struct(PNG_LIBPNG_VER_STRING, nullptr, onWriteError, onWriteWarning);
     info = png ? png_create_info_struct(png) : nullptr;
     if (!info) return false;
     png_set_write_fn(png, &device, onWrite, onFlush);

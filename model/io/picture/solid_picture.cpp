@@ -5,6 +5,7 @@
 #include "attractor/light/solid_light.h"
 #include "attractor/render/solid_rendering.h"
 #include "ifs/extent/support_function.h"
+#include "io/picture/picture_writers.h"
 
 #include <algorithm>
 #include <span>
@@ -17,9 +18,8 @@ namespace {
 
 using attractor::Rgba16;
 
-constexpr double shareOfDrawing = 0.8; // of the progress
-constexpr int bandRows = 64;           // of the picture, lit and written at a time
-constexpr int rowsOfLight = 13;        // of the raster to either side, on which the light at a row depends
+constexpr int bandRows = 64;    // of the picture, lit and written at a time
+constexpr int rowsOfLight = 13; // of the raster to either side, on which the light at a row depends
 
 // Pixels drawn along each side of one of the picture.
 int sideOf(const SolidPicture& picture) {

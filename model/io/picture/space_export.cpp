@@ -24,7 +24,6 @@ namespace {
 
 using attractor::LookInSpace;
 
-constexpr double shareOfDrawing = 0.8;   // of the progress; the rest is compression
 constexpr std::size_t rowsTogether = 16; // between two looks at the stop token
 
 template <class Writer, class Pixel>

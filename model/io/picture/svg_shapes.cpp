@@ -5,8 +5,7 @@
 #include "attractor/samples/chaos_game.h"
 #include "attractor/samples/prepared_system.h"
 #include "document/fractal_geometry.h"
-
-#include <QCoreApplication>
+#include "document/text.h"
 
 #include <clipper.hpp>
 
@@ -17,10 +16,6 @@
 namespace io {
 
 namespace {
-
-struct Text {
-    Q_DECLARE_TR_FUNCTIONS(Text)
-};
 
 constexpr double maxPixel = 1e40; // so that no product of two such numbers leaves the doubles
 

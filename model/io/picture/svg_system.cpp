@@ -10,7 +10,7 @@ namespace io {
 
 namespace {
 
-constexpr qsizetype maxText = 8 * 1024 * 1024;
+constexpr qsizetype maxSystemText = 8 * 1024 * 1024;
 
 EmbeddedSystem refusal(const char* sentence) {
     return {{}, QCoreApplication::translate("SvgSystem", sentence)};
@@ -20,7 +20,7 @@ EmbeddedSystem textOf(QXmlStreamReader& xml) {
     QString text;
     while (xml.readNext() == QXmlStreamReader::Characters || xml.isComment()) {
         if (xml.isCharacters()) text += xml.text();
-        if (text.size() > maxText)
+        if (text.size() > maxSystemText)
             return refusal(QT_TRANSLATE_NOOP("SvgSystem", "The system in the picture is larger than 8 MB."));
     }
     if (!xml.isEndElement())

@@ -2,6 +2,7 @@
 #include "io/picture/svg_writer.h"
 
 #include "document/fractal_geometry.h"
+#include "document/text.h"
 #include "ifs/copies/copy_merging.h"
 #include "io/fractint/entry_writer.h"
 #include "io/overlay/svg_overlay.h"
@@ -9,7 +10,6 @@
 #include "io/picture/svg_shapes.h"
 #include "io/text/number.h"
 
-#include <QCoreApplication>
 #include <QXmlStreamWriter>
 
 #include <algorithm>
@@ -22,25 +22,21 @@ namespace {
 constexpr double goodEnough = 1;         // pixel
 constexpr qsizetype maxPath = 9'900'000; // bytes: libxml2 refuses an attribute of ten million
 
-struct Text {
-    Q_DECLARE_TR_FUNCTIONS(Text)
-};
-
 const QString& svg = svgNamespace();
 
-QString text(double number) {
+QString svgText(double number) {
     return QString::fromLatin1(formatNumber(number));
 }
 
 // SVG writes the matrix column by column.
-QString text(const ifs::AffineMap<2>& map) {
+QString svgText(const ifs::AffineMap<2>& map) {
     const auto& m = map.linear;
     return QStringLiteral("matrix(%1 %2 %3 %4 %5 %6)")
-        .arg(text(m(0, 0)), text(m(1, 0)), text(m(0, 1)), text(m(1, 1)), text(map.translation.x()),
-             text(map.translation.y()));
+        .arg(svgText(m(0, 0)), svgText(m(1, 0)), svgText(m(0, 1)), svgText(m(1, 1)),
+             svgText(map.translation.x()), svgText(map.translation.y()));
 }
 
-QString text(const attractor::Rgba& colour) {
+QString svgText(const attractor::Rgba& colour) {
     return QStringLiteral("#%1%2%3")
         .arg(colour.red, 2, 16, QLatin1Char('0'))
         .arg(colour.green, 2, 16, QLatin1Char('0'))
@@ -50,14 +46,14 @@ QString text(const attractor::Rgba& colour) {
 template <typename Points> QString pointList(const Points& points) {
     QString list;
     for (const ifs::Vector<2>& p : points)
-        list +=
-            (list.isEmpty() ? QString() : QStringLiteral(" ")) + text(p.x()) + QLatin1Char(',') + text(p.y());
+        list += (list.isEmpty() ? QString() : QStringLiteral(" ")) + svgText(p.x()) + QLatin1Char(',') +
+                svgText(p.y());
     return list;
 }
 
 // To a thousandth of a pixel.
 QString pixels(const ifs::Vector<2>& point) {
-    const auto rounded = [](double number) { return text(std::round(number * 1000) / 1000); };
+    const auto rounded = [](double number) { return svgText(std::round(number * 1000) / 1000); };
     return rounded(point.x()) + QLatin1Char(' ') + rounded(point.y());
 }
 
@@ -114,7 +110,7 @@ public:
                 QString path;
                 for (const auto& point : group.points)
                     path += QLatin1Char('M') + pixels(point) + QLatin1String("h0");
-                startPath({}, path, text(group.colour));
+                startPath({}, path, svgText(group.colour));
             }
             m_xml.writeEndElement();
         });
@@ -237,7 +233,7 @@ private:
         m_xml.writeEmptyElement(svg, QStringLiteral("use"));
         const QString of = copy.projection ? projectionId(*copy.projection) : levelId(copy.level);
         m_xml.writeAttribute(xlinkNamespace(), QStringLiteral("href"), QLatin1Char('#') + of);
-        if (!(copy.map == ifs::AffineMap<2>{})) attribute("transform", text(copy.map));
+        if (!(copy.map == ifs::AffineMap<2>{})) attribute("transform", svgText(copy.map));
     }
 
     void writeBackground() {
@@ -246,18 +242,18 @@ private:
         m_xml.writeEmptyElement(svg, QStringLiteral("rect"));
         attribute("width", QString::number(m_camera.width));
         attribute("height", QString::number(m_camera.height));
-        attribute("fill", text(colour));
-        if (colour.alpha != 255) attribute("fill-opacity", text(colour.alpha / 255.0));
+        attribute("fill", svgText(colour));
+        if (colour.alpha != 255) attribute("fill-opacity", svgText(colour.alpha / 255.0));
     }
 
     void writeAttractor(const ifs::CopyHierarchy& levels, const ifs::MergedCopies& merged) {
         startElement("g");
         attribute("id", QStringLiteral("attractor"));
-        attribute("transform", text(levels.display()));
-        attribute("fill", text(shapeColour(m_fractal.appearance)));
+        attribute("transform", svgText(levels.display()));
+        attribute("fill", svgText(shapeColour(m_fractal.appearance)));
         for (const ifs::Copy& copy : merged.picture()) {
             writeCopy(copy);
-            if (const auto colour = shapeColour(m_fractal, levels, copy)) attribute("fill", text(*colour));
+            if (const auto colour = shapeColour(m_fractal, levels, copy)) attribute("fill", svgText(*colour));
         }
         m_xml.writeEndElement();
     }

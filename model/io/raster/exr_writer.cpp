@@ -2,9 +2,8 @@
 #include "io/raster/exr_writer.h"
 
 #include "attractor/colour/srgb_transfer.h"
+#include "document/text.h"
 #include "io/raster/raster_system.h"
-
-#include <QCoreApplication>
 
 #include <exception>
 #include <stdexcept>
@@ -120,9 +119,7 @@ ExrWriter::ExrWriter(QIODevice& device, PictureFile file, const PictureFormat& f
 ExrWriter::~ExrWriter() = default;
 
 void ExrWriter::fail() {
-    if (!m_failure)
-        m_failure = QCoreApplication::translate("PictureWriter", "The picture cannot be written: %1")
-                        .arg(m_device.errorString());
+    if (!m_failure) m_failure = Text::tr("The picture cannot be written: %1").arg(m_device.errorString());
     m_device.rethrow();
 }
 

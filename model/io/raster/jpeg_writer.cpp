@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "io/raster/jpeg_writer.h"
 
+#include "document/text.h"
 #include "io/raster/library_device.h"
 #include "io/raster/pixel_rows.h"
 #include "io/raster/raster_system.h"
-
-#include <QCoreApplication>
 
 #include <algorithm>
 #include <array>
@@ -43,9 +42,7 @@ struct JpegWriter::State {
     ~State() { jpeg_destroy_compress(&jpeg); }
 
     void fail() {
-        if (!failure)
-            failure = QCoreApplication::translate("PictureWriter", "The picture cannot be written: %1")
-                          .arg(device.errorString());
+        if (!failure) failure = Text::tr("The picture cannot be written: %1").arg(device.errorString());
         device.rethrow();
     }
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "io/raster/raster_system.h"
 
+#include "document/text.h"
 #include "io/raster/file_bytes.h"
 #include "io/text/xml_text.h"
 
-#include <QCoreApplication>
 #include <QXmlStreamReader>
 
 #include <cstdint>
@@ -18,10 +18,10 @@ namespace {
 constexpr qsizetype maxText = 8 * 1024 * 1024;
 
 // What was found in a picture: nullopt for one that is damaged before it could be found.
-using Text = std::optional<QByteArray>;
+using EmbeddedText = std::optional<QByteArray>;
 
 // All comments that begin with the mark, up to the pixels.
-Text jpegText(const QByteArray& picture) {
+EmbeddedText jpegText(const QByteArray& picture) {
     constexpr std::uint8_t beginOfPixels = 0xda, endOfPicture = 0xd9, comment = 0xfe;
     const FileBytes bytes(picture, true);
     QByteArray text;
@@ -43,7 +43,7 @@ Text jpegText(const QByteArray& picture) {
     }
 }
 
-Text systemOfXmp(QByteArrayView packet) {
+EmbeddedText systemOfXmp(QByteArrayView packet) {
     const XmlText xmp = xmlText(packet.toByteArray());
     if (xmp.failure) return std::nullopt;
     QXmlStreamReader xml(xmp.text);
@@ -53,10 +53,10 @@ Text systemOfXmp(QByteArrayView packet) {
         if (xml.isStartElement() && xml.name() == u"system" && xml.namespaceUri() == xmpSystemNamespace())
             return xml.readElementText(QXmlStreamReader::SkipChildElements).toUtf8();
     }
-    return xml.hasError() ? Text() : QByteArray();
+    return xml.hasError() ? EmbeddedText() : QByteArray();
 }
 
-Text webpText(const QByteArray& picture) {
+EmbeddedText webpText(const QByteArray& picture) {
     const FileBytes bytes(picture);
     for (std::uint64_t at = 12; at < std::uint64_t(picture.size());) {
         const auto kind = bytes.piece(at, 4);
@@ -73,7 +73,8 @@ Text webpText(const QByteArray& picture) {
 }
 
 // ImageDescription of the first picture. `Offset` is what the file counts in: 32 bits, or 64 of a BigTIFF.
-template <class Offset, class Count> Text tiffText(const FileBytes& bytes, std::uint64_t placeOfDirectory) {
+template <class Offset, class Count>
+EmbeddedText tiffText(const FileBytes& bytes, std::uint64_t placeOfDirectory) {
     constexpr std::uint16_t description = 270, ascii = 2;
     constexpr std::uint64_t entrySize = 4 + 2 * sizeof(Offset);
     const auto directory = bytes.number<Offset>(placeOfDirectory);
@@ -98,7 +99,7 @@ template <class Offset, class Count> Text tiffText(const FileBytes& bytes, std::
     return QByteArray();
 }
 
-Text tiffText(const QByteArray& picture) {
+EmbeddedText tiffText(const QByteArray& picture) {
     constexpr std::uint16_t big = 43;
     const FileBytes bytes(picture, picture.startsWith("MM"));
     return bytes.number<std::uint16_t>(2) == big ? tiffText<std::uint64_t, std::uint64_t>(bytes, 8)
@@ -106,7 +107,7 @@ Text tiffText(const QByteArray& picture) {
 }
 
 // The attributes of the first part.
-Text exrText(const QByteArray& picture) {
+EmbeddedText exrText(const QByteArray& picture) {
     const FileBytes bytes(picture);
     for (std::uint64_t at = 8;;) {
         const auto name = bytes.name(at);
@@ -125,7 +126,7 @@ Text exrText(const QByteArray& picture) {
     }
 }
 
-Text textIn(const QByteArray& picture) {
+EmbeddedText textIn(const QByteArray& picture) {
     const QString format = rasterFormat(picture);
     if (format == u"jpeg") return jpegText(picture);
     if (format == u"webp") return webpText(picture);
@@ -155,17 +156,12 @@ QString rasterFormat(const QByteArray& bytes) {
 }
 
 EmbeddedSystem readRasterSystem(const QByteArray& bytes) {
-    const Text text = textIn(bytes);
-    if (!text)
-        return refusal(QCoreApplication::translate("RasterSystem",
-                                                   "The picture is damaged, or its text cannot be read."));
-    if (text->size() > maxText)
-        return refusal(
-            QCoreApplication::translate("PngSystem", "The system in the picture is larger than 8 MB."));
+    const EmbeddedText text = textIn(bytes);
+    if (!text) return refusal(Text::tr("The picture is damaged, or its text cannot be read."));
+    if (text->size() > maxText) return refusal(Text::tr("The system in the picture is larger than 8 MB."));
     if (text->isEmpty())
-        return refusal(QCoreApplication::translate(
-            "PngSystem", "The picture contains no system: it was not written by Barycage, or another "
-                         "program removed the text that holds it."));
+        return refusal(Text::tr("The picture contains no system: it was not written by Barycage, or another "
+                                "program removed the text that holds it."));
     return {*text, {}};
 }
 

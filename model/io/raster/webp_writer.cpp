@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "io/raster/webp_writer.h"
 
+#include "document/text.h"
 #include "io/raster/pixel_rows.h"
 #include "io/raster/raster_system.h"
 
-#include <QCoreApplication>
 #include <QXmlStreamWriter>
 
 #include <webp/encode.h>
@@ -104,9 +104,7 @@ WebPWriter::WebPWriter(QIODevice& device, PictureFormat format)
 }
 
 void WebPWriter::fail(const QString& reason) {
-    if (!m_failure)
-        m_failure =
-            QCoreApplication::translate("PictureWriter", "The picture cannot be written: %1").arg(reason);
+    if (!m_failure) m_failure = Text::tr("The picture cannot be written: %1").arg(reason);
 }
 
 Failure WebPWriter::writeRows(std::span<const std::uint32_t> pixels) {
@@ -131,7 +129,7 @@ Failure WebPWriter::finish() {
     if (!picture.isEmpty() && !m_format.systemText.isEmpty())
         picture = withPacket(picture, xmpPacket(m_format.systemText));
     if (picture.isEmpty())
-        fail(QCoreApplication::translate("PictureWriter", "the WebP encoder does not have enough memory."));
+        fail(Text::tr("the WebP encoder does not have enough memory."));
     else if (!m_device.write(picture.constData(), picture.size()))
         fail(m_device.errorString());
     m_device.rethrow();

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "io/report/info_report.h"
 
+#include "document/text.h"
 #include "ifs/links/linked_extent.h"
 #include "io/report/figure_error.h"
-
-#include <QCoreApplication>
 
 #include <algorithm>
 #include <limits>
@@ -41,8 +40,8 @@ ifs::Facts<Dim> factsFor(const ifs::IteratedFunctionSystem<Dim>& system, const d
         problem.line = entry.source ? entry.source->line : 0;
         problem.column = problem.line > 0 ? 1 : 0;
         problem.message =
-            QCoreApplication::translate("Text", "The convex hull has an error of up to %1: the tolerance %2 "
-                                                "was not reached.")
+            Text::tr("The convex hull has an error of up to %1: the tolerance %2 "
+                     "was not reached.")
                 .arg(boundText(facts.hull->error))
                 .arg(wanted ? *wanted : ifs::usualHullTolerance(*facts.box), 0, 'g', wanted ? 6 : 2);
         subject.remark(problem);

@@ -5,13 +5,12 @@
 #include "document/animated_fractal.h"
 #include "document/fractal_geometry.h"
 #include "document/recurring_branches.h"
+#include "document/text.h"
 #include "ifs/dimension/dimension.h"
 #include "ifs/facts.h"
 #include "ifs/system/links.h"
 #include "io/report/figure_error.h"
 #include "io/text/symmetry_text.h"
-
-#include <QCoreApplication>
 
 #include <algorithm>
 #include <cmath>
@@ -19,10 +18,6 @@
 namespace io {
 
 namespace {
-
-struct Text {
-    Q_DECLARE_TR_FUNCTIONS(Text)
-};
 
 constexpr int shownDigits = 6;
 

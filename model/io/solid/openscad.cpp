@@ -3,11 +3,10 @@
 
 #include "attractor/samples/prepared_space.h"
 #include "document/fractal_geometry.h"
+#include "document/text.h"
 #include "ifs/extent/extent.h"
 #include "io/solid/printable_solid.h"
 #include "io/text/number.h"
-
-#include <QCoreApplication>
 
 #include <algorithm>
 #include <cmath>
@@ -16,10 +15,6 @@
 namespace io {
 
 namespace {
-
-struct Text {
-    Q_DECLARE_TR_FUNCTIONS(Text)
-};
 
 constexpr double usualParts = 1000;
 

@@ -4,9 +4,9 @@
 #include "attractor/voxels/voxel_cover.h"
 #include "document/fractal_geometry.h"
 #include "document/space_geometry.h"
+#include "document/text.h"
 #include "ifs/extent/extent.h"
 
-#include <QCoreApplication>
 #include <QLocale>
 #include <QStringList>
 
@@ -18,10 +18,6 @@
 namespace io {
 
 namespace {
-
-struct Text {
-    Q_DECLARE_TR_FUNCTIONS(Text)
-};
 
 using attractor::VoxelCover;
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "io/solid/solid_export.h"
 
+#include "document/text.h"
 #include "io/file/save_file.h"
 
-#include <QCoreApplication>
 #include <QDir>
 
 namespace io {
@@ -26,8 +26,8 @@ ExportOutcome exportSolid(const SolidExport& what, const QString& path, const Pr
     if (outcome.stopped) return outcome;
     outcome.failure = isWritten ? file.commit() : file.failure();
     if (!isWritten && !outcome.failure)
-        outcome.failure = QCoreApplication::translate("Text", "“%1” was not saved: %2.")
-                              .arg(QDir::toNativeSeparators(path), file.errorString());
+        outcome.failure =
+            Text::tr("“%1” was not saved: %2.").arg(QDir::toNativeSeparators(path), file.errorString());
     if (progress) progress(1);
     return outcome;
 }

@@ -2,12 +2,11 @@
 #include "io/sums/space_sums.h"
 
 #include "attractor/render/solid_rendering.h"
+#include "document/text.h"
 #include "io/picture/picture_writers.h"
 #include "io/picture/solid_picture.h"
 #include "io/sums/picture_request.h"
 #include "io/sums/sum_writing.h"
-
-#include <QCoreApplication>
 
 #include <algorithm>
 #include <span>
@@ -20,10 +19,6 @@ using attractor::CellKind;
 using attractor::CellSums;
 using attractor::LookInSpace;
 using attractor::Rgba16;
-
-struct Text {
-    Q_DECLARE_TR_FUNCTIONS(Text)
-};
 
 constexpr std::uint64_t maxBytes = std::uint64_t{4} << 30; // of memory for one picture
 constexpr int bandRows = 16 * TileGrid::tileRows;          // of a solid, drawn or put together at a time

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "io/sums/sum_file.h"
+#include "document/text.h"
 
-#include <QCoreApplication>
 #include <QtEndian>
 
 #include <zlib.h>
@@ -14,10 +14,6 @@
 namespace io {
 
 namespace {
-
-struct Text {
-    Q_DECLARE_TR_FUNCTIONS(Text)
-};
 
 const QByteArray magic = QByteArrayLiteral("BaryCSum");
 constexpr int version = 1;

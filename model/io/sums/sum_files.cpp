@@ -3,8 +3,7 @@
 
 #include "attractor/threads/job_shares.h"
 #include "attractor/threads/workers.h"
-
-#include <QCoreApplication>
+#include "document/text.h"
 
 #include <algorithm>
 #include <numeric>
@@ -19,10 +18,6 @@ using attractor::CellKind;
 using attractor::CellRegion;
 using attractor::CellSums;
 using attractor::CellWindow;
-
-struct Text {
-    Q_DECLARE_TR_FUNCTIONS(Text)
-};
 
 // Whether the same unit may be in both.
 bool overlap(const SumShare& a, const SumShare& b) {

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "io/sums/sum_writing.h"
-
-#include <QCoreApplication>
+#include "document/text.h"
 
 #include <algorithm>
 #include <cmath>
@@ -14,10 +13,6 @@ using attractor::CellKind;
 using attractor::CellRegion;
 using attractor::CellSums;
 using attractor::CellWindow;
-
-struct Text {
-    Q_DECLARE_TR_FUNCTIONS(Text)
-};
 
 // The tiles of one row of tiles, from the sums of rows of cells that come one after the other.
 class TileRow {

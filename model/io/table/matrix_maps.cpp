@@ -14,13 +14,11 @@ namespace io {
 
 namespace {
 
-using Numbers = std::vector<double>;
-
 // A matrix of numbers, row by row.
 struct Matrix {
     std::size_t rows = 0;
     std::size_t columns = 0;
-    Numbers numbers;
+    std::vector<double> numbers;
     qsizetype begin = 0, end = 0;
 
     double at(std::size_t row, std::size_t column) const { return numbers[row * columns + column]; }
@@ -91,13 +89,13 @@ std::vector<Matrix> matricesOfNumbers(const QString& text) {
 }
 
 // The map of a matrix, and of the vector behind it if there is one.
-std::optional<Numbers> numbersOf(const Matrix& matrix, const Matrix* vector) {
+std::optional<std::vector<double>> numbersOf(const Matrix& matrix, const Matrix* vector) {
     const bool isHomogeneous = matrix.isHomogeneous() && !(vector && vector->rows == matrix.rows);
     const std::size_t dim = isHomogeneous ? matrix.rows - 1 : matrix.rows;
     if (dim != 2 && dim != 3) return std::nullopt;
     const bool isAugmented = matrix.columns == dim + 1;
     if (!isAugmented && matrix.columns != dim) return std::nullopt;
-    Numbers numbers;
+    std::vector<double> numbers;
     for (std::size_t row = 0; row < dim; ++row)
         for (std::size_t column = 0; column < dim; ++column)
             numbers.push_back(matrix.at(row, column));

@@ -2,8 +2,8 @@
 #include "io/table/table_columns.h"
 
 #include "attractor/arithmetic/arithmetic.h"
+#include "document/text.h"
 
-#include <QCoreApplication>
 #include <QRegularExpression>
 
 #include <algorithm>
@@ -16,10 +16,6 @@ namespace io {
 namespace {
 
 using enum TableColumn;
-
-struct Text {
-    Q_DECLARE_TR_FUNCTIONS(Text)
-};
 
 constexpr double degree = std::numbers::pi / 180;
 
@@ -79,10 +75,6 @@ constexpr std::array columnsByName{Name{"a", A},
                                    Name{"t2", F},
                                    Name{"tx", E},
                                    Name{"ty", F}};
-
-bool isWeight(TableColumn column) {
-    return column == Weight || column == Cumulative;
-}
 
 bool isPolar(TableColumn column) {
     return column >= R && column <= Phi;

@@ -19,6 +19,10 @@ namespace io {
 // weights up to this row. Other: what is not read; only in an order to read by.
 enum class TableColumn { A, B, C, D, R, S, Theta, Phi, E, F, Weight, Cumulative, Other };
 
+inline bool isWeight(TableColumn column) {
+    return column == TableColumn::Weight || column == TableColumn::Cumulative;
+}
+
 // All of A B C D or all of R S Theta Phi, E and F, each once; and one of Weight and Cumulative.
 using TableColumns = std::vector<TableColumn>;
 

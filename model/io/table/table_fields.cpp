@@ -15,10 +15,6 @@ bool isNoFiniteNumber(const QString& text) {
     });
 }
 
-bool isWeight(TableColumn column) {
-    return column == TableColumn::Weight || column == TableColumn::Cumulative;
-}
-
 // Of the fields whose names are known, from `first` on.
 std::optional<Picks> picked(const QStringList& names, qsizetype first) {
     Picks picks;

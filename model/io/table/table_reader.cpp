@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "io/table/table_reader.h"
 
+#include "document/text.h"
 #include "io/table/table_cells.h"
 #include "io/table/table_fields.h"
 #include "io/text/coefficient.h"
 #include "io/text/number.h"
 
-#include <QCoreApplication>
 #include <QStringList>
 
 #include <algorithm>
@@ -21,10 +21,6 @@ using document::Problem;
 constexpr qsizetype maxRows = 250'000;
 constexpr qsizetype maxRow = maxRows + 1; // cells: a label, and of a table that has a column for every map
 constexpr qsizetype maxProblems = 10;
-
-struct Text {
-    Q_DECLARE_TR_FUNCTIONS(Text)
-};
 
 QString withLineFeeds(QString text) {
     return text.replace(QStringLiteral("\r\n"), QStringLiteral("\n")).replace(u'\r', u'\n');

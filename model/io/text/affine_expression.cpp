@@ -12,11 +12,11 @@ namespace io {
 
 namespace {
 
-constexpr int maxDepth = 32;
+constexpr int maxParentheses = 32;
 
-class Parser {
+class AffineParser {
 public:
-    explicit Parser(QStringView text) : m_text(text) {}
+    explicit AffineParser(QStringView text) : m_text(text) {}
 
     std::optional<AffineExpression> read() && {
         auto sum = readSum(0);
@@ -37,7 +37,7 @@ private:
     static bool isTimes(QChar c) { return c == u'*' || c == u'·' || c == u'×' || c == u'⋅'; }
 
     std::optional<Value> readSum(int depth) {
-        if (depth > maxDepth) return std::nullopt;
+        if (depth > maxParentheses) return std::nullopt;
         std::optional<Value> sum;
         for (;;) {
             const qsizetype before = m_at;
@@ -292,7 +292,7 @@ private:
 } // namespace
 
 std::optional<AffineExpression> affineExpression(QStringView text) {
-    return Parser(text).read();
+    return AffineParser(text).read();
 }
 
 } // namespace io

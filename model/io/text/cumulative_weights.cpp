@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "io/text/cumulative_weights.h"
-
-#include <QCoreApplication>
+#include "document/text.h"
 
 #include <cmath>
 
@@ -18,10 +17,8 @@ std::optional<QString> cumulativeRemark(const std::vector<std::optional<double>>
     if (weights[weights.size() - 2] == 0) return std::nullopt; // the last is all there is
     for (const int whole : {1, 100})
         if (std::abs(before - whole) <= tolerance * whole)
-            return QCoreApplication::translate(
-                       "Text",
-                       "The weights rise to %1, so they may be running sums. They are read as weights; "
-                       "to read them as sums, name their column “cumulative” instead of “p”.")
+            return Text::tr("The weights rise to %1, so they may be running sums. They are read as weights; "
+                            "to read them as sums, name their column “cumulative” instead of “p”.")
                 .arg(whole);
     return std::nullopt;
 }

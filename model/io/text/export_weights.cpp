@@ -1,17 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "io/text/export_weights.h"
-
-#include <QCoreApplication>
+#include "document/text.h"
 
 namespace io {
-
-namespace {
-
-struct Text {
-    Q_DECLARE_TR_FUNCTIONS(Text)
-};
-
-} // namespace
 
 template <int Dim> std::vector<double> exportWeights(const ifs::IteratedFunctionSystem<Dim>& system) {
     auto unlinked = system; // a map to which no link leads has a weight all the same

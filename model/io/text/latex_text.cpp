@@ -10,7 +10,7 @@ namespace io {
 
 namespace {
 
-constexpr int maxDepth = 32;
+constexpr int maxBraces = 32;
 
 struct Command {
     const char* name;
@@ -94,7 +94,7 @@ private:
     QChar at() const { return m_at < m_source.size() ? m_source[m_at] : QChar(); }
 
     QString inner(QStringView source) const {
-        return m_depth < maxDepth ? Converter(source, m_depth + 1).convert() : QString();
+        return m_depth < maxBraces ? Converter(source, m_depth + 1).convert() : QString();
     }
 
     void step() {

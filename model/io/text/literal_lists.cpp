@@ -24,9 +24,9 @@ QChar closing(QChar open) {
     return open == u'(' ? u')' : open == u'[' ? u']' : u'}';
 }
 
-class Parser {
+class ListParser {
 public:
-    explicit Parser(QStringView text) : m_text(text) {}
+    explicit ListParser(QStringView text) : m_text(text) {}
 
     Literals read() && {
         Literals literals;
@@ -216,7 +216,7 @@ private:
 } // namespace
 
 Literals literalsIn(const QString& text) {
-    return Parser(text).read();
+    return ListParser(text).read();
 }
 
 } // namespace io

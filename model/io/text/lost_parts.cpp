@@ -7,9 +7,9 @@
 #include "document/edits/symmetry_edits.h"
 #include "document/fractal_geometry.h"
 #include "document/saved_views.h"
+#include "document/text.h"
 #include "document/tops/kept_theft.h"
 
-#include <QCoreApplication>
 #include <QStringList>
 
 #include <algorithm>
@@ -17,10 +17,6 @@
 namespace io {
 
 namespace {
-
-struct Text {
-    Q_DECLARE_TR_FUNCTIONS(Text)
-};
 
 struct Held {
     bool cage = false;

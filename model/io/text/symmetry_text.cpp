@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "io/text/symmetry_text.h"
 
+#include "document/text.h"
 #include "io/text/number.h"
 
-#include <QCoreApplication>
 #include <QStringList>
 
 #include <algorithm>
@@ -14,10 +14,6 @@ namespace io {
 namespace {
 
 using enum ifs::SymmetryGroup;
-
-struct Text {
-    Q_DECLARE_TR_FUNCTIONS(Text)
-};
 
 struct GroupName {
     ifs::SymmetryGroup group;

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "io/text/xml_text.h"
-
-#include <QCoreApplication>
+#include "document/text.h"
 
 namespace io {
 
@@ -10,10 +9,6 @@ namespace {
 constexpr qsizetype maxFile = 64 * 1024 * 1024;
 constexpr int deepest = 1000;
 constexpr int maxAttributes = 1000;
-
-struct Text {
-    Q_DECLARE_TR_FUNCTIONS(Text)
-};
 
 // Past the next `end`, or the end of the text.
 qsizetype behind(QByteArrayView xml, qsizetype from, QByteArrayView end) {

@@ -9,7 +9,7 @@ namespace io {
 
 namespace {
 
-constexpr int maxDepth = 64;
+constexpr int maxYamlDepth = 64;
 constexpr qsizetype maxLines = 1'000'000;
 
 struct Line {
@@ -64,7 +64,7 @@ private:
     // Items or keys that are indented as far.
     Literal block(qsizetype indent, int depth) {
         Literal list;
-        if (depth > maxDepth) m_isCut = true;
+        if (depth > maxYamlDepth) m_isCut = true;
         while (!m_isCut && m_at < m_lines.size() && m_lines[m_at].indent == indent) {
             Line& line = m_lines[m_at];
             if (isItem(line.text)) {

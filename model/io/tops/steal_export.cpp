@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "io/tops/steal_export.h"
 
+#include "document/text.h"
 #include "io/fractint/entry_writer.h"
 #include "io/picture/png_writer.h"
-
-#include <QCoreApplication>
 
 #include <algorithm>
 #include <cmath>
@@ -13,10 +12,6 @@
 namespace io {
 
 namespace {
-
-struct Text {
-    Q_DECLARE_TR_FUNCTIONS(StealExport)
-};
 
 PngFormat formatOf(const StealExport& what) {
     PngFormat format;

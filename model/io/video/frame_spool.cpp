@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "io/video/frame_spool.h"
 
+#include "document/text.h"
 #include "io/file/standard_output.h"
-
-#include <QCoreApplication>
 
 #include <cerrno>
 #include <cstring>
@@ -27,9 +26,7 @@ Failure FrameSpool::add(const QImage& picture) {
                                        off_t(begin + done));
         if (count < 0 && errno == EINTR) continue;
         if (count <= 0)
-            return QCoreApplication::translate(
-                       "VideoWriter",
-                       "The folder for temporary files does not have enough space for the frames: %1.")
+            return Text::tr("The folder for temporary files does not have enough space for the frames: %1.")
                 .arg(QString::fromLocal8Bit(std::strerror(errno)));
         done += count;
     }

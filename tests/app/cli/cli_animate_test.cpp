@@ -56,7 +56,7 @@ private:
 
 namespace {
 
-constexpr const char* small = " --size 48x36 --points 20000 ";
+constexpr const char* smallAnimation = " --size 48x36 --points 20000 ";
 
 QByteArray animated(const QByteArray& name, const QByteArray& header) {
     return name + " {\n; barycage: animation " + header +
@@ -99,9 +99,9 @@ void CliAnimateTest::infoSaysWhatMoves() {
                          "; barycage: strength 4\n; barycage: pivot 0 0\n; barycage: wave 1\n"
                          "; barycage: value 1 0 25\n .5 0 0 .5 0 0 .5\n .5 0 0 .5 1 0 .5\n}\n");
     QVERIFY(run("info swaying.ifs").out.contains("in a cycle; motions: 1\n"));
-    QCOMPARE(run(QByteArray("animate wind.ifs --entry once -o a/#.png") + small).status, 0);
+    QCOMPARE(run(QByteArray("animate wind.ifs --entry once -o a/#.png") + smallAnimation).status, 0);
     QCOMPARE(files("a").size(), 7);
-    QCOMPARE(run(QByteArray("animate wind.ifs --entry back -o b/##.png") + small).status, 0);
+    QCOMPARE(run(QByteArray("animate wind.ifs --entry back -o b/##.png") + smallAnimation).status, 0);
     QCOMPARE(files("b").size(), 12);
 }
 
@@ -137,7 +137,8 @@ void CliAnimateTest::framesOutsideAreRefused() {
     QVERIFY(!result.out.contains("once"));
     QCOMPARE(run("render wind.ifs --entry wind --frame 7 -o x.png").status, 2);
     QCOMPARE(run("render wind.ifs --entry wind --frame -1 -o x.png").status, 2);
-    const Result still = run(QByteArray("render wind.ifs --entry still --frame 3 -o still.png") + small);
+    const Result still =
+        run(QByteArray("render wind.ifs --entry still --frame 3 -o still.png") + smallAnimation);
     QCOMPARE(still.status, 0);
     QVERIFY(still.err.contains("no animation"));
 }
@@ -156,28 +157,28 @@ void CliAnimateTest::aMorphReplacesNothingElse() {
 }
 
 void CliAnimateTest::aFrameAloneIsTheFrameOfTheSequence() {
-    QCOMPARE(run(QByteArray("animate wind.ifs -o a/f.####.png") + small).status, 0);
+    QCOMPARE(run(QByteArray("animate wind.ifs -o a/f.####.png") + smallAnimation).status, 0);
     QCOMPARE(files("a").size(), 6);
     QCOMPARE(files("a").first(), QStringLiteral("f.0001.png"));
     for (int number = 1; number <= 6; ++number) {
         const QByteArray name = "f.000" + QByteArray::number(number) + ".png";
-        QCOMPARE(
-            run("animate wind.ifs -o b/f.####.png --threads 1 --frames " + QByteArray::number(number) + small)
-                .status,
-            0);
+        QCOMPARE(run("animate wind.ifs -o b/f.####.png --threads 1 --frames " + QByteArray::number(number) +
+                     smallAnimation)
+                     .status,
+                 0);
         QVERIFY(!read("a/" + name).isEmpty());
         QCOMPARE(read("b/" + name), read("a/" + name));
     }
     QVERIFY(read("a/f.0001.png") != read("a/f.0002.png"));
-    QCOMPARE(run(QByteArray("animate wind.ifs --entry once -o c/f.#.png") + small).status, 0);
+    QCOMPARE(run(QByteArray("animate wind.ifs --entry once -o c/f.#.png") + smallAnimation).status, 0);
     QCOMPARE(files("c").size(), 7);
-    QCOMPARE(run(QByteArray("animate wind.ifs --entry back -o d/f.###.png") + small).status, 0);
+    QCOMPARE(run(QByteArray("animate wind.ifs --entry back -o d/f.###.png") + smallAnimation).status, 0);
     QCOMPARE(files("d").size(), 12);
     QCOMPARE(QImage(path("d/f.002.png")), QImage(path("d/f.012.png")));
 }
 
 void CliAnimateTest::picturesCarryTheAnimation() {
-    QCOMPARE(run(QByteArray("animate wind.ifs -o a/f.#.png --frames 3") + small).status, 0);
+    QCOMPARE(run(QByteArray("animate wind.ifs -o a/f.#.png --frames 3") + smallAnimation).status, 0);
     QCOMPARE(text("a/f.3.png", QStringLiteral("barycage:request")).size(), 64);
     const QJsonObject entry = run("info --json a/f.3.png").entry();
     QCOMPARE(entry[QLatin1String("animation")][QLatin1String("frames")].toInt(), 6);
@@ -186,19 +187,22 @@ void CliAnimateTest::picturesCarryTheAnimation() {
 }
 
 void CliAnimateTest::renderDrawsTheSamePixels() {
-    QCOMPARE(run(QByteArray("animate wind.ifs -o a/f.#.png --frames 4 --exposure each") + small).status, 0);
-    QCOMPARE(run(QByteArray("render wind.ifs --entry wind --frame 3 -o a/r.png") + small).status, 0);
+    QCOMPARE(
+        run(QByteArray("animate wind.ifs -o a/f.#.png --frames 4 --exposure each") + smallAnimation).status,
+        0);
+    QCOMPARE(run(QByteArray("render wind.ifs --entry wind --frame 3 -o a/r.png") + smallAnimation).status, 0);
     QVERIFY(!QImage(path("a/r.png")).isNull());
     QCOMPARE(QImage(path("a/r.png")).convertToFormat(QImage::Format_RGB32),
              QImage(path("a/f.4.png")).convertToFormat(QImage::Format_RGB32));
 }
 
 void CliAnimateTest::chunksShareTheFrames() {
-    QCOMPARE(run(QByteArray("animate wind.ifs --entry back -o a/f.##.png") + small).status, 0);
+    QCOMPARE(run(QByteArray("animate wind.ifs --entry back -o a/f.##.png") + smallAnimation).status, 0);
     for (const char* chunk : {"4/5", "0/5", "2/5", "1/5", "3/5"}) {
         const int before = int(files("b").size());
         QCOMPARE(
-            run(QByteArray("animate wind.ifs --entry back -o b/f.##.png --chunk ") + chunk + small).status,
+            run(QByteArray("animate wind.ifs --entry back -o b/f.##.png --chunk ") + chunk + smallAnimation)
+                .status,
             0);
         QVERIFY(files("b").size() - before == 2 || files("b").size() - before == 3);
     }
@@ -208,21 +212,23 @@ void CliAnimateTest::chunksShareTheFrames() {
 }
 
 void CliAnimateTest::listsNameFiles() {
-    const Result result = run(QByteArray("animate wind.ifs -o a/f.#.png --frames 1-5x2,4,90-95") + small);
+    const Result result =
+        run(QByteArray("animate wind.ifs -o a/f.#.png --frames 1-5x2,4,90-95") + smallAnimation);
     QCOMPARE(result.status, 0);
     QCOMPARE(files("a"), (QStringList{QStringLiteral("f.1.png"), QStringLiteral("f.3.png"),
                                       QStringLiteral("f.4.png"), QStringLiteral("f.5.png")}));
     QVERIFY(result.err.contains("has the number 6;"));
-    const Result none = run(QByteArray("animate wind.ifs -o b/f.#.png --frames 7") + small);
+    const Result none = run(QByteArray("animate wind.ifs -o b/f.#.png --frames 7") + smallAnimation);
     QCOMPARE(none.status, 0);
     QVERIFY(files("b").isEmpty() && !none.err.isEmpty());
-    const Result few = run(QByteArray("animate wind.ifs -o b/f.#.png --frames 2 --chunk 3/4") + small);
+    const Result few =
+        run(QByteArray("animate wind.ifs -o b/f.#.png --frames 2 --chunk 3/4") + smallAnimation);
     QCOMPARE(few.status, 0);
     QVERIFY(files("b").isEmpty());
 }
 
 void CliAnimateTest::completeFramesAreSkipped() {
-    const QByteArray command = QByteArray("animate wind.ifs -o a/f.#.png --frames 1-2") + small;
+    const QByteArray command = QByteArray("animate wind.ifs -o a/f.#.png --frames 1-2") + smallAnimation;
     QCOMPARE(run(command).status, 0);
     const auto stamp = [this] { return QFileInfo(path("a/f.1.png")).lastModified(); };
     const QDateTime before = stamp();
@@ -234,7 +240,7 @@ void CliAnimateTest::completeFramesAreSkipped() {
 }
 
 void CliAnimateTest::staleAndDamagedFramesAreDrawnAgain() {
-    const QByteArray command = QByteArray("animate wind.ifs -o a/f.#.png --frames 1") + small;
+    const QByteArray command = QByteArray("animate wind.ifs -o a/f.#.png --frames 1") + smallAnimation;
     QCOMPARE(run(command).status, 0);
     const QByteArray whole = read("a/f.1.png");
     QByteArray flipped = whole;
@@ -260,7 +266,7 @@ void CliAnimateTest::staleAndDamagedFramesAreDrawnAgain() {
         QCOMPARE(run(command).status, 0);
         QCOMPARE(read("a/f.1.png"), whole);
     }
-    QCOMPARE(run(QByteArray("animate wind.ifs -o b/f.#.png --frames 2") + small).status, 0);
+    QCOMPARE(run(QByteArray("animate wind.ifs -o b/f.#.png --frames 2") + smallAnimation).status, 0);
     write("a/f.1.png", read("b/f.2.png"));
     QCOMPARE(run(command).status, 0);
     QCOMPARE(read("a/f.1.png"), whole);
@@ -271,19 +277,22 @@ void CliAnimateTest::staleAndDamagedFramesAreDrawnAgain() {
 
 void CliAnimateTest::existingFilesCanBeReplacedOrRefused() {
     write("a/f.2.png", "mine");
-    const Result result = run(QByteArray("animate wind.ifs -o a/f.#.png --existing fail") + small);
+    const Result result = run(QByteArray("animate wind.ifs -o a/f.#.png --existing fail") + smallAnimation);
     QCOMPARE(result.status, 3);
     QVERIFY(result.err.contains("f.2.png"));
     QCOMPARE(files("a").size(), 1);
     QCOMPARE(read("a/f.2.png"), QByteArray("mine"));
-    QCOMPARE(run(QByteArray("animate wind.ifs -o a/f.#.png --existing fail --frames 1") + small).status, 0);
-    QCOMPARE(run(QByteArray("animate wind.ifs -o a/f.#.png --existing replace --frames 2") + small).status,
+    QCOMPARE(
+        run(QByteArray("animate wind.ifs -o a/f.#.png --existing fail --frames 1") + smallAnimation).status,
+        0);
+    QCOMPARE(run(QByteArray("animate wind.ifs -o a/f.#.png --existing replace --frames 2") + smallAnimation)
+                 .status,
              0);
     QVERIFY(read("a/f.2.png") != "mine");
 }
 
 void CliAnimateTest::replacedFilesAreSaid() {
-    const QByteArray command = QByteArray("animate wind.ifs -o a/f.#.png") + small;
+    const QByteArray command = QByteArray("animate wind.ifs -o a/f.#.png") + smallAnimation;
     write("a/f.2.png", "mine");
     const Result one = run(command);
     QCOMPARE(one.status, 0);
@@ -300,11 +309,11 @@ void CliAnimateTest::keysMoveTheCamera() {
                       "; barycage: key 0 linear\n; barycage: value 0 0 1 1\n"
                       "; barycage: key 2 linear\n; barycage: value 3 0 4 1\n"
                       " .5 0 0 .5 0 0 .5\n .5 0 0 .5 .5 0 .5\n .5 0 0 .5 0 .5 .5\n}\n");
-    QCOMPARE(run(QByteArray("animate zoom.ifs -o a/f.#.png --exposure each") + small).status, 0);
+    QCOMPARE(run(QByteArray("animate zoom.ifs -o a/f.#.png --exposure each") + smallAnimation).status, 0);
     // Half way, a third of the way, at twice the height.
-    QCOMPARE(run(QByteArray("render zoom.ifs --view 1,0,2 -o a/half.png") + small).status, 0);
+    QCOMPARE(run(QByteArray("render zoom.ifs --view 1,0,2 -o a/half.png") + smallAnimation).status, 0);
     QCOMPARE(QImage(path("a/f.2.png")), QImage(path("a/half.png")));
-    QCOMPARE(run(QByteArray("render zoom.ifs --view 3,0,4 -o a/end.png") + small).status, 0);
+    QCOMPARE(run(QByteArray("render zoom.ifs --view 3,0,4 -o a/end.png") + smallAnimation).status, 0);
     QCOMPARE(QImage(path("a/f.3.png")), QImage(path("a/end.png")));
 }
 
@@ -398,7 +407,8 @@ void CliAnimateTest::aShutterBlursSolids() {
 
 void CliAnimateTest::exposureIsAFunctionOfTheAnimation() {
     const auto drawn = [this](const QByteArray& folder, const QByteArray& options) {
-        return run("animate wind.ifs --entry wind -o " + folder + "/f.#.png " + options + small).status;
+        return run("animate wind.ifs --entry wind -o " + folder + "/f.#.png " + options + smallAnimation)
+            .status;
     };
     QCOMPARE(drawn("a", {}), 0);
     QCOMPARE(drawn("b", "--exposure each"), 0);
@@ -419,7 +429,7 @@ void CliAnimateTest::aMomentWithoutAttractorIsNamed() {
                       "; barycage: key 0 linear\n; barycage: value .5 0 0 .5 0 0 1\n"
                       "; barycage: key 32 linear\n; barycage: value 1.5 0 0 .5 0 0 1\n"
                       " .5 0 0 .5 0 0 1\n .5 0 0 .5 1 0 1\n}\n");
-    const Result result = run(QByteArray("animate lost.ifs -o a/f.##.png --frames 1") + small);
+    const Result result = run(QByteArray("animate lost.ifs -o a/f.##.png --frames 1") + smallAnimation);
     QCOMPARE(result.status, 0);
     QVERIFY2(result.err.contains("At frame 16 "), result.err.constData()); // where the map is 1 wide
 }
@@ -431,17 +441,18 @@ void CliAnimateTest::framesWithoutAttractorAreOneWarning() {
                       "; barycage: key 32 linear\n; barycage: value 1.5 0 0 .5 0 0 .5\n"
                       " .5 0 0 .5 0 0 .5\n .5 0 0 .5 1 0 .5\n}\n");
     const Result result =
-        run(QByteArray("animate lost.ifs -o a/f.##.png --frames 14-22,30 --view 0,0,4") + small);
+        run(QByteArray("animate lost.ifs -o a/f.##.png --frames 14-22,30 --view 0,0,4") + smallAnimation);
     QCOMPARE(result.status, 0);
     QCOMPARE(files("a").size(), 10);
     QVERIFY2(result.err.contains("At the frames 16–21, 29 of “lost” there is no attractor."),
              result.err.constData());
     QCOMPARE(result.err.count("attractor"), 1);
     QCOMPARE(result.err.count("warning"), 1);
-    const Result one = run(QByteArray("animate lost.ifs -o b/f.##.png --frames 1,20 --view 0,0,4") + small);
+    const Result one =
+        run(QByteArray("animate lost.ifs -o b/f.##.png --frames 1,20 --view 0,0,4") + smallAnimation);
     QVERIFY2(one.err.contains("At frame 19 of “lost”"), one.err.constData());
     QCOMPARE(one.err.count("warning"), 1);
-    const Result fine = run(QByteArray("animate wind.ifs -o c/f.##.png --view 0,0,4") + small);
+    const Result fine = run(QByteArray("animate wind.ifs -o c/f.##.png --view 0,0,4") + smallAnimation);
     QVERIFY2(!fine.err.contains("attractor"), fine.err.constData());
 }
 
@@ -476,10 +487,11 @@ void CliAnimateTest::framesWithoutAttractorDoNotSetTheView() {
 
 void CliAnimateTest::theFolderIsMade() {
     QVERIFY(!QDir(path("a/deep")).exists());
-    QCOMPARE(run(QByteArray("animate wind.ifs -o a/deep/down/f.#.png --frames 1-2") + small).status, 0);
+    QCOMPARE(run(QByteArray("animate wind.ifs -o a/deep/down/f.#.png --frames 1-2") + smallAnimation).status,
+             0);
     QCOMPARE(files("a/deep/down").size(), 2);
     write("b/file", "no folder");
-    QCOMPARE(run(QByteArray("animate wind.ifs -o b/file/f.#.png --frames 1") + small).status, 3);
+    QCOMPARE(run(QByteArray("animate wind.ifs -o b/file/f.#.png --frames 1") + smallAnimation).status, 3);
     QCOMPARE(read("b/file"), QByteArray("no folder"));
 }
 

@@ -25,7 +25,7 @@ private:
 
 namespace {
 
-constexpr const char* small = " --size 64x48 --points 60000 ";
+constexpr const char* smallFrames = " --size 64x48 --points 60000 ";
 
 } // namespace
 
@@ -42,7 +42,7 @@ void CliEncodeTest::init() {
 }
 
 void CliEncodeTest::brokenSequencesAreRefused() {
-    QCOMPARE(run(QByteArray("animate wind.ifs --entry wind -o a/f.#.png") + small).status, 0);
+    QCOMPARE(run(QByteArray("animate wind.ifs --entry wind -o a/f.#.png") + smallFrames).status, 0);
     const auto refused = [this](int status, const char* sentence) {
         const Result result = run("encode a/f.#.png -o b/v.mp4");
         QCOMPARE(result.status, status);
@@ -63,7 +63,7 @@ void CliEncodeTest::brokenSequencesAreRefused() {
     QCOMPARE(run("animate wind.ifs --entry wind -o a/f.#.png --frames 3 --size 66x48 --points 1000").status,
              0);
     refused(1, "66x48");
-    QCOMPARE(run(QByteArray("animate wind.ifs --entry wind -o a/f.#.png") + small).status, 0);
+    QCOMPARE(run(QByteArray("animate wind.ifs --entry wind -o a/f.#.png") + smallFrames).status, 0);
     QCOMPARE(run("encode a/f.#.png -o b/v.mp4").status, 0);
     QCOMPARE(run("encode a/g.#.png -o b/w.mp4").status, 3);
     QCOMPARE(run("encode a/f.#.png -o missing/w.mp4").status, 3);
@@ -73,7 +73,7 @@ void CliEncodeTest::brokenSequencesAreRefused() {
 // Frames that are left over from a longer animation, that were drawn with other options or moved, and those
 // that are missing at an end.
 void CliEncodeTest::strangersAmongFramesAreRefused() {
-    const QByteArray draw = QByteArray("animate wind.ifs --entry wind -o a/f.#.png") + small;
+    const QByteArray draw = QByteArray("animate wind.ifs --entry wind -o a/f.#.png") + smallFrames;
     QCOMPARE(run(draw).status, 0);
     const auto refused = [this](const char* arguments, const char* sentence) {
         const Result result = run(QByteArray("encode a/f.#.png -o b/v.mkv ") + arguments);
@@ -87,10 +87,10 @@ void CliEncodeTest::strangersAmongFramesAreRefused() {
     const QByteArray unmarked = read("a/f.1.png");
     QCOMPARE(run(draw + "--seed 9 --frames 1").status, 0);
     QTest::qWait(20);
-    QCOMPARE(
-        run("animate wind.ifs --entry wind -o a/f.#.png --existing replace --frames 2" + QByteArray(small))
-            .status,
-        0);
+    QCOMPARE(run("animate wind.ifs --entry wind -o a/f.#.png --existing replace --frames 2" +
+                 QByteArray(smallFrames))
+                 .status,
+             0);
     refused("", "f.1.png: error: The picture was drawn from another entry");
     write("a/f.1.png", unmarked);
 
@@ -120,7 +120,7 @@ void CliEncodeTest::strangersAmongFramesAreRefused() {
 void CliEncodeTest::onlyTheNameOfTheFileHasNumbers() {
     const QByteArray folder = "a/take # 2 %n ###";
     const Result drawn =
-        run("animate wind.ifs --entry wind -o \"" + folder + "/f.##.png\" --frames 1-2" + small);
+        run("animate wind.ifs --entry wind -o \"" + folder + "/f.##.png\" --frames 1-2" + smallFrames);
     QVERIFY2(drawn.status == 0, drawn.err.constData());
     QCOMPARE(files(folder), (QStringList{QStringLiteral("f.01.png"), QStringLiteral("f.02.png")}));
     const Result encoded = run("encode \"" + folder + "/f.##.png\" -o b/v.gif --frames 1-2");
@@ -131,7 +131,7 @@ void CliEncodeTest::onlyTheNameOfTheFileHasNumbers() {
 
 void CliEncodeTest::bracketsInNamesAreLetters() {
     write("[x,y]", read("wind.ifs"));
-    const Result drawn = run(QByteArray("render [x,y] -o b/p.png") + small);
+    const Result drawn = run(QByteArray("render [x,y] -o b/p.png") + smallFrames);
     QVERIFY2(drawn.status == 0, drawn.err.constData());
 }
 

@@ -55,7 +55,7 @@ QImage board(int width, int height) {
     return image;
 }
 
-QByteArray encoded(const QImage& image, const char* format) {
+QByteArray encodedAs(const QImage& image, const char* format) {
     QByteArray bytes;
     QBuffer buffer(&bytes);
     buffer.open(QIODevice::WriteOnly);
@@ -82,7 +82,7 @@ void CliStealTest::init() {
                       "partly {\n .5 0 0 .5 0 0 .5\n .1 0 0 .1 7 7 0\n .5 0 0 .5 .5 0 .5\n}\n"
                       "space (3D) {\n .5 0 0 0 .5 0 0 0 .5 0 0 0 1\n .5 0 0 0 .5 0 0 0 .5 1 1 1 1\n}\n"
                       "escapes {\n 2 0 0 2 0 0 1\n .5 0 0 .5 1 0 1\n}\n");
-    write("board.png", encoded(board(160, 120), "PNG"));
+    write("board.png", encodedAs(board(160, 120), "PNG"));
 }
 
 void CliStealTest::printsPoints() {
@@ -279,7 +279,7 @@ void CliStealTest::drawsWhatTheEntryKeeps() {
                               " .7 0 0 .6 .3 .4 .25\n}\n";
     QVERIFY(QDir().mkpath(path("pictures/deep")));
     write("pictures/kept.ifs", "square {\n" + kept + square + uneven + "plain {\n" + square);
-    write("pictures/deep/board.png", encoded(board(160, 120), "PNG"));
+    write("pictures/deep/board.png", encodedAs(board(160, 120), "PNG"));
     const auto drawn = [&](const QByteArray& options) {
         const Result result = run("steal pictures/kept.ifs -o - --size 60x60 --points 1M " + options);
         [&] { QVERIFY2(result.status == 0, result.err.constData()); }();
@@ -301,7 +301,7 @@ void CliStealTest::drawsWhatTheEntryKeeps() {
 
 // The picture in the entry, wherever the one is that it was made of.
 void CliStealTest::embeddedPicturesAreDrawn() {
-    const QByteArray picture = encoded(board(60, 60), "PNG");
+    const QByteArray picture = encodedAs(board(60, 60), "PNG");
     const QByteArray data = picture.toBase64(QByteArray::Base64UrlEncoding | QByteArray::OmitTrailingEquals);
     QByteArray lines = " ; barycage: partner uneven\n ; barycage: partner-picture lost.png\n";
     for (qsizetype at = 0; at < data.size(); at += 44)
@@ -358,7 +358,7 @@ void CliStealTest::foreignPicturesAreRefused() {
     QFETCH(int, status);
     QFETCH(QByteArray, sentence);
     QVERIFY(QDir().mkpath(path("strange/deep")));
-    write("strange/inside.png", encoded(board(60, 60), "PNG"));
+    write("strange/inside.png", encodedAs(board(60, 60), "PNG"));
     QFile::link(path("board.png"), path("strange/link.png"));
     QFile::link(QStringLiteral(".."), path("strange/up"));
     QFile::link(QStringLiteral("inside.png"), path("strange/own.png"));
@@ -403,14 +403,14 @@ void CliStealTest::keptTransformationsAreChecked() {
 
 void CliStealTest::readsAnyPicture_data() {
     QTest::addColumn<QByteArray>("bytes");
-    QTest::newRow("jpeg") << encoded(board(64, 64), "JPG");
-    QTest::newRow("bmp") << encoded(board(64, 64), "BMP");
-    QTest::newRow("ppm") << encoded(board(64, 64), "PPM");
-    QTest::newRow("one pixel") << encoded(board(1, 1), "PNG");
-    QTest::newRow("thin") << encoded(board(3000, 1), "PNG");
-    QTest::newRow("16 bits") << encoded(board(9, 9).convertToFormat(QImage::Format_RGBA64), "PNG");
-    QTest::newRow("two colours") << encoded(board(9, 9).convertToFormat(QImage::Format_Mono), "PNG");
-    QTest::newRow("transparent") << encoded(QImage(9, 9, QImage::Format_ARGB32), "PNG");
+    QTest::newRow("jpeg") << encodedAs(board(64, 64), "JPG");
+    QTest::newRow("bmp") << encodedAs(board(64, 64), "BMP");
+    QTest::newRow("ppm") << encodedAs(board(64, 64), "PPM");
+    QTest::newRow("one pixel") << encodedAs(board(1, 1), "PNG");
+    QTest::newRow("thin") << encodedAs(board(3000, 1), "PNG");
+    QTest::newRow("16 bits") << encodedAs(board(9, 9).convertToFormat(QImage::Format_RGBA64), "PNG");
+    QTest::newRow("two colours") << encodedAs(board(9, 9).convertToFormat(QImage::Format_Mono), "PNG");
+    QTest::newRow("transparent") << encodedAs(QImage(9, 9, QImage::Format_ARGB32), "PNG");
 }
 
 void CliStealTest::readsAnyPicture() {
@@ -427,7 +427,7 @@ void CliStealTest::readsAnyPicture() {
 void CliStealTest::badPicturesAreErrors_data() {
     QTest::addColumn<QByteArray>("bytes");
     QTest::addColumn<QByteArray>("said");
-    const QByteArray png = encoded(board(64, 64), "PNG");
+    const QByteArray png = encodedAs(board(64, 64), "PNG");
     QByteArray huge = png;
     huge.replace(16, 8, QByteArray("\0\0\xff\xff\0\0\xff\xff", 8));
     QTest::newRow("empty") << QByteArray() << QByteArray("This is not a PNG");

@@ -87,13 +87,13 @@ private slots:
     }
 };
 
-static int run(int argc, char** argv) {
+static int runEnding(int argc, char** argv) {
     if (argc > 2 && qstrcmp(argv[1], "--edit") == 0) return edit(argc, argv, QFile::decodeName(argv[2]));
     Application application(argc, argv);
     EndingTest test;
     return QTest::qExec(&test, argc, argv);
 }
 
-static const support::NamedTest namedTest(__FILE__, run);
+static const support::NamedTest namedEnding(__FILE__, runEnding);
 
 #include "ending_test.moc"

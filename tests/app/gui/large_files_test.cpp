@@ -38,7 +38,7 @@ support::WatchedApplication* application() {
     return static_cast<support::WatchedApplication*>(QCoreApplication::instance());
 }
 
-void put(const QString& path, const QByteArray& bytes) {
+void putFile(const QString& path, const QByteArray& bytes) {
     QFile file(path);
     if (!file.open(QIODevice::WriteOnly) || file.write(bytes) != bytes.size()) qFatal("no test file");
 }
@@ -51,7 +51,7 @@ QByteArray rows(int count, const QByteArray& linear = ".01 0 0 .01 ") {
 }
 
 // A square of n times n copies that can all be distinguished.
-QByteArray square(int side) {
+QByteArray squareSvg(int side) {
     QByteArray text = "square {\n";
     for (int i = 0; i < side * side; ++i)
         text += QByteArray::number(0.8 / side) + " 0 0 " + QByteArray::number(0.8 / side) + ' ' +
@@ -119,7 +119,7 @@ private:
     QString takeLate() { return std::exchange(m_late, {}).join(u'\n'); }
     void openLarge(const QByteArray& text) {
         const QString path = m_folder.filePath(QStringLiteral("large.ifs"));
-        put(path, text);
+        putFile(path, text);
         doing("open", [&] { m_window->openPath(path); });
     }
     // Parts of mapsAreEdited(), on an entry of `count` maps.
@@ -345,7 +345,7 @@ void LargeFilesTest::editTheTable(int count) {
 }
 
 void LargeFilesTest::framesOfManyMapsAreDragged() {
-    openLarge(square(40));
+    openLarge(squareSvg(40));
     auto* canvas = m_window->findChild<view::CanvasView*>();
     doing("maps tool", [&] { canvas->setTool(view::CanvasView::Tool::Maps); });
     const QPoint inside = canvas->canvas().positionOf({view::CanvasPart::Kind::Inside, 0, 800}).toPoint();
@@ -396,7 +396,7 @@ void LargeFilesTest::workIsRecovered() {
 void LargeFilesTest::aFolderIsBrowsed() {
     const QTemporaryDir folder;
     for (const char* name : {"a.ifs", "b.ifs", "c.ifs"})
-        put(folder.filePath(QString::fromLatin1(name)), entries(2000, 2));
+        putFile(folder.filePath(QString::fromLatin1(name)), entries(2000, 2));
     auto* panel = m_window->findChild<view::CollectionPanel*>();
     auto* grid = panel->findChild<QListView*>();
     auto* search = panel->findChild<QLineEdit*>();

@@ -23,7 +23,7 @@ private slots:
 
 namespace {
 
-void write(const QString& path, const QByteArray& bytes) {
+void writeFile(const QString& path, const QByteArray& bytes) {
     QFile file(path);
     QVERIFY(file.open(QIODevice::WriteOnly));
     file.write(bytes);
@@ -38,7 +38,7 @@ void NamedFilesTest::lessonsAskForFilesOutsideTheirFolder() {
     const QString path = folder.filePath(u"course/my.lesson"_s);
     const QString outside = folder.filePath(u"a.ifs"_s), inside = folder.filePath(u"course/b.ifs"_s);
     for (const QString& file : {outside, inside})
-        write(file, "a {\n .5 0 0 .5 0 0 1\n .5 0 0 .5 .5 0 1\n}\n");
+        writeFile(file, "a {\n .5 0 0 .5 0 0 1\n .5 0 0 .5 .5 0 1\n}\n");
     QVERIFY(QFile::link(outside, folder.filePath(u"course/link.ifs"_s)));
     const auto question = [this]() -> QMessageBox* {
         for (auto* box : m_window->findChildren<QMessageBox*>())
@@ -46,7 +46,7 @@ void NamedFilesTest::lessonsAskForFilesOutsideTheirFolder() {
         return nullptr;
     };
     const auto naming = [&](const QString& reference) {
-        write(path, "lesson: a\nfile: " + reference.toUtf8() + "\n\n## One\n\nText.\n");
+        writeFile(path, "lesson: a\nfile: " + reference.toUtf8() + "\n\n## One\n\nText.\n");
         return m_window->openPath(path);
     };
     for (const QString& reference : {u"../a.ifs"_s, outside, u"link.ifs"_s}) {

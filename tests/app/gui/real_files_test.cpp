@@ -291,11 +291,11 @@ int edit(int& argc, char** argv) {
 
 } // namespace
 
-static int run(int argc, char** argv) {
+static int runRealFiles(int argc, char** argv) {
     if (argc > 1 && QByteArray(argv[1]) == "--edit") return edit(argc, argv);
     return support::runOnX<RealFilesTest>(argc, argv);
 }
 
-static const support::NamedTest namedTest(__FILE__, run);
+static const support::NamedTest namedRealFiles(__FILE__, runRealFiles);
 
 #include "real_files_test.moc"

@@ -560,7 +560,7 @@ void WindowFilesTest::aWindowMayCloseWhileItDrawsForPaper() {
         QVERIFY(!qobject_cast<const QPrintPreviewDialog*>(widget));
 }
 
-static int run(int argc, char** argv) {
+static int runWindowFiles(int argc, char** argv) {
     Application application(argc, argv);
     const QStringList arguments = QCoreApplication::arguments();
     if (arguments.value(1) == QLatin1String("--edit")) {
@@ -576,6 +576,6 @@ static int run(int argc, char** argv) {
     return QTest::qExec(&test, argc, argv);
 }
 
-static const support::NamedTest namedTest(__FILE__, run);
+static const support::NamedTest namedWindowFiles(__FILE__, runWindowFiles);
 
 #include "window_files_test.moc"

@@ -16,9 +16,9 @@ using namespace attractor;
 
 namespace {
 
-using Oklab = std::array<double, 3>;
+using ReferenceOklab = std::array<double, 3>;
 
-Oklab oklab(const Rgba& colour) {
+ReferenceOklab referenceOklab(const Rgba& colour) {
     const double r = linearLight(colour.red);
     const double g = linearLight(colour.green);
     const double b = linearLight(colour.blue);
@@ -30,7 +30,7 @@ Oklab oklab(const Rgba& colour) {
             0.0259040371 * l + 0.7827717662 * m - 0.8086757660 * s};
 }
 
-double difference(const Oklab& a, const Oklab& b) {
+double difference(const ReferenceOklab& a, const ReferenceOklab& b) {
     return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
 }
 
@@ -62,9 +62,9 @@ private slots:
     void equalStepsLookEqual() {
         constexpr int steps = 16;
         for (const Palette& palette : builtInPalettes()) {
-            std::vector<Oklab> colours;
+            std::vector<ReferenceOklab> colours;
             for (int k = 0; k <= steps; ++k)
-                colours.push_back(oklab(colourAt(palette, double(k) / steps)));
+                colours.push_back(referenceOklab(colourAt(palette, double(k) / steps)));
             const double whole = colours.back()[0] - colours.front()[0];
             QVERIFY2(std::abs(whole) > 0.4, palette.name.c_str());
             double length = 0;
@@ -134,7 +134,7 @@ private slots:
     void neighbouringCategoriesAreDistinct() {
         for (std::size_t i = 0; i < 24; ++i) {
             QVERIFY(distance(categoricalColour(i), categoricalColour(i + 1)) > 0.2);
-            const double light = oklab(categoricalColour(i))[0];
+            const double light = referenceOklab(categoricalColour(i))[0];
             QVERIFY(light > 0.5 && light < 0.9); // readable on black and on white
         }
     }

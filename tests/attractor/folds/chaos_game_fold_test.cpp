@@ -11,7 +11,7 @@ using namespace attractor;
 
 namespace {
 
-using Drawing = folds::Drawing<ChaosGameFold>;
+using GameDrawing = folds::Drawing<ChaosGameFold>;
 
 RenderRequest requestOf(std::uint64_t samples) {
     RenderRequest request = systems::request(systems::fern(), samples, 60, 40);
@@ -38,7 +38,7 @@ private slots:
     void plotsThePointsOfOneOrbit() {
         RenderRequest request = requestOf(20'000);
         request.camera.pixelsPerUnit *= 1.5; // some points are outside the picture
-        Drawing drawing(request);
+        GameDrawing drawing(request);
         QVERIFY(!drawing.fold.finished());
         QVERIFY(drawing.pass(request.samples));
         QVERIFY(drawing.fold.finished());
@@ -58,7 +58,7 @@ private slots:
     void samplesHaveTheColoursOfTheirPoints() {
         RenderRequest request = requestOf(3000);
         request.appearance.colourBy = ColourBy::Map;
-        Drawing drawing(request);
+        GameDrawing drawing(request);
         QVERIFY(drawing.pass(request.samples));
         std::uint64_t red = 0, expected = 0;
         std::vector<CellSums::Sum> row;
@@ -80,9 +80,9 @@ private slots:
     // The orbit goes on where the last pass has left it, up to what the request asks for.
     void passesAreOneOrbit() {
         const RenderRequest request = requestOf(20'000);
-        Drawing whole(request);
+        GameDrawing whole(request);
         QVERIFY(whole.pass(20'000));
-        Drawing parts(request);
+        GameDrawing parts(request);
         QVERIFY(parts.pass(1));
         QVERIFY(parts.pass(9999));
         QCOMPARE(parts.fold.samples(), std::uint64_t{10'000});
@@ -100,7 +100,7 @@ private slots:
 
     void aStoppedPassIsCompleted() {
         const RenderRequest request = requestOf(20'000);
-        Drawing drawing(request);
+        GameDrawing drawing(request);
         drawing.fold.begin(request.samples);
         std::stop_source stopped;
         stopped.request_stop();

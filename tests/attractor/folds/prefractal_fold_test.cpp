@@ -12,7 +12,7 @@ using namespace attractor;
 
 namespace {
 
-using Drawing = folds::Drawing<PrefractalFold>;
+using PrefractalDrawing = folds::Drawing<PrefractalFold>;
 
 RenderRequest requestOf(const ifs::IteratedFunctionSystem<2>& system, int iterations) {
     RenderRequest request = systems::request(system, 1, 400, 400);
@@ -28,7 +28,7 @@ class TestPrefractalFold : public QObject {
 
 private slots:
     void onePassIsAll() {
-        Drawing drawing(requestOf(systems::sierpinski(), 4));
+        PrefractalDrawing drawing(requestOf(systems::sierpinski(), 4));
         QVERIFY(!drawing.fold.finished());
         QVERIFY(drawing.pass(1));
         QVERIFY(drawing.fold.finished());
@@ -41,9 +41,9 @@ private slots:
     }
 
     void aStoppedPassIsDrawnAnew() {
-        Drawing whole(requestOf(systems::sierpinski(), 6));
+        PrefractalDrawing whole(requestOf(systems::sierpinski(), 6));
         QVERIFY(whole.pass(1));
-        Drawing drawing(requestOf(systems::sierpinski(), 6));
+        PrefractalDrawing drawing(requestOf(systems::sierpinski(), 6));
         drawing.fold.begin(1);
         std::stop_source stopped;
         stopped.request_stop();
@@ -54,17 +54,17 @@ private slots:
     }
 
     void tooManyIterationsAreTold() {
-        const Drawing few(requestOf(systems::fern(), 5));
+        const PrefractalDrawing few(requestOf(systems::fern(), 5));
         QCOMPARE(few.fold.iterations(), 5);
         QVERIFY(few.fold.note() == RenderNote::None);
-        const Drawing many(requestOf(systems::fern(), 60));
+        const PrefractalDrawing many(requestOf(systems::fern(), 60));
         QCOMPARE(many.fold.iterations(), affordableIterations(4, 60));
         QVERIFY(many.fold.iterations() >= 9 && many.fold.iterations() < 60);
         QVERIFY(many.fold.note() == RenderNote::FewerIterations);
     }
 
     void exposureNeedsNoMeasuring() {
-        Drawing drawing(requestOf(systems::sierpinski(), 2));
+        PrefractalDrawing drawing(requestOf(systems::sierpinski(), 2));
         QVERIFY(drawing.fold.hasFixedExposure());
         const auto before = drawing.fold.exposure({});
         QVERIFY(drawing.pass(1));

@@ -19,7 +19,7 @@ namespace {
 
 using Pixels = std::vector<std::uint32_t>;
 
-Pixels drawn(const SpaceRequest& request) {
+Pixels drawnCloud(const SpaceRequest& request) {
     CloudRendering rendering(request);
     rendering.refine();
     Pixels pixels(std::size_t(request.camera.size.width) * std::size_t(request.camera.size.height));
@@ -67,7 +67,7 @@ private slots:
         for (const auto& system : {systems::menger(), systems::tetrahedron(), systems::fern3()})
             for (const bool perspective : {false, true}) {
                 const SpaceRequest request = requestFor(system, perspective, 5'000'000);
-                const Pixels pixels = drawn(request);
+                const Pixels pixels = drawnCloud(request);
                 const PreparedSpace prepared = preparedSpace(system);
                 SpaceSamples samples;
                 std::vector<bool> hit(pixels.size());
@@ -112,13 +112,13 @@ private slots:
                 SpaceRequest request = requestFor(systems::fern3(), perspective, 300'000);
                 request.camera.height /= 1.5;
                 request.appearance.colourBy = colourBy;
-                const Pixels wanted = drawn(request);
+                const Pixels wanted = drawnCloud(request);
                 const std::string usual = simdName();
                 for (const std::string& simd : simdNames())
                     for (const int threads : {1, 2, 3}) {
                         QVERIFY(selectSimd(simd));
                         request.threads = threads;
-                        const Pixels found = drawn(request);
+                        const Pixels found = drawnCloud(request);
                         QVERIFY(selectSimd(usual));
                         QVERIFY2(found == wanted, simd.c_str());
                     }
@@ -144,7 +144,7 @@ private slots:
         for (const auto& system : {expanding, overlapping, constant, systems::System3{}})
             for (const bool perspective : {false, true}) {
                 const SpaceRequest request = requestFor(system, perspective, 200'000);
-                QCOMPARE(drawn(request).size(), std::size_t(160 * 120));
+                QCOMPARE(drawnCloud(request).size(), std::size_t(160 * 120));
             }
         QCOMPARE(CloudRendering(requestFor(expanding, false, 10)).note(), RenderNote::NoAttractor);
         QCOMPARE(CloudRendering(requestFor({}, false, 10)).note(), RenderNote::NoMaps);

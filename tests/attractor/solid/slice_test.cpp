@@ -17,7 +17,7 @@ using ifs::Vector;
 
 namespace {
 
-DepthRaster drawn(const SpaceRequest& request) {
+DepthRaster drawnSlice(const SpaceRequest& request) {
     SolidRendering rendering(request);
     rendering.draw();
     return rendering.takeRaster();
@@ -75,7 +75,7 @@ private slots:
     // SPACE: a hexagon with holes in the shape of hexagrams, equal to its rotation by 60° to one pixel.
     void mengerAcrossItsDiagonalIsAHexagonWithHexagrams() {
         const SpaceRequest request = hexagram(640);
-        const Mask mask = maskOf(drawn(request));
+        const Mask mask = maskOf(drawnSlice(request));
         QVERIFY(mask.count() > 20'000);
         const double middle = 320, unit = pixelsPerUnit(request.camera);
         const double c = 0.5, s = std::sqrt(0.75);
@@ -126,7 +126,7 @@ private slots:
     void agreesWithBruteForce() {
         QFETCH(bool, perspective);
         const SpaceRequest request = slab(perspective);
-        const DepthRaster raster = drawn(request);
+        const DepthRaster raster = drawnSlice(request);
         const double unit = pixelsPerUnit(request.camera);
         const ifs::ActiveMaps<3> active = ifs::activeMaps(request.system);
         const AliasTable table(active.probabilities);
@@ -168,18 +168,18 @@ private slots:
 
     void aClipAroundEverythingChangesNothing() {
         SpaceRequest request = systems::spaceRequest(systems::fern3(), 200, 150);
-        const DepthRaster whole = drawn(request);
+        const DepthRaster whole = drawnSlice(request);
         request.clip = SpaceClip{{0, 3, 1}, -1e3, 1e3};
-        const DepthRaster clipped = drawn(request);
+        const DepthRaster clipped = drawnSlice(request);
         QCOMPARE(clipped.keys, whole.keys);
         request.clip = SpaceClip{{0, 3, 1}, 1e3, HUGE_VAL};
-        QCOMPARE(maskOf(drawn(request)).count(), 0U);
+        QCOMPARE(maskOf(drawnSlice(request)).count(), 0U);
     }
 
     void theHalfInFrontIsGone() {
         SpaceRequest request = systems::spaceRequest(systems::menger(), 200, 150, 0, 0); // from +z
         request.clip = SpaceClip{{0, 0, 2}, -HUGE_VAL, 1};
-        const DepthRaster raster = drawn(request);
+        const DepthRaster raster = drawnSlice(request);
         const double nearest = 0.5 - request.camera.target.z();
         std::size_t seen = 0;
         for (const std::uint32_t key : raster.keys) {
@@ -192,9 +192,9 @@ private slots:
 
     void threadsChangeNoByte() {
         SpaceRequest request = slab(true);
-        const DepthRaster one = drawn(request);
+        const DepthRaster one = drawnSlice(request);
         request.threads = 3;
-        QCOMPARE(drawn(request).keys, one.keys);
+        QCOMPARE(drawnSlice(request).keys, one.keys);
     }
 
     // Flat, tiny, huge and far planes draw something defined.
@@ -205,12 +205,12 @@ private slots:
               SpaceClip{{1, 0, 0}, 2, 1}}) {
             SpaceRequest request = systems::spaceRequest(systems::menger(), 60, 40);
             request.clip = clip;
-            QCOMPARE(drawn(request).keys.size(), 2400U);
+            QCOMPARE(drawnSlice(request).keys.size(), 2400U);
         }
         SpaceRequest inside = hexagram(100); // between the planes, at a billion times
         inside.camera.height = 1e-9;
         inside.camera.target = {0, 0.5, 1};
-        QCOMPARE(drawn(inside).keys.size(), 10'000U);
+        QCOMPARE(drawnSlice(inside).keys.size(), 10'000U);
     }
 
     // Where a cloud is cut, what is left keeps its density.

@@ -20,7 +20,7 @@ namespace {
 using Pixels = std::map<std::pair<int, int>, double>;
 
 // The nearest depth in every pixel that a point falls into.
-Pixels nearestDepths(const kernels::Cover& cover, const ifs::Matrix<3>& linear,
+Pixels nearestPixels(const kernels::Cover& cover, const ifs::Matrix<3>& linear,
                      const ifs::Vector<3>& middle) {
     Pixels result;
     const kernels::CoverPoints& points = cover.nearestFirst[0];
@@ -91,7 +91,7 @@ private slots:
                 allPoints += all->size;
                 for (int place = 0; place < 20; ++place) {
                     const ifs::Vector<3> middle(unit(random), unit(random), 0);
-                    QVERIFY(nearestDepths(*cover, linear, middle) == nearestDepths(*all, linear, middle));
+                    QVERIFY(nearestPixels(*cover, linear, middle) == nearestPixels(*all, linear, middle));
                 }
             }
             QVERIFY(selectSimd(usual));

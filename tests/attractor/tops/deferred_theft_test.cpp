@@ -16,7 +16,7 @@ using tops::square;
 
 namespace {
 
-CoupledSystem coupled(const Maps& from, const Maps& to) {
+CoupledSystem coupledSystem(const Maps& from, const Maps& to) {
     return {tops::attractorOf(from), tops::attractorOf(to), ifs::determinantWeights<2>(from)};
 }
 
@@ -36,8 +36,8 @@ Pixels drawn(attractor::DeferredTheft& theft, const CoupledSystem& system,
     return theft.draw(system, picture, request, pixels, {}) ? pixels : Pixels();
 }
 
-Pixels stolen(const CoupledSystem& system, const attractor::MipPicture& picture,
-              const attractor::TheftRequest& request) {
+Pixels stolenPixels(const CoupledSystem& system, const attractor::MipPicture& picture,
+                    const attractor::TheftRequest& request) {
     Pixels result;
     attractor::steal(system, picture, request,
                      [&](std::span<const std::uint32_t> rows) {
@@ -61,8 +61,8 @@ private slots:
         for (const int threads : {1, 3}) {
             attractor::DeferredTheft theft(threads);
             for (const Maps& to : {square(.5, .5), square(.3, .6), tops::triangle(.65, .3, .4)}) {
-                const CoupledSystem system = coupled(square(.5, .5), to);
-                QVERIFY(drawn(theft, system, picture, request) == stolen(system, picture, request));
+                const CoupledSystem system = coupledSystem(square(.5, .5), to);
+                QVERIFY(drawn(theft, system, picture, request) == stolenPixels(system, picture, request));
             }
         }
     }
@@ -71,7 +71,7 @@ private slots:
     void coloursAreThoseOfThePicture() {
         const auto picture = attractor::picture(attractor::Pattern::Wheel, 64);
         attractor::TheftRequest request = requested();
-        const CoupledSystem system = coupled(square(.5, .5), square(.3, .6));
+        const CoupledSystem system = coupledSystem(square(.5, .5), square(.3, .6));
         std::vector<attractor::TopPoint> points(100 * 100);
         QVERIFY(
             attractor::KeyTops(system, request.camera, request.points, request.seed, {}).draw(0, points, {}));
@@ -95,14 +95,14 @@ private slots:
 
     void everyPictureIsTheSame() {
         const auto picture = attractor::picture(attractor::Pattern::Glass, 128);
-        const CoupledSystem system = coupled(square(.5, .5), square(.3, .6));
+        const CoupledSystem system = coupledSystem(square(.5, .5), square(.3, .6));
         const std::string chosen = attractor::simdName();
         Pixels expected;
         for (const std::string& set : attractor::simdNames())
             for (const int threads : {1, 2, 7}) {
                 QVERIFY(attractor::selectSimd(set));
                 attractor::DeferredTheft theft(threads);
-                drawn(theft, coupled(square(.5, .5), square(.7, .2)), picture, requested());
+                drawn(theft, coupledSystem(square(.5, .5), square(.7, .2)), picture, requested());
                 const Pixels pixels = drawn(theft, system, picture, requested());
                 QVERIFY(theft.hasKeptKeys());
                 if (expected.empty()) expected = pixels;
@@ -117,23 +117,23 @@ private slots:
         const auto grid = attractor::picture(attractor::Pattern::Grid, 64);
         const auto wheel = attractor::picture(attractor::Pattern::Wheel, 64);
         const Maps from = square(.5, .5);
-        const Pixels first = drawn(theft, coupled(from, from), grid, request);
+        const Pixels first = drawn(theft, coupledSystem(from, from), grid, request);
         QVERIFY(!theft.hasKeptKeys());
-        QVERIFY(drawn(theft, coupled(from, square(.4, .7)), grid, request) != first);
+        QVERIFY(drawn(theft, coupledSystem(from, square(.4, .7)), grid, request) != first);
         QVERIFY(theft.hasKeptKeys());
-        QVERIFY(drawn(theft, coupled(from, from), wheel, request) != first);
+        QVERIFY(drawn(theft, coupledSystem(from, from), wheel, request) != first);
         QVERIFY(theft.hasKeptKeys());
-        drawn(theft, coupled(square(.6, .5), from), grid, request);
+        drawn(theft, coupledSystem(square(.6, .5), from), grid, request);
         QVERIFY(!theft.hasKeptKeys());
         request.camera.centre.x() += .1;
-        drawn(theft, coupled(square(.6, .5), from), grid, request);
+        drawn(theft, coupledSystem(square(.6, .5), from), grid, request);
         QVERIFY(!theft.hasKeptKeys());
     }
 
     void keysOfAStoppedPictureAreNotKept() {
         attractor::DeferredTheft theft(2);
         const auto grid = attractor::picture(attractor::Pattern::Grid, 64);
-        const CoupledSystem system = coupled(square(.5, .5), square(.5, .5));
+        const CoupledSystem system = coupledSystem(square(.5, .5), square(.5, .5));
         std::stop_source stop;
         stop.request_stop();
         Pixels pixels(100 * 100);

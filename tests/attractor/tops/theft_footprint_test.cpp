@@ -39,7 +39,7 @@ Maps scaled(const Maps& maps, double factor) {
     return conjugated(maps, ifs::affineMap(factor, 0, 0, factor, 0, 0));
 }
 
-CoupledSystem coupled(const Maps& from, const Maps& to) {
+CoupledSystem coupledMaps(const Maps& from, const Maps& to) {
     return {tops::attractorOf(from), tops::attractorOf(to), ifs::determinantWeights<2>(from)};
 }
 
@@ -57,8 +57,8 @@ attractor::MipPicture mosaic(int side, int grain) {
 constexpr int columns = 32;
 
 // The unit square in columns·finer pixels a side.
-std::vector<Light> stolen(const CoupledSystem& system, const attractor::MipPicture& picture,
-                          const ifs::AffineMap<2>& toPicture, bool isExact, int finer) {
+std::vector<Light> stolenLight(const CoupledSystem& system, const attractor::MipPicture& picture,
+                               const ifs::AffineMap<2>& toPicture, bool isExact, int finer) {
     attractor::TheftRequest request;
     const int side = columns * finer;
     request.camera = {{.5, .5}, double(side), side, side, attractor::YAxis::Up};
@@ -120,7 +120,7 @@ void TheftFootprintTest::wholeRatios() {
     QFETCH(Maps, from);
     QFETCH(Maps, to);
     QFETCH(double, ratio);
-    const double found = coupled(from, to).wholeRatio;
+    const double found = coupledMaps(from, to).wholeRatio;
     QVERIFY2(std::abs(found / ratio - 1) < .02, qPrintable(QString::number(found)));
 }
 
@@ -149,16 +149,16 @@ void TheftFootprintTest::pixelsAverageWhatTheyCover() {
     QFETCH(bool, isExact);
     QFETCH(double, most);
     constexpr int finer = 16; // then a pixel covers less than one of the picture
-    CoupledSystem system = coupled(from, scaled(tops::square(.5, .5), scale));
+    CoupledSystem system = coupledMaps(from, scaled(tops::square(.5, .5), scale));
     const attractor::MipPicture picture = mosaic(side, grain);
     const double zoom = side / scale;
     const ifs::AffineMap<2> toPicture = ifs::affineMap(zoom, 0, 0, -zoom, 0, side);
-    const auto fine = stolen(system, picture, toPicture, true, finer);
+    const auto fine = stolenLight(system, picture, toPicture, true, finer);
     QCOMPARE(fine.size(), std::size_t(columns * columns * finer * finer));
     const auto expected = averaged(fine, finer);
-    const double found = differenceOf(stolen(system, picture, toPicture, isExact, 1), expected);
+    const double found = differenceOf(stolenLight(system, picture, toPicture, isExact, 1), expected);
     system.wholeRatio = 1; // as if the attractors were as large
-    const double without = differenceOf(stolen(system, picture, toPicture, isExact, 1), expected);
+    const double without = differenceOf(stolenLight(system, picture, toPicture, isExact, 1), expected);
     QVERIFY2(found < most && found < without / 2,
              qPrintable(QStringLiteral("%1, without %2").arg(found).arg(without)));
 }

@@ -16,11 +16,11 @@ using namespace collage;
 
 namespace {
 
-using Maps = std::vector<ifs::AffineMap<2>>;
+using CageMaps = std::vector<ifs::AffineMap<2>>;
 
 // A square from four quarters of itself.
-Maps square() {
-    Maps maps;
+CageMaps square() {
+    CageMaps maps;
     for (const double x : {0.0, 0.5})
         for (const double y : {0.0, 0.5})
             maps.push_back(ifs::affineMap(0.5, 0, 0, 0.5, x, y));
@@ -57,7 +57,7 @@ Constraints everything() {
     return constraints;
 }
 
-bool meets(const Maps& maps, int step) {
+bool meets(const CageMaps& maps, int step) {
     for (std::size_t i = 1; i < maps.size(); ++i)
         if (ifs::determinant<2>(maps[i].linear) < 0 || stray(turnInDegrees(maps[i]), step) > 1e-6)
             return false;
@@ -123,7 +123,7 @@ private slots:
 
     void whatHasNoAttractorHasNoCage() {
         const Target l = target(convex(64, {{-0.5, -0.5}, {0.5, -0.5}, {0, 0.5}}), 1, 0.25);
-        const Maps growing{ifs::affineMap(2, 0, 0, 2, 0, 0)};
+        const CageMaps growing{ifs::affineMap(2, 0, 0, 2, 0, 0)};
         QVERIFY(!fittedCage(l, growing, unitSquare, ifs::Coordinates::Wachspress));
     }
 
@@ -131,11 +131,11 @@ private slots:
         const auto drawing = drawings::all(128).front();
         const Target l = target(drawing.mask, 2, 0.25);
         for (std::uint64_t start = 0; start < 8; ++start) {
-            Maps maps = randomStart(l, 4, everything(), 5, start);
+            CageMaps maps = randomStart(l, 4, everything(), 5, start);
             QVERIFY(meets(maps, 60));
             CollageFit(l).improve(maps, {everything(), 12, 6, 0.75, 0.9});
             QVERIFY(meets(maps, 60));
-            Maps plane;
+            CageMaps plane;
             for (const auto& map : maps)
                 plane.push_back(fromGrid(l.grid, map));
             const double before = visibleError(l, attractorAgreement(l, plane));

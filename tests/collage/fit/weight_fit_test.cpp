@@ -15,11 +15,12 @@ using namespace collage;
 
 namespace {
 
-using Maps = std::vector<ifs::AffineMap<2>>;
+using WeightMaps = std::vector<ifs::AffineMap<2>>;
 
 // Each map halves the picture [−½, ½]² into one of its quarters.
-const Maps triangle{ifs::affineMap(0.5, 0, 0, 0.5, -0.25, -0.25), ifs::affineMap(0.5, 0, 0, 0.5, 0.25, -0.25),
-                    ifs::affineMap(0.5, 0, 0, 0.5, -0.25, 0.25)};
+const WeightMaps triangle{ifs::affineMap(0.5, 0, 0, 0.5, -0.25, -0.25),
+                          ifs::affineMap(0.5, 0, 0, 0.5, 0.25, -0.25),
+                          ifs::affineMap(0.5, 0, 0, 0.5, -0.25, 0.25)};
 
 // The exact measure of every pixel of 256²: the pieces with words of length 8 are its pixels.
 Density sierpinskiMeasure(const std::vector<double>& weights) {
@@ -50,7 +51,7 @@ ifs::Vector<2> meanOf(const Density& density) {
 }
 
 // The same of the invariant measure: m = Σ p (A m + b).
-ifs::Vector<2> meanOf(const Maps& maps, const std::vector<double>& weights, const Density& picture) {
+ifs::Vector<2> meanOf(const WeightMaps& maps, const std::vector<double>& weights, const Density& picture) {
     ifs::Matrix<2> a = ifs::Matrix<2>::Identity();
     ifs::Vector<2> b(0, 0);
     for (std::size_t i = 0; i < maps.size(); ++i) {
@@ -112,7 +113,7 @@ private slots:
         const std::vector<double> weights{0.2, 0.3, 0.5};
         const auto turn = ifs::affineMap(0.8 * std::cos(0.3), -0.8 * std::sin(0.3), 0.8 * std::sin(0.3),
                                          0.8 * std::cos(0.3), 0.013, 0.007);
-        Maps maps;
+        WeightMaps maps;
         for (const auto& map : triangle)
             maps.push_back(*ifs::conjugate<2>(turn, map));
         Density density{256, 256, std::vector<double>(256 * 256)};
@@ -130,7 +131,7 @@ private slots:
     }
 
     void mapsThatCoverNothingGetNoWeight() {
-        Maps maps = triangle;
+        WeightMaps maps = triangle;
         maps.push_back(ifs::affineMap(0.5, 0, 0, 0.5, 0.25, 0.25)); // the empty quarter
         const std::vector<double> found = fittedWeights(sierpinskiMeasure({0.2, 0.3, 0.5}), maps);
         QVERIFY(support::near(found[3], 0, 1e-3));
@@ -180,7 +181,7 @@ private slots:
             Density density{24, 16, std::vector<double>(24 * 16)};
             for (int k = 0; k < 40; ++k)
                 density.mass[random() % density.mass.size()] += between(0, 1);
-            Maps maps;
+            WeightMaps maps;
             std::vector<double> weights;
             double sum = 0;
             for (int i = 0; i < 3; ++i) {
@@ -207,7 +208,7 @@ private slots:
             for (int x = 4; x < 12; ++x)
                 square.mass[std::size_t(y * 64 + x)] = 1;
         const double far = 0.9 * 64 - 8; // from its middle to the fixed point (0.4, 0)
-        const Maps one{ifs::affineMap(0.5, 0, 0, 0.5, 0.2, 0)};
+        const WeightMaps one{ifs::affineMap(0.5, 0, 0, 0.5, 0.2, 0)};
         const auto bound = measureBound(square, one, std::vector<double>{1});
         QVERIFY(bound.value() >= far && *bound < 1.01 * far);
         const std::vector<double> weights{0.2, 0.3, 0.5};
@@ -219,7 +220,7 @@ private slots:
 
     void onlyTheMeanContractionCounts() {
         const Density density = sierpinskiMeasure({0.2, 0.3, 0.5});
-        const Maps maps{ifs::affineMap(0.4, 0, 0, 0.4, 0, 0.2), ifs::affineMap(1.2, 0, 0, 0.5, 0, 0)};
+        const WeightMaps maps{ifs::affineMap(0.4, 0, 0, 0.4, 0, 0.2), ifs::affineMap(1.2, 0, 0, 0.5, 0, 0)};
         QVERIFY(measureBound(density, maps, std::vector<double>{0.9, 0.1}).has_value());
         QVERIFY(!measureBound(density, maps, std::vector<double>{0.1, 0.9}).has_value());
         QVERIFY(!measureBound({4, 4, std::vector<double>(16)}, maps, std::vector<double>{0.9, 0.1}));

@@ -16,7 +16,7 @@ using Arrangement = MapsArrangement;
 namespace {
 
 // Three maps at three heights, under a cage that is not at rest.
-Fractal threeMaps() {
+Fractal threeMapsApart() {
     System2 system;
     ifs::append(system, ifs::affineMap(.4, .1, 0, .3, 0, .05), 1.0);
     ifs::append(system, ifs::affineMap(.3, 0, .1, .4, .3, .4), 1.0);
@@ -52,7 +52,7 @@ class MapsArrangeTest : public QObject {
 private slots:
     // About the centre of all of them, as they are displayed.
     void flipsAndTurns() {
-        const Fractal before = threeMaps();
+        const Fractal before = threeMapsApart();
         const std::array<std::size_t, 2> two{0, 2};
         const Vector<2> middle = (centre(before, 0) + centre(before, 2)) / 2;
         const struct {
@@ -74,7 +74,7 @@ private slots:
     }
 
     void centresAreAligned() {
-        const Fractal before = threeMaps();
+        const Fractal before = threeMapsApart();
         for (const int axis : {0, 1}) {
             const Fractal after =
                 arranged(before, all, axis == 0 ? Arrangement::AlignInColumn : Arrangement::AlignInRow);
@@ -90,7 +90,7 @@ private slots:
     }
 
     void centresAreDistributed() {
-        const Fractal before = threeMaps();
+        const Fractal before = threeMapsApart();
         for (const int axis : {0, 1}) {
             const Fractal after = arranged(
                 before, all, axis == 0 ? Arrangement::DistributeAcross : Arrangement::DistributeUpwards);
@@ -109,7 +109,7 @@ private slots:
 
     // Then that corner is the fixed point of the map.
     void mapsGoToTheirCorners() {
-        const Fractal before = threeMaps();
+        const Fractal before = threeMapsApart();
         const Fractal after = arranged(before, all, Arrangement::FitToCorners);
         const std::vector<Vector<2>> cage = effectiveCage(before).current;
         for (const std::size_t index : all) {
@@ -126,7 +126,7 @@ private slots:
 
     void oneStepOrASentence() {
         Document document;
-        document.setFile(fileOf(threeMaps()));
+        document.setFile(fileOf(threeMapsApart()));
         const auto some = [](std::size_t count) { return std::span(all).first(count); };
         QVERIFY(arrangeMaps(document, some(0), Arrangement::FlipUpDown));
         QVERIFY(arrangeMaps(document, some(1), Arrangement::AlignInRow));
@@ -136,9 +136,9 @@ private slots:
         QCOMPARE(document.undoStack()->count(), 1);
         for (int k = 0; k < 3; ++k)
             QVERIFY(!arrangeMaps(document, some(1), Arrangement::RotateLeft));
-        QVERIFY(isNear(corners(document.fractal(), 0)[1], corners(threeMaps(), 0)[1]));
+        QVERIFY(isNear(corners(document.fractal(), 0)[1], corners(threeMapsApart(), 0)[1]));
         document.undoStack()->setIndex(0);
-        QVERIFY(system2(document.fractal())->maps == system2(threeMaps())->maps);
+        QVERIFY(system2(document.fractal())->maps == system2(threeMapsApart())->maps);
     }
 };
 

@@ -23,7 +23,7 @@ using namespace document;
 
 namespace {
 
-Fractal maple() {
+Fractal movingMaple() {
     Fractal fractal;
     fractal.shape = Shape<2>{canonical::system<2>(canonical::maple(), {0.25, 0.25, 0.25, 0.25})};
     return fractal;
@@ -80,7 +80,7 @@ private slots:
 };
 
 void MotionEditsTest::loopsKeepTheirAttractorAndClose() {
-    for (const Fractal& fractal : {sierpinskiTriangle(), maple()}) {
+    for (const Fractal& fractal : {sierpinskiTriangle(), movingMaple()}) {
         std::vector<std::optional<Fractal>> all{withTurn(fractal), withOrbit(fractal), withBreathing(fractal),
                                                 withPaletteCycle(fractal)};
         for (const auto& preset : animation::swayPresets())
@@ -99,7 +99,7 @@ void MotionEditsTest::loopsKeepTheirAttractorAndClose() {
 }
 
 void MotionEditsTest::motionsKeepTheLoopOfKeys() {
-    Fractal keyed = maple();
+    Fractal keyed = movingMaple();
     auto& animation = plane(keyed)->animation.emplace();
     animation.loop = animation::Loop::ThereAndBack;
     animation.look = {{0, lookOf(keyed), {}}};
@@ -119,7 +119,7 @@ void MotionEditsTest::thePaletteIsSeen() {
     QVERIFY(!(paletteAt(0) == paletteAt(animationFacts(cycled)->length / 3)));
     solid.inSpace.colourBy = attractor::SolidColour::Height;
     QVERIFY(solidColour(*withPaletteCycle(solid)) == attractor::SolidColour::Height);
-    Fractal flat = maple();
+    Fractal flat = movingMaple();
     for (const auto& [before, after] : {std::pair{attractor::ColourBy::Map, attractor::ColourBy::Density},
                                         {attractor::ColourBy::Plain, attractor::ColourBy::Density},
                                         {attractor::ColourBy::Address, attractor::ColourBy::Address}}) {
@@ -139,9 +139,9 @@ void MotionEditsTest::nothingMovesWithoutMaps() {
 }
 
 void MotionEditsTest::windSwaysAboutTheLowestPoint() {
-    const auto moving = withWind(maple(), animation::swayPresets()[0]);
+    const auto moving = withWind(movingMaple(), animation::swayPresets()[0]);
     const auto& sway = std::get<animation::Sway<2>>(plane(*moving)->animation->motions.front());
-    const Fractal still = maple();
+    const Fractal still = movingMaple();
     for (const auto& map : system2(still)->maps)
         QVERIFY(ifs::fixedPoint<2>(map.map)->y() >= sway.root.y());
 }
@@ -206,7 +206,7 @@ void MotionEditsTest::endlessZoomsTurnAndMirror() {
 }
 
 void MotionEditsTest::zoomsNeedACopyThatStandsClear() {
-    QVERIFY(!withEndlessZoom(maple(), 1, attractor::YAxis::Up)); // no map is a similarity
+    QVERIFY(!withEndlessZoom(movingMaple(), 1, attractor::YAxis::Up)); // no map is a similarity
     Fractal bent = sierpinskiTriangle();
     plane(bent)->cage = ifs::polygonAtRest<2>({{0, 0}, {1, 0}, {1, 1}, {0, 1}});
     plane(bent)->cage->current[2] = {2, 2};

@@ -45,7 +45,7 @@ FractalPointer triangle() {
     return pointer(document::sierpinskiTriangle());
 }
 
-const document::System2& systemOf(const Fractal& fractal) {
+const document::System2& crossedSystem(const Fractal& fractal) {
     return *document::system2(fractal);
 }
 
@@ -82,10 +82,10 @@ void CrossingTest::childrenTakeFromBoth() {
     for (std::uint64_t seed = 1; seed <= 60; ++seed) {
         document::Chance chance(seed);
         const Fractal child = crossing.child({}, chance);
-        const auto& maps = systemOf(child).maps;
+        const auto& maps = crossedSystem(child).maps;
         int own = 0;
         for (const auto& map : maps)
-            own += std::ranges::any_of(systemOf(*parent).maps,
+            own += std::ranges::any_of(crossedSystem(*parent).maps,
                                        [&](const auto& known) { return known.map == map.map; });
         mine += own > 0 ? 1 : 0;
         mixed += own < int(maps.size()) ? 1 : 0;
@@ -112,10 +112,10 @@ void CrossingTest::scaleAndPlaceOfThePartnerDoNotMatter() {
     for (std::uint64_t seed = 1; seed <= 10; ++seed) {
         document::Chance first(seed), second(seed);
         const Fractal a = near.child({}, first), b = distant.child({}, second);
-        QCOMPARE(systemOf(a).maps.size(), systemOf(b).maps.size());
-        for (std::size_t i = 0; i < systemOf(a).maps.size(); ++i) {
-            const auto& x = systemOf(a).maps[i].map;
-            const auto& y = systemOf(b).maps[i].map;
+        QCOMPARE(crossedSystem(a).maps.size(), crossedSystem(b).maps.size());
+        for (std::size_t i = 0; i < crossedSystem(a).maps.size(); ++i) {
+            const auto& x = crossedSystem(a).maps[i].map;
+            const auto& y = crossedSystem(b).maps[i].map;
             QVERIFY((x.linear - y.linear).norm() < 1e-9);
             QVERIFY((x.translation - y.translation).norm() < 1e-9);
         }
@@ -132,10 +132,10 @@ void CrossingTest::mapsThatBelongTogetherArePaired() {
     for (std::uint64_t seed = 1; seed <= 20; ++seed) {
         document::Chance chance(seed);
         const Fractal child = crossing.child({}, chance);
-        QCOMPARE(systemOf(child).maps.size(), std::size_t{3});
+        QCOMPARE(crossedSystem(child).maps.size(), std::size_t{3});
         for (std::size_t i = 0; i < 3; ++i) {
-            const auto& was = systemOf(*parent).maps[i];
-            const auto& is = systemOf(child).maps[i];
+            const auto& was = crossedSystem(*parent).maps[i];
+            const auto& is = crossedSystem(child).maps[i];
             QCOMPARE(is.id, was.id);
             QVERIFY((is.map.translation - was.map.translation).norm() < 1e-9);
             QVERIFY((is.map.linear - was.map.linear).norm() < 1e-9);
@@ -153,11 +153,11 @@ void CrossingTest::onlyWhatMayChangeIsMixed() {
         document::Chance chance(seed);
         const Fractal weights = crossing.child({false, false, true}, chance);
         QVERIFY(weights.appearance == triangle()->appearance);
-        QCOMPARE(systemOf(weights).maps.size(), std::size_t{3});
+        QCOMPARE(crossedSystem(weights).maps.size(), std::size_t{3});
         for (std::size_t i = 0; i < 3; ++i)
-            QVERIFY(systemOf(weights).maps[i].map == systemOf(*triangle()).maps[i].map);
+            QVERIFY(crossedSystem(weights).maps[i].map == crossedSystem(*triangle()).maps[i].map);
         const Fractal colours = crossing.child({false, true, false}, chance);
-        QVERIFY(systemOf(colours) == systemOf(*triangle()));
+        QVERIFY(crossedSystem(colours) == crossedSystem(*triangle()));
         QCOMPARE(colours.appearance.colourBy, triangle()->appearance.colourBy);
         takesPalette = takesPalette || colours.appearance.palette == partner.appearance.palette;
     }
@@ -166,11 +166,11 @@ void CrossingTest::onlyWhatMayChangeIsMixed() {
 
 void CrossingTest::lockedMapsStay() {
     Fractal parent = *triangle();
-    const auto locked = systemOf(parent).maps[1];
+    const auto locked = crossedSystem(parent).maps[1];
     parent.mapLabels.set(locked.id, {{}, true});
     const document::Variations variations(pointer(parent), {0.8, {true, true, true}, fern()});
     for (std::uint64_t seed = 1; seed <= 20; ++seed)
-        QCOMPARE(std::ranges::count(systemOf(variations.of(seed)).maps, locked), 1);
+        QCOMPARE(std::ranges::count(crossedSystem(variations.of(seed)).maps, locked), 1);
 }
 
 void CrossingTest::symmetryComesFromEither() {
@@ -180,7 +180,7 @@ void CrossingTest::symmetryComesFromEither() {
     for (std::uint64_t seed = 1; seed <= 40; ++seed) {
         document::Chance chance(seed);
         const Fractal child = crossing.child({}, chance);
-        symmetric += systemOf(child).symmetry.group == ifs::SymmetryGroup::Rotation ? 1 : 0;
+        symmetric += crossedSystem(child).symmetry.group == ifs::SymmetryGroup::Rotation ? 1 : 0;
     }
     QVERIFY(symmetric > 10 && symmetric < 30);
 }

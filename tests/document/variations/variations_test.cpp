@@ -54,7 +54,7 @@ double distance(const ifs::IteratedFunctionSystem<Dim>& a, const ifs::IteratedFu
     return sum;
 }
 
-const document::System2& systemOf(const document::Fractal& fractal) {
+const document::System2& varied(const document::Fractal& fractal) {
     return *document::system2(fractal);
 }
 
@@ -106,8 +106,8 @@ void VariationsTest::strengthIsDistance() {
     const document::Fractal fractal = document::sierpinskiTriangle(), solid = tetrahedron();
     double near = 0, far = 0, nearInSpace = 0, farInSpace = 0;
     for (std::uint64_t seed = 1; seed <= 10; ++seed) {
-        near += distance(systemOf(varied(fractal, 0.05, seed)), systemOf(fractal));
-        far += distance(systemOf(varied(fractal, 0.9, seed)), systemOf(fractal));
+        near += distance(varied(varied(fractal, 0.05, seed)), varied(fractal));
+        far += distance(varied(varied(fractal, 0.9, seed)), varied(fractal));
         nearInSpace += distance(*document::system3(varied(solid, 0.05, seed)), *document::system3(solid));
         farInSpace += distance(*document::system3(varied(solid, 0.9, seed)), *document::system3(solid));
     }
@@ -139,12 +139,12 @@ void VariationsTest::onlyWhatMayChangeChanges() {
         QVERIFY(colours.appearance.background == fractal.appearance.background);
         document::Fractal weights = document::variation(fractal, mutation(0.5, {false, false, true}), seed);
         QVERIFY(weights.appearance == fractal.appearance);
-        QCOMPARE(distance(systemOf(weights), systemOf(fractal)), 0.0);
+        QCOMPARE(distance(varied(weights), varied(fractal)), 0.0);
         reweighted += document::isSameSystem(weights, fractal) ? 0 : 1;
-        QVERIFY(std::abs(sumOfWeights(systemOf(weights)) - 1) < 1e-12);
+        QVERIFY(std::abs(sumOfWeights(varied(weights)) - 1) < 1e-12);
         const document::Fractal shape =
             document::variation(fractal, mutation(0.2, {true, false, false}), seed);
-        for (const auto& map : systemOf(shape).maps)
+        for (const auto& map : varied(shape).maps)
             QCOMPARE(map.weight.value(), 1.0 / 3);
         QVERIFY(document::variation(fractal, mutation(1, {false, false, false}), seed) == fractal);
     }
@@ -168,7 +168,7 @@ void VariationsTest::weightsFollowTheMaps() {
     document::system2(fractal)->maps[2].weight = 0.1;
     int favoured = 0;
     for (std::uint64_t seed = 1; seed <= 20; ++seed) {
-        const document::System2 child = systemOf(varied(fractal, 0.15, seed));
+        const document::System2 child = varied(varied(fractal, 0.15, seed));
         if (child.maps.size() < 3) continue;
         favoured += child.maps[0].weight > 2 * child.maps[1].weight.value() ? 1 : 0;
         QVERIFY(std::abs(sumOfWeights(child) - 1) < 1e-12);
@@ -178,15 +178,15 @@ void VariationsTest::weightsFollowTheMaps() {
 
 void VariationsTest::lockedMapsStay() {
     document::Fractal fractal = document::sierpinskiTriangle();
-    const ifs::MapId locked = systemOf(fractal).maps[1].id;
+    const ifs::MapId locked = varied(fractal).maps[1].id;
     fractal.mapLabels.set(locked, {QStringLiteral("stem"), true});
     document::system2(fractal)->maps[2].enabled = false;
     for (std::uint64_t seed = 1; seed <= 20; ++seed) {
         const document::Fractal child = varied(fractal, 0.9, seed);
         QVERIFY(child.mapLabels == fractal.mapLabels);
         for (const std::size_t index : {std::size_t{1}, std::size_t{2}}) {
-            const auto& maps = systemOf(child).maps;
-            QVERIFY(std::ranges::count(maps, systemOf(fractal).maps[index]) == 1);
+            const auto& maps = varied(child).maps;
+            QVERIFY(std::ranges::count(maps, varied(fractal).maps[index]) == 1);
         }
     }
 }
@@ -195,8 +195,8 @@ void VariationsTest::symmetryStays() {
     document::Fractal fractal = document::sierpinskiTriangle();
     document::system2(fractal)->symmetry.group = ifs::SymmetryGroup::Rotation;
     document::system2(fractal)->symmetry.order = 3;
-    const document::System2 child = systemOf(varied(fractal, 0.5, 2));
-    QVERIFY(child.symmetry == systemOf(fractal).symmetry);
+    const document::System2 child = varied(varied(fractal, 0.5, 2));
+    QVERIFY(child.symmetry == varied(fractal).symmetry);
 }
 
 void VariationsTest::whatHasNoAttractorGetsOne() {

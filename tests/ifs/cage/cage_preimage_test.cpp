@@ -10,7 +10,7 @@ using namespace ifs;
 
 namespace {
 
-std::vector<Vector<3>> cube() {
+std::vector<Vector<3>> unitCube() {
     std::vector<Vector<3>> corners;
     for (int k = 0; k < 8; ++k)
         corners.emplace_back(k & 1, k >> 1 & 1, k >> 2);
@@ -18,7 +18,7 @@ std::vector<Vector<3>> cube() {
 }
 
 CageDeformation bent() {
-    const auto rest = cube();
+    const auto rest = unitCube();
     auto current = rest;
     current[7] += Vector<3>(0.5, 0.3, -0.2);
     current[2] += Vector<3>(-0.2, 0.1, 0.3);
@@ -54,11 +54,11 @@ private slots:
 
     // All of the cage lies in a plane: nothing is displayed in front of it.
     void aFlatCageHasNone() {
-        auto flat = cube();
+        auto flat = unitCube();
         for (Vector<3>& vertex : flat)
             vertex.z() = 0;
         flat[7] += Vector<3>(0.5, 0, 0);
-        QVERIFY(!preimage(CageDeformation(cube(), flat), {0.5, 0.5, 1}, Vector<3>::Constant(0.5)));
+        QVERIFY(!preimage(CageDeformation(unitCube(), flat), {0.5, 0.5, 1}, Vector<3>::Constant(0.5)));
     }
 };
 

@@ -30,7 +30,7 @@ Points octahedron() {
     return corners;
 }
 
-double difference(const std::vector<double>& a, const std::vector<double>& b) {
+double largestDifference(const std::vector<double>& a, const std::vector<double>& b) {
     double most = a.size() == b.size() ? 0 : 1;
     for (std::size_t k = 0; k < std::min(a.size(), b.size()); ++k)
         most = std::max(most, std::abs(a[k] - b[k]));
@@ -86,15 +86,16 @@ private slots:
     // The paper's numbers for the octahedron, and an eighth for every corner of a cube at its centre.
     void oracles() {
         const CageDeformation octa(octahedron(), octahedron());
-        QVERIFY(difference(octa.coordinates({.1, .2, .3}),
-                           {0.186524520073729, 0.086524520073729, 0.263924386724053, 0.063924386724052,
-                            0.349551093202218, 0.049551093202219}) < 1e-14);
-        QVERIFY(difference(octa.coordinates(Vector<3>::Zero()), std::vector<double>(6, 1.0 / 6)) < 1e-15);
+        QVERIFY(largestDifference(octa.coordinates({.1, .2, .3}),
+                                  {0.186524520073729, 0.086524520073729, 0.263924386724053, 0.063924386724052,
+                                   0.349551093202218, 0.049551093202219}) < 1e-14);
+        QVERIFY(largestDifference(octa.coordinates(Vector<3>::Zero()), std::vector<double>(6, 1.0 / 6)) <
+                1e-15);
         const CageDeformation box(cube(), cube());
-        QVERIFY(difference(box.coordinates({.5, .5, .5}), std::vector<double>(8, 0.125)) < 1e-15);
+        QVERIFY(largestDifference(box.coordinates({.5, .5, .5}), std::vector<double>(8, 0.125)) < 1e-15);
         const Points tetrahedron{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
         const CageDeformation simplex(tetrahedron, tetrahedron);
-        QVERIFY(difference(simplex.coordinates({.2, .3, .1}), {.4, .2, .3, .1}) < 1e-14);
+        QVERIFY(largestDifference(simplex.coordinates({.2, .3, .1}), {.4, .2, .3, .1}) < 1e-14);
     }
 
     void coordinatesReproducePointsAndCorners() {
@@ -123,7 +124,7 @@ private slots:
             for (std::size_t j = 0; j < corners.size(); ++j) {
                 std::vector<double> one(corners.size());
                 one[j] = 1;
-                QVERIFY(difference(cage.coordinates(corners[j]), one) < 1e-12);
+                QVERIFY(largestDifference(cage.coordinates(corners[j]), one) < 1e-12);
             }
         }
     }

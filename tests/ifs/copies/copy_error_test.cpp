@@ -11,7 +11,7 @@ using namespace ifs;
 namespace {
 
 // Of the Sierpiński triangle, in pixels: whole, and three half as large copies a level.
-CopyExpansion triangle(int depth) {
+CopyExpansion copiesOfTriangle(int depth) {
     CopyExpansion expansion;
     expansion.diameter = 2;
     expansion.area = 3;
@@ -35,7 +35,7 @@ private slots:
     // By hand: sizes are 200·2⁻ᵏ, areas 3·(3/4)ᵏ·10⁴, and shifts 1 + 25·(1 + 1/2 + … ) by k steps.
     void sumsOverTheTriangle() {
         for (int depth = 0; depth < 6; ++depth) {
-            const CopyDeviation found = deviation(triangle(depth), 10'000);
+            const CopyDeviation found = deviation(copiesOfTriangle(depth), 10'000);
             const double size = 200 * std::pow(.5, depth);
             QCOMPARE(found.largest, size);
             QCOMPARE(found.area, 3e4 * std::pow(.75, depth));
@@ -45,27 +45,27 @@ private slots:
     }
 
     void fibresCountAsFarAsTheyAreDrawn() {
-        CopyExpansion expansion = triangle(2);
+        CopyExpansion expansion = copiesOfTriangle(2);
         expansion.fibre = {0, 4};
         const CopyDeviation found = deviation(expansion, 100);
-        QCOMPARE(found.error, deviation(triangle(2), 100).error + 100);
+        QCOMPARE(found.error, deviation(copiesOfTriangle(2), 100).error + 100);
         QCOMPARE(found.largest, 50.);
     }
 
     // The size says how large a copy is, the excess how far it goes beyond what it should show.
     void excessBoundsTheError() {
-        CopyExpansion expansion = triangle(2);
+        CopyExpansion expansion = copiesOfTriangle(2);
         expansion.excess = 0.5;
         CopyDeviation found = deviation(expansion, 100);
         QCOMPARE(found.largest, 50.);
         QCOMPARE(found.error, 25 * 0.5 + 1 + 25 + 12.5);
         expansion.excess = 7;
-        QCOMPARE(deviation(expansion, 100).error, deviation(triangle(2), 100).error);
+        QCOMPARE(deviation(expansion, 100).error, deviation(copiesOfTriangle(2), 100).error);
     }
 
     // Of all that is drawn the worst, by the errors of the copies that it is inside of.
     void whatIsMissingIsSummedAlongWords() {
-        CopyExpansion expansion = triangle(2);
+        CopyExpansion expansion = copiesOfTriangle(2);
         expansion.picture.front().missing = 3;
         for (auto& level : expansion.copies)
             for (CopyStep& step : level)
@@ -78,20 +78,20 @@ private slots:
 
     // It says by itself how far it is off, at every level, and nothing is below it.
     void projectionsAreLeaves() {
-        CopyExpansion expansion = triangle(1);
+        CopyExpansion expansion = copiesOfTriangle(1);
         expansion.picture.push_back({7 * Matrix<2>::Identity(), 1, true, 500});
         const CopyDeviation found = deviation(expansion, 100);
         QCOMPARE(found.error, 500.);
         QCOMPARE(found.largest, 100.);
-        QCOMPARE(found.area, deviation(triangle(1), 100).area);
+        QCOMPARE(found.area, deviation(copiesOfTriangle(1), 100).area);
     }
 
     // 1 + 3 + 9 copies are gone through at depth 2.
     void tooManyHaveNoBound() {
-        QVERIFY(std::isfinite(deviation(triangle(2), 13).error));
-        QVERIFY(std::isinf(deviation(triangle(2), 11).error));
-        QVERIFY(std::isinf(deviation(triangle(2), 11).largest));
-        QVERIFY(std::isinf(deviation(triangle(199), 100'000).error));
+        QVERIFY(std::isfinite(deviation(copiesOfTriangle(2), 13).error));
+        QVERIFY(std::isinf(deviation(copiesOfTriangle(2), 11).error));
+        QVERIFY(std::isinf(deviation(copiesOfTriangle(2), 11).largest));
+        QVERIFY(std::isinf(deviation(copiesOfTriangle(199), 100'000).error));
     }
 
     void insideComposes() {

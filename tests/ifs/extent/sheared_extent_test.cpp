@@ -131,7 +131,7 @@ QString enclosureFault(const std::vector<AffineMap<Dim>>& maps, double maxError,
     return {};
 }
 
-template <int Dim> void randomSystems(double shear) {
+template <int Dim> void randomShears(double shear) {
     Random random(std::uint64_t(100 * Dim + shear));
     const double checkRounding = 1e-16 * std::pow(shear, 4); // of long doubles, times the condition squared
     for (int n = 0; n < 20; ++n) {
@@ -183,12 +183,12 @@ private slots:
     void inThePlane_data() { addShears(); }
     void inThePlane() {
         QFETCH(double, shear);
-        randomSystems<2>(shear);
+        randomShears<2>(shear);
     }
     void inSpace_data() { addShears(); }
     void inSpace() {
         QFETCH(double, shear);
-        randomSystems<3>(shear);
+        randomShears<3>(shear);
     }
 
     void triangularMaps() {

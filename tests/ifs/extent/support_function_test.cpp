@@ -14,7 +14,7 @@ using namespace canonical;
 namespace {
 
 using support::near;
-template <int Dim> SupportFunction<Dim> supportOf(const std::vector<AffineMap<Dim>>& maps) {
+template <int Dim> SupportFunction<Dim> functionOf(const std::vector<AffineMap<Dim>>& maps) {
     return *SupportFunction<Dim>::of(maps);
 }
 template <int Dim> Vector<Dim> randomDirection(Random& random) {
@@ -27,7 +27,7 @@ Vector<2> atDegrees(double degrees) {
 
 // h(u) against numbers certified to 1e-13 and better, in 16 directions.
 void compare(const Maps2& maps, const double (&axesAndDiagonals)[8], const double (&between)[8]) {
-    const auto h = supportOf<2>(maps);
+    const auto h = functionOf<2>(maps);
     const Vector<2> directions[] = {{1, 0}, {-1, 0}, {0, 1}, {0, -1}, {1, 1}, {-1, 1}, {1, -1}, {-1, -1}};
     for (std::size_t k = 0; k < 8; ++k) {
         const auto straight = h(directions[k]);
@@ -39,7 +39,7 @@ void compare(const Maps2& maps, const double (&axesAndDiagonals)[8], const doubl
 
 // Everything that must hold of any h_A, for random systems.
 template <int Dim> void properties(const std::vector<AffineMap<Dim>>& maps, Random& random) {
-    const auto h = supportOf<Dim>(maps);
+    const auto h = functionOf<Dim>(maps);
     const Vector<Dim> u = randomDirection<Dim>(random), v = randomDirection<Dim>(random);
     const double size = h.centre().norm() + h.radius();
     const auto hu = h(u), hv = h(v);
@@ -63,7 +63,7 @@ template <int Dim> void properties(const std::vector<AffineMap<Dim>>& maps, Rand
     QVERIFY((x - hu.point).norm() <= 1e-12 * size);
 
     const AffineMap<Dim> t{randomWellConditioned<Dim>(random, 5), randomVector<Dim>(random, 3)};
-    const auto image = supportOf<Dim>(mapsOf(*conjugate(t, canonical::system<Dim>(maps))));
+    const auto image = functionOf<Dim>(mapsOf(*conjugate(t, canonical::system<Dim>(maps))));
     QVERIFY(near(image(u).value, u.dot(t.translation) + h(t.linear.transpose() * u).value, 1e-11 * size));
 
     const double coarse = 0.01 * size;
@@ -74,7 +74,7 @@ template <int Dim> void properties(const std::vector<AffineMap<Dim>>& maps, Rand
     QVERIFY(limited.value <= hu.value + hu.error && hu.value <= limited.value + limited.error);
 }
 
-template <int Dim> void randomSystems(int count) {
+template <int Dim> void randomSupports(int count) {
     Random random(Dim);
     for (int n = 0; n < count; ++n)
         properties<Dim>(randomContractions<Dim>(random, 1 + int(random() % 5)), random);
@@ -93,7 +93,7 @@ template <int Dim> void badSystems() {
         const auto h = SupportFunction<Dim>::of(maps);
         QVERIFY(!h || std::isfinite((*h)(Vector<Dim>::Unit(0)).value));
     }
-    const auto h = supportOf<Dim>({AffineMap<Dim>{Matrix<Dim>::Zero(), Vector<Dim>::Ones()}});
+    const auto h = functionOf<Dim>({AffineMap<Dim>{Matrix<Dim>::Zero(), Vector<Dim>::Ones()}});
     QCOMPARE(h(Vector<Dim>::Zero()).value, 0.0);
     QCOMPARE(h(Vector<Dim>::Unit(0)).value, 1.0);
     QCOMPARE(h(Vector<Dim>::Constant(quietNaN)).value, 0.0);
@@ -133,7 +133,7 @@ private slots:
     }
 
     void fernInSpaceValues() {
-        const auto h = supportOf<3>(fern3());
+        const auto h = functionOf<3>(fern3());
         for (const double x : {1.0, -1.0}) {
             QVERIFY(near(h({x, 1, 1}).value, 5.202760360089555, 1e-13));
             QVERIFY(near(h({x, 1, -1}).value, 12.643521945871724, 1e-13));
@@ -144,7 +144,7 @@ private slots:
 
     // FLOWER's topmost point is not the periodic one its address seems to have for 45 symbols.
     void longDeviation() {
-        const auto top = supportOf<2>(flower())({0, 1});
+        const auto top = functionOf<2>(flower())({0, 1});
         QVERIFY(top.value > 3.927309785124383 + 2e-13);
         for (std::size_t k = 0; k < 45; ++k)
             QCOMPARE(top.address[k], k % 2 == 0 ? 1 : 0);
@@ -153,13 +153,13 @@ private slots:
     // Rotations of finite order tie exponentially; merging equal states keeps the search small.
     void equalStatesAreMerged() {
         constexpr int fewNodes = 5000;
-        const auto levyRight = supportOf<2>(levy())({1, 0}, 0, fewNodes);
+        const auto levyRight = functionOf<2>(levy())({1, 0}, 0, fewNodes);
         QVERIFY(near(levyRight.value, 1.5, 1e-14) && levyRight.error <= 1e-11);
-        const auto heighwayTop = supportOf<2>(heighway())({0, 1}, 0, fewNodes);
+        const auto heighwayTop = functionOf<2>(heighway())({0, 1}, 0, fewNodes);
         QVERIFY(near(heighwayTop.value, 2.0 / 3, 1e-14) && heighwayTop.error <= 1e-11);
-        const auto twinRight = supportOf<2>(twin())({1, 0}, 0, fewNodes);
+        const auto twinRight = functionOf<2>(twin())({1, 0}, 0, fewNodes);
         QVERIFY(near(twinRight.value, 4.0 / 3, 1e-14) && twinRight.error <= 1e-11);
-        const auto cubeCorner = supportOf<3>(cube())({1, 1, 1}, 0, fewNodes);
+        const auto cubeCorner = functionOf<3>(cube())({1, 1, 1}, 0, fewNodes);
         QVERIFY(near(cubeCorner.value, 3, 1e-14) && cubeCorner.error <= 1e-11);
     }
 
@@ -168,22 +168,22 @@ private slots:
         for (int n = 0; n < 50; ++n)
             properties<2>(eventual(), random);
     }
-    void randomPlaneSystems() { randomSystems<2>(1000); }
-    void randomSpaceSystems() { randomSystems<3>(300); }
+    void randomPlaneSystems() { randomSupports<2>(1000); }
+    void randomSpaceSystems() { randomSupports<3>(300); }
 
     void slowContractions() {
         const Maps2 spiral{similarity(0.999, 0.1, 1, 0), similarity(0.2, 1, 3, 3)};
-        const auto value = supportOf<2>(spiral)({1, 0});
+        const auto value = functionOf<2>(spiral)({1, 0});
         QVERIFY(value.error < 1e-10);
         const Maps2 slower{similarity(1 - 1e-9, 0.1, 1, 0), similarity(0.2, 1, 3, 3)};
-        const auto rough = supportOf<2>(slower)({1, 0}, 0, 10'000);
+        const auto rough = functionOf<2>(slower)({1, 0}, 0, 10'000);
         QVERIFY(std::isfinite(rough.value) && rough.error >= 0);
     }
 
     void manyMaps() {
         Random random(4);
         const auto maps = randomContractions<2>(random, 10'000, 0.05);
-        const auto h = supportOf<2>(maps);
+        const auto h = functionOf<2>(maps);
         const auto value = h({1, 0}, 1e-9);
         for (const auto& x : orbit<2>(maps, 100'000, random))
             QVERIFY(x.x() <= value.value + value.error);
@@ -194,7 +194,7 @@ private slots:
         Random random(9);
         for (const int count : {257, 1000}) {
             auto maps = randomContractions<2>(random, count, 0.1);
-            const auto outer = supportOf<2>(maps).mapsToTheHull();
+            const auto outer = functionOf<2>(maps).mapsToTheHull();
             QVERIFY(!outer.empty() && outer.size() < maps.size() / 2);
             properties<2>(maps, random);
             maps.push_back(affineMap(.9, 0, 0, .9, 0, 0)); // reaches beyond the hull of its own fixed point
@@ -213,7 +213,7 @@ private slots:
             Maps2 maps;
             for (int i = 0; i < side * side; ++i)
                 maps.push_back({Matrix<2>::Identity() / 2, Vector<2>(i % side, i / side) / (2 * (side - 1))});
-            const auto square = supportOf<2>(maps); // of side 1
+            const auto square = functionOf<2>(maps); // of side 1
             QVERIFY(square.mapsToTheHull().size() <= std::size_t(std::max(256, 5 * side)));
             for (const auto& u : {Vector<2>(1, 0), Vector<2>(-1, 0), Vector<2>(0.6, 0.8)}) {
                 const auto value = square(u, 1e-9);
@@ -224,7 +224,7 @@ private slots:
         }
         for (const int count : {1000, 20'000}) {
             const auto maps = randomContractions<2>(random, count, 0.6);
-            const auto h = supportOf<2>(maps);
+            const auto h = functionOf<2>(maps);
             QVERIFY(h.mapsToTheHull().size() < 300);
             for (const auto& u : {Vector<2>(1, 0), Vector<2>(-0.6, 0.8)}) {
                 const auto value = h(u, 1e-9 * h.radius());
@@ -239,7 +239,7 @@ private slots:
 
     void equalMaps() {
         const Maps2 maps(50, affineMap(.5, .1, -.2, .4, 1, 1));
-        const auto h = supportOf<2>(maps);
+        const auto h = functionOf<2>(maps);
         const Vector<2> point = *fixedPoint(maps[0]);
         QVERIFY(near(h({1, 0}, 0, 1000).value, point.x(), 1e-14));
         QVERIFY(h({1, 0}, 0, 1000).error < 1e-11);
@@ -251,14 +251,14 @@ private slots:
         shift.translation << 1e9, -1e9;
         for (auto& map : maps)
             map = *conjugate(shift, map);
-        const auto value = supportOf<2>(maps)({1, 0});
+        const auto value = functionOf<2>(maps)({1, 0});
         QVERIFY(near(value.value, 1e9 + 3.34421444954055796920, value.error + 1e-6));
         QVERIFY(value.error < 1e-4);
     }
 
     // A point is found without a symbol, and no rounding of symbols is charged for it.
     void aPointCostsNoSymbols() {
-        const auto h = supportOf<2>({affineMap(.5, 0, 0, .5, 1e6, 2e6)});
+        const auto h = functionOf<2>({affineMap(.5, 0, 0, .5, 1e6, 2e6)});
         const auto value = h({1, 0});
         QVERIFY(value.error < h.roundingError(1) && h.roundingError(0) < h.roundingError(1));
         QVERIFY(near(value.value, 2e6, value.error));

@@ -31,7 +31,7 @@ template <int Dim> Simplex<Dim> randomSimplex(Random& random) {
     return simplex;
 }
 
-template <int Dim> void properties() {
+template <int Dim> void ofAifs() {
     Random random(Dim);
     for (int n = 0; n < 200; ++n) {
         const auto simplex = randomSimplex<Dim>(random), other = randomSimplex<Dim>(random);
@@ -119,8 +119,8 @@ private slots:
         }
     }
 
-    void planeProperties() { properties<2>(); }
-    void spaceProperties() { properties<3>(); }
+    void planeProperties() { ofAifs<2>(); }
+    void spaceProperties() { ofAifs<3>(); }
 };
 
 BARYCAGE_TEST(AifsTest);

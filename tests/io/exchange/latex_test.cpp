@@ -15,7 +15,7 @@
 
 namespace {
 
-QByteArray text(const document::Fractal& fractal) {
+QByteArray latexOf(const document::Fractal& fractal) {
     return io::writeLatex({std::make_shared<const document::Fractal>(fractal)});
 }
 
@@ -37,7 +37,7 @@ class LatexTest : public QObject {
 
 private slots:
     void formulasAreExact() {
-        const QByteArray tex = text(document::sierpinskiTriangle());
+        const QByteArray tex = latexOf(document::sierpinskiTriangle());
         QVERIFY(tex.contains("\\begin{align*}"));
         QVERIFY(tex.contains("w_{1}(x) &= \\begin{pmatrix} 0.5 & 0 \\\\ 0 & 0.5 \\end{pmatrix} x + "));
         QCOMPARE(tex.count("\\begin{pmatrix}"), 6);
@@ -47,7 +47,7 @@ private slots:
     void everyEnvironmentIsClosedAndBracesMatch() {
         document::Fractal fractal = document::sierpinskiTriangle();
         fractal.name = QStringLiteral("50% of {a_b\n} \\ $x$"); // in a comment
-        for (QByteArray tex : {text(fractal), text(inSpace())}) {
+        for (QByteArray tex : {latexOf(fractal), latexOf(inSpace())}) {
             QVERIFY(tex.startsWith("% "));
             tex = tex.sliced(tex.indexOf('\n'));
             int depth = 0;
@@ -75,7 +75,7 @@ private slots:
     }
 
     void smallNumbersAreSetAsPowers() {
-        const QByteArray tex = text(inSpace());
+        const QByteArray tex = latexOf(inSpace());
         QVERIFY(tex.contains("& 10^{-7} \\end{pmatrix}"));
         QVERIFY(!tex.contains("e-"));
         QVERIFY(!tex.contains("tikzpicture")); // a figure lies in the plane
@@ -83,7 +83,7 @@ private slots:
 
     // The longer side of everything drawn is eight centimetres.
     void theFigureFillsItsSquare() {
-        const QString tex = QString::fromUtf8(text(document::sierpinskiTriangle()));
+        const QString tex = QString::fromUtf8(latexOf(document::sierpinskiTriangle()));
         QCOMPARE(tex.count(QStringLiteral("\\draw")), 4);
         double high = 0;
         auto found = QRegularExpression(QStringLiteral(R"(\((-?[\d.]+),(-?[\d.]+)\) --)")).globalMatch(tex);
@@ -104,7 +104,7 @@ private slots:
         QCOMPARE(tex.count("circle[radius=2pt]"), 3);
         for (int i = 1; i <= 3; ++i)
             QVERIFY(tex.contains("{$" + QByteArray::number(i) + "$};"));
-        QVERIFY(text(document::sierpinskiTriangle()).contains(tex));
+        QVERIFY(latexOf(document::sierpinskiTriangle()).contains(tex));
         QVERIFY(io::tikzFigure(inSpace()).isEmpty());
     }
 
@@ -186,7 +186,7 @@ private slots:
             tex.contains("\\begin{pmatrix} 0 & \\frac{\\sqrt{3}}{6} \\\\ \\frac{1}{3} & 0 \\end{pmatrix}"),
             tex.constData());
         QVERIFY(!tex.contains("rounded"));
-        QVERIFY(text(fractal).contains("0.3333333333333333"));
+        QVERIFY(latexOf(fractal).contains("0.3333333333333333"));
         document::plane(fractal)->system.maps[0].map.translation.x() = std::exp(1.0);
         for (const QByteArray& copied : {io::latexMatrices(fractal), io::latexTable(fractal)})
             QVERIFY(copied.startsWith("% rounded") && copied.contains("2.71828") &&
@@ -210,7 +210,7 @@ private slots:
     void mapsThatAreOffAreLeftOut() {
         document::Fractal fractal = document::sierpinskiTriangle();
         document::plane(fractal)->system.maps[1].enabled = false;
-        const QByteArray tex = text(fractal);
+        const QByteArray tex = latexOf(fractal);
         QVERIFY(tex.contains("w_{1}") && !tex.contains("w_{2}") && tex.contains("w_{3}"));
     }
 

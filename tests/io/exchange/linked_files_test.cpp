@@ -21,7 +21,7 @@ std::shared_ptr<const Fractal> fractalOf(const document::System2& system) {
     return std::make_shared<const Fractal>(fractal);
 }
 
-QByteArray text(const Fractal& fractal, io::TextFormat format) {
+QByteArray textOf(const Fractal& fractal, io::TextFormat format) {
     return io::textOf({std::make_shared<const Fractal>(fractal)}, format);
 }
 
@@ -46,7 +46,7 @@ private slots:
         ifs::setLink(golden, {ifs::MapId{1}, ifs::MapId{2}, 1.0 / 3});
         for (const auto& system : {golden, linked_systems::threeOnALine(), linked_systems::rauzy(),
                                    linked_systems::dragonBoundary()}) {
-            const QByteArray bytes = text(*fractalOf(system), io::TextFormat::Fractint);
+            const QByteArray bytes = textOf(*fractalOf(system), io::TextFormat::Fractint);
             const auto file = io::readFractint(bytes);
             for (const auto& problem :
                  file.entries.first().problems) // of the weights, which sum to more than 1
@@ -55,7 +55,7 @@ private slots:
             for (const QByteArray& line : bytes.split('\n'))
                 QVERIFY(!line.startsWith("; barycage:") || line.size() < 70);
         }
-        QVERIFY(text(*fractalOf(golden), io::TextFormat::Fractint)
+        QVERIFY(textOf(*fractalOf(golden), io::TextFormat::Fractint)
                     .contains("; barycage: links 1 1 0.3333333333333333\n"));
     }
 
@@ -63,7 +63,7 @@ private slots:
         auto system = linked_systems::threeOnALine();
         system.maps[0].weight = 7;
         ifs::setLinks(system, std::vector<double>{1, 1, 0, 0, 0, 0, 1, 0, 0}); // 2 ends, 3 is unreached
-        const auto back = systemIn(io::readFractint(text(*fractalOf(system), io::TextFormat::Fractint)));
+        const auto back = systemIn(io::readFractint(textOf(*fractalOf(system), io::TextFormat::Fractint)));
         for (std::size_t i = 0; i < 3; ++i)
             QCOMPARE(back.maps[i].weight, system.maps[i].weight);
     }

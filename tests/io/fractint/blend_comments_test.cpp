@@ -37,7 +37,7 @@ Fractal inSpace() {
     return fractal;
 }
 
-Fractal readBack(const QByteArray& text) {
+Fractal blendReadBack(const QByteArray& text) {
     const document::FractalFile file = io::readFractint(text);
     return file.entries.isEmpty() ? Fractal() : *file.entries.first().fractal;
 }
@@ -62,7 +62,7 @@ private slots:
         QVERIFY2(text.contains("; barycage: colour-by blend\n"), text.constData());
         QVERIFY2(text.contains("; barycage: map-blend 1 0.25 1\n; barycage: map-blend 3 1 0.1\n"),
                  text.constData());
-        QVERIFY(readBack(text).appearance == io::asStored(fractal).appearance);
+        QVERIFY(blendReadBack(text).appearance == io::asStored(fractal).appearance);
         QVERIFY(!io::lossOf(io::TextFormat::Fractint, fractal));
         QVERIFY(io::lossOf(io::TextFormat::Csv, fractal));
     }
@@ -79,7 +79,7 @@ private slots:
             const QByteArray text = io::writeEntry(fractal);
             for (const QByteArray& line : text.split('\n'))
                 QVERIFY2(line.size() < 70, line.constData());
-            const Fractal back = readBack(text);
+            const Fractal back = blendReadBack(text);
             QVERIFY(back.appearance == io::asStored(fractal).appearance);
             QCOMPARE(io::writeEntry(back), text);
         }
@@ -90,7 +90,7 @@ private slots:
         fractal.appearance.mapBlends[document::system3(fractal)->maps[1].id] = {0.5, 0};
         const QByteArray text = io::writeEntry(fractal);
         QVERIFY2(text.contains("; barycage: map-blend 2 0.5 0\n"), text.constData());
-        QVERIFY(readBack(text).appearance == io::asStored(fractal).appearance);
+        QVERIFY(blendReadBack(text).appearance == io::asStored(fractal).appearance);
     }
 
     // What is not understood stays as it is; nothing of it is applied.
@@ -107,9 +107,10 @@ private slots:
             QVERIFY2(io::writeFractint(file).contains(line.trimmed()), wrong);
         }
         // A map that is not there says nothing, and a second blend of a map does not count.
-        const Fractal read = readBack("fern {\n ; barycage: map-blend 9 0.5 0.5\n"
-                                      " ; barycage: map-blend 1 0.25 0.75\n ; barycage: map-blend 1 0 0\n"
-                                      " .5 0 0 .5 0 0 1\n}\n");
+        const Fractal read =
+            blendReadBack("fern {\n ; barycage: map-blend 9 0.5 0.5\n"
+                          " ; barycage: map-blend 1 0.25 0.75\n ; barycage: map-blend 1 0 0\n"
+                          " .5 0 0 .5 0 0 1\n}\n");
         const MapBlend* blend = read.appearance.mapBlends.find(idAt(read, 0));
         QVERIFY(blend != nullptr && (*blend == MapBlend{0.25, 0.75}));
     }

@@ -21,7 +21,7 @@ QString corpus() {
     return qEnvironmentVariable("BARYCAGE_CORPUS");
 }
 
-QByteArray contents(const QString& path) {
+QByteArray contentsOf(const QString& path) {
     QFile file(path);
     return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
 }
@@ -80,7 +80,7 @@ private slots:
     void everyFileKeepsItsBytes() {
         int files = 0;
         for (const QString& path : filesIn(corpus())) {
-            const QByteArray bytes = contents(path);
+            const QByteArray bytes = contentsOf(path);
             const FractalFile file = io::readFractint(bytes);
             QVERIFY2(support::joined(file) == bytes, qPrintable(path));
             QVERIFY2(io::writeFractint(file) == bytes, qPrintable(path));
@@ -94,13 +94,13 @@ private slots:
         // Tokens on which readers disagree are refused: 5D-1 and 1/3.
         const QStringList refused{QStringLiteral("44_fortran_d.ifs"), QStringLiteral("46_fraction.ifs")};
         const QList<QByteArray> lines =
-            contents(corpus() + QStringLiteral("/edge/expected.tsv")).split('\n').mid(1);
+            contentsOf(corpus() + QStringLiteral("/edge/expected.tsv")).split('\n').mid(1);
         int compared = 0;
         for (const QByteArray& line : lines) {
             const QStringList cells = QString::fromUtf8(line).split(QLatin1Char('\t'));
             if (cells.size() < 3) continue;
             const FractalFile file =
-                io::readFractint(contents(corpus() + QStringLiteral("/edge/") + cells[0]));
+                io::readFractint(contentsOf(corpus() + QStringLiteral("/edge/") + cells[0]));
             if (refused.contains(cells[0])) {
                 QCOMPARE(document::dimension(*file.entries.value(0).fractal), 0);
                 continue;
@@ -121,7 +121,7 @@ private slots:
             if (path.contains(QStringLiteral("/alien/")) ||
                 !path.endsWith(QStringLiteral(".ifs"), Qt::CaseInsensitive))
                 continue;
-            const FractalFile file = io::readFractint(contents(path));
+            const FractalFile file = io::readFractint(contentsOf(path));
             QVERIFY2(!file.entries.isEmpty(), qPrintable(path));
             for (const auto& entry : file.entries) {
                 ++entries;
@@ -143,7 +143,7 @@ private slots:
 
     void unrelatedFormatsAreNamed() {
         for (const QString& path : filesIn(corpus() + QStringLiteral("/real/alien"))) {
-            const FractalFile file = io::readFractint(contents(path));
+            const FractalFile file = io::readFractint(contentsOf(path));
             QVERIFY2(file.entries.isEmpty(), qPrintable(path));
             QCOMPARE(file.problems.size(), 1);
             QCOMPARE(file.problems[0].severity, Problem::Severity::Error);

@@ -18,7 +18,7 @@ EntrySource sourceOf(const QByteArray& text) {
     return *io::readFractint(text).entries.first().source;
 }
 
-ifs::WeightedMap<2>& map(Fractal& fractal, std::size_t i) {
+ifs::WeightedMap<2>& mapOf(Fractal& fractal, std::size_t i) {
     return document::system2(fractal)->maps[i];
 }
 
@@ -28,9 +28,9 @@ constexpr auto solid =
     "a (3D) {\n .5 0 0  0 .5 0  0 0 .5  0 0 0  .5 ; left\n .5 0 0  0 .5 0  0 0 .5  1 0 0  .5\n}\n";
 
 // So that every number of the map needs 17 digits.
-void makeLong(ifs::WeightedMap<3>& map) {
-    map.map.linear.fill(-1.0 / 3e-5);
-    map.map.translation.fill(-1.0 / 3e-6);
+void makeLong(ifs::WeightedMap<3>& mapOf) {
+    mapOf.map.linear.fill(-1.0 / 3e-5);
+    mapOf.map.translation.fill(-1.0 / 3e-6);
 }
 
 // The text as it is read again: without a remark, and what was written.
@@ -83,11 +83,11 @@ void FractintEditTest::edits_data() {
     const auto row = [](const char* name, const QByteArray& before, const Change& change,
                         const QByteArray& after) { QTest::newRow(name) << before << change << after; };
     const QByteArray two = "a { ; head\n\t.50 0 0 +.5  0 0 .25 ; left\n\t.5 0 0 .5 1 0 .75 ; right\n}\n";
-    const Change setFirst = [](Fractal& f) { map(f, 0).map.linear(0, 0) = .25; };
+    const Change setFirst = [](Fractal& f) { mapOf(f, 0).map.linear(0, 0) = .25; };
     const Change removeFirst = [](Fractal& f) {
         document::system2(f)->maps.erase(document::system2(f)->maps.begin());
     };
-    const Change swapMaps = [](Fractal& f) { std::swap(map(f, 0), map(f, 1)); };
+    const Change swapMaps = [](Fractal& f) { std::swap(mapOf(f, 0), mapOf(f, 1)); };
     const Change appendMap = [](Fractal& f) {
         ifs::append(*document::system2(f), ifs::affineMap(1, 2, 3, 4, 5, 6), 1.0);
     };
@@ -100,7 +100,7 @@ void FractintEditTest::edits_data() {
     row("a number", two, setFirst,
         "a { ; head\n\t0.25 0 0 +.5  0 0 .25 ; left\n\t.5 0 0 .5 1 0 .75 ; right\n}\n");
     row(
-        "a weight", two, [](Fractal& f) { map(f, 1).weight = .5; },
+        "a weight", two, [](Fractal& f) { mapOf(f, 1).weight = .5; },
         "a { ; head\n\t.50 0 0 +.5  0 0 .25 ; left\n\t.5 0 0 .5 1 0 0.5 ; right\n}\n");
     row("a map fewer", two, removeFirst, "a { ; head\n\t.5 0 0 .5 1 0 .75 ; right\n}\n");
     row("maps exchanged", two, swapMaps,
@@ -144,7 +144,7 @@ void FractintEditTest::edits_data() {
         "a {\n; barycage: tea 5\n; barycage: version 1\n; barycage: gamma 2\n1 0 0 1 0 0 1\n}\n");
     row(
         "a map switched off", "a {\n.5 0 0 .5 0 0 .25\n.5 0 0 .5 1 0 .75\n}\n",
-        [](Fractal& f) { map(f, 0).enabled = false; },
+        [](Fractal& f) { mapOf(f, 0).enabled = false; },
         "a {\n; barycage: version 1\n; barycage: off 1 0.25\n.5 0 0 .5 0 0 0\n.5 0 0 .5 1 0 .75\n}\n");
     row("CRLF", "a {\r\n1 0 0 1 0 0 1\r\n}\r\n", appendMap, "a {\r\n1 0 0 1 0 0 1\r\n1 2 3 4 5 6 1\r\n}\r\n");
     row("CR", "a {\r1 0 0 1 0 0 1\r}\r", appendMap, "a {\r1 0 0 1 0 0 1\r1 2 3 4 5 6 1\r}\r");
@@ -156,7 +156,7 @@ void FractintEditTest::edits_data() {
     row("a map over two lines", "a {\n1 0 0 1\n 0 0 1\n}\n", setFirst, "a {\n0.25 0 0 1\n 0 0 1\n}\n");
     row(
         "weights where there are none", "a {\n.5 0 0 .5 0 0\n.5 0 0 .5 1 0\n}\n",
-        [](Fractal& f) { map(f, 0).weight = map(f, 1).weight = 1; },
+        [](Fractal& f) { mapOf(f, 0).weight = mapOf(f, 1).weight = 1; },
         "a {\n.5 0 0 .5 0 0 1\n.5 0 0 .5 1 0 1\n}\n");
 }
 
@@ -174,7 +174,7 @@ void FractintEditTest::bareFilesGetBracesWhenTheyNeedThem() {
     const EntrySource bare = sourceOf(".5 0 0 .5 0 0 1\n.5 0 0 .5 1 0 1\n");
     QVERIFY(io::fractint::isBare(bare));
     Fractal fractal = bare.fractal;
-    map(fractal, 1).map.translation.x() = 2;
+    mapOf(fractal, 1).map.translation.x() = 2;
     QCOMPARE(editedText(bare, fractal), QByteArray(".5 0 0 .5 0 0 1\n.5 0 0 .5 2 0 1\n"));
     fractal.name = QStringLiteral("named");
     QCOMPARE(editedText(bare, fractal), QByteArray("named {\n.5 0 0 .5 0 0 1\n.5 0 0 .5 2 0 1\n}\n"));
@@ -259,8 +259,8 @@ void FractintEditTest::rowsOnTwoLinesAreMovedWhole() {
 
 void FractintEditTest::longRowsAreWrittenOnTwoLines() {
     Fractal fractal = sourceOf(solid).fractal;
-    for (auto& map : document::system3(fractal)->maps)
-        makeLong(map);
+    for (auto& mapOf : document::system3(fractal)->maps)
+        makeLong(mapOf);
     const QByteArray text = io::writeEntry(fractal, "\n");
     for (const QByteArray& line : text.split('\n'))
         QVERIFY(line.size() <= 200);

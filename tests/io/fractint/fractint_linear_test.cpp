@@ -21,7 +21,7 @@ using document::FractalFile;
 namespace {
 
 using Layout = QByteArray (*)(int count);
-using Change = void (*)(FractalFile& file);
+using FileChange = void (*)(FractalFile& file);
 
 const QByteArray row = ".5 0 0 .5 0 0 .5";
 
@@ -197,20 +197,20 @@ void FractintLinearTest::reading() {
 
 void FractintLinearTest::writing_data() {
     QTest::addColumn<Layout>("layout");
-    QTest::addColumn<Change>("change");
+    QTest::addColumn<FileChange>("change");
     const std::pair<const char*, Layout> layouts[] = {
         {"one line", &shareOneLine}, {"one open line", &shareOneOpenLine},    {"pairs", &standInPairs},
         {"lines", &haveALineEach},   {"rows on one line", &areRowsOnOneLine}, {"rows", &areRows},
         {"comments", &areComments}};
-    const std::pair<const char*, Change> changes[] = {{"as it was", &nothing},
-                                                      {"numbers", &everyNumber},
-                                                      {"names", &everyName},
-                                                      {"comments", &everyComment},
-                                                      {"rows backwards", &rowsBackwards},
-                                                      {"every second row gone", &everySecondRow},
-                                                      {"every second entry gone", &everySecondEntry},
-                                                      {"entries backwards", &entriesBackwards},
-                                                      {"duplicates", &everyEntryTwice}};
+    const std::pair<const char*, FileChange> changes[] = {{"as it was", &nothing},
+                                                          {"numbers", &everyNumber},
+                                                          {"names", &everyName},
+                                                          {"comments", &everyComment},
+                                                          {"rows backwards", &rowsBackwards},
+                                                          {"every second row gone", &everySecondRow},
+                                                          {"every second entry gone", &everySecondEntry},
+                                                          {"entries backwards", &entriesBackwards},
+                                                          {"duplicates", &everyEntryTwice}};
     // Every fourth pair, so that each change meets some layouts; or all.
     int number = 0;
     for (const auto& [layoutName, layout] : layouts)
@@ -221,7 +221,7 @@ void FractintLinearTest::writing_data() {
 
 void FractintLinearTest::writing() {
     QFETCH(Layout, layout);
-    QFETCH(Change, change);
+    QFETCH(FileChange, change);
     const double exponent = growth([layout, change](int count) {
         FractalFile file = io::readFractint(layout(count));
         change(file);

@@ -10,7 +10,7 @@ using namespace io::fractint;
 
 namespace {
 
-QByteArray at(const QByteArray& bytes, Span span) {
+QByteArray textAt(const QByteArray& bytes, Span span) {
     return bytes.mid(span.begin, span.size());
 }
 
@@ -38,7 +38,7 @@ QByteArray summary(const QByteArray& bytes) {
     Scanner scanner(bytes, lineEndByte(bytes));
     while (const auto block = scanner.next())
         blocks << nameOf(block->kind) + QByteArray(block->hasPrefix ? " ifs:<" : " <") +
-                      at(bytes, block->name) + "> " + QByteArray::number(block->all.begin) + '-' +
+                      textAt(bytes, block->name) + "> " + QByteArray::number(block->all.begin) + '-' +
                       QByteArray::number(block->all.end);
     return blocks.join("; ");
 }
@@ -135,7 +135,7 @@ void FractintScannerTest::bracesAreWhereTheyAre() {
     QVERIFY(a && bytes[a->open] == '{' && bytes[a->close] == '}');
     QCOMPARE(a->open, bytes.indexOf("{\n1"));
     QCOMPARE(a->close, bytes.indexOf("} ; end"));
-    QCOMPARE(at(bytes, a->all), bytes.mid(2, 28));
+    QCOMPARE(textAt(bytes, a->all), bytes.mid(2, 28));
     const auto b = scanner.next();
     QVERIFY(b && b->kind == BlockKind::Unclosed && bytes[b->open] == '{');
     QCOMPARE(b->close, bytes.size());
@@ -146,10 +146,10 @@ void FractintScannerTest::relativeBlocksBeginAtZero() {
     const QByteArray bytes = "head\n\nifs:name {\n1\n}\n";
     const Block block = *Scanner(bytes, '\n').next();
     const Block own = relative(block);
-    const QByteArray text = at(bytes, block.all);
+    const QByteArray text = textAt(bytes, block.all);
     QCOMPARE(own.all.begin, 0);
     QCOMPARE(own.all.size(), block.all.size());
-    QCOMPARE(at(text, own.name), QByteArray("name"));
+    QCOMPARE(textAt(text, own.name), QByteArray("name"));
     QVERIFY(text[own.open] == '{' && text[own.close] == '}');
     Block bare;
     bare.all = {3, 9};
@@ -179,7 +179,7 @@ void FractintScannerTest::blanks() {
 void FractintScannerTest::scanningGoesOnFromAnywhere() {
     const QByteArray bytes = "a {\n}\nb {\n}\nc {\n}\n";
     Scanner scanner(bytes, '\n', 6);
-    QCOMPARE(at(bytes, scanner.next()->name), QByteArray("b"));
+    QCOMPARE(textAt(bytes, scanner.next()->name), QByteArray("b"));
     QVERIFY(!Scanner(bytes, '\n', bytes.size()).next());
 }
 

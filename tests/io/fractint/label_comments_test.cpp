@@ -31,7 +31,7 @@ Fractal fern(const QList<MapLabel>& labels) {
     return fractal;
 }
 
-Fractal inSpace(const QList<MapLabel>& labels) {
+Fractal labelled(const QList<MapLabel>& labels) {
     document::System3 system;
     Fractal fractal;
     fractal.name = QStringLiteral("fern");
@@ -84,7 +84,7 @@ private slots:
 
     void anyNameComesBack() {
         QFETCH(QString, name);
-        for (const Fractal& fractal : {fern({{}, {name, true}}), inSpace({{}, {name, true}})}) {
+        for (const Fractal& fractal : {fern({{}, {name, true}}), labelled({{}, {name, true}})}) {
             const QByteArray text = io::writeEntry(fractal);
             for (const QByteArray& line : text.split('\n'))
                 QVERIFY2(line.size() < 70, line.constData());

@@ -51,7 +51,7 @@ Fractal reread(const Fractal& fractal) {
 }
 
 // A tetrahedron of four maps, held by its corners, with a branch shown elsewhere.
-Fractal inSpace() {
+Fractal spaceFractal() {
     const std::vector<ifs::Vector<3>> corners{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
     document::Shape<3> shape;
     for (const auto& corner : corners)
@@ -95,14 +95,14 @@ private slots:
                     {-1.2345678901234567e-100, 0.1, 1e100 / 3}, -HUGE_VAL, 0.1234567890123456789 * int(look)};
                 if (colour == attractor::SolidColour::Map)
                     shown.clip->lowest = -9.87654321098765432e-12 - shown.fog;
-                Fractal fractal = inSpace();
+                Fractal fractal = spaceFractal();
                 fractal.inSpace = shown;
                 io::MetadataComments comments;
                 for (const QByteArray& line : io::metadataComments(fractal)) {
                     QVERIFY(line.size() < 70);
                     QVERIFY2(comments.read(QByteArrayView(line).sliced(1)), line.constData());
                 }
-                Fractal back = inSpace();
+                Fractal back = spaceFractal();
                 document::space(back)->moved.clear();
                 QVERIFY(comments.applyTo(back).sentences.isEmpty());
                 QVERIFY(back.inSpace == shown);
@@ -120,12 +120,12 @@ private slots:
         io::MetadataComments broken;
         QVERIFY(broken.read(" barycage: clip-normal 0 0 1"));
         QVERIFY(!broken.read(" barycage: clip-range - 1.5 x")); // all of the line, or nothing
-        Fractal whole = inSpace();
+        Fractal whole = spaceFractal();
         broken.applyTo(whole);
         QVERIFY(!whole.inSpace.clip);
         io::MetadataComments flat; // understood, but it cuts nothing
         QVERIFY(flat.read(" barycage: clip-normal 0 0 0") && flat.read(" barycage: clip-range 0 1"));
-        Fractal fractal = inSpace();
+        Fractal fractal = spaceFractal();
         flat.applyTo(fractal);
         QVERIFY(!fractal.inSpace.clip);
     }
@@ -231,7 +231,7 @@ void MetadataCommentsTest::longWordsAreBroken() {
 }
 
 void MetadataCommentsTest::spaceComesBack() {
-    const Fractal fractal = inSpace();
+    const Fractal fractal = spaceFractal();
     QCOMPARE(written(fractal),
              QByteArray("version 1; rest 0 0 0; rest 1 0 0; rest 0 1 0; rest 0 0 1; current 0 0 0; "
                         "current 1 0 0; current 0 1 0; current 0.5 -2 3; branch 4 1; by 0 -1 0; by 1 0 0; "
@@ -248,7 +248,7 @@ void MetadataCommentsTest::spaceComesBack() {
 
 void MetadataCommentsTest::longPointsAreBroken() {
     const double longest = -1.2345678901234567e-300;
-    Fractal fractal = inSpace();
+    Fractal fractal = spaceFractal();
     document::Shape<3>& shape = *document::space(fractal);
     shape.cage->current = {
         {longest, longest, longest}, {1, longest, longest}, {1, 2, longest}, {longest, 2, 3}};
@@ -295,7 +295,7 @@ void MetadataCommentsTest::otherDimensionIsKept() {
     for (const QByteArray& line : lines.split(';'))
         QVERIFY2(comments.read("barycage: " + line), line.constData());
     Fractal fractal = fractalOf(2);
-    if (isInSpace) fractal.shape = document::Shape<3>{*document::system3(inSpace())};
+    if (isInSpace) fractal.shape = document::Shape<3>{*document::system3(spaceFractal())};
     const auto outcome = comments.applyTo(fractal);
     QStringList found;
     for (const std::size_t line : outcome.kept)

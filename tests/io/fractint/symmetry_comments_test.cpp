@@ -28,7 +28,7 @@ Fractal inPlane(const ifs::Symmetry<2>& symmetry) {
     return fractal;
 }
 
-Fractal inSpace(const ifs::Symmetry<3>& symmetry) {
+Fractal symmetricInSpace(const ifs::Symmetry<3>& symmetry) {
     document::System3 system;
     ifs::append<3>(system, {ifs::Matrix<3>::Identity() / 3, {1, 0, 0}}, 1.0);
     system.symmetry = symmetry;
@@ -66,11 +66,11 @@ private slots:
         ifs::Symmetry<2> sheared{Dihedral, 5, -12.5, {1, 2}};
         sheared.frame << 1.2345678901234567, -2.3456789012345678e-7, 3.4567890123456789e9, 1.0 / 3;
         verifyRoundTrip(inPlane(sheared));
-        verifyRoundTrip(inSpace({Octahedral}));
+        verifyRoundTrip(symmetricInSpace({Octahedral}));
         ifs::Symmetry<3> tilted{Icosahedral, 1, 0, {1.0 / 3, 2.0 / 3, 1e-9 / 7}};
         tilted.frame << 1.0 / 3, 1.0 / 7, 1.0 / 11, 0, 1.0 / 13, 1.0 / 17, 0, 0, 1.0 / 19;
-        verifyRoundTrip(inSpace(tilted));
-        verifyRoundTrip(inSpace({Dihedral, 7, 3}));
+        verifyRoundTrip(symmetricInSpace(tilted));
+        verifyRoundTrip(symmetricInSpace({Dihedral, 7, 3}));
     }
 
     void readableInTheFile() {

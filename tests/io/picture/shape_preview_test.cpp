@@ -16,7 +16,7 @@ using namespace io;
 
 namespace {
 
-document::Fractal fractalOf(const canonical::Maps2& maps) {
+document::Fractal previewed(const canonical::Maps2& maps) {
     document::System2 system;
     const std::vector<double> weights = ifs::determinantWeights<2>(maps);
     for (std::size_t i = 0; i < maps.size(); ++i)
@@ -47,7 +47,7 @@ QImage shownSvg(const SvgPicture& picture) {
     return QImage::fromData(process.readAllStandardOutput()).convertToFormat(QImage::Format_ARGB32);
 }
 
-double difference(const QImage& a, const QImage& b) { // mean, of 255
+double meanDifference(const QImage& a, const QImage& b) { // mean, of 255
     double sum = 0;
     for (int y = 0; y < a.height(); ++y)
         for (int x = 0; x < a.width(); ++x)
@@ -89,7 +89,7 @@ void ShapePreviewTest::isWhatTheFileShows_data() {
 void ShapePreviewTest::isWhatTheFileShows() {
     QFETCH(const bool, isFern);
     QFETCH(const bool, isOfPoints);
-    const document::Fractal fractal = fractalOf(isFern ? canonical::fern() : canonical::maple());
+    const document::Fractal fractal = previewed(isFern ? canonical::fern() : canonical::maple());
     const attractor::Camera camera = cameraFor(fractal, 200, 160);
     SvgFormat format;
     format.style = isOfPoints ? ShapeStyle::Points : ShapeStyle::Structured;
@@ -104,8 +104,8 @@ void ShapePreviewTest::isWhatTheFileShows() {
         image.fill(preview->pixel(0, 0));
         return image;
     }();
-    const double apart = difference(*preview, file);
-    const double most = difference(*preview, blank) / (isOfPoints ? 2 : 4);
+    const double apart = meanDifference(*preview, file);
+    const double most = meanDifference(*preview, blank) / (isOfPoints ? 2 : 4);
     QVERIFY2(apart < most, qPrintable(QStringLiteral("%1 of %2").arg(apart).arg(most)));
 }
 

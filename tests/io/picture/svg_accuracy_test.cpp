@@ -22,8 +22,8 @@ using ifs::Vector;
 
 namespace {
 
-constexpr int width = 480;
-constexpr int height = 360;
+constexpr int svgWidth = 480;
+constexpr int svgHeight = 360;
 constexpr int cellsPerPixel = 4;
 constexpr int border = 12; // pixels around the picture
 // A point and the middle of its cell, and once more for the other set.
@@ -32,8 +32,8 @@ const double resolution = std::sqrt(2.0) / cellsPerPixel;
 // Which cells of a fine grid over the picture a set touches.
 class Cells {
 public:
-    static constexpr int columns = (width + 2 * border) * cellsPerPixel;
-    static constexpr int rows = (height + 2 * border) * cellsPerPixel;
+    static constexpr int columns = (svgWidth + 2 * border) * cellsPerPixel;
+    static constexpr int rows = (svgHeight + 2 * border) * cellsPerPixel;
 
     static int column(double x) { return index(x, columns); }
     static int row(double y) { return index(y, rows); }
@@ -240,8 +240,8 @@ void SvgAccuracyTest::statedAccuracy_data() {
 void SvgAccuracyTest::statedAccuracy() {
     QFETCH(document::Fractal, fractal);
     attractor::Camera camera;
-    camera.width = width;
-    camera.height = height;
+    camera.width = svgWidth;
+    camera.height = svgHeight;
     const auto box = document::displayedBox(fractal);
     if (box) camera = fitted(camera, box->min, box->max);
     const ShapeLevels shapes = shapeLevels(fractal, camera);

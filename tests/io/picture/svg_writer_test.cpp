@@ -27,7 +27,7 @@ using namespace io;
 
 namespace {
 
-document::Fractal fractalOf(const canonical::Maps2& maps, const QString& name = QStringLiteral("test")) {
+document::Fractal written(const canonical::Maps2& maps, const QString& name = QStringLiteral("test")) {
     document::System2 system;
     const std::vector<double> weights = ifs::determinantWeights<2>(maps);
     for (std::size_t i = 0; i < maps.size(); ++i)
@@ -219,7 +219,7 @@ private:
 };
 
 void SvgWriterTest::reopensAsTheSameFractal() {
-    document::Fractal fractal = fractalOf(canonical::maple());
+    document::Fractal fractal = written(canonical::maple());
     document::plane(fractal)->cage = document::effectiveCage(fractal);
     document::plane(fractal)->cage->current[1] = {1.25, -0.1};
     fractal.appearance.gamma = 1.75;
@@ -241,7 +241,7 @@ void SvgWriterTest::reopensAsTheSameFractal() {
 // addresses.
 void SvgWriterTest::copiesComposeLikeTheMaps() {
     QFETCH(int, index);
-    const document::Fractal fractal = fractalOf(mapsOf(index));
+    const document::Fractal fractal = written(mapsOf(index));
     const attractor::Camera camera = cameraFor(fractal);
     const Parsed file = parsed(svgPicture(fractal, camera, {5, CageVisibility::Hidden}).bytes);
     QVERIFY(file.wellFormed);
@@ -266,7 +266,7 @@ void SvgWriterTest::copiesComposeLikeTheMaps() {
 
 // Their bars are all that is drawn at every depth: two copies, whose error stays.
 void SvgWriterTest::singularMapsCostNothingBelowThem() {
-    const document::Fractal fractal = fractalOf(
+    const document::Fractal fractal = written(
         {ifs::affineMap(-.169, .104, 0, 0, 1.35, -.963), ifs::affineMap(-.401, .217, 0, 0, 1.44, -1.07)});
     const attractor::Camera camera = cameraFor(fractal);
     QElapsedTimer clock;
@@ -281,7 +281,7 @@ void SvgWriterTest::singularMapsCostNothingBelowThem() {
 
 void SvgWriterTest::referencesAreCountedAndBounded() {
     QFETCH(int, index);
-    const document::Fractal fractal = fractalOf(mapsOf(index));
+    const document::Fractal fractal = written(mapsOf(index));
     const SvgPicture picture = svgPicture(fractal, cameraFor(fractal), {1000, CageVisibility::Hidden});
     QCOMPARE(picture.plan.depth, picture.plan.deepest);
     QVERIFY(picture.plan.references < 400'000);
@@ -297,7 +297,7 @@ void SvgWriterTest::referencesAreCountedAndBounded() {
 void SvgWriterTest::unitsDoNotMatter() {
     std::vector<ifs::AffineMap<2>> maps = canonical::fern();
     const auto planOf = [](const std::vector<ifs::AffineMap<2>>& of) {
-        const document::Fractal fractal = fractalOf(of);
+        const document::Fractal fractal = written(of);
         return svgPlan(fractal, cameraFor(fractal), {1000, CageVisibility::Hidden});
     };
     const SvgPlan near = planOf(maps);
@@ -313,8 +313,8 @@ void SvgWriterTest::outlinesAreNoLargerThanProgramsRead() {
     const double c = 0.4 * std::cos(0.35);
     const double s = 0.4 * std::sin(0.35);
     const document::Fractal fractal =
-        fractalOf({ifs::affineMap(c, -s, s, c, 0, 0), ifs::affineMap(c, -s, s, c, 1, 0),
-                   ifs::affineMap(c, -s, s, c, 0.4, 1)});
+        written({ifs::affineMap(c, -s, s, c, 0, 0), ifs::affineMap(c, -s, s, c, 1, 0),
+                 ifs::affineMap(c, -s, s, c, 0.4, 1)});
     const attractor::Camera camera = cameraFor(fractal, 8000, 8000);
     SvgFormat format;
     format.style = ShapeStyle::Outline;
@@ -329,7 +329,7 @@ void SvgWriterTest::outlinesAreNoLargerThanProgramsRead() {
 }
 
 void SvgWriterTest::errorHoldsBothWays() {
-    const document::Fractal fractal = fractalOf(canonical::sierpinskiRight());
+    const document::Fractal fractal = written(canonical::sierpinskiRight());
     const attractor::Camera camera = cameraFor(fractal);
     const SvgPicture picture = svgPicture(fractal, camera, {4, CageVisibility::Hidden});
     const Parsed file = parsed(picture.bytes);
@@ -391,7 +391,7 @@ void SvgWriterTest::noMatrixIsSingular() {
     for (int i = 0; i + 5 < rows.size(); i += 6)
         maps.push_back(
             ifs::affineMap(rows[i], rows[i + 1], rows[i + 2], rows[i + 3], rows[i + 4], rows[i + 5]));
-    const document::Fractal fractal = fractalOf(maps);
+    const document::Fractal fractal = written(maps);
     const SvgPicture picture = svgPicture(fractal, cameraFor(fractal), {});
     QVERIFY(!picture.plan.failure);
     const Parsed file = parsed(picture.bytes);
@@ -409,7 +409,7 @@ void SvgWriterTest::noMatrixIsSingular() {
 }
 
 void SvgWriterTest::placementIsOneTransform() {
-    document::Fractal fractal = fractalOf(canonical::maple());
+    document::Fractal fractal = written(canonical::maple());
     const attractor::Camera camera = cameraFor(fractal);
     const SvgPicture before = svgPicture(fractal, camera, {3, CageVisibility::Hidden});
     document::plane(fractal)->cage = document::effectiveCage(fractal);
@@ -425,7 +425,7 @@ void SvgWriterTest::placementIsOneTransform() {
 }
 
 void SvgWriterTest::mapsGiveColoursToTheTopLevel() {
-    document::Fractal fractal = fractalOf(canonical::sierpinskiRight());
+    document::Fractal fractal = written(canonical::sierpinskiRight());
     fractal.appearance.colourBy = attractor::ColourBy::Map;
     const auto& maps = document::system2(fractal)->maps;
     fractal.appearance.mapColours[maps[1].id] = {1, 2, 3, 255};
@@ -438,7 +438,7 @@ void SvgWriterTest::mapsGiveColoursToTheTopLevel() {
 }
 
 void SvgWriterTest::triangleIsDrawnWhenAsked() {
-    document::Fractal fractal = fractalOf(canonical::maple());
+    document::Fractal fractal = written(canonical::maple());
     const attractor::Camera camera = cameraFor(fractal);
     QVERIFY(!parsed(svgPicture(fractal, camera, {1, CageVisibility::Hidden}).bytes)
                  .polygons.count(QStringLiteral("current")));
@@ -455,7 +455,7 @@ void SvgWriterTest::triangleIsDrawnWhenAsked() {
 
 void SvgWriterTest::looksLikeTheRendering() {
     QFETCH(int, index);
-    compareWithTheRendering(fractalOf(mapsOf(index)));
+    compareWithTheRendering(written(mapsOf(index)));
 }
 
 // Points, copies that are thin in both directions, and curves over an axis, whose copies are thin in one.
@@ -485,7 +485,7 @@ void SvgWriterTest::thinPicturesLookLikeTheRendering() {
          ifs::affineMap(.116, -.0787, .0184, .455, .537, -.838),
          ifs::affineMap(-.604, -.0867, -.3, -.0294, 1.33, .491)},
     };
-    document::Fractal fractal = fractalOf(systems[index]);
+    document::Fractal fractal = written(systems[index]);
     // So that every part has points that are seen.
     document::System2 system;
     for (const auto& map : systems[index])
@@ -497,7 +497,7 @@ void SvgWriterTest::thinPicturesLookLikeTheRendering() {
 
 // Also a branch that ends with a singular map, and one that goes on after it.
 void SvgWriterTest::movedBranchesLookLikeTheRendering() {
-    document::Fractal fractal = fractalOf(canonical::fern());
+    document::Fractal fractal = written(canonical::fern());
     const auto& maps = document::system2(fractal)->maps;
     const auto shift = [](double x, double y) { return ifs::affineMap(1, 0, 0, 1, x, y); };
     document::plane(fractal)->moved = {
@@ -527,7 +527,7 @@ void SvgWriterTest::compareWithTheRendering(document::Fractal fractal) {
 }
 
 void SvgWriterTest::systemsWithoutAttractorAreRefused() {
-    const document::Fractal rotation = fractalOf({ifs::affineMap(0, -1, 1, 0, 0, 0)});
+    const document::Fractal rotation = written({ifs::affineMap(0, -1, 1, 0, 0, 0)});
     attractor::Camera camera;
     camera.width = camera.height = 100;
     QVERIFY(svgPicture(rotation, camera, {}).plan.failure);
@@ -537,10 +537,10 @@ void SvgWriterTest::systemsWithoutAttractorAreRefused() {
 }
 
 void SvgWriterTest::bentPicturesAreWrittenAsTheirAffineFit() {
-    document::Fractal bent = fractalOf(canonical::maple());
+    document::Fractal bent = written(canonical::maple());
     document::plane(bent)->cage =
         ifs::ControlCage<2>{{{0, 0}, {1, 0}, {1, 1}, {0, 1}}, {{0, 0}, {1, 0}, {2, 2}, {0, 1}}};
-    const attractor::Camera camera = cameraFor(fractalOf(canonical::maple()));
+    const attractor::Camera camera = cameraFor(written(canonical::maple()));
     const SvgPicture picture = svgPicture(bent, camera, {2, CageVisibility::Hidden});
     QVERIFY(!picture.plan.failure && picture.plan.unbent);
     document::Fractal fitted = bent;
@@ -565,7 +565,7 @@ void SvgWriterTest::hostileFilesAreRefused() {
     QVERIFY(readSvgSystem(body + QByteArray(9 * 1024 * 1024, ' ') + end).failure);
     QVERIFY(readSvgSystem("<svg xmlns='http://www.w3.org/2000/svg'/>").failure);
     QVERIFY(readSvgSystem({}).failure);
-    const document::Fractal fractal = fractalOf(canonical::flower());
+    const document::Fractal fractal = written(canonical::flower());
     const QByteArray whole = svgPicture(fractal, cameraFor(fractal), {2, CageVisibility::Hidden}).bytes;
     const QByteArray text = readSvgSystem(whole).text;
     for (qsizetype size = 0; size < whole.indexOf("</metadata>"); size += 7) {
@@ -575,7 +575,7 @@ void SvgWriterTest::hostileFilesAreRefused() {
 }
 
 void SvgWriterTest::awkwardTextSurvives() {
-    document::Fractal fractal = fractalOf(canonical::flower());
+    document::Fractal fractal = written(canonical::flower());
     fractal.comments = {QStringLiteral("ends ]]> and <begins> & so on"), QStringLiteral("bell\x07 rings")};
     const SvgPicture picture = svgPicture(fractal, cameraFor(fractal), {1, CageVisibility::Hidden});
     QVERIFY(parsed(picture.bytes).wellFormed);

@@ -27,11 +27,9 @@ using attractor::Rgba16;
 using Depth = PictureFormat::Depth;
 using Kind = PictureFormat::Pixels;
 
-Q_DECLARE_METATYPE(io::PictureFile)
-
 namespace {
 
-constexpr int width = 23, height = 17;
+constexpr int readWidth = 23, readHeight = 17;
 const QString damaged = QStringLiteral("The picture is damaged or incomplete.");
 const QString unreadable =
     QStringLiteral("The picture stores its pixels in a way that cannot be read. Save it as a PNG picture.");
@@ -39,7 +37,7 @@ const QString unreadable =
 // Of bytes, not premultiplied; whole alpha or none, so that nothing is rounded.
 std::vector<QRgb> randomPixels(bool isOpaque) {
     QRandomGenerator random(11);
-    std::vector<QRgb> pixels(width * height);
+    std::vector<QRgb> pixels(readWidth * readHeight);
     for (QRgb& pixel : pixels)
         pixel = isOpaque || random.bounded(3) ? random.generate() | 0xff000000U : 0U;
     return pixels;
@@ -48,8 +46,8 @@ std::vector<QRgb> randomPixels(bool isOpaque) {
 QByteArray written(PictureFile file, Depth depth, Kind kind, const std::vector<QRgb>& pixels,
                    const QByteArray& system = {}) {
     PictureFormat format;
-    format.width = width;
-    format.height = height;
+    format.width = readWidth;
+    format.height = readHeight;
     format.depth = depth;
     format.pixels = kind;
     format.systemText = system;
@@ -72,7 +70,7 @@ QByteArray written(PictureFile file, Depth depth, Kind kind, const std::vector<Q
 }
 
 // The kinds of files that have a reader of their own.
-const std::vector<std::tuple<const char*, PictureFile, Depth>> kinds{
+const std::vector<std::tuple<const char*, PictureFile, Depth>> readKinds{
     {"WebP", PictureFile::WebP, Depth::Bits8},
     {"TIFF", PictureFile::Tiff, Depth::Bits8},
     {"TIFF of 16 bits", PictureFile::Tiff, Depth::Bits16},
@@ -230,7 +228,7 @@ void RasterReadersTest::pixelsComeBack_data() {
     QTest::addColumn<PictureFile>("file");
     QTest::addColumn<int>("depth");
     QTest::addColumn<bool>("isOpaque");
-    for (const auto& [name, file, depth] : kinds)
+    for (const auto& [name, file, depth] : readKinds)
         for (const bool isOpaque : {true, false})
             QTest::addRow("%s, %s", name, isOpaque ? "opaque" : "transparent")
                 << file << int(depth) << isOpaque;
@@ -245,11 +243,11 @@ void RasterReadersTest::pixelsComeBack() {
                                      "a { .5 0 0 .5 0 0 }");
     const DecodedPicture decoded = decodedPicture(bytes);
     QVERIFY2(!decoded.flaw, qUtf8Printable(decoded.flaw.value_or(QString())));
-    QCOMPARE(decoded.image.size(), QSize(width, height));
+    QCOMPARE(decoded.image.size(), QSize(readWidth, readHeight));
     const QImage image = decoded.image.convertToFormat(QImage::Format_ARGB32);
-    for (int y = 0; y < height; ++y)
-        for (int x = 0; x < width; ++x) {
-            const QRgb expected = pixels[std::size_t(y * width + x)], found = image.pixel(x, y);
+    for (int y = 0; y < readHeight; ++y)
+        for (int x = 0; x < readWidth; ++x) {
+            const QRgb expected = pixels[std::size_t(y * readWidth + x)], found = image.pixel(x, y);
             QCOMPARE(qAlpha(found), qAlpha(expected));
             if (qAlpha(expected) == 0) continue;
             const int tolerance = file == PictureFile::ExrHalf ? 1 : 0; // 11 bits of linear light
@@ -261,7 +259,7 @@ void RasterReadersTest::pixelsComeBack() {
 
 void RasterReadersTest::cutFilesAreRefused_data() {
     QTest::addColumn<QByteArray>("whole");
-    for (const auto& [name, file, depth] : kinds)
+    for (const auto& [name, file, depth] : readKinds)
         QTest::newRow(name) << written(file, depth, Kind::Transparent, randomPixels(false));
 }
 
@@ -378,7 +376,7 @@ void RasterReadersTest::stopsEndReading() {
     std::stop_source stop;
     for (const bool isStopped : {false, true}) {
         if (isStopped) stop.request_stop();
-        for (const auto& [name, file, depth] : kinds) {
+        for (const auto& [name, file, depth] : readKinds) {
             const QByteArray bytes = written(file, depth, Kind::Transparent, randomPixels(false));
             const DecodedPicture decoded = decodedPicture(bytes, LargePicture::Refused, stop.get_token());
             QVERIFY2(decoded.flaw.has_value() == isStopped, name);
@@ -407,7 +405,7 @@ void RasterReadersTest::tiffsAreTurnedUpright_data() {
     QTest::addColumn<int>("orientation");
     QTest::addColumn<QPoint>("first");  // where the first pixel of the file is seen
     QTest::addColumn<QPoint>("second"); // and the one right of it
-    const int right = width - 1, bottom = height - 1;
+    const int right = readWidth - 1, bottom = readHeight - 1;
     QTest::newRow("top left") << 1 << QPoint(0, 0) << QPoint(1, 0);
     QTest::newRow("top right") << 2 << QPoint(right, 0) << QPoint(right - 1, 0);
     QTest::newRow("bottom right") << 3 << QPoint(right, bottom) << QPoint(right - 1, bottom);
@@ -422,7 +420,7 @@ void RasterReadersTest::tiffsAreTurnedUpright() {
     QFETCH(int, orientation);
     QFETCH(QPoint, first);
     QFETCH(QPoint, second);
-    std::vector<QRgb> pixels(width * height, qRgb(9, 9, 9));
+    std::vector<QRgb> pixels(readWidth * readHeight, qRgb(9, 9, 9));
     pixels[0] = qRgb(255, 0, 0);
     pixels[1] = qRgb(0, 0, 255);
     QByteArray tiff = written(PictureFile::Tiff, Depth::Bits8, Kind::Opaque, pixels);
@@ -432,7 +430,8 @@ void RasterReadersTest::tiffsAreTurnedUpright() {
     tiff.replace(at + entry.size(), 2, little16(orientation));
     const DecodedPicture decoded = decodedPicture(tiff);
     QVERIFY(!decoded.flaw);
-    QCOMPARE(decoded.image.size(), orientation > 4 ? QSize(height, width) : QSize(width, height));
+    QCOMPARE(decoded.image.size(),
+             orientation > 4 ? QSize(readHeight, readWidth) : QSize(readWidth, readHeight));
     QCOMPARE(decoded.image.pixel(first), pixels[0]);
     QCOMPARE(decoded.image.pixel(second), pixels[1]);
 }

@@ -21,8 +21,6 @@
 #include <tiffio.h>
 #include <webp/decode.h>
 
-Q_DECLARE_METATYPE(io::PictureFile)
-
 using namespace io;
 using attractor::Rgba16;
 

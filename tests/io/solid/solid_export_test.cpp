@@ -58,7 +58,7 @@ private:
 
 namespace {
 
-using Vector = ifs::Vector<3>;
+using Vector3 = ifs::Vector<3>;
 
 document::Fractal fractalOf(const systems::System3& system) {
     document::Fractal fractal;
@@ -86,7 +86,7 @@ struct Surface {
         for (const auto& t : triangles) {
             const auto at = [&](int k) {
                 const auto& p = points[t[std::size_t(k)]];
-                return Vector(double(p[0]), double(p[1]), double(p[2]));
+                return Vector3(double(p[0]), double(p[1]), double(p[2]));
             };
             ifs::Matrix<3> corners;
             corners << at(0), at(1), at(2);
@@ -230,26 +230,26 @@ void SolidExportTest::theBoundHolds() {
     QVERIFY(!solid.failure);
     QVERIFY(std::abs(solid.facts.bound - std::numbers::sqrt3 * solid.facts.voxel) < 1e-12);
     const double cell = solid.facts.bound;
-    std::map<std::array<int, 3>, std::vector<Vector>> cells;
+    std::map<std::array<int, 3>, std::vector<Vector3>> cells;
     const attractor::PreparedSpace prepared = attractor::preparedSpace(system);
     attractor::SpaceOrbit orbit(prepared, 1);
-    const auto cellOf = [cell](const Vector& x) {
+    const auto cellOf = [cell](const Vector3& x) {
         return std::array{int(std::floor(x.x() / cell)), int(std::floor(x.y() / cell)),
                           int(std::floor(x.z() / cell))};
     };
     for (int i = 0; i < 400'000; ++i) {
-        const Vector& x = orbit.next().x;
+        const Vector3& x = orbit.next().x;
         auto& there = cells[cellOf(x)];
         if (there.size() < 400) there.push_back(x);
     }
     for (const auto& point : solid.mesh.points) {
-        const Vector at = solid.origin + solid.unit * Vector(point[0], point[1], point[2]);
+        const Vector3 at = solid.origin + solid.unit * Vector3(point[0], point[1], point[2]);
         double nearest = HUGE_VAL;
         const auto [i, j, k] = cellOf(at);
         for (int n = 0; n < 27; ++n)
             if (const auto there = cells.find({i + n % 3 - 1, j + n / 3 % 3 - 1, k + n / 9 - 1});
                 there != cells.end())
-                for (const Vector& x : there->second)
+                for (const Vector3& x : there->second)
                     nearest = std::min(nearest, (x - at).norm());
         QVERIFY2(nearest <= solid.facts.bound, qPrintable(QString::number(nearest / solid.facts.bound)));
     }

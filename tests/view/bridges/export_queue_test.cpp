@@ -457,6 +457,6 @@ static int run(int argc, char** argv) {
     return QTest::qExec(&test, argc, argv);
 }
 
-static const support::NamedTest namedTest(__FILE__, run);
+static const support::NamedTest namedQueue(__FILE__, run);
 
 #include "export_queue_test.moc"

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "canvas/geometry/drag_text.h"
 
+#include "document/text.h"
 #include "widgets/number_text.h"
-
-#include <QCoreApplication>
 
 #include <cmath>
 #include <numbers>
@@ -11,10 +10,6 @@
 namespace view {
 
 namespace {
-
-struct Text {
-    Q_DECLARE_TR_FUNCTIONS(view::PolygonTool)
-};
 
 using Mode = PolygonDrag::Mode;
 

@@ -10,10 +10,10 @@ namespace view {
 
 namespace {
 
-constexpr double distance = 26; // from the cage
-constexpr double margin = 20;   // to the edge of the view
-constexpr double apart = 34;    // least distance between handles
-constexpr double radius = 9;
+constexpr double distance = 26;    // from the cage
+constexpr double gizmoMargin = 20; // to the edge of the view
+constexpr double gizmoApart = 34;  // least distance between handles
+constexpr double gizmoRadius = 9;
 
 QPointF clamped(const QPointF& p, const QRectF& area) {
     return {std::clamp(p.x(), area.left(), std::max(area.left(), area.right())),
@@ -21,7 +21,7 @@ QPointF clamped(const QPointF& p, const QRectF& area) {
 }
 
 bool isClear(const QPointF& p, const QPolygonF& cage, const QPointF& pivot) {
-    const auto far = [&](const QPointF& q) { return QLineF(p, q).length() >= apart * 0.75; };
+    const auto far = [&](const QPointF& q) { return QLineF(p, q).length() >= gizmoApart * 0.75; };
     return far(pivot) && std::ranges::all_of(cage, far);
 }
 
@@ -67,16 +67,18 @@ QPainterPath scaleGlyph() {
 } // namespace
 
 GizmoLayout gizmoLayout(const QPolygonF& cage, const QPointF& pivot, const QRectF& view) {
-    const QRectF area = view.adjusted(margin, margin, -margin, -margin);
+    const QRectF area = view.adjusted(gizmoMargin, gizmoMargin, -gizmoMargin, -gizmoMargin);
     const QRectF box = cage.boundingRect().adjusted(-distance, -distance, distance, distance);
     GizmoLayout layout;
     layout.pivot = pivot;
-    layout.rotate = cleared(clamped(box.topRight(), area), apart / 2, cage, pivot, area);
+    layout.rotate = cleared(clamped(box.topRight(), area), gizmoApart / 2, cage, pivot, area);
     QPointF scale = clamped(box.bottomRight(), area);
-    if (QLineF(scale, layout.rotate).length() < apart)
-        scale.setY(layout.rotate.y() + (layout.rotate.y() + apart <= area.bottom() ? apart : -apart));
-    layout.scale = cleared(scale, scale.y() < layout.rotate.y() ? apart / 2 : -apart / 2, cage, pivot, area);
-    if (QLineF(layout.scale, layout.rotate).length() < apart) layout.scale = scale;
+    if (QLineF(scale, layout.rotate).length() < gizmoApart)
+        scale.setY(layout.rotate.y() +
+                   (layout.rotate.y() + gizmoApart <= area.bottom() ? gizmoApart : -gizmoApart));
+    layout.scale =
+        cleared(scale, scale.y() < layout.rotate.y() ? gizmoApart / 2 : -gizmoApart / 2, cage, pivot, area);
+    if (QLineF(layout.scale, layout.rotate).length() < gizmoApart) layout.scale = scale;
     return layout;
 }
 
@@ -118,7 +120,7 @@ void GizmoItem::paintKnob(QPainter& painter, CanvasPart::Kind kind, const QPoint
     if (m_focused == self) strokeFocusRing(painter, QPointF(), 14, m_style);
     painter.setPen(QPen(m_style.line, 1));
     painter.setBrush(m_style.halo);
-    painter.drawEllipse(QPointF(), radius + 2, radius + 2);
+    painter.drawEllipse(QPointF(), gizmoRadius + 2, gizmoRadius + 2);
     painter.setBrush(Qt::NoBrush);
     painter.setPen(QPen(lit ? m_style.accent : m_style.line, m_style.lineWidth, Qt::SolidLine, Qt::RoundCap,
                         Qt::RoundJoin));

@@ -16,9 +16,9 @@ namespace {
 
 using Kind = CanvasPart::Kind;
 
-constexpr double radius = 8; // of a corner of a selected frame
-constexpr double dot = 3.5;  // of any other
-constexpr double focusRadius = 13;
+constexpr double frameRadius = 8; // of a corner of a selected frame
+constexpr double frameDot = 3.5;  // of any other
+constexpr double frameFocusRadius = 13;
 constexpr double minSide = 8;          // of a frame whose corners can be told apart
 constexpr std::ptrdiff_t maxHeld = 50; // selected frames that show their handles however small
 // What can be painted for every move of a drag: frames with corners, and outlines of frames in pixels of the
@@ -144,10 +144,10 @@ void MapFramesItem::paintCorners(QPainter& painter, const MapFrame& frame) const
     for (int i = 0; i < frame.corners.size(); ++i) {
         const CanvasPart self{Kind::Vertex, i, frame.index};
         const QPointF& at = frame.corners[i];
-        if (m_focused == self) strokeFocusRing(painter, at, focusRadius, m_style);
+        if (m_focused == self) strokeFocusRing(painter, at, frameFocusRadius, m_style);
         const bool lit = !frame.isLocked && (m_hovered == self || m_pressed == self);
         const bool numbered = !frame.isLocked && (frame.selected || lit);
-        const double r = numbered ? radius + (lit ? 1 : 0) : dot;
+        const double r = numbered ? frameRadius + (lit ? 1 : 0) : frameDot;
         painter.setPen(Qt::NoPen);
         painter.setBrush(m_style.core);
         painter.drawEllipse(at, r + 2, r + 2);

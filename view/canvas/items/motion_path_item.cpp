@@ -8,9 +8,9 @@ namespace view {
 
 namespace {
 
-constexpr double dot = 1.6;
+constexpr double pathDot = 1.6;
 constexpr double key = 4.5;
-constexpr double apart = 4; // pixels between dots that are drawn
+constexpr double pathApart = 4; // pixels between dots that are drawn
 
 } // namespace
 
@@ -49,9 +49,9 @@ void MotionPathItem::paint(QPainter* painter, const QStyleOptionGraphicsItem*, Q
         painter->setBrush(m_style.rim);
         QPointF last = way.points.value(0);
         for (const QPointF& point : way.points) {
-            if ((point - last).manhattanLength() < apart) continue;
+            if ((point - last).manhattanLength() < pathApart) continue;
             last = point;
-            painter->drawEllipse(point, dot, dot);
+            painter->drawEllipse(point, pathDot, pathDot);
         }
         painter->setOpacity(1);
         painter->setPen(QPen(m_style.rim, 1.5));

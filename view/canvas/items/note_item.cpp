@@ -10,12 +10,12 @@ namespace view {
 
 namespace {
 
-constexpr double padding = 10;
-constexpr double margin = 14;
+constexpr double notePadding = 10;
+constexpr double noteMargin = 14;
 constexpr double widest = 560;
 constexpr double reach = 12; // of a handle about its middle
 constexpr int places = 30;   // in the middle, left and right, in rows from the edge on
-constexpr int flow = Qt::AlignCenter | Qt::TextWordWrap;
+constexpr int noteFlow = Qt::AlignCenter | Qt::TextWordWrap;
 
 } // namespace
 
@@ -70,13 +70,13 @@ QRectF NoteItem::box() const {
 
 QRectF NoteItem::boxAt(int place) const {
     if (m_text.isEmpty()) return {};
-    const double width = std::max(80.0, std::min(widest, m_view.width() - 2 * (margin + padding)));
-    QRectF text = QFontMetricsF(m_font).boundingRect(QRectF(0, 0, width, 4000), flow, m_text);
+    const double width = std::max(80.0, std::min(widest, m_view.width() - 2 * (noteMargin + notePadding)));
+    QRectF text = QFontMetricsF(m_font).boundingRect(QRectF(0, 0, width, 4000), noteFlow, m_text);
     text = QRectF(0, 0, text.width() + 1, text.height() + 1)
-               .adjusted(-padding, -padding * 0.7, padding, padding * 0.7);
-    const double left = m_view.left() + margin, right = m_view.right() - margin - text.width();
+               .adjusted(-notePadding, -notePadding * 0.7, notePadding, notePadding * 0.7);
+    const double left = m_view.left() + noteMargin, right = m_view.right() - noteMargin - text.width();
     const double x = place % 3 == 0 ? m_view.center().x() - text.width() / 2 : place % 3 == 1 ? left : right;
-    const double inwards = margin + (place / 3) * text.height();
+    const double inwards = noteMargin + (place / 3) * text.height();
     const double y = m_edge == Edge::Top ? m_view.top() + inwards : m_view.bottom() - inwards - text.height();
     return {x, y, text.width(), text.height()};
 }
@@ -94,7 +94,7 @@ void NoteItem::paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidget
     painter->drawRoundedRect(frame, 7, 7);
     painter->setFont(m_font);
     painter->setPen(m_style.noteText);
-    painter->drawText(frame.adjusted(padding, 0, -padding, 0), flow, m_text);
+    painter->drawText(frame.adjusted(notePadding, 0, -notePadding, 0), noteFlow, m_text);
 }
 
 } // namespace view

@@ -10,11 +10,11 @@ namespace view {
 
 namespace {
 
-constexpr double padding = 7;
+constexpr double readoutPadding = 7;
 constexpr double across = 22; // pixels from the pointer: clear of the handle and of the hand that holds it
 constexpr double down = 24;
-constexpr double margin = 4; // to the edges of the view
-constexpr int flow = Qt::AlignLeft | Qt::AlignVCenter | Qt::TextWordWrap;
+constexpr double readoutMargin = 4; // to the edges of the view
+constexpr int readoutFlow = Qt::AlignLeft | Qt::AlignVCenter | Qt::TextWordWrap;
 
 } // namespace
 
@@ -38,18 +38,19 @@ void ReadoutItem::setFont(const QFont& font) {
 
 QRectF ReadoutItem::box() const {
     if (m_text.isEmpty()) return {};
-    const double room = m_view.isEmpty() ? 4000 : std::max(1.0, m_view.width() - 2 * (padding + margin) - 1);
-    const QRectF text = QFontMetricsF(m_font).boundingRect(QRectF(0, 0, room, 4000), flow, m_text);
-    const QSizeF size(text.width() + 2 * padding + 1, text.height() + 1.2 * padding);
+    const double room =
+        m_view.isEmpty() ? 4000 : std::max(1.0, m_view.width() - 2 * (readoutPadding + readoutMargin) - 1);
+    const QRectF text = QFontMetricsF(m_font).boundingRect(QRectF(0, 0, room, 4000), readoutFlow, m_text);
+    const QSizeF size(text.width() + 2 * readoutPadding + 1, text.height() + 1.2 * readoutPadding);
     QPointF corner = m_pointer + QPointF(across, down);
     if (corner.x() + size.width() > m_view.right()) corner.setX(m_pointer.x() - across - size.width());
     if (corner.y() + size.height() > m_view.bottom()) corner.setY(m_pointer.y() - down - size.height());
     if (m_view.isEmpty()) return {corner, size};
     // Where there is room on neither side, over or under the pointer.
-    corner.setX(
-        std::max(m_view.left() + margin, std::min(corner.x(), m_view.right() - margin - size.width())));
-    corner.setY(
-        std::max(m_view.top() + margin, std::min(corner.y(), m_view.bottom() - margin - size.height())));
+    corner.setX(std::max(m_view.left() + readoutMargin,
+                         std::min(corner.x(), m_view.right() - readoutMargin - size.width())));
+    corner.setY(std::max(m_view.top() + readoutMargin,
+                         std::min(corner.y(), m_view.bottom() - readoutMargin - size.height())));
     return {corner, size};
 }
 
@@ -66,7 +67,7 @@ void ReadoutItem::paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWid
     painter->drawRoundedRect(frame, 5, 5);
     painter->setFont(m_font);
     painter->setPen(m_style.noteText);
-    painter->drawText(frame.adjusted(padding, 0, -padding, 0), flow, m_text);
+    painter->drawText(frame.adjusted(readoutPadding, 0, -readoutPadding, 0), readoutFlow, m_text);
 }
 
 } // namespace view

@@ -7,8 +7,8 @@ namespace view {
 
 namespace {
 
-constexpr double radius = 9;
-constexpr double focusRadius = 14;
+constexpr double vertexRadius = 9;
+constexpr double vertexFocusRadius = 14;
 
 } // namespace
 
@@ -21,16 +21,17 @@ void VertexHandle::setState(HandleStates state) {
 }
 
 QRectF VertexHandle::boundingRect() const {
-    constexpr double extent = focusRadius + 3;
+    constexpr double extent = vertexFocusRadius + 3;
     return {-extent, -extent, 2 * extent, 2 * extent};
 }
 
 void VertexHandle::paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidget*) {
     painter->setRenderHint(QPainter::Antialiasing);
-    if (m_state.testFlag(HandleState::Focused)) strokeFocusRing(*painter, QPointF(), focusRadius, m_style);
+    if (m_state.testFlag(HandleState::Focused))
+        strokeFocusRing(*painter, QPointF(), vertexFocusRadius, m_style);
     const bool lit =
         m_state & (HandleStates(HandleState::Hovered) | HandleState::Pressed | HandleState::Selected);
-    const double grown = m_state.testFlag(HandleState::Hovered) ? radius + 1 : radius;
+    const double grown = m_state.testFlag(HandleState::Hovered) ? vertexRadius + 1 : vertexRadius;
     QColor core = m_style.core;
     if (m_state.testFlag(HandleState::Hidden) && !lit) core.setAlphaF(0.4F); // hollow, and its number is read
     painter->setPen(Qt::NoPen);

@@ -2,8 +2,7 @@
 #include "canvas/scene/handle_text.h"
 
 #include "canvas/geometry/coordinate_text.h"
-
-#include <QCoreApplication>
+#include "document/text.h"
 
 #include <algorithm>
 #include <cmath>
@@ -13,10 +12,6 @@ namespace view {
 namespace {
 
 using Kind = CanvasPart::Kind;
-
-struct Text {
-    Q_DECLARE_TR_FUNCTIONS(view::CanvasScene)
-};
 
 QString coordinates(const attractor::Camera& camera, const ifs::Vector<2>& point) {
     return QStringLiteral("x %1, y %2")

@@ -32,9 +32,9 @@ namespace view {
 
 namespace {
 
-constexpr int maxSide = 16'384;
+constexpr int maxFrameSide = 16'384;
 constexpr int usualPointsPerPixel = 100;
-const QString exportKind = QStringLiteral("animation");
+const QString animationKind = QStringLiteral("animation");
 // Of a format of the list, as the settings have it.
 QString formatName(int format) {
     return format == AnimationExportDialog::Pictures ? QStringLiteral("pictures")
@@ -126,10 +126,10 @@ void AnimationExportDialog::createFormat() {
         m_section->addItem(tr("The view “%1”").arg(view.name));
     m_form->addRow(tr("Sect&ion:"), m_section);
     m_form->setRowVisible(m_section, !io::hasCameraKeys(m_entry));
-    m_width = spinBox(tr("Width"), 16, maxSide, 1920, tr("The width of the frames in pixels."));
-    m_height = spinBox(tr("Height"), 16, maxSide, 1080, tr("The height of the frames in pixels."));
+    m_width = spinBox(tr("Width"), 16, maxFrameSide, 1920, tr("The width of the frames in pixels."));
+    m_height = spinBox(tr("Height"), 16, maxFrameSide, 1080, tr("The height of the frames in pixels."));
     m_form->addRow(tr("&Size in pixels:"), pair(m_width, QStringLiteral("×"), m_height));
-    const LastExport last = lastExport(exportKind);
+    const LastExport last = lastExport(animationKind);
     for (int format = 0; format < m_format->count(); ++format)
         if (formatName(format) == last.format) m_format->setCurrentIndex(format);
     if (const QStringList sides = last.size.split(u' '); sides.size() == 2) {
@@ -318,12 +318,13 @@ void AnimationExportDialog::chooseFile() {
     // Of pictures the first is asked for; mayReplace() looks for all of them.
     const QString suggestion =
         isPictures ? io::framePath(fileName, m_first->value(), m_last->value()) : fileName;
-    const QString path = chooseFileToSave(this, tr("Export Animation"), suggestedPath(exportKind, suggestion),
-                                          filter, suffix(), !isPictures);
+    const QString path =
+        chooseFileToSave(this, tr("Export Animation"), suggestedPath(animationKind, suggestion), filter,
+                         suffix(), !isPictures);
     if (path.isEmpty()) return;
     adoptEnding(path);
     const QString size = QStringLiteral("%1 %2").arg(m_width->value()).arg(m_height->value());
-    rememberExport(exportKind, {formatName(m_format->currentIndex()), size}, path);
+    rememberExport(animationKind, {formatName(m_format->currentIndex()), size}, path);
     const QString number = io::framePath(QStringLiteral(".png"), m_first->value(), m_last->value());
     const QString file =
         isPictures && path.endsWith(number) ? path.chopped(number.size()) + QStringLiteral(".png") : path;

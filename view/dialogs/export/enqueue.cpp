@@ -1,21 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "dialogs/export/enqueue.h"
 
+#include "document/text.h"
 #include "io/file/slow_disk.h"
 #include "io/fractint/entry_writer.h"
 
-#include <QCoreApplication>
 #include <QFileInfo>
 
 namespace view {
-
-namespace {
-
-struct Text {
-    Q_DECLARE_TR_FUNCTIONS(Enqueue)
-};
-
-} // namespace
 
 Enqueued enqueue(ExportQueue& queue, const document::Fractal& fractal, const io::ExportRecipe& recipe,
                  const QString& path) {

@@ -37,7 +37,7 @@ namespace view {
 namespace {
 
 enum Format { Flame, Aifs, Latex, Csv, Tsv, PointsCsv, PointsPly };
-const QString exportKind = QStringLiteral("data");
+const QString dataKind = QStringLiteral("data");
 // In that order, as the settings have them.
 const QStringList& formatNames() {
     static const QStringList all =
@@ -105,7 +105,7 @@ void ExportDataDialog::createOptions(QFormLayout* form) {
     m_format->addItems({tr("Flame: flam3, Apophysis, JWildfire, Fractorium"), tr("IFStile (.aifs)"),
                         tr("Formulas and a figure for LaTeX (.tex)"), tr("Table with commas (.csv)"),
                         tr("Table with tabs (.tsv)"), tr("Points (.csv)"), tr("Points, coloured (.ply)")});
-    chooseFormat(std::max(0, int(formatNames().indexOf(lastExport(exportKind).format))));
+    chooseFormat(std::max(0, int(formatNames().indexOf(lastExport(dataKind).format))));
     m_columns = new ColumnOrders(tr("The order of the coefficients in each row; programs differ."), this);
     m_points = new WholeNumberBox(this);
     m_points->setWhatsThis(tr("How many points of the chaos game are written."));
@@ -242,9 +242,9 @@ void ExportDataDialog::chooseFile() {
     const QString filter = tr("%1 files (*.%2)").arg(suffix().toUpper(), suffix());
     const QString fileName = document::uniqueName({}, m_fractal.name) + u'.' + suffix();
     const QString path =
-        chooseFileToSave(this, tr("Export Data"), suggestedPath(exportKind, fileName), filter, suffix());
+        chooseFileToSave(this, tr("Export Data"), suggestedPath(dataKind, fileName), filter, suffix());
     if (path.isEmpty()) return;
-    rememberExport(exportKind, {formatNames().at(m_format->currentIndex()), {}}, path);
+    rememberExport(dataKind, {formatNames().at(m_format->currentIndex()), {}}, path);
     exportTo(path);
 }
 

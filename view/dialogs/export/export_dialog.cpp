@@ -64,7 +64,7 @@ constexpr Kind kinds[] = {
     {"pdf", "*.pdf", io::ShapeFile::Pdf, QT_TRANSLATE_NOOP("view::ExportDialog", "PDF: shapes for print")},
 };
 
-const QString exportKind = QStringLiteral("picture");
+const QString pictureKind = QStringLiteral("picture");
 
 // Its place in the list.
 std::optional<int> kindOf(const QString& path) {
@@ -136,7 +136,7 @@ void ExportDialog::createFormat() {
     m_size = new ExportSizeEditor({std::max(1, int(std::lround(m_camera.width * ratio))),
                                    std::max(1, int(std::lround(m_camera.height * ratio)))},
                                   m_options);
-    const LastExport last = lastExport(exportKind);
+    const LastExport last = lastExport(pictureKind);
     m_format->setCurrentIndex(kindOf(QStringLiteral("last.") + last.format).value_or(0));
     m_size->choose(last.size);
     m_transparent = new QCheckBox(tr("&Transparent background"), m_options);
@@ -459,9 +459,9 @@ QString ExportDialog::chosenFile() {
     const QString filter = QStringLiteral("%1 (%2)").arg(suffix.toUpper(), QLatin1String(kind.filter));
     const QString name = document::uniqueName({}, m_fractal.name) + u'.' + suffix;
     const QString path = chooseFileToSave(this, tr("Export Picture"),
-                                          suggestedPath(exportKind, name, m_folder), filter, suffix);
+                                          suggestedPath(pictureKind, name, m_folder), filter, suffix);
     if (const auto chosen = kindOf(path))
-        rememberExport(exportKind, {QString::fromLatin1(kinds[*chosen].suffix), m_size->choice()}, path);
+        rememberExport(pictureKind, {QString::fromLatin1(kinds[*chosen].suffix), m_size->choice()}, path);
     return path;
 }
 

@@ -28,9 +28,7 @@ namespace view {
 
 namespace {
 
-using Kind = HandoutOptions::Kind;
-
-constexpr double margin = 0.04; // around everything that is shown
+constexpr double areaMargin = 0.04; // around everything that is shown
 
 int longSideOf(const HandoutOptions& options) {
     return options.perPage <= 2 ? 1400 : 900;
@@ -139,13 +137,13 @@ void HandoutDialog::createOptions() {
     form->addRow(QString(), m_nameLine);
     static_cast<QVBoxLayout*>(layout())->addLayout(form);
     connect(m_kind, &QComboBox::currentIndexChanged, this, [this] {
-        m_nameLine->setChecked(options().kind == Kind::TaskSheet);
+        m_nameLine->setChecked(options().kind == HandoutOptions::Kind::TaskSheet);
         update();
     });
 }
 
 void HandoutDialog::update() {
-    const bool isHandout = options().kind == Kind::Handout;
+    const bool isHandout = options().kind == HandoutOptions::Kind::Handout;
     m_maps->setEnabled(isHandout);
     m_formulas->setEnabled(isHandout);
     if (!m_preview) return;
@@ -157,8 +155,8 @@ void HandoutDialog::update() {
 }
 
 HandoutOptions HandoutDialog::options() const {
-    return {Kind(m_kind->currentIndex()), m_perPage->currentData().toInt(), m_maps->isChecked(),
-            m_formulas->isChecked(), m_nameLine->isChecked()};
+    return {HandoutOptions::Kind(m_kind->currentIndex()), m_perPage->currentData().toInt(),
+            m_maps->isChecked(), m_formulas->isChecked(), m_nameLine->isChecked()};
 }
 
 std::vector<std::shared_ptr<const document::Fractal>> HandoutDialog::chosen() const {
@@ -197,7 +195,7 @@ io::PngExport handoutPicture(const document::Fractal& fractal, const HandoutOpti
     attractor::Camera camera;
     camera.width = std::max(1, int(longSide * size.x() / size.maxCoeff()));
     camera.height = std::max(1, int(longSide * size.y() / size.maxCoeff()));
-    camera = fitted(camera, low, high, margin);
+    camera = fitted(camera, low, high, areaMargin);
     io::PngExport picture{printed, document::renderRequest(printed, camera), {}};
     picture.request.threads = io::threadsOfThisMachine();
     picture.request.samples = 40ULL * std::uint64_t(camera.width) * std::uint64_t(camera.height);
@@ -217,7 +215,7 @@ HandoutPictureInSpace handoutPictureInSpace(const document::Fractal& fractal, co
         const double picture = document::extentAlong(fractal, u).high;
         return options.showsMaps ? std::max(picture, marked(u)) : picture;
     };
-    camera = attractor::fitted(camera, reach, margin);
+    camera = attractor::fitted(camera, reach, areaMargin);
     return {spacePicture(fractal, camera, longSideOf(options)),
             io::spaceOverlayMarks(onPaper(fractal), camera, overlay)};
 }
@@ -234,7 +232,7 @@ void HandoutDialog::showPreview() {
     const QPointer<HandoutDialog> self(this); // it may be closed meanwhile
     for (const auto& fractal : chosen()) {
         HandoutItem item{fractal, {}};
-        if (wanted.kind == Kind::Handout) {
+        if (wanted.kind == HandoutOptions::Kind::Handout) {
             item.picture = document::plane(*fractal)
                                ? drawnForPaper(handoutPicture(*fractal, wanted), this)
                                : drawnInSpace(handoutPictureInSpace(*fractal, wanted), this);

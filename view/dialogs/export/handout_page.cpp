@@ -5,9 +5,9 @@
 #include "dialogs/export/printed_parts.h"
 #include "document/fractal_geometry.h"
 #include "document/space_geometry.h"
+#include "document/text.h"
 #include "io/overlay/space_overlay.h"
 
-#include <QCoreApplication>
 #include <QFontMetricsF>
 #include <QPainter>
 #include <QRegularExpression>
@@ -19,10 +19,6 @@
 namespace view {
 
 namespace {
-
-struct Text {
-    Q_DECLARE_TR_FUNCTIONS(Text)
-};
 
 constexpr double lineSpacing = 1.15;
 constexpr double textShare = 0.72; // of the height of a line, where the text is not too wide for that

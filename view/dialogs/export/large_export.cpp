@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "dialogs/export/large_export.h"
 
+#include "document/text.h"
 #include "widgets/number_text.h"
 
-#include <QCoreApplication>
 #include <QLocale>
 #include <QMessageBox>
 #include <QPushButton>
@@ -11,10 +11,6 @@
 namespace view {
 
 namespace {
-
-struct Text {
-    Q_DECLARE_TR_FUNCTIONS(view::ExportDialog)
-};
 
 constexpr double manyPixels = 500e6;
 constexpr std::uint64_t muchMemory = std::uint64_t(8) << 30;

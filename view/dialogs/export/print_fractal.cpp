@@ -6,10 +6,10 @@
 #include "dialogs/export/printed_parts.h"
 #include "document/fractal_geometry.h"
 #include "document/space_geometry.h"
+#include "document/text.h"
 #include "document/user_comments.h"
 #include "io/export_job.h"
 
-#include <QCoreApplication>
 #include <QFontMetricsF>
 #include <QPainter>
 
@@ -26,10 +26,6 @@ constexpr double maxShare = 0.62; // of the page for the picture
 constexpr int linesOnPage = 60;
 constexpr double wholeWidth = 8; // columns: tables with as many are as wide as the page
 constexpr int longSide = 2400;   // of the picture, in pixels
-
-struct Text {
-    Q_DECLARE_TR_FUNCTIONS(Text)
-};
 
 // As withoutMargins(), of a view that is turned: there the box around the box counts.
 attractor::Camera withoutTurnedMargins(const document::Box& box, attractor::Camera camera) {

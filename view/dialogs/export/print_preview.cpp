@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "dialogs/export/print_preview.h"
 
+#include "document/text.h"
 #include "widgets/tooltip_text.h"
 
-#include <QCoreApplication>
 #include <QFileInfo>
 #include <QPainter>
 #include <QPrintPreviewDialog>
@@ -14,10 +14,6 @@
 namespace view {
 
 namespace {
-
-struct Text {
-    Q_DECLARE_TR_FUNCTIONS(PrintPreview)
-};
 
 // Empty for paper.
 QString sentenceOn(const QPrinter& printer) {

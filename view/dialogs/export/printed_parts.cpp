@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "dialogs/export/printed_parts.h"
 
+#include "document/text.h"
 #include "io/exports/export_recipe.h"
 #include "widgets/wait_for.h"
 
-#include <QCoreApplication>
 #include <QFontMetricsF>
 #include <QPainter>
 
@@ -15,10 +15,6 @@ namespace view {
 namespace {
 
 constexpr std::size_t maxMaps = 1000; // nobody reads more on paper
-
-struct Text {
-    Q_DECLARE_TR_FUNCTIONS(Text)
-};
 
 QImage drawn(QFuture<QImage> drawing, QWidget* parent) {
     if (!waitFor(QFuture<void>(drawing), Text::tr("Drawing the picture…"), parent)) return {};

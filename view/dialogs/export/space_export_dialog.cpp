@@ -39,7 +39,7 @@ namespace view {
 
 namespace {
 
-const QString exportKind = QStringLiteral("solid");
+const QString solidKind = QStringLiteral("solid");
 // In the order of the list.
 const QStringList& suffixes() {
     static const QStringList all =
@@ -98,7 +98,7 @@ SpaceExportDialog::SpaceExportDialog(document::Document* document, const attract
     connect(buttons, &QDialogButtonBox::rejected, this, [this] { m_job ? m_job->stop() : reject(); });
     // Esc is the button: it stops before it closes. Closing the window does both at once.
     connect(new QShortcut(QKeySequence::Cancel, this), &QShortcut::activated, m_close, &QPushButton::click);
-    const LastExport last = lastExport(exportKind);
+    const LastExport last = lastExport(solidKind);
     m_format->setCurrentIndex(std::max(0, int(suffixes().indexOf(last.format))));
     m_size->choose(last.size);
     showBody(last.more);
@@ -355,8 +355,8 @@ QString SpaceExportDialog::chosenFile() {
     const QString filter = tr("%1 files (*.%2)").arg(suffix().toUpper(), suffix());
     const QString fileName = document::uniqueName({}, m_fractal.name) + u'.' + suffix();
     const QString path =
-        chooseFileToSave(this, tr("Export"), suggestedPath(exportKind, fileName), filter, suffix());
-    if (!path.isEmpty()) rememberExport(exportKind, {suffix(), m_size->choice(), bodyText()}, path);
+        chooseFileToSave(this, tr("Export"), suggestedPath(solidKind, fileName), filter, suffix());
+    if (!path.isEmpty()) rememberExport(solidKind, {suffix(), m_size->choice(), bodyText()}, path);
     return path;
 }
 

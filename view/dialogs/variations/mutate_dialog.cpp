@@ -27,7 +27,6 @@ namespace {
 constexpr int smallSide = 56; // of the pictures of the line
 constexpr int strengthSteps = 100;
 constexpr int controlsWidth = 230;
-constexpr int resizePause = 150; // ms
 constexpr quint64 partnerKey = quint64{1} << 40;
 
 bool areAllLocked(const document::Fractal& fractal) {

@@ -29,8 +29,7 @@ namespace {
 constexpr int side = 132; // of a picture, at least
 constexpr int cell = side + 2 * PictureTiles::margin;
 constexpr int columns = 4;
-constexpr int slack = 8;         // of a row, or the last tile goes to the next one
-constexpr int resizePause = 150; // ms
+constexpr int slack = 8; // of a row, or the last tile goes to the next one
 constexpr int usualOrder = 5;
 
 } // namespace

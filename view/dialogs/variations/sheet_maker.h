@@ -13,6 +13,9 @@
 
 namespace view {
 
+// Milliseconds after the last change of a size before the sheet is drawn anew.
+inline constexpr int resizePause = 150;
+
 // Makes a sheet of fractals from successive seeds, and their pictures, in the background. A new sheet takes
 // the place of the last one at once.
 class SheetMaker : public QObject {

@@ -20,7 +20,7 @@ namespace view {
 
 namespace {
 
-constexpr std::size_t triangle = 3;
+constexpr std::size_t triangleSize = 3;
 constexpr double roundingShare = 4 * std::numeric_limits<double>::epsilon();
 constexpr double spaceTolerance = 1e-9; // of the simplex in space, relative: finer than its digits
 
@@ -40,8 +40,9 @@ QString orientationText(const ifs::Orientation<3>& orientation) {
 QString cageStatus(const document::Fractal& fractal, const ifs::ControlCage<2>& cage) {
     const std::size_t count = cage.current.size();
     if (isAtRest(fractal))
-        return count == triangle ? Texts::tr("At rest: the picture shows the code.")
-                                 : Texts::tr("%1 vertices, at rest: the picture shows the code.").arg(count);
+        return count == triangleSize
+                   ? Texts::tr("At rest: the picture shows the code.")
+                   : Texts::tr("%1 vertices, at rest: the picture shows the code.").arg(count);
     if (ifs::bends(cage)) {
         const bool smooth =
             document::placement(fractal).bend()->coordinates() == ifs::Coordinates::Wachspress;

@@ -1,22 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include "panels/cage/fit_menu.h"
 
+#include "document/text.h"
 #include "panels/cage/cage_texts.h"
 
-#include <QCoreApplication>
 #include <QMenu>
 
 #include <array>
 
 namespace view {
-
-namespace {
-
-struct Text {
-    Q_DECLARE_TR_FUNCTIONS(view::CagePanel)
-};
-
-} // namespace
 
 QMenu* makeFitMenu(QWidget* parent, const PlaneFits& fits) {
     auto* menu = new QMenu(parent);

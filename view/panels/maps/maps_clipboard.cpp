@@ -5,11 +5,11 @@
 #include "dialogs/paste_table_dialog.h"
 #include "document/edits/map_locks.h"
 #include "document/map_names.h"
+#include "document/text.h"
 #include "io/file/background.h"
 #include "widgets/wait_for.h"
 
 #include <QClipboard>
-#include <QCoreApplication>
 #include <QGuiApplication>
 #include <QMimeData>
 
@@ -20,10 +20,6 @@
 namespace view {
 
 namespace {
-
-struct Text {
-    Q_DECLARE_TR_FUNCTIONS(view::MapsPanel)
-};
 
 template <int Dim>
 CopiedMaps copied(const ifs::IteratedFunctionSystem<Dim>& system, const document::MapLabels& labels,

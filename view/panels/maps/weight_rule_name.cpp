@@ -1,22 +1,21 @@
 // SPDX-License-Identifier: MIT
 #include "panels/maps/weight_rule_name.h"
-
-#include <QCoreApplication>
+#include "document/text.h"
 
 namespace view {
 
 QString ruleName(document::WeightRule rule) {
     switch (rule) {
     case document::WeightRule::Determinant:
-        return QCoreApplication::translate("view::MapsPanel", "By |Determinant|");
+        return Text::tr("By |Determinant|");
     case document::WeightRule::Equal:
-        return QCoreApplication::translate("view::MapsPanel", "Equal");
+        return Text::tr("Equal");
     case document::WeightRule::Dimension:
-        return QCoreApplication::translate("view::MapsPanel", "By Dimension");
+        return Text::tr("By Dimension");
     case document::WeightRule::Normalise:
         break;
     }
-    return QCoreApplication::translate("view::MapsPanel", "Normalise");
+    return Text::tr("Normalise");
 }
 
 } // namespace view

@@ -1,23 +1,15 @@
 // SPDX-License-Identifier: MIT
 #include "panels/maps/weights_button.h"
 
+#include "document/text.h"
 #include "panels/maps/weight_rule_name.h"
 #include "widgets/icon.h"
 #include "widgets/menu_button.h"
 
 #include <QAction>
-#include <QCoreApplication>
 #include <QMenu>
 
 namespace view {
-
-namespace {
-
-struct Text {
-    Q_DECLARE_TR_FUNCTIONS(view::MapsPanel)
-};
-
-} // namespace
 
 QToolButton* makeWeightsButton(const std::function<void(document::WeightRule)>& apply, QWidget* parent,
                                QList<QAction*>& actions) {

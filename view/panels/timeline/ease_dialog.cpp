@@ -19,7 +19,7 @@ namespace view {
 
 namespace {
 
-constexpr double margin = 12;
+constexpr double plotMargin = 12;
 constexpr double handleRadius = 5;
 
 animation::Ease asCurve(const animation::Ease& ease) {
@@ -54,7 +54,7 @@ void EaseCurve::setEase(const animation::Ease& ease) {
 }
 
 QRectF EaseCurve::square() const {
-    const double side = std::min(width(), height()) - 2 * margin;
+    const double side = std::min(width(), height()) - 2 * plotMargin;
     return {(width() - side) / 2, (height() - side) / 2, side, side};
 }
 

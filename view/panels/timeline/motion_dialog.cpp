@@ -17,8 +17,6 @@ namespace view {
 
 namespace {
 
-using Kind = document::MotionNumber::Kind;
-
 constexpr double maxDegrees = 360;
 constexpr double percent = 100;
 constexpr double maxPercent = 99.9;
@@ -61,7 +59,7 @@ MotionDialog::MotionDialog(document::Document& document, std::size_t motion, con
     auto* form = new QFormLayout(this);
     int cycles = 0;
     for (std::size_t i = 0; i < m_numbers.size(); ++i) {
-        if (m_numbers[i].kind == Kind::Cycles) ++cycles;
+        if (m_numbers[i].kind == document::MotionNumber::Kind::Cycles) ++cycles;
         QWidget* box = field(i, cycles);
         form->addRow(box->accessibleName() + u':', box);
     }
@@ -80,8 +78,9 @@ MotionDialog::MotionDialog(document::Document& document, std::size_t motion, con
 
 QWidget* MotionDialog::field(std::size_t index, int ordinal) {
     const document::MotionNumber& number = m_numbers[index];
-    if (number.kind == Kind::Degrees || number.kind == Kind::Share) {
-        const bool isAngle = number.kind == Kind::Degrees;
+    if (number.kind == document::MotionNumber::Kind::Degrees ||
+        number.kind == document::MotionNumber::Kind::Share) {
+        const bool isAngle = number.kind == document::MotionNumber::Kind::Degrees;
         const double unit = isAngle ? 1 : percent;
         auto* box = isAngle ? strengthBox(maxDegrees, QStringLiteral("°"), 0.5)
                             : strengthBox(maxPercent, QStringLiteral(" %"), 1);
@@ -95,11 +94,12 @@ QWidget* MotionDialog::field(std::size_t index, int ordinal) {
                 [this, index, unit](double value) { take(index, value / unit); });
         return box;
     }
-    const bool isTurns = number.kind == Kind::Turns;
+    const bool isTurns = number.kind == document::MotionNumber::Kind::Turns;
     auto* box = isTurns ? new TurnsBox : new WholeNumberBox;
     box->setRange(isTurns ? -animation::maxCycles : 1, animation::maxCycles);
     box->setValue(int(number.value));
-    const auto all = std::ranges::count(m_numbers, Kind::Cycles, &document::MotionNumber::kind);
+    const auto all =
+        std::ranges::count(m_numbers, document::MotionNumber::Kind::Cycles, &document::MotionNumber::kind);
     box->setAccessibleName(isTurns   ? tr("Turns")
                            : all > 1 ? tr("Cycles of wave %1").arg(ordinal)
                                      : tr("Cycles"));
@@ -121,7 +121,8 @@ document::Fractal MotionDialog::changed() const {
     document::Fractal wanted = document::withMotionNumbers(m_entry, m_motion, m_numbers);
     m_note->hide();
     const auto strength = std::ranges::find_if(m_numbers, [](const document::MotionNumber& number) {
-        return number.kind == Kind::Degrees || number.kind == Kind::Share;
+        return number.kind == document::MotionNumber::Kind::Degrees ||
+               number.kind == document::MotionNumber::Kind::Share;
     });
     if (strength == m_numbers.end()) return wanted;
     document::Fractal safe = document::withSafeStrength(wanted, m_motion);
@@ -129,7 +130,7 @@ document::Fractal MotionDialog::changed() const {
         document::motionNumbers(safe, m_motion)[std::size_t(strength - m_numbers.begin())].value;
     // 0 where the attractor is lost without this motion, too.
     if (most == strength->value || most == 0) return wanted;
-    const QString limit = strength->kind == Kind::Degrees
+    const QString limit = strength->kind == document::MotionNumber::Kind::Degrees
                               ? QStringLiteral("%1°").arg(shortNumber(most))
                               : QStringLiteral("%1 %").arg(shortNumber(percent * most));
     m_note->setText(tr("Only %1 is used: with more there would be no attractor at some moment.").arg(limit));

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "io/video/libav/encoder.h"
-
-#include <QCoreApplication>
+#include "document/text.h"
 
 #include <array>
 #include <cstring>
@@ -128,19 +127,16 @@ QByteArray commentOf(const QByteArray& systemText) {
 
 Failure encoderObstacle(VideoFormat format) {
     if (!isInstalled())
-        return QCoreApplication::translate(
-            "VideoWriter",
-            "FFmpeg's libraries are not installed on this machine, so no videos can be written. "
-            "Install them, or write the frames as PNG pictures instead.");
+        return Text::tr("FFmpeg's libraries are not installed on this machine, so no videos can be written. "
+                        "Install them, or write the frames as PNG pictures instead.");
     VideoSettings settings;
     settings.format = format;
     const Recipe recipe = recipeOf(settings);
     if (library().avcodec_find_encoder_by_name(recipe.encoder) != nullptr &&
         library().av_guess_format(recipe.muxer, nullptr, nullptr) != nullptr)
         return std::nullopt;
-    return QCoreApplication::translate(
-               "VideoWriter", "FFmpeg's libraries on this machine cannot write %1 files: the encoder "
-                              "%2 is missing. Choose another format.")
+    return Text::tr("FFmpeg's libraries on this machine cannot write %1 files: the encoder "
+                    "%2 is missing. Choose another format.")
         .arg(QLatin1String(suffixOf(format)), QLatin1String(recipe.encoder));
 }
 
@@ -154,8 +150,7 @@ bool Encoder::isDone(int result) {
     std::array<char, AV_ERROR_MAX_STRING_SIZE> text{};
     library().av_strerror(result, text.data(), text.size());
     if (!m_failure)
-        m_failure = QCoreApplication::translate("VideoWriter", "The video cannot be written: %1.")
-                        .arg(QString::fromUtf8(text.data()));
+        m_failure = Text::tr("The video cannot be written: %1.").arg(QString::fromUtf8(text.data()));
     return false;
 }
 

@@ -11,7 +11,7 @@ namespace view {
 
 namespace {
 
-constexpr QSize previewSize(88, 14);
+constexpr QSize rowSize(88, 14);
 
 } // namespace
 
@@ -38,7 +38,7 @@ QPixmap gradientPixmap(const attractor::Palette& palette, const QSize& size, qre
 }
 
 GradientChooser::GradientChooser(QWidget* parent) : QComboBox(parent) {
-    setIconSize(previewSize);
+    setIconSize(rowSize);
     setSizeAdjustPolicy(AdjustToMinimumContentsLengthWithIcon); // a long name of a file would widen the panel
     setMinimumContentsLength(6);
     for (const attractor::Palette& palette : attractor::builtInPalettes())
@@ -53,7 +53,7 @@ void GradientChooser::add(const attractor::Palette& palette, const QString& name
     m_palettes.push_back(palette);
     QIcon icon;
     for (const qreal ratio : {1.0, 2.0})
-        icon.addPixmap(gradientPixmap(palette, previewSize, ratio));
+        icon.addPixmap(gradientPixmap(palette, rowSize, ratio));
     addItem(icon, name);
 }
 
