@@ -33,6 +33,7 @@ private slots:
     void viewStartsNoThread();
     void nothingReturnsASubrange();
     void decompositionsAreCompiledInFewFiles();
+    void anonymousNamesAreUniqueInTheirFolder();
 };
 
 namespace {
@@ -275,7 +276,10 @@ void LayeringTest::coreCompilesWithoutQt() {
             !path.contains(QLatin1String("/model/animation/")) &&
             !path.contains(QLatin1String("/model/collage/")))
             continue;
-        if (!path.startsWith(support::sourcePath(QStringLiteral("model/")))) continue;
+        // Of the library itself, or of several of its sources together.
+        if (!path.startsWith(support::sourcePath(QStringLiteral("model/"))) &&
+            !path.startsWith(support::buildPath(QStringLiteral("model/"))))
+            continue;
         ++seen;
         QVERIFY2(!entry[QLatin1String("command")].toString().contains(QLatin1String("QtCore")),
                  qPrintable(path));
@@ -326,6 +330,48 @@ void LayeringTest::decompositionsAreCompiledInFewFiles() {
     QVERIFY2(users.size() <= 6, qPrintable(users.join(u' ')));
     for (const QString& path : std::as_const(users))
         QVERIFY2(path.contains(QLatin1String("/model/ifs/linear/")), qPrintable(path));
+}
+
+// What a file names at the left margin of its anonymous namespaces: types and values by their names,
+// functions by their names and parameters, since they may be overloaded.
+static std::set<QString> anonymousNames(const QString& path) {
+    static const QRegularExpression type(
+        QStringLiteral("^(?:template <[^>]*> )?(?:struct|class|enum class|enum) (\\w+)(?! *;)"));
+    static const QRegularExpression alias(QStringLiteral("^(?:template <[^>]*> )?using (\\w+) ="));
+    static const QRegularExpression value(
+        QStringLiteral("^(?:static |inline |constexpr |const )+[^(=]*?(\\w+)(?:\\[\\w*\\])?(?: =|\\{| \\{)"));
+    static const QRegularExpression function(QStringLiteral("^[\\w\\[][^=]*?\\b(\\w+\\(.*)\\{$"));
+    std::set<QString> names;
+    bool isInside = false;
+    for (const QString& line : contents(path).split(u'\n')) {
+        if (line.startsWith(QLatin1String("namespace {"))) isInside = true;
+        if (line.startsWith(QLatin1String("} // namespace"))) isInside = false;
+        if (!isInside) continue;
+        for (const QRegularExpression* kind : {&type, &alias, &value, &function})
+            if (const auto match = kind->match(line); match.hasMatch()) {
+                names.insert(match.captured(1));
+                break;
+            }
+    }
+    return names;
+}
+
+// The sources of a folder are compiled together, some at a time.
+void LayeringTest::anonymousNamesAreUniqueInTheirFolder() {
+    std::map<std::pair<QString, QString>, QString> firsts; // by folder and name
+    for (const char* top : {"app", "model", "view", "tests"})
+        for (const QString& path : sourceFiles(support::sourcePath(QString::fromLatin1(top)))) {
+            if (!path.endsWith(QLatin1String(".cpp"))) continue;
+            if (path.contains(QLatin1String("/tests/bench/")) ||
+                path.contains(QLatin1String("/tests/support/")))
+                continue; // programs and libraries of one or few sources
+            for (const QString& name : anonymousNames(path)) {
+                const auto [first, isNew] = firsts.try_emplace({folderOf(path), name}, path);
+                QVERIFY2(isNew, qPrintable(name + QStringLiteral(" is in ") + first->second +
+                                           QStringLiteral(" and in ") + path));
+            }
+        }
+    QVERIFY2(firsts.size() > 1000, "few names were found: the test looks at the wrong places");
 }
 
 BARYCAGE_TEST(LayeringTest);
