@@ -15,7 +15,10 @@ bool isInPlace(const QWidget* window) {
     static const std::unique_ptr<Display, int (*)(Display*)> display(XOpenDisplay(nullptr), XCloseDisplay);
     if (!display || !window->isActiveWindow()) return false;
     const Window id = window->internalWinId();
-    Window child = 0;
+    Window child = 0, focused = 0;
+    int afterwards = 0;
+    XGetInputFocus(display.get(), &focused, &afterwards);
+    if (focused != id) return false;
     int x = 0, y = 0;
     XWindowAttributes found;
     if (!XTranslateCoordinates(display.get(), id, DefaultRootWindow(display.get()), 0, 0, &x, &y, &child) ||

@@ -111,7 +111,7 @@ protected:
         QRect place; // where it was before: the window manager may still move it
         QObject::connect(&poll, &QTimer::timeout, &poll, [&] {
             auto* found = visible<Dialog>();
-            if (!found || met || !found->isActiveWindow()) return;
+            if (!found || met || !isInPlace(found)) return;
             if (std::exchange(place, found->geometry()) != found->geometry()) return;
             met = true;
             watchdog().ignoreThisEvent(); // it holds the work of the test
@@ -121,6 +121,10 @@ protected:
             if (!gone) dialog->close();
         });
         poll.start(30);
+        waitFor([] { // keys go where they are meant to
+            const QWidget* active = QApplication::activeWindow();
+            return active ? isInPlace(active) : !visible<QWidget>();
+        });
         open();
         waitFor([&] { return met; });
         return met && waitFor([&] { return gone; });
