@@ -8,7 +8,6 @@
 #include <algorithm>
 #include <atomic>
 #include <chrono>
-#include <thread>
 
 using namespace document;
 
@@ -18,11 +17,7 @@ using ifs::Vector;
 
 // Waits for a condition that another thread brings about; fails the test after a minute.
 template <class Condition> bool eventually(Condition condition) {
-    for (int n = 0; n < 60'000; ++n) {
-        if (condition()) return true;
-        std::this_thread::sleep_for(std::chrono::milliseconds(1));
-    }
-    return false;
+    return QTest::qWaitFor(condition, 60'000);
 }
 
 // Its unit square about the triangle (0, 0), (1, 0), (0, 1), carried there by the cage.

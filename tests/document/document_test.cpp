@@ -125,10 +125,9 @@ void DocumentTest::stepsOfOneKindBecomeOne() {
     nudge(0.9, -1);
     nudge(1, -1);
     QCOMPARE(document.undoStack()->count(), 4);
-    QTest::qWait(1100);
     nudge(1.1, 9);
-    QTest::qWait(1100);
-    nudge(1.2, 9); // too late
+    QTest::qWait(1100); // what comes sooner joins the step before, by the clock
+    nudge(1.2, 9);      // too late
     QCOMPARE(document.undoStack()->count(), 6);
     document.markSaved(document.file());
     nudge(1.3, 9); // what was saved can be gone back to

@@ -7,10 +7,10 @@
 #include <QLabel>
 #include <QMimeData>
 #include <QMouseEvent>
-#include <QTimer>
 #include <QUrl>
 
 #include <cstdio>
+#include <utility>
 
 class Source : public QLabel {
 public:
@@ -26,10 +26,22 @@ protected:
         urls->setUrls(files);
         auto* drag = new QDrag(this); // deletes itself when the other program has taken the data
         drag->setMimeData(urls);
+        say("drags");
         const Qt::DropAction action = drag->exec(Qt::CopyAction | Qt::MoveAction, Qt::CopyAction);
-        std::printf("%s\n", action == Qt::CopyAction ? "copied" : "not taken");
+        say(action == Qt::CopyAction ? "copied" : "not taken");
+    }
+    void paintEvent(QPaintEvent* event) override {
+        QLabel::paintEvent(event);
+        if (!std::exchange(m_isReady, true)) say("ready");
+    }
+
+private:
+    static void say(const char* word) {
+        std::puts(word);
         std::fflush(stdout);
     }
+
+    bool m_isReady = false;
 };
 
 int main(int argc, char** argv) {
@@ -39,9 +51,5 @@ int main(int argc, char** argv) {
     source.setGeometry(0, 860, 160, 60);
     source.setWindowFlag(Qt::FramelessWindowHint);
     source.show();
-    QTimer::singleShot(400, [] {
-        std::puts("ready");
-        std::fflush(stdout);
-    });
     return QApplication::exec();
 }

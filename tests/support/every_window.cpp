@@ -2,6 +2,7 @@
 #include "support/every_window.h"
 
 #include "canvas/tools/vertex_dialog.h"
+#include "support/events.h"
 
 #include <QAbstractButton>
 #include <QAbstractItemView>
@@ -55,7 +56,8 @@ EveryWindow::EveryWindow(const QString& path) : m_main(new MainWindow) {
     else if (!m_main->openPath(path))
         qFatal("not opened: %s", qPrintable(path));
     m_main->show();
-    QTest::qWait(50);
+    if (!QTest::qWaitForWindowExposed(m_main)) qFatal("the window does not appear");
+    handleEvents();
     for (QAction* action : leaves(m_main->menuBar())) {
         // “…” and the last item of Help open something; so do some others.
         const bool opens = action->text().contains(u'…') || action->menuRole() == QAction::AboutRole ||

@@ -55,7 +55,7 @@ void meet(const char* function, const char* path) {
         return;
     if (std::this_thread::get_id() != met.window) {
         ++met.waited;
-        std::this_thread::sleep_for(met.delay);
+        std::this_thread::sleep_for(met.delay); // this is the drive that answers late
         return;
     }
     const QString call = QLatin1String(function) + u' ' + QFile::decodeName(path) + trace();

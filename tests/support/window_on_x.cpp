@@ -5,6 +5,7 @@
 #include "canvas/scene/canvas_scene.h"
 #include "io/file/save_file.h"
 #include "io/fractint/fractint_reader.h"
+#include "support/background_rest.h"
 #include "support/forget_settings.h"
 
 #include <QAbstractButton>
@@ -14,6 +15,7 @@
 #include <QDockWidget>
 #include <QElapsedTimer>
 #include <QEventLoop>
+#include <QKeyEvent>
 #include <QMenu>
 #include <QMenuBar>
 #include <QMessageBox>
@@ -37,6 +39,14 @@ QAction* actionNamed(const QWidget* menu, const QString& name) {
 
 } // namespace
 
+bool KeyPresses::eventFilter(QObject* watched, QEvent* event) {
+    if (event->type() == QEvent::KeyPress || event->type() == QEvent::ShortcutOverride) {
+        const quint64 time = static_cast<QKeyEvent*>(event)->timestamp();
+        if (std::exchange(m_last, time) != time) ++m_count;
+    }
+    return QObject::eventFilter(watched, event);
+}
+
 bool waitFor(const std::function<bool()>& condition) {
     QElapsedTimer since;
     since.start();
@@ -58,7 +68,8 @@ void WindowOnX::openWindow() {
     m_window->openFirstPicture();
     m_window->show();
     QVERIFY(QTest::qWaitForWindowActive(m_window));
-    QTest::qWait(300); // the window manager settles the geometry
+    QVERIFY(waitFor([this] { return isInPlace(m_window); }));
+    QVERIFY(backgroundRests()); // it is laid out, and shows what it opened
     canvas().fit();
 }
 
@@ -124,6 +135,14 @@ void WindowOnX::dragBy(const QPoint& start, const QPoint& by) {
     hand().drag(start, {start + by / 4, start + by * 2 / 3, start + by});
 }
 
+void WindowOnX::zoomOut(int notches) {
+    constexpr double notchesToHalf = 4;
+    const double wanted = pixelsPerUnit() * std::exp2(-notches / notchesToHalf);
+    hand().moveTo(middleOf(canvas().viewport()));
+    hand().wheel(-notches);
+    QVERIFY(waitFor([&] { return std::abs(pixelsPerUnit() / wanted - 1) < 1e-6; }));
+}
+
 void WindowOnX::clickOn(QAbstractItemView* list, const QModelIndex& index) {
     list->scrollTo(index);
     hand().clickAt(list->viewport()->mapToGlobal(list->visualRect(index).center()));
@@ -155,8 +174,11 @@ QAction* WindowOnX::chooseFrom(const QMenu* menu, const QString& name) {
 void WindowOnX::showPanel(const QString& title) {
     for (const auto* tabs : m_window->findChildren<QTabBar*>())
         for (int i = 0; i < tabs->count(); ++i)
-            if (tabs->tabText(i) == title)
-                return hand().clickAt(tabs->mapToGlobal(tabs->tabRect(i).center()));
+            if (tabs->tabText(i) == title) {
+                hand().clickAt(tabs->mapToGlobal(tabs->tabRect(i).center()));
+                QVERIFY(waitFor([&] { return tabs->currentIndex() == i; }));
+                return handleEvents(); // it is laid out
+            }
     qFatal("no tab %s", qPrintable(title));
 }
 
@@ -165,11 +187,11 @@ QDialog* WindowOnX::openDialog(const char* shortcut, const char* className) {
     QDialog* found = nullptr;
     waitFor([&] {
         for (auto* dialog : m_window->findChildren<QDialog*>())
-            if (dialog->isActiveWindow() && QByteArray(dialog->metaObject()->className()) == className)
+            if (isInPlace(dialog) && QByteArray(dialog->metaObject()->className()) == className)
                 found = dialog;
         return found != nullptr;
     });
-    QTest::qWait(200); // the window manager finds its place
+    handleEvents(); // it is laid out
     return found;
 }
 

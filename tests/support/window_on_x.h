@@ -3,8 +3,10 @@
 
 #include "document/fractal_geometry.h"
 #include "main_window.h"
+#include "support/events.h"
 #include "support/named_test.h"
 #include "support/patient_tries.h"
+#include "support/place_on_x.h"
 #include "support/watchdog.h"
 #include "support/x_input.h"
 
@@ -16,6 +18,7 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <utility>
 
 class QAbstractItemView;
@@ -29,6 +32,23 @@ struct CanvasPart;
 }
 
 namespace support {
+
+// Counts the presses of keys that reach the program, those too by which the server repeats a key that is
+// held.
+class KeyPresses : public QObject {
+    Q_OBJECT
+
+public:
+    KeyPresses() { qApp->installEventFilter(this); }
+    int count() const { return m_count; }
+
+protected:
+    bool eventFilter(QObject* watched, QEvent* event) override;
+
+private:
+    int m_count = 0;
+    std::optional<quint64> m_last; // when it was; several objects are told of one press
+};
 
 // Waits until `condition` is true, in an event loop, as the program itself waits. False after a time limit.
 bool waitFor(const std::function<bool()>& condition);
@@ -69,6 +89,7 @@ protected:
     document::Fractal savedEntry(const QString& path) const; // the current entry as it is in the file
 
     void dragBy(const QPoint& start, const QPoint& by);
+    void zoomOut(int notches); // of the wheel, at the middle of the canvas
     void click(const QWidget* widget) { hand().clickAt(middleOf(widget)); }
     void clickOn(QAbstractItemView* list, const QModelIndex& index); // scrolls to it first
     void type(QWidget* field, const QString& text);                  // instead of what is in it, then Tab
@@ -90,7 +111,7 @@ protected:
         QRect place; // where it was before: the window manager may still move it
         QObject::connect(&poll, &QTimer::timeout, &poll, [&] {
             auto* found = visible<Dialog>();
-            if (!found || met || !found->isActiveWindow()) return;
+            if (!found || met || !isInPlace(found)) return;
             if (std::exchange(place, found->geometry()) != found->geometry()) return;
             met = true;
             watchdog().ignoreThisEvent(); // it holds the work of the test
@@ -100,6 +121,10 @@ protected:
             if (!gone) dialog->close();
         });
         poll.start(30);
+        waitFor([] { // keys go where they are meant to
+            const QWidget* active = QApplication::activeWindow();
+            return active ? isInPlace(active) : !visible<QWidget>();
+        });
         open();
         waitFor([&] { return met; });
         return met && waitFor([&] { return gone; });

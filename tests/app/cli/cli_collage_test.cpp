@@ -392,9 +392,10 @@ void CliCollageTest::wrongUsageIsRefused() {
 
 void CliCollageTest::anInterruptLeavesNothing() {
     QProcess process;
-    start(process, "collage letter.png -o stopped.ifs --seconds 1000 --report stopped.json");
-    QVERIFY(process.waitForStarted());
-    QTest::qWait(300);
+    start(process,
+          "collage letter.png -o stopped.ifs --seconds 1000 --report stopped.json --progress always");
+    process.setReadChannel(QProcess::StandardError);
+    QVERIFY(process.waitForReadyRead(30'000)); // it says how far it is
     ::kill(pid_t(process.processId()), SIGINT);
     QVERIFY(process.waitForFinished(30'000));
     QCOMPARE(process.exitCode(), 130);

@@ -2,6 +2,7 @@
 #include "app/cli/command_line.h"
 #include "support/paths.h"
 
+#include <QDateTime>
 #include <QFile>
 #include <QJsonArray>
 #include <QJsonDocument>
@@ -72,4 +73,10 @@ void CommandLineTest::write(const QByteArray& name, const QByteArray& bytes) con
 QByteArray CommandLineTest::read(const QByteArray& name) const {
     QFile file(path(name));
     return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
+}
+
+void CommandLineTest::makeOld(const QByteArray& name) const {
+    QFile file(path(name));
+    QVERIFY(file.open(QIODevice::ReadWrite));
+    QVERIFY(file.setFileTime(QDateTime::currentDateTime().addDays(-1), QFileDevice::FileModificationTime));
 }

@@ -35,6 +35,7 @@ protected:
     QString path(const QByteArray& name) const;
     void write(const QByteArray& name, const QByteArray& bytes) const;
     QByteArray read(const QByteArray& name) const;
+    void makeOld(const QByteArray& name) const; // as if it had been written yesterday
 
 private:
     QTemporaryDir m_folder;

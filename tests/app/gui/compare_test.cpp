@@ -8,6 +8,7 @@
 #include "document/fractal_geometry.h"
 #include "space/space_view.h"
 #include "stage.h"
+#include "support/events.h"
 #include "support/named_test.h"
 
 #include <QAction>
@@ -174,7 +175,7 @@ void CompareTest::entriesChangePlaces() {
     entries()->setCurrentIndex(entries()->findText(u"b"_s));
     emit entries()->activated(entries()->currentIndex());
     QCOMPARE(shown(), u"b"_s);
-    QTest::qWait(50);
+    support::handleEvents();
     for (const view::CanvasView* each : {canvas(), pane()->plane()}) {
         QCOMPARE(each->camera().centre, camera.centre);
         QCOMPARE(each->camera().pixelsPerUnit, camera.pixelsPerUnit);

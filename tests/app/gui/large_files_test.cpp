@@ -3,12 +3,15 @@
 #include "canvas/geometry/canvas_geometry.h"
 #include "canvas/geometry/canvas_part.h"
 #include "canvas/scene/canvas_scene.h"
+#include "dialogs/variations/mutate_dialog.h"
+#include "dialogs/variations/picture_tiles.h"
 #include "main_window.h"
 #include "panels/cage/cage_panel.h"
 #include "panels/collection/collection_panel.h"
 #include "panels/entries/entries_panel.h"
 #include "panels/maps/maps_model.h"
 #include "panels/maps/maps_panel.h"
+#include "support/background_rest.h"
 #include "support/named_test.h"
 #include "support/own_settings.h"
 #include "support/patient_tries.h"
@@ -31,6 +34,8 @@
 #include <QWhatsThis>
 
 #include <functional>
+
+using namespace std::chrono_literals;
 
 namespace {
 
@@ -80,7 +85,8 @@ private slots:
         m_window = new MainWindow;
         m_window->resize(1280, 800);
         m_window->show();
-        QTest::qWait(300);
+        QVERIFY(QTest::qWaitForWindowExposed(m_window));
+        QVERIFY(support::backgroundRests());
         application()->takeLate();
     }
     void cleanup() {
@@ -110,8 +116,9 @@ private:
                 isDone = true;
             },
             Qt::QueuedConnection);
-        while (!isDone)
-            QTest::qWait(10);
+        QTRY_VERIFY(isDone);
+        // Timers start what follows, which has no end that is told: those of the program run for less than
+        // this.
         QTest::qWait(150);
         for (const QString& late : application()->takeLate())
             m_late << QString::fromUtf8(what) + QStringLiteral(": ") + late;
@@ -272,7 +279,8 @@ void LargeFilesTest::openDialogs() {
     };
     doing("affine invariant form", [&] { choose("Affine Invariant Form…"); });
     doing("mutate", [&] { choose("Mutate…"); });
-    QTest::qWait(500); // some variations
+    auto* ring = m_window->findChild<view::VariationRing*>();
+    QTRY_VERIFY(!view::PictureTiles::shown(ring->indexFromItem(ring->childItem(0))).pixmap.isNull());
     doing("leave the dialogs", [&] {
         for (auto* dialog : m_window->findChildren<QDialog*>())
             dialog->reject();
@@ -400,7 +408,8 @@ void LargeFilesTest::aFolderIsBrowsed() {
     auto* panel = m_window->findChild<view::CollectionPanel*>();
     auto* grid = panel->findChild<QListView*>();
     auto* search = panel->findChild<QLineEdit*>();
-    QTest::qWait(500);
+    QTRY_VERIFY(grid->model()->rowCount() > 0);
+    QVERIFY(support::backgroundRests());
     const int before = grid->model()->rowCount();
     doing("add", [&] { panel->addFolder(folder.path()); });
     QTRY_COMPARE(grid->model()->rowCount(), before + 3 * 2001);
@@ -431,7 +440,8 @@ void LargeFilesTest::everyCommandIsChosen() {
         if (!command || !command->isEnabled()) continue;
         const QByteArray name = command->text().toUtf8();
         doing(name, [&] { command->trigger(); });
-        QTest::qWait(200); // for work in the background
+        (void)QTest::qWaitFor([] { return document::backgroundFinishes(0ms); },
+                              200); // or longer than we watch
         doing(name + ", left again", [&] {
             for (auto* dialog : m_window->findChildren<QDialog*>())
                 dialog->reject();

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "support/background_rest.h"
 #include "support/every_window.h"
 #include "support/named_test.h"
 #include "support/own_settings.h"
@@ -73,12 +74,10 @@ QStringList LargeFontsTest::cutIn(const QWidget* part) {
 
 // When what is computed elsewhere has come, and been given its room.
 QStringList LargeFontsTest::leftCutIn(const QWidget* part) {
-    QTest::qWait(50);
-    QStringList found = cutIn(part);
-    for (int patience = 100; patience > 0 && !found.isEmpty(); --patience) {
-        QTest::qWait(50);
-        found = cutIn(part);
-    }
+    constexpr int patience = 5000; // milliseconds
+    if (!support::backgroundRests()) return {QStringLiteral("the work in the background does not end")};
+    QStringList found;
+    (void)QTest::qWaitFor([&] { return (found = cutIn(part)).isEmpty(); }, patience);
     return found;
 }
 
@@ -142,7 +141,7 @@ void LargeFontsTest::dialogsFitASmallScreen() {
             if (!dialog) continue;
             dialog->setWindowModality(Qt::NonModal);
             dialog->show();
-            QTest::qWait(20);
+            support::handleEvents();
             const QSize needed = dialog->minimumSizeHint().expandedTo(dialog->minimumSize());
             seen << QString::fromLatin1(dialog->metaObject()->className());
             if (needed.width() > 1366 || needed.height() > 728)

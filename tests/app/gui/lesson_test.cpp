@@ -9,6 +9,7 @@
 #include "recovery.h"
 #include "session.h"
 #include "space/space_view.h"
+#include "support/background_rest.h"
 #include "support/named_test.h"
 
 #include <QAction>
@@ -428,7 +429,7 @@ void LessonTest::unsavedStepsAreAskedFor() {
     QVERIFY(m_window->isVisible());
     // Nothing takes them away unasked.
     QVERIFY(m_window->openPath(path));
-    QTest::qWait(20);
+    QVERIFY(support::backgroundRests());
     QCOMPARE(notebook()->lesson().steps.size(), 1);
     answer(QMessageBox::Discard);
     m_window->close();
@@ -463,7 +464,7 @@ void LessonTest::unsavedStepsAreRecovered() {
     other->setAttribute(Qt::WA_DeleteOnClose, false);
     other->openRecovered({folder.filePath(u"old.journal"_s), snapshot, {}});
     auto* recovered = other->findChild<view::LessonNotebook*>();
-    QTest::qWait(20);
+    support::handleEvents();
     QCOMPARE(recovered->lesson().steps.size(), 1);
     QCOMPARE(recovered->lesson().steps[0].text, u"Keep me."_s);
     QVERIFY(recovered->isModified());
@@ -541,7 +542,7 @@ void LessonTest::entriesAndCagesMayBeGone() {
     QVERIFY(canvas()->hint().contains(u"gone"_s));
     for (int step = 1; step < 6; ++step) {
         QTest::keyClick(m_window.get(), Qt::Key_PageDown);
-        QTest::qWait(20);
+        support::handleEvents();
         QVERIFY(shownText().contains(u"%1 of 6"_s.arg(step + 1)));
         if (step == 2) {
             QVERIFY(canvas()->hint().contains(u"corners"_s));
@@ -566,7 +567,7 @@ void LessonTest::readyMadeLessonsTakeAWindowOfTheirOwn() {
         QVERIFY(text && text->isVisible());
         for (int i = 0; i < 10; ++i)
             QTest::keyClick(other, Qt::Key_PageDown);
-        QTest::qWait(50);
+        support::handleEvents();
         other->close(); // in the middle of it, and nothing is asked
         QTRY_COMPARE(session::windows().size(), 1);
     }

@@ -3,6 +3,7 @@
 #include "dialogs/command_palette.h"
 #include "panels/entries/entries_panel.h"
 #include "recent_files.h"
+#include "support/events.h"
 #include "support/every_window.h"
 #include "support/named_test.h"
 #include "support/own_settings.h"
@@ -134,7 +135,7 @@ void LiteralNamesTest::everyTextIsShownAsWritten() {
     main.findChild<view::EntriesPanel*>()->editComment();
     for (auto* menu : main.findChildren<QMenu*>())
         emit menu->aboutToShow();
-    QTest::qWait(20); // labels are polished
+    support::handleEvents(); // labels are polished
     QStringList found;
     for (QWidget* window : windows.all()) {
         const QObjectList objects = window->findChildren<QObject*>() << window;

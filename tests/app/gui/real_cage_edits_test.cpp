@@ -90,7 +90,7 @@ void RealCageEditsTest::aVertexIsTypedFromItsMenu() {
     chooseFrom(visible<QMenu>(), QStringLiteral("Coordinates…"));
     QTRY_VERIFY(visible<view::VertexDialog>());
     QVERIFY(QTest::qWaitForWindowActive(visible<view::VertexDialog>()));
-    QTest::qWait(200); // the window manager finds its place
+    QVERIFY(support::waitFor([] { return support::isInPlace(visible<view::VertexDialog>()); }));
     type(named<QLineEdit>(*visible<view::VertexDialog>(), QStringLiteral("x of the vertex")),
          QStringLiteral("0.5"));
     type(named<QLineEdit>(*visible<view::VertexDialog>(), QStringLiteral("y of the vertex")),
@@ -109,9 +109,7 @@ void RealCageEditsTest::cornersAreSelectedTogether_data() {
 
 void RealCageEditsTest::cornersAreSelectedTogether() {
     QFETCH(bool, byRectangle);
-    hand().moveTo(middleOf(canvas().viewport()));
-    hand().wheel(-3); // room around the cage
-    QTest::qWait(200);
+    zoomOut(3); // room around the cage
     if (byRectangle) {
         const QRect around = QRect(vertex(0), QSize(1, 1)) | QRect(vertex(1), QSize(1, 1));
         hand().drag(around.topLeft() - QPoint(25, 25),

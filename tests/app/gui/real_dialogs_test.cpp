@@ -142,7 +142,7 @@ void RealDialogsTest::theTourIsWalked() {
             return false;
         };
         QTRY_VERIFY(isThere());
-        QTest::qWait(200); // the banner is laid out
+        support::handleEvents(); // the banner is laid out
         click(named<QPushButton>(*tour, step == 6 ? QStringLiteral("Done") : QStringLiteral("Next")));
     }
     QTRY_VERIFY(!window().findChild<Tour*>());

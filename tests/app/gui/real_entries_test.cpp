@@ -125,7 +125,7 @@ void RealEntriesTest::aDoubleClickOpensFromTheCollection() {
     const QModelIndex dragon = find(collection(), QStringLiteral("Twindragon"));
     QVERIFY(dragon.isValid());
     collection().scrollTo(dragon);
-    QTest::qWait(100);
+    support::handleEvents();
     hand().doubleClickAt(collection().viewport()->mapToGlobal(collection().visualRect(dragon).center()));
     QTRY_COMPARE(names(), QStringList{QStringLiteral("twindragon")}); // a document of its own
     QVERIFY(!window().isWindowModified());

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "canvas/canvas_view.h"
+#include "dialogs/export/export_preview.h"
 #include "io/collection_reader.h"
 #include "io/file/save_file.h"
 #include "support/window_on_x.h"
@@ -92,7 +93,8 @@ void RealExportTest::exportsShapes() {
     QDialog* dialog = openDialog("Control+e", "view::ExportDialog");
     QVERIFY(dialog);
     pick(named<QComboBox>(*dialog, QStringLiteral("Format")), format);
-    QTest::qWait(300);
+    const auto& preview = *dialog->findChild<view::ExportPreview*>();
+    QTRY_VERIFY(!preview.isBusy() && !preview.picture().isNull());
     photograph(QStringLiteral("export-shapes.png"));
     const QString path =
         folder() + u'/' + fractal().name + u'.' + QString::fromLatin1(QTest::currentDataTag());
@@ -125,8 +127,7 @@ void RealExportTest::anExportUnderWayIsCancelled() {
     QVERIFY(!QFileInfo::exists(path));
     exportAs(*dialog, path);
     auto* progress = dialog->findChild<QProgressBar*>();
-    QTRY_VERIFY(progress->isVisible());
-    QTest::qWait(200);
+    QTRY_VERIFY(progress->isVisible() && progress->value() > 0);
     photograph(QStringLiteral("export-under-way.png"));
     click(named<QPushButton>(*dialog, QStringLiteral("Stop")));
     QTRY_VERIFY(!progress->isVisible());
@@ -141,7 +142,7 @@ void RealExportTest::anExportUnderWayIsCancelled() {
 void RealExportTest::printPreviewOpensAndCloses() {
     const bool answered = answer<QPrintPreviewDialog>([&] { hand().key("Control+p"); },
                                                       [&](QPrintPreviewDialog&) {
-                                                          QTest::qWait(500);
+                                                          support::handleEvents();
                                                           photograph(QStringLiteral("print-preview.png"));
                                                           hand().key("Escape");
                                                       });

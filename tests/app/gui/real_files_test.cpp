@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "attractor/request/camera.h"
 #include "document/fractal_geometry.h"
+#include "document/journal.h"
 #include "io/fractint/fractint_reader.h"
 #include "panels/problems/problems_panel.h"
 #include "recent_files.h"
@@ -12,6 +13,7 @@
 #include <QCommandLinkButton>
 #include <QDialog>
 #include <QDir>
+#include <QDragMoveEvent>
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QMessageBox>
@@ -19,7 +21,38 @@
 #include <QPushButton>
 #include <QSettings>
 
+#include <optional>
+
 using ifs::Vector;
+
+namespace {
+
+// Where on the screen something was last dragged over the program.
+class DragWatch : public QObject {
+public:
+    DragWatch() { qApp->installEventFilter(this); }
+    std::optional<QPoint> position() const { return m_position; }
+
+protected:
+    bool eventFilter(QObject* watched, QEvent* event) override {
+        const bool isDrag = event->type() == QEvent::DragEnter || event->type() == QEvent::DragMove;
+        if (const auto* widget = qobject_cast<QWidget*>(watched); widget && isDrag)
+            m_position = widget->mapToGlobal(static_cast<QDragMoveEvent*>(event)->position().toPoint());
+        return QObject::eventFilter(watched, event);
+    }
+
+private:
+    std::optional<QPoint> m_position;
+};
+
+// Of the first entry of a file, where that can be read.
+std::optional<Vector<2>> cornerIn(const QByteArray& file, std::size_t corner) {
+    const document::FractalFile read = io::readFractint(file);
+    if (read.entries.isEmpty() || document::dimension(*read.entries.first().fractal) != 2) return {};
+    return document::effectiveCage(*read.entries.first().fractal).current[corner];
+}
+
+} // namespace
 
 // Windows and their files, kept, asked about, dropped and recovered, with a real pointer and real keys.
 class RealFilesTest : public support::WindowOnX {
@@ -101,12 +134,12 @@ void RealFilesTest::aFileIsDroppedFromAnotherProgram() {
     const QPoint source(60, 890);
     hand().moveTo(source);
     hand().press();
-    hand().moveTo(source + QPoint(12, -4)); // the drag begins
-    QTest::qWait(300);
-    for (const double part : {0.2, 0.5, 0.8, 0.97, 1.0}) {
+    hand().moveTo(source + QPoint(12, -4));
+    QVERIFY(says("drags"));
+    const DragWatch watch;
+    for (const double part : {0.2, 0.5, 0.8, 0.97, 1.0})
         hand().moveTo(source + (target - source) * part);
-        QTest::qWait(100);
-    }
+    QTRY_COMPARE(watch.position(), std::optional(target));
     photograph(QStringLiteral("drop.png"));
     hand().release();
     QTRY_COMPARE(window().windowTitle().section(QLatin1Char('['), 0, 0), QStringLiteral("shapes.ifs"));
@@ -236,9 +269,16 @@ void RealFilesTest::workIsRecoveredAfterAKill() {
     dragBy(start, {-60, -45});
     QVERIFY(says("changed"));
     const QDir journals(Recovery::folder());
-    QVERIFY(support::waitFor(
-        [&] { return !journals.entryList({QStringLiteral("*.journal")}, QDir::Files).isEmpty(); }));
-    QTest::qWait(2000); // what is offered is at most so old
+    const auto isMoved = [&](const std::optional<Vector<2>>& corner) {
+        return corner && ((*corner - held[1]) * scale - Vector<2>(-60, 45)).norm() < 2;
+    };
+    QVERIFY(support::waitFor([&] { // until the end of the drag is kept
+        for (const QString& name : journals.entryList({QStringLiteral("*.journal")}, QDir::Files)) {
+            const auto kept = document::snapshotIn(io::loadFile(journals.filePath(name)).bytes);
+            if (kept && isMoved(cornerIn(kept->bytes, 1))) return true;
+        }
+        return false;
+    }));
     other.kill();
     QVERIFY(other.waitForFinished());
 
@@ -276,9 +316,10 @@ int edit(int& argc, char** argv) {
     window.openPath(QCoreApplication::arguments().value(2));
     window.show();
     if (!QTest::qWaitForWindowActive(&window)) return 1;
-    QTest::qWait(300); // the window manager settles the geometry
+    if (!support::waitFor([&] { return support::isInPlace(&window); })) return 1;
+    support::handleEvents(); // it is laid out
     window.findChild<view::CanvasView*>()->fit();
-    QTest::qWait(300); // and the canvas is laid out
+    support::handleEvents();
     const auto say = [](const char* word) {
         std::puts(word);
         std::fflush(stdout);

@@ -1,14 +1,18 @@
 // SPDX-License-Identifier: MIT
+#include "bridges/analysis_bridge.h"
 #include "io/file/save_file.h"
 #include "panels/analysis/analysis_panel.h"
 #include "panels/entries/entries_panel.h"
 #include "panels/maps/maps_panel.h"
+#include "support/background_rest.h"
 #include "support/window_on_x.h"
 
 #include <QCheckBox>
 #include <QLineEdit>
 #include <QListView>
 #include <QTableView>
+
+#include <algorithm>
 
 // Ten thousand maps and two thousand entries with a real pointer and real keys. Besides the results, the
 // tests check that no event blocks the window (support/watchdog.h).
@@ -45,7 +49,7 @@ void RealLargeTest::manyMapsAreDrawnAndHeldByTheirCage() {
     openMaps();
     const std::vector<ifs::Vector<2>> held = vertices();
     QTRY_VERIFY(!canvas().picture().isNull());
-    QTest::qWait(500); // until the extent is found, and the view fitted
+    QVERIFY(support::backgroundRests()); // until the extent is found, and the view fitted
     dragBy(vertex(1), {-60, -45});
     QTRY_COMPARE(steps(), 1);
     QVERIFY(offsetInPixels(vertices()[1], held[1], {-60, -45}) < 1e-6);
@@ -82,11 +86,16 @@ void RealLargeTest::factsOfManyMapsAreOutlined() {
     for (const auto kind : {document::Outline::FixedPoints, document::Outline::Cylinders}) {
         auto* box = panel->outlineBox(kind);
         panel->ensureWidgetVisible(box);
-        QTest::qWait(100);
+        support::handleEvents();
         hand().clickAt(box->mapToGlobal(QPoint(8, box->height() / 2)));
         QTRY_VERIFY(box->isChecked());
     }
-    QTest::qWait(1000); // they are worked out elsewhere
+    const auto isOutlined = [this](document::Outline kind) { // they are worked out elsewhere
+        const auto known = window().findChild<view::AnalysisBridge*>()->analysis();
+        return known &&
+               std::ranges::any_of(known->shapes, [kind](const auto& shape) { return shape.kind == kind; });
+    };
+    QTRY_VERIFY(isOutlined(document::Outline::FixedPoints) && isOutlined(document::Outline::Cylinders));
     photograph(QStringLiteral("many-outlined.png"));
     dragBy(vertex(1), {-60, -45});
     QTRY_COMPARE(steps(), 1);

@@ -129,9 +129,7 @@ void RealMapsTest::mapsAreSelectedTogether() {
 }
 
 void RealMapsTest::aRectangleSelectsMaps() {
-    hand().moveTo(middleOf(canvas().viewport()));
-    hand().wheel(-3); // room around the maps
-    QTest::qWait(200);
+    zoomOut(3); // room around the maps
     QRect all;
     for (int place = 0; place < 4; ++place)
         for (int i = 0; i < 3; ++i)
@@ -161,9 +159,7 @@ void RealMapsTest::keysSelectDuplicateAndDelete() {
 }
 
 void RealMapsTest::aDragStopsWhereTheAttractorWouldBeLost() {
-    hand().moveTo(middleOf(canvas().viewport()));
-    hand().wheel(-5); // far enough to drag a map out of all bounds
-    QTest::qWait(200);
+    zoomOut(5); // far enough to drag a map out of all bounds
     const QPoint start = handle({Kind::Vertex, 1, 2});
     const QPoint far(onCanvas({8, 8}));
     hand().moveTo(start);
@@ -181,9 +177,7 @@ void RealMapsTest::aDragStopsWhereTheAttractorWouldBeLost() {
 
 void RealMapsTest::orGoesOnWhenThatIsAllowed() {
     choose({QStringLiteral("Edit"), QStringLiteral("Allow Systems without an Attractor")});
-    hand().moveTo(middleOf(canvas().viewport()));
-    hand().wheel(-5);
-    QTest::qWait(200);
+    zoomOut(5);
     const QPoint far(onCanvas({8, 8}));
     const QPoint start = handle({Kind::Vertex, 1, 2});
     hand().drag(start, {(start + far) / 2, far});

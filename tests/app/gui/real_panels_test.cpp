@@ -59,7 +59,7 @@ void RealPanelsTest::factsAreOutlined() {
     QTRY_VERIFY(!panel->facts().isEmpty());
     auto* box = panel->outlineBox(document::Outline::Box);
     panel->ensureWidgetVisible(box);
-    QTest::qWait(100);
+    support::handleEvents();
     hand().clickAt(box->mapToGlobal(QPoint(8, box->height() / 2)));
     QTRY_VERIFY(box->isChecked());
     const document::Box around = *document::displayedBox(fractal());

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "bars/zoom_box.h"
+#include "bridges/solid_bridge.h"
 #include "dialogs/export/export_dialog.h"
 #include "dialogs/saved_views_dialog.h"
 #include "document/saved_views.h"
@@ -105,9 +106,10 @@ void RealSnapshotsTest::aKeyShowsTheSnapshot() {
 void RealSnapshotsTest::aKeyThatIsHeldShowsItAsLong() {
     hand().key("s");
     changeTheCage();
+    const support::KeyPresses presses;
     hand().hold("q");
     QTRY_VERIFY(banner());
-    QTest::qWait(1200); // the server repeats the key meanwhile
+    QTRY_VERIFY(presses.count() > 5); // the server repeats the key
     QVERIFY(banner());
     hand().letUp("q");
     QTRY_VERIFY(!banner());
@@ -148,7 +150,7 @@ void RealSnapshotsTest::aSnapshotIsNamedAddedAndDeleted() {
     chooseFrom(visible<QMenu>(), QStringLiteral("Rename"));
     QTRY_VERIFY(strip().findChild<QLineEdit*>());
     QTRY_VERIFY(strip().findChild<QLineEdit*>()->hasFocus() && !visible<QMenu>());
-    QTest::qWait(100); // the server gives the keys back to the window
+    (void)QCursor::pos(); // the server answers: so it has given the keys back to the window
     hand().key("Control+a");
     hand().type(QStringLiteral("upright"));
     hand().key("Return");
@@ -250,8 +252,7 @@ void RealSnapshotsTest::viewsAreRenamedAndDeleted() {
     QTRY_COMPARE(views().size(), std::size_t{2});
     choose({QStringLiteral("View"), QStringLiteral("Saved Views"), QStringLiteral("Edit Views…")});
     auto* dialog = visible<view::SavedViewsDialog>();
-    QTRY_VERIFY((dialog = visible<view::SavedViewsDialog>()) && dialog->isActiveWindow());
-    QTest::qWait(300); // the window manager places it
+    QTRY_VERIFY((dialog = visible<view::SavedViewsDialog>()) && support::isInPlace(dialog));
     auto* list = named<QListWidget>(*dialog, QStringLiteral("Saved views"));
     clickOn(list, list->model()->index(1, 0));
     hand().key("F2");
@@ -272,15 +273,11 @@ void RealSnapshotsTest::viewsAreRenamedAndDeleted() {
     QTRY_COMPARE(views().size(), std::size_t{2});
 }
 
-// A camera that glides arrives.
+// A camera that glides arrives: what is drawn on the way is not exact.
 void RealSnapshotsTest::letTheCameraRest() const {
-    auto* space = window().findChild<view::SpaceView*>();
-    QVERIFY(space);
-    attractor::OrbitCamera before;
-    do {
-        before = space->navigation().camera();
-        QTest::qWait(600);
-    } while (!(space->navigation().camera() == before));
+    const auto* drawn = window().findChild<view::SolidBridge*>();
+    QVERIFY(drawn);
+    QTRY_VERIFY(drawn->isCurrent());
 }
 
 void RealSnapshotsTest::aViewOfASolidIsSaved() {

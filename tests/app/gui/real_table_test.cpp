@@ -182,7 +182,7 @@ void RealTableTest::aMapIsSwitchedOff() {
     hand().clickAt(placeOf(3, MapsModel::Enabled));
     QTRY_VERIFY(!code().maps[3].enabled);
     QCOMPARE(steps(), 1);
-    QTest::qWait(QApplication::doubleClickInterval()); // two clicks, not a double one
+    hand().clickAt(placeOf(1, MapsModel::A)); // so that these are two clicks, not a double one
     hand().clickAt(placeOf(3, MapsModel::Enabled));
     QTRY_VERIFY(code().maps[3].enabled);
 }
@@ -247,7 +247,7 @@ void RealTableTest::theColumnsOfPastedRowsAreChosen() {
     hand().key("Control+Shift+v");
     QTRY_VERIFY(visible<view::PasteTableDialog>());
     QVERIFY(QTest::qWaitForWindowActive(visible<view::PasteTableDialog>()));
-    QTest::qWait(200);                                                  // the window manager finds its place
+    QVERIFY(support::waitFor([] { return support::isInPlace(visible<view::PasteTableDialog>()); }));
     QTRY_COMPARE(code().maps[0].map.translation, ifs::Vector<2>(3, 5)); // seen at once: a b e c d f p
     QCOMPARE(steps(), 0);
     pick(visible<view::PasteTableDialog>()->findChild<QComboBox*>(), 0);

@@ -46,7 +46,7 @@ void RealTimelineTest::openTimeline() {
             button->defaultAction()->text().remove(u'&') == QLatin1String("Animate"))
             click(button);
     QTRY_VERIFY(panel().isVisible());
-    QTest::qWait(200); // until the canvas has its new size
+    support::handleEvents(); // until the canvas has its new size
 }
 
 void RealTimelineTest::aKeyIsMadeAndPlayed() {

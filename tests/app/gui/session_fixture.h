@@ -4,6 +4,7 @@
 #include "document/fractal.h"
 #include "main_window.h"
 #include "session.h"
+#include "support/events.h"
 #include "support/own_settings.h"
 
 #include <QApplication>

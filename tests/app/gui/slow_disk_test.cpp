@@ -7,6 +7,7 @@
 #include "panels/appearance/palettes/gradient_editor.h"
 #include "recent_files.h"
 #include "session.h"
+#include "support/background_rest.h"
 #include "support/every_window.h"
 #include "support/named_test.h"
 #include "support/own_settings.h"
@@ -152,7 +153,7 @@ void SlowDiskTest::theMenusAndDialogsOfAFileThere() {
     QVERIFY(windows.dialogs().size() > 8);
     for (auto* menu : windows.main().findChildren<QMenu*>())
         emit menu->aboutToShow();
-    QTest::qWait(50);
+    QVERIFY(support::backgroundRests());
     VERIFY_NOTHING_WAS_ASKED(disk);
 }
 

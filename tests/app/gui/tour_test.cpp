@@ -6,6 +6,7 @@
 #include "canvas/items/note_item.h"
 #include "document/fractal_geometry.h"
 #include "panels/maps/maps_panel.h"
+#include "support/events.h"
 #include "support/forget_settings.h"
 #include "support/named_test.h"
 
@@ -134,7 +135,7 @@ void TourTest::theOfferIsMadeOnce() {
     QCOMPARE(tour()->step(), 0);
     QWidget* canvas = m_window->findChild<view::CanvasView*>()->viewport();
     QTest::mouseClick(canvas, Qt::LeftButton, {}, QPoint(30, 30));
-    QTest::qWait(10);
+    support::handleEvents();
     QVERIFY(tour()); // which continues while the user tries its suggestions
     tour()->close();
     QTRY_VERIFY(!tour());

@@ -2,6 +2,7 @@
 #include "bridges/render_bridge.h"
 #include "document/tops/kept_theft.h"
 #include "io/fractint/fractint_reader.h"
+#include "support/events.h"
 #include "support/named_test.h"
 #include "transformation/transformation_view.h"
 #include "window_fixture.h"
@@ -34,6 +35,7 @@ private slots:
     void theOrderIsReset();
     void anOrderThatDoesNotFitIsReset();
     void nothingOldIsSaid();
+    void theBarKeepsItsHeight();
     void picturesStayWithTheirEntries();
     void anotherEntryDropsWhatIsBeingRead();
     void lateFramesOfAnotherEntryAreDropped();
@@ -215,6 +217,22 @@ void TransformationStateTest::anotherEntryDropsWhatIsBeingRead() {
     QTRY_COMPARE(kept().picture, path);
 }
 
+// Whatever is said below the canvases, they keep their size.
+void TransformationStateTest::theBarKeepsItsHeight() {
+    toggle();
+    QTRY_VERIFY_WITH_TIMEOUT(!view()->bar()->problem().isEmpty(), 60'000);
+    support::handleEvents();
+    const int height = view()->bar()->height();
+    auto* bar = const_cast<view::TransformationBar*>(view()->bar());
+    for (const QString& sentence : {QString(), QString(200, u'w'), QStringLiteral("short")})
+        for (const auto remedy :
+             {view::TransformationBar::Remedy::None, view::TransformationBar::Remedy::FindPicture}) {
+            bar->showProblem(sentence, remedy);
+            support::handleEvents();
+            QCOMPARE(bar->height(), height);
+        }
+}
+
 // They are finished but not yet shown when another entry is chosen.
 void TransformationStateTest::lateFramesOfAnotherEntryAreDropped() {
     const auto* render = m_window->findChild<view::RenderBridge*>(); // the partner's is made later
@@ -223,7 +241,7 @@ void TransformationStateTest::lateFramesOfAnotherEntryAreDropped() {
     for (int k = 0; k < 5; ++k) {
         for (auto* overlay : view()->bar()->findChildren<QToolButton*>())
             if (overlay->text() == QStringLiteral("Overlay")) overlay->click(); // asks for new frames
-        QThread::msleep(200);
+        QThread::msleep(200); // no event tells that they are finished, as none is handled
         const std::uint64_t last = render->requested();
         bool isLate = false;
         const auto watch = connect(render, &view::RenderBridge::frameChanged, this, [&] {

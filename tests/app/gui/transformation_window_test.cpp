@@ -17,6 +17,7 @@
 #include "panels/collection/collection_panel.h"
 #include "panels/entries/entries_panel.h"
 #include "stage.h"
+#include "support/background_rest.h"
 #include "support/named_test.h"
 #include "support/patient_tries.h"
 #include "transformation/theft_export_dialog.h"
@@ -44,6 +45,8 @@ using document::KeptTheft;
 using document::TheftMode;
 using Kind = view::CanvasPart::Kind;
 
+constexpr std::uint64_t pointsAtRest = 16'000'000, mostPoints = 80'000'000;
+
 // The window of fractal transformations, under mouse, drops and undo.
 class TransformationWindowTest : public WindowFixture {
     Q_OBJECT
@@ -62,7 +65,6 @@ private slots:
     void otherNumbersAreDivided();
     void theOrderIsKept();
     void exportsThePicture();
-    void theBarKeepsItsHeight();
     void savingMakesPathsRelative();
     void theShortcutSaysNothingStale();
     void everyModeIsKept();
@@ -98,6 +100,13 @@ private:
         QTRY_VERIFY_WITH_TIMEOUT(isPainted(), 60'000);
     }
     bool isPainted() const { return !view()->partnerCanvas()->picture().isNull() && isStolen(); }
+    const view::RenderBridge& render() const { // the partner's is made later
+        return *m_window->findChild<view::RenderBridge*>();
+    }
+    // Of the picture: more at rest than in a gesture, and most in the last one that comes.
+    std::uint64_t points() const {
+        return render().frame() && render().isCurrent() ? render().frame()->samples : 0;
+    }
     bool isStolen() const { // the purple hills of the sunset; the density's palette is golden
         const QImage picture = canvas()->picture();
         int purple = 0;
@@ -194,19 +203,21 @@ void TransformationWindowTest::draggingThePartnerIsLive() {
     emit mode->activated(0); // Steal Colours: the picture stays where it is
     QCOMPARE(steps(), stepsBefore + 2);
     QTRY_VERIFY_WITH_TIMEOUT(canvas()->picture() != before, 60'000);
-    QTest::qWait(500);
+    QTRY_VERIFY_WITH_TIMEOUT(points() >= pointsAtRest, 60'000);
     const QImage still = canvas()->picture();
-    QTest::mousePress(target, Qt::LeftButton, {}, corner);
     bool isLive = false;
+    const auto watch = connect(&render(), &view::RenderBridge::frameChanged, this,
+                               [&] { isLive = isLive || render().frame()->samples < pointsAtRest; });
+    QTest::mousePress(target, Qt::LeftButton, {}, corner);
     for (int k = 1; k <= 12; ++k) {
         QMouseEvent move(QEvent::MouseMove, corner + QPoint(4 * k, -3 * k),
                          target->mapToGlobal(corner + QPoint(4 * k, -3 * k)), Qt::NoButton, Qt::LeftButton,
                          {});
         QCoreApplication::sendEvent(target, &move);
-        QTest::qWait(60);
-        isLive = isLive || canvas()->picture() != still;
+        support::handleEvents();
     }
-    QVERIFY(isLive); // while the button is down
+    QTRY_VERIFY(isLive && canvas()->picture() != still); // while the button is down
+    disconnect(watch);
     QCOMPARE(steps(), stepsBefore + 2);
     QTest::mouseRelease(target, Qt::LeftButton, {}, corner + QPoint(48, -36));
     QCOMPARE(steps(), stepsBefore + 3);
@@ -378,7 +389,7 @@ void TransformationWindowTest::aDamagedPictureIsNotTaken() {
         QVERIFY(kept() == before);
         QCOMPARE(steps(), count);
         QTRY_VERIFY_WITH_TIMEOUT(view()->isPainted(), 60'000);
-        QTest::qWait(200); // the picture before is there again
+        QVERIFY(support::backgroundRests()); // the picture before is there again
         QCOMPARE(view()->bar()->problem().count(QFileInfo(wrong).fileName()), 1);
     }
 }
@@ -462,22 +473,6 @@ void TransformationWindowTest::exportsThePicture() {
     delete dialog;
 }
 
-// Whatever is said below the canvases, they keep their size.
-void TransformationWindowTest::theBarKeepsItsHeight() {
-    toggle();
-    QTRY_VERIFY_WITH_TIMEOUT(!view()->bar()->problem().isEmpty(), 60'000);
-    QTest::qWait(100);
-    const int height = view()->bar()->height();
-    auto* bar = const_cast<view::TransformationBar*>(view()->bar());
-    for (const QString& sentence : {QString(), QString(200, u'w'), QStringLiteral("short")})
-        for (const auto remedy :
-             {view::TransformationBar::Remedy::None, view::TransformationBar::Remedy::FindPicture}) {
-            bar->showProblem(sentence, remedy);
-            QTest::qWait(20);
-            QCOMPARE(bar->height(), height);
-        }
-}
-
 // Once the file has a folder, it may move with its pictures.
 void TransformationWindowTest::savingMakesPathsRelative() {
     openFamily();
@@ -533,7 +528,7 @@ void TransformationWindowTest::everyModeIsKept() {
         emit mode->activated(row);
         QCOMPARE(kept().mode, wanted);
         QTRY_VERIFY_WITH_TIMEOUT(canvas()->picture() != before, 60'000);
-        QTest::qWait(300);
+        QTRY_COMPARE_WITH_TIMEOUT(points(), mostPoints, 60'000);
         before = canvas()->picture();
     }
 }

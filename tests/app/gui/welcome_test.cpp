@@ -5,6 +5,7 @@
 
 #include "canvas/canvas_view.h"
 #include "recent_files.h"
+#include "support/events.h"
 #include "support/named_test.h"
 
 #include <QApplication>
@@ -79,7 +80,7 @@ private slots:
     void aPressOnTheCanvasClosesIt() {
         recent_files::add(file(QStringLiteral("leaf.ifs")));
         Welcome::offer(m_window.get());
-        QTest::qWait(50);
+        support::handleEvents();
         QVERIFY(banner());
         QTest::mouseClick(m_window->findChild<view::CanvasView*>()->viewport(), Qt::LeftButton, {}, {5, 5});
         QTRY_VERIFY(!banner());
@@ -110,7 +111,7 @@ private slots:
     void whateverIsDoneClosesIt() {
         QFETCH(std::function<void(MainWindow&)>, done);
         Welcome::offer(m_window.get());
-        QTest::qWait(50);
+        support::handleEvents();
         QVERIFY(banner());
         done(*m_window);
         QTRY_VERIFY(!banner());
@@ -132,7 +133,7 @@ private slots:
         const QWidget* canvas = m_window->centralWidget();
         const auto room = [&] { return QRect(canvas->mapTo(m_window.get(), QPoint()), canvas->size()); };
         QTRY_VERIFY(banner()->width() < MessageBanner::maxWidth && room().contains(banner()->geometry()));
-        QTest::qWait(20);
+        support::handleEvents();
         for (const auto* button : banner()->findChildren<QPushButton*>())
             QVERIFY2(banner()->rect().contains(button->geometry()) &&
                          button->width() >= button->minimumSizeHint().width(),

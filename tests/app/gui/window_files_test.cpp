@@ -6,6 +6,7 @@
 #include "panels/entries/entries_panel.h"
 #include "recovery.h"
 #include "session.h"
+#include "support/background_rest.h"
 #include "support/file_size_limit.h"
 #include "support/named_test.h"
 #include "support/own_settings.h"
@@ -269,10 +270,17 @@ void WindowFilesTest::recoveredWorkStaysUntilItIsKept() {
     QVERIFY(limit.isSet());
     auto* window = new MainWindow;
     window->openRecovered(old);
-    QTest::qWait(1500);
+    const bool isSaid = QTest::qWaitFor( // that it cannot be kept
+        [&] {
+            const auto boxes = window->findChildren<QMessageBox*>();
+            return std::ranges::any_of(boxes, [](const QMessageBox* box) {
+                return box->text().contains(QStringLiteral("Recovery Unavailable"));
+            });
+        },
+        60'000);
     const bool stayed = QFileInfo::exists(old.journal);
     limit.lift();
-    QVERIFY(stayed);
+    QVERIFY(isSaid && stayed);
     QTRY_VERIFY(!QFileInfo::exists(old.journal)); // it is kept as this window's now
     QVERIFY(!QDir(Recovery::folder()).entryList({QStringLiteral("*.journal")}, QDir::Files).isEmpty());
 }
@@ -321,7 +329,8 @@ void WindowFilesTest::aSlowDiskIsSaid() {
     QTRY_VERIFY_WITH_TIMEOUT(saysThatWorkIsNotKept(window), 60'000);
     QVERIFY(sinceEdit.elapsed() >= 2000);
     rename(window, QStringLiteral("again"));
-    QTest::qWait(2100); // so that it waits for the first, and is late itself
+    // So that it waits for the first, and is late itself: nothing more is said than before.
+    QTest::qWait(2100);
     QVERIFY(saysThatWorkIsNotKept(window));
     isDiskSlow = false;
     diskAnswers.release();
@@ -376,8 +385,16 @@ void WindowFilesTest::whatIsGivenUpIsNotKept() {
     recovery.giveUp();
     QTRY_COMPARE(journals(), 0);
     edit("still mine");
-    QTest::qWait(2000);
-    QCOMPARE(journals(), 0);
+    document::Document another;
+    const OpenFile anotherFile(&another, nullptr);
+    const Recovery other(&another, &anotherFile, nullptr);
+    document::Fractal renamed = another.fractal();
+    renamed.name = QStringLiteral("another");
+    another.edit(QStringLiteral("rename"), renamed);
+    QTRY_COMPARE(journals(), 1); // its own
+    QVERIFY(support::backgroundRests());
+    QCOMPARE(journals(), 1);
+    QVERIFY(kept().bytes.startsWith("another"));
 }
 
 // The history is emptied after the file has gone that the title names.
@@ -435,7 +452,7 @@ void WindowFilesTest::aKilledEditorLeavesItsWork() {
     editor.start(QCoreApplication::applicationFilePath(),
                  {QStringLiteral("window_files_test"), QStringLiteral("--edit"), m_path});
     QVERIFY(editor.waitForReadyRead(30'000));
-    QTest::qWait(2000); // the age that lost work may have
+    QTRY_VERIFY(kept().bytes.startsWith("killed"));
     editor.kill();
     QVERIFY(editor.waitForFinished());
     const auto found = document::abandonedSnapshots(Recovery::folder());

@@ -88,7 +88,7 @@ void WindowLayoutTest::aNarrowWindowIsHalfPicture() {
     QCOMPARE(window.width(), width);
     QVERIFY2(canvas->width() >= width * 46 / 100, qPrintable(QString::number(canvas->width())));
     window.resize(1600, 900);
-    QTest::qWait(50);
+    support::handleEvents();
     window.resize(width, 768); // the same when it is made so
     QTRY_VERIFY(canvas->width() >= width * 46 / 100);
 }
@@ -435,7 +435,7 @@ void WindowLayoutTest::thePictureStaysWhateverTheTool() {
         const attractor::Camera camera = canvas->camera();
         for (const Tool tool : {Tool::Maps, Tool::Branch, Tool::DefineTriangle, Tool::Cage}) {
             canvas->setTool(tool);
-            QTest::qWait(50);
+            support::handleEvents();
             QCOMPARE(canvas->geometry(), place);
             QCOMPARE(bar->geometry(), barPlace);
             QVERIFY(canvas->camera() == camera);
@@ -448,7 +448,7 @@ void WindowLayoutTest::thePictureStaysWhateverTheTool() {
         const ifs::MapId first = document::system2(fractal)->maps.front().id;
         document::plane(fractal)->moved.push_back({{first, first}, ifs::affineMap(1, 0, 0, 1, 0.1, 0)});
         window->document().edit(QStringLiteral("move"), fractal);
-        QTest::qWait(50);
+        support::handleEvents();
         QCOMPARE(canvas->geometry(), place);
         window->document().undoStack()->setClean();
         window->close();
@@ -480,7 +480,7 @@ void WindowLayoutTest::aSolidFitsASmallWindow() {
     QCOMPARE(document::dimension(window.document().fractal()), 3);
     for (const char* name : {"cage", "appearance", "analysis", "history", "maps"}) {
         window.findChild<QDockWidget*>(QLatin1String(name))->raise();
-        QTest::qWait(50);
+        support::handleEvents();
         QCOMPARE(window.height(), height);
     }
 }
@@ -516,7 +516,7 @@ void WindowLayoutTest::aCageOfManyCornersIsScrolled() {
     window->document().edit(QStringLiteral("hold"), fractal);
     auto* panel = window->findChild<view::CagePanel*>();
     QTRY_VERIFY(panel->height() > 1000);
-    QTest::qWait(50);
+    support::handleEvents();
     QCOMPARE(window->height(), 700);
     auto* last = panel->findChildren<view::NumberField*>().last();
     for (auto* field : panel->findChildren<view::NumberField*>())

@@ -4,6 +4,7 @@
 #include "attractor/samples/space_samples.h"
 #include "attractor/space_systems.h"
 #include "ifs/dimension/moments.h"
+#include "support/late_stop.h"
 #include "support/named_test.h"
 
 #include <QtTest>
@@ -152,17 +153,10 @@ private slots:
 
     void stopsWithinMilliseconds() {
         CloudRendering rendering(requestFor(systems::menger(), false, 2'000'000'000));
-        std::stop_source source;
-        std::chrono::steady_clock::time_point asked;
-        std::jthread stopper([&] {
-            std::this_thread::sleep_for(std::chrono::milliseconds(30));
-            asked = std::chrono::steady_clock::now();
-            source.request_stop();
-        });
-        QVERIFY(!rendering.refine(source.get_token()));
+        support::LateStop stop(std::chrono::milliseconds(30));
+        QVERIFY(!rendering.refine(stop.token()));
         const auto ended = std::chrono::steady_clock::now();
-        stopper.join();
-        const std::chrono::duration<double, std::milli> late = ended - asked;
+        const std::chrono::duration<double, std::milli> late = ended - stop.asked();
         QVERIFY2(late.count() < 250, qPrintable(QString::number(late.count()))); // on a busy machine
     }
 };

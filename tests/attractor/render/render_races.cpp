@@ -9,21 +9,32 @@
 
 #include <atomic>
 #include <chrono>
+#include <condition_variable>
 #include <cstdio>
-#include <thread>
+#include <mutex>
 #include <vector>
 
 using namespace attractor;
 
 namespace {
 
-bool eventually(const auto& condition) {
-    for (int n = 0; n < 120'000; ++n) {
-        if (condition()) return true;
-        std::this_thread::sleep_for(std::chrono::milliseconds(1));
+// What another thread tells of.
+class News {
+public:
+    void tell() {
+        const std::lock_guard lock(m_mutex);
+        m_told.notify_all();
     }
-    return false;
-}
+    // Asks again whenever something is told; for two minutes.
+    bool waitFor(const auto& condition) {
+        std::unique_lock lock(m_mutex);
+        return m_told.wait_for(lock, std::chrono::minutes(2), condition);
+    }
+
+private:
+    std::mutex m_mutex;
+    std::condition_variable m_told;
+};
 
 RenderRequest numbered(std::uint64_t revision, int threads) {
     RenderRequest request = systems::request(systems::maple(), 300'000, 96, 64);
@@ -58,8 +69,8 @@ bool bentSolidsAgree() {
 }
 
 bool newestWins() {
-    std::atomic<int> announced = 0;
-    RenderThread thread([&] { ++announced; });
+    News frames;
+    RenderThread thread([&] { frames.tell(); });
     for (std::uint64_t revision = 1; revision <= 60; ++revision) {
         thread.submit(numbered(revision, 3), 900'000);
         const auto frame = thread.newestFrame();
@@ -67,18 +78,23 @@ bool newestWins() {
         if (revision % 7 == 0) thread.cancel();
     }
     thread.submit(numbered(61, 3), 900'000);
-    return eventually([&] {
+    return frames.waitFor([&] {
         const auto frame = thread.newestFrame();
         return frame && frame->revision == 61 && frame->samples >= 900'000;
     });
 }
 
 bool queueFinishes() {
+    News pictures;
     std::atomic<int> drawn = 0;
     RenderQueue queue;
     for (std::uint64_t key = 0; key < 20; ++key)
-        queue.submit(key, {[key] { return numbered(key, 2); }, [&](const auto&) { ++drawn; }});
-    return eventually([&] { return drawn == 20; });
+        queue.submit(key, {[key] { return numbered(key, 2); },
+                           [&](const auto&) {
+                               ++drawn;
+                               pictures.tell();
+                           }});
+    return pictures.waitFor([&] { return drawn == 20; });
 }
 
 } // namespace

@@ -2,6 +2,7 @@
 #include "attractor/render/render_queue.h"
 #include "attractor/render/render_thread.h"
 #include "attractor/systems.h"
+#include "support/late_stop.h"
 #include "support/named_test.h"
 
 #include <QtTest>
@@ -23,11 +24,19 @@ namespace {
 
 // Waits for a condition that another thread brings about; fails the test after a minute.
 template <class Condition> bool eventually(Condition condition) {
-    for (int n = 0; n < 60'000; ++n) {
-        if (condition()) return true;
-        std::this_thread::sleep_for(std::chrono::milliseconds(1));
-    }
-    return false;
+    return QTest::qWaitFor(condition, 60'000);
+}
+
+bool reaches(RenderThread& thread, std::uint64_t samples) {
+    const auto frame = thread.newestFrame();
+    return frame && frame->samples >= samples;
+}
+
+// No thread of the process works. That is measured over a fixed time, as there is no event to wait for.
+bool rests() {
+    const std::clock_t before = std::clock();
+    std::this_thread::sleep_for(std::chrono::milliseconds(500));
+    return double(std::clock() - before) / CLOCKS_PER_SEC < 0.01;
 }
 
 constexpr std::uint64_t usual = 20'000;
@@ -64,7 +73,9 @@ private slots:
         thread.submit(numbered(1), 2'000'000);
         QVERIFY(eventually([&] { return announced == 1; }));
         std::shared_ptr<const Frame> frame;
-        std::this_thread::sleep_for(std::chrono::milliseconds(150));
+        RenderThread another([] {});
+        another.submit(numbered(2), 2'000'000);
+        QVERIFY(eventually([&] { return reaches(another, 2'000'000); })); // meanwhile
         QCOMPARE(announced.load(), 1); // passes went on without a second call
         QVERIFY(eventually([&] {
             frame = thread.newestFrame();
@@ -75,11 +86,10 @@ private slots:
     void refinesToTheQualityAskedAndStops() {
         RenderThread thread([] {});
         thread.submit(numbered(1), 500'000);
-        QVERIFY(eventually([&] {
-            const auto frame = thread.newestFrame();
-            return frame && frame->samples >= 500'000;
-        }));
-        std::this_thread::sleep_for(std::chrono::milliseconds(30));
+        QVERIFY(eventually([&] { return reaches(thread, 500'000); }));
+        RenderThread another([] {});
+        another.submit(numbered(2), 2'000'000);
+        QVERIFY(eventually([&] { return reaches(another, 2'000'000); })); // meanwhile
         QCOMPARE(thread.newestFrame()->samples, std::uint64_t{500'000});
         QVERIFY(thread.newestFrame()->passes > 2);
     }
@@ -89,14 +99,8 @@ private slots:
         for (const auto brightness :
              {RenderThread::Brightness::OfThePicture, RenderThread::Brightness::Eased}) {
             thread.submit(numbered(1), 500'000, brightness);
-            QVERIFY(eventually([&] {
-                const auto frame = thread.newestFrame();
-                return frame && frame->samples >= 500'000;
-            }));
-            std::this_thread::sleep_for(std::chrono::milliseconds(1500)); // until brightness has settled
-            const std::clock_t before = std::clock();                     // of all threads
-            std::this_thread::sleep_for(std::chrono::milliseconds(500));
-            QVERIFY(double(std::clock() - before) / CLOCKS_PER_SEC < 0.01);
+            QVERIFY(eventually([&] { return reaches(thread, 500'000); }));
+            QVERIFY(eventually(rests)); // once brightness has settled
         }
     }
 
@@ -147,27 +151,37 @@ private slots:
 
     // By work, not by time: of a pass that would take minutes, hardly anything is done after the stop.
     void abandonsAPassAtOnce() {
-        RenderThread thread([] {});
-        thread.submit(numbered(1, 1'000'000'000'000), 1);
+        constexpr std::uint64_t endless = 1'000'000'000'000;
+        std::mutex mutex;
+        std::vector<std::uint64_t> revisions; // of the frames that came
+        RenderThread* source = nullptr;
+        RenderThread thread([&] {
+            const std::lock_guard lock(mutex);
+            revisions.push_back(source->newestFrame()->revision);
+        });
+        source = &thread;
+        const auto comes = [&](std::uint64_t revision) {
+            return eventually([&] {
+                const std::lock_guard lock(mutex);
+                return !revisions.empty() && revisions.back() == revision;
+            });
+        };
+        thread.submit(numbered(1, endless), 1);
         thread.submit(numbered(2), 1);
-        QVERIFY(eventually([&] {
-            const auto frame = thread.newestFrame();
-            return frame && frame->revision == 2;
-        }));
-        thread.submit(numbered(3, 1'000'000'000'000), 1);
+        QVERIFY(comes(2));
+        thread.submit(numbered(3, endless), 1);
         thread.cancel();
-        std::this_thread::sleep_for(std::chrono::milliseconds(20));
         QCOMPARE(thread.newestFrame()->revision, std::uint64_t{2});
-    } // and the destructor does not wait for revision 3
+        thread.submit(numbered(4), 1);
+        QVERIFY(comes(4));
+        QCOMPARE(revisions, (std::vector<std::uint64_t>{2, 4}));
+        thread.submit(numbered(5, endless), 1);
+    } // and the destructor does not wait for revision 5
 
     void aStopIsSeenBetweenTwoJobs() {
         Rendering rendering(numbered(1, 1'000'000'000'000));
-        std::stop_source stop;
-        std::jthread other([&] {
-            std::this_thread::sleep_for(std::chrono::milliseconds(5));
-            stop.request_stop();
-        });
-        QVERIFY(!rendering.refine(stop.get_token()));
+        const support::LateStop stop(std::chrono::milliseconds(5));
+        QVERIFY(!rendering.refine(stop.token()));
     }
 
     void queueDrawsInOrder() {

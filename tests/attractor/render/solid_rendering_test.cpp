@@ -4,6 +4,7 @@
 #include "attractor/render/solid_rendering.h"
 #include "attractor/samples/chaos_game.h"
 #include "attractor/space_systems.h"
+#include "support/late_stop.h"
 #include "support/named_test.h"
 
 #include <Eigen/Geometry>
@@ -473,17 +474,10 @@ private:
     // From the request to stop, made after the wait, to the end of the drawing; the longest there is if it
     // was finished before.
     static Clock::duration lateness(SolidRendering& rendering, Clock::duration wait) {
-        std::stop_source source;
-        Clock::time_point asked;
-        std::jthread stopper([&] {
-            std::this_thread::sleep_for(wait);
-            asked = Clock::now();
-            source.request_stop();
-        });
-        const bool finished = rendering.draw(source.get_token());
+        support::LateStop stop(wait);
+        const bool finished = rendering.draw(stop.token());
         const auto ended = Clock::now();
-        stopper.join();
-        return finished ? Clock::duration::max() : ended - asked;
+        return finished ? Clock::duration::max() : ended - stop.asked();
     }
 };
 

@@ -7,6 +7,7 @@
 #include "document/fractal_geometry.h"
 #include "document/space_geometry.h"
 #include "ifs/canonical_systems.h"
+#include "support/late_stop.h"
 #include "support/named_test.h"
 
 #include <QtTest>
@@ -227,18 +228,14 @@ void MotionEditsTest::whatTakesLongCanBeStopped() {
     for (int i = 0; i < 1600; ++i)
         ifs::append(shape.system, ifs::affineMap(0.02, 0, 0, 0.02, i % 40 / 40.0, i / 40 / 40.0), 1);
     grid.shape = std::move(shape);
-    std::stop_source stop;
-    std::jthread impatient([&] {
-        std::this_thread::sleep_for(std::chrono::milliseconds(300));
-        stop.request_stop();
-    });
+    const support::LateStop stop(std::chrono::milliseconds(300));
     QElapsedTimer timer;
     timer.start();
-    QVERIFY(!withEndlessZoom(grid, 1, attractor::YAxis::Up, stop.get_token()));
-    QVERIFY(stop.stop_requested());
+    QVERIFY(!withEndlessZoom(grid, 1, attractor::YAxis::Up, stop.token()));
+    QVERIFY(stop.token().stop_requested());
     QVERIFY2(timer.elapsed() < 20'000, qPrintable(QString::number(timer.elapsed())));
-    QVERIFY(!withWind(grid, animation::swayPresets()[2], stop.get_token()));
-    QVERIFY(!withTurn(grid, stop.get_token()) && !withBreathing(grid, stop.get_token()));
+    QVERIFY(!withWind(grid, animation::swayPresets()[2], stop.token()));
+    QVERIFY(!withTurn(grid, stop.token()) && !withBreathing(grid, stop.token()));
 }
 
 BARYCAGE_TEST(MotionEditsTest);

@@ -279,9 +279,15 @@ void ExportTasksTest::pausesAndStops() {
         job.setPaused(true);
         int before = -1;
         QTRY_VERIFY_WITH_TIMEOUT(std::exchange(before, steps.load()) == steps, 60000);
-        QTest::qWait(300);
         const int paused = steps;
-        QTest::qWait(300);
+        ExportTask other = task;
+        other.path = m_folder.filePath(QStringLiteral("other.png"));
+        std::atomic<int> otherSteps = 0;
+        {
+            const TaskJob running(
+                other, [&](double) { ++otherSteps; }, [](const TaskJob::Outcome&) {});
+            QTRY_VERIFY_WITH_TIMEOUT(otherSteps > 3, 60000); // meanwhile
+        }
         QVERIFY(steps <= paused + 1); // the step under way comes to its end
         job.setPaused(false);
         QTRY_VERIFY_WITH_TIMEOUT(steps > paused + 1, 60000);

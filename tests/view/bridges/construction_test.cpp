@@ -144,7 +144,13 @@ private slots:
         QTRY_VERIFY(m_bridge->isCurrent());
         QCOMPARE(m_bridge->frame()->samples, points);
         QSignalSpy frames(m_bridge.get(), &view::RenderBridge::frameChanged);
-        QTest::qWait(150);
+        document::Document another;
+        view::RenderBridge bridge(&another);
+        view::Construction running(&another, &bridge);
+        running.setMode(Mode::ChaosGame);
+        running.setSpeed(1000);
+        running.setRunning(true);
+        QTRY_VERIFY(running.points() > 50); // meanwhile
         QCOMPARE(m_construction->points(), points);
         QCOMPARE(frames.size(), 0); // nothing is drawn while it is paused
         bar.run()->click();

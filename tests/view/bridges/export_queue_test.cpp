@@ -8,6 +8,7 @@
 #include "panels/exports/exports_delegate.h"
 #include "panels/exports/exports_model.h"
 #include "panels/exports/exports_panel.h"
+#include "support/background_rest.h"
 #include "support/named_test.h"
 #include "support/own_settings.h"
 #include "support/patient_tries.h"
@@ -140,7 +141,8 @@ void ExportQueueTest::pausesAndGoesOn() {
     ExportQueue queue(kept());
     queue.setPaused(true);
     queue.add(task(out(QStringLiteral("a.png"))));
-    QTest::qWait(200);
+    QVERIFY(support::backgroundRests()); // as far as it does anything
+    QCOMPARE(queue.exports().front().state, State::Waiting);
     QVERIFY(written().isEmpty());
     QVERIFY(ExportQueue(kept()).isPaused()); // the next run, too
     queue.setPaused(false);
@@ -276,7 +278,7 @@ void ExportQueueTest::goesOnAfterAKill() {
     QVERIFY(other.waitForReadyRead(soon)); // it draws
     ExportQueue queue(kept());
     queue.resume(); // while it lives, its exports are its own
-    QTest::qWait(500);
+    QVERIFY(support::backgroundRests());
     QVERIFY(queue.exports().empty());
     other.kill();
     QVERIFY(other.waitForFinished(soon));
@@ -298,10 +300,10 @@ void ExportQueueTest::twoProgramsShareNothing() {
         gone.add(task(out(QStringLiteral("%1.png").arg(k))));
     ExportQueue a(kept()), b(kept());
     a.resume();
-    QTest::qWait(200);
+    QVERIFY(support::backgroundRests());
     QVERIFY(a.exports().empty());
     gone.shutDown();
-    QTest::qWait(50);
+    QVERIFY(support::backgroundRests());
     delete new ExportQueue(kept()); // one that resumes nothing takes nothing
     a.setPaused(true);
     b.setPaused(true);
@@ -323,7 +325,7 @@ void ExportQueueTest::whatEndsTheProgramIsNotTriedForEver() {
     ExportQueue queue(kept());
     queue.resume();
     QTRY_COMPARE(queue.exports().size(), std::size_t(1));
-    QTest::qWait(200);
+    QVERIFY(support::backgroundRests());
     QCOMPARE(queue.exports().front().state, State::Failed);
     QVERIFY(written().isEmpty());
     queue.retry(queue.exports().front().id);

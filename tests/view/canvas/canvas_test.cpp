@@ -6,6 +6,7 @@
 #include "document/edits/cage_actions.h"
 #include "document/edits/symmetry_edits.h"
 #include "document/fractal_geometry.h"
+#include "support/events.h"
 #include "support/named_test.h"
 #include "support/patient_tries.h"
 #include "view/canvas/canvas_fixture.h"
@@ -577,7 +578,7 @@ private slots:
         y->selectAll();
         QTest::keyClicks(y, QStringLiteral("abc"));
         QVERIFY(problem->text().contains(QStringLiteral("abc")));
-        QTest::qWait(20);
+        support::handleEvents();
         QVERIFY(problem->height() >= problem->heightForWidth(problem->width()));
         dialog.reject();
     }

@@ -3,6 +3,7 @@
 #include "desktop/theme.h"
 #include "dialogs/preferences_dialog.h"
 #include "support/contrast.h"
+#include "support/events.h"
 #include "support/forget_settings.h"
 #include "support/named_test.h"
 #include "support/own_settings.h"
@@ -84,7 +85,7 @@ void PreferencesDialogTest::choicesAreStoredAndTold() {
     choose(box(dialog, QStringLiteral("Language")), QStringLiteral("mk"));
     QVERIFY(restart->isVisible());
     QTRY_VERIFY(restart->height() >= restart->heightForWidth(restart->width())); // seen whole
-    QTest::qWait(20);
+    support::handleEvents();
     QVERIFY(restart->height() >= restart->heightForWidth(restart->width()));
     dialog.findChild<QCheckBox*>()->click();
     const Preferences chosen{QStringLiteral("mk"), Preferences::Theme::Dark, 1'000'000'000, false, true};

@@ -4,6 +4,7 @@
 #include "document/edits/space_cage_edits.h"
 #include "ifs/cage/map_handles.h"
 #include "space/four_views.h"
+#include "support/background_rest.h"
 #include "support/named_test.h"
 #include "support/patient_tries.h"
 #include "view/space/space_window.h"
@@ -80,12 +81,12 @@ void SpaceHandlesTest::theExtentIsAnnouncedAfterAGesture() {
     connect(&document, &document::Document::changed, this,
             [&](const document::Change& change) { changes << change; });
     QTRY_VERIFY_WITH_TIMEOUT(document::isSpaceExtentKnown(document.fractal()), 60000);
-    QTest::qWait(100);
+    QVERIFY(support::backgroundRests());
     QVERIFY(changes.isEmpty());
     gesture.commit();
     QTRY_COMPARE(changes.size(), 2);
     QVERIFY(!changes[0].live && changes[1].parts == document::Change::Cage && !changes[1].live);
-    QTest::qWait(50);
+    QVERIFY(support::backgroundRests());
     QCOMPARE(changes.size(), 2);
     document.disconnect(this);
 }

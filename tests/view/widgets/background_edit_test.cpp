@@ -3,6 +3,7 @@
 
 #include "document/background_threads.h"
 #include "document/document.h"
+#include "support/background_rest.h"
 #include "support/named_test.h"
 #include "support/patient_tries.h"
 
@@ -23,7 +24,7 @@ private slots:
         m_edit.start([](const auto& fractal) { return renamed(fractal); }, take());
         QCOMPARE(m_taken, 1);
         QCOMPARE(m_document.fractal().name, QStringLiteral("found"));
-        QTest::qWait(50);
+        QVERIFY(support::backgroundRests());
         QCOMPARE(m_taken, 1);
     }
     void whatTakesLongIsTakenLater() {
@@ -40,8 +41,7 @@ private slots:
         other.name = QStringLiteral("other");
         m_document.edit(QStringLiteral("meanwhile"), other);
         gate->release();
-        QVERIFY(document::backgroundFinishes(std::chrono::seconds(30)));
-        QTest::qWait(50);
+        QVERIFY(support::backgroundRests());
         QCOMPARE(m_taken, 0);
         QCOMPARE(m_document.fractal().name, QStringLiteral("other"));
     }
@@ -51,8 +51,7 @@ private slots:
         m_edit.start([](const auto& fractal) { return renamed(fractal); }, take());
         QCOMPARE(m_taken, 1);
         gate->release();
-        QVERIFY(document::backgroundFinishes(std::chrono::seconds(30)));
-        QTest::qWait(50);
+        QVERIFY(support::backgroundRests());
         QCOMPARE(m_taken, 1);
     }
     void thereMayBeNone() {

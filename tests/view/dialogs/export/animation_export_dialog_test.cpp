@@ -25,6 +25,7 @@
 #include <QLineEdit>
 #include <QMessageBox>
 #include <QProcess>
+#include <QProgressBar>
 #include <QPushButton>
 #include <QSignalSpy>
 #include <QSpinBox>
@@ -245,9 +246,12 @@ void AnimationExportDialogTest::completePicturesStay() {
     QVERIFY(exported(Dialog::Pictures, QStringLiteral("a.png")));
     QCOMPARE(files().size(), 6);
     const QByteArray whole = contents(path("a.0002.png"));
-    const QDateTime written(QFileInfo(path("a.0001.png")).lastModified());
+    const QDateTime written = QDateTime::currentDateTime().addDays(-1);
+    QFile first(path("a.0001.png"));
+    QVERIFY(first.open(QIODevice::ReadWrite) &&
+            first.setFileTime(written, QFileDevice::FileModificationTime));
+    first.close();
     QVERIFY(QFile::resize(path("a.0002.png"), 100)); // as a full disk would leave it
-    QTest::qWait(20);
     QVERIFY(exported(Dialog::Pictures, QStringLiteral("a.png")));
     QVERIFY(contents(path("a.0002.png")) == whole);
     QCOMPARE(QFileInfo(path("a.0001.png")).lastModified(), written);
@@ -320,7 +324,7 @@ void AnimationExportDialogTest::stoppingLeavesNothing() {
     named<QComboBox>(QStringLiteral("Quality"))->setCurrentIndex(3);
     m_dialog->setFormat(Dialog::Mp4);
     m_dialog->exportTo(path("a.mp4"));
-    QTest::qWait(200);
+    QTRY_VERIFY_WITH_TIMEOUT(m_dialog->findChild<QProgressBar*>()->value() > 0, 60'000);
     QPushButton* stop = nullptr;
     for (auto* button : m_dialog->findChildren<QPushButton*>())
         if (button->text().contains(QStringLiteral("Stop"))) stop = button;

@@ -52,11 +52,17 @@ QPixmap pictureOf(const MutateDialog& dialog, QTableWidgetItem* item) {
     return view::PictureTiles::shown(ringOf(dialog).indexFromItem(item)).pixmap;
 }
 
+int childrenShown(const MutateDialog& dialog) {
+    int shown = 0;
+    for (int child = 0; child < MutateDialog::count; ++child)
+        shown += !pictureOf(dialog, ringOf(dialog).childItem(child)).isNull();
+    return shown;
+}
+
 // Once all pictures are there.
 bool isFull(const MutateDialog& dialog) {
-    for (int child = 0; child < MutateDialog::count; ++child)
-        if (pictureOf(dialog, ringOf(dialog).childItem(child)).isNull()) return false;
-    return !pictureOf(dialog, ringOf(dialog).parentItem()).isNull();
+    return childrenShown(dialog) == MutateDialog::count &&
+           !pictureOf(dialog, ringOf(dialog).parentItem()).isNull();
 }
 
 QPushButton* button(const MutateDialog& dialog, const QString& text) {
@@ -317,7 +323,7 @@ void MutateDialogTest::closingAtOnceIsSafe() {
         MutateDialog dialog(&document);
         dialog.show();
         dialog.findChild<QSpinBox*>()->setValue(2 + i);
-        QTest::qWait(10 * i);
+        QTRY_VERIFY(childrenShown(dialog) >= i); // sooner or later
     }
     QVERIFY(document.undoStack()->count() == 0);
 }

@@ -6,6 +6,7 @@
 #include "panels/analysis/analysis_facts.h"
 #include "panels/analysis/analysis_panel.h"
 #include "panels/analysis/box_counting_plot.h"
+#include "support/events.h"
 #include "support/named_test.h"
 #include "support/patient_tries.h"
 #include "view/panels/maps_support.h"
@@ -227,7 +228,7 @@ private slots:
         panel.resize(width, 900);
         panel.show();
         QTRY_VERIFY_WITH_TIMEOUT(bridge.isCurrent(), patience);
-        QTest::qWait(50);
+        support::handleEvents(); // it is laid out
         const int reach = panel.viewport()->width() + panel.horizontalScrollBar()->maximum();
         for (const auto& fact : panel.facts())
             for (const auto* label : panel.findChildren<QLabel*>()) {
@@ -258,13 +259,13 @@ private slots:
         for (const auto& fractal :
              {inSpace, fractalOf({{0.5, 0, 0, 0.5, 0, 0, 0}, {0.5, 0, 0, 0.5, 1, 0, 0}}),
               fractalOf({{0, 0, 0, 0.5, 0, 0, 1}, {0.5, 0, 0, 0, 1, 0, 1}})}) {
-            QTest::qWait(200);
+            QTRY_VERIFY_WITH_TIMEOUT(bridge.isCurrent(), patience);
             document.edit(QStringLiteral("x"), fractal);
         }
         QTRY_VERIFY_WITH_TIMEOUT(bridge.isCurrent(), patience);
         QTRY_VERIFY_WITH_TIMEOUT(
             valueOf(panel.facts(), QStringLiteral("Attractor")).startsWith(QStringLiteral("Yes")), patience);
-        QTest::qWait(50);
+        support::handleEvents(); // it is laid out
         for (const auto* label : panel.findChildren<QLabel*>())
             if (label->isVisible() && label->wordWrap())
                 QVERIFY2(label->height() >= label->heightForWidth(label->width()), qPrintable(label->text()));
@@ -275,7 +276,9 @@ private slots:
         document.setFile(document::fileOf(maple()));
         view::AnalysisBridge bridge(&document);
         view::AnalysisPanel panel(&document, &bridge);
-        QTest::qWait(300);
+        view::AnalysisBridge watched(&document);
+        watched.setWatched(true);
+        QTRY_VERIFY_WITH_TIMEOUT(watched.isCurrent(), patience); // meanwhile
         QVERIFY(panel.facts().isEmpty() && !bridge.analysis());
         panel.show();
         QTRY_VERIFY_WITH_TIMEOUT(!panel.facts().isEmpty(), patience);

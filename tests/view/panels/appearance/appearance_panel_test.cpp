@@ -6,6 +6,7 @@
 #include "panels/appearance/palettes/gradient_preview.h"
 #include "panels/appearance/palettes/gradient_strip.h"
 #include "panels/appearance/palettes/picture_palette_dialog.h"
+#include "support/events.h"
 #include "support/named_test.h"
 #include "support/patient_tries.h"
 #include "view/panels/maps_support.h"
@@ -113,11 +114,11 @@ private slots:
             QFont font = m_panel->font();
             font.setPointSize(points);
             m_panel->setFont(font);
-            QTest::qWait(20);
+            support::handleEvents();
             const int narrowest = m_panel->minimumSizeHint().width();
             for (int width = narrowest; width < 2 * narrowest; width += 7) {
                 m_panel->resize(width, 600);
-                QTest::qWait(1);
+                support::handleEvents();
                 const auto* box = m_panel->transparent();
                 QVERIFY2(box->width() >= box->minimumSizeHint().width(), qPrintable(QString::number(width)));
                 QVERIFY(box->geometry().right() <= m_panel->contentsRect().right());

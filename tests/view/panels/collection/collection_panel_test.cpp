@@ -6,6 +6,8 @@
 #include "panels/collection/collection_filter.h"
 #include "panels/collection/collection_model.h"
 #include "panels/collection/collection_panel.h"
+#include "support/background_rest.h"
+#include "support/events.h"
 #include "support/forget_settings.h"
 #include "support/named_test.h"
 #include "support/own_settings.h"
@@ -193,7 +195,7 @@ void CollectionPanelTest::arrowsSkipTitles() {
     panel.show();
     auto* grid = panel.findChild<QListView*>();
     QTRY_VERIFY(grid->model()->rowCount() > 60);
-    QTest::qWait(0);
+    support::handleEvents();
     grid->setCurrentIndex(grid->model()->index(1, 0));
     for (int step = 0; step < 12; ++step) {
         const int before = grid->currentIndex().row();
@@ -272,7 +274,7 @@ void CollectionPanelTest::readingCanBeStopped() {
     panel.addFolder(folder.path());
     connect(rows, &QAbstractItemModel::rowsInserted, stop, &QToolButton::click);
     QTRY_COMPARE(rows->rowCount(), before + 3); // a title and the entries of the first file
-    QTest::qWait(300);
+    QVERIFY(support::backgroundRests());
     QCOMPARE(rows->rowCount(), before + 3);
     QCOMPARE(panel.folders(), QStringList{folder.path()});
 }

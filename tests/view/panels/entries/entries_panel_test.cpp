@@ -5,6 +5,7 @@
 #include "panels/entries/entries_list.h"
 #include "panels/entries/entries_model.h"
 #include "panels/entries/entries_panel.h"
+#include "support/events.h"
 #include "support/named_test.h"
 #include "support/patient_tries.h"
 
@@ -324,7 +325,7 @@ void EntriesPanelTest::badNameKeepsTheEditorOpen() {
     QVERIFY(editor->accessibleDescription().contains(u"Another entry"_s));
     QCOMPARE(QToolTip::text(), editor->accessibleDescription());
     QTest::keyClick(editor, Qt::Key_Return);
-    QTest::qWait(10);
+    support::handleEvents();
     QVERIFY(editor && editor->isVisible());
     QCOMPARE(m_document->undoStack()->count(), 0);
     QTest::keyClick(editor, Qt::Key_Escape);

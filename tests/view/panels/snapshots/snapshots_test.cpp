@@ -321,7 +321,7 @@ void SnapshotsTest::aHeldKeyEndsItsLook() {
         QCoreApplication::sendEvent(m_canvas.get(), &event);
     };
     m_look->toggle(Qt::Key_Q);
-    QTest::qWait(450);
+    QTest::qWait(450); // a key counts as held by the clock
     for (int i = 0; i < 3; ++i) {
         comesUp();
         m_look->toggle(Qt::Key_Q);
@@ -330,7 +330,7 @@ void SnapshotsTest::aHeldKeyEndsItsLook() {
     comesUp();
     QVERIFY(!m_look->isOn());
 
-    QTest::qWait(250);
+    QTest::qWait(250);         // what comes sooner is a repetition, by the clock
     m_look->toggle(Qt::Key_Q); // pressed, not held: the look stays until it is pressed again
     comesUp();
     QVERIFY(m_look->isOn());

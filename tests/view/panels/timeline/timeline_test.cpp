@@ -59,7 +59,6 @@ private slots:
     void aCustomEaseIsDrawn();
     void keysLeadOnSmoothly();
     void timingIsEdited();
-    void playingFollowsTheClock();
     void playingEndsWhereTheLoopDoes();
     void theWheelZooms();
     void spaceTapsButDragsDoNot();
@@ -516,25 +515,6 @@ void TimelineTest::timingIsEdited() {
     QCOMPARE(timeline().frame(), 29); // the playhead came along
     m_document->undoStack()->undo();
     QCOMPARE(bar.loop()->currentIndex(), 0);
-}
-
-void TimelineTest::playingFollowsTheClock() {
-    keyCageAt({40});
-    timeline().setTiming(QStringLiteral("cycle"), {{24, 1}, 48, animation::Loop::Cycle});
-    timeline().setFrame(0);
-    m_panel->transport()->play()->click();
-    QVERIFY(timeline().playback().isPlaying());
-    QTRY_VERIFY(timeline().frame() > 3);
-    document::Fractal after = m_document->fractal(); // edited while it plays
-    after.appearance.gamma = 3;
-    m_document->edit(QStringLiteral("Gamma"), after);
-    QCOMPARE(m_document->fractal().appearance.gamma, 3.0);
-    QVERIFY(timeline().playback().isPlaying());
-    m_panel->transport()->play()->click();
-    const int stopped = timeline().frame();
-    QVERIFY(!timeline().playback().isPlaying());
-    QTest::qWait(150);
-    QCOMPARE(timeline().frame(), stopped);
 }
 
 void TimelineTest::playingEndsWhereTheLoopDoes() {
