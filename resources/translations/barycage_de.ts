@@ -5314,6 +5314,62 @@
         <source>The video cannot be written: %1.</source>
         <translation>Das Video kann nicht geschrieben werden: %1.</translation>
     </message>
+    <message>
+        <source>Flip maps</source>
+        <translation>Abbildungen spiegeln</translation>
+    </message>
+    <message>
+        <source>Rotate maps by 90°</source>
+        <translation>Abbildungen um 90° drehen</translation>
+    </message>
+    <message>
+        <source>Rotate maps by −90°</source>
+        <translation>Abbildungen um −90° drehen</translation>
+    </message>
+    <message>
+        <source>Align maps</source>
+        <translation>Abbildungen ausrichten</translation>
+    </message>
+    <message>
+        <source>Distribute maps</source>
+        <translation>Abbildungen verteilen</translation>
+    </message>
+    <message>
+        <source>Fit maps to the corners</source>
+        <translation>Abbildungen an die Ecken setzen</translation>
+    </message>
+    <message>
+        <source>Only maps in the plane can be arranged.</source>
+        <translation>Nur Abbildungen in der Ebene lassen sich anordnen.</translation>
+    </message>
+    <message>
+        <source>Select at least two maps first.</source>
+        <translation>Erst mindestens zwei Abbildungen wählen.</translation>
+    </message>
+    <message>
+        <source>Select at least three maps first.</source>
+        <translation>Erst mindestens drei Abbildungen wählen.</translation>
+    </message>
+    <message>
+        <source>The cage is flat, so maps cannot be moved in it. Reset the cage first.</source>
+        <translation>Der Käfig ist flach, darum lassen sich Abbildungen darin nicht bewegen. Setzen Sie zuerst den Käfig zurück.</translation>
+    </message>
+    <message>
+        <source>Duplicate a map</source>
+        <translation>Eine Abbildung duplizieren</translation>
+    </message>
+    <message>
+        <source>Duplicate %1 maps</source>
+        <translation>%1 Abbildungen duplizieren</translation>
+    </message>
+    <message>
+        <source>Delete a map</source>
+        <translation>Eine Abbildung löschen</translation>
+    </message>
+    <message>
+        <source>Delete %1 maps</source>
+        <translation>%1 Abbildungen löschen</translation>
+    </message>
 </context>
 <context>
     <name>Tour</name>
@@ -5612,72 +5668,6 @@
         <source>%1 (frame %2)</source>
         <comment>what is done, at which frame</comment>
         <translation>%1 (Bild %2)</translation>
-    </message>
-</context>
-<context>
-    <name>document::MapsArrange</name>
-    <message>
-        <source>Flip maps</source>
-        <translation>Abbildungen spiegeln</translation>
-    </message>
-    <message>
-        <source>Rotate maps by 90°</source>
-        <translation>Abbildungen um 90° drehen</translation>
-    </message>
-    <message>
-        <source>Rotate maps by −90°</source>
-        <translation>Abbildungen um −90° drehen</translation>
-    </message>
-    <message>
-        <source>Align maps</source>
-        <translation>Abbildungen ausrichten</translation>
-    </message>
-    <message>
-        <source>Distribute maps</source>
-        <translation>Abbildungen verteilen</translation>
-    </message>
-    <message>
-        <source>Fit maps to the corners</source>
-        <translation>Abbildungen an die Ecken setzen</translation>
-    </message>
-    <message>
-        <source>Only maps in the plane can be arranged.</source>
-        <translation>Nur Abbildungen in der Ebene lassen sich anordnen.</translation>
-    </message>
-    <message>
-        <source>Select a map first.</source>
-        <translation>Erst eine Abbildung wählen.</translation>
-    </message>
-    <message>
-        <source>Select at least two maps first.</source>
-        <translation>Erst mindestens zwei Abbildungen wählen.</translation>
-    </message>
-    <message>
-        <source>Select at least three maps first.</source>
-        <translation>Erst mindestens drei Abbildungen wählen.</translation>
-    </message>
-    <message>
-        <source>The cage is flat, so maps cannot be moved in it. Reset the cage first.</source>
-        <translation>Der Käfig ist flach, darum lassen sich Abbildungen darin nicht bewegen. Setzen Sie zuerst den Käfig zurück.</translation>
-    </message>
-</context>
-<context>
-    <name>document::MapsEdits</name>
-    <message>
-        <source>Duplicate %1 maps</source>
-        <translation>%1 Abbildungen duplizieren</translation>
-    </message>
-    <message>
-        <source>Delete %1 maps</source>
-        <translation>%1 Abbildungen löschen</translation>
-    </message>
-    <message>
-        <source>Duplicate a map</source>
-        <translation>Eine Abbildung duplizieren</translation>
-    </message>
-    <message>
-        <source>Delete a map</source>
-        <translation>Eine Abbildung löschen</translation>
     </message>
 </context>
 <context>

@@ -5314,6 +5314,62 @@
         <source>The video cannot be written: %1.</source>
         <translation>No se puede escribir el vídeo: %1.</translation>
     </message>
+    <message>
+        <source>Flip maps</source>
+        <translation>Voltear aplicaciones</translation>
+    </message>
+    <message>
+        <source>Rotate maps by 90°</source>
+        <translation>Girar aplicaciones 90°</translation>
+    </message>
+    <message>
+        <source>Rotate maps by −90°</source>
+        <translation>Girar aplicaciones −90°</translation>
+    </message>
+    <message>
+        <source>Align maps</source>
+        <translation>Alinear aplicaciones</translation>
+    </message>
+    <message>
+        <source>Distribute maps</source>
+        <translation>Distribuir aplicaciones</translation>
+    </message>
+    <message>
+        <source>Fit maps to the corners</source>
+        <translation>Ajustar aplicaciones a los vértices</translation>
+    </message>
+    <message>
+        <source>Only maps in the plane can be arranged.</source>
+        <translation>Solo se pueden ordenar aplicaciones del plano.</translation>
+    </message>
+    <message>
+        <source>Select at least two maps first.</source>
+        <translation>Elija primero al menos dos aplicaciones.</translation>
+    </message>
+    <message>
+        <source>Select at least three maps first.</source>
+        <translation>Elija primero al menos tres aplicaciones.</translation>
+    </message>
+    <message>
+        <source>The cage is flat, so maps cannot be moved in it. Reset the cage first.</source>
+        <translation>La jaula es plana, así que las aplicaciones no se pueden mover en ella. Restablezca antes la jaula.</translation>
+    </message>
+    <message>
+        <source>Duplicate a map</source>
+        <translation>Duplicar una aplicación</translation>
+    </message>
+    <message>
+        <source>Duplicate %1 maps</source>
+        <translation>Duplicar %1 aplicaciones</translation>
+    </message>
+    <message>
+        <source>Delete a map</source>
+        <translation>Eliminar una aplicación</translation>
+    </message>
+    <message>
+        <source>Delete %1 maps</source>
+        <translation>Eliminar %1 aplicaciones</translation>
+    </message>
 </context>
 <context>
     <name>Tour</name>
@@ -5612,72 +5668,6 @@
         <source>%1 (frame %2)</source>
         <comment>what is done, at which frame</comment>
         <translation>%1 (fotograma %2)</translation>
-    </message>
-</context>
-<context>
-    <name>document::MapsArrange</name>
-    <message>
-        <source>Flip maps</source>
-        <translation>Voltear aplicaciones</translation>
-    </message>
-    <message>
-        <source>Rotate maps by 90°</source>
-        <translation>Girar aplicaciones 90°</translation>
-    </message>
-    <message>
-        <source>Rotate maps by −90°</source>
-        <translation>Girar aplicaciones −90°</translation>
-    </message>
-    <message>
-        <source>Align maps</source>
-        <translation>Alinear aplicaciones</translation>
-    </message>
-    <message>
-        <source>Distribute maps</source>
-        <translation>Distribuir aplicaciones</translation>
-    </message>
-    <message>
-        <source>Fit maps to the corners</source>
-        <translation>Ajustar aplicaciones a los vértices</translation>
-    </message>
-    <message>
-        <source>Only maps in the plane can be arranged.</source>
-        <translation>Solo se pueden ordenar aplicaciones del plano.</translation>
-    </message>
-    <message>
-        <source>Select a map first.</source>
-        <translation>Elija primero una aplicación.</translation>
-    </message>
-    <message>
-        <source>Select at least two maps first.</source>
-        <translation>Elija primero al menos dos aplicaciones.</translation>
-    </message>
-    <message>
-        <source>Select at least three maps first.</source>
-        <translation>Elija primero al menos tres aplicaciones.</translation>
-    </message>
-    <message>
-        <source>The cage is flat, so maps cannot be moved in it. Reset the cage first.</source>
-        <translation>La jaula es plana, así que las aplicaciones no se pueden mover en ella. Restablezca antes la jaula.</translation>
-    </message>
-</context>
-<context>
-    <name>document::MapsEdits</name>
-    <message>
-        <source>Duplicate %1 maps</source>
-        <translation>Duplicar %1 aplicaciones</translation>
-    </message>
-    <message>
-        <source>Delete %1 maps</source>
-        <translation>Eliminar %1 aplicaciones</translation>
-    </message>
-    <message>
-        <source>Duplicate a map</source>
-        <translation>Duplicar una aplicación</translation>
-    </message>
-    <message>
-        <source>Delete a map</source>
-        <translation>Eliminar una aplicación</translation>
     </message>
 </context>
 <context>

@@ -5314,6 +5314,62 @@
         <source>The video cannot be written: %1.</source>
         <translation>La vidéo ne peut pas être écrite&#x202f;: %1.</translation>
     </message>
+    <message>
+        <source>Flip maps</source>
+        <translation>Retourner des applications</translation>
+    </message>
+    <message>
+        <source>Rotate maps by 90°</source>
+        <translation>Tourner des applications de 90°</translation>
+    </message>
+    <message>
+        <source>Rotate maps by −90°</source>
+        <translation>Tourner des applications de −90°</translation>
+    </message>
+    <message>
+        <source>Align maps</source>
+        <translation>Aligner des applications</translation>
+    </message>
+    <message>
+        <source>Distribute maps</source>
+        <translation>Répartir des applications</translation>
+    </message>
+    <message>
+        <source>Fit maps to the corners</source>
+        <translation>Placer des applications aux coins</translation>
+    </message>
+    <message>
+        <source>Only maps in the plane can be arranged.</source>
+        <translation>Seules des applications du plan peuvent être disposées.</translation>
+    </message>
+    <message>
+        <source>Select at least two maps first.</source>
+        <translation>Choisissez d’abord au moins deux applications.</translation>
+    </message>
+    <message>
+        <source>Select at least three maps first.</source>
+        <translation>Choisissez d’abord au moins trois applications.</translation>
+    </message>
+    <message>
+        <source>The cage is flat, so maps cannot be moved in it. Reset the cage first.</source>
+        <translation>La cage est plate&#x202f;: les applications ne peuvent pas y être déplacées. Réinitialisez d’abord la cage.</translation>
+    </message>
+    <message>
+        <source>Duplicate a map</source>
+        <translation>Dupliquer une application</translation>
+    </message>
+    <message>
+        <source>Duplicate %1 maps</source>
+        <translation>Dupliquer %1 applications</translation>
+    </message>
+    <message>
+        <source>Delete a map</source>
+        <translation>Supprimer une application</translation>
+    </message>
+    <message>
+        <source>Delete %1 maps</source>
+        <translation>Supprimer %1 applications</translation>
+    </message>
 </context>
 <context>
     <name>Tour</name>
@@ -5612,72 +5668,6 @@
         <source>%1 (frame %2)</source>
         <comment>what is done, at which frame</comment>
         <translation>%1 (image %2)</translation>
-    </message>
-</context>
-<context>
-    <name>document::MapsArrange</name>
-    <message>
-        <source>Flip maps</source>
-        <translation>Retourner des applications</translation>
-    </message>
-    <message>
-        <source>Rotate maps by 90°</source>
-        <translation>Tourner des applications de 90°</translation>
-    </message>
-    <message>
-        <source>Rotate maps by −90°</source>
-        <translation>Tourner des applications de −90°</translation>
-    </message>
-    <message>
-        <source>Align maps</source>
-        <translation>Aligner des applications</translation>
-    </message>
-    <message>
-        <source>Distribute maps</source>
-        <translation>Répartir des applications</translation>
-    </message>
-    <message>
-        <source>Fit maps to the corners</source>
-        <translation>Placer des applications aux coins</translation>
-    </message>
-    <message>
-        <source>Only maps in the plane can be arranged.</source>
-        <translation>Seules des applications du plan peuvent être disposées.</translation>
-    </message>
-    <message>
-        <source>Select a map first.</source>
-        <translation>Choisissez d’abord une application.</translation>
-    </message>
-    <message>
-        <source>Select at least two maps first.</source>
-        <translation>Choisissez d’abord au moins deux applications.</translation>
-    </message>
-    <message>
-        <source>Select at least three maps first.</source>
-        <translation>Choisissez d’abord au moins trois applications.</translation>
-    </message>
-    <message>
-        <source>The cage is flat, so maps cannot be moved in it. Reset the cage first.</source>
-        <translation>La cage est plate&#x202f;: les applications ne peuvent pas y être déplacées. Réinitialisez d’abord la cage.</translation>
-    </message>
-</context>
-<context>
-    <name>document::MapsEdits</name>
-    <message>
-        <source>Duplicate %1 maps</source>
-        <translation>Dupliquer %1 applications</translation>
-    </message>
-    <message>
-        <source>Delete %1 maps</source>
-        <translation>Supprimer %1 applications</translation>
-    </message>
-    <message>
-        <source>Duplicate a map</source>
-        <translation>Dupliquer une application</translation>
-    </message>
-    <message>
-        <source>Delete a map</source>
-        <translation>Supprimer une application</translation>
     </message>
 </context>
 <context>

@@ -5327,6 +5327,62 @@
         <source>The video cannot be written: %1.</source>
         <translation>Видеото не може да се запише: %1.</translation>
     </message>
+    <message>
+        <source>Flip maps</source>
+        <translation>Преврти пресликувања</translation>
+    </message>
+    <message>
+        <source>Rotate maps by 90°</source>
+        <translation>Заврти пресликувања за 90°</translation>
+    </message>
+    <message>
+        <source>Rotate maps by −90°</source>
+        <translation>Заврти пресликувања за −90°</translation>
+    </message>
+    <message>
+        <source>Align maps</source>
+        <translation>Порамни пресликувања</translation>
+    </message>
+    <message>
+        <source>Distribute maps</source>
+        <translation>Распореди пресликувања</translation>
+    </message>
+    <message>
+        <source>Fit maps to the corners</source>
+        <translation>Постави пресликувања во темињата</translation>
+    </message>
+    <message>
+        <source>Only maps in the plane can be arranged.</source>
+        <translation>Може да се распоредуваат само пресликувања во рамнината.</translation>
+    </message>
+    <message>
+        <source>Select at least two maps first.</source>
+        <translation>Прво избери барем две пресликувања.</translation>
+    </message>
+    <message>
+        <source>Select at least three maps first.</source>
+        <translation>Прво избери барем три пресликувања.</translation>
+    </message>
+    <message>
+        <source>The cage is flat, so maps cannot be moved in it. Reset the cage first.</source>
+        <translation>Кафезот е рамен, па пресликувањата не можат да се поместуваат во него. Прво врати го кафезот.</translation>
+    </message>
+    <message>
+        <source>Duplicate a map</source>
+        <translation>Удвојување на пресликување</translation>
+    </message>
+    <message>
+        <source>Duplicate %1 maps</source>
+        <translation>Удвојување на %1 пресликувања</translation>
+    </message>
+    <message>
+        <source>Delete a map</source>
+        <translation>Бришење на пресликување</translation>
+    </message>
+    <message>
+        <source>Delete %1 maps</source>
+        <translation>Бришење на %1 пресликувања</translation>
+    </message>
 </context>
 <context>
     <name>Tour</name>
@@ -5625,72 +5681,6 @@
         <source>%1 (frame %2)</source>
         <comment>what is done, at which frame</comment>
         <translation>%1 (слика %2)</translation>
-    </message>
-</context>
-<context>
-    <name>document::MapsArrange</name>
-    <message>
-        <source>Flip maps</source>
-        <translation>Преврти пресликувања</translation>
-    </message>
-    <message>
-        <source>Rotate maps by 90°</source>
-        <translation>Заврти пресликувања за 90°</translation>
-    </message>
-    <message>
-        <source>Rotate maps by −90°</source>
-        <translation>Заврти пресликувања за −90°</translation>
-    </message>
-    <message>
-        <source>Align maps</source>
-        <translation>Порамни пресликувања</translation>
-    </message>
-    <message>
-        <source>Distribute maps</source>
-        <translation>Распореди пресликувања</translation>
-    </message>
-    <message>
-        <source>Fit maps to the corners</source>
-        <translation>Постави пресликувања во темињата</translation>
-    </message>
-    <message>
-        <source>Only maps in the plane can be arranged.</source>
-        <translation>Може да се распоредуваат само пресликувања во рамнината.</translation>
-    </message>
-    <message>
-        <source>Select a map first.</source>
-        <translation>Прво избери пресликување.</translation>
-    </message>
-    <message>
-        <source>Select at least two maps first.</source>
-        <translation>Прво избери барем две пресликувања.</translation>
-    </message>
-    <message>
-        <source>Select at least three maps first.</source>
-        <translation>Прво избери барем три пресликувања.</translation>
-    </message>
-    <message>
-        <source>The cage is flat, so maps cannot be moved in it. Reset the cage first.</source>
-        <translation>Кафезот е рамен, па пресликувањата не можат да се поместуваат во него. Прво врати го кафезот.</translation>
-    </message>
-</context>
-<context>
-    <name>document::MapsEdits</name>
-    <message>
-        <source>Duplicate %1 maps</source>
-        <translation>Удвојување на %1 пресликувања</translation>
-    </message>
-    <message>
-        <source>Delete %1 maps</source>
-        <translation>Бришење на %1 пресликувања</translation>
-    </message>
-    <message>
-        <source>Duplicate a map</source>
-        <translation>Удвојување на пресликување</translation>
-    </message>
-    <message>
-        <source>Delete a map</source>
-        <translation>Бришење на пресликување</translation>
     </message>
 </context>
 <context>

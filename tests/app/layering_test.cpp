@@ -332,16 +332,16 @@ void LayeringTest::decompositionsAreCompiledInFewFiles() {
         QVERIFY2(path.contains(QLatin1String("/model/ifs/linear/")), qPrintable(path));
 }
 
-// What a file names at the left margin of its anonymous namespaces: types and values by their names,
-// functions by their names and parameters, since they may be overloaded.
-static std::set<QString> anonymousNames(const QString& path) {
+// What a file names at the left margin of its anonymous namespaces, with the line: types and values by their
+// names, functions by their names and parameters, since they may be overloaded.
+static std::map<QString, QString> anonymousNames(const QString& path) {
     static const QRegularExpression type(
         QStringLiteral("^(?:template <[^>]*> )?(?:struct|class|enum class|enum) (\\w+)(?! *;)"));
     static const QRegularExpression alias(QStringLiteral("^(?:template <[^>]*> )?using (\\w+) ="));
     static const QRegularExpression value(
         QStringLiteral("^(?:static |inline |constexpr |const )+[^(=]*?(\\w+)(?:\\[\\w*\\])?(?: =|\\{| \\{)"));
     static const QRegularExpression function(QStringLiteral("^[\\w\\[][^=]*?\\b(\\w+\\(.*)\\{$"));
-    std::set<QString> names;
+    std::map<QString, QString> names;
     bool isInside = false;
     for (const QString& line : contents(path).split(u'\n')) {
         if (line.startsWith(QLatin1String("namespace {"))) isInside = true;
@@ -349,26 +349,29 @@ static std::set<QString> anonymousNames(const QString& path) {
         if (!isInside) continue;
         for (const QRegularExpression* kind : {&type, &alias, &value, &function})
             if (const auto match = kind->match(line); match.hasMatch()) {
-                names.insert(match.captured(1));
+                names.emplace(match.captured(1), line);
                 break;
             }
     }
     return names;
 }
 
-// The sources of a folder are compiled together, some at a time.
+// The sources of a folder are compiled together, some at a time. The same alias may be in several.
 void LayeringTest::anonymousNamesAreUniqueInTheirFolder() {
-    std::map<std::pair<QString, QString>, QString> firsts; // by folder and name
+    std::map<std::pair<QString, QString>, std::pair<QString, QString>>
+        firsts; // path and line, by folder and name
     for (const char* top : {"app", "model", "view", "tests"})
         for (const QString& path : sourceFiles(support::sourcePath(QString::fromLatin1(top)))) {
             if (!path.endsWith(QLatin1String(".cpp"))) continue;
             if (path.contains(QLatin1String("/tests/bench/")) ||
                 path.contains(QLatin1String("/tests/support/")))
                 continue; // programs and libraries of one or few sources
-            for (const QString& name : anonymousNames(path)) {
-                const auto [first, isNew] = firsts.try_emplace({folderOf(path), name}, path);
-                QVERIFY2(isNew, qPrintable(name + QStringLiteral(" is in ") + first->second +
-                                           QStringLiteral(" and in ") + path));
+            for (const auto& [name, line] : anonymousNames(path)) {
+                const auto [entry, isNew] = firsts.try_emplace({folderOf(path), name}, std::pair(path, line));
+                const auto& [first, firstLine] = entry->second;
+                const bool isSameAlias = line == firstLine && line.contains(QLatin1String("using "));
+                QVERIFY2(isNew || isSameAlias, qPrintable(name + QStringLiteral(" is in ") + first +
+                                                          QStringLiteral(" and in ") + path));
             }
         }
     QVERIFY2(firsts.size() > 1000, "few names were found: the test looks at the wrong places");

@@ -2,6 +2,7 @@
 #include "io/table/markup_tables.h"
 
 #include "io/table/html_tables.h"
+#include "io/table/table_cells.h"
 #include "io/text/expression.h"
 #include "io/text/latex_text.h"
 #include "io/text/number.h"
@@ -17,7 +18,6 @@ namespace io {
 
 namespace {
 
-constexpr qsizetype maxRows = 250'000;
 constexpr qsizetype fewestCells = 6; // of a row that stands alone
 
 class Lines {
@@ -64,7 +64,7 @@ QList<Environment> environments(const QString& text, bool isNested) {
     QList<Environment> found;
     for (qsizetype from = 0;;) {
         const auto match = opening.match(text, from);
-        if (!match.hasMatch() || found.size() >= maxRows) return found;
+        if (!match.hasMatch() || found.size() >= maxTableRows) return found;
         Environment one{match.captured(1), match.capturedStart(), match.capturedEnd(), 0, 0};
         if (one.body < text.size() && text[one.body] == u'[')
             one.body = std::max(text.indexOf(u']', one.body) + 1, one.body);
@@ -96,7 +96,7 @@ public:
     };
 
     QList<Raw> split(bool linesEndRows) && {
-        for (; m_at < m_text.size() && m_rows.size() < maxRows; ++m_at) {
+        for (; m_at < m_text.size() && m_rows.size() < maxTableRows; ++m_at) {
             const QChar c = m_text[m_at];
             if (c == u'\\')
                 command();
@@ -265,7 +265,7 @@ QList<MarkupTable> markdownTables(const QString& text) {
         }
         if (!isInside) tables << MarkupTable{Markup::Markdown, {}};
         isInside = true;
-        if (!isRule(*cells) && tables.last().rows.size() < maxRows)
+        if (!isRule(*cells) && tables.last().rows.size() < maxTableRows)
             tables.last().rows << MarkupRow{*cells, number};
     }
     tables.removeIf([](const MarkupTable& table) { return table.rows.size() < 2; });
@@ -324,7 +324,7 @@ private:
     }
 
     void endRow() {
-        if (m_isInside && !isEmptyRow(m_row.cells) && m_tables.last().rows.size() < maxRows)
+        if (m_isInside && !isEmptyRow(m_row.cells) && m_tables.last().rows.size() < maxTableRows)
             m_tables.last().rows << m_row;
         m_row = {};
     }

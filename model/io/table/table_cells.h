@@ -12,6 +12,8 @@
 // The cells of a table that people paste or a spreadsheet writes, and the numbers in them.
 namespace io {
 
+inline constexpr qsizetype maxTableRows = 250'000; // of one table
+
 struct Cell {
     QString text; // without the quotation marks around it
     int line = 0;

@@ -18,8 +18,8 @@ namespace {
 
 using document::Problem;
 
-constexpr qsizetype maxRows = 250'000;
-constexpr qsizetype maxRow = maxRows + 1; // cells: a label, and of a table that has a column for every map
+constexpr qsizetype maxRow =
+    maxTableRows + 1; // cells: a label, and of a table that has a column for every map
 constexpr qsizetype maxProblems = 10;
 
 QString withLineFeeds(QString text) {
@@ -443,9 +443,9 @@ private:
         if (!std::all_of(numbers.begin(), numbers.end(), [](double number) { return isCoefficient(number); }))
             return fail(cells.first(), Text::tr("A number in this row is too large for a coefficient (the "
                                                 "largest absolute value is 3.4e38)."));
-        if (m_table.rows.size() + m_table.spaceRows.size() >= std::size_t(maxRows))
+        if (m_table.rows.size() + m_table.spaceRows.size() >= std::size_t(maxTableRows))
             return fail(cells.first(),
-                        Text::tr("The table has more than %1 rows, which is the limit.").arg(maxRows));
+                        Text::tr("The table has more than %1 rows, which is the limit.").arg(maxTableRows));
         if (cells.size() < spaceNumbers)
             m_table.rows.push_back(mapOf(m_columns, numbers));
         else
