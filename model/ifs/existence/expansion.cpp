@@ -11,14 +11,15 @@ namespace ifs {
 
 namespace {
 
-// A number that is known up to an error, which grows with every operation.
+// A number that is known up to an error, which grows with every operation. What overflows has an infinite
+// error, and no sign.
 class Enclosure {
 public:
     Enclosure() = default;
     Enclosure(double value, double error) : m_value(value), m_error(error) {}
 
     bool isPositive() const { return m_value > m_error; }
-    bool isNegativeOrZero() const { return m_value <= -m_error; }
+    bool isNegativeOrZero() const { return std::isfinite(m_error) && m_value <= -m_error; }
     Enclosure operator-() const { return {-m_value, m_error}; }
     friend Enclosure operator+(const Enclosure& a, const Enclosure& b) {
         return rounded(a.m_value + b.m_value, a.m_error + b.m_error);

@@ -155,7 +155,8 @@ private:
         while (!open.empty()) {
             auto [a, b] = std::move(open.back());
             open.pop_back();
-            if ((a.centre - b.centre).norm() * (1 - 1e-12) > a.radius + b.radius + 2 * m_off) continue;
+            const double distance = (a.centre - b.centre).norm(); // infinite where its square overflows
+            if (std::isfinite(distance) && distance * (1 - 1e-12) > a.radius + b.radius + 2 * m_off) continue;
             if (allowed <= 0 || std::max(a.radius, b.radius) < smallest) return false;
             if (a.radius < b.radius) std::swap(a, b);
             allowed -= int(maps.size());
