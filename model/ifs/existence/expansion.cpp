@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "ifs/existence/expansion.h"
 
-#include "ifs/existence/dyadic.h"
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -66,14 +64,6 @@ template <class Number> std::array<Number, 6> margins(const Entries<Number, 3>& 
             square + inner};
 }
 
-template <int Dim> Entries<Dyadic, Dim> exact(const Matrix<Dim>& linear) {
-    Entries<Dyadic, Dim> result;
-    for (int i = 0; i < Dim; ++i)
-        for (int j = 0; j < Dim; ++j)
-            result[std::size_t(i)][std::size_t(j)] = Dyadic(linear(i, j));
-    return result;
-}
-
 } // namespace
 
 template <int Dim> Expansion expansion(const Matrix<Dim>& linear, double error) {
@@ -86,26 +76,25 @@ template <int Dim> Expansion expansion(const Matrix<Dim>& linear, double error) 
     return std::ranges::all_of(known, &Enclosure::isPositive) ? Expansion::No : Expansion::Unknown;
 }
 
-template <int Dim>
-Expansion exactExpansion(std::span<const AffineMap<Dim>> maps, const std::vector<int>& word) {
-    Entries<Dyadic, Dim> product = exact<Dim>(Matrix<Dim>::Identity());
-    for (const int symbol : word) {
-        const auto factor = exact<Dim>(maps[std::size_t(symbol)].linear);
-        Entries<Dyadic, Dim> longer;
-        for (std::size_t i = 0; i < Dim; ++i)
-            for (std::size_t j = 0; j < Dim; ++j)
-                for (std::size_t k = 0; k < Dim; ++k)
-                    longer[i][j] = longer[i][j] + product[i][k] * factor[k][j];
-        product = std::move(longer);
-    }
+template <int Dim> Expansion exactExpansion(const ExactMatrix<Dim>& product) {
     const auto known = margins<Dyadic>(product, Dyadic(1));
     return std::ranges::all_of(known, [](const Dyadic& margin) { return margin.sign() > 0; })
                ? Expansion::No
                : Expansion::Yes;
 }
 
+template <int Dim>
+Expansion exactExpansion(std::span<const AffineMap<Dim>> maps, const std::vector<int>& word) {
+    auto product = exactMatrix<Dim>(Matrix<Dim>::Identity());
+    for (const int symbol : word)
+        product = product * exactMatrix<Dim>(maps[std::size_t(symbol)].linear);
+    return exactExpansion<Dim>(product);
+}
+
 template Expansion expansion<2>(const Matrix<2>&, double);
 template Expansion expansion<3>(const Matrix<3>&, double);
+template Expansion exactExpansion<2>(const ExactMatrix<2>&);
+template Expansion exactExpansion<3>(const ExactMatrix<3>&);
 template Expansion exactExpansion<2>(std::span<const AffineMap<2>>, const std::vector<int>&);
 template Expansion exactExpansion<3>(std::span<const AffineMap<3>>, const std::vector<int>&);
 
