@@ -41,6 +41,21 @@ Matrix<2> cancelling(double scale = 1) {
     return scale * result;
 }
 
+// With eigenvalues near 1, and coefficients up to 2³⁰.
+Matrix<2> leaning(Random& random) {
+    const double lean = std::ldexp(uniform(random), int(random() % 30));
+    Matrix<2> basis, diagonal = Matrix<2>::Zero();
+    basis << 1, lean, uniform(random), 1 + lean * uniform(random);
+    diagonal.diagonal() << 1 + std::ldexp(uniform(random), -int(random() % 56)), uniform(random);
+    return basis * diagonal * basis.inverse();
+}
+
+// Whether ρ < 1/(1 + 2⁻⁵²), without rounding.
+bool isBelowOne(const Maps2& maps) {
+    return exactExpansion<2>(Maps2{maps[0], {(1 + 0x1p-52) * Matrix<2>::Identity(), {0, 0}}}, {0, 1}) ==
+           Expansion::No;
+}
+
 } // namespace
 
 // Systems on which numbers overflow, or cancel to less than their rounding. All of them are decided by what
@@ -125,6 +140,28 @@ private slots:
         const Maps2 maps{{.5 * Matrix<2>::Identity(), {1e308, 0}}, {.25 * Matrix<2>::Identity(), {0, 1}}};
         const auto seen = seenFrom<2>({0x1p-100 * Matrix<2>::Identity(), {0, 0}}, maps);
         QVERIFY(!seen || (isFinite(seen->maps[0]) && std::isfinite(seen->rounding(1))));
+    }
+
+    // By the exact signs alone, however near ρ is to 1 and however much the coefficients cancel; only where
+    // no double below 1 is a factor, the answer stays open.
+    void singleMapsAreDecided() {
+        QVERIFY(exists(classify<2>(Maps2{{cancelling(), {1, 0}}})));
+        QCOMPARE(classify<2>(Maps2{{2 * cancelling(), {1, 0}}}).verdict, Verdict::None);
+        QCOMPARE(classify<2>(Maps2{{2 * cancelling(), {1, 0}}, {-2 * cancelling(), {0, 1}}}).verdict,
+                 Verdict::None);
+        QVERIFY(exists(classify<2>(Maps2{affineMap(-0.9616878261478827, -0.4770864654484555,
+                                                   -0.062416917643708686, -0.2227466199707716, 1, 0)})));
+        Random random(5);
+        for (int n = 0; n < 300; ++n) {
+            const Maps2 maps{{leaning(random), randomVector<2>(random)}};
+            const Verdict verdict = classify<2>(maps).verdict;
+            if (exactExpansion<2>(maps, {0}) == Expansion::Yes)
+                QCOMPARE(verdict, Verdict::None);
+            else if (isBelowOne(maps))
+                QVERIFY(verdict == Verdict::EventuallyContractive || verdict == Verdict::Hyperbolic);
+            else
+                QVERIFY(verdict != Verdict::None);
+        }
     }
 
     // A norm that decides holds for all words, with their rounding.
