@@ -111,6 +111,39 @@ private slots:
         QVERIFY(!tileOf(twice));
     }
 
+    // Of area 0, or without a lattice, by more than rounding.
+    void nearlyTilesAreNone() {
+        for (const double ratio : {.4999999999, .5 - 0x1p-40, .5 - 0x1p-46, .5 + 0x1p-46}) {
+            Maps maps = squares(2);
+            for (auto& map : maps)
+                map.linear *= 2 * ratio;
+            QVERIFY(!tileOf(maps));
+        }
+        for (const double off : {1e-8, 1e-10, 1e-12, 0x1p-44}) {
+            Maps maps = squares(2); // a dust in one direction, intervals that overlap in the other
+            for (auto& map : maps)
+                map.linear.diagonal() << .5 * (1 + off), .5 / (1 + off);
+            QVERIFY(!tileOf(maps));
+            maps = squares(2); // digits that are no lattice
+            maps[3].translation.y() += off;
+            QVERIFY(!tileOf(maps));
+            maps = squares(3);
+            maps[4].translation.x() += off;
+            QVERIFY(!tileOf(maps));
+            maps = canonical::heighway();
+            maps[1].linear *= std::sqrt(1 - off);
+            QVERIFY(!tileOf(maps));
+            maps = canonical::heighway();
+            maps[1].linear = maps[1].linear * Eigen::Rotation2D<double>(off).toRotationMatrix();
+            QVERIFY(!tileOf(maps));
+            maps.clear();
+            for (int k = 0; k < 8; ++k)
+                maps.push_back(affineMap(.5, 0, 0, .25, .5 * (k % 2), .25 * (k / 2)));
+            maps[5].translation.y() += off;
+            QVERIFY(!tileOf(maps));
+        }
+    }
+
     void movedTilesAreTheSame() {
         const AffineMap<2> there = affineMap(1.25, .5, -.25, 2, 3, -1);
         Maps maps;
