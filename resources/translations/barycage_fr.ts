@@ -382,6 +382,10 @@
         <translation>L’attracteur dépasse le polyèdre d’au plus cette distance&#x202f;; certifié.</translation>
     </message>
     <message>
+        <source>at least %1</source>
+        <translation>au moins %1</translation>
+    </message>
+    <message>
         <source>(within rounding error)</source>
         <translation>(autant que l’arrondi permet d’en juger)</translation>
     </message>
@@ -4536,6 +4540,10 @@
     <message>
         <source>%1 facets</source>
         <translation>%1 facettes</translation>
+    </message>
+    <message>
+        <source>at least %1</source>
+        <translation>au moins %1</translation>
     </message>
     <message>
         <source>(within rounding error)</source>

@@ -190,6 +190,10 @@ private:
     std::vector<Rounded> m_found;
 };
 
+struct Figure {
+    double value = 0, error = 0;
+};
+
 // What a determinant may be off by, as far as the coefficients are off by their rounding.
 double roundingOfDeterminant(const Matrix<2>& linear) {
     const Matrix<2> size = linear.cwiseAbs();
@@ -217,18 +221,21 @@ std::optional<Matrix<2>> rootOfSimilarities(std::span<const AffineMap<2>> maps) 
 
 // N similarities of one ratio s with Ns² = 1, whose neighbours are finitely many and none of them the tile
 // itself: the open set condition holds, and the attractor has inner points (Bandt; Schief).
-std::optional<double> boundaryDimension(std::span<const AffineMap<2>> maps, const BoundingBox<2>& box,
+std::optional<Figure> boundaryDimension(std::span<const AffineMap<2>> maps, const BoundingBox<2>& box,
                                         bool& isExact) {
     const auto root = rootOfSimilarities(maps);
     if (!root) return std::nullopt;
-    const double ratio = 1 / std::sqrt(double(maps.size()));
     Neighbours neighbours(maps, *root, box);
     auto graph = neighbours.graph();
     if (!graph || graph->prune() == 0) return std::nullopt;
     const auto radius = graph->spectralRadius();
     if (!radius || radius->least < 1) return std::nullopt;
     isExact = neighbours.isExact();
-    return std::log((radius->least + radius->most) / 2) / -std::log(ratio);
+    const double rate = std::log(double(maps.size())) / 2, middle = (radius->least + radius->most) / 2;
+    Figure result{std::log(middle) / rate};
+    result.error = (radius->most - radius->least) / (2 * radius->least * rate) +
+                   4 * roundingUnit * (result.value + 1 / rate);
+    return result;
 }
 
 // The lattice that some vectors generate, if they do.
@@ -429,7 +436,10 @@ std::optional<Tile> tile(std::span<const AffineMap<2>> maps, const BoundingBox<2
     bool isAreaExact = true, isDimensionExact = true;
     Tile result;
     result.area = area(maps, box, isAreaExact);
-    result.boundaryDimension = boundaryDimension(maps, box, isDimensionExact);
+    if (const auto dimension = boundaryDimension(maps, box, isDimensionExact)) {
+        result.boundaryDimension = dimension->value;
+        result.boundaryDimensionError = dimension->error;
+    }
     if (!result.area && !result.boundaryDimension) return std::nullopt;
     result.isExact = isAreaExact && isDimensionExact;
     return result;

@@ -100,6 +100,20 @@ private slots:
         QVERIFY(near(terdragon->boundaryDimension, std::log(4) / std::log(3)));
     }
 
+    // β³ − β² − 2 = 0, and Koch's curve.
+    void boundaryDimensionsHaveAnError() {
+        for (const Maps& maps : {canonical::twin(), canonical::heighway()}) {
+            const auto found = tileOf(maps);
+            QVERIFY(std::abs(*found->boundaryDimension - 1.523627086202492) <=
+                    found->boundaryDimensionError + 4e-16);
+            QVERIFY(found->boundaryDimensionError > 0 && found->boundaryDimensionError < 1e-13);
+        }
+        const auto square = tileOf(squares(3));
+        QVERIFY(std::abs(*square->boundaryDimension - 1) <= square->boundaryDimensionError);
+        const auto levy = tileOf(canonical::levy());
+        QVERIFY(levy->boundaryDimensionError > 0 && levy->boundaryDimensionError < 1e-10);
+    }
+
     void othersAreNone() {
         QVERIFY(!tileOf(canonical::maple()));
         QVERIFY(!tileOf(canonical::sierpinskiRight()));
