@@ -6,6 +6,7 @@
 #include "ifs/existence/expansion.h"
 #include "ifs/existence/invariant_form.h"
 #include "ifs/existence/polytope_norm.h"
+#include "ifs/existence/support_norm.h"
 #include "ifs/linear/symmetric_matrices.h"
 
 #include <Eigen/LU>
@@ -218,6 +219,21 @@ template <int Dim> double leastContractivity(std::span<const AffineMap<Dim>> map
     }
 }
 
+// What an exact rule decides, however slowly the maps contract.
+template <int Dim> std::optional<Existence> contractionWithoutRounding(std::span<const AffineMap<Dim>> maps) {
+    if (const auto euclidean = exactEuclideanNorm<Dim>(maps))
+        return Existence{.verdict = Verdict::Hyperbolic,
+                         .contractivity = euclidean->contractivity,
+                         .witness = {int(maxNorm<Dim>(linearParts<Dim>(maps)).index)}};
+    if (const auto along = supportNorm<Dim>(maps))
+        return Existence{.verdict = Verdict::EventuallyContractive,
+                         .contractivity = along->contractivity,
+                         .witness = {int(maxNorm<Dim>(linearParts<Dim>(maps)).index)},
+                         .normEquivalence = along->equivalence,
+                         .norm = NormKind::Ellipsoidal};
+    return std::nullopt;
+}
+
 // By norms that fit the maps, where words have not decided.
 template <int Dim>
 std::optional<Existence> contractionInSomeNorm(std::span<const AffineMap<Dim>> maps, bool isHurried) {
@@ -255,7 +271,7 @@ std::optional<Existence> contractionInSomeNorm(std::span<const AffineMap<Dim>> m
                              .normEquivalence = polytope->equivalence * (better ? better->condition : 1),
                              .norm = NormKind::Polytope};
     }
-    return std::nullopt;
+    return contractionWithoutRounding<Dim>(maps);
 }
 
 // Longer words than can all be tried: those that are the longest where the maps are short.

@@ -164,6 +164,30 @@ private slots:
         }
     }
 
+    void slowMapsAlongTheAxes() {
+        QVERIFY(exists(classify<2>(Maps2{affineMap(0, .5, 1, 0, 1, 0),
+                                         affineMap(0, .9999999999999991, .9999999999999991, 0, 0, 1)})));
+        QVERIFY(exists(
+            classify<3>(Maps3{map3(matrix3({0, 0, 1048576, 0, .999999999999999, 0, 0, 0, 0}), {1, 0, 0}),
+                              map3(matrix3({0, 0, 0, 0, -.9, 0, 9e-7, 0, 0}), {0, 1, 0})})));
+        for (const double slow : {1 - 1e-12, 1 - 1e-14, 1 - 0x1p-50, 1 - 0x1p-51}) {
+            const Existence leaning =
+                classify<2>(Maps2{affineMap(slow, 7, 0, .5, 1, 0), affineMap(.5, -3, 0, -slow, 0, 1)});
+            QVERIFY(exists(leaning));
+            QVERIFY(leaning.contractivity >= slow && leaning.contractivity < 1);
+            const Matrix<3> upper = matrix3({slow, 9, 1e5, 0, .5, 1, 0, 0, -slow});
+            QVERIFY(exists(classify<3>(Maps3{map3(upper, {1, 0, 0}), map3(upper.transpose(), {0, 1, 0})})) ==
+                    false);
+            QVERIFY(exists(classify<3>(Maps3{map3(upper, {1, 0, 0}), map3(upper / 2, {0, 1, 0})})));
+            // In space, norms come from rotations.
+            QVERIFY(exists(classify<3>(Maps3{map3(slow * Matrix<3>::Identity(), {1, 0, 0}),
+                                             map3(-slow * Matrix<3>::Identity(), {0, 1, 0})})));
+        }
+        // The products of 2 and ½, and of 1 and 1, are not below 1.
+        QVERIFY(!exists(classify<2>(Maps2{affineMap(0, 2, 0, 0, 1, 0), affineMap(0, 0, .5, 0, 0, 1)})));
+        QVERIFY(!exists(classify<2>(Maps2{affineMap(1, 1, 0, .5, 1, 0), affineMap(.5, 0, 0, .5, 0, 1)})));
+    }
+
     // A norm that decides holds for all words, with their rounding.
     void normsOfCancellingWords() {
         for (const double scale : {1.0, .125, .75, 2.5}) {
