@@ -103,7 +103,7 @@ public:
             if (found == Expansion::No || (found == Expansion::Unknown && !mayAsk(level.length))) continue;
             const double radius = spectralRadius<Dim>(product);
             if (found == Expansion::Yes || expandsExactly(level, i, radius))
-                return {std::max(radius, 1.0), i};
+                return {std::max(wellRounded(level, i, radius), 1.0), i};
         }
         return {};
     }
@@ -120,6 +120,17 @@ private:
         } else
             m_symbols += level.length;
         return exactExpansion<Dim>(m_maps, word) == Expansion::Yes;
+    }
+
+    // Where rounding may have left little of the radius, it is worked out anew.
+    double wellRounded(const WordLevel<Dim>& level, std::size_t index, double radius) const {
+        constexpr double little = 1e-9;
+        const double size = level.products[index].norm();
+        if (level.errors[index] <= little && roundingUnit * size * size <= little) return radius;
+        auto product = exactMatrix<Dim>(Matrix<Dim>::Identity());
+        for (const int symbol : spell(index, level.length, m_maps.size()))
+            product = product * exactMatrix<Dim>(m_maps[std::size_t(symbol)].linear);
+        return radiusOf<Dim>(product);
     }
 
     bool mayAsk(int length) const {

@@ -49,12 +49,16 @@ template <class Number> std::array<Number, 3> margins(const Entries<Number, 2>& 
     return {one - det, one + det - trace, one + det + trace};
 }
 
+// Trace, sum of the principal minors, determinant.
+template <class Number> std::array<Number, 3> characteristic(const Entries<Number, 3>& m) {
+    return {m[0][0] + m[1][1] + m[2][2], minor(m, 0, 1) + minor(m, 0, 2) + minor(m, 1, 2),
+            m[0][0] * (m[1][1] * m[2][2] - m[1][2] * m[2][1]) -
+                m[0][1] * (m[1][0] * m[2][2] - m[1][2] * m[2][0]) +
+                m[0][2] * (m[1][0] * m[2][1] - m[1][1] * m[2][0])};
+}
+
 template <class Number> std::array<Number, 6> margins(const Entries<Number, 3>& m, const Number& one) {
-    const Number trace = m[0][0] + m[1][1] + m[2][2];
-    const Number minors = minor(m, 0, 1) + minor(m, 0, 2) + minor(m, 1, 2);
-    const Number det = m[0][0] * (m[1][1] * m[2][2] - m[1][2] * m[2][1]) -
-                       m[0][1] * (m[1][0] * m[2][2] - m[1][2] * m[2][0]) +
-                       m[0][2] * (m[1][0] * m[2][1] - m[1][1] * m[2][0]);
+    const auto [trace, minors, det] = characteristic(m);
     const Number inner = minors - det * trace, square = one - det * det;
     return {one - trace + minors - det,
             one + trace + minors + det,
@@ -83,6 +87,18 @@ template <int Dim> Expansion exactExpansion(const ExactMatrix<Dim>& product) {
                : Expansion::Yes;
 }
 
+template <int Dim> double radiusOf(const ExactMatrix<Dim>& product) {
+    Matrix<Dim> companion = Matrix<Dim>::Zero();
+    if constexpr (Dim == 2) {
+        const Dyadic det = product[0][0] * product[1][1] - product[0][1] * product[1][0];
+        companion << (product[0][0] + product[1][1]).rounded(), -det.rounded(), 1, 0;
+    } else {
+        const auto [trace, minors, det] = characteristic(product);
+        companion << trace.rounded(), -minors.rounded(), det.rounded(), 1, 0, 0, 0, 1, 0;
+    }
+    return spectralRadius<Dim>(companion);
+}
+
 template <int Dim>
 Expansion exactExpansion(std::span<const AffineMap<Dim>> maps, const std::vector<int>& word) {
     auto product = exactMatrix<Dim>(Matrix<Dim>::Identity());
@@ -93,6 +109,8 @@ Expansion exactExpansion(std::span<const AffineMap<Dim>> maps, const std::vector
 
 template Expansion expansion<2>(const Matrix<2>&, double);
 template Expansion expansion<3>(const Matrix<3>&, double);
+template double radiusOf<2>(const ExactMatrix<2>&);
+template double radiusOf<3>(const ExactMatrix<3>&);
 template Expansion exactExpansion<2>(const ExactMatrix<2>&);
 template Expansion exactExpansion<3>(const ExactMatrix<3>&);
 template Expansion exactExpansion<2>(std::span<const AffineMap<2>>, const std::vector<int>&);

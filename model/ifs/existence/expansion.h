@@ -26,4 +26,7 @@ Expansion exactExpansion(std::span<const AffineMap<Dim>> maps, const std::vector
 
 template <int Dim> Expansion exactExpansion(const ExactMatrix<Dim>& product);
 
+// ρ, from coefficients of the characteristic polynomial that were rounded once.
+template <int Dim> double radiusOf(const ExactMatrix<Dim>& product);
+
 } // namespace ifs

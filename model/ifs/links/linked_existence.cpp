@@ -29,8 +29,10 @@ public:
             found.wordLength = length;
             if (const Word* witness = expanding(open)) {
                 found.verdict = Verdict::None;
-                found.contractivity =
-                    std::pow(std::max(spectralRadius<Dim>(witness->linear), 1.0), 1.0 / length);
+                found.contractivity = std::pow(std::max(witness->exact ? radiusOf<Dim>(*witness->exact)
+                                                                       : spectralRadius<Dim>(witness->linear),
+                                                        1.0),
+                                               1.0 / length);
                 found.witness = witness->symbols;
                 return found;
             }

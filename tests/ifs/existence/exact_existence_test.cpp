@@ -151,6 +151,13 @@ private slots:
                  Verdict::None);
         QVERIFY(exists(classify<2>(Maps2{affineMap(-0.9616878261478827, -0.4770864654484555,
                                                    -0.062416917643708686, -0.2227466199707716, 1, 0)})));
+        // The radius of the witness is that of the coefficients as they are.
+        QCOMPARE(classify<2>(Maps2{{2 * cancelling(), {1, 0}}}).contractivity, 1.0);
+        QCOMPARE(classify<2>(Maps2{{8 * cancelling(), {1, 0}}}).contractivity, 4.0);
+        const double huge = 0x1p60; // trace and determinant are those of the diagonal
+        QCOMPARE(classify<3>(Maps3{map3(matrix3({2, huge, huge, 0, .5, huge, 0, 0, -3}), {1, 0, 0})})
+                     .contractivity,
+                 3.0);
         Random random(5);
         for (int n = 0; n < 300; ++n) {
             const Maps2 maps{{leaning(random), randomVector<2>(random)}};
