@@ -5,6 +5,7 @@
 #include "ifs/existence/conditioning.h"
 #include "ifs/existence/expansion.h"
 #include "ifs/existence/invariant_form.h"
+#include "ifs/existence/lyapunov_norm.h"
 #include "ifs/existence/polytope_norm.h"
 #include "ifs/existence/support_norm.h"
 #include "ifs/linear/symmetric_matrices.h"
@@ -236,7 +237,9 @@ template <int Dim> std::optional<Existence> contractionWithoutRounding(std::span
         return Existence{.verdict = Verdict::Hyperbolic,
                          .contractivity = euclidean->contractivity,
                          .witness = {int(maxNorm<Dim>(linearParts<Dim>(maps)).index)}};
-    if (const auto along = supportNorm<Dim>(maps))
+    auto along = supportNorm<Dim>(maps);
+    if (!along) along = lyapunovNorm<Dim>(maps);
+    if (along)
         return Existence{.verdict = Verdict::EventuallyContractive,
                          .contractivity = along->contractivity,
                          .witness = {int(maxNorm<Dim>(linearParts<Dim>(maps)).index)},

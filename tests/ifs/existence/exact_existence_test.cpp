@@ -84,7 +84,8 @@ private slots:
 
     void hugeNilpotentsDoNotExpand() {
         const Maps3 maps{map3(hugeNilpotent(), {1, 0, 0}), map3(.6 * Matrix<3>::Identity(), {0, 1, 0})};
-        QVERIFY(classify<3>(maps).verdict != Verdict::None);
+        QVERIFY(exists(classify<3>(maps)));
+        QVERIFY(!exists(classify<3>(Maps3{maps[0], map3(Matrix<3>::Identity(), {0, 1, 0})})));
         for (const int exponent : {-600, -100, 0, 40, 200, 300, 400, 600, 800, 1000})
             for (const double ratio : {.6, .999, -.75}) {
                 const Matrix<3> nilpotent = std::ldexp(1, exponent - 100) * hugeNilpotent();
