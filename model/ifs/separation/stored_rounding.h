@@ -5,18 +5,17 @@
 
 namespace ifs {
 
-// How far the coefficients of a map may be off, at most, entry by entry, because those of the maps that it is
-// composed of are stored as doubles: each by up to two units in the last place of the largest in its map.
-// What differs by more than that is different; "within rounding error" means this, and nothing wider.
+// How far the coefficients of a map may be off, at most, because those of the maps that it is composed of are
+// stored as doubles: each by up to two units in its last place. What differs by more than that is different;
+// "within rounding error" means this, and nothing wider.
 template <int Dim> struct StoredRounding {
     Matrix<Dim> linear = Matrix<Dim>::Zero();
     Vector<Dim> translation = Vector<Dim>::Zero();
 
-    static constexpr double share = 0x1p-52; // of the largest coefficient
+    static constexpr double share = 0x1p-52; // of a coefficient
 
     static StoredRounding of(const AffineMap<Dim>& stored) {
-        return {Matrix<Dim>::Constant(share * stored.linear.cwiseAbs().maxCoeff()),
-                Vector<Dim>::Constant(share * stored.translation.cwiseAbs().maxCoeff())};
+        return {share * stored.linear.cwiseAbs(), share * stored.translation.cwiseAbs()};
     }
 
     // Of outer∘inner, this being that of `outer`, to first order.

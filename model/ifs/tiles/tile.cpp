@@ -197,8 +197,8 @@ struct Figure {
 // What a determinant may be off by, as far as the coefficients are off by their rounding.
 double roundingOfDeterminant(const Matrix<2>& linear) {
     const Matrix<2> size = linear.cwiseAbs();
-    return Rounding::share * size.maxCoeff() * size.sum() +
-           2 * roundingUnit * (size(0, 0) * size(1, 1) + size(0, 1) * size(1, 0));
+    const double terms = size(0, 0) * size(1, 1) + size(0, 1) * size(1, 0);
+    return 2 * (Rounding::share + roundingUnit) * terms;
 }
 
 // The U with P = UᵀU for which all AᵀPA = s²P, Ns² = 1, to rounding error.

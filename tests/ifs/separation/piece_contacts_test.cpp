@@ -147,6 +147,10 @@ private slots:
                 QVERIFY(found.connectedness != Connectedness::Connected);
                 QVERIFY(found.connectedness != Connectedness::ConnectedToRounding);
             }
+        Maps2 wide = dust(0.5 - 0x1p-45); // along the other axis, numbers are larger
+        for (auto& map : wide)
+            map.translation.x() += 1000;
+        QVERIFY(contactsOf<2>(wide).connectedness != Connectedness::ConnectedToRounding);
         Maps2 thirds = dust(1 / 3.);
         thirds.push_back(affineMap(1 / 3., 0, 0, 1 / 3., 1 / 3., 1 / 3.)); // a Vicsek fractal
         QCOMPARE(contactsOf<2>(thirds).connectedness, Connectedness::ConnectedToRounding);
