@@ -218,6 +218,7 @@ void Analyser::addInvariants(Analysis& analysis) const {
     if (analysis.facts.active.maps.empty()) return; // the picture is flat
     analysis.facts.affinityDimension = m_code->affinityDimension;
     analysis.facts.affinityDimensionError = m_code->affinityDimensionError;
+    analysis.facts.isAffinityDimensionCapped = m_code->isAffinityDimensionCapped;
     analysis.facts.invariants =
         ifs::scaled(m_code->invariants, std::abs(ifs::determinant<2>(m_display.linear)));
 }
@@ -232,7 +233,7 @@ std::optional<Analysis> Analyser::completed(Analysis analysis, const std::stop_t
         m_code->affinityDimensionError = moran ? ifs::similarityDimensionError<2>(m_code->active.maps, *moran)
                                                : ifs::affinityDimensionError;
         if (stop.stop_requested()) return std::nullopt;
-        if (auto& dimension = m_code->affinityDimension) dimension = std::min(*dimension, 2.0);
+        ifs::capAffinityDimension(*m_code);
         m_code->invariants = ifs::invariantsOf(*m_code);
         if (stop.stop_requested()) return std::nullopt;
         m_hasDimension = true;

@@ -110,8 +110,8 @@ template <int Dim> void findLinkedMeasure(Facts<Dim>& facts) {
     facts.moments = linkedMoments<Dim>(facts.active);
     if (facts.moments) facts.mean = Mean<Dim>{facts.moments->mean, facts.moments->meanError};
     facts.similarityDimension = linkedDimension<Dim>(facts.active);
-    if (facts.similarityDimension)
-        facts.affinityDimension = std::min(*facts.similarityDimension, double(Dim));
+    facts.affinityDimension = facts.similarityDimension;
+    capAffinityDimension(facts);
     Invariants& invariants = facts.invariants;
     invariants.entropy = entropyRate(transitions(facts.active));
     invariants.lyapunovExponent = linkedLyapunovExponent<Dim>(facts.active);
@@ -269,8 +269,16 @@ Facts<Dim> factsOf(const IteratedFunctionSystem<Dim>& system, std::optional<doub
         if (limits.withAffinityDimension && !facts.affinityDimension) findAffinityDimension(facts, budget);
         if (facts.hull) findExtremePoints(facts, budget);
     }
-    if (auto& dimension = facts.affinityDimension) dimension = std::min(*dimension, double(Dim));
+    capAffinityDimension(facts);
     return facts;
+}
+
+template <int Dim> void capAffinityDimension(Facts<Dim>& facts) {
+    if (!facts.affinityDimension) return;
+    const auto [value, error, isCapped] = capped(*facts.affinityDimension, facts.affinityDimensionError, Dim);
+    facts.affinityDimension = value;
+    facts.affinityDimensionError = error;
+    facts.isAffinityDimensionCapped = isCapped;
 }
 
 Invariants scaled(Invariants invariants, double areaFactor) {
@@ -368,6 +376,7 @@ template <int Dim> Facts<Dim> moved(const AffineMap<Dim>& transformation, const 
         result.active.maps.clear();
         result.similarityDimension.reset();
         result.affinityDimension.reset();
+        result.isAffinityDimensionCapped = false;
         result.invariants = {};
         return result;
     }
@@ -385,6 +394,7 @@ template <int Dim> Facts<Dim> moved(const AffineMap<Dim>& transformation, const 
     template Facts<Dim> geometricFacts(const IteratedFunctionSystem<Dim>&, std::optional<double>);           \
     template Facts<Dim> factsOf(const IteratedFunctionSystem<Dim>&, std::optional<double>,                   \
                                 const FactLimits&);                                                          \
+    template void capAffinityDimension(Facts<Dim>&);                                                         \
     template Invariants invariantsOf(const Facts<Dim>&);                                                     \
     template Facts<Dim> moved(const AffineMap<Dim>&, const Facts<Dim>&);
 BARYCAGE_INSTANTIATE(2)

@@ -70,6 +70,7 @@ template <int Dim> struct Facts {
     std::optional<double> similarityDimension;
     std::optional<double> affinityDimension; // not above Dim; in space, of similarities only
     double affinityDimensionError = 0;       // how far it is off, at most
+    bool isAffinityDimensionCapped = false;  // Dim stands for more than that
     Invariants invariants;                   // empty until they are asked for
     std::vector<LongFact> late; // missing because they would take more time than FactLimits allow
 
@@ -91,6 +92,9 @@ Facts<Dim> factsOf(const IteratedFunctionSystem<Dim>& system, std::optional<doub
 template <int Dim>
 Facts<Dim> geometricFacts(const IteratedFunctionSystem<Dim>& system,
                           std::optional<double> hullTolerance = {});
+
+// Leaves the affinity dimension as a set in this space can have it.
+template <int Dim> void capAffinityDimension(Facts<Dim>& facts);
 
 template <int Dim> Invariants invariantsOf(const Facts<Dim>& facts);
 // Those of an image whose area is so many times that of the attractor.

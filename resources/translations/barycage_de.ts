@@ -382,6 +382,10 @@
         <translation>Der Attraktor reicht höchstens so weit über das Polyeder hinaus; bewiesen.</translation>
     </message>
     <message>
+        <source>at least %1</source>
+        <translation>mindestens %1</translation>
+    </message>
+    <message>
         <source>(within rounding error)</source>
         <translation>(soweit die Rundung es erkennen lässt)</translation>
     </message>
@@ -4031,6 +4035,10 @@
     <message>
         <source>%1 facets</source>
         <translation>%1 Seitenflächen</translation>
+    </message>
+    <message>
+        <source>at least %1</source>
+        <translation>mindestens %1</translation>
     </message>
     <message>
         <source>(within rounding error)</source>

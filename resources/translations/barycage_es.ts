@@ -382,6 +382,10 @@
         <translation>El atractor sobresale del poliedro a lo sumo esta distancia; certificado.</translation>
     </message>
     <message>
+        <source>at least %1</source>
+        <translation>al menos %1</translation>
+    </message>
+    <message>
         <source>(within rounding error)</source>
         <translation>(hasta donde deja ver el redondeo)</translation>
     </message>
@@ -4031,6 +4035,10 @@
     <message>
         <source>%1 facets</source>
         <translation>%1 caras</translation>
+    </message>
+    <message>
+        <source>at least %1</source>
+        <translation>al menos %1</translation>
     </message>
     <message>
         <source>(within rounding error)</source>

@@ -382,6 +382,10 @@
         <translation>L’attracteur dépasse le polyèdre d’au plus cette distance&#x202f;; certifié.</translation>
     </message>
     <message>
+        <source>at least %1</source>
+        <translation>au moins %1</translation>
+    </message>
+    <message>
         <source>(within rounding error)</source>
         <translation>(autant que l’arrondi permet d’en juger)</translation>
     </message>
@@ -4031,6 +4035,10 @@
     <message>
         <source>%1 facets</source>
         <translation>%1 facettes</translation>
+    </message>
+    <message>
+        <source>at least %1</source>
+        <translation>au moins %1</translation>
     </message>
     <message>
         <source>(within rounding error)</source>

@@ -383,6 +383,10 @@
         <translation>Атракторот излегува од полиедарот најмногу за толку; докажано.</translation>
     </message>
     <message>
+        <source>at least %1</source>
+        <translation>најмалку %1</translation>
+    </message>
+    <message>
         <source>(within rounding error)</source>
         <translation>(колку што се гледа од заокружувањето)</translation>
     </message>
@@ -4038,6 +4042,10 @@
     <message>
         <source>%1 facets</source>
         <translation>%1 страни</translation>
+    </message>
+    <message>
+        <source>at least %1</source>
+        <translation>најмалку %1</translation>
     </message>
     <message>
         <source>(within rounding error)</source>

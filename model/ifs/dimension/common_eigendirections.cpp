@@ -11,7 +11,7 @@ namespace ifs {
 
 namespace {
 
-constexpr double rounding = 1e-12; // relative, that coefficients may carry
+constexpr double rounding = 0x1p-46; // relative, that coefficients may carry
 
 bool isScalar(const Matrix<2>& a) {
     const double most = rounding * a.cwiseAbs().maxCoeff();

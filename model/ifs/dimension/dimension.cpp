@@ -46,6 +46,13 @@ template <int Dim> double firstBound(std::span<const AffineMap<Dim>> maps) {
     return bisect(excess, 0, maxBound, 60);
 }
 
+// Whether rounding leaves so little of the determinant that nothing is known of the eigenvalues.
+bool isLostToRounding(const AffineMap<2>& map) {
+    constexpr double roundingUnit = 0x1p-53, telling = 1e-10;
+    const Matrix<2>& m = map.linear;
+    return !(roundingUnit * (std::abs(m(0, 0) * m(1, 1)) + std::abs(m(0, 1) * m(1, 0))) <= telling);
+}
+
 bool hasAttractor(std::span<const AffineMap<2>> maps) {
     const Verdict verdict = classify(maps).verdict;
     return verdict == Verdict::Hyperbolic || verdict == Verdict::EventuallyContractive;
@@ -146,6 +153,7 @@ template <int Dim> double singularValueFunction(const Matrix<Dim>& linear, doubl
 std::optional<double> affinityDimension(std::span<const AffineMap<2>> maps, const std::stop_token& stop) {
     if (!hasAttractor(maps)) return std::nullopt;
     if (maps.size() == 1) return 0;
+    if (std::ranges::any_of(maps, isLostToRounding)) return std::nullopt;
     if (const auto dimension = similarityDimension(maps)) return dimension;
     double area = 0;
     for (const auto& map : maps)

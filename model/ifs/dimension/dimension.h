@@ -26,6 +26,16 @@ constexpr bool exceedsSpace(double similarityDimension, int spaceDimension) {
     return similarityDimension > spaceDimension * (1 + 1e-6);
 }
 
+// A dimension as a set in that space can have it. isCapped: it is larger, by more than it may be off.
+struct CappedDimension {
+    double value = 0, error = 0;
+    bool isCapped = false;
+};
+constexpr CappedDimension capped(double dimension, double error, int spaceDimension) {
+    if (dimension - error > spaceDimension) return {double(spaceDimension), 0, true};
+    return {dimension < spaceDimension ? dimension : double(spaceDimension), error, false};
+}
+
 // By how much the ratios, which are known to 1e-9, can falsify a similarity dimension.
 template <int Dim> double similarityDimensionError(std::span<const AffineMap<Dim>> maps, double dimension);
 

@@ -5,7 +5,9 @@
 #include "ifs/existence/conditioning.h"
 #include "ifs/existence/expansion.h"
 #include "ifs/existence/invariant_form.h"
+#include "ifs/existence/lyapunov_norm.h"
 #include "ifs/existence/polytope_norm.h"
+#include "ifs/existence/support_norm.h"
 #include "ifs/linear/rounding.h"
 #include "ifs/linear/symmetric_matrices.h"
 
@@ -20,6 +22,7 @@ namespace ifs {
 
 namespace {
 
+constexpr double underflow = 0x1p-1060;   // of all that underflows in a product of two matrices
 constexpr double minContractivity = 1e-3; // keeps γ^(−k) finite where products vanish
 
 // A norm below this is below 1 in spite of its rounding. Jacobi's rotations round more often.
@@ -46,15 +49,34 @@ template <int Dim> Matrices<Dim> linearParts(std::span<const AffineMap<Dim>> map
     return result;
 }
 
+// Infinite where a product is no finite matrix.
 template <int Dim> Largest maxNorm(const Matrices<Dim>& products) {
+    constexpr double tiny = 0x1p-400; // of smaller ones, the Frobenius norm may underflow
     Largest largest;
     for (std::size_t i = 0; i < products.size(); ++i) {
-        if (products[i].norm() <= largest.value) // the Frobenius norm bounds the spectral norm
-            continue;
+        const double frobenius = products[i].norm(); // bounds the spectral norm
+        if (frobenius > tiny && frobenius <= largest.value) continue;
+        if (!products[i].allFinite()) return {std::numeric_limits<double>::infinity(), i};
         const double norm = spectralNorm<Dim>(products[i]);
         if (norm > largest.value) largest = {norm, i};
     }
     return largest;
+}
+
+// Infinite where nothing is known.
+template <int Dim> double maxError(const WordLevel<Dim>& level) {
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    double result = 0;
+    for (const double error : level.errors)
+        if (!(error <= result)) result = error < infinity ? error : infinity;
+    return result;
+}
+
+// A norm with what rounding may have cost the product. Where that is next to nothing, the margin of
+// contractionLimit makes up for it, and the number is as it was found.
+double withError(double norm, double error) {
+    constexpr double negligible = 0x1p-40;
+    return error <= negligible * norm ? norm : norm + error;
 }
 
 template <int Dim> bool allFinite(const Matrices<Dim>& products) {
@@ -82,19 +104,34 @@ public:
             if (found == Expansion::No || (found == Expansion::Unknown && !mayAsk(level.length))) continue;
             const double radius = spectralRadius<Dim>(product);
             if (found == Expansion::Yes || expandsExactly(level, i, radius))
-                return {std::max(radius, 1.0), i};
+                return {std::max(wellRounded(level, i, radius), 1.0), i};
         }
         return {};
     }
 
 private:
     bool expandsExactly(const WordLevel<Dim>& level, std::size_t index, double radius) {
-        constexpr double nearOne = 0.999; // less is not what rounding makes of 1
-        if (!(radius > nearOne)) return false;
+        constexpr double nearOne = 0.999; // less is seldom what rounding makes of 1
         const std::vector<int> word = spell(index, level.length, m_maps.size());
         if (isPower(word)) return false;
-        m_symbols += level.length;
+        if (!(radius > nearOne)) {
+            // A single map has large coefficients then, which cancel: ρ is not known at all.
+            if (level.length > 1 || m_letters == maxLetters) return false;
+            ++m_letters;
+        } else
+            m_symbols += level.length;
         return exactExpansion<Dim>(m_maps, word) == Expansion::Yes;
+    }
+
+    // Where rounding may have left little of the radius, it is worked out anew.
+    double wellRounded(const WordLevel<Dim>& level, std::size_t index, double radius) const {
+        constexpr double little = 1e-9;
+        const double size = level.products[index].norm();
+        if (level.errors[index] <= little && roundingUnit * size * size <= little) return radius;
+        auto product = exactMatrix<Dim>(Matrix<Dim>::Identity());
+        for (const int symbol : spell(index, level.length, m_maps.size()))
+            product = product * exactMatrix<Dim>(m_maps[std::size_t(symbol)].linear);
+        return radiusOf<Dim>(product);
     }
 
     bool mayAsk(int length) const {
@@ -112,7 +149,9 @@ private:
     }
 
     std::span<const AffineMap<Dim>> m_maps;
+    static constexpr int maxLetters = 200;
     int m_symbols = 0; // of the words asked about
+    int m_letters = 0; // the maps asked about whose ρ seems to be less
 };
 
 template <int Dim> void extend(WordLevel<Dim>& level, const Matrices<Dim>& generators) {
@@ -126,7 +165,9 @@ template <int Dim> void extend(WordLevel<Dim>& level, const Matrices<Dim>& gener
         for (std::size_t k = 0; k < generators.size(); ++k) {
             const Matrix<Dim> terms = level.products[i].cwiseAbs() * generators[k].cwiseAbs();
             longer.products.push_back(level.products[i] * generators[k]);
-            longer.errors.push_back(level.errors[i] * norms[k] + Dim * Dim * roundingUnit * terms.maxCoeff());
+            const double before = norms[k] > 0 ? level.errors[i] * norms[k] : 0;
+            longer.errors.push_back(before * (1 + 0x1p-48) +
+                                    Dim * Dim * roundingUnit * (1 + 0x1p-48) * terms.maxCoeff() + underflow);
         }
     level = std::move(longer);
 }
@@ -190,6 +231,23 @@ template <int Dim> double leastContractivity(std::span<const AffineMap<Dim>> map
     }
 }
 
+// What an exact rule decides, however slowly the maps contract.
+template <int Dim> std::optional<Existence> contractionWithoutRounding(std::span<const AffineMap<Dim>> maps) {
+    if (const auto euclidean = exactEuclideanNorm<Dim>(maps))
+        return Existence{.verdict = Verdict::Hyperbolic,
+                         .contractivity = euclidean->contractivity,
+                         .witness = {int(maxNorm<Dim>(linearParts<Dim>(maps)).index)}};
+    auto along = supportNorm<Dim>(maps);
+    if (!along) along = lyapunovNorm<Dim>(maps);
+    if (along)
+        return Existence{.verdict = Verdict::EventuallyContractive,
+                         .contractivity = along->contractivity,
+                         .witness = {int(maxNorm<Dim>(linearParts<Dim>(maps)).index)},
+                         .normEquivalence = along->equivalence,
+                         .norm = NormKind::Ellipsoidal};
+    return std::nullopt;
+}
+
 // By norms that fit the maps, where words have not decided.
 template <int Dim>
 std::optional<Existence> contractionInSomeNorm(std::span<const AffineMap<Dim>> maps, bool isHurried) {
@@ -227,7 +285,7 @@ std::optional<Existence> contractionInSomeNorm(std::span<const AffineMap<Dim>> m
                              .normEquivalence = polytope->equivalence * (better ? better->condition : 1),
                              .norm = NormKind::Polytope};
     }
-    return std::nullopt;
+    return contractionWithoutRounding<Dim>(maps);
 }
 
 // Longer words than can all be tried: those that are the longest where the maps are short.
@@ -283,9 +341,10 @@ template <int Dim> Existence classify(std::span<const AffineMap<Dim>> maps, int 
     std::size_t products = 0;
     for (;;) {
         const Largest norm = maxNorm<Dim>(level.products);
-        const double root = std::pow(norm.value, 1.0 / level.length);
+        const double error = maxError(level), most = withError(norm.value, error);
+        const double root = std::pow(most, 1.0 / level.length);
         const auto word = [&](std::size_t index) { return spell(index, level.length, maps.size()); };
-        if (norm.value + std::ranges::max(level.errors) < contractionLimit<Dim>) {
+        if (norm.value + error < contractionLimit<Dim>) {
             const bool immediately = level.length == 1;
             return {.verdict = immediately ? Verdict::Hyperbolic : Verdict::EventuallyContractive,
                     .contractivity = root,
@@ -303,11 +362,11 @@ template <int Dim> Existence classify(std::span<const AffineMap<Dim>> maps, int 
             undecided.contractivity = root;
             undecided.wordLength = level.length;
         }
-        norms.push_back(norm.value);
+        norms.push_back(most);
         products += level.products.size() * maps.size();
         if (products > allowed) break;
         extend(level, generators);
-        if (!allFinite<Dim>(level.products)) return undecided;
+        if (!allFinite<Dim>(level.products)) break;
     }
     if (generators.size() > allowed) return undecided;
     constexpr int thorough = 20'000; // fewer products are allowed where somebody waits
@@ -337,11 +396,12 @@ ContractingNorm<Dim> contractingNorm(std::span<const AffineMap<Dim>> maps, const
     const Matrices<Dim> generators = linearParts<Dim>(maps);
     WordLevel<Dim> level{generators};
     std::vector<double> norms;
+    double most = maxNorm<Dim>(level.products).value;
     while (level.products.size() * maps.size() <= maxProducts && maps.size() > 1) {
-        norms.push_back(maxNorm<Dim>(level.products).value);
+        norms.push_back(most);
         extend(level, generators);
-        const double root =
-            std::max(std::pow(maxNorm<Dim>(level.products).value, 1.0 / level.length), minContractivity);
+        most = withError(maxNorm<Dim>(level.products).value, maxError(level));
+        const double root = std::max(std::pow(most, 1.0 / level.length), minContractivity);
         offer({.contractivity = root,
                .equivalence = normEquivalence(norms, root),
                .norm = NormKind::Words,
@@ -354,9 +414,11 @@ namespace {
 
 // The largest number below ρ(A_σ)^(1/n) that is proved to be no more.
 template <int Dim> double provedRadius(const Matrix<Dim>& product, double error, double root, int length) {
-    for (const double caution : {1e-14, 1e-11, 1e-8, 1e-5}) {
-        const double least = root * (1 - caution), power = std::pow(least, length) * (1 - 1e-15 * length);
-        if (power > 0 && expansion<Dim>(product / power, 2 * error / power) == Expansion::Yes) return least;
+    for (const double caution : {1e-14, 1.2e-14, 1e-11, 1e-8, 1e-5}) {
+        const double least = root * (1 - caution), power = std::pow(least, length) * (1 + 0x1p-50);
+        const Matrix<Dim> shrunk = product / power;
+        const double rounding = roundingUnit * shrunk.cwiseAbs().maxCoeff() + underflow;
+        if (power > 0 && expansion<Dim>(shrunk, 2 * error / power + rounding) == Expansion::Yes) return least;
     }
     return 0;
 }
@@ -373,7 +435,7 @@ JointSpectralRadius jointSpectralRadius(std::span<const AffineMap<Dim>> maps, co
         result.most = existence.contractivity * (1 + 1e-15);
     const Matrices<Dim> generators = linearParts<Dim>(maps);
     for (WordLevel<Dim> level{generators}; allFinite<Dim>(level.products); extend(level, generators)) {
-        const double norm = maxNorm<Dim>(level.products).value + std::ranges::max(level.errors);
+        const double norm = maxNorm<Dim>(level.products).value + maxError(level);
         result.most = std::min(result.most, std::pow(norm, 1.0 / level.length) * (1 + 1e-15));
         for (std::size_t i = 0; i < level.products.size(); ++i) {
             const double root = std::pow(spectralRadius<Dim>(level.products[i]), 1.0 / level.length);

@@ -17,7 +17,7 @@ template <int Dim> std::optional<CommonMatrixNorm> commonMatrixNorm(std::span<co
     if (!std::ranges::all_of(
             maps, [&](const AffineMap<Dim>& map) { return map.linear == first || map.linear == -first; }))
         return std::nullopt;
-    for (int digits = 1; digits <= 49; ++digits) { // more, and γ would be 1 in print
+    for (int digits = 1; digits <= 52; ++digits) { // more, and no double would be γ
         const double gap = std::ldexp(1, -digits);
         const std::array stretched{maps.front(),
                                    AffineMap<Dim>{(1 + gap) * Matrix<Dim>::Identity(), Vector<Dim>::Zero()}};

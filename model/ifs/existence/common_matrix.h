@@ -15,7 +15,7 @@ struct CommonMatrixNorm {
 
 // An ellipsoidal norm in which maps with linear parts A or −A contract, such as a single map: there is one if
 // and only if ρ(A) < 1, which is decided without rounding. nullopt when there is none, when 1 − ρ(A) is below
-// 2⁻⁴⁹, or when the linear parts differ. docs/mathematics.md, "When does a system have an attractor?"
+// 2⁻⁵², or when the linear parts differ. docs/mathematics.md, "When does a system have an attractor?"
 template <int Dim> std::optional<CommonMatrixNorm> commonMatrixNorm(std::span<const AffineMap<Dim>> maps);
 
 } // namespace ifs

@@ -203,6 +203,8 @@ std::optional<Conditioned<Dim>> seenFrom(const AffineMap<Dim>& image, std::span<
         const RealVector terms = linear.cwiseAbs() * centre.cwiseAbs() + shift.cwiseAbs() + centre.cwiseAbs();
         const Real shiftError = (seenShift - rounded.translation.template cast<Real>()).norm() +
                                 inverse * seenShift.norm() + products * (backSize * terms).norm();
+        if (!isFinite(rounded) || !std::isfinite(double(linearError)) || !std::isfinite(double(shiftError)))
+            return std::nullopt;
         result.linearRounding = std::max(result.linearRounding, 2 * double(linearError));
         result.translationRounding = std::max(result.translationRounding, 2 * double(shiftError));
     }

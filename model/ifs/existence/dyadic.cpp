@@ -82,6 +82,30 @@ Dyadic Dyadic::scaledTo(int exponent) const {
     return result;
 }
 
+// A number from ½ to 1 that is this one times 2^−exponent, but for rounding; 0 of 0.
+double Dyadic::leading(int& exponent) const {
+    constexpr std::size_t telling = 3; // digits
+    const std::size_t count = std::min(m_digits.size(), telling);
+    double result = 0;
+    for (std::size_t k = 0; k < count; ++k)
+        result = std::ldexp(result, digitBits) + m_digits[m_digits.size() - 1 - k];
+    result = std::frexp(result, &exponent);
+    exponent += m_exponent + digitBits * int(m_digits.size() - count);
+    return m_isNegative ? -result : result;
+}
+
+double Dyadic::rounded() const {
+    int exponent = 0;
+    const double number = leading(exponent);
+    return std::ldexp(number, exponent);
+}
+
+double roundedQuotient(const Dyadic& a, const Dyadic& b) {
+    int above = 0, below = 0;
+    const double numerator = a.leading(above), denominator = b.leading(below);
+    return std::ldexp(numerator / denominator, above - below);
+}
+
 Dyadic operator+(const Dyadic& a, const Dyadic& b) {
     if (a.sign() == 0) return b;
     if (b.sign() == 0) return a;

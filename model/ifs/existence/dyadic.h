@@ -19,9 +19,15 @@ public:
     friend Dyadic operator*(const Dyadic& a, const Dyadic& b);
     friend bool operator==(const Dyadic& a, const Dyadic& b) { return (a - b).sign() == 0; }
 
+    // Within 2⁻⁵¹ of itself; infinite or 0 where the number is too large or too small for a double.
+    double rounded() const;
+    // Of a/b with b ≠ 0, alike.
+    friend double roundedQuotient(const Dyadic& a, const Dyadic& b);
+
 private:
     void trim();
     Dyadic scaledTo(int exponent) const;
+    double leading(int& exponent) const;
 
     std::vector<std::uint32_t> m_digits; // of |m|, least significant first, none of them leading zeros
     int m_exponent = 0;

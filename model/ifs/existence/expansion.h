@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "ifs/existence/exact_matrix.h"
 #include "ifs/system/affine_map.h"
 
 #include <span>
@@ -22,5 +23,10 @@ template <int Dim> Expansion expansion(const Matrix<Dim>& linear, double error);
 // Of the product of the maps of a word, without rounding: never Unknown. Slow: some 10 µs for each symbol.
 template <int Dim>
 Expansion exactExpansion(std::span<const AffineMap<Dim>> maps, const std::vector<int>& word);
+
+template <int Dim> Expansion exactExpansion(const ExactMatrix<Dim>& product);
+
+// ρ, from coefficients of the characteristic polynomial that were rounded once.
+template <int Dim> double radiusOf(const ExactMatrix<Dim>& product);
 
 } // namespace ifs

@@ -17,6 +17,17 @@
 
 namespace ifs {
 
+namespace {
+
+// The Frobenius norm, also where squares underflow.
+template <class Figure> double lengthOf(const Figure& figure) {
+    constexpr double tiny = 0x1p-400;
+    const double length = figure.norm();
+    return length > tiny ? length : figure.stableNorm();
+}
+
+} // namespace
+
 template <int Dim> struct SupportFunction<Dim>::LazyOutline {
     std::once_flag isMade;
     std::optional<Outline> outline;
@@ -67,8 +78,8 @@ std::optional<SupportFunction<Dim>> SupportFunction<Dim>::through(const Conditio
         high[k] = support->m_container->bound(v);
     }
     result.m_centre = result.m_conditioning->image(support->centre()) + (low + high) / 2;
-    result.m_radius = (1 + 1e-12) * (high - low).norm() / 2 + error * image.norm() +
-                      16 * roundingUnit * (result.m_centre.norm() + image.norm() * reach);
+    result.m_radius = (1 + 1e-12) * lengthOf(high - low) / 2 + error * lengthOf(image) +
+                      16 * roundingUnit * (lengthOf(result.m_centre) + lengthOf(image) * reach);
     return result;
 }
 
@@ -195,7 +206,7 @@ SupportValue<Dim> SupportFunction<Dim>::Conditioning::ask(const Vector<Dim>& u, 
     const double bound = u.dot(image.translation) + result.value + result.error;
     result.point = image(result.point);
     result.value = u.dot(result.point);
-    result.error = std::max(0.0, bound - result.value) + v.norm() * error + u.norm() * rounding();
+    result.error = std::max(0.0, bound - result.value) + lengthOf(v) * error + u.norm() * rounding();
     return result;
 }
 
@@ -205,7 +216,9 @@ template <int Dim> double SupportFunction<Dim>::Conditioning::errorOf(double dis
 
 template <int Dim> double SupportFunction<Dim>::Conditioning::rounding() const {
     const double reach = support.centre().norm() + support.radius();
-    return 8 * Dim * roundingUnit * (image.translation.norm() + image.linear.norm() * reach);
+    const double size = lengthOf(image.translation) + lengthOf(image.linear) * reach;
+    // The last is what the smallest numbers are rounded by.
+    return 8 * Dim * (roundingUnit * size + (size > 0 ? std::numeric_limits<double>::denorm_min() : 0));
 }
 
 // φ(σ…) from a point seen from the centre on, innermost map first: every map shrinks what rounding has done

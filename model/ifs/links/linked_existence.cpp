@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "ifs/links/linked_existence.h"
 
+#include "ifs/existence/exact_matrix.h"
 #include "ifs/existence/expansion.h"
 
 #include <algorithm>
@@ -22,14 +23,17 @@ public:
     Existence result() {
         std::vector<Word> open;
         for (std::size_t i = 0; i < m_active.maps.size(); ++i)
-            open.push_back({{int(i)}, m_active.maps[i].linear});
+            open.push_back({{int(i)}, m_active.maps[i].linear, 0, {}});
         Existence found;
         for (int length = 1; !open.empty() && length <= maxLength; ++length) {
             found.wordLength = length;
-            if (auto witness = expanding(open)) {
+            if (const Word* witness = expanding(open)) {
                 found.verdict = Verdict::None;
-                found.contractivity = std::pow(spectralRadiusOf(*witness), 1.0 / length);
-                found.witness = *std::move(witness);
+                found.contractivity = std::pow(std::max(witness->exact ? radiusOf<Dim>(*witness->exact)
+                                                                       : spectralRadius<Dim>(witness->linear),
+                                                        1.0),
+                                               1.0 / length);
+                found.witness = witness->symbols;
                 return found;
             }
             settle(open);
@@ -48,39 +52,40 @@ private:
     struct Word {
         std::vector<int> symbols; // outermost first
         Matrix<Dim> linear;
+        double error = 0;                        // of its rounding, in the Frobenius norm
+        std::optional<ExactMatrix<Dim>> exact{}; // where rounding would take a share of it
     };
     static constexpr int maxLength = 64;
-    static constexpr double margin = 1 - 1e-9; // rounding of a product of 64 maps is far below
+    static constexpr double margin = 1 - 1e-9;
+    static constexpr double negligible = 0x1p-40; // of a product: far below the margin
+    static constexpr double roundingUnit = 0x1p-53, underflow = 0x1p-1060;
 
     bool follows(int before, int after) const { // in the order in which they are applied
         return m_active.links[std::size_t(before) * m_active.maps.size() + std::size_t(after)] > 0;
     }
 
-    double spectralRadiusOf(const std::vector<int>& word) const {
-        Matrix<Dim> product = Matrix<Dim>::Identity();
-        for (const int symbol : word)
-            product = product * m_active.maps[std::size_t(symbol)].linear;
-        return spectralRadius<Dim>(product);
+    // A word that may be repeated for ever and is proved not to contract.
+    const Word* expanding(const std::vector<Word>& words) {
+        const auto found = std::ranges::find_if(words, [this](const Word& word) {
+            return follows(word.symbols.front(), word.symbols.back()) && expansionOf(word) == Expansion::Yes;
+        });
+        return found == words.end() ? nullptr : &*found;
     }
 
-    // A word that may be repeated for ever and is proved not to contract.
-    std::optional<std::vector<int>> expanding(const std::vector<Word>& words) const {
-        for (const Word& word : words) {
-            if (!follows(word.symbols.front(), word.symbols.back())) continue;
-            const double size = word.linear.norm();
-            const double error = 4 * Dim * double(word.symbols.size()) *
-                                 std::numeric_limits<double>::epsilon() * std::max(size, 1.0);
-            Expansion known = expansion<Dim>(word.linear, error);
-            if (known == Expansion::Unknown) known = exactExpansion<Dim>(m_active.maps, word.symbols);
-            if (known == Expansion::Yes) return word.symbols;
-        }
-        return std::nullopt;
+    Expansion expansionOf(const Word& word) {
+        if (word.exact) return exactExpansion<Dim>(*word.exact);
+        const Expansion known = expansion<Dim>(word.linear, word.error);
+        const int length = int(word.symbols.size());
+        if (known != Expansion::Unknown || m_askedLeft < length) return known;
+        m_askedLeft -= length;
+        return exactExpansion<Dim>(m_active.maps, word.symbols);
     }
 
     void settle(std::vector<Word>& words) {
         std::erase_if(words, [this](const Word& word) {
-            const double norm = spectralNorm<Dim>(word.linear);
-            m_longest = std::max(m_longest, norm);
+            double norm = spectralNorm<Dim>(word.linear);
+            if (!(word.error <= negligible * norm)) norm += word.error;
+            if (!(norm <= m_longest)) m_longest = norm;
             if (!(norm <= margin)) return false;
             const double each = std::pow(norm, 1.0 / double(word.symbols.size()));
             if (each >= m_worst) {
@@ -98,14 +103,44 @@ private:
                 if (!follows(int(i), word.symbols.back())) continue;
                 --m_left;
                 result.push_back(word);
-                result.back().symbols.push_back(int(i));
-                result.back().linear = word.linear * m_active.maps[i].linear;
+                lengthen(result.back(), i);
             }
+        return result;
+    }
+
+    // The error grows with the norms of the factors, however short their product is: where they cancel, it
+    // is worked out without rounding, as far as that does not take too long.
+    void lengthen(Word& word, std::size_t map) {
+        constexpr double tiny = 0x1p-900; // no share of anything
+        const Matrix<Dim>& factor = m_active.maps[map].linear;
+        word.symbols.push_back(int(map));
+        const double terms = (word.linear.cwiseAbs() * factor.cwiseAbs()).maxCoeff();
+        word.error = word.error * factor.stableNorm() + Dim * Dim * roundingUnit * terms;
+        word.error = word.error * (1 + 0x1p-48) + underflow;
+        word.linear = word.linear * factor;
+        const bool isKnown = word.error <= std::max(tiny, negligible * word.linear.stableNorm());
+        const int work = word.exact ? 1 : int(word.symbols.size());
+        if ((isKnown && !word.exact) || m_exactLeft < work) return word.exact.reset();
+        m_exactLeft -= work;
+        if (word.exact)
+            word.exact = *word.exact * exactMatrix<Dim>(factor);
+        else
+            word.exact = exactProduct(word.symbols);
+        word.linear = rounded<Dim>(*word.exact);
+        word.error = 4 * roundingUnit * Dim * word.linear.cwiseAbs().maxCoeff() + underflow;
+    }
+
+    ExactMatrix<Dim> exactProduct(const std::vector<int>& word) const {
+        auto result = exactMatrix<Dim>(Matrix<Dim>::Identity());
+        for (const int symbol : word)
+            result = result * exactMatrix<Dim>(m_active.maps[std::size_t(symbol)].linear);
         return result;
     }
 
     const ActiveMaps<Dim>& m_active;
     int m_left;
+    int m_exactLeft = 4'000;   // factors that are multiplied without rounding
+    int m_askedLeft = 100'000; // letters of words whose expansion is decided without rounding
     double m_worst = 1e-3;
     double m_longest = 1;
     std::vector<int> m_witness;

@@ -1,14 +1,18 @@
 // SPDX-License-Identifier: MIT
 #include "ifs/links/linked_extent.h"
 
+#include "ifs/existence/exact_matrix.h"
 #include "ifs/extent/polygon.h"
 #include "ifs/extent/sandwich.h"
+#include "ifs/links/part_points.h"
+#include "ifs/separation/exact_map.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
 #include <map>
+#include <memory>
 #include <tuple>
 #include <utility>
 
@@ -20,49 +24,35 @@ constexpr std::size_t maxNodes = 20'000;     // open at once
 constexpr std::size_t maxChildren = 400'000; // of the open ones, looked at together
 constexpr int maxLevels = 20'000;
 constexpr double unit = std::numeric_limits<double>::epsilon();
+constexpr int maxExact = 600;     // letters of words without rounding
 constexpr double grain = 0x1p-46; // of |u|: vectors as close as this are merged
 
-// The composition of the maps along the cycle on which `start` comes back to itself.
-AffineMap<2> aroundCycle(const ActiveMaps<2>& active, const std::vector<std::size_t>& before,
-                         std::size_t start) {
-    AffineMap<2> result = active.maps[start];
-    for (std::size_t i = before[start]; i != start; i = before[i])
-        result = result * active.maps[i];
+// Of w(centre) − centre.
+double shiftRounding(const AffineMap<2>& map, const Vector<2>& centre) {
+    return 2 * unit * (map.linear.norm() * centre.norm() + map.translation.norm() + centre.norm());
+}
+
+double reach(const std::vector<Vector<2>>& points) {
+    double result = 0;
+    for (const Vector<2>& point : points)
+        result = std::max(result, point.norm());
     return result;
 }
 
-// A point of each part, by going back to some map that comes before, until this repeats.
-std::vector<Vector<2>> pointsOfParts(const ActiveMaps<2>& active,
-                                     const std::vector<std::vector<std::size_t>>& before) {
-    const std::size_t n = active.maps.size();
-    std::vector<std::size_t> first(n);
-    for (std::size_t j = 0; j < n; ++j)
-        first[j] = before[j].front();
-    std::vector<Vector<2>> points(n);
-    for (std::size_t j = 0; j < n; ++j) {
-        std::size_t onCycle = j;
-        for (std::size_t step = 0; step < n; ++step)
-            onCycle = first[onCycle];
-        Vector<2> x = fixedPoint(aroundCycle(active, first, onCycle)).value_or(Vector<2>::Zero());
-        std::vector<std::size_t> way; // from j back to the cycle
-        for (std::size_t i = j; i != onCycle; i = first[i])
-            way.push_back(i);
-        while (!way.empty()) {
-            x = active.maps[way.back()](x);
-            way.pop_back();
-        }
-        points[j] = x;
-    }
-    return points;
+ExactMap<2> composed(const ExactMap<2>& outer, const AffineMap<2>& inner) {
+    const ExactPoint<2> shift{{Dyadic(inner.translation.x()), Dyadic(inner.translation.y())}, Dyadic(1)};
+    return {outer.linear * exactMatrix<2>(inner.linear), image(outer, shift).numerator};
 }
 
 } // namespace
 
 struct LinkedExtent::Node {
-    std::size_t last = 0; // the innermost map of the word σ
-    AffineMap<2> map;     // w_σ, from the centre
-    Vector<2> v;          // A_σᵀu
-    double offset = 0;    // ⟨u, w_σ(0)⟩
+    std::size_t last = 0;                       // the innermost map of the word σ
+    AffineMap<2> map{};                         // w_σ, from the centre
+    Vector<2> v = Vector<2>::Zero();            // A_σᵀu
+    double offset = 0;                          // ⟨u, w_σ(0)⟩
+    double loose = 0;                           // by how much rounding may move the heights of what follows
+    std::shared_ptr<const ExactMap<2>> exact{}; // w_σ, where its maps cancel
 };
 
 std::optional<LinkedExtent> LinkedExtent::of(const ActiveMaps<2>& active, const Existence& existence) {
@@ -76,28 +66,45 @@ std::optional<LinkedExtent> LinkedExtent::of(const ActiveMaps<2>& active, const 
     for (std::size_t j = 0; j < n; ++j)
         for (std::size_t i = 0; i < n; ++i)
             if (!active.isLinked() || active.links[i * n + j] > 0) result.m_before[j].push_back(i);
-    result.m_points = pointsOfParts(active, result.m_before);
+    result.m_maps = active.maps;
+    std::vector<std::size_t> before;
+    for (const auto& maps : result.m_before)
+        before.push_back(maps.front());
+    double known = 0;
+    for (const auto& [point, error] : pointsOfParts(active.maps, before)) {
+        result.m_points.push_back(point);
+        known = std::max(known, error);
+    }
+    double longest = 1;
+    for (const auto& map : active.maps)
+        longest = std::max(longest, map.linear.norm());
+    constexpr double cancelling = 0x1p24;
+    result.m_isCancelling = existence.normEquivalence * longest > cancelling;
     const auto seenFrom = [&](const Vector<2>& centre) {
         result.m_centre = centre;
         result.m_seen = result.m_points;
-        double farthest = 0;
+        double farthest = 0, rounding = 0;
         for (std::size_t i = 0; i < n; ++i) {
             result.m_seen[i] -= centre;
             Vector<2>& shift = result.m_active.maps[i].translation;
             shift = active.maps[i](centre) - centre;
             farthest = std::max(farthest, shift.norm());
+            rounding = std::max(rounding, shiftRounding(active.maps[i], centre));
         }
+        result.m_pointError = known + unit * (centre.norm() + reach(result.m_points));
+        constexpr double negligible = 0x1p-36; // against what rounding adds to every height
+        if (!(rounding <= negligible * farthest)) farthest += rounding;
         return farthest * existence.normEquivalence / (1 - existence.contractivity);
     };
     result.m_radius = seenFrom(result.m_points.front());
-    if (!std::isfinite(result.m_radius)) return std::nullopt;
-    std::array<double, 4> reach{};
+    if (!std::isfinite(result.m_radius) || !std::isfinite(result.m_pointError)) return std::nullopt;
+    std::array<double, 4> sides{};
     const std::array<Vector<2>, 4> axes{Vector<2>(1, 0), {0, 1}, {-1, 0}, {0, -1}};
     for (std::size_t k = 0; k < 4; ++k) {
         const Height height = result(axes[k], 1e-3 * result.m_radius);
-        reach[k] = height.value + height.error;
+        sides[k] = height.value + height.error;
     }
-    const Vector<2> high(reach[0], reach[1]), low(-reach[2], -reach[3]);
+    const Vector<2> high(sides[0], sides[1]), low(-sides[2], -sides[3]);
     const double radius = seenFrom((low + high) / 2);
     result.m_radius = std::min(radius, (high - low).norm() / 2 * (1 + 8 * unit));
     return result;
@@ -111,14 +118,22 @@ LinkedExtent::Height LinkedExtent::search(std::vector<Node> open, const Vector<2
     Height best;
     best.value = -std::numeric_limits<double>::infinity();
     const double rounding = 64 * unit * (m_radius + m_centre.norm()) * u.norm();
-    const auto reach = [this](const Node& node) { return node.offset + m_radius * node.v.norm(); };
-    double most = best.value, apart = 0;
+    const auto looseness = [this](const Node& node) { return node.loose + node.v.norm() * m_pointError; };
+    // Where it varies widely, each word answers for its own.
+    const auto allowance = [&](const Node& node) { return m_isCancelling ? looseness(node) : 0; };
+    const auto reach = [&](const Node& node) {
+        return node.offset + m_radius * node.v.norm() + allowance(node);
+    };
+    double most = best.value, apart = 0, loose = 0;
+    int exactLeft = maxExact;
     for (int level = 0; level < maxLevels; ++level) {
         most = best.value;
         for (const Node& node : open) {
             most = std::max(most, reach(node));
+            if (!m_isCancelling) loose = std::max(loose, looseness(node));
             const Vector<2>& inner = m_seen[m_before[node.last].front()];
-            if (const double height = node.offset + node.v.dot(inner); height > best.value) {
+            const double height = node.offset + node.v.dot(inner) - allowance(node);
+            if (height > best.value) {
                 best.value = height;
                 best.point = node.map(inner);
             }
@@ -126,27 +141,28 @@ LinkedExtent::Height LinkedExtent::search(std::vector<Node> open, const Vector<2
         std::erase_if(open, [&](const Node& node) { return !(reach(node) > best.value); });
         const bool isTooMuch = open.size() > maxNodes || open.size() * parts() > maxChildren;
         if (most <= best.value + std::max(rounding, tolerance) || (level > 0 && isTooMuch)) break;
-        open = lengthened(open, grain * u.norm(), apart);
+        open = lengthened(open, u, apart, exactLeft);
     }
-    best.error = std::max(0.0, most - best.value) + 2 * rounding + apart * m_radius;
+    best.error = std::max(0.0, most - best.value) + std::max(2 * rounding, loose) + apart * m_radius;
     best.value += u.dot(m_centre);
     best.point += m_centre;
     return best;
 }
 
-std::vector<LinkedExtent::Node> LinkedExtent::lengthened(const std::vector<Node>& open, double cell,
-                                                         double& apart) const {
+std::vector<LinkedExtent::Node> LinkedExtent::lengthened(const std::vector<Node>& open, const Vector<2>& u,
+                                                         double& apart, int& exactLeft) const {
+    const double cell = grain * u.norm();
     bool differ = false;
     std::map<std::tuple<std::size_t, double, double>, Node> next;
     for (const Node& node : open) {
         for (const std::size_t i : m_before[node.last]) {
-            const AffineMap<2>& map = m_active.maps[i];
-            const Node child{i, node.map * map, map.linear.transpose() * node.v,
-                             node.offset + node.v.dot(map.translation)};
-            const auto [at, isNew] =
-                next.try_emplace({i, std::round(child.v.x() / cell), std::round(child.v.y() / cell)}, child);
-            differ = differ || child.v != at->second.v;
-            if (child.offset > at->second.offset) at->second = child;
+            const Node longer = child(node, i, u, exactLeft);
+            const auto [at, isNew] = next.try_emplace(
+                {i, std::round(longer.v.x() / cell), std::round(longer.v.y() / cell)}, longer);
+            differ = differ || longer.v != at->second.v;
+            const double loose = std::max(longer.loose, at->second.loose);
+            if (longer.offset > at->second.offset) at->second = longer;
+            at->second.loose = loose;
         }
     }
     if (differ) apart += std::sqrt(2.0) * cell;
@@ -156,7 +172,40 @@ std::vector<LinkedExtent::Node> LinkedExtent::lengthened(const std::vector<Node>
     return result;
 }
 
+// An error of v counts as often as points of the attractor are far from the centre, whatever follows.
+LinkedExtent::Node LinkedExtent::child(const Node& node, std::size_t map, const Vector<2>& u,
+                                       int& exactLeft) const {
+    const AffineMap<2>& w = m_active.maps[map];
+    if (node.exact && --exactLeft >= 0) return exactNode(map, composed(*node.exact, m_maps[map]), u);
+    Node result{map, node.map * w, w.linear.transpose() * node.v, node.offset + node.v.dot(w.translation)};
+    const double length = node.v.norm(), shift = w.translation.norm();
+    result.loose =
+        node.loose + length * shiftRounding(m_maps[map], m_centre) +
+        unit * (2 * w.linear.norm() * length * m_radius + 2 * length * shift + std::abs(result.offset));
+    return result;
+}
+
+LinkedExtent::Node LinkedExtent::exactNode(std::size_t last, ExactMap<2> map, const Vector<2>& u) const {
+    Node result{last};
+    const std::array<Dyadic, 2> centre{Dyadic(m_centre.x()), Dyadic(m_centre.y())};
+    const auto end = image(map, ExactPoint<2>{centre, Dyadic(1)}).numerator;
+    Dyadic offset;
+    for (std::size_t k = 0; k < 2; ++k) {
+        const Dyadic way = end[k] - centre[k];
+        result.map.translation[Eigen::Index(k)] = way.rounded();
+        offset = offset + way * Dyadic(u[Eigen::Index(k)]);
+        result.v[Eigen::Index(k)] =
+            (map.linear[0][k] * Dyadic(u.x()) + map.linear[1][k] * Dyadic(u.y())).rounded();
+    }
+    result.map.linear = rounded<2>(map.linear);
+    result.offset = offset.rounded();
+    result.loose = 8 * unit * (result.v.norm() * m_radius + std::abs(result.offset));
+    result.exact = std::make_shared<const ExactMap<2>>(std::move(map));
+    return result;
+}
+
 LinkedExtent::Node LinkedExtent::first(std::size_t part, const Vector<2>& u) const {
+    if (m_isCancelling) return exactNode(part, exactWord<2>(m_maps, {int(part)}), u);
     const AffineMap<2>& map = m_active.maps[part];
     return {part, map, map.linear.transpose() * u, u.dot(map.translation)};
 }

@@ -13,6 +13,8 @@
 
 namespace ifs {
 
+template <int Dim> struct ExactMap;
+
 // Certified extents of the parts A_j = ∪ w_j(A_i) over the i with P_ij > 0, of linked maps in the plane whose
 // attractor exists; A is the union of the parts. docs/mathematics.md, "Linked maps".
 class LinkedExtent {
@@ -37,15 +39,22 @@ public:
 
 private:
     struct Node;
+    Node exactNode(std::size_t last, ExactMap<2> map, const Vector<2>& u) const;
     Node first(std::size_t part, const Vector<2>& u) const;
-    // `apart` grows by how far two vectors merged in one cell may lie apart.
-    std::vector<Node> lengthened(const std::vector<Node>& open, double cell, double& apart) const;
+    // `apart` grows by how far two vectors merged in one cell may lie apart; `exactLeft` is how many letters
+    // may still be composed without rounding.
+    std::vector<Node> lengthened(const std::vector<Node>& open, const Vector<2>& u, double& apart,
+                                 int& exactLeft) const;
+    Node child(const Node& node, std::size_t map, const Vector<2>& u, int& exactLeft) const;
     Height search(std::vector<Node> open, const Vector<2>& u, double tolerance) const;
 
     ActiveMaps<2> m_active;                         // with centre() as the origin
     std::vector<std::vector<std::size_t>> m_before; // the maps i with P_ij > 0, for each j
+    std::vector<AffineMap<2>> m_maps;               // as they are
     std::vector<Vector<2>> m_points;                // one of each part
+    double m_pointError = 0;                        // none of which is farther from such a point
     std::vector<Vector<2>> m_seen;                  // the same from the centre
+    bool m_isCancelling = false;                    // words are much longer than the maps make them
     Vector<2> m_centre = Vector<2>::Zero();
     double m_radius = 0;
 };

@@ -3,12 +3,14 @@
 
 #include "ifs/linear/rounding.h"
 #include "ifs/separation/exact_map.h"
+#include "ifs/separation/stored_rounding.h"
 
 #include <Eigen/LU>
 
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <tuple>
 
 namespace ifs {
 
@@ -20,17 +22,23 @@ constexpr std::size_t maxMaps = 64;
 template <int Dim> struct Composed {
     Word word;
     AffineMap<Dim> map;
+    StoredRounding<Dim> rounding;
 };
 
 // Words of growing length, about `most` of them altogether.
 template <int Dim>
 std::vector<Composed<Dim>> shortWords(std::span<const AffineMap<Dim>> maps, std::size_t most,
                                       std::size_t longest) {
-    std::vector<Composed<Dim>> result{{{}, {}}};
+    std::vector<StoredRounding<Dim>> roundings;
+    for (const auto& map : maps)
+        roundings.push_back(StoredRounding<Dim>::of(map));
+    std::vector<Composed<Dim>> result{{{}, {}, {}}};
     for (std::size_t first = 0; first < result.size(); ++first) {
         if (result.size() + maps.size() > most || result[first].word.size() == longest) break;
         for (std::size_t i = 0; i < maps.size(); ++i) {
-            Composed<Dim> longer{result[first].word, result[first].map * maps[i]};
+            const Composed<Dim>& outer = result[first];
+            Composed<Dim> longer{outer.word, outer.map * maps[i],
+                                 outer.rounding.after(outer.map, maps[i], roundings[i])};
             longer.word.push_back(int(i));
             result.push_back(std::move(longer));
         }
@@ -72,7 +80,7 @@ public:
 private:
     // Words whose maps agree, of which the first maps differ.
     std::vector<Overlap> overlaps() const {
-        constexpr std::size_t maxWords = 3'000, longest = 8, maxListed = 4;
+        constexpr std::size_t maxWords = 3'000, longest = 8;
         auto words = shortWords<Dim>(m_maps, maxWords, longest);
         words.erase(words.begin());
         // Numbers that agree to rounding lie next to each other, in one order or the other.
@@ -86,31 +94,62 @@ private:
         for (std::size_t k = 0; k < words.size(); ++k)
             order.emplace_back(place(words[k]), k);
         std::ranges::sort(order);
-        std::vector<Overlap> result;
+        std::vector<std::pair<std::size_t, std::size_t>> near;
         for (std::size_t k = 0; k < order.size(); ++k)
             for (std::size_t n = k + 1;
                  n < order.size() && n < k + 16 && order[n].first - order[k].first <= 16 * m_near; ++n) {
-                const auto &a = words[std::min(order[k].second, order[n].second)],
-                           &b = words[std::max(order[k].second, order[n].second)];
-                if (a.word.front() != b.word.front() && agree(a.map, b.map))
-                    result.push_back({a.word, b.word});
+                const auto pair = std::minmax(order[k].second, order[n].second);
+                const auto &a = words[pair.first], &b = words[pair.second];
+                if (a.word.front() != b.word.front() && agree(a.map, b.map)) near.push_back(pair);
             }
-        const auto length = [](const Overlap& overlap) {
-            return overlap.first.size() + overlap.second.size();
+        return shortest(words, near);
+    }
+
+    // Longer ones follow from these, or are not worth the room.
+    std::vector<Overlap> shortest(const std::vector<Composed<Dim>>& words,
+                                  std::vector<std::pair<std::size_t, std::size_t>>& near) const {
+        constexpr std::size_t maxListed = 4;
+        constexpr int maxAsked = 400;
+        const auto length = [&](const auto& pair) {
+            return words[pair.first].word.size() + words[pair.second].word.size();
         };
-        std::ranges::sort(result, [&](const Overlap& a, const Overlap& b) {
-            return std::tuple(length(a), a.first, a.second) < std::tuple(length(b), b.first, b.second);
+        std::ranges::sort(near, [&](const auto& a, const auto& b) {
+            if (length(a) != length(b)) return length(a) < length(b);
+            return std::tie(words[a.first].word, words[a.second].word) <
+                   std::tie(words[b.first].word, words[b.second].word);
         });
-        // Longer ones follow from these, or are not worth the room.
-        std::erase_if(result, [&, least = result.empty() ? 0 : length(result.front())](
-                                  const Overlap& overlap) { return length(overlap) > least; });
-        if (result.size() > maxListed) result.resize(maxListed);
-        for (Overlap& overlap : result)
-            overlap.isExact = exactWord<Dim>(m_maps, overlap.first) == exactWord<Dim>(m_maps, overlap.second);
+        std::vector<Overlap> result;
+        std::size_t least = 0;
+        int asked = 0;
+        for (const auto& pair : near) {
+            if (result.size() == maxListed || (!result.empty() && length(pair) > least)) break;
+            if (++asked > maxAsked) break;
+            const auto &a = words[pair.first], &b = words[pair.second];
+            const auto exactA = exactWord<Dim>(m_maps, a.word), exactB = exactWord<Dim>(m_maps, b.word);
+            const bool isExact = exactA == exactB;
+            if (!isExact && !agreeToRounding(exactA, exactB, a.rounding, b.rounding)) continue;
+            least = length(pair);
+            result.push_back({a.word, b.word, isExact});
+        }
         return result;
     }
 
-    // As far as rounding tells, and by less than a millionth of the size of the piece.
+    static bool agreeToRounding(const ExactMap<Dim>& a, const ExactMap<Dim>& b,
+                                const StoredRounding<Dim>& ofA, const StoredRounding<Dim>& ofB) {
+        for (std::size_t i = 0; i < Dim; ++i) {
+            const auto row = Eigen::Index(i);
+            const double apart = std::abs((a.translation[i] - b.translation[i]).rounded());
+            if (!(apart <= ofA.translation[row] + ofB.translation[row])) return false;
+            for (std::size_t j = 0; j < Dim; ++j) {
+                const auto column = Eigen::Index(j);
+                const double off = std::abs((a.linear[i][j] - b.linear[i][j]).rounded());
+                if (!(off <= ofA.linear(row, column) + ofB.linear(row, column))) return false;
+            }
+        }
+        return true;
+    }
+
+    // Nearly, and by less than a millionth of the size of the piece.
     bool agree(const AffineMap<Dim>& a, const AffineMap<Dim>& b) const {
         const double size = a.linear.cwiseAbs().maxCoeff();
         return (a.linear - b.linear).cwiseAbs().maxCoeff() <= 1e-12 * size &&
@@ -155,7 +194,8 @@ private:
         while (!open.empty()) {
             auto [a, b] = std::move(open.back());
             open.pop_back();
-            if ((a.centre - b.centre).norm() * (1 - 1e-12) > a.radius + b.radius + 2 * m_off) continue;
+            const double distance = (a.centre - b.centre).norm(); // infinite where its square overflows
+            if (std::isfinite(distance) && distance * (1 - 1e-12) > a.radius + b.radius + 2 * m_off) continue;
             if (allowed <= 0 || std::max(a.radius, b.radius) < smallest) return false;
             if (a.radius < b.radius) std::swap(a, b);
             allowed -= int(maps.size());
@@ -197,6 +237,7 @@ private:
     struct KnownPoint {
         Word prefix, period;
         Vector<Dim> point;
+        Vector<Dim> rounding; // see StoredRounding
     };
 
     std::vector<KnownPoint> knownPoints() const {
@@ -205,16 +246,21 @@ private:
         const auto prefixes = shortWords<Dim>(m_maps, maxPrefixes, 2);
         for (const auto& period : shortWords<Dim>(m_maps, std::max(maxPeriods, m_maps.size() + 1), 3))
             if (!period.word.empty())
-                if (const auto fixed = fixedPoint(period.map))
+                if (const auto fixed = fixedPoint(period.map)) {
+                    const Matrix<Dim> solving = (Matrix<Dim>::Identity() - period.map.linear).inverse();
+                    const Vector<Dim> off =
+                        solving.cwiseAbs() * period.rounding.ofImage(period.map, *fixed, Vector<Dim>::Zero());
                     for (const auto& prefix : prefixes)
-                        result.push_back({prefix.word, period.word, prefix.map(*fixed)});
+                        result.push_back({prefix.word, period.word, prefix.map(*fixed),
+                                          prefix.rounding.ofImage(prefix.map, *fixed, off)});
+                }
         return result;
     }
 
     // Looks for a common point of two pieces among the images of known points.
     void meet(const std::vector<KnownPoint>& points, std::size_t i, std::size_t j, std::vector<bool>& exact,
               std::vector<bool>& rounded) const {
-        constexpr int maxExact = 8;
+        constexpr int maxExact = 16;
         std::vector<std::pair<double, std::size_t>> order;
         for (std::size_t k = 0; k < points.size(); ++k)
             order.emplace_back(m_maps[j](points[k].point)[0], k);
@@ -227,14 +273,31 @@ private:
                 const KnownPoint& other = points[it->second];
                 const double apart = (m_maps[j](other.point) - here).norm();
                 if (!(apart <= m_near)) continue;
-                if (apart <= m_telling) rounded[pairIndex(i, j)] = true;
                 if (++asked > maxExact) return;
-                if (isSame(exactImage(i, known), exactImage(j, other))) {
-                    exact[pairIndex(i, j)] = true;
+                const auto one = exactImage(i, known), two = exactImage(j, other);
+                if (isSame(one, two)) {
+                    exact[pairIndex(i, j)] = rounded[pairIndex(i, j)] = true;
                     return;
                 }
+                const Vector<Dim> off = roundingOfImage(i, known) + roundingOfImage(j, other);
+                if (apart <= m_telling && areWithin(one, two, off)) rounded[pairIndex(i, j)] = true;
             }
         }
+    }
+
+    Vector<Dim> roundingOfImage(std::size_t outer, const KnownPoint& point) const {
+        const AffineMap<Dim>& map = m_maps[outer];
+        return StoredRounding<Dim>::of(map).ofImage(map, point.point, point.rounding);
+    }
+
+    static bool areWithin(const ExactPoint<Dim>& a, const ExactPoint<Dim>& b, const Vector<Dim>& off) {
+        if (a.denominator.sign() == 0 || b.denominator.sign() == 0) return false;
+        for (std::size_t k = 0; k < Dim; ++k) {
+            const Dyadic apart = a.numerator[k] * b.denominator - b.numerator[k] * a.denominator;
+            if (!(std::abs(roundedQuotient(apart, a.denominator * b.denominator)) <= off[Eigen::Index(k)]))
+                return false;
+        }
+        return true;
     }
 
     ExactPoint<Dim> exactImage(std::size_t outer, const KnownPoint& point) const {

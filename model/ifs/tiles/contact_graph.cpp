@@ -61,28 +61,36 @@ std::vector<std::vector<std::size_t>> ContactGraph::strongParts() const {
 // Adding the identity keeps the iteration from going round and round.
 std::optional<ContactGraph::Radius> ContactGraph::radiusOf(const std::vector<std::size_t>& part) const {
     constexpr int maxRounds = 20'000;
-    constexpr double tight = 1e-11;
+    constexpr double tight = 1e-11, tightest = 1e-14, roundingUnit = 0x1p-53;
+    std::optional<Radius> best;
+    int last = maxRounds; // to be still tighter is worth as long again, and no longer
     std::vector<std::size_t> index(m_edges.size(), part.size());
     for (std::size_t k = 0; k < part.size(); ++k)
         index[part[k]] = k;
     std::vector<double> f(part.size(), 1), next(part.size());
-    for (int round = 0; round < maxRounds; ++round) {
+    for (int round = 0; round < last; ++round) {
         Radius radius{std::numeric_limits<double>::infinity(), 0};
         for (std::size_t k = 0; k < part.size(); ++k) {
             next[k] = 0;
             for (const std::size_t to : m_edges[part[k]])
                 if (index[to] < part.size()) next[k] += f[index[to]];
-            radius.least = std::min(radius.least, next[k] / f[k]);
-            radius.most = std::max(radius.most, next[k] / f[k]);
+            const double rounding = roundingUnit * double(m_edges[part[k]].size() + 4);
+            radius.least = std::min(radius.least, next[k] / f[k] * (1 - rounding));
+            radius.most = std::max(radius.most, next[k] / f[k] * (1 + rounding));
         }
-        if (radius.most - radius.least <= tight * radius.most) return radius;
+        const double width = radius.most - radius.least;
+        if (width <= tight * radius.most) {
+            if (!best) last = std::min(maxRounds, 2 * round + 1);
+            if (!best || width < best->most - best->least) best = radius;
+        }
+        if (width <= tightest * radius.most) return best;
         double largest = 0;
         for (std::size_t k = 0; k < part.size(); ++k)
             largest = std::max(largest, next[k] += f[k]);
         for (std::size_t k = 0; k < part.size(); ++k)
             f[k] = next[k] / largest;
     }
-    return std::nullopt;
+    return best;
 }
 
 std::optional<ContactGraph::Radius> ContactGraph::spectralRadius() const {

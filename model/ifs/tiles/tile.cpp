@@ -2,6 +2,11 @@
 #include "ifs/tiles/tile.h"
 
 #include "ifs/dimension/dimension.h"
+#include "ifs/existence/exact_matrix.h"
+#include "ifs/existence/invariant_form.h"
+#include "ifs/linear/decompositions.h"
+#include "ifs/linear/symmetric_matrices.h"
+#include "ifs/separation/stored_rounding.h"
 #include "ifs/tiles/contact_graph.h"
 
 #include <Eigen/LU>
@@ -19,7 +24,9 @@ namespace {
 
 using Maps = std::vector<AffineMap<2>>;
 
-constexpr double tolerance = 1e-9; // of the size of things
+constexpr double tolerance = 1e-9; // of the size of things that may be taken for larger
+constexpr double roundingUnit = 0x1p-53;
+using Rounding = StoredRounding<2>;
 constexpr std::size_t maxMaps = 64;
 constexpr std::size_t maxEdges = 60'000;
 
@@ -52,6 +59,66 @@ bool areShort(std::span<const AffineMap<2>> maps, const Maps& inverses) {
     return true;
 }
 
+// A map with what it may be off by, because those that it is made of are stored as doubles.
+struct Rounded {
+    AffineMap<2> map;
+    double linear = 0, shift = 0; // in the norms of a frame
+};
+
+// Coordinates x ↦ U x in which maps are similarities, so that errors do not grow with the condition of each.
+class Frame {
+public:
+    explicit Frame(const Matrix<2>& root)
+        : m_root(root),
+          m_unroot(root.inverse()),
+          m_size(root.norm()),
+          m_condition(m_size * m_unroot.norm()) {}
+
+    double norm(const Matrix<2>& linear) const { return spectralNorm<2>(m_root * linear * m_unroot); }
+    double length(const Vector<2>& v) const { return (m_root * v).norm(); }
+
+    Rounded stored(const AffineMap<2>& map) const {
+        const Rounding rounding = Rounding::of(map);
+        return {map, m_condition * rounding.linear.norm(), m_size * rounding.translation.norm()};
+    }
+
+    // A change δ of A changes A⁻¹ by A⁻¹δA⁻¹.
+    Rounded inverse(const AffineMap<2>& map, const AffineMap<2>& inverse) const {
+        const Rounded known = stored(map);
+        const double stretch = norm(inverse.linear);
+        const double linear = stretch * stretch * (known.linear + few * m_condition * map.linear.norm());
+        return {inverse, linear,
+                linear * length(map.translation) +
+                    stretch * (known.shift + few * m_size * map.translation.norm())};
+    }
+
+    Rounded product(const Rounded& a, const Rounded& b) const {
+        const double stretch = norm(a.map.linear);
+        const double size = a.map.linear.norm();
+        return {a.map * b.map,
+                a.linear * norm(b.map.linear) + stretch * b.linear +
+                    few * m_condition * size * b.map.linear.norm(),
+                a.shift + a.linear * length(b.map.translation) + stretch * b.shift +
+                    few * m_size * (size * b.map.translation.norm() + a.map.translation.norm())};
+    }
+
+    bool isSame(const Rounded& a, const Rounded& b) const {
+        return norm(a.map.linear - b.map.linear) <= a.linear + b.linear &&
+               length(a.map.translation - b.map.translation) <= a.shift + b.shift;
+    }
+
+    // Whether so little is lost to rounding that what is the same to rounding error is not another.
+    bool isTelling(const Rounded& h, const Vector<2>& size) const {
+        constexpr double most = 0x1p-36;
+        return h.linear <= most && h.shift <= most * length(size);
+    }
+
+private:
+    static constexpr double few = 4 * roundingUnit;
+    Matrix<2> m_root, m_unroot;
+    double m_size, m_condition;
+};
+
 Vector<2> sizeOf(const BoundingBox<2>& box) {
     return box.max - box.min + Vector<2>::Constant(2 * box.error);
 }
@@ -60,12 +127,17 @@ Vector<2> sizeOf(const BoundingBox<2>& box) {
 // A ∩ h(A) = ∪ w_i(A ∩ h'(A)) with h' = w_i⁻¹ h w_j.
 class Neighbours {
 public:
-    Neighbours(std::span<const AffineMap<2>> maps, const BoundingBox<2>& box)
-        : m_maps(maps),
-          m_inverses(inverses(maps)),
+    Neighbours(std::span<const AffineMap<2>> maps, const Matrix<2>& root, const BoundingBox<2>& box)
+        : m_frame(root),
           m_centre((box.min + box.max) / 2),
           m_size(sizeOf(box)),
-          m_isExact(areShort(maps, m_inverses)) {}
+          m_isExact(areShort(maps, inverses(maps))) {
+        for (const auto& inverse : inverses(maps)) {
+            const AffineMap<2>& map = maps[m_maps.size()];
+            m_maps.push_back(m_frame.stored(map));
+            m_inverses.push_back(m_frame.inverse(map, inverse));
+        }
+    }
 
     bool isExact() const { return m_isExact; }
 
@@ -73,12 +145,13 @@ public:
     std::optional<ContactGraph> graph() {
         for (std::size_t i = 0; i < m_maps.size(); ++i)
             for (std::size_t j = 0; j < m_maps.size(); ++j)
-                if (i != j && !place(m_inverses[i] * m_maps[j])) return std::nullopt;
+                if (i != j && !place(m_frame.product(m_inverses[i], m_maps[j]))) return std::nullopt;
         std::vector<std::pair<std::size_t, std::size_t>> edges;
         for (std::size_t k = 0; k < m_found.size(); ++k)
             for (std::size_t i = 0; i < m_maps.size(); ++i)
                 for (std::size_t j = 0; j < m_maps.size(); ++j) {
-                    const auto to = place(m_inverses[i] * (m_found[k] * m_maps[j]));
+                    const auto to =
+                        place(m_frame.product(m_inverses[i], m_frame.product(m_found[k], m_maps[j])));
                     if (!to || edges.size() > maxEdges) return std::nullopt;
                     if (*to != none) edges.emplace_back(k, *to);
                 }
@@ -91,50 +164,78 @@ public:
 private:
     static constexpr std::size_t none = ~std::size_t{0};
 
-    bool isSame(const AffineMap<2>& a, const AffineMap<2>& b) const {
-        const double off = m_isExact ? 0 : tolerance;
-        return (a.translation - b.translation).cwiseAbs().maxCoeff() <= off * m_size.maxCoeff() &&
-               (a.linear - b.linear).cwiseAbs().maxCoeff() <= off * a.linear.cwiseAbs().maxCoeff();
+    bool isSame(const Rounded& a, const Rounded& b) const {
+        return m_isExact ? a.map == b.map : m_frame.isSame(a, b);
     }
 
     // Its number; `none` where the tiles are too far from each other. nullopt where there are too many, and
     // where both are one.
-    std::optional<std::size_t> place(const AffineMap<2>& h) {
-        const Vector<2> reach = (m_size + h.linear.cwiseAbs() * m_size) / 2;
-        const Vector<2> apart = (h(m_centre) - m_centre).cwiseAbs();
+    std::optional<std::size_t> place(const Rounded& h) {
+        const Vector<2> reach = (m_size + h.map.linear.cwiseAbs() * m_size) / 2;
+        const Vector<2> apart = (h.map(m_centre) - m_centre).cwiseAbs();
         if (((1 + tolerance) * reach - apart).minCoeff() < 0) return none;
-        if (isSame(h, {})) return std::nullopt;
+        m_isExact = m_isExact && isShort(h.map);
+        if (isSame(h, {}) || (!m_isExact && !m_frame.isTelling(h, m_size))) return std::nullopt;
         for (std::size_t k = 0; k < m_found.size(); ++k)
             if (isSame(m_found[k], h)) return k;
         if (m_found.size() == ContactGraph::maxVertices) return std::nullopt;
-        m_isExact = m_isExact && isShort(h);
         m_found.push_back(h);
         return m_found.size() - 1;
     }
 
-    std::span<const AffineMap<2>> m_maps;
-    Maps m_inverses;
+    Frame m_frame;
+    std::vector<Rounded> m_maps, m_inverses;
     Vector<2> m_centre, m_size;
     bool m_isExact;
-    Maps m_found;
+    std::vector<Rounded> m_found;
 };
+
+struct Figure {
+    double value = 0, error = 0;
+};
+
+// What a determinant may be off by, as far as the coefficients are off by their rounding.
+double roundingOfDeterminant(const Matrix<2>& linear) {
+    const Matrix<2> size = linear.cwiseAbs();
+    const double terms = size(0, 0) * size(1, 1) + size(0, 1) * size(1, 0);
+    return 2 * (Rounding::share + roundingUnit) * terms;
+}
+
+// The U with P = UᵀU for which all AᵀPA = s²P, Ns² = 1, to rounding error.
+std::optional<Matrix<2>> rootOfSimilarities(std::span<const AffineMap<2>> maps) {
+    const double share = 1 / double(maps.size());
+    for (const auto& map : maps)
+        if (std::abs(std::abs(determinant<2>(map.linear)) - share) >
+            roundingOfDeterminant(map.linear) + roundingUnit * share)
+            return std::nullopt;
+    const auto form = invariantForm<2>(maps);
+    if (!form || !similarityRatios<2>(maps)) return std::nullopt;
+    const double least = singularValues<2>(*form)[1]; // the largest is 1, but for a factor
+    constexpr double few = 64 * roundingUnit;
+    for (const auto& map : maps) {
+        const Matrix<2> image = map.linear.transpose() * *form * map.linear / share;
+        if (!((image - *form).cwiseAbs().maxCoeff() <= few / least)) return std::nullopt;
+    }
+    return choleskyFactor<2>(*form);
+}
 
 // N similarities of one ratio s with Ns² = 1, whose neighbours are finitely many and none of them the tile
 // itself: the open set condition holds, and the attractor has inner points (Bandt; Schief).
-std::optional<double> boundaryDimension(std::span<const AffineMap<2>> maps, const BoundingBox<2>& box,
+std::optional<Figure> boundaryDimension(std::span<const AffineMap<2>> maps, const BoundingBox<2>& box,
                                         bool& isExact) {
-    const auto ratios = similarityRatios<2>(maps);
-    if (!ratios) return std::nullopt;
-    const double ratio = 1 / std::sqrt(double(maps.size()));
-    if (std::ranges::any_of(*ratios, [=](double s) { return std::abs(s - ratio) > tolerance * ratio; }))
-        return std::nullopt;
-    Neighbours neighbours(maps, box);
+    const auto root = rootOfSimilarities(maps);
+    if (!root) return std::nullopt;
+    Neighbours neighbours(maps, *root, box);
     auto graph = neighbours.graph();
     if (!graph || graph->prune() == 0) return std::nullopt;
     const auto radius = graph->spectralRadius();
     if (!radius || radius->least < 1) return std::nullopt;
     isExact = neighbours.isExact();
-    return std::log((radius->least + radius->most) / 2) / -std::log(ratio);
+    const double rate = std::log(double(maps.size())) / 2, middle = (radius->least + radius->most) / 2;
+    Figure result{std::log(middle) / rate};
+    result.error = (radius->most - radius->least) / (2 * radius->least * rate) +
+                   4 * roundingUnit * (result.value + 1 / rate);
+    return result;
 }
 
 // The lattice that some vectors generate, if they do.
@@ -227,6 +328,27 @@ std::optional<Integers> integers(const Vector<2>& v) {
     return Integers{std::int64_t(rounded.x()), std::int64_t(rounded.y())};
 }
 
+// Whether the integers give back the maps, x ↦ A x + b with A = B M⁻¹ B⁻¹ and b = A B d, to rounding error.
+bool isAsStored(const DigitSystem& system, std::span<const AffineMap<2>> maps) {
+    constexpr double few = 8 * Rounding::share;
+    const Matrix<2>&linear = maps[0].linear, size = linear.cwiseAbs() * system.basis.cwiseAbs();
+    Matrix<2> expansion;
+    for (int row = 0; row < 2; ++row)
+        for (int column = 0; column < 2; ++column)
+            expansion(row, column) = double(system.matrix[std::size_t(row)][std::size_t(column)]);
+    const Matrix<2> off = linear * system.basis * expansion - system.basis;
+    const Matrix<2> most = size * expansion.cwiseAbs() + system.basis.cwiseAbs();
+    if (off.cwiseAbs().maxCoeff() > few * most.maxCoeff()) return false;
+    for (std::size_t i = 0; i < maps.size(); ++i) {
+        const Vector<2> digit(double(system.digits[i][0]), double(system.digits[i][1]));
+        const Vector<2>&shift = maps[i].translation, first = maps[0].translation;
+        const Vector<2> apart = linear * (system.basis * digit) - (shift - first);
+        const Vector<2> terms = size * digit.cwiseAbs() + shift.cwiseAbs() + first.cwiseAbs();
+        if (apart.cwiseAbs().maxCoeff() > few * terms.maxCoeff()) return false;
+    }
+    return true;
+}
+
 std::optional<DigitSystem> digitSystem(std::span<const AffineMap<2>> maps, bool& isExact) {
     const Matrix<2>& linear = maps[0].linear;
     if (std::ranges::any_of(maps, [&](const auto& map) { return map.linear != linear; })) return std::nullopt;
@@ -255,7 +377,7 @@ std::optional<DigitSystem> digitSystem(std::span<const AffineMap<2>> maps, bool&
         result.digits.push_back(*entries);
     }
     isExact = areShort(maps, inverses(maps));
-    return result;
+    return isAsStored(result, maps) ? std::optional(result) : std::nullopt;
 }
 
 // The translations by which the attractor can meet itself, and which of those of pieces they are.
@@ -301,16 +423,23 @@ std::optional<double> area(std::span<const AffineMap<2>> maps, const BoundingBox
 std::optional<Tile> tile(std::span<const AffineMap<2>> maps, const BoundingBox<2>& box) {
     if (maps.size() < 2 || maps.size() > maxMaps || !box.min.allFinite() || !box.max.allFinite())
         return std::nullopt;
-    double measure = 0;
+    Dyadic excess(-1); // of Σ|det A_i|, without rounding
+    double rounding = 0;
     for (const auto& map : maps) {
         if (!isFinite(map) || determinant<2>(map.linear) == 0) return std::nullopt;
-        measure += std::abs(determinant<2>(map.linear));
+        const auto m = exactMatrix<2>(map.linear);
+        const Dyadic determinant = m[0][0] * m[1][1] - m[0][1] * m[1][0];
+        excess = determinant.sign() < 0 ? excess - determinant : excess + determinant;
+        rounding += roundingOfDeterminant(map.linear);
     }
-    if (std::abs(measure - 1) > tolerance) return std::nullopt;
+    if (!(std::abs(excess.rounded()) <= rounding)) return std::nullopt;
     bool isAreaExact = true, isDimensionExact = true;
     Tile result;
     result.area = area(maps, box, isAreaExact);
-    result.boundaryDimension = boundaryDimension(maps, box, isDimensionExact);
+    if (const auto dimension = boundaryDimension(maps, box, isDimensionExact)) {
+        result.boundaryDimension = dimension->value;
+        result.boundaryDimensionError = dimension->error;
+    }
     if (!result.area && !result.boundaryDimension) return std::nullopt;
     result.isExact = isAreaExact && isDimensionExact;
     return result;

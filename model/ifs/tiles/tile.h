@@ -14,6 +14,7 @@ namespace ifs {
 struct Tile {
     std::optional<double> area;              // of an integer digit tile that tiles by its lattice
     std::optional<double> boundaryDimension; // where all maps are similarities of one ratio
+    double boundaryDimensionError = 0;       // by which it may be off
     bool isExact = false; // proved of the coefficients as they are; else as far as their rounding tells
 };
 

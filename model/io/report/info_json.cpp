@@ -285,6 +285,8 @@ void writeTile(JsonWriter& json, const std::optional<ifs::Tile>& tile) {
     json.beginObject(Layout::Inline);
     json.member("area", tile->area);
     json.member("boundary_dimension", tile->boundaryDimension);
+    json.member("boundary_dimension_error",
+                tile->boundaryDimension ? std::optional(tile->boundaryDimensionError) : std::nullopt);
     json.member("exact", tile->isExact);
     json.endObject();
 }
@@ -356,6 +358,7 @@ void writeSystem(JsonWriter& json, const ifs::IteratedFunctionSystem<Dim>& syste
     json.member("affinity_dimension", facts.affinityDimension);
     json.member("affinity_dimension_error",
                 facts.affinityDimension ? std::optional(facts.affinityDimensionError) : std::nullopt);
+    if (facts.isAffinityDimensionCapped) json.member("capped", true);
     json.key("out_of_time");
     json.beginArray(Layout::Inline);
     for (const ifs::LongFact fact : facts.late)

@@ -309,7 +309,11 @@ void addTile(Lines& lines, const std::optional<ifs::Tile>& tile) {
     const QString note = tile->isExact ? QString() : u' ' + Text::tr("(within rounding error)");
     if (tile->area) lines.add(Text::tr("area of the tile"), digits(*tile->area) + note);
     if (tile->boundaryDimension)
-        lines.add(Text::tr("dimension of boundary"), digits(*tile->boundaryDimension) + note);
+        lines.add(
+            Text::tr("dimension of boundary"),
+            digits(*tile->boundaryDimension) +
+                io::errorNote({*tile->boundaryDimension}, tile->boundaryDimensionError, 1, shownDigits) +
+                note);
 }
 
 template <int Dim> void addInvariants(Lines& lines, const ifs::Facts<Dim>& facts) {
@@ -366,6 +370,9 @@ void addSystem(Lines& lines, const ifs::IteratedFunctionSystem<Dim>& system, con
                                     (facts.similarityDimension ? similarityNote(facts) : QString()));
     if (facts.isLate(ifs::LongFact::AffinityDimension))
         lines.add(Text::tr("affinity dimension"), notComputed());
+    else if (facts.isAffinityDimensionCapped)
+        lines.add(Text::tr("affinity dimension"),
+                  Text::tr("at least %1").arg(digits(facts.affinityDimension)));
     else if (subject.limits.withAffinityDimension)
         lines.add(Text::tr("affinity dimension"),
                   digits(facts.affinityDimension) +

@@ -265,6 +265,17 @@ private slots:
         QVERIFY(near(std::accumulate(inSpace.begin(), inSpace.end(), 0.0), 1, 1e-14));
         QVERIFY(dimensionWeights<2>({}).empty());
     }
+
+    // Eigenvalues ±½ of differences of numbers above 10⁹: what rounding leaves of them is no dimension.
+    void nothingOfWhatCancels() {
+        const double far = 1629810176;
+        for (const double scale : {1., .5, 1.5}) {
+            const Matrix<2> linear =
+                scale * affineMap(far + .25, .25 - far, far + .75, -far - .25, 0, 0).linear;
+            const auto found = affinityDimension(Maps2{{linear, {1, 0}}, {linear, {0, 1}}});
+            QVERIFY(!found || near(found, -std::log(2) / std::log(scale / 2), 1e-6));
+        }
+    }
 };
 
 BARYCAGE_TEST(DimensionTest);

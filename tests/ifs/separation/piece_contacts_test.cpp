@@ -5,6 +5,8 @@
 
 #include <QtTest>
 
+#include <cmath>
+
 using namespace ifs;
 using namespace canonical;
 
@@ -135,6 +137,45 @@ private slots:
         QCOMPARE(contactsOf<2>(small).connectedness, Connectedness::Connected);
         far.push_back(far[1]);
         QCOMPARE(contactsOf<2>(far).separation, Separation::Overlapping);
+    }
+
+    // What the last digits of a double can be blamed for, and what they cannot.
+    void roundingIsAFewUlps() {
+        for (const double gap : {0x1p-40, 0x1p-45, 0x1p-48, 0x1p-50})
+            for (const double size : {1., 1e-6, 3e8}) {
+                const PieceContacts found = contactsOf<2>(scaled<2>(dust(0.5 - gap), size));
+                QVERIFY(found.connectedness != Connectedness::Connected);
+                QVERIFY(found.connectedness != Connectedness::ConnectedToRounding);
+            }
+        Maps2 wide = dust(0.5 - 0x1p-45); // along the other axis, numbers are larger
+        for (auto& map : wide)
+            map.translation.x() += 1000;
+        QVERIFY(contactsOf<2>(wide).connectedness != Connectedness::ConnectedToRounding);
+        Maps2 thirds = dust(1 / 3.);
+        thirds.push_back(affineMap(1 / 3., 0, 0, 1 / 3., 1 / 3., 1 / 3.)); // a Vicsek fractal
+        QCOMPARE(contactsOf<2>(thirds).connectedness, Connectedness::ConnectedToRounding);
+        // Two of its three pieces meet without rounding.
+        QCOMPARE(contactsOf<2>(Maps2{affineMap(.5, 0, 0, .5, -2.563477, -.000003),
+                                     affineMap(.5, 0, 0, .5, 2.436544, -.000003),
+                                     affineMap(0, -.5, .5, 0, 4.873085, 7.563492)})
+                     .connectedness,
+                 Connectedness::ConnectedToRounding);
+        for (const double typed : {.6180339887499, .61803398874988, .618034}) {
+            const Maps2 maps{affineMap(typed, 0, 0, typed, 0, 0), affineMap(typed, 0, 0, typed, 1, 0)};
+            QVERIFY(contactsOf<2>(maps).overlaps.empty());
+            QVERIFY(contactsOf<2>(maps).separation == Separation::Unknown);
+        }
+        const double r = (std::sqrt(5) - 1) / 2;
+        for (const double golden : {r, std::nextafter(r, 0), std::nextafter(r, 1)}) {
+            const Maps2 maps{affineMap(golden, 0, 0, golden, 0, 0), affineMap(golden, 0, 0, golden, 1, 0)};
+            QCOMPARE(contactsOf<2>(maps).separation, Separation::Overlapping);
+            QVERIFY(!contactsOf<2>(maps).overlaps[0].isExact);
+        }
+        Maps2 twice = sierpinskiRight(); // a map, and nearly the same
+        twice.push_back(affineMap(.5, 0, 0, .5, .5 + 0x1p-45, 0));
+        QVERIFY(contactsOf<2>(twice).overlaps.empty());
+        twice.back() = affineMap(.5, 0x1p-46, 0, .5, 0, .5);
+        QVERIFY(contactsOf<2>(twice).overlaps.empty());
     }
 
     // Of what moves apart by 10⁻⁹, nothing is said that is not so.

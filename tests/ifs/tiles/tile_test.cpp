@@ -100,6 +100,20 @@ private slots:
         QVERIFY(near(terdragon->boundaryDimension, std::log(4) / std::log(3)));
     }
 
+    // β³ − β² − 2 = 0, and Koch's curve.
+    void boundaryDimensionsHaveAnError() {
+        for (const Maps& maps : {canonical::twin(), canonical::heighway()}) {
+            const auto found = tileOf(maps);
+            QVERIFY(std::abs(*found->boundaryDimension - 1.523627086202492) <=
+                    found->boundaryDimensionError + 4e-16);
+            QVERIFY(found->boundaryDimensionError > 0 && found->boundaryDimensionError < 1e-13);
+        }
+        const auto square = tileOf(squares(3));
+        QVERIFY(std::abs(*square->boundaryDimension - 1) <= square->boundaryDimensionError);
+        const auto levy = tileOf(canonical::levy());
+        QVERIFY(levy->boundaryDimensionError > 0 && levy->boundaryDimensionError < 1e-10);
+    }
+
     void othersAreNone() {
         QVERIFY(!tileOf(canonical::maple()));
         QVERIFY(!tileOf(canonical::sierpinskiRight()));
@@ -109,6 +123,39 @@ private slots:
         Maps twice = squares(2);
         twice[3] = twice[2];
         QVERIFY(!tileOf(twice));
+    }
+
+    // Of area 0, or without a lattice, by more than rounding.
+    void nearlyTilesAreNone() {
+        for (const double ratio : {.4999999999, .5 - 0x1p-40, .5 - 0x1p-46, .5 + 0x1p-46}) {
+            Maps maps = squares(2);
+            for (auto& map : maps)
+                map.linear *= 2 * ratio;
+            QVERIFY(!tileOf(maps));
+        }
+        for (const double off : {1e-8, 1e-10, 1e-12, 0x1p-44}) {
+            Maps maps = squares(2); // a dust in one direction, intervals that overlap in the other
+            for (auto& map : maps)
+                map.linear.diagonal() << .5 * (1 + off), .5 / (1 + off);
+            QVERIFY(!tileOf(maps));
+            maps = squares(2); // digits that are no lattice
+            maps[3].translation.y() += off;
+            QVERIFY(!tileOf(maps));
+            maps = squares(3);
+            maps[4].translation.x() += off;
+            QVERIFY(!tileOf(maps));
+            maps = canonical::heighway();
+            maps[1].linear *= std::sqrt(1 - off);
+            QVERIFY(!tileOf(maps));
+            maps = canonical::heighway();
+            maps[1].linear = maps[1].linear * Eigen::Rotation2D<double>(off).toRotationMatrix();
+            QVERIFY(!tileOf(maps));
+            maps.clear();
+            for (int k = 0; k < 8; ++k)
+                maps.push_back(affineMap(.5, 0, 0, .25, .5 * (k % 2), .25 * (k / 2)));
+            maps[5].translation.y() += off;
+            QVERIFY(!tileOf(maps));
+        }
     }
 
     void movedTilesAreTheSame() {

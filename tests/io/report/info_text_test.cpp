@@ -126,6 +126,24 @@ private slots:
         QVERIFY(entry[QStringLiteral("hull")][QStringLiteral("area_error")].toDouble() < 1e-28);
     }
 
+    // The plane's dimension stands for a larger one, and says so.
+    void aDimensionAboveThatOfThePlane() {
+        const Rows many{
+            {.6, .1, 0, .7, 0, 0}, {.6, 0, .2, .7, 1, 0}, {.7, .1, 0, .6, 0, 1}, {.6, 0, 0, .7, 1, 1}};
+        const auto subject = subjectOf(many);
+        QCOMPARE(lineOf(subject, QStringLiteral("affinity dimension")), QStringLiteral("at least 2"));
+        const QJsonObject entry = entryOf(subject);
+        QCOMPARE(entry[QStringLiteral("affinity_dimension")].toDouble(), 2.0);
+        QVERIFY(entry[QStringLiteral("capped")].toBool());
+        const auto plain = subjectOf(Gasket);
+        QVERIFY(!entryOf(plain).contains(QStringLiteral("capped")));
+        const Rows twin{{.5, -.5, .5, .5, 0, 0}, {.5, -.5, .5, .5, .5, -.5}};
+        QVERIFY(!entryOf(subjectOf(twin)).contains(QStringLiteral("capped"))); // exactly 2
+        QCOMPARE(lineOf(subjectOf(twin), QStringLiteral("affinity dimension")), QStringLiteral("2"));
+        const QJsonObject tile = entryOf(subjectOf(twin))[QStringLiteral("tile")].toObject();
+        QVERIFY(tile[QStringLiteral("boundary_dimension_error")].toDouble() > 0);
+    }
+
     // The squares of such lengths are below the least number.
     void figuresOfATinySystemAreKnown() {
         auto rows = Gasket;

@@ -336,7 +336,10 @@ void Facts::addTile() {
            "and meet in finitely many ways: from the growth of the number of contacts."),
         tile && tile->boundaryDimension,
         [withNote](const Analysis& analysis, Format number) {
-            return withNote(number(*analysis.facts.invariants.tile->boundaryDimension), analysis);
+            const auto& found = *analysis.facts.invariants.tile;
+            return withNote(number(*found.boundaryDimension) +
+                                note({*found.boundaryDimension}, found.boundaryDimensionError, 1, number),
+                            analysis);
         },
         tr("There is no value, because these maps are not of this kind."));
 }
@@ -418,6 +421,7 @@ template <int Dim> void Facts::addDimensions() {
            "contract enough."),
         facts.affinityDimension.has_value(), [](const Analysis& analysis, Format number) {
             const double dimension = *analysis.facts.affinityDimension;
+            if (analysis.facts.isAffinityDimensionCapped) return tr("at least %1").arg(number(dimension));
             return number(dimension) + note({dimension}, analysis.facts.affinityDimensionError, 1, number);
         });
     m_lines.last().isPending = !m_analysis->isComplete;
