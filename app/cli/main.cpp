@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include "commands.h"
-#include "help.h"
-#include "messages.h"
-#include "output.h"
-#include "parser.h"
-#include "tr.h"
-#include "usage_error.h"
+#include "options/commands.h"
+#include "options/help.h"
+#include "options/parser.h"
+#include "options/tr.h"
+#include "options/usage_error.h"
+#include "process/messages.h"
+#include "process/output.h"
 
 #include <QGuiApplication>
 

@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: MIT
-#include "arguments.h"
-#include "commands.h"
-#include "input.h"
-#include "messages.h"
-#include "output.h"
-#include "progress_bar.h"
-#include "tr.h"
-#include "usage_error.h"
+#include "options/commands.h"
+#include "options/tr.h"
+#include "options/usage_error.h"
+#include "process/arguments.h"
+#include "process/input.h"
+#include "process/messages.h"
+#include "process/output.h"
+#include "process/progress_bar.h"
 
-#include "animation/moment.h"
-#include "document/animated_fractal.h"
-#include "document/edits/morph_edits.h"
+#include "animation/keys/moment.h"
+#include "document/edits/timeline/morph_edits.h"
+#include "document/moments/animated_fractal.h"
 #include "io/fractint/entry_writer.h"
 
 #include <QFileInfo>

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "steal_arguments.h"
 
-#include "arguments.h"
-#include "input.h"
-#include "messages.h"
-#include "options.h"
-#include "output.h"
-#include "tr.h"
-#include "usage_error.h"
+#include "options/options.h"
+#include "options/tr.h"
+#include "options/usage_error.h"
+#include "process/arguments.h"
+#include "process/input.h"
+#include "process/messages.h"
+#include "process/output.h"
 
 #include "attractor/tops/key_tops.h"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "render_arguments.h"
+#include "render/render_arguments.h"
 
 #include "document/tops/kept_theft.h"
 

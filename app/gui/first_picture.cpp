@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "first_picture.h"
 
-#include "document/fractal_geometry.h"
+#include "document/fractal/fractal_geometry.h"
 #include "io/fractint/fractint_reader.h"
 #include "io/picture/png_export.h"
 

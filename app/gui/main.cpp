@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "application.h"
-#include "document/background_threads.h"
+#include "document/background/background_threads.h"
 #include "first_picture.h"
 #include "identity.h"
-#include "session.h"
+#include "session/session.h"
 #include "sudden_end.h"
 
 #include <QCommandLineParser>

@@ -7,9 +7,9 @@
 #include "bridges/solid_bridge.h"
 #include "canvas/canvas_view.h"
 #include "document/document.h"
-#include "open_file.h"
-#include "recovery.h"
-#include "session.h"
+#include "files/open_file.h"
+#include "files/recovery.h"
+#include "session/session.h"
 
 class ActionMenu;
 class AnimationMenu;

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "sudden_end.h"
 
-#include "document/background_threads.h"
-#include "exports.h"
-#include "recovery.h"
-#include "session.h"
+#include "document/background/background_threads.h"
+#include "files/exports.h"
+#include "files/recovery.h"
+#include "session/session.h"
 
 #include <QDeadlineTimer>
 #include <QGuiApplication>

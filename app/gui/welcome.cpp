@@ -2,10 +2,10 @@
 #include "welcome.h"
 
 #include "canvas/canvas_view.h"
+#include "files/recent_files.h"
 #include "main_window.h"
-#include "recent_files.h"
 #include "widgets/icon.h"
-#include "widgets/tooltip_text.h"
+#include "widgets/text/tooltip_text.h"
 
 #include <QAction>
 #include <QCommandLinkButton>

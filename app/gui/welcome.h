@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "message_banner.h"
+#include "messages/message_banner.h"
 
 class MainWindow;
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "animation/animation.h"
 
-#include "animation/contraction.h"
-#include "animation/smooth_keys.h"
-#include "animation/smooth_paths.h"
+#include "animation/paths/contraction.h"
+#include "animation/paths/smooth_keys.h"
+#include "animation/paths/smooth_paths.h"
 
 #include <algorithm>
 #include <cmath>

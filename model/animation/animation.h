@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "animation/cage_path.h"
-#include "animation/camera_path.h"
-#include "animation/keys.h"
-#include "animation/look_path.h"
-#include "animation/map_path.h"
-#include "animation/motion.h"
+#include "animation/keys/keys.h"
+#include "animation/motions/motion.h"
+#include "animation/paths/cage_path.h"
+#include "animation/paths/camera_path.h"
+#include "animation/paths/look_path.h"
+#include "animation/paths/map_path.h"
 
 #include <optional>
 #include <vector>

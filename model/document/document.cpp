@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "document/document.h"
 
-#include "document/fractal_geometry.h"
-#include "document/frame_edit.h"
-#include "document/free_in_background.h"
-#include "document/space_geometry.h"
+#include "document/background/free_in_background.h"
+#include "document/fractal/fractal_geometry.h"
+#include "document/fractal/space_geometry.h"
+#include "document/moments/frame_edit.h"
 
 #include <QUndoCommand>
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "document/animated_fractal.h"
 #include "document/edit_gesture.h"
 #include "document/fractal_file.h"
+#include "document/moments/animated_fractal.h"
 #include "document/typed_numbers.h"
 
 #include <QFlags>

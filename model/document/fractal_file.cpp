@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "document/fractal_file.h"
 
-#include "document/unique_names.h"
+#include "document/text/unique_names.h"
 
 #include <algorithm>
 

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "io/collection_reader.h"
 
-#include "document/text.h"
-#include "document/unique_names.h"
+#include "document/text/text.h"
+#include "document/text/unique_names.h"
 #include "io/exchange/aifs_reader.h"
 #include "io/fractint/format_detection.h"
 #include "io/fractint/fractint_reader.h"
-#include "io/picture/png_system.h"
-#include "io/picture/svg_system.h"
+#include "io/picture/png/png_system.h"
+#include "io/picture/vector/svg_system.h"
 #include "io/raster/raster_system.h"
 #include "io/table/listed_maps.h"
 #include "io/table/table_reader.h"

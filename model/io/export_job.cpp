@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "io/export_job.h"
 
-#include "document/text.h"
+#include "document/text/text.h"
 #include "io/file/background.h"
 
 #include <new>

@@ -4,10 +4,10 @@
 #include "io/animation/animation_export.h"
 #include "io/exchange/point_cloud.h"
 #include "io/file/export_work.h"
-#include "io/picture/pdf_writer.h"
 #include "io/picture/picture_strip.h"
 #include "io/picture/png_export.h"
 #include "io/picture/space_export.h"
+#include "io/picture/vector/pdf_writer.h"
 #include "io/solid/solid_export.h"
 
 #include <QFuture>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include "animation/ease.h"
-#include "animation/moment.h"
+#include "animation/keys/ease.h"
+#include "animation/keys/moment.h"
 #include "support/named_test.h"
 
 #include <QtTest>

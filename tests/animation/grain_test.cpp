@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "animation/animation.h"
-#include "animation/motion_presets.h"
+#include "animation/motions/motion_presets.h"
 #include "attractor/render/banded_rendering.h"
 #include "attractor/systems.h"
 #include "support/named_test.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "animation/key_edits.h"
-#include "animation/motion_presets.h"
-#include "animation/moved_back.h"
+#include "animation/keys/key_edits.h"
+#include "animation/motions/motion_presets.h"
+#include "animation/motions/moved_back.h"
 #include "support/named_test.h"
 
 #include <QtTest>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "animation/animation.h"
-#include "animation/smooth_curve.h"
-#include "animation/smooth_keys.h"
-#include "animation/smooth_paths.h"
+#include "animation/paths/smooth_curve.h"
+#include "animation/paths/smooth_keys.h"
+#include "animation/paths/smooth_paths.h"
 #include "attractor/request/orbit_camera.h"
 #include "ifs/canonical_systems.h"
 #include "ifs/existence/attractor_existence.h"

@@ -254,6 +254,14 @@ void LayeringTest::foldersReadLikeTablesOfContents() {
         const QStringList files = here.entryList(QDir::Files);
         QVERIFY2(files.size() <= 15, qPrintable(here.path() + QStringLiteral(": ") + files.join(u' ')));
     }
+    std::map<QString, std::set<QString>> folders; // what each holds: a header with its source counts once
+    for (const QString& top : topFolders)
+        for (const QString& path : sourceFiles(support::sourcePath(top)))
+            folders[folderOf(path)].insert(roomOf(path));
+    QVERIFY2(folders.size() > 50, "few folders were found: the test looks at the wrong places");
+    for (const auto& [folder, sources] : folders)
+        QVERIFY2(sources.size() <= 20,
+                 qPrintable(QStringLiteral("%1 holds %2 sources").arg(folder).arg(sources.size())));
 }
 
 void LayeringTest::sourcesStandBesideTheirHeaders() {

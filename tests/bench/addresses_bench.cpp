@@ -7,8 +7,8 @@
 #include "attractor/tops/key_tops.h"
 #include "attractor/tops/picture_patterns.h"
 #include "bench/canvas_drag.h"
-#include "document/edits/cage_edits.h"
-#include "document/fractal_geometry.h"
+#include "document/edits/cage/cage_edits.h"
+#include "document/fractal/fractal_geometry.h"
 #include "document/tops/theft_thread.h"
 #include "ifs/system/links.h"
 

@@ -9,7 +9,7 @@
 #include "canvas/scene/canvas_scene.h"
 #include "document/document.h"
 #include "document/edits/entries_edits.h"
-#include "document/fractal.h"
+#include "document/fractal/fractal.h"
 #include "panels/timeline/playback.h"
 
 #include <QApplication>

@@ -3,9 +3,9 @@
 
 #include "attractor/render/renderer.h"
 #include "bench/engine_cases.h"
-#include "document/animated_fractal.h"
-#include "document/edits/motion_edits.h"
-#include "document/fractal_geometry.h"
+#include "document/edits/timeline/motion_edits.h"
+#include "document/fractal/fractal_geometry.h"
+#include "document/moments/animated_fractal.h"
 #include "io/animation/animation_export.h"
 #include "io/sums/picture_sums.h"
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "bench/time_bench.h"
-#include "document/fractal.h"
+#include "document/fractal/fractal.h"
 
 #include <vector>
 

@@ -3,7 +3,7 @@
 
 #include "bridges/solid_bridge.h"
 #include "document/document.h"
-#include "document/fractal.h"
+#include "document/fractal/fractal.h"
 #include "space/space_view.h"
 
 #include <QCoreApplication>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include "document/addresses.h"
-#include "document/fractal_geometry.h"
+#include "document/branches/addresses.h"
+#include "document/fractal/fractal_geometry.h"
 #include "support/named_test.h"
 
 #include <QTest>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include "document/analysis_thread.h"
-#include "document/fractal_geometry.h"
+#include "document/analysis/analysis_thread.h"
+#include "document/fractal/fractal_geometry.h"
 #include "support/named_test.h"
 
 #include <QtTest>

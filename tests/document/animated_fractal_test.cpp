@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include "document/animated_fractal.h"
-#include "document/fractal_geometry.h"
+#include "document/fractal/fractal_geometry.h"
+#include "document/moments/animated_fractal.h"
 #include "support/named_test.h"
 
 #include <QtTest>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include "document/fractal.h"
-#include "document/fractal_geometry.h"
+#include "document/fractal/fractal.h"
+#include "document/fractal/fractal_geometry.h"
 #include "support/named_test.h"
 
 #include <QtTest>

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
-#include "document/frame_edit.h"
+#include "document/moments/frame_edit.h"
 
-#include "animation/motion_presets.h"
-#include "document/animated_fractal.h"
+#include "animation/motions/motion_presets.h"
 #include "document/document.h"
-#include "document/edits/animation_edits.h"
-#include "document/fractal_geometry.h"
-#include "document/motion_paths.h"
-#include "document/recurring_branches.h"
+#include "document/edits/timeline/animation_edits.h"
+#include "document/fractal/fractal_geometry.h"
+#include "document/fractal/recurring_branches.h"
+#include "document/moments/animated_fractal.h"
+#include "document/moments/motion_paths.h"
 #include "support/named_test.h"
 
 #include <QtTest>

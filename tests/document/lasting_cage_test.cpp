@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "document/document.h"
-#include "document/edits/animation_edits.h"
-#include "document/edits/cage_edits.h"
-#include "document/edits/motion_edits.h"
-#include "document/fractal_geometry.h"
-#include "document/space_geometry.h"
+#include "document/edits/cage/cage_edits.h"
+#include "document/edits/timeline/animation_edits.h"
+#include "document/edits/timeline/motion_edits.h"
+#include "document/fractal/fractal_geometry.h"
+#include "document/fractal/space_geometry.h"
 #include "support/named_test.h"
 
 #include <QTest>

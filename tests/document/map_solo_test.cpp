@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "attractor/samples/chaos_game.h"
 #include "attractor/samples/prepared_system.h"
-#include "document/fractal_geometry.h"
-#include "document/map_points.h"
-#include "document/map_solo.h"
-#include "document/space_geometry.h"
+#include "document/fractal/fractal_geometry.h"
+#include "document/fractal/space_geometry.h"
+#include "document/maps/map_points.h"
+#include "document/maps/map_solo.h"
 #include "ifs/system/links.h"
 #include "support/named_test.h"
 

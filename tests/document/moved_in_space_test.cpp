@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "attractor/space_systems.h"
-#include "document/addresses.h"
-#include "document/fractal_geometry.h"
-#include "document/space_geometry.h"
+#include "document/branches/addresses.h"
+#include "document/fractal/fractal_geometry.h"
+#include "document/fractal/space_geometry.h"
 #include "ifs/cage/cage_surface.h"
 #include "support/named_test.h"
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include "document/edits/cage_edits.h"
-#include "document/fractal_geometry.h"
-#include "document/map_handles.h"
-#include "document/map_solo.h"
-#include "document/recurring_branches.h"
+#include "document/edits/cage/cage_edits.h"
+#include "document/fractal/fractal_geometry.h"
+#include "document/fractal/recurring_branches.h"
+#include "document/maps/map_handles.h"
+#include "document/maps/map_solo.h"
 #include "ifs/system/map_interpolation.h"
 #include "support/named_test.h"
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include "document/shutter.h"
+#include "document/moments/shutter.h"
 
-#include "animation/motion_presets.h"
+#include "animation/motions/motion_presets.h"
 #include "attractor/render/banded_rendering.h"
-#include "document/fractal_geometry.h"
+#include "document/fractal/fractal_geometry.h"
 #include "ifs/canonical_systems.h"
 #include "support/named_test.h"
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-#include "document/fractal_geometry.h"
-#include "document/shown_branch.h"
-#include "document/space_geometry.h"
-#include "document/space_map_handles.h"
+#include "document/branches/shown_branch.h"
+#include "document/fractal/fractal_geometry.h"
+#include "document/fractal/space_geometry.h"
+#include "document/maps/space_map_handles.h"
 #include "ifs/cage/cage_surface.h"
 #include "ifs/system/branch.h"
 #include "ifs/system/links.h"

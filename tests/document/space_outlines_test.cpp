@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "attractor/space_systems.h"
-#include "document/analysis.h"
-#include "document/space_geometry.h"
+#include "document/analysis/analysis.h"
+#include "document/fractal/space_geometry.h"
 #include "support/named_test.h"
 
 #include <QtTest>

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include "document/support_cache.h"
+#include "document/fractal/support_cache.h"
 
-#include "document/fractal.h"
-#include "document/fractal_geometry.h"
-#include "document/space_geometry.h"
+#include "document/fractal/fractal.h"
+#include "document/fractal/fractal_geometry.h"
+#include "document/fractal/space_geometry.h"
 #include "support/named_test.h"
 
 #include <QtTest>

@@ -6,7 +6,7 @@
 #include "io/collection_reader.h"
 #include "io/exchange/text_formats.h"
 #include "io/fractint/entry_writer.h"
-#include "io/picture/svg_writer.h"
+#include "io/picture/vector/svg_writer.h"
 #include "io/report/info_json.h"
 #include "io/report/info_text.h"
 

@@ -3,7 +3,7 @@
 
 #include "fuzz/handled.h"
 
-#include "document/journal.h"
+#include "document/disk/journal.h"
 #include "io/collection_reader.h"
 #include "io/fractint/entry_writer.h"
 #include "io/fractint/fractint_reader.h"
@@ -13,9 +13,9 @@
 #include "io/lesson/lesson_writer.h"
 #include "io/palette/palette_reader.h"
 #include "io/palette/palette_stops.h"
-#include "io/picture/picture_decoder.h"
-#include "io/picture/png_system.h"
-#include "io/picture/svg_system.h"
+#include "io/picture/decoding/picture_decoder.h"
+#include "io/picture/png/png_system.h"
+#include "io/picture/vector/svg_system.h"
 #include "io/raster/raster_system.h"
 #include "io/sums/picture_request.h"
 #include "io/sums/sum_file.h"

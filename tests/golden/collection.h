@@ -4,8 +4,8 @@
 #include "attractor/light/solid_light.h"
 #include "attractor/render/renderer.h"
 #include "attractor/render/solid_rendering.h"
+#include "document/fractal/fractal_geometry.h"
 #include "document/fractal_file.h"
-#include "document/fractal_geometry.h"
 #include "io/fractint/fractint_reader.h"
 
 #include <QFile>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "attractor/render/renderer.h"
 #include "collection.h"
-#include "document/animated_fractal.h"
+#include "document/moments/animated_fractal.h"
 #include "support/named_test.h"
 #include "support/paths.h"
 

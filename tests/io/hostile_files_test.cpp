@@ -4,8 +4,8 @@
 #include "io/fractint/fractint_strict.h"
 #include "io/fractint/fractint_writer.h"
 #include "io/palette/palette_reader.h"
-#include "io/picture/png_system.h"
-#include "io/picture/svg_system.h"
+#include "io/picture/png/png_system.h"
+#include "io/picture/vector/svg_system.h"
 #include "support/named_test.h"
 #include "support/thorough.h"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "document/background_threads.h"
+#include "document/background/background_threads.h"
 #include "support/events.h"
 
 #include <chrono>

@@ -2,15 +2,15 @@
 #include "bars/branch_bar.h"
 
 #include "canvas/geometry/canvas_note.h"
-#include "document/addresses.h"
-#include "document/edits/map_locks.h"
-#include "document/fractal_geometry.h"
-#include "document/space_geometry.h"
-#include "document/space_map_handles.h"
+#include "document/branches/addresses.h"
+#include "document/edits/maps/map_locks.h"
+#include "document/fractal/fractal_geometry.h"
+#include "document/fractal/space_geometry.h"
+#include "document/maps/space_map_handles.h"
 #include "ifs/cage/map_handles.h"
 #include "space/space_view.h"
-#include "widgets/elided_label.h"
-#include "widgets/number_box.h"
+#include "widgets/numbers/number_box.h"
+#include "widgets/text/elided_label.h"
 
 #include <QApplication>
 #include <QComboBox>

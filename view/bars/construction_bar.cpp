@@ -4,10 +4,10 @@
 #include "bars/die.h"
 #include "bars/start_shape_box.h"
 #include "bridges/construction.h"
-#include "widgets/elided_label.h"
 #include "widgets/flat_buttons.h"
 #include "widgets/icon.h"
-#include "widgets/number_text.h"
+#include "widgets/numbers/number_text.h"
+#include "widgets/text/elided_label.h"
 
 #include <QButtonGroup>
 #include <QComboBox>

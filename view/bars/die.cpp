@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "bars/die.h"
 
-#include "widgets/number_text.h"
+#include "widgets/numbers/number_text.h"
 
 #include <QHelpEvent>
 #include <QPainter>

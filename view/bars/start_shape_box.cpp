@@ -3,7 +3,7 @@
 
 #include "bridges/steps_bridge.h"
 #include "widgets/file_dialogs.h"
-#include "widgets/tooltip_text.h"
+#include "widgets/text/tooltip_text.h"
 
 #include <QComboBox>
 #include <QHBoxLayout>

@@ -3,7 +3,7 @@
 
 #include "bars/branch_bar.h"
 #include "space/space_view.h"
-#include "widgets/elided_label.h"
+#include "widgets/text/elided_label.h"
 
 #include <QApplication>
 #include <QHBoxLayout>

@@ -2,8 +2,8 @@
 #include "bars/zoom_box.h"
 
 #include "canvas/canvas_view.h"
-#include "widgets/number_field.h"
-#include "widgets/tooltip_text.h"
+#include "widgets/numbers/number_field.h"
+#include "widgets/text/tooltip_text.h"
 
 #include <QAbstractItemView>
 #include <QFocusEvent>

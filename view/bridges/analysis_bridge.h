@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "document/analysis_thread.h"
+#include "document/analysis/analysis_thread.h"
 #include "document/document.h"
 
 #include <QObject>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "bridges/attractor_watch.h"
 
-#include "widgets/number_text.h"
+#include "widgets/numbers/number_text.h"
 
 #include <algorithm>
 #include <set>

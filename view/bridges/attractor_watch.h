@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "document/animated_fractal.h"
-#include "widgets/newest_work.h"
+#include "document/moments/animated_fractal.h"
+#include "widgets/background/newest_work.h"
 
 #include <QObject>
 #include <QString>

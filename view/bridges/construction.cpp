@@ -3,7 +3,7 @@
 
 #include "attractor/folds/prefractal.h"
 #include "bridges/render_bridge.h"
-#include "document/fractal_geometry.h"
+#include "document/fractal/fractal_geometry.h"
 
 #include <algorithm>
 #include <cmath>

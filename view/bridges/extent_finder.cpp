@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "bridges/extent_finder.h"
 
-#include "document/space_geometry.h"
+#include "document/fractal/space_geometry.h"
 #include "io/file/background.h"
 
 namespace view {

@@ -4,9 +4,9 @@
 #include "attractor/render/renderer.h"
 #include "attractor/threads/hardware_threads.h"
 #include "bridges/solo_switch.h"
-#include "document/fractal.h"
-#include "document/fractal_geometry.h"
-#include "document/map_solo.h"
+#include "document/fractal/fractal.h"
+#include "document/fractal/fractal_geometry.h"
+#include "document/maps/map_solo.h"
 
 #include <algorithm>
 #include <utility>

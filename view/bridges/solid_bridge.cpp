@@ -3,8 +3,8 @@
 
 #include "attractor/threads/hardware_threads.h"
 #include "bridges/solo_switch.h"
-#include "document/map_solo.h"
-#include "document/space_geometry.h"
+#include "document/fractal/space_geometry.h"
+#include "document/maps/map_solo.h"
 
 #include <utility>
 

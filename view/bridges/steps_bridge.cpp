@@ -4,7 +4,7 @@
 #include "bridges/render_bridge.h"
 #include "document/steps/step_picture.h"
 #include "io/file/save_file.h"
-#include "io/picture/grey_picture.h"
+#include "io/picture/decoding/grey_picture.h"
 
 #include <QFileInfo>
 

@@ -4,7 +4,7 @@
 #include "document/document.h"
 #include "document/steps/start_shape.h"
 #include "document/steps/step_distance.h"
-#include "widgets/newest_work.h"
+#include "widgets/background/newest_work.h"
 
 #include <QObject>
 #include <QTimer>

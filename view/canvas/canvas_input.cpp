@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "canvas/canvas_input.h"
 
-#include "document/addresses.h"
+#include "document/branches/addresses.h"
 #include "widgets/arrow_keys.h"
 
 #include <QKeyEvent>

@@ -3,12 +3,12 @@
 
 #include "canvas/scene/handle_text.h"
 #include "canvas/tools/vertex_dialog.h"
-#include "document/edits/cage_actions.h"
-#include "document/edits/cage_edits.h"
-#include "document/edits/map_locks.h"
-#include "document/edits/maps_edits.h"
-#include "document/fractal.h"
-#include "document/map_names.h"
+#include "document/edits/cage/cage_actions.h"
+#include "document/edits/cage/cage_edits.h"
+#include "document/edits/maps/map_locks.h"
+#include "document/edits/maps/maps_edits.h"
+#include "document/fractal/fractal.h"
+#include "document/maps/map_names.h"
 
 #include <QAbstractScrollArea>
 #include <QCoreApplication>

@@ -3,7 +3,7 @@
 
 #include "bridges/render_bridge.h"
 #include "canvas/geometry/canvas_geometry.h"
-#include "document/animated_fractal.h"
+#include "document/moments/animated_fractal.h"
 #include "io/file/background.h"
 
 #include <QWidget>

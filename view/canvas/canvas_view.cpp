@@ -7,9 +7,9 @@
 #include "canvas/canvas_menu.h"
 #include "canvas/items/attractor_item.h"
 #include "canvas/scene/handle_text.h"
-#include "document/analysis.h"
-#include "document/edits/cage_actions.h"
-#include "document/fractal_geometry.h"
+#include "document/analysis/analysis.h"
+#include "document/edits/cage/cage_actions.h"
+#include "document/fractal/fractal_geometry.h"
 
 #include <QClipboard>
 #include <QContextMenuEvent>

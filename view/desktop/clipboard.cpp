@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "desktop/clipboard.h"
 
-#include "document/text.h"
+#include "document/text/text.h"
 #include "io/collection_reader.h"
 #include "io/file/background.h"
 #include "io/fractint/entry_writer.h"

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "dialogs/aifs_dialog.h"
 
-#include "document/fractal_geometry.h"
+#include "document/fractal/fractal_geometry.h"
 #include "io/exchange/aifs.h"
-#include "widgets/number_text.h"
-#include "widgets/text_edit_workarounds.h"
+#include "widgets/numbers/number_text.h"
+#include "widgets/text/text_edit_workarounds.h"
 
 #include <QClipboard>
 #include <QDialogButtonBox>

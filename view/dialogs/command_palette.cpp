@@ -2,8 +2,8 @@
 #include "dialogs/command_palette.h"
 
 #include "dialogs/command_delegate.h"
-#include "widgets/menu_placeholder.h"
-#include "widgets/tooltip_text.h"
+#include "widgets/menus/menu_placeholder.h"
+#include "widgets/text/tooltip_text.h"
 
 #include <QAction>
 #include <QDockWidget>

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "dialogs/guide.h"
 
-#include "document/text.h"
+#include "document/text/text.h"
 #include "io/file/background.h"
 #include "widgets/icon.h"
-#include "widgets/text_edit_workarounds.h"
+#include "widgets/text/text_edit_workarounds.h"
 
 #include <QAbstractTextDocumentLayout>
 #include <QDialog>

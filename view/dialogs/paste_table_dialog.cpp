@@ -2,7 +2,7 @@
 #include "dialogs/paste_table_dialog.h"
 
 #include "dialogs/column_orders.h"
-#include "widgets/number_text.h"
+#include "widgets/numbers/number_text.h"
 
 #include <QDialogButtonBox>
 #include <QFormLayout>

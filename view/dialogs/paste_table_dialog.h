@@ -2,7 +2,7 @@
 #pragma once
 
 #include "document/edit_gesture.h"
-#include "document/edits/maps_edits.h"
+#include "document/edits/maps/maps_edits.h"
 #include "io/table/table_reader.h"
 
 #include <QDialog>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "dialogs/preferences_dialog.h"
 
-#include "widgets/grow_to_fit.h"
+#include "widgets/layout/grow_to_fit.h"
 
 #include <QCheckBox>
 #include <QComboBox>

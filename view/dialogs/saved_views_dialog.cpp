@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "dialogs/saved_views_dialog.h"
 
-#include "widgets/tooltip_text.h"
+#include "widgets/text/tooltip_text.h"
 
 #include <QDialogButtonBox>
 #include <QKeyEvent>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "dialogs/shortcuts_dialog.h"
 
-#include "widgets/tooltip_text.h"
+#include "widgets/text/tooltip_text.h"
 
 #include <QAction>
 #include <QDialogButtonBox>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "dialogs/transform_dialog.h"
 
-#include "widgets/number_field.h"
+#include "widgets/numbers/number_field.h"
 
 #include <QButtonGroup>
 #include <QCheckBox>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "space/space_branch.h"
 
-#include "document/addresses.h"
-#include "document/space_geometry.h"
+#include "document/branches/addresses.h"
+#include "document/fractal/space_geometry.h"
 
 #include <utility>
 #include <vector>

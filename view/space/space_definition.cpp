@@ -2,7 +2,7 @@
 #include "space/space_definition.h"
 
 #include "attractor/request/orbit_navigation.h"
-#include "document/space_outlines.h"
+#include "document/analysis/space_outlines.h"
 
 #include <algorithm>
 #include <cmath>

@@ -3,9 +3,9 @@
 
 #include "attractor/request/orbit_navigation.h"
 #include "canvas/geometry/canvas_geometry.h"
-#include "document/edits/cage_actions.h"
-#include "document/edits/space_cage_edits.h"
-#include "document/space_geometry.h"
+#include "document/edits/cage/cage_actions.h"
+#include "document/edits/cage/space_cage_edits.h"
+#include "document/fractal/space_geometry.h"
 #include "space/keypad_views.h"
 #include "space/space_symmetry.h"
 #include "widgets/arrow_keys.h"

@@ -3,10 +3,10 @@
 
 #include "canvas/geometry/canvas_geometry.h"
 #include "canvas/geometry/canvas_note.h"
-#include "document/edits/map_locks.h"
-#include "document/edits/maps_edits.h"
-#include "document/shown_branch.h"
-#include "document/space_geometry.h"
+#include "document/branches/shown_branch.h"
+#include "document/edits/maps/map_locks.h"
+#include "document/edits/maps/maps_edits.h"
+#include "document/fractal/space_geometry.h"
 
 #include <QKeyEvent>
 #include <QLineF>

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "document/analysis.h"
+#include "document/analysis/analysis.h"
 #include "document/document.h"
-#include "document/space_map_handles.h"
+#include "document/maps/space_map_handles.h"
 #include "space/space_cage_item.h"
 #include "space/space_outlines_item.h"
 #include "space/spatial_drag.h"

@@ -3,8 +3,8 @@
 
 #include "attractor/request/orbit_navigation.h"
 #include "canvas/geometry/canvas_geometry.h"
-#include "document/animated_fractal.h"
-#include "document/space_geometry.h"
+#include "document/fractal/space_geometry.h"
+#include "document/moments/animated_fractal.h"
 
 #include <cmath>
 #include <utility>

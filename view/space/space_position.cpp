@@ -2,7 +2,7 @@
 #include "space/space_position.h"
 
 #include "canvas/geometry/canvas_geometry.h"
-#include "document/addresses.h"
+#include "document/branches/addresses.h"
 
 #include <algorithm>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "space/space_symmetry.h"
 
-#include "document/edits/symmetry_edits.h"
+#include "document/edits/maps/symmetry_edits.h"
 #include "ifs/cage/control_cage.h"
 #include "space/seen_line.h"
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "space/space_view.h"
 
-#include "animation/camera_path.h"
+#include "animation/paths/camera_path.h"
 #include "canvas/geometry/canvas_note.h"
 #include "canvas/items/note_item.h"
-#include "document/space_geometry.h"
+#include "document/fractal/space_geometry.h"
 #include "io/report/figure_error.h"
 #include "space/space_symmetry.h"
 

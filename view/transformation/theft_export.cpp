@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "transformation/theft_export.h"
 
-#include "document/text.h"
+#include "document/text/text.h"
 #include "document/tops/laid_picture.h"
 #include "io/tops/steal_export.h"
 

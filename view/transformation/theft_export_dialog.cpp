@@ -11,7 +11,7 @@
 #include "io/file/background.h"
 #include "transformation/theft_export.h"
 #include "widgets/file_dialogs.h"
-#include "widgets/tooltip_text.h"
+#include "widgets/text/tooltip_text.h"
 
 #include <QComboBox>
 #include <QDialogButtonBox>

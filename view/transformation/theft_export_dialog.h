@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "document/fractal_geometry.h"
+#include "document/fractal/fractal_geometry.h"
 #include "document/tops/theft_thread.h"
 #include "io/picture/png_export.h"
 

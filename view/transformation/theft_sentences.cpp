@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "transformation/theft_sentences.h"
 
-#include "document/text.h"
-#include "widgets/number_text.h"
+#include "document/text/text.h"
+#include "widgets/numbers/number_text.h"
 
 #include <algorithm>
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "transformation/transformation_bar.h"
 
-#include "widgets/elided_label.h"
 #include "widgets/flat_buttons.h"
-#include "widgets/menu_button.h"
+#include "widgets/menus/menu_button.h"
+#include "widgets/text/elided_label.h"
 
 #include <QAbstractItemView>
 #include <QAction>

@@ -6,7 +6,7 @@
 #include "ifs/tops/tear.h"
 #include "io/tops/picture_to_embed.h"
 #include "transformation/transformation_bar.h"
-#include "widgets/newest_work.h"
+#include "widgets/background/newest_work.h"
 
 #include <QFutureWatcher>
 #include <QSet>

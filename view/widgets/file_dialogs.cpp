@@ -2,9 +2,9 @@
 #include "widgets/file_dialogs.h"
 
 #include "desktop/settings.h"
-#include "document/text.h"
+#include "document/text/text.h"
 #include "io/file/slow_disk.h"
-#include "io/picture/picture_decoder.h"
+#include "io/picture/decoding/picture_decoder.h"
 
 #include <QDir>
 #include <QFileDialog>

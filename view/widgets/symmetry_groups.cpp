@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "widgets/symmetry_groups.h"
-#include "document/text.h"
+#include "document/text/text.h"
 
 #include <QComboBox>
 #include <QSignalBlocker>

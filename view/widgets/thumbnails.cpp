@@ -4,8 +4,8 @@
 #include "attractor/light/solid_light.h"
 #include "attractor/render/render_queue.h"
 #include "attractor/render/solid_rendering.h"
-#include "document/fractal_geometry.h"
-#include "document/space_geometry.h"
+#include "document/fractal/fractal_geometry.h"
+#include "document/fractal/space_geometry.h"
 #include "io/picture/thumbnail_cache.h"
 
 #include <QPainter>

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "attractor/render/renderer.h"
-#include "document/fractal.h"
+#include "document/fractal/fractal.h"
 
 #include <QCache>
 #include <QHash>

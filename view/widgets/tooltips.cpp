@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "widgets/tooltips.h"
 
-#include "widgets/elided_label.h"
-#include "widgets/number_box.h"
-#include "widgets/number_field.h"
-#include "widgets/number_text.h"
-#include "widgets/tooltip_text.h"
+#include "widgets/numbers/number_box.h"
+#include "widgets/numbers/number_field.h"
+#include "widgets/numbers/number_text.h"
+#include "widgets/text/elided_label.h"
+#include "widgets/text/tooltip_text.h"
 
 #include <QAbstractButton>
 #include <QAction>

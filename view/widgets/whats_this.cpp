@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "widgets/whats_this.h"
 
-#include "widgets/tooltip_text.h"
+#include "widgets/text/tooltip_text.h"
 
 #include <QAbstractItemView>
 #include <QAction>

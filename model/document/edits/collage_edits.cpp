@@ -5,10 +5,10 @@
 #include "collage/fit/cage_fit.h"
 #include "collage/fit/collage_fit.h"
 #include "collage/fit/weight_fit.h"
-#include "document/edits/cage_edits.h"
-#include "document/edits/symmetry_edits.h"
-#include "document/fractal_geometry.h"
-#include "document/text.h"
+#include "document/edits/cage/cage_edits.h"
+#include "document/edits/maps/symmetry_edits.h"
+#include "document/fractal/fractal_geometry.h"
+#include "document/text/text.h"
 
 #include <algorithm>
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "collage/suggestions.h"
-#include "document/fractal.h"
+#include "document/fractal/fractal.h"
 #include "document/traced_picture.h"
 
 #include <QString>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "document/edits/coupled_entries.h"
 
-#include "document/fractal_geometry.h"
+#include "document/fractal/fractal_geometry.h"
 
 #include <algorithm>
 #include <utility>

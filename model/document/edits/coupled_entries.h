@@ -2,7 +2,7 @@
 #pragma once
 
 #include "attractor/tops/coupled_system.h"
-#include "document/fractal.h"
+#include "document/fractal/fractal.h"
 #include "ifs/extent/support_function.h"
 
 #include <cstddef>

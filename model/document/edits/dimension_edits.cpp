@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "document/edits/dimension_edits.h"
 
-#include "document/animated_fractal.h"
-#include "document/edits/cage_edits.h"
-#include "document/edits/symmetry_edits.h"
-#include "document/space_geometry.h"
-#include "document/text.h"
+#include "document/edits/cage/cage_edits.h"
+#include "document/edits/maps/symmetry_edits.h"
+#include "document/fractal/space_geometry.h"
+#include "document/moments/animated_fractal.h"
+#include "document/text/text.h"
 #include "ifs/system/barycentric.h"
 
 #include <algorithm>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "document/edits/entries_edits.h"
 
-#include "document/text.h"
-#include "document/unique_names.h"
+#include "document/text/text.h"
+#include "document/text/unique_names.h"
 
 #include <QSet>
 

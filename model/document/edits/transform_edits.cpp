@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "document/edits/transform_edits.h"
-#include "document/fractal_geometry.h"
-#include "document/space_geometry.h"
+#include "document/fractal/fractal_geometry.h"
+#include "document/fractal/space_geometry.h"
 
 #include "ifs/dimension/moments.h"
 #include "ifs/links/linked_measure.h"

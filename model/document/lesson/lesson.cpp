@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "document/lesson/lesson.h"
 
-#include "document/reordered_text.h"
+#include "document/text/reordered_text.h"
 
 #include <algorithm>
 

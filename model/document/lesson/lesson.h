@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "animation/moment.h"
+#include "animation/keys/moment.h"
 #include "attractor/request/appearance.h"
 #include "attractor/request/orbit_camera.h"
-#include "document/space_outlines.h"
+#include "document/analysis/space_outlines.h"
 #include "ifs/system/affine_map.h"
 
 #include <QList>

@@ -2,7 +2,7 @@
 #include "document/steps/start_shape.h"
 
 #include "attractor/samples/prepared_system.h"
-#include "document/fractal_geometry.h"
+#include "document/fractal/fractal_geometry.h"
 
 #include <QFont>
 #include <QPainterPath>

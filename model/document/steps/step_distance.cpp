@@ -3,7 +3,7 @@
 
 #include "attractor/samples/prepared_system.h"
 #include "collage/measure/agreement.h"
-#include "document/fractal_geometry.h"
+#include "document/fractal/fractal_geometry.h"
 
 #include <QImage>
 #include <QPainter>

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "attractor/render/frame.h"
-#include "document/fractal.h"
+#include "document/fractal/fractal.h"
 #include "document/steps/start_shape.h"
 
 #include <memory>

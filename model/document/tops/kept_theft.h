@@ -3,7 +3,7 @@
 
 #include "attractor/request/camera.h"
 #include "attractor/tops/picture_patterns.h"
-#include "document/fractal.h"
+#include "document/fractal/fractal.h"
 
 #include <QByteArray>
 #include <QString>

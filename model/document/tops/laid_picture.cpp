@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "document/tops/laid_picture.h"
 
-#include "document/fractal_geometry.h"
+#include "document/fractal/fractal_geometry.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "document/variations/crossing.h"
 
-#include "animation/look_path.h"
 #include "animation/morph.h"
-#include "document/animated_fractal.h"
-#include "document/fractal_geometry.h"
+#include "animation/paths/look_path.h"
+#include "document/fractal/fractal_geometry.h"
+#include "document/moments/animated_fractal.h"
 #include "document/variations/varied_colours.h"
 #include "ifs/dimension/moments.h"
 #include "ifs/system/links.h"

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "document/variations/filling.h"
 
-#include "document/fractal_geometry.h"
-#include "document/space_geometry.h"
+#include "document/fractal/fractal_geometry.h"
+#include "document/fractal/space_geometry.h"
 
 #include "attractor/render/cloud_rendering.h"
 #include "attractor/render/renderer.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "document/fractal.h"
+#include "document/fractal/fractal.h"
 
 #include <cstdint>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "document/variations/variations.h"
 
-#include "document/text.h"
+#include "document/text/text.h"
 #include "document/variations/crossing.h"
 #include "document/variations/varied_colours.h"
 #include "document/variations/varied_maps.h"

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "io/animation/animation_export.h"
 
-#include "document/fractal_geometry.h"
-#include "document/space_geometry.h"
+#include "document/fractal/fractal_geometry.h"
+#include "document/fractal/space_geometry.h"
 #include "io/animation/frames_view.h"
 #include "io/animation/request_text.h"
 #include "io/fractint/entry_writer.h"
-#include "io/picture/png_check.h"
+#include "io/picture/png/png_check.h"
 #include "io/text/number.h"
 #include "io/video/video_writer.h"
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "io/animation/cluster_job.h"
 
-#include "document/reordered_text.h"
-#include "document/text.h"
-#include "document/unique_names.h"
+#include "document/text/reordered_text.h"
+#include "document/text/text.h"
+#include "document/text/unique_names.h"
 #include "io/fractint/entry_writer.h"
 
 #include <QDir>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "document/shutter.h"
+#include "document/moments/shutter.h"
 #include "io/animation/request_text.h"
 #include "io/picture/png_export.h"
 #include "io/picture/space_export.h"

@@ -3,9 +3,9 @@
 
 #include "attractor/samples/prepared_space.h"
 #include "attractor/samples/prepared_system.h"
-#include "document/animated_fractal.h"
-#include "document/fractal_geometry.h"
-#include "document/space_geometry.h"
+#include "document/fractal/fractal_geometry.h"
+#include "document/fractal/space_geometry.h"
+#include "document/moments/animated_fractal.h"
 #include "ifs/extent/support_function.h"
 
 #include <algorithm>

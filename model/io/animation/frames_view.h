@@ -2,7 +2,7 @@
 #pragma once
 
 #include "attractor/request/orbit_camera.h"
-#include "document/fractal.h"
+#include "document/fractal/fractal.h"
 
 // What a picture must show when nobody says; frames of an animation share it.
 namespace io {

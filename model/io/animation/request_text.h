@@ -2,7 +2,7 @@
 #pragma once
 
 #include "attractor/request/pixel_version.h"
-#include "document/fractal.h"
+#include "document/fractal/fractal.h"
 
 #include <QByteArray>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "io/exchange/aifs.h"
 
-#include "document/fractal_geometry.h"
+#include "document/fractal/fractal_geometry.h"
 #include "io/text/export_weights.h"
 
 #include <QSet>

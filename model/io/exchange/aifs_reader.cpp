@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "io/exchange/aifs_reader.h"
 
-#include "document/text.h"
+#include "document/text/text.h"
 #include "io/fractint/fractint_entry.h"
 #include "io/text/coefficient.h"
 #include "io/text/number.h"

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "io/exchange/flame.h"
 
-#include "document/edits/symmetry_edits.h"
-#include "document/fractal_geometry.h"
-#include "document/text.h"
+#include "document/edits/maps/symmetry_edits.h"
+#include "document/fractal/fractal_geometry.h"
+#include "document/text/text.h"
 #include "ifs/system/links.h"
 #include "io/exchange/flame_colours.h"
 #include "io/exchange/flame_repair.h"

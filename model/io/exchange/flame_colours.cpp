@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "io/exchange/flame_colours.h"
 
-#include "document/map_names.h"
+#include "document/maps/map_names.h"
 #include "io/palette/palette_stops.h"
 #include "io/text/number.h"
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "io/exchange/flame_repair.h"
-#include "document/text.h"
+#include "document/text/text.h"
 
 #include <QRegularExpression>
 #include <QSet>

@@ -2,7 +2,7 @@
 #include "io/exchange/flame_times.h"
 
 #include "animation/animation.h"
-#include "document/text.h"
+#include "document/text/text.h"
 
 #include <algorithm>
 #include <cmath>

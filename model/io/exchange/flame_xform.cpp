@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "io/exchange/flame_xform.h"
 
-#include "document/text.h"
+#include "document/text/text.h"
 #include "io/text/coefficient.h"
 #include "io/text/number.h"
 

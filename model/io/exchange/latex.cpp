@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "io/exchange/latex.h"
 
-#include "document/fractal_geometry.h"
+#include "document/fractal/fractal_geometry.h"
 #include "io/exchange/aifs.h"
 #include "io/text/number.h"
 #include "io/text/readable_number.h"

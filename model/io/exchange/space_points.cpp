@@ -4,7 +4,7 @@
 #include "attractor/request/colour_coordinates.h"
 #include "attractor/samples/space_orbit.h"
 #include "attractor/voxels/voxel_cover.h"
-#include "document/fractal_geometry.h"
+#include "document/fractal/fractal_geometry.h"
 #include "ifs/cage/cage_surface.h"
 #include "io/exchange/point_colour.h"
 #include "io/text/number.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "io/exchange/text_formats.h"
 
-#include "document/edits/symmetry_edits.h"
+#include "document/edits/maps/symmetry_edits.h"
 #include "io/exchange/aifs.h"
 #include "io/exchange/flame_colours.h"
 #include "io/exchange/flame_symmetry.h"

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "io/exports/export_recipe.h"
 
-#include "document/fractal_geometry.h"
-#include "document/space_geometry.h"
+#include "document/fractal/fractal_geometry.h"
+#include "document/fractal/space_geometry.h"
 #include "io/picture/picture_writers.h"
-#include "io/picture/shape_preview.h"
+#include "io/picture/vector/shape_preview.h"
 
 #include <QFileInfo>
 

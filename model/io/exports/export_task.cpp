@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "io/exports/export_task.h"
 
-#include "document/text.h"
+#include "document/text/text.h"
 #include "io/exports/recipe_json.h"
 
 #include <QCryptographicHash>

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "io/exports/task_folder.h"
 
-#include "document/process_lock.h"
-#include "document/regular_file.h"
-#include "document/text.h"
+#include "document/disk/process_lock.h"
+#include "document/disk/regular_file.h"
+#include "document/text/text.h"
 
 #include <QDir>
 #include <QFile>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "io/exports/task_job.h"
 
-#include "document/text.h"
+#include "document/text/text.h"
 #include "io/fractint/fractint_reader.h"
 
 #include <QDir>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "document/listener.h"
-#include "document/work_in_order.h"
+#include "document/background/listener.h"
+#include "document/background/work_in_order.h"
 #include "io/exports/task_folder.h"
 
 #include <chrono>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "document/background_threads.h"
-#include "document/free_in_background.h"
+#include "document/background/background_threads.h"
+#include "document/background/free_in_background.h"
 
 #include <QDeadlineTimer>
 #include <QFuture>

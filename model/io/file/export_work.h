@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "document/listener.h"
+#include "document/background/listener.h"
 
 #include <functional>
 #include <future>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "io/file/save_file.h"
 
-#include "document/regular_file.h"
-#include "document/text.h"
+#include "document/disk/regular_file.h"
+#include "document/text/text.h"
 #include "io/file/native_path.h"
 #include "io/file/replacement_file.h"
 #include "io/file/standard_output.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "io/file/slow_disk.h"
 
-#include "document/background_threads.h"
+#include "document/background/background_threads.h"
 
 #include <QFileInfo>
 #include <QHash>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "io/file/standard_output.h"
 
-#include "document/text.h"
+#include "document/text/text.h"
 #include "io/file/native_path.h"
 
 #include <QDir>

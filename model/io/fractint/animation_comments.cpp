@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "io/fractint/animation_comments.h"
 
-#include "document/recurring_branches.h"
-#include "document/text.h"
+#include "document/fractal/recurring_branches.h"
+#include "document/text/text.h"
 #include "io/fractint/metadata_line.h"
 #include "io/palette/palette_stops.h"
 #include "io/text/number.h"

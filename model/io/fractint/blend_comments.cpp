@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "io/fractint/blend_comments.h"
 
-#include "document/fractal_geometry.h"
+#include "document/fractal/fractal_geometry.h"
 #include "io/fractint/metadata_line.h"
 #include "io/text/number.h"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "io/fractint/format_detection.h"
 
-#include "document/text.h"
+#include "document/text/text.h"
 #include "io/fractint/fractint_entry.h"
 #include "io/text/number.h"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "io/fractint/fractint_entry.h"
 
-#include "document/text.h"
+#include "document/text/text.h"
 #include "io/fractint/fractint_numbers.h"
 #include "io/fractint/fractint_rows.h"
 #include "io/fractint/metadata_comments.h"

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "io/fractint/fractint_strict.h"
 
-#include "document/edits/symmetry_edits.h"
-#include "document/text.h"
-#include "document/unique_names.h"
-#include "document/user_comments.h"
+#include "document/edits/maps/symmetry_edits.h"
+#include "document/text/text.h"
+#include "document/text/unique_names.h"
+#include "document/text/user_comments.h"
 #include "io/fractint/fractint_entry.h"
 #include "io/fractint/fractint_rows.h"
 #include "io/text/lost_parts.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "io/fractint/label_comments.h"
 
-#include "document/map_names.h"
+#include "document/maps/map_names.h"
 #include "io/fractint/metadata_line.h"
 
 #include <QString>

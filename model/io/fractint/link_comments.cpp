@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "io/fractint/link_comments.h"
 
-#include "document/text.h"
+#include "document/text/text.h"
 #include "ifs/system/links.h"
 #include "io/fractint/metadata_line.h"
 #include "io/text/number.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "document/fractal.h"
+#include "document/fractal/fractal.h"
 #include "io/fractint/animation_comments.h"
 #include "io/fractint/blend_comments.h"
 #include "io/fractint/label_comments.h"

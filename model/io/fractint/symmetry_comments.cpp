@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "io/fractint/symmetry_comments.h"
 
-#include "document/text.h"
+#include "document/text/text.h"
 #include "io/fractint/metadata_line.h"
 #include "io/text/number.h"
 #include "io/text/symmetry_text.h"

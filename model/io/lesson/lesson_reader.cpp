@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "io/lesson/lesson_reader.h"
 
-#include "document/text.h"
+#include "document/text/text.h"
 #include "io/lesson/lesson_words.h"
 #include "io/text/number.h"
 

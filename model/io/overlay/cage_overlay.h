@@ -2,7 +2,7 @@
 #pragma once
 
 #include "attractor/request/camera.h"
-#include "document/fractal.h"
+#include "document/fractal/fractal.h"
 
 #include <QImage>
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "io/overlay/map_legend.h"
 
-#include "document/space_geometry.h"
-#include "document/text.h"
+#include "document/fractal/space_geometry.h"
+#include "document/text/text.h"
 
 #include <QFont>
 #include <QFontMetrics>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "io/overlay/overlay_marks.h"
 
-#include "document/fractal_geometry.h"
+#include "document/fractal/fractal_geometry.h"
 
 #include <QFont>
 #include <QPainter>

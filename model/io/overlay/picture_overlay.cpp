@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "io/overlay/picture_overlay.h"
 
-#include "document/map_handles.h"
+#include "document/maps/map_handles.h"
 #include "ifs/extent/convex_hull.h"
 
 #include <QPainter>

@@ -3,7 +3,7 @@
 
 #include "attractor/light/tone_map16.h"
 #include "attractor/request/camera.h"
-#include "document/fractal.h"
+#include "document/fractal/fractal.h"
 #include "document/tops/map_faces.h"
 #include "io/overlay/overlay_marks.h"
 

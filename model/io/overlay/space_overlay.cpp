@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "io/overlay/space_overlay.h"
 
-#include "document/space_geometry.h"
-#include "document/space_map_handles.h"
-#include "document/space_outlines.h"
+#include "document/analysis/space_outlines.h"
+#include "document/fractal/space_geometry.h"
+#include "document/maps/space_map_handles.h"
 #include "ifs/cage/cage_surface.h"
 
 #include <algorithm>

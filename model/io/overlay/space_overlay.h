@@ -2,7 +2,7 @@
 #pragma once
 
 #include "attractor/request/orbit_camera.h"
-#include "document/fractal.h"
+#include "document/fractal/fractal.h"
 #include "io/overlay/picture_overlay.h"
 
 namespace io {

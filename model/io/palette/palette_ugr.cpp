@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "io/palette/palette_ugr.h"
 
-#include "document/text.h"
+#include "document/text/text.h"
 #include "io/palette/palette_stops.h"
 
 #include <algorithm>

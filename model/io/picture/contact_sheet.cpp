@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "io/picture/contact_sheet.h"
 
-#include "document/fractal_geometry.h"
-#include "document/space_geometry.h"
-#include "document/text.h"
+#include "document/fractal/fractal_geometry.h"
+#include "document/fractal/space_geometry.h"
+#include "document/text/text.h"
 #include "io/picture/picture_writers.h"
 #include "io/picture/space_export.h"
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "io/picture/picture_writers.h"
 
-#include "document/text.h"
-#include "io/picture/png_writer.h"
+#include "document/text/text.h"
+#include "io/picture/png/png_writer.h"
 #include "io/raster/exr_writer.h"
 #include "io/raster/jpeg_writer.h"
 #include "io/raster/tiff_writer.h"

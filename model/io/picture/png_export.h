@@ -2,10 +2,10 @@
 #pragma once
 
 #include "attractor/render/banded_rendering.h"
-#include "document/fractal.h"
+#include "document/fractal/fractal.h"
 #include "io/overlay/cage_overlay.h"
 #include "io/overlay/picture_overlay.h"
-#include "io/picture/png_writer.h"
+#include "io/picture/png/png_writer.h"
 
 #include <QImage>
 #include <QString>

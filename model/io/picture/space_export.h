@@ -6,10 +6,10 @@
 #include "attractor/light/stereo.h"
 #include "attractor/render/cloud_rendering.h"
 #include "attractor/request/space_request.h"
-#include "document/fractal.h"
+#include "document/fractal/fractal.h"
 #include "io/overlay/overlay_marks.h"
-#include "io/picture/picture_page.h"
 #include "io/picture/png_export.h"
+#include "io/picture/vector/picture_page.h"
 
 #include <QByteArray>
 

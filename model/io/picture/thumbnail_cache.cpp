@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "io/picture/thumbnail_cache.h"
 
-#include "document/regular_file.h"
+#include "document/disk/regular_file.h"
 #include "io/fractint/entry_writer.h"
-#include "io/picture/picture_decoder.h"
-#include "io/picture/png_check.h"
+#include "io/picture/decoding/picture_decoder.h"
+#include "io/picture/png/png_check.h"
 
 #include <QBuffer>
 #include <QCryptographicHash>

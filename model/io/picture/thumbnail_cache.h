@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "document/fractal.h"
-#include "document/work_in_order.h"
+#include "document/background/work_in_order.h"
+#include "document/fractal/fractal.h"
 
 #include <QImage>
 #include <QString>

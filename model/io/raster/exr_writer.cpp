@@ -2,7 +2,7 @@
 #include "io/raster/exr_writer.h"
 
 #include "attractor/colour/srgb_transfer.h"
-#include "document/text.h"
+#include "document/text/text.h"
 #include "io/raster/raster_system.h"
 
 #include <exception>

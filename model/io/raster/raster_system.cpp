@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "io/raster/raster_system.h"
 
-#include "document/text.h"
+#include "document/text/text.h"
 #include "io/raster/file_bytes.h"
 #include "io/text/xml_text.h"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "io/raster/tiff_writer.h"
 
-#include "document/text.h"
+#include "document/text/text.h"
 #include "io/raster/library_device.h"
 #include "io/raster/pixel_rows.h"
 #include "io/raster/raster_system.h"

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "io/report/info_json.h"
 
-#include "document/animated_fractal.h"
-#include "document/fractal_geometry.h"
-#include "document/recurring_branches.h"
+#include "document/fractal/fractal_geometry.h"
+#include "document/fractal/recurring_branches.h"
+#include "document/moments/animated_fractal.h"
 #include "ifs/dimension/moments.h"
 #include "ifs/extent/extent.h"
 #include "ifs/facts.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "io/report/info_report.h"
 
-#include "document/text.h"
+#include "document/text/text.h"
 #include "ifs/links/linked_extent.h"
 #include "io/report/figure_error.h"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "animation/moment.h"
+#include "animation/keys/moment.h"
 #include "document/fractal_file.h"
 #include "ifs/facts.h"
 #include "ifs/processor_clock.h"

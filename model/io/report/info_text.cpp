@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "io/report/info_text.h"
 
-#include "document/addresses.h"
-#include "document/animated_fractal.h"
-#include "document/fractal_geometry.h"
-#include "document/recurring_branches.h"
-#include "document/text.h"
+#include "document/branches/addresses.h"
+#include "document/fractal/fractal_geometry.h"
+#include "document/fractal/recurring_branches.h"
+#include "document/moments/animated_fractal.h"
+#include "document/text/text.h"
 #include "ifs/dimension/dimension.h"
 #include "ifs/facts.h"
 #include "ifs/system/links.h"

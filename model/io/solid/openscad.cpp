@@ -2,8 +2,8 @@
 #include "io/solid/openscad.h"
 
 #include "attractor/samples/prepared_space.h"
-#include "document/fractal_geometry.h"
-#include "document/text.h"
+#include "document/fractal/fractal_geometry.h"
+#include "document/text/text.h"
 #include "ifs/extent/extent.h"
 #include "io/solid/printable_solid.h"
 #include "io/text/number.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "document/fractal.h"
+#include "document/fractal/fractal.h"
 #include "io/file/save_file.h"
 
 #include <QByteArray>

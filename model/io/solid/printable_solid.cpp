@@ -2,9 +2,9 @@
 #include "io/solid/printable_solid.h"
 
 #include "attractor/voxels/voxel_cover.h"
-#include "document/fractal_geometry.h"
-#include "document/space_geometry.h"
-#include "document/text.h"
+#include "document/fractal/fractal_geometry.h"
+#include "document/fractal/space_geometry.h"
+#include "document/text/text.h"
 #include "ifs/extent/extent.h"
 
 #include <QLocale>

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "attractor/voxels/voxel_surface.h"
-#include "document/fractal.h"
+#include "document/fractal/fractal.h"
 #include "io/picture/png_export.h"
 
 #include <QString>

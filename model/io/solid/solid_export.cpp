@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "io/solid/solid_export.h"
 
-#include "document/text.h"
+#include "document/text/text.h"
 #include "io/file/save_file.h"
 
 #include <QDir>

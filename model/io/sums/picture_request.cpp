@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "io/sums/picture_request.h"
 
+#include "document/fractal/fractal_geometry.h"
+#include "document/fractal/space_geometry.h"
 #include "document/fractal_file.h"
-#include "document/fractal_geometry.h"
-#include "document/space_geometry.h"
 #include "io/fractint/entry_writer.h"
 #include "io/fractint/fractint_reader.h"
 #include "io/text/number.h"

@@ -2,7 +2,7 @@
 #include "io/sums/space_sums.h"
 
 #include "attractor/render/solid_rendering.h"
-#include "document/text.h"
+#include "document/text/text.h"
 #include "io/picture/picture_writers.h"
 #include "io/picture/solid_picture.h"
 #include "io/sums/picture_request.h"

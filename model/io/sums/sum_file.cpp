@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "io/sums/sum_file.h"
-#include "document/text.h"
+#include "document/text/text.h"
 
 #include <QtEndian>
 

@@ -3,7 +3,7 @@
 
 #include "attractor/threads/job_shares.h"
 #include "attractor/threads/workers.h"
-#include "document/text.h"
+#include "document/text/text.h"
 
 #include <algorithm>
 #include <numeric>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "io/sums/sum_writing.h"
-#include "document/text.h"
+#include "document/text/text.h"
 
 #include <algorithm>
 #include <cmath>

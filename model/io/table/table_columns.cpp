@@ -2,7 +2,7 @@
 #include "io/table/table_columns.h"
 
 #include "attractor/arithmetic/arithmetic.h"
-#include "document/text.h"
+#include "document/text/text.h"
 
 #include <QRegularExpression>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "io/table/table_reader.h"
 
-#include "document/text.h"
+#include "document/text/text.h"
 #include "io/table/table_cells.h"
 #include "io/table/table_fields.h"
 #include "io/text/coefficient.h"

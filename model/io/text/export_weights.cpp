@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "io/text/export_weights.h"
-#include "document/text.h"
+#include "document/text/text.h"
 
 namespace io {
 

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "io/text/lost_parts.h"
 
-#include "document/animated_fractal.h"
-#include "document/edits/cage_edits.h"
-#include "document/edits/map_locks.h"
-#include "document/edits/symmetry_edits.h"
-#include "document/fractal_geometry.h"
+#include "document/edits/cage/cage_edits.h"
+#include "document/edits/maps/map_locks.h"
+#include "document/edits/maps/symmetry_edits.h"
+#include "document/fractal/fractal_geometry.h"
+#include "document/moments/animated_fractal.h"
 #include "document/saved_views.h"
-#include "document/text.h"
+#include "document/text/text.h"
 #include "document/tops/kept_theft.h"
 
 #include <QStringList>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "io/text/symmetry_text.h"
 
-#include "document/text.h"
+#include "document/text/text.h"
 #include "io/text/number.h"
 
 #include <QStringList>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "io/tops/picture_reader.h"
 
-#include "io/picture/picture_decoder.h"
+#include "io/picture/decoding/picture_decoder.h"
 
 #include <vector>
 

@@ -2,7 +2,7 @@
 #include "io/tops/picture_to_embed.h"
 
 #include "document/tops/kept_theft.h"
-#include "io/picture/picture_decoder.h"
+#include "io/picture/decoding/picture_decoder.h"
 
 #include <QBuffer>
 #include <QImage>

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "io/tops/steal_export.h"
 
-#include "document/text.h"
+#include "document/text/text.h"
 #include "io/fractint/entry_writer.h"
-#include "io/picture/png_writer.h"
+#include "io/picture/png/png_writer.h"
 
 #include <algorithm>
 #include <cmath>

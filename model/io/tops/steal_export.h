@@ -2,7 +2,7 @@
 #pragma once
 
 #include "attractor/tops/stolen_picture.h"
-#include "document/fractal.h"
+#include "document/fractal/fractal.h"
 #include "io/file/save_file.h"
 #include "io/picture/png_export.h"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "io/video/frame_spool.h"
 
-#include "document/text.h"
+#include "document/text/text.h"
 #include "io/file/standard_output.h"
 
 #include <cerrno>

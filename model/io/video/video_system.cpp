@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "io/video/video_system.h"
 
-#include "io/picture/svg_system.h"
+#include "io/picture/vector/svg_system.h"
 
 #include <QByteArrayView>
 #include <QCoreApplication>

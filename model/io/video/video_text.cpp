@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "io/video/video_text.h"
 
-#include "io/picture/png_system.h"
-#include "io/picture/svg_system.h"
+#include "io/picture/png/png_system.h"
+#include "io/picture/vector/svg_system.h"
 
 #include <QtEndian>
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "app/cli/command_line.h"
 
-#include "document/edits/space_cage_edits.h"
-#include "document/space_geometry.h"
+#include "document/edits/cage/space_cage_edits.h"
+#include "document/fractal/space_geometry.h"
 #include "io/collection_reader.h"
 #include "support/named_test.h"
 

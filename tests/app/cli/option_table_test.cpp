@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include "help.h"
-#include "options.h"
-#include "parser.h"
+#include "options/help.h"
+#include "options/options.h"
+#include "options/parser.h"
+#include "options/usage_error.h"
 #include "support/named_test.h"
-#include "usage_error.h"
 
 #include <QTest>
 

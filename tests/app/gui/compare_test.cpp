@@ -5,9 +5,9 @@
 #include "canvas/canvas_view.h"
 #include "canvas/geometry/canvas_geometry.h"
 #include "compare/compare_pane.h"
-#include "document/fractal_geometry.h"
+#include "document/fractal/fractal_geometry.h"
 #include "space/space_view.h"
-#include "stage.h"
+#include "stage/stage.h"
 #include "support/events.h"
 #include "support/named_test.h"
 

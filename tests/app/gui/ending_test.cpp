@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "application.h"
-#include "document/background_threads.h"
+#include "document/background/background_threads.h"
+#include "files/recovery.h"
 #include "io/file/background.h"
 #include "main_window.h"
-#include "recovery.h"
 #include "support/named_test.h"
 #include "support/own_settings.h"
 

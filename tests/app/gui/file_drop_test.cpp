@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "document/fractal_geometry.h"
+#include "document/fractal/fractal_geometry.h"
 #include "io/picture/png_export.h"
 #include "main_window.h"
 #include "panels/collage/collage_panel.h"

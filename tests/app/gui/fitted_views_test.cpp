@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "fitted_views.h"
+#include "stage/fitted_views.h"
 
 #include "app/gui/window_fixture.h"
 #include "panels/maps/symmetry_row.h"

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include "application.h"
 #include "dialogs/command_palette.h"
+#include "files/recent_files.h"
 #include "panels/entries/entries_panel.h"
-#include "recent_files.h"
 #include "support/events.h"
 #include "support/every_window.h"
 #include "support/named_test.h"
 #include "support/own_settings.h"
 #include "welcome.h"
-#include "widgets/tooltip_text.h"
+#include "widgets/text/tooltip_text.h"
 
 #include <QAbstractItemView>
 #include <QAccessible>

@@ -4,15 +4,15 @@
 #include "io/file/save_file.h"
 #include "io/fractint/entry_writer.h"
 #include "io/fractint/fractint_writer.h"
-#include "io/picture/pdf_writer.h"
-#include "io/picture/svg_writer.h"
+#include "io/picture/vector/pdf_writer.h"
+#include "io/picture/vector/svg_writer.h"
 #include "main_window.h"
 #include "panels/maps/maps_model.h"
 #include "support/named_test.h"
 #include "support/own_settings.h"
 #include "support/paths.h"
-#include "widgets/number_field.h"
-#include "widgets/number_text.h"
+#include "widgets/numbers/number_field.h"
+#include "widgets/numbers/number_text.h"
 
 #include <QFile>
 #include <QLocale>

@@ -6,13 +6,13 @@
 #include "canvas/geometry/canvas_geometry.h"
 #include "desktop/clipboard.h"
 #include "document/document.h"
-#include "document/edits/map_locks.h"
-#include "document/space_geometry.h"
-#include "document/space_map_handles.h"
+#include "document/edits/maps/map_locks.h"
+#include "document/fractal/space_geometry.h"
+#include "document/maps/space_map_handles.h"
 #include "panels/maps/maps_panel.h"
 #include "space/four_views.h"
 #include "space/space_maps.h"
-#include "stage.h"
+#include "stage/stage.h"
 #include "support/named_test.h"
 
 #include <QAction>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "canvas/scene/canvas_scene.h"
-#include "document/background_threads.h"
+#include "document/background/background_threads.h"
 #include "io/exchange/text_formats.h"
 #include "io/fractint/fractint_reader.h"
 #include "io/fractint/fractint_writer.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "bars/branch_bar.h"
 #include "canvas/scene/canvas_scene.h"
-#include "document/fractal_geometry.h"
+#include "document/fractal/fractal_geometry.h"
 #include "ifs/system/branch.h"
 #include "io/file/save_file.h"
 #include "support/window_on_x.h"

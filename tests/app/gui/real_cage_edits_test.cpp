@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "canvas/scene/canvas_scene.h"
 #include "canvas/tools/vertex_dialog.h"
-#include "document/fractal_geometry.h"
+#include "document/fractal/fractal_geometry.h"
 #include "support/window_on_x.h"
 
 #include <QLineEdit>

@@ -3,8 +3,8 @@
 #include "bars/construction_bar.h"
 #include "bridges/construction.h"
 #include "canvas/scene/canvas_scene.h"
-#include "document/addresses.h"
-#include "document/fractal_geometry.h"
+#include "document/branches/addresses.h"
+#include "document/fractal/fractal_geometry.h"
 #include "ifs/system/branch.h"
 #include "support/window_on_x.h"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "dialogs/command_palette.h"
+#include "messages/tour.h"
 #include "support/window_on_x.h"
-#include "tour.h"
 
 #include <QComboBox>
 #include <QLabel>

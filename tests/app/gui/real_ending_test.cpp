@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "document/journal.h"
+#include "document/disk/journal.h"
 #include "support/named_test.h"
 #include "support/paths.h"
 #include "support/patient_tries.h"

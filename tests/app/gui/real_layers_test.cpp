@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "document/edits/map_locks.h"
+#include "document/edits/maps/map_locks.h"
 #include "panels/entries/entries_list.h"
 #include "panels/maps/maps_panel.h"
 #include "support/window_on_x.h"

@@ -6,7 +6,7 @@
 #include "ifs/existence/attractor_existence.h"
 #include "panels/maps/maps_panel.h"
 #include "support/window_on_x.h"
-#include "widgets/number_field.h"
+#include "widgets/numbers/number_field.h"
 
 #include <QLabel>
 #include <QSlider>

@@ -2,14 +2,14 @@
 #include "attractor/request/camera.h"
 #include "canvas/items/analysis_item.h"
 #include "canvas/scene/canvas_scene.h"
-#include "document/fractal_geometry.h"
+#include "document/fractal/fractal_geometry.h"
 #include "panels/analysis/analysis_panel.h"
 #include "panels/appearance/appearance_panel.h"
 #include "panels/appearance/controls/appearance_slider.h"
 #include "panels/cage/cage_panel.h"
 #include "panels/history/history_panel.h"
 #include "support/window_on_x.h"
-#include "widgets/number_field.h"
+#include "widgets/numbers/number_field.h"
 
 #include <QCheckBox>
 #include <QComboBox>

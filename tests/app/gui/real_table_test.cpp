@@ -4,7 +4,7 @@
 #include "panels/maps/map_shape_editor.h"
 #include "panels/maps/maps_panel.h"
 #include "support/window_on_x.h"
-#include "widgets/number_field.h"
+#include "widgets/numbers/number_field.h"
 
 #include <QClipboard>
 #include <QComboBox>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "document/animated_fractal.h"
+#include "document/moments/animated_fractal.h"
 #include "panels/timeline/timeline_panel.h"
 #include "panels/timeline/track_view.h"
 #include "panels/timeline/transport_bar.h"

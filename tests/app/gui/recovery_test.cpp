@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "recovery.h"
+#include "files/recovery.h"
 
 #include "app/gui/window_fixture.h"
 #include "io/lesson/lesson_writer.h"

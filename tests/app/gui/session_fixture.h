@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "document/fractal.h"
+#include "document/fractal/fractal.h"
 #include "main_window.h"
-#include "session.h"
+#include "session/session.h"
 #include "support/events.h"
 #include "support/own_settings.h"
 

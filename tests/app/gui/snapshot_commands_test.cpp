@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "snapshot_commands.h"
+#include "menus/snapshot_commands.h"
 
 #include "app/gui/window_fixture.h"
 #include "dialogs/saved_views_dialog.h"

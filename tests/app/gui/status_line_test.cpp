@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-#include "status_line.h"
+#include "stage/status_line.h"
 
 #include "support/named_test.h"
-#include "widgets/elided_label.h"
+#include "widgets/text/elided_label.h"
 #include "widgets/tooltips.h"
 
 #include <QHelpEvent>

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include "tour.h"
+#include "messages/tour.h"
 
 #include "app/gui/window_fixture.h"
 #include "canvas/geometry/canvas_geometry.h"
 #include "canvas/items/note_item.h"
-#include "document/fractal_geometry.h"
+#include "document/fractal/fractal_geometry.h"
 #include "panels/maps/maps_panel.h"
 #include "support/events.h"
 #include "support/forget_settings.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "canvas/canvas_view.h"
-#include "stage.h"
+#include "stage/stage.h"
 #include "support/named_test.h"
 #include "support/patient_tries.h"
 #include "transformation/transformation_view.h"

@@ -4,7 +4,7 @@
 #include "app/gui/window_fixture.h"
 
 #include "canvas/canvas_view.h"
-#include "recent_files.h"
+#include "files/recent_files.h"
 #include "support/events.h"
 #include "support/named_test.h"
 

@@ -2,7 +2,7 @@
 #include "support/every_window.h"
 #include "support/named_test.h"
 #include "support/own_settings.h"
-#include "widgets/tooltip_text.h"
+#include "widgets/text/tooltip_text.h"
 #include "widgets/tooltips.h"
 
 #include <QAbstractButton>

@@ -14,8 +14,8 @@
 #include "support/named_test.h"
 #include "support/paths.h"
 #include "support/patient_tries.h"
-#include "widgets/number_field.h"
-#include "widgets/vertical_scroll_area.h"
+#include "widgets/layout/vertical_scroll_area.h"
+#include "widgets/numbers/number_field.h"
 
 #include <QAbstractButton>
 #include <QAction>

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "app/gui/session_fixture.h"
+#include "session/window_place.h"
 #include "support/forget_settings.h"
 #include "support/named_test.h"
 #include "support/paths.h"
 #include "support/patient_tries.h"
-#include "window_place.h"
 
 #include <QFileInfo>
 #include <QScreen>

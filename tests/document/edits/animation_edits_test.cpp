@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include "document/edits/animation_edits.h"
+#include "document/edits/timeline/animation_edits.h"
 
-#include "document/animated_fractal.h"
-#include "document/edits/motion_edits.h"
-#include "document/space_geometry.h"
+#include "document/edits/timeline/motion_edits.h"
+#include "document/fractal/space_geometry.h"
+#include "document/moments/animated_fractal.h"
 #include "support/named_test.h"
 
 #include <QtTest>

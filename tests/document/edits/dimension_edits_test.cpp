@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "document/edits/dimension_edits.h"
-#include "document/space_geometry.h"
+#include "document/fractal/space_geometry.h"
 #include "ifs/canonical_systems.h"
 #include "support/named_test.h"
 

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
-#include "document/edits/keyed_maps.h"
+#include "document/edits/timeline/keyed_maps.h"
 
 #include "document/document.h"
-#include "document/edits/animation_edits.h"
-#include "document/edits/cage_actions.h"
-#include "document/edits/cage_edits.h"
-#include "document/edits/maps_edits.h"
-#include "document/edits/motion_edits.h"
-#include "document/edits/symmetry_edits.h"
-#include "document/fractal_geometry.h"
+#include "document/edits/cage/cage_actions.h"
+#include "document/edits/cage/cage_edits.h"
+#include "document/edits/maps/maps_edits.h"
+#include "document/edits/maps/symmetry_edits.h"
+#include "document/edits/timeline/animation_edits.h"
+#include "document/edits/timeline/motion_edits.h"
+#include "document/fractal/fractal_geometry.h"
 #include "support/named_test.h"
 
 #include <QTest>

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
-#include "document/edits/animation_edits.h"
 #include "document/edits/collage_edits.h"
-#include "document/edits/map_locks.h"
-#include "document/edits/maps_arrange.h"
-#include "document/edits/maps_edits.h"
-#include "document/edits/motion_edits.h"
-#include "document/edits/symmetry_edits.h"
-#include "document/map_handles.h"
-#include "document/map_names.h"
+#include "document/edits/maps/map_locks.h"
+#include "document/edits/maps/maps_arrange.h"
+#include "document/edits/maps/maps_edits.h"
+#include "document/edits/maps/symmetry_edits.h"
+#include "document/edits/timeline/animation_edits.h"
+#include "document/edits/timeline/motion_edits.h"
+#include "document/maps/map_handles.h"
+#include "document/maps/map_names.h"
 #include "support/named_test.h"
 
 #include <QTest>

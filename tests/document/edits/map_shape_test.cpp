@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "document/edits/map_shape.h"
+#include "document/edits/maps/map_shape.h"
 #include "support/named_test.h"
 
 #include <QTest>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "document/edits/maps_arrange.h"
-#include "document/fractal_geometry.h"
-#include "document/map_handles.h"
+#include "document/edits/maps/maps_arrange.h"
+#include "document/fractal/fractal_geometry.h"
+#include "document/maps/map_handles.h"
 #include "support/named_test.h"
 
 #include <QTest>

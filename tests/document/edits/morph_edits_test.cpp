@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include "document/edits/morph_edits.h"
+#include "document/edits/timeline/morph_edits.h"
 
 #include "attractor/space_systems.h"
-#include "document/animated_fractal.h"
-#include "document/fractal_geometry.h"
+#include "document/fractal/fractal_geometry.h"
+#include "document/moments/animated_fractal.h"
 #include "ifs/dimension/moments.h"
 #include "support/named_test.h"
 

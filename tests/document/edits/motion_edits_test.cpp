@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include "document/edits/motion_edits.h"
+#include "document/edits/timeline/motion_edits.h"
 
 #include "attractor/render/renderer.h"
 #include "attractor/space_systems.h"
-#include "document/animated_fractal.h"
-#include "document/fractal_geometry.h"
-#include "document/space_geometry.h"
+#include "document/fractal/fractal_geometry.h"
+#include "document/fractal/space_geometry.h"
+#include "document/moments/animated_fractal.h"
 #include "ifs/canonical_systems.h"
 #include "support/late_stop.h"
 #include "support/named_test.h"

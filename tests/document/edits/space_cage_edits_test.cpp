@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "attractor/space_systems.h"
-#include "document/edits/cage_actions.h"
-#include "document/edits/cage_edits.h"
-#include "document/edits/space_cage_edits.h"
-#include "document/space_geometry.h"
+#include "document/edits/cage/cage_actions.h"
+#include "document/edits/cage/cage_edits.h"
+#include "document/edits/cage/space_cage_edits.h"
+#include "document/fractal/space_geometry.h"
 #include "support/named_test.h"
 
 #include <QtTest>

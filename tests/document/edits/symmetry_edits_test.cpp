@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
-#include "document/edits/symmetry_edits.h"
+#include "document/edits/maps/symmetry_edits.h"
 
 #include "attractor/render/renderer.h"
-#include "document/analysis.h"
-#include "document/animated_fractal.h"
-#include "document/edits/cage_edits.h"
+#include "document/analysis/analysis.h"
+#include "document/edits/cage/cage_edits.h"
 #include "document/edits/dimension_edits.h"
 #include "document/edits/entries_edits.h"
-#include "document/fractal_geometry.h"
-#include "document/space_geometry.h"
+#include "document/fractal/fractal_geometry.h"
+#include "document/fractal/space_geometry.h"
+#include "document/moments/animated_fractal.h"
 #include "support/named_test.h"
 
 #include <QTest>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "document/steps/step_distance.h"
 
-#include "document/fractal_geometry.h"
+#include "document/fractal/fractal_geometry.h"
 #include "ifs/canonical_systems.h"
 #include "support/named_test.h"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "document/steps/step_picture.h"
 
-#include "document/fractal_geometry.h"
+#include "document/fractal/fractal_geometry.h"
 #include "support/named_test.h"
 
 #include <QtTest>

@@ -3,7 +3,7 @@
 
 #include "document/edits/coupled_entries.h"
 #include "document/edits/entries_edits.h"
-#include "document/edits/symmetry_edits.h"
+#include "document/edits/maps/symmetry_edits.h"
 #include "document/tops/divided_words.h"
 #include "document/tops/laid_picture.h"
 #include "document/tops/theft_starters.h"

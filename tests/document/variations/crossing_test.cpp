@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "document/variations/crossing.h"
 
-#include "document/fractal_geometry.h"
+#include "document/fractal/fractal_geometry.h"
 #include "document/variations/random_systems.h"
 #include "document/variations/variations.h"
 #include "ifs/canonical_systems.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "document/fractal_geometry.h"
+#include "document/fractal/fractal_geometry.h"
 #include "document/variations/filling.h"
 #include "document/variations/random_systems.h"
 #include "support/named_test.h"

@@ -2,7 +2,7 @@
 #include "document/variations/variations.h"
 
 #include "document/edits/dimension_edits.h"
-#include "document/fractal_geometry.h"
+#include "document/fractal/fractal_geometry.h"
 #include "support/named_test.h"
 
 #include <QTest>

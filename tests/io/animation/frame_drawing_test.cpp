@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "io/animation/frame_drawing.h"
 
-#include "animation/motion_presets.h"
-#include "document/fractal_geometry.h"
+#include "animation/motions/motion_presets.h"
+#include "document/fractal/fractal_geometry.h"
 #include "ifs/canonical_systems.h"
 #include "support/named_test.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "document/fractal_geometry.h"
+#include "document/fractal/fractal_geometry.h"
 #include "io/exchange/flame.h"
 #include "io/exchange/text_formats.h"
 #include "support/named_test.h"

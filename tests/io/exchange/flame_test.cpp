@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "document/fractal_geometry.h"
+#include "document/fractal/fractal_geometry.h"
 #include "ifs/canonical_systems.h"
 #include "ifs/system/links.h"
 #include "io/exchange/flame.h"

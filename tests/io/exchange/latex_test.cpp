@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "document/edits/cage_edits.h"
+#include "document/edits/cage/cage_edits.h"
 #include "ifs/canonical_systems.h"
 #include "io/exchange/latex.h"
 #include "io/exchange/text_formats.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include "document/edits/link_edits.h"
-#include "document/edits/maps_edits.h"
+#include "document/edits/maps/link_edits.h"
+#include "document/edits/maps/maps_edits.h"
 #include "ifs/links/linked_systems.h"
 #include "io/exchange/flame.h"
 #include "io/exchange/text_formats.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "document/fractal_geometry.h"
+#include "document/fractal/fractal_geometry.h"
 #include "io/exchange/point_cloud.h"
 #include "io/text/number.h"
 #include "support/named_test.h"

@@ -3,7 +3,7 @@
 #include "io/exports/task_job.h"
 #include "io/file/export_work.h"
 
-#include "document/fractal_geometry.h"
+#include "document/fractal/fractal_geometry.h"
 #include "io/fractint/entry_writer.h"
 #include "io/fractint/fractint_reader.h"
 #include "support/named_test.h"

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "io/file/background.h"
 
-#include "document/background_threads.h"
-#include "document/regular_file.h"
-#include "document/work_in_order.h"
+#include "document/background/background_threads.h"
+#include "document/background/work_in_order.h"
+#include "document/disk/regular_file.h"
 #include "io/file/save_file.h"
 #include "support/named_test.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "document/recurring_branches.h"
+#include "document/fractal/recurring_branches.h"
 #include "io/fractint/entry_writer.h"
 #include "io/fractint/fractint_reader.h"
 #include "io/fractint/fractint_writer.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "document/fractal_geometry.h"
+#include "document/fractal/fractal_geometry.h"
 #include "ifs/system/branch.h"
 #include "io/fractint/entry_writer.h"
 #include "io/fractint/fractint_reader.h"

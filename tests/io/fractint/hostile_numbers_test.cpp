@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "attractor/render/renderer.h"
-#include "document/fractal_geometry.h"
-#include "io/picture/svg_writer.h"
+#include "document/fractal/fractal_geometry.h"
+#include "io/picture/vector/svg_writer.h"
 #include "io/report/info_json.h"
 #include "io/report/info_text.h"
 #include "support/named_test.h"

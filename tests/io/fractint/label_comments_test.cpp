@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "document/map_names.h"
+#include "document/maps/map_names.h"
 #include "io/exchange/flame.h"
 #include "io/exchange/text_formats.h"
 #include "io/fractint/entry_writer.h"

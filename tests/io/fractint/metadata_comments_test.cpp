@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "document/recurring_branches.h"
+#include "document/fractal/recurring_branches.h"
 #include "io/fractint/metadata_comments.h"
 #include "io/text/number.h"
 #include "support/named_test.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "document/edits/symmetry_edits.h"
+#include "document/edits/maps/symmetry_edits.h"
 #include "io/collection_reader.h"
 #include "io/exchange/text_formats.h"
 #include "io/fractint/entry_writer.h"

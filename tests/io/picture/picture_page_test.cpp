@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include "io/picture/picture_page.h"
+#include "io/picture/vector/picture_page.h"
 
 #include "attractor/space_systems.h"
 #include "io/fractint/entry_writer.h"
 #include "io/picture/space_export.h"
-#include "io/picture/svg_system.h"
+#include "io/picture/vector/svg_system.h"
 #include "support/named_test.h"
 
 #include <QBuffer>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "document/fractal_geometry.h"
+#include "document/fractal/fractal_geometry.h"
+#include "io/picture/png/png_system.h"
 #include "io/picture/png_export.h"
-#include "io/picture/png_system.h"
 #include "support/named_test.h"
 
 #include <QColorSpace>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include "io/picture/png_system.h"
-#include "io/picture/png_writer.h"
+#include "io/picture/png/png_system.h"
+#include "io/picture/png/png_writer.h"
 #include "support/named_test.h"
 
 #include <QBuffer>

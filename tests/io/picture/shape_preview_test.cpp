@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "ifs/canonical_systems.h"
 
-#include "document/fractal_geometry.h"
+#include "document/fractal/fractal_geometry.h"
 #include "io/exports/export_recipe.h"
-#include "io/picture/shape_preview.h"
+#include "io/picture/vector/shape_preview.h"
 #include "support/named_test.h"
 
 #include <QProcess>

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include "document/fractal_geometry.h"
+#include "document/fractal/fractal_geometry.h"
 #include "ifs/canonical_systems.h"
-#include "io/picture/pdf_writer.h"
 #include "io/picture/png_export.h"
-#include "io/picture/svg_shapes.h"
+#include "io/picture/vector/pdf_writer.h"
+#include "io/picture/vector/svg_shapes.h"
 #include "support/named_test.h"
 
 #include <QFile>

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include "document/fractal_geometry.h"
+#include "document/fractal/fractal_geometry.h"
 #include "ifs/extent/polygon.h"
 #include "io/fractint/fractint_reader.h"
-#include "io/picture/svg_shapes.h"
-#include "io/picture/svg_writer.h"
+#include "io/picture/vector/svg_shapes.h"
+#include "io/picture/vector/svg_writer.h"
 #include "support/named_test.h"
 #include "support/paths.h"
 #include "support/thorough.h"

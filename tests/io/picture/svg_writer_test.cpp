@@ -2,12 +2,12 @@
 #include "ifs/canonical_systems.h"
 
 #include "attractor/render/renderer.h"
-#include "document/fractal_geometry.h"
+#include "document/fractal/fractal_geometry.h"
 #include "ifs/copies/copy_hierarchy.h"
 #include "ifs/extent/polygon.h"
 #include "io/fractint/fractint_reader.h"
-#include "io/picture/svg_system.h"
-#include "io/picture/svg_writer.h"
+#include "io/picture/vector/svg_system.h"
+#include "io/picture/vector/svg_writer.h"
 #include "support/named_test.h"
 
 #include <QElapsedTimer>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "io/picture/picture_decoder.h"
+#include "io/picture/decoding/picture_decoder.h"
 #include "io/picture/picture_writers.h"
 #include "support/named_test.h"
 

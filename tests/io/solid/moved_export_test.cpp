@@ -2,7 +2,7 @@
 #include "attractor/samples/space_orbit.h"
 #include "attractor/space_systems.h"
 #include "attractor/voxels/voxel_cover.h"
-#include "document/fractal_geometry.h"
+#include "document/fractal/fractal_geometry.h"
 #include "io/exchange/point_cloud.h"
 #include "io/solid/openscad.h"
 #include "io/solid/printable_solid.h"

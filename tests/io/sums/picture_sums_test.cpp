@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "document/fractal_geometry.h"
+#include "document/fractal/fractal_geometry.h"
 #include "io/animation/request_text.h"
 #include "io/fractint/fractint_reader.h"
 #include "io/sums/picture_request.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "io/sums/space_sums.h"
 
-#include "document/space_geometry.h"
+#include "document/fractal/space_geometry.h"
 #include "io/fractint/fractint_reader.h"
 #include "io/sums/picture_request.h"
 #include "support/named_test.h"

@@ -2,7 +2,7 @@
 #include "io/text/xml_text.h"
 
 #include "io/exchange/flame.h"
-#include "io/picture/svg_system.h"
+#include "io/picture/vector/svg_system.h"
 #include "support/named_test.h"
 
 #include <QTest>

@@ -2,7 +2,7 @@
 #include "io/tops/picture_reader.h"
 
 #include "attractor/colour/srgb_transfer.h"
-#include "io/picture/picture_decoder.h"
+#include "io/picture/decoding/picture_decoder.h"
 #include "support/named_test.h"
 
 #include <QBuffer>

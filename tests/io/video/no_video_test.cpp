@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "document/edits/motion_edits.h"
+#include "document/edits/timeline/motion_edits.h"
 #include "io/animation/animation_export.h"
 #include "io/video/video_writer.h"
 #include "support/named_test.h"

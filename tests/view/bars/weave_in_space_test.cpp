@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "bars/branch_bar.h"
 #include "bridges/render_bridge.h"
-#include "document/edits/space_cage_edits.h"
-#include "document/space_map_handles.h"
+#include "document/edits/cage/space_cage_edits.h"
+#include "document/maps/space_map_handles.h"
 #include "ifs/cage/cage_surface.h"
 #include "support/named_test.h"
 #include "support/patient_tries.h"

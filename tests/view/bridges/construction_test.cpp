@@ -5,7 +5,7 @@
 #include "bars/die.h"
 #include "bars/start_shape_box.h"
 #include "bridges/render_bridge.h"
-#include "document/fractal_geometry.h"
+#include "document/fractal/fractal_geometry.h"
 #include "support/named_test.h"
 #include "support/patient_tries.h"
 

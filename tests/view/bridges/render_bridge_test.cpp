@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "bridges/render_bridge.h"
 
-#include "document/animated_fractal.h"
 #include "document/edit_gesture.h"
-#include "document/fractal.h"
-#include "document/fractal_geometry.h"
+#include "document/fractal/fractal.h"
+#include "document/fractal/fractal_geometry.h"
+#include "document/moments/animated_fractal.h"
 #include "support/named_test.h"
 #include "support/patient_tries.h"
 

@@ -6,7 +6,7 @@
 #include "canvas/geometry/canvas_geometry.h"
 #include "canvas/items/note_item.h"
 #include "canvas/scene/canvas_scene.h"
-#include "document/fractal.h"
+#include "document/fractal/fractal.h"
 
 #include <QMouseEvent>
 #include <QTest>

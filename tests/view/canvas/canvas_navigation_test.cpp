@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "bars/zoom_box.h"
 #include "canvas/geometry/coordinate_text.h"
-#include "document/animated_fractal.h"
-#include "document/fractal_geometry.h"
+#include "document/fractal/fractal_geometry.h"
+#include "document/moments/animated_fractal.h"
 #include "support/named_test.h"
 #include "support/patient_tries.h"
 #include "view/canvas/canvas_fixture.h"

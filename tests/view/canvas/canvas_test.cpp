@@ -2,15 +2,15 @@
 #include "attractor/render/renderer.h"
 #include "canvas/items/symmetry_item.h"
 #include "canvas/tools/vertex_dialog.h"
-#include "document/animated_fractal.h"
-#include "document/edits/cage_actions.h"
-#include "document/edits/symmetry_edits.h"
-#include "document/fractal_geometry.h"
+#include "document/edits/cage/cage_actions.h"
+#include "document/edits/maps/symmetry_edits.h"
+#include "document/fractal/fractal_geometry.h"
+#include "document/moments/animated_fractal.h"
 #include "support/events.h"
 #include "support/named_test.h"
 #include "support/patient_tries.h"
 #include "view/canvas/canvas_fixture.h"
-#include "widgets/number_text.h"
+#include "widgets/numbers/number_text.h"
 
 #include <QLabel>
 #include <QLineEdit>

@@ -2,8 +2,8 @@
 #include "canvas/geometry/polygon_drag.h"
 #include "canvas/items/cage_item.h"
 #include "canvas/items/map_frames_item.h"
-#include "document/fractal_geometry.h"
-#include "document/map_handles.h"
+#include "document/fractal/fractal_geometry.h"
+#include "document/maps/map_handles.h"
 #include "support/named_test.h"
 #include "view/canvas/canvas_fixture.h"
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "canvas/items/motion_path_item.h"
-#include "document/edits/animation_edits.h"
+#include "document/edits/timeline/animation_edits.h"
 #include "support/named_test.h"
 #include "support/patient_tries.h"
 #include "view/canvas/canvas_fixture.h"

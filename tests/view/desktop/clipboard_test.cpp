@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "desktop/clipboard.h"
 
-#include "document/fractal_geometry.h"
+#include "document/fractal/fractal_geometry.h"
 #include "io/fractint/fractint_reader.h"
 #include "support/named_test.h"
 

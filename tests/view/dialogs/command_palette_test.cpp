@@ -4,7 +4,7 @@
 #include "dialogs/shortcuts_dialog.h"
 #include "support/named_test.h"
 #include "support/patient_tries.h"
-#include "widgets/menu_placeholder.h"
+#include "widgets/menus/menu_placeholder.h"
 
 #include <QAction>
 #include <QDockWidget>

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "dialogs/transform_dialog.h"
-#include "document/fractal_geometry.h"
-#include "document/space_geometry.h"
+#include "document/fractal/fractal_geometry.h"
+#include "document/fractal/space_geometry.h"
 #include "support/named_test.h"
 #include "view/panels/maps_support.h"
-#include "widgets/number_field.h"
+#include "widgets/numbers/number_field.h"
 
 #include <QCheckBox>
 #include <QComboBox>

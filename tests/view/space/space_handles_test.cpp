@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "bridges/extent_finder.h"
 #include "canvas/geometry/canvas_geometry.h"
-#include "document/edits/space_cage_edits.h"
+#include "document/edits/cage/space_cage_edits.h"
 #include "ifs/cage/map_handles.h"
 #include "space/four_views.h"
 #include "support/background_rest.h"

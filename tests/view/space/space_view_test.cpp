@@ -4,7 +4,7 @@
 #include "attractor/request/orbit_navigation.h"
 #include "canvas/geometry/canvas_geometry.h"
 #include "canvas/items/note_item.h"
-#include "document/space_geometry.h"
+#include "document/fractal/space_geometry.h"
 #include "support/named_test.h"
 #include "support/patient_tries.h"
 #include "view/space/space_window.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "document/space_geometry.h"
+#include "document/fractal/space_geometry.h"
 #include "space/space_view.h"
 
 #include <QtTest>

@@ -4,7 +4,7 @@
 #include "io/fractint/fractint_reader.h"
 #include "support/named_test.h"
 #include "support/patient_tries.h"
-#include "widgets/elided_label.h"
+#include "widgets/text/elided_label.h"
 
 #include <QAbstractItemView>
 #include <QComboBox>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "widgets/background_edit.h"
+#include "widgets/background/background_edit.h"
 
-#include "document/background_threads.h"
+#include "document/background/background_threads.h"
 #include "document/document.h"
 #include "support/background_rest.h"
 #include "support/named_test.h"

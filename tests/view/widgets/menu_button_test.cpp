@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "widgets/menu_button.h"
+#include "widgets/menus/menu_button.h"
 
 #include "desktop/theme.h"
 #include "support/named_test.h"

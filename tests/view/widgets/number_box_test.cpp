@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "widgets/number_box.h"
+#include "widgets/numbers/number_box.h"
 
 #include "support/named_test.h"
 #include "widgets/tooltips.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "support/named_test.h"
 #include "support/patient_tries.h"
-#include "widgets/text_edit_workarounds.h"
+#include "widgets/text/text_edit_workarounds.h"
 
 #include <QClipboard>
 #include <QGuiApplication>

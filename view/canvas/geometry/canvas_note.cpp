@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "canvas/geometry/canvas_note.h"
 
-#include "document/edits/cage_edits.h"
-#include "document/fractal_geometry.h"
+#include "document/edits/cage/cage_edits.h"
+#include "document/fractal/fractal_geometry.h"
 #include "ifs/links/linked_existence.h"
 #include "ifs/system/branch.h"
 #include "ifs/system/iterated_function_system.h"

@@ -3,7 +3,7 @@
 
 #include "attractor/request/camera.h"
 #include "canvas/items/overlay_item.h"
-#include "document/analysis.h"
+#include "document/analysis/analysis.h"
 
 #include <QPainterPath>
 

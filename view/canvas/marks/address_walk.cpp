@@ -3,7 +3,7 @@
 
 #include "canvas/geometry/canvas_geometry.h"
 #include "canvas/scene/canvas_scene.h"
-#include "document/fractal_geometry.h"
+#include "document/fractal/fractal_geometry.h"
 
 #include <QFontMetricsF>
 #include <QPainter>

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "canvas/marks/scene_mark.h"
-#include "document/fractal.h"
+#include "document/fractal/fractal.h"
 #include "ifs/system/branch.h"
 
 #include <vector>

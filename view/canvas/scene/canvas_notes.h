@@ -3,7 +3,7 @@
 
 #include "attractor/render/renderer.h"
 #include "canvas/items/note_item.h"
-#include "document/fractal.h"
+#include "document/fractal/fractal.h"
 
 #include <vector>
 

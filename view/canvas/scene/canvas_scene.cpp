@@ -8,7 +8,7 @@
 #include "canvas/items/symmetry_item.h"
 #include "canvas/scene/frame_layout.h"
 #include "canvas/scene/symmetry_layout.h"
-#include "document/fractal_geometry.h"
+#include "document/fractal/fractal_geometry.h"
 
 #include <QFont>
 #include <QLineF>

@@ -10,7 +10,7 @@
 #include "canvas/scene/handle_model.h"
 #include "canvas/scene/hit_tester.h"
 #include "canvas/scene/transient_marks.h"
-#include "document/motion_paths.h"
+#include "document/moments/motion_paths.h"
 
 #include <QGraphicsScene>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "canvas/scene/canvas_selection.h"
 
-#include "document/fractal.h"
+#include "document/fractal/fractal.h"
 
 #include <algorithm>
 #include <utility>

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "attractor/request/camera.h"
-#include "document/analysis.h"
+#include "document/analysis/analysis.h"
 
 #include <QPointF>
 

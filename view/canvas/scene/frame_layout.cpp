@@ -2,7 +2,7 @@
 #include "canvas/scene/frame_layout.h"
 
 #include "canvas/geometry/canvas_geometry.h"
-#include "document/edits/map_locks.h"
+#include "document/edits/maps/map_locks.h"
 
 #include <algorithm>
 #include <numeric>

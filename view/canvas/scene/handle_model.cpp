@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "canvas/scene/handle_model.h"
-#include "document/fractal_geometry.h"
+#include "document/fractal/fractal_geometry.h"
 #include "io/file/background.h"
 
 #include <algorithm>

@@ -2,8 +2,8 @@
 #pragma once
 
 #include "canvas/scene/canvas_selection.h"
-#include "document/addresses.h"
-#include "document/map_handles.h"
+#include "document/branches/addresses.h"
+#include "document/maps/map_handles.h"
 #include "document/tops/map_faces.h"
 #include "ifs/cage/control_cage.h"
 

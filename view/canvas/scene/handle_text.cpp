@@ -2,7 +2,7 @@
 #include "canvas/scene/handle_text.h"
 
 #include "canvas/geometry/coordinate_text.h"
-#include "document/text.h"
+#include "document/text/text.h"
 
 #include <algorithm>
 #include <cmath>

@@ -2,7 +2,7 @@
 #include "canvas/scene/symmetry_layout.h"
 
 #include "canvas/geometry/canvas_geometry.h"
-#include "document/fractal_geometry.h"
+#include "document/fractal/fractal_geometry.h"
 #include "ifs/cage/map_handles.h"
 
 #include <Eigen/LU>

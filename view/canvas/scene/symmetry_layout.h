@@ -3,7 +3,7 @@
 
 #include "attractor/request/camera.h"
 #include "canvas/items/symmetry_item.h"
-#include "document/fractal.h"
+#include "document/fractal/fractal.h"
 
 #include <optional>
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "canvas/tools/branch_choice.h"
 
-#include "document/addresses.h"
-#include "document/edits/keyed_maps.h"
-#include "document/edits/map_locks.h"
+#include "document/branches/addresses.h"
+#include "document/edits/maps/map_locks.h"
+#include "document/edits/timeline/keyed_maps.h"
 
 #include <algorithm>
 #include <utility>

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "document/document.h"
-#include "document/map_handles.h"
+#include "document/maps/map_handles.h"
 #include "ifs/system/branch.h"
 
 #include <QObject>

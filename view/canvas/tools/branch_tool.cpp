@@ -2,7 +2,7 @@
 #include "canvas/tools/branch_tool.h"
 
 #include "canvas/geometry/canvas_geometry.h"
-#include "document/addresses.h"
+#include "document/branches/addresses.h"
 #include "ifs/cage/map_handles.h"
 
 #include <QKeyEvent>

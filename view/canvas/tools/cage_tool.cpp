@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "canvas/tools/cage_tool.h"
 
-#include "document/edits/cage_actions.h"
-#include "document/edits/cage_edits.h"
+#include "document/edits/cage/cage_actions.h"
+#include "document/edits/cage/cage_edits.h"
 
 #include <QKeyEvent>
 

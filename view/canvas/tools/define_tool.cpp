@@ -2,7 +2,7 @@
 #include "canvas/tools/define_tool.h"
 
 #include "canvas/geometry/canvas_geometry.h"
-#include "document/edits/cage_actions.h"
+#include "document/edits/cage/cage_actions.h"
 
 #include <QKeyEvent>
 

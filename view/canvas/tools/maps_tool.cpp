@@ -2,8 +2,8 @@
 #include "canvas/tools/maps_tool.h"
 
 #include "canvas/geometry/canvas_note.h"
-#include "document/edits/map_locks.h"
-#include "document/edits/maps_edits.h"
+#include "document/edits/maps/map_locks.h"
+#include "document/edits/maps/maps_edits.h"
 #include "ifs/cage/map_handles.h"
 
 #include <QKeyEvent>

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "canvas/tools/polygon_tool.h"
-#include "document/map_handles.h"
+#include "document/maps/map_handles.h"
 
 namespace view {
 

@@ -3,8 +3,8 @@
 
 #include "canvas/geometry/canvas_geometry.h"
 #include "canvas/items/symmetry_item.h"
-#include "document/edits/symmetry_edits.h"
-#include "document/fractal_geometry.h"
+#include "document/edits/maps/symmetry_edits.h"
+#include "document/fractal/fractal_geometry.h"
 #include "ifs/cage/map_handles.h"
 
 #include <QLineF>

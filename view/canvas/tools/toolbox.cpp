@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "canvas/tools/toolbox.h"
 
-#include "document/edits/cage_actions.h"
-#include "document/fractal.h"
+#include "document/edits/cage/cage_actions.h"
+#include "document/fractal/fractal.h"
 
 namespace view {
 

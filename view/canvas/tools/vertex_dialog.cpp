@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "canvas/tools/vertex_dialog.h"
 
-#include "document/edits/cage_actions.h"
-#include "document/edits/cage_edits.h"
-#include "document/fractal.h"
-#include "document/fractal_geometry.h"
+#include "document/edits/cage/cage_actions.h"
+#include "document/edits/cage/cage_edits.h"
+#include "document/fractal/fractal.h"
+#include "document/fractal/fractal_geometry.h"
 #include "io/text/number.h"
-#include "widgets/grow_to_fit.h"
-#include "widgets/number_text.h"
+#include "widgets/layout/grow_to_fit.h"
+#include "widgets/numbers/number_text.h"
 #include "widgets/whats_this.h"
 
 #include <QDialogButtonBox>

@@ -6,13 +6,13 @@
 #include "dialogs/export/export_progress.h"
 #include "dialogs/export/last_export.h"
 #include "dialogs/export/start_export.h"
-#include "document/unique_names.h"
+#include "document/text/unique_names.h"
 #include "io/animation/frames_view.h"
 #include "io/file/background.h"
+#include "widgets/background/wait_for.h"
 #include "widgets/file_dialogs.h"
-#include "widgets/number_box.h"
-#include "widgets/tooltip_text.h"
-#include "widgets/wait_for.h"
+#include "widgets/numbers/number_box.h"
+#include "widgets/text/tooltip_text.h"
 
 #include <QComboBox>
 #include <QDialogButtonBox>

@@ -3,8 +3,8 @@
 
 #include "dialogs/export/export_dialog.h"
 #include "io/file/background.h"
-#include "io/picture/svg_writer.h"
-#include "widgets/wait_for.h"
+#include "io/picture/vector/svg_writer.h"
+#include "widgets/background/wait_for.h"
 
 #include <QClipboard>
 #include <QGuiApplication>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "dialogs/export/enqueue.h"
 
-#include "document/text.h"
+#include "document/text/text.h"
 #include "io/file/slow_disk.h"
 #include "io/fractint/entry_writer.h"
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "bridges/export_queue.h"
-#include "document/fractal.h"
+#include "document/fractal/fractal.h"
 #include "io/exports/export_recipe.h"
 
 #include <QString>

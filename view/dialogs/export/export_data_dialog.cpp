@@ -5,13 +5,13 @@
 #include "dialogs/export/export_progress.h"
 #include "dialogs/export/last_export.h"
 #include "dialogs/export/start_export.h"
-#include "document/edits/cage_edits.h"
+#include "document/edits/cage/cage_edits.h"
 #include "io/file/background.h"
+#include "widgets/background/save_beside.h"
 #include "widgets/file_dialogs.h"
-#include "widgets/number_box.h"
-#include "widgets/save_beside.h"
-#include "widgets/text_edit_workarounds.h"
-#include "widgets/tooltip_text.h"
+#include "widgets/numbers/number_box.h"
+#include "widgets/text/text_edit_workarounds.h"
+#include "widgets/text/tooltip_text.h"
 
 #include <QCheckBox>
 #include <QClipboard>

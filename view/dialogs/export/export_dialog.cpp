@@ -9,14 +9,14 @@
 #include "dialogs/export/large_export.h"
 #include "dialogs/export/last_export.h"
 #include "dialogs/export/start_export.h"
-#include "document/fractal_geometry.h"
+#include "document/fractal/fractal_geometry.h"
 #include "ifs/copies/copy_hierarchy.h"
 #include "io/file/background.h"
 #include "io/picture/picture_writers.h"
 #include "widgets/file_dialogs.h"
-#include "widgets/number_box.h"
-#include "widgets/number_text.h"
-#include "widgets/tooltip_text.h"
+#include "widgets/numbers/number_box.h"
+#include "widgets/numbers/number_text.h"
+#include "widgets/text/tooltip_text.h"
 
 #include <QCheckBox>
 #include <QComboBox>

@@ -3,7 +3,7 @@
 
 #include "attractor/request/camera.h"
 #include "document/document.h"
-#include "document/fractal_geometry.h"
+#include "document/fractal/fractal_geometry.h"
 #include "document/saved_views.h"
 #include "io/exports/export_recipe.h"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "widgets/newest_work.h"
+#include "widgets/background/newest_work.h"
 
 #include <QImage>
 #include <QTimer>

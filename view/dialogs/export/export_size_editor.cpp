@@ -2,7 +2,7 @@
 #include "dialogs/export/export_size_editor.h"
 
 #include "widgets/icon.h"
-#include "widgets/number_box.h"
+#include "widgets/numbers/number_box.h"
 
 #include <QComboBox>
 #include <QDoubleSpinBox>

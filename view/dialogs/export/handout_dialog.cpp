@@ -3,9 +3,9 @@
 
 #include "dialogs/export/print_preview.h"
 #include "dialogs/export/printed_parts.h"
-#include "document/fractal_geometry.h"
-#include "document/map_handles.h"
-#include "document/space_geometry.h"
+#include "document/fractal/fractal_geometry.h"
+#include "document/fractal/space_geometry.h"
+#include "document/maps/map_handles.h"
 #include "io/export_job.h"
 #include "io/overlay/space_overlay.h"
 

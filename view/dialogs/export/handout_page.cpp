@@ -3,9 +3,9 @@
 
 #include "canvas/geometry/grid_spacing.h"
 #include "dialogs/export/printed_parts.h"
-#include "document/fractal_geometry.h"
-#include "document/space_geometry.h"
-#include "document/text.h"
+#include "document/fractal/fractal_geometry.h"
+#include "document/fractal/space_geometry.h"
+#include "document/text/text.h"
 #include "io/overlay/space_overlay.h"
 
 #include <QFontMetricsF>

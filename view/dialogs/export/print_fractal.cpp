@@ -4,10 +4,10 @@
 #include "canvas/geometry/canvas_geometry.h"
 #include "dialogs/export/print_preview.h"
 #include "dialogs/export/printed_parts.h"
-#include "document/fractal_geometry.h"
-#include "document/space_geometry.h"
-#include "document/text.h"
-#include "document/user_comments.h"
+#include "document/fractal/fractal_geometry.h"
+#include "document/fractal/space_geometry.h"
+#include "document/text/text.h"
+#include "document/text/user_comments.h"
 #include "io/export_job.h"
 
 #include <QFontMetricsF>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "dialogs/export/print_preview.h"
 
-#include "document/text.h"
-#include "widgets/tooltip_text.h"
+#include "document/text/text.h"
+#include "widgets/text/tooltip_text.h"
 
 #include <QFileInfo>
 #include <QPainter>

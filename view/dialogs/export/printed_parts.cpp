@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "dialogs/export/printed_parts.h"
 
-#include "document/text.h"
+#include "document/text/text.h"
 #include "io/exports/export_recipe.h"
-#include "widgets/wait_for.h"
+#include "widgets/background/wait_for.h"
 
 #include <QFontMetricsF>
 #include <QPainter>

@@ -8,15 +8,15 @@
 #include "dialogs/export/large_export.h"
 #include "dialogs/export/last_export.h"
 #include "dialogs/export/start_export.h"
-#include "document/space_geometry.h"
-#include "document/unique_names.h"
+#include "document/fractal/space_geometry.h"
+#include "document/text/unique_names.h"
 #include "io/exports/recipe_json.h"
 #include "io/picture/picture_writers.h"
 #include "io/solid/openscad.h"
+#include "widgets/background/save_beside.h"
 #include "widgets/file_dialogs.h"
-#include "widgets/number_box.h"
-#include "widgets/save_beside.h"
-#include "widgets/tooltip_text.h"
+#include "widgets/numbers/number_box.h"
+#include "widgets/text/tooltip_text.h"
 
 #include <QCheckBox>
 #include <QComboBox>

@@ -2,10 +2,10 @@
 #include "dialogs/variations/mutate_dialog.h"
 
 #include "dialogs/variations/sheet_maker.h"
-#include "document/edits/map_locks.h"
-#include "widgets/number_box.h"
-#include "widgets/tooltip_text.h"
-#include "widgets/vertical_scroll_area.h"
+#include "document/edits/maps/map_locks.h"
+#include "widgets/layout/vertical_scroll_area.h"
+#include "widgets/numbers/number_box.h"
+#include "widgets/text/tooltip_text.h"
 
 #include <QCheckBox>
 #include <QComboBox>

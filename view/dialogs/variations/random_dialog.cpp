@@ -4,7 +4,7 @@
 #include "dialogs/variations/picture_tiles.h"
 #include "dialogs/variations/sheet_maker.h"
 #include "document/edits/entries_edits.h"
-#include "widgets/number_box.h"
+#include "widgets/numbers/number_box.h"
 #include "widgets/symmetry_groups.h"
 
 #include <QComboBox>

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "panels/analysis/analysis_facts.h"
 
-#include "document/edits/cage_edits.h"
+#include "document/edits/cage/cage_edits.h"
 #include "ifs/dimension/dimension.h"
 #include "ifs/facts.h"
 #include "io/report/figure_error.h"
 #include "panels/analysis/existence_sentence.h"
 #include "panels/cage/cage_texts.h"
-#include "widgets/number_text.h"
+#include "widgets/numbers/number_text.h"
 
 #include <QCoreApplication>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "document/analysis.h"
+#include "document/analysis/analysis.h"
 
 #include <QList>
 #include <QString>

@@ -5,7 +5,7 @@
 #include "canvas/items/analysis_item.h"
 #include "canvas/items/overlay_style.h"
 #include "panels/analysis/box_counting_plot.h"
-#include "widgets/number_box.h"
+#include "widgets/numbers/number_box.h"
 
 #include <QAction>
 #include <QCheckBox>

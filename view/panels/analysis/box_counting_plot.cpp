@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "panels/analysis/box_counting_plot.h"
 
-#include "widgets/number_text.h"
+#include "widgets/numbers/number_text.h"
 
 #include <QClipboard>
 #include <QContextMenuEvent>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "panels/analysis/existence_sentence.h"
 
-#include "widgets/number_text.h"
+#include "widgets/numbers/number_text.h"
 
 #include <QCoreApplication>
 #include <QStringList>

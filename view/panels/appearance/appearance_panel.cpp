@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "panels/appearance/appearance_panel.h"
 
-#include "document/space_geometry.h"
+#include "document/fractal/space_geometry.h"
 #include "panels/appearance/controls/appearance_colour_button.h"
 #include "panels/appearance/controls/appearance_slider.h"
 #include "panels/appearance/palettes/gradient_editor.h"
@@ -10,9 +10,9 @@
 #include "panels/appearance/slice_rows.h"
 #include "panels/appearance/space_rows.h"
 #include "widgets/flat_buttons.h"
-#include "widgets/number_field.h"
-#include "widgets/number_text.h"
-#include "widgets/wrapping_form.h"
+#include "widgets/layout/wrapping_form.h"
+#include "widgets/numbers/number_field.h"
+#include "widgets/numbers/number_text.h"
 
 #include <QCheckBox>
 #include <QComboBox>

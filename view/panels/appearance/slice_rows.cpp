@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "panels/appearance/slice_rows.h"
 
-#include "document/space_geometry.h"
+#include "document/fractal/space_geometry.h"
 #include "panels/appearance/controls/appearance_slider.h"
-#include "widgets/number_field.h"
+#include "widgets/numbers/number_field.h"
 
 #include <QComboBox>
 #include <QFormLayout>

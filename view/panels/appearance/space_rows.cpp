@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "panels/appearance/space_rows.h"
 
-#include "document/space_geometry.h"
+#include "document/fractal/space_geometry.h"
 #include "panels/appearance/controls/appearance_slider.h"
 #include "panels/appearance/light_ball.h"
-#include "widgets/number_text.h"
+#include "widgets/numbers/number_text.h"
 
 #include <QComboBox>
 #include <QFormLayout>

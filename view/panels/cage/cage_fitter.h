@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "document/edits/cage_edits.h"
-#include "document/edits/space_cage_edits.h"
-#include "widgets/background_edit.h"
+#include "document/edits/cage/cage_edits.h"
+#include "document/edits/cage/space_cage_edits.h"
+#include "widgets/background/background_edit.h"
 
 #include <QObject>
 #include <QString>

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include "panels/cage/cage_panel.h"
 
-#include "document/edits/cage_actions.h"
-#include "document/fractal_geometry.h"
-#include "document/space_geometry.h"
+#include "document/edits/cage/cage_actions.h"
+#include "document/fractal/fractal_geometry.h"
+#include "document/fractal/space_geometry.h"
 #include "io/file/background.h"
 #include "panels/cage/cage_texts.h"
 #include "panels/cage/fit_menu.h"
 #include "widgets/icon.h"
-#include "widgets/number_field.h"
+#include "widgets/numbers/number_field.h"
 
 #include <QAction>
 #include <QButtonGroup>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "document/edits/cage_edits.h"
+#include "document/edits/cage/cage_edits.h"
 #include "document/edits/live_edit.h"
 #include "panels/cage/cage_fitter.h"
 

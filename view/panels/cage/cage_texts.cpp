@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "panels/cage/cage_texts.h"
 
-#include "document/edits/cage_edits.h"
-#include "document/fractal_geometry.h"
-#include "document/space_geometry.h"
+#include "document/edits/cage/cage_edits.h"
+#include "document/fractal/fractal_geometry.h"
+#include "document/fractal/space_geometry.h"
 #include "ifs/system/barycentric.h"
 #include "io/report/figure_error.h"
-#include "widgets/number_text.h"
+#include "widgets/numbers/number_text.h"
 
 #include <QCoreApplication>
 #include <QStringList>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "panels/cage/fit_menu.h"
 
-#include "document/text.h"
+#include "document/text/text.h"
 #include "panels/cage/cage_texts.h"
 
 #include <QMenu>

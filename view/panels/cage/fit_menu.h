@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "document/edits/cage_edits.h"
-#include "document/edits/space_cage_edits.h"
+#include "document/edits/cage/cage_edits.h"
+#include "document/edits/cage/space_cage_edits.h"
 #include "ifs/extent/extent.h"
 
 #include <functional>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "panels/collage/collage_numbers.h"
 
-#include "widgets/number_text.h"
+#include "widgets/numbers/number_text.h"
 
 #include <QGridLayout>
 #include <QLabel>

@@ -2,13 +2,13 @@
 #include "panels/collage/collage_panel.h"
 
 #include "canvas/canvas_view.h"
-#include "document/edits/cage_edits.h"
+#include "document/edits/cage/cage_edits.h"
 #include "document/edits/collage_edits.h"
-#include "document/edits/map_locks.h"
+#include "document/edits/maps/map_locks.h"
 #include "panels/collage/collage_layer.h"
 #include "panels/collage/suggestion_list.h"
 #include "panels/collage/target_box.h"
-#include "widgets/number_text.h"
+#include "widgets/numbers/number_text.h"
 
 #include <QComboBox>
 #include <QHBoxLayout>

@@ -5,7 +5,7 @@
 #include "document/edits/agreement_picture.h"
 #include "panels/collage/collage_numbers.h"
 #include "panels/collage/fit_box.h"
-#include "widgets/newest_work.h"
+#include "widgets/background/newest_work.h"
 
 #include <QPointer>
 #include <QWidget>

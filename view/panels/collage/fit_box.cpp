@@ -2,8 +2,8 @@
 #include "panels/collage/fit_box.h"
 
 #include "io/picture/png_export.h"
-#include "widgets/number_box.h"
-#include "widgets/vertical_scroll_area.h"
+#include "widgets/layout/vertical_scroll_area.h"
+#include "widgets/numbers/number_box.h"
 
 #include <QCheckBox>
 #include <QComboBox>

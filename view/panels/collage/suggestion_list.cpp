@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "panels/collage/suggestion_list.h"
 
-#include "document/edits/cage_edits.h"
-#include "widgets/number_text.h"
-#include "widgets/vertical_scroll_area.h"
+#include "document/edits/cage/cage_edits.h"
+#include "widgets/layout/vertical_scroll_area.h"
+#include "widgets/numbers/number_text.h"
 
 #include <algorithm>
 #include <utility>

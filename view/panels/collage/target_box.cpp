@@ -3,14 +3,14 @@
 
 #include "collage/measure/agreement.h"
 #include "document/edits/collage_edits.h"
-#include "document/fractal_geometry.h"
+#include "document/fractal/fractal_geometry.h"
 #include "io/file/save_file.h"
-#include "io/picture/grey_picture.h"
+#include "io/picture/decoding/grey_picture.h"
 #include "panels/collage/target_preview.h"
 #include "widgets/file_dialogs.h"
-#include "widgets/menu_button.h"
-#include "widgets/menu_text.h"
-#include "widgets/tooltip_text.h"
+#include "widgets/menus/menu_button.h"
+#include "widgets/menus/menu_text.h"
+#include "widgets/text/tooltip_text.h"
 
 #include <QAction>
 #include <QBuffer>

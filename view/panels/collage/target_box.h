@@ -3,7 +3,7 @@
 
 #include "document/document.h"
 #include "document/traced_picture.h"
-#include "widgets/newest_work.h"
+#include "widgets/background/newest_work.h"
 
 #include <QHash>
 #include <QWidget>

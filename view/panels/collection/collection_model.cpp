@@ -2,11 +2,11 @@
 #include "panels/collection/collection_model.h"
 
 #include "desktop/clipboard.h"
+#include "document/text/user_comments.h"
 #include "document/tops/kept_theft.h"
 #include "document/tops/partner_names.h"
-#include "document/user_comments.h"
 #include "io/file/background.h"
-#include "widgets/tooltip_text.h"
+#include "widgets/text/tooltip_text.h"
 
 #include <QMimeData>
 

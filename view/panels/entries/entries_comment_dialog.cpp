@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "panels/entries/entries_comment_dialog.h"
 
-#include "document/user_comments.h"
+#include "document/text/user_comments.h"
 #include "io/fractint/fractint_rows.h"
-#include "widgets/text_edit_workarounds.h"
-#include "widgets/tooltip_text.h"
+#include "widgets/text/text_edit_workarounds.h"
+#include "widgets/text/tooltip_text.h"
 #include "widgets/whats_this.h"
 
 #include <QDialogButtonBox>

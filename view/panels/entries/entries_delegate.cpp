@@ -4,9 +4,9 @@
 #include "document/problem.h"
 #include "panels/entries/entries_model.h"
 #include "widgets/icon.h"
-#include "widgets/number_field.h"
+#include "widgets/numbers/number_field.h"
+#include "widgets/text/tooltip_text.h"
 #include "widgets/thumbnail_tile.h"
-#include "widgets/tooltip_text.h"
 
 #include <QApplication>
 #include <QKeyEvent>

@@ -11,11 +11,11 @@
 #include "panels/entries/entries_filter.h"
 #include "panels/entries/entries_list.h"
 #include "panels/entries/entries_model.h"
+#include "widgets/background/wait_for.h"
 #include "widgets/flat_buttons.h"
 #include "widgets/focus_shortcuts.h"
 #include "widgets/icon.h"
 #include "widgets/thumbnails.h"
-#include "widgets/wait_for.h"
 
 #include <QAction>
 #include <QClipboard>

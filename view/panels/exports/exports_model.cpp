@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "panels/exports/exports_model.h"
 
-#include "widgets/tooltip_text.h"
+#include "widgets/text/tooltip_text.h"
 
 #include <QDir>
 #include <QFileInfo>

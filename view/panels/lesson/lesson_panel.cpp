@@ -4,8 +4,8 @@
 #include "panels/lesson/lesson_notebook.h"
 #include "widgets/flat_buttons.h"
 #include "widgets/icon.h"
-#include "widgets/menu_button.h"
-#include "widgets/text_edit_workarounds.h"
+#include "widgets/menus/menu_button.h"
+#include "widgets/text/text_edit_workarounds.h"
 #include "widgets/whats_this.h"
 
 #include <QAction>

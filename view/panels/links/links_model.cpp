@@ -2,8 +2,8 @@
 #include "panels/links/links_model.h"
 
 #include "attractor/request/appearance.h"
-#include "document/edits/link_edits.h"
-#include "widgets/number_text.h"
+#include "document/edits/maps/link_edits.h"
+#include "widgets/numbers/number_text.h"
 
 #include <QGuiApplication>
 #include <QPalette>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "panels/links/links_panel.h"
 
-#include "document/edits/link_edits.h"
+#include "document/edits/maps/link_edits.h"
 #include "panels/links/link_graph.h"
 #include "panels/links/links_model.h"
 

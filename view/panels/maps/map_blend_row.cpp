@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "panels/maps/map_blend_row.h"
 
-#include "document/fractal_geometry.h"
-#include "widgets/number_field.h"
+#include "document/fractal/fractal_geometry.h"
+#include "widgets/numbers/number_field.h"
 
 #include <QGridLayout>
 #include <QLabel>

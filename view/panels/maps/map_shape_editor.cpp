@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "panels/maps/map_shape_editor.h"
 
-#include "document/edits/map_locks.h"
-#include "document/map_names.h"
+#include "document/edits/maps/map_locks.h"
+#include "document/maps/map_names.h"
 #include "panels/maps/map_blend_row.h"
 #include "panels/maps/maps_model.h"
 #include "panels/maps/maps_texts.h"
-#include "widgets/number_field.h"
-#include "widgets/tooltip_text.h"
+#include "widgets/numbers/number_field.h"
+#include "widgets/text/tooltip_text.h"
 
 #include <QGridLayout>
 #include <QLabel>

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "document/edits/live_edit.h"
-#include "document/edits/map_shape.h"
+#include "document/edits/maps/map_shape.h"
 
 #include <QWidget>
 

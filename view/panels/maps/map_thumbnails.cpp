@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "panels/maps/map_thumbnails.h"
 
-#include "document/map_points.h"
+#include "document/maps/map_points.h"
 
 #include <QtMath>
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "document/document.h"
-#include "widgets/newest_work.h"
+#include "widgets/background/newest_work.h"
 
 #include <QColor>
 #include <QHash>

@@ -3,11 +3,11 @@
 
 #include "desktop/clipboard.h"
 #include "dialogs/paste_table_dialog.h"
-#include "document/edits/map_locks.h"
-#include "document/map_names.h"
-#include "document/text.h"
+#include "document/edits/maps/map_locks.h"
+#include "document/maps/map_names.h"
+#include "document/text/text.h"
 #include "io/file/background.h"
-#include "widgets/wait_for.h"
+#include "widgets/background/wait_for.h"
 
 #include <QClipboard>
 #include <QGuiApplication>

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "panels/maps/maps_delegate.h"
 
-#include "document/map_names.h"
+#include "document/maps/map_names.h"
 #include "panels/maps/layer_signs.h"
 #include "panels/maps/map_thumbnails.h"
-#include "widgets/number_field.h"
+#include "widgets/numbers/number_field.h"
 
 #include <QApplication>
 #include <QKeyEvent>

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include "panels/maps/maps_model.h"
 
-#include "document/edits/cage_edits.h"
-#include "document/edits/map_locks.h"
-#include "document/map_names.h"
+#include "document/edits/cage/cage_edits.h"
+#include "document/edits/maps/map_locks.h"
+#include "document/maps/map_names.h"
 #include "ifs/system/decomposition.h"
 #include "panels/maps/maps_texts.h"
-#include "widgets/number_field.h"
-#include "widgets/number_text.h"
-#include "widgets/tooltip_text.h"
+#include "widgets/numbers/number_field.h"
+#include "widgets/numbers/number_text.h"
+#include "widgets/text/tooltip_text.h"
 
 #include "io/text/export_weights.h"
 #include "io/text/number.h"

@@ -2,9 +2,9 @@
 #pragma once
 
 #include "document/edits/live_edit.h"
-#include "document/edits/maps_edits.h"
+#include "document/edits/maps/maps_edits.h"
 #include "ifs/system/decomposition.h"
-#include "widgets/number_text.h"
+#include "widgets/numbers/number_text.h"
 
 #include <QAbstractTableModel>
 #include <QItemSelection>

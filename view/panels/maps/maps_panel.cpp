@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "panels/maps/maps_panel.h"
 
-#include "document/edits/cage_actions.h"
-#include "document/edits/cage_edits.h"
-#include "document/edits/map_locks.h"
+#include "document/edits/cage/cage_actions.h"
+#include "document/edits/cage/cage_edits.h"
+#include "document/edits/maps/map_locks.h"
 #include "panels/maps/map_shape_editor.h"
 #include "panels/maps/map_thumbnails.h"
 #include "panels/maps/maps_clipboard.h"
@@ -17,10 +17,10 @@
 #include "panels/maps/symmetry_row.h"
 #include "panels/maps/weight_rule_name.h"
 #include "panels/maps/weights_button.h"
-#include "widgets/background_edit.h"
+#include "widgets/background/background_edit.h"
 #include "widgets/focus_shortcuts.h"
 #include "widgets/icon.h"
-#include "widgets/vertical_scroll_area.h"
+#include "widgets/layout/vertical_scroll_area.h"
 
 #include <QAction>
 #include <QColorDialog>

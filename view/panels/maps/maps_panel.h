@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "document/edits/maps_edits.h"
+#include "document/edits/maps/maps_edits.h"
 #include "panels/maps/maps_model.h"
 
 #include <QWidget>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "panels/maps/solo_map.h"
 
-#include "document/map_solo.h"
+#include "document/maps/map_solo.h"
 
 #include <utility>
 

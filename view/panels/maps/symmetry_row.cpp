@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "panels/maps/symmetry_row.h"
 
-#include "document/edits/symmetry_edits.h"
+#include "document/edits/maps/symmetry_edits.h"
 #include "widgets/document_undo.h"
-#include "widgets/number_box.h"
-#include "widgets/number_field.h"
+#include "widgets/numbers/number_box.h"
+#include "widgets/numbers/number_field.h"
 #include "widgets/symmetry_groups.h"
 
 #include <QComboBox>

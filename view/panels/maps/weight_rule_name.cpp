@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "panels/maps/weight_rule_name.h"
-#include "document/text.h"
+#include "document/text/text.h"
 
 namespace view {
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "panels/maps/weights_button.h"
 
-#include "document/text.h"
+#include "document/text/text.h"
 #include "panels/maps/weight_rule_name.h"
 #include "widgets/icon.h"
-#include "widgets/menu_button.h"
+#include "widgets/menus/menu_button.h"
 
 #include <QAction>
 #include <QMenu>

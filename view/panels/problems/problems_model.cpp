@@ -2,7 +2,7 @@
 #include "panels/problems/problems_model.h"
 
 #include "widgets/icon.h"
-#include "widgets/tooltip_text.h"
+#include "widgets/text/tooltip_text.h"
 
 #include <algorithm>
 

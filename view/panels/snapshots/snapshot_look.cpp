@@ -3,7 +3,7 @@
 
 #include "bridges/render_bridge.h"
 #include "canvas/canvas_view.h"
-#include "document/animated_fractal.h"
+#include "document/moments/animated_fractal.h"
 #include "space/four_views.h"
 
 #include <QApplication>

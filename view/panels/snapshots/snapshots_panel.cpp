@@ -5,8 +5,8 @@
 #include "widgets/flat_buttons.h"
 #include "widgets/focus_shortcuts.h"
 #include "widgets/icon.h"
+#include "widgets/text/tooltip_text.h"
 #include "widgets/thumbnails.h"
-#include "widgets/tooltip_text.h"
 
 #include <QAction>
 #include <QEvent>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "panels/timeline/ease_dialog.h"
 
-#include "widgets/number_box.h"
+#include "widgets/numbers/number_box.h"
 
 #include <QDialogButtonBox>
 #include <QDoubleSpinBox>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "animation/ease.h"
+#include "animation/keys/ease.h"
 
 #include <QColor>
 #include <QPolygonF>

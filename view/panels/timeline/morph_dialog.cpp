@@ -2,10 +2,10 @@
 #include "panels/timeline/morph_dialog.h"
 
 #include "attractor/request/appearance.h"
-#include "document/animated_fractal.h"
+#include "document/moments/animated_fractal.h"
 #include "io/file/background.h"
 #include "panels/timeline/morph_lines.h"
-#include "widgets/tooltip_text.h"
+#include "widgets/text/tooltip_text.h"
 
 #include <QComboBox>
 #include <QDialogButtonBox>

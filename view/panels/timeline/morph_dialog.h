@@ -2,7 +2,7 @@
 #pragma once
 
 #include "document/document.h"
-#include "document/edits/morph_edits.h"
+#include "document/edits/timeline/morph_edits.h"
 #include "widgets/thumbnails.h"
 
 #include <QDialog>

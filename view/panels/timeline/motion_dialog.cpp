@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "panels/timeline/motion_dialog.h"
 
-#include "document/animated_fractal.h"
-#include "widgets/number_box.h"
-#include "widgets/number_text.h"
+#include "document/moments/animated_fractal.h"
+#include "widgets/numbers/number_box.h"
+#include "widgets/numbers/number_text.h"
 
 #include <QDialogButtonBox>
 #include <QDoubleSpinBox>

@@ -2,8 +2,8 @@
 #include "panels/timeline/motion_preview.h"
 
 #include "attractor/colour/palette.h"
-#include "document/animated_fractal.h"
-#include "document/fractal_geometry.h"
+#include "document/fractal/fractal_geometry.h"
+#include "document/moments/animated_fractal.h"
 
 #include <QPainter>
 

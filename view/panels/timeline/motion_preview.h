@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "animation/moment.h"
+#include "animation/keys/moment.h"
 #include "attractor/request/camera.h"
-#include "document/fractal.h"
+#include "document/fractal/fractal.h"
 
 #include <QColor>
 #include <QPixmap>

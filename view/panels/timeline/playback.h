@@ -2,7 +2,7 @@
 #pragma once
 
 #include "document/document.h"
-#include "document/edits/animation_edits.h"
+#include "document/edits/timeline/animation_edits.h"
 
 #include <QElapsedTimer>
 #include <QObject>

@@ -2,8 +2,8 @@
 #include "panels/timeline/timeline.h"
 
 #include "attractor/request/appearance.h"
-#include "document/animated_fractal.h"
-#include "document/recurring_branches.h"
+#include "document/fractal/recurring_branches.h"
+#include "document/moments/animated_fractal.h"
 
 #include <algorithm>
 #include <set>

@@ -2,20 +2,20 @@
 #include "panels/timeline/timeline_panel.h"
 
 #include "document/edits/entries_edits.h"
-#include "document/edits/morph_edits.h"
-#include "document/edits/motion_edits.h"
+#include "document/edits/timeline/morph_edits.h"
+#include "document/edits/timeline/motion_edits.h"
 #include "io/file/background.h"
 #include "panels/timeline/morph_dialog.h"
 #include "panels/timeline/motion_page.h"
 #include "panels/timeline/motion_preview.h"
 #include "panels/timeline/track_view.h"
 #include "panels/timeline/transport_bar.h"
+#include "widgets/background/wait_for.h"
 #include "widgets/icon.h"
-#include "widgets/menu_button.h"
-#include "widgets/menu_placeholder.h"
-#include "widgets/menu_text.h"
-#include "widgets/tooltip_text.h"
-#include "widgets/wait_for.h"
+#include "widgets/menus/menu_button.h"
+#include "widgets/menus/menu_placeholder.h"
+#include "widgets/menus/menu_text.h"
+#include "widgets/text/tooltip_text.h"
 
 #include <QAction>
 #include <QEvent>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "document/edits/animation_edits.h"
+#include "document/edits/timeline/animation_edits.h"
 #include "panels/timeline/ruler_marks.h"
 
 #include <QAbstractScrollArea>

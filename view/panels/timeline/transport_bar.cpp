@@ -6,7 +6,7 @@
 #include "widgets/document_undo.h"
 #include "widgets/flat_buttons.h"
 #include "widgets/icon.h"
-#include "widgets/number_box.h"
+#include "widgets/numbers/number_box.h"
 
 #include <QComboBox>
 #include <QHBoxLayout>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "io/video/libav/encoder.h"
-#include "document/text.h"
+#include "document/text/text.h"
 
 #include <array>
 #include <cstring>

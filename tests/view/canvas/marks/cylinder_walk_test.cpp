@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "bridges/analysis_bridge.h"
 #include "canvas/marks/address_walk.h"
-#include "document/fractal_geometry.h"
+#include "document/fractal/fractal_geometry.h"
 #include "support/named_test.h"
 #include "support/patient_tries.h"
 #include "view/canvas/canvas_fixture.h"

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "bars/branch_bar.h"
 #include "canvas/marks/address_walk.h"
-#include "document/edits/animation_edits.h"
-#include "document/fractal_geometry.h"
-#include "document/map_handles.h"
+#include "document/edits/timeline/animation_edits.h"
+#include "document/fractal/fractal_geometry.h"
+#include "document/maps/map_handles.h"
 #include "ifs/cage/map_handles.h"
 #include "ifs/existence/attractor_existence.h"
 #include "ifs/system/branch.h"

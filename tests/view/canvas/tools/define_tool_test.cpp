@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "document/fractal_geometry.h"
+#include "document/fractal/fractal_geometry.h"
 #include "support/named_test.h"
 #include "support/patient_tries.h"
 #include "view/canvas/canvas_fixture.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "bars/branch_bar.h"
-#include "document/edits/map_locks.h"
-#include "document/fractal_geometry.h"
+#include "document/edits/maps/map_locks.h"
+#include "document/fractal/fractal_geometry.h"
 #include "ifs/system/branch.h"
 #include "support/named_test.h"
 #include "view/canvas/canvas_fixture.h"

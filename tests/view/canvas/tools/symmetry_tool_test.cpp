@@ -2,7 +2,7 @@
 #include "view/canvas/canvas_fixture.h"
 
 #include "canvas/items/symmetry_item.h"
-#include "document/edits/symmetry_edits.h"
+#include "document/edits/maps/symmetry_edits.h"
 #include "support/named_test.h"
 
 #include <QTest>

@@ -2,7 +2,7 @@
 #include "attractor/space_systems.h"
 #include "dialogs/export/animation_export_dialog.h"
 #include "dialogs/export/cluster_queue.h"
-#include "document/edits/motion_edits.h"
+#include "document/edits/timeline/motion_edits.h"
 #include "io/collection_reader.h"
 #include "io/fractint/fractint_writer.h"
 #include "support/forget_settings.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "dialogs/export/export_data_dialog.h"
-#include "document/fractal_geometry.h"
+#include "document/fractal/fractal_geometry.h"
 #include "io/collection_reader.h"
 #include "support/named_test.h"
 

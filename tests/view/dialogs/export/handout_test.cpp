@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "dialogs/export/handout_dialog.h"
 #include "dialogs/export/handout_page.h"
-#include "document/space_geometry.h"
+#include "document/fractal/space_geometry.h"
 #include "support/named_test.h"
 
 #include <QCheckBox>

@@ -7,7 +7,7 @@
 #include "dialogs/export/export_dialog.h"
 #include "dialogs/export/export_size_editor.h"
 #include "dialogs/export/space_export_dialog.h"
-#include "document/edits/motion_edits.h"
+#include "document/edits/timeline/motion_edits.h"
 #include "support/forget_settings.h"
 #include "support/named_test.h"
 #include "support/own_settings.h"

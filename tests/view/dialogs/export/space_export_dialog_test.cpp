@@ -3,7 +3,7 @@
 #include "bridges/export_queue.h"
 #include "dialogs/export/export_preview.h"
 #include "dialogs/export/space_export_dialog.h"
-#include "document/space_geometry.h"
+#include "document/fractal/space_geometry.h"
 #include "support/named_test.h"
 #include "support/patient_tries.h"
 

@@ -3,7 +3,7 @@
 
 #include "dialogs/variations/picture_tiles.h"
 #include "document/edits/entries_edits.h"
-#include "document/edits/map_locks.h"
+#include "document/edits/maps/map_locks.h"
 #include "document/variations/random_systems.h"
 #include "support/named_test.h"
 #include "support/patient_tries.h"

@@ -2,7 +2,7 @@
 #include "bridges/analysis_bridge.h"
 #include "canvas/items/analysis_item.h"
 #include "document/edit_gesture.h"
-#include "document/edits/link_edits.h"
+#include "document/edits/maps/link_edits.h"
 #include "panels/analysis/analysis_facts.h"
 #include "panels/analysis/analysis_panel.h"
 #include "panels/analysis/box_counting_plot.h"
@@ -10,7 +10,7 @@
 #include "support/named_test.h"
 #include "support/patient_tries.h"
 #include "view/panels/maps_support.h"
-#include "widgets/number_text.h"
+#include "widgets/numbers/number_text.h"
 
 #include <QApplication>
 #include <QCheckBox>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "document/space_geometry.h"
+#include "document/fractal/space_geometry.h"
 #include "panels/appearance/appearance_panel.h"
 #include "panels/appearance/controls/appearance_slider.h"
 #include "panels/appearance/light_ball.h"
@@ -9,7 +9,7 @@
 #include "support/named_test.h"
 #include "support/patient_tries.h"
 #include "view/panels/maps_support.h"
-#include "widgets/number_field.h"
+#include "widgets/numbers/number_field.h"
 
 #include <QComboBox>
 #include <QSlider>

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "dialogs/aifs_dialog.h"
-#include "document/fractal_geometry.h"
+#include "document/fractal/fractal_geometry.h"
 #include "panels/cage/cage_panel.h"
 #include "view/panels/maps_support.h"
-#include "widgets/number_field.h"
+#include "widgets/numbers/number_field.h"
 
 #include "ifs/extent/polygon.h"
 #include "support/named_test.h"

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: MIT
-#include "document/edits/cage_actions.h"
-#include "document/edits/cage_edits.h"
-#include "document/space_geometry.h"
+#include "document/edits/cage/cage_actions.h"
+#include "document/edits/cage/cage_edits.h"
+#include "document/fractal/space_geometry.h"
 #include "ifs/extent/extent.h"
 #include "panels/cage/cage_panel.h"
 #include "panels/cage/cage_texts.h"
 #include "support/named_test.h"
 #include "support/patient_tries.h"
 #include "view/panels/maps_support.h"
-#include "widgets/number_field.h"
-#include "widgets/number_text.h"
+#include "widgets/numbers/number_field.h"
+#include "widgets/numbers/number_text.h"
 
 #include <QAbstractButton>
 #include <QAction>

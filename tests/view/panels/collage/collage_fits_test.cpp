@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include "document/edits/cage_edits.h"
-#include "document/edits/map_locks.h"
+#include "document/edits/cage/cage_edits.h"
+#include "document/edits/maps/map_locks.h"
 #include "panels/collage/collage_numbers.h"
 #include "panels/collage/suggestion_list.h"
 #include "support/named_test.h"

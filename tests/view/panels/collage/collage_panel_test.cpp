@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "document/edits/entries_edits.h"
-#include "document/edits/maps_edits.h"
+#include "document/edits/maps/maps_edits.h"
 #include "panels/collage/suggestion_list.h"
 #include "panels/collage/target_preview.h"
 #include "support/named_test.h"
 #include "view/panels/collage_panel_fixture.h"
-#include "widgets/vertical_scroll_area.h"
+#include "widgets/layout/vertical_scroll_area.h"
 
 #include <QBuffer>
 #include <QCheckBox>

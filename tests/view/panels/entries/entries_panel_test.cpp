@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "desktop/clipboard.h"
 #include "dialogs/paste_table_dialog.h"
-#include "document/fractal_geometry.h"
+#include "document/fractal/fractal_geometry.h"
 #include "panels/entries/entries_list.h"
 #include "panels/entries/entries_model.h"
 #include "panels/entries/entries_panel.h"

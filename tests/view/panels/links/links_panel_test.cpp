@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "panels/links/links_panel.h"
 
-#include "document/edits/link_edits.h"
-#include "document/edits/maps_edits.h"
+#include "document/edits/maps/link_edits.h"
+#include "document/edits/maps/maps_edits.h"
 #include "ifs/links/linked_systems.h"
 #include "panels/links/link_graph.h"
 #include "panels/links/links_model.h"

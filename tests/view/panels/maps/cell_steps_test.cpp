@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "panels/maps/cell_steps.h"
 
-#include "document/edits/map_locks.h"
+#include "document/edits/maps/map_locks.h"
 #include "panels/maps/maps_panel.h"
 #include "support/named_test.h"
 #include "view/panels/maps_support.h"

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "panels/maps/map_blend_row.h"
 
-#include "document/edits/map_locks.h"
+#include "document/edits/maps/map_locks.h"
 #include "panels/appearance/appearance_panel.h"
 #include "panels/maps/maps_panel.h"
 #include "support/named_test.h"
 #include "view/panels/maps_support.h"
-#include "widgets/number_field.h"
+#include "widgets/numbers/number_field.h"
 
 #include <QComboBox>
 #include <QTableView>

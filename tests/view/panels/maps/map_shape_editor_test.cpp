@@ -4,7 +4,7 @@
 #include "panels/maps/maps_model.h"
 #include "support/named_test.h"
 #include "view/panels/maps_support.h"
-#include "widgets/number_field.h"
+#include "widgets/numbers/number_field.h"
 
 #include <cmath>
 #include <memory>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "document/edits/maps_edits.h"
+#include "document/edits/maps/maps_edits.h"
 #include "support/named_test.h"
 #include "view/panels/maps_support.h"
 

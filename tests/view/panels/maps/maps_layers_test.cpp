@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "desktop/clipboard.h"
-#include "document/edits/map_locks.h"
+#include "document/edits/maps/map_locks.h"
 #include "panels/maps/map_shape_editor.h"
 #include "panels/maps/map_thumbnails.h"
 #include "panels/maps/maps_panel.h"
 #include "support/named_test.h"
 #include "support/patient_tries.h"
 #include "view/panels/maps_support.h"
-#include "widgets/number_field.h"
+#include "widgets/numbers/number_field.h"
 
 #include <QApplication>
 #include <QClipboard>

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include "document/edits/cage_edits.h"
-#include "document/edits/maps_edits.h"
+#include "document/edits/cage/cage_edits.h"
+#include "document/edits/maps/maps_edits.h"
 #include "panels/maps/maps_model.h"
 #include "support/named_test.h"
 #include "view/panels/maps_support.h"
-#include "widgets/number_field.h"
+#include "widgets/numbers/number_field.h"
 
 #include <QAbstractItemModelTester>
 #include <QColor>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "support/named_test.h"
-#include "widgets/number_field.h"
+#include "widgets/numbers/number_field.h"
 
 #include <QAction>
 #include <QLocale>

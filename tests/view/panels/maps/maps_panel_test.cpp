@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "dialogs/paste_table_dialog.h"
 #include "document/edit_gesture.h"
-#include "document/fractal_geometry.h"
+#include "document/fractal/fractal_geometry.h"
 #include "panels/maps/map_shape_editor.h"
 #include "panels/maps/maps_panel.h"
 #include "support/named_test.h"
 #include "support/patient_tries.h"
 #include "view/panels/maps_support.h"
-#include "widgets/number_field.h"
+#include "widgets/numbers/number_field.h"
 
 #include <QApplication>
 #include <QClipboard>

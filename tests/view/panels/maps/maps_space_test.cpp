@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-#include "document/edits/cage_edits.h"
-#include "document/space_geometry.h"
+#include "document/edits/cage/cage_edits.h"
+#include "document/fractal/space_geometry.h"
 #include "panels/maps/map_shape_editor.h"
 #include "panels/maps/maps_panel.h"
 #include "support/named_test.h"
 #include "support/patient_tries.h"
 #include "view/panels/maps_support.h"
-#include "widgets/number_field.h"
+#include "widgets/numbers/number_field.h"
 
 #include <QAbstractItemModelTester>
 #include <QAction>

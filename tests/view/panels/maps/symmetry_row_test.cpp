@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "panels/maps/symmetry_row.h"
 
-#include "document/edits/symmetry_edits.h"
+#include "document/edits/maps/symmetry_edits.h"
 #include "support/named_test.h"
 #include "view/panels/maps_support.h"
-#include "widgets/number_field.h"
+#include "widgets/numbers/number_field.h"
 
 #include <QComboBox>
 #include <QSignalSpy>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "panels/snapshots/snapshots.h"
 
-#include "document/edits/cage_edits.h"
+#include "document/edits/cage/cage_edits.h"
 #include "document/edits/dimension_edits.h"
 #include "document/edits/entries_edits.h"
 #include "document/saved_views.h"

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "bridges/attractor_watch.h"
 #include "dialogs/export/animation_export_dialog.h"
-#include "document/animated_fractal.h"
-#include "document/edits/animation_edits.h"
+#include "document/edits/timeline/animation_edits.h"
+#include "document/moments/animated_fractal.h"
 #include "panels/timeline/timeline_panel.h"
 #include "panels/timeline/track_view.h"
 #include "support/named_test.h"

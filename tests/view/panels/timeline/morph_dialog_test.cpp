@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "panels/timeline/morph_dialog.h"
 
-#include "document/animated_fractal.h"
 #include "document/edits/entries_edits.h"
+#include "document/moments/animated_fractal.h"
 #include "panels/timeline/morph_lines.h"
 #include "panels/timeline/timeline_panel.h"
 #include "support/named_test.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "document/recurring_branches.h"
+#include "document/fractal/recurring_branches.h"
 #include "panels/timeline/track_view.h"
 #include "panels/timeline/transport_bar.h"
 #include "support/named_test.h"

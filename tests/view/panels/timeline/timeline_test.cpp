@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include "document/animated_fractal.h"
 #include "document/edits/entries_edits.h"
+#include "document/moments/animated_fractal.h"
 #include "io/fractint/fractint_reader.h"
 #include "io/fractint/fractint_writer.h"
 #include "panels/timeline/ease_dialog.h"

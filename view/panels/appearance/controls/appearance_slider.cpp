@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "panels/appearance/controls/appearance_slider.h"
 
-#include "widgets/number_field.h"
+#include "widgets/numbers/number_field.h"
 
 #include <QHBoxLayout>
 #include <QSlider>

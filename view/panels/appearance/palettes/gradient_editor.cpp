@@ -5,16 +5,16 @@
 #include "io/file/background.h"
 #include "io/file/save_file.h"
 #include "io/palette/palette_reader.h"
-#include "io/picture/picture_decoder.h"
+#include "io/picture/decoding/picture_decoder.h"
 #include "panels/appearance/controls/appearance_colour_button.h"
 #include "panels/appearance/palettes/gradient_preview.h"
 #include "panels/appearance/palettes/gradient_strip.h"
 #include "panels/appearance/palettes/picture_palette_dialog.h"
+#include "widgets/background/save_beside.h"
+#include "widgets/background/wait_for.h"
 #include "widgets/file_dialogs.h"
 #include "widgets/flat_buttons.h"
-#include "widgets/number_field.h"
-#include "widgets/save_beside.h"
-#include "widgets/wait_for.h"
+#include "widgets/numbers/number_field.h"
 
 #include <QDialog>
 #include <QDialogButtonBox>

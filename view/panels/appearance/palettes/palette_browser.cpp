@@ -8,7 +8,7 @@
 #include "panels/appearance/palettes/palette_filter.h"
 #include "panels/appearance/palettes/palette_titles.h"
 #include "widgets/flat_buttons.h"
-#include "widgets/number_field.h"
+#include "widgets/numbers/number_field.h"
 
 #include <QCheckBox>
 #include <QDialogButtonBox>

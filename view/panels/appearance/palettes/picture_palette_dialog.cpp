@@ -2,7 +2,7 @@
 #include "panels/appearance/palettes/picture_palette_dialog.h"
 
 #include "attractor/colour/picture_palette.h"
-#include "widgets/number_box.h"
+#include "widgets/numbers/number_box.h"
 
 #include <QDialogButtonBox>
 #include <QHBoxLayout>

@@ -4,7 +4,7 @@
 #include "panels/appearance/palettes/gradient_preview.h"
 #include "panels/appearance/palettes/palette_browser.h"
 #include "view/panels/maps_support.h"
-#include "widgets/number_field.h"
+#include "widgets/numbers/number_field.h"
 
 #include "attractor/colour/palette_library.h"
 #include "support/named_test.h"

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "process/input.h"
+
+#include "attractor/request/render_request.h"
+
+#include <map>
+#include <set>
+#include <vector>
+
+namespace cli {
+
+// What is to be said of the frames of an animation: one warning for all frames of which it is true.
+class FrameNotes {
+public:
+    // Says at once which of the frames have no attractor; where none of them lacks it, the first moment of
+    // the animation that does.
+    FrameNotes(const Input& input, const document::Fractal& entry, const std::vector<int>& frames);
+
+    void add(int frame, attractor::RenderNote note);
+    void report(const QString& fileName) const; // what has not been said yet
+
+private:
+    bool m_isInSpace;
+    std::set<int> m_lost; // frames of which it has been said that they have no attractor
+    std::map<attractor::RenderNote, std::vector<int>> m_frames;
+};
+
+// "3–5, 9" of ascending numbers.
+QString rangesText(const std::vector<int>& numbers);
+
+} // namespace cli

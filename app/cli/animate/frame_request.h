@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "render/render_arguments.h"
+
+#include "document/fractal/fractal.h"
+
+#include <QByteArray>
+
+#include <optional>
+
+namespace cli {
+
+// SHA-256, in hexadecimal digits, of everything that the bytes of a frame depend on: the entry, the frame,
+// the options and the version of the pixels. The same however an option is spelled, and whatever the threads
+// and the instruction set. Without a frame, what all frames of the animation have in common.
+QByteArray requestHash(const document::Fractal& entry, std::optional<int> frame,
+                       const RenderArguments& options);
+
+} // namespace cli

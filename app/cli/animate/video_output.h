@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "options/exit_status.h"
+#include "process/interrupt.h"
+#include "process/progress_bar.h"
+
+#include "io/video/video_writer.h"
+
+#include <QImage>
+#include <QString>
+
+#include <functional>
+#include <optional>
+
+namespace cli {
+
+// The frames of a video, one after the other.
+struct VideoSource {
+    int count = 0;
+    io::VideoSettings settings; // without the size, which is that of the first frame
+    // Draws or reads a frame, counted from 0. Null after a message, or when stopped.
+    std::function<QImage(int index, const io::VideoWriter::Progress& progress)> frame;
+};
+
+// Writes the video and says what goes wrong. Where a format shows frames otherwise than they are, a warning
+// says so.
+ExitStatus writeVideo(const QString& path, VideoSource source, ProgressBar& bar, const Interrupt& interrupt);
+
+} // namespace cli

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: MIT
+#include "convert/symmetry_arguments.h"
+
+#include "options/options.h"
+#include "options/tr.h"
+#include "options/usage_error.h"
+
+#include "document/edits/maps/link_expansion.h"
+#include "document/edits/maps/symmetry_edits.h"
+
+#include <memory>
+#include <utility>
+
+namespace cli {
+
+namespace {
+
+template <int Dim>
+std::optional<document::Fractal> symmetric(const document::Fractal& fractal, const io::NamedSymmetry& named) {
+    const auto symmetry = io::symmetryIn<Dim>(named);
+    return symmetry ? std::optional(document::withSymmetry(fractal, *symmetry)) : std::nullopt;
+}
+
+} // namespace
+
+void addSymmetryOptions(Command& command, SymmetryArguments& arguments) {
+    const OptionGroup group = command.group("Symmetry");
+    group.add("--symmetry", "GROUP[:DEGREES][@X,Y[,Z]]", &arguments.symmetry,
+              "Make entries symmetric: none, mirror, c2 to c24 (rotation), d2 to d24 (dihedral); in space "
+              "also tetrahedral, octahedral, icosahedral. mirror:30 sets the angle of a mirror, c6@1,2 the "
+              "centre");
+    group.flag("--expand", &arguments.expand,
+               "Write the plain maps that a symmetry or linked maps stand for, where they exist");
+}
+
+SymmetryChange symmetryChange(const SymmetryArguments& arguments) {
+    SymmetryChange change{{}, arguments.expand};
+    if (!arguments.symmetry) return change;
+    const QString text = QString::fromStdString(*arguments.symmetry);
+    change.symmetry = io::symmetryNamed(text);
+    if (!change.symmetry)
+        throw UsageError{
+            tr("--symmetry “%1” is not a symmetry: it must be none, mirror, c2 to c24, d2 to d24, "
+               "tetrahedral, octahedral or icosahedral, optionally followed by an angle in degrees "
+               "(mirror:30, d6:15) and a centre (c6@1,2).")
+                .arg(text)};
+    return change;
+}
+
+std::optional<QString> changeSymmetry(document::Entry& entry, const SymmetryChange& change) {
+    if (!change.symmetry) return std::nullopt;
+    const document::Fractal& fractal = *entry.fractal;
+    const std::size_t order = ifs::groupOrder(change.symmetry->group, change.symmetry->order);
+    if (QString reason = document::symmetryObstacle(fractal, order); !reason.isEmpty()) return reason;
+    auto changed = document::space(fractal) ? symmetric<3>(fractal, *change.symmetry)
+                                            : symmetric<2>(fractal, *change.symmetry);
+    if (!changed)
+        return tr("“%1” was omitted: it is a system in the plane, where neither the symmetries of the "
+                  "polyhedra "
+                  "nor centres of three coordinates exist; --lift makes a system in space of it.")
+            .arg(fractal.name);
+    entry.fractal = std::make_shared<const document::Fractal>(*std::move(changed));
+    return std::nullopt;
+}
+
+Expansion expanded(document::Entry& entry, const SymmetryChange& change) {
+    Expansion result;
+    if (!change.expand) return result;
+    if (document::isSymmetric(*entry.fractal)) {
+        if (const QString reason = document::expandObstacle(*entry.fractal); !reason.isEmpty())
+            return {reason, {}};
+        entry.fractal = std::make_shared<const document::Fractal>(document::expanded(*entry.fractal));
+    }
+    const document::Fractal& fractal = *entry.fractal;
+    if (!document::isLinked(fractal)) return result;
+    if (const QString reason = document::linkExpansionObstacle(fractal); !reason.isEmpty())
+        return {reason, {}};
+    if (!document::linkExpansionKeepsDensity(fractal))
+        result.warning =
+            tr("The plain maps of “%1” have the attractor of its linked maps, but other densities: "
+               "the brightness of the picture changes.")
+                .arg(fractal.name);
+    entry.fractal = std::make_shared<const document::Fractal>(document::withLinksExpanded(fractal));
+    return result;
+}
+
+} // namespace cli

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "options/options.h"
+
+#include <string>
+#include <vector>
+
+// Puts what was typed to the options that the commands declare.
+namespace cli {
+
+enum class Question { None, Help, Version };
+
+struct Call {
+    const Command* command = nullptr; // none: the question is about the program
+    Question question = Question::None;
+};
+
+// Fills the places of the command in, once all words make sense; a complaint names them as typed. An unknown
+// option is named before anything else is complained about. Throws UsageError.
+Call parse(const Program& program, const std::vector<std::string>& words);
+
+// Of the candidates the one that was probably meant: one that begins like the word, or else differs from it
+// in few letters. Empty when there is none.
+std::string nearest(const std::string& word, const std::vector<std::string>& candidates);
+
+} // namespace cli

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: MIT
+#include "process/interrupt.h"
+
+#include "options/exit_status.h"
+#include "options/tr.h"
+#include "process/messages.h"
+
+#include <chrono>
+#include <csignal>
+#include <cstdlib>
+#include <ctime>
+#include <system_error>
+
+namespace cli {
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+constexpr Clock::duration patience = std::chrono::seconds(1), lastMoment = std::chrono::milliseconds(250);
+constexpr int outOfTime = -1; // in place of a signal
+
+// Those that the caller does not want ignored, as nohup does.
+sigset_t watched() {
+    sigset_t set;
+    sigemptyset(&set);
+    for (const int number : {SIGINT, SIGTERM, SIGHUP}) {
+        struct sigaction action {};
+        if (sigaction(number, nullptr, &action) == 0 && action.sa_handler != SIG_IGN) sigaddset(&set, number);
+    }
+    return set;
+}
+
+ExitStatus statusOf(int signal) {
+    return signal == outOfTime ? ExitStatus::CannotReadOrWrite : ExitStatus(128 + signal);
+}
+
+[[noreturn]] void endNow(int signal) {
+    reportError(QStringLiteral("barycage-cli"),
+                signal == outOfTime ? tr("The time limit has passed.") : tr("Interrupted."));
+    std::_Exit(int(statusOf(signal)));
+}
+
+void watch(const std::stop_token& end, const sigset_t& set, std::stop_source source,
+           const std::shared_ptr<std::atomic<int>>& first, Clock::time_point limit) {
+    constexpr timespec tick{0, 50'000'000};
+    Clock::time_point latest = Clock::time_point::max();
+    while (!end.stop_requested()) {
+        const int signal = sigtimedwait(&set, nullptr, &tick);
+        const bool isSignalled = signal >= 0;
+        if (int none = 0; isSignalled) first->compare_exchange_strong(none, signal);
+        if (Clock::now() > latest || (isSignalled && source.stop_requested())) endNow(*first);
+        const bool isLate = Clock::now() > limit && !source.stop_requested();
+        if (int none = 0; isLate) first->compare_exchange_strong(none, outOfTime);
+        if (!isSignalled && !isLate) continue;
+        source.request_stop();
+        latest = Clock::now() + (isSignalled ? patience : lastMoment);
+    }
+}
+
+} // namespace
+
+Interrupt::Interrupt(std::optional<Time> limit) {
+    const auto end =
+        limit ? Clock::now() + std::chrono::duration_cast<Clock::duration>(*limit) : Clock::time_point::max();
+    const sigset_t set = watched();
+    pthread_sigmask(SIG_BLOCK, &set, nullptr); // threads made from here on inherit it
+    try {
+        m_watch = std::jthread(watch, set, m_source, m_signal, end);
+    } catch (const std::system_error&) { // no thread to be had: a signal ends the program
+        pthread_sigmask(SIG_UNBLOCK, &set, nullptr);
+    }
+}
+
+bool Interrupt::isOutOfTime() const {
+    return *m_signal == outOfTime;
+}
+
+ExitStatus Interrupt::status() const {
+    return statusOf(*m_signal);
+}
+
+} // namespace cli

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: MIT
+#include "process/output.h"
+
+#include "options/tr.h"
+#include "process/messages.h"
+
+#include "io/file/hard_links.h"
+#include "io/file/native_path.h"
+#include "io/file/save_file.h"
+#include "io/file/standard_output.h"
+
+#include <cerrno>
+#include <filesystem>
+
+namespace cli {
+
+namespace {
+
+int otherNames(const QString& output) {
+    return isStandardOutput(output) ? 0 : io::otherNames(output);
+}
+
+// Of the file that was there before.
+void warnAboutLinks(const QString& output, int otherNames) {
+    if (otherNames == 0) return;
+    reportWarning(output, tr("Other names of the file (hard links) keep the old contents."));
+}
+
+} // namespace
+
+bool isStandardOutput(const QString& output) {
+    return output == u"-";
+}
+
+bool isSameFile(const QString& a, const QString& b) {
+    namespace fs = std::filesystem;
+    std::error_code error;
+    return fs::equivalent(io::nativeName(a).toStdString(), io::nativeName(b).toStdString(), error) && !error;
+}
+
+ExitStatus writeOutput(const QString& output, const QByteArray& bytes) {
+    const int linked = otherNames(output);
+    io::Failure failure;
+    if (!isStandardOutput(output))
+        failure = io::saveFile(output, bytes);
+    else if (!print(bytes))
+        failure = io::cannotPrint(errno);
+    if (!failure) {
+        warnAboutLinks(output, linked);
+        return ExitStatus::Done;
+    }
+    reportError(output, *failure);
+    return ExitStatus::CannotReadOrWrite;
+}
+
+io::ExportOutcome exportOutput(const io::Export& what, const QString& output, const io::Progress& progress,
+                               std::stop_token stop) {
+    return exportBy([&](const QString& path) { return io::exportTo(what, path, progress, stop); }, output);
+}
+
+io::ExportOutcome exportBy(const std::function<io::ExportOutcome(const QString& path)>& write,
+                           const QString& output) {
+    const int linked = otherNames(output);
+    io::ExportOutcome outcome = write(isStandardOutput(output) ? io::standardOutputPath() : output);
+    if (!outcome.failure && !outcome.stopped) warnAboutLinks(output, linked);
+    return outcome;
+}
+
+} // namespace cli

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "options/exit_status.h"
+
+#include "io/export_job.h"
+
+#include <QByteArray>
+#include <QString>
+
+#include <functional>
+
+namespace cli {
+
+// "-", in place of a file.
+bool isStandardOutput(const QString& output);
+
+// Whether both names lead to one file that exists.
+bool isSameFile(const QString& a, const QString& b);
+
+// What goes wrong has then been reported.
+ExitStatus writeOutput(const QString& output, const QByteArray& bytes);
+
+// Like io::exportTo(); on standard output appears all or nothing as well.
+io::ExportOutcome exportOutput(const io::Export& what, const QString& output, const io::Progress& progress,
+                               std::stop_token stop);
+
+// What writes a file, given to the path behind `output`.
+io::ExportOutcome exportBy(const std::function<io::ExportOutcome(const QString& path)>& write,
+                           const QString& output);
+
+} // namespace cli

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "render/render_arguments.h"
+
+#include "io/picture/png_export.h"
+#include "io/sums/picture_sums.h"
+#include "io/sums/space_sums.h"
+#include "options/exit_status.h"
+
+#include <QString>
+
+// Pictures that several machines or several runs draw: render --part, --band and --resume, and merge.
+namespace cli {
+
+// Throws UsageError where the options of parts make no sense together, or with others. A file is not read.
+void checkParts(const RenderArguments& arguments, Format format);
+
+// What --part and --band ask for of the picture. Throws UsageError.
+io::PictureSums partOfPicture(const io::PngExport& picture, const RenderArguments& arguments);
+io::SpaceSums partOfPicture(const io::SpaceExport& picture, const RenderArguments& arguments);
+
+// render --resume
+ExitStatus resumePicture(const RenderArguments& arguments);
+
+} // namespace cli

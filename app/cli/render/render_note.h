@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "attractor/request/render_request.h"
+#include "document/fractal/fractal.h"
+
+#include <QString>
+
+// What is said about a picture.
+namespace cli {
+
+QString sentenceOf(attractor::RenderNote note, bool isInSpace); // empty where nothing is to be said
+void reportNote(attractor::RenderNote note, bool isInSpace, const QString& fileName);
+
+// Says so when not.
+bool hasMaps(const document::Fractal& fractal, const QString& fileName);
+
+} // namespace cli

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "render/render_arguments.h"
+#include "render/shown_frame.h"
+
+#include "io/picture/png_export.h"
+
+// `render` and `animate` for an entry in the plane. What makes no sense throws UsageError.
+namespace cli {
+
+// --cage and --rest-cage.
+void applyCage(document::Fractal& fractal, const RenderArguments& arguments);
+
+// By --view, else by the keys of an animation, else fitted around its frames or the picture.
+attractor::Camera cameraOf(const Shown& shown, const RenderArguments& arguments, const QString& fileName);
+
+io::PngExport pngOf(const Shown& shown, const attractor::Camera& camera, const RenderArguments& arguments,
+                    int step);
+
+} // namespace cli

@@ -1,0 +1,384 @@
+// SPDX-License-Identifier: MIT
+#include "render/render_space.h"
+
+#include "options/tr.h"
+#include "options/usage_error.h"
+#include "process/arguments.h"
+#include "process/input.h"
+#include "process/messages.h"
+#include "process/output.h"
+#include "render/solid_options.h"
+
+#include "attractor/samples/prepared_space.h"
+#include "document/edits/cage/space_cage_edits.h"
+#include "document/fractal/space_geometry.h"
+#include "io/fractint/space_comments.h"
+#include "io/overlay/map_legend.h"
+#include "io/overlay/space_overlay.h"
+#include "io/picture/picture_writers.h"
+#include "io/picture/space_export.h"
+#include "io/report/figure_error.h"
+#include "io/text/number.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace cli {
+
+namespace {
+
+using attractor::LookInSpace;
+using Corners = std::vector<ifs::Vector<3>>;
+
+constexpr std::uint64_t maxBytes = std::uint64_t{4} << 30; // of memory for one picture
+
+QString quoted(const std::string& text) {
+    return QString::fromStdString(text);
+}
+
+LookInSpace lookOf(const document::Fractal& fractal, const RenderArguments& options) {
+    if (!options.look) return fractal.inSpace.look;
+    if (const auto look = io::lookInSpaceNamed(QByteArray::fromStdString(*options.look))) return *look;
+    throw UsageError{tr("--look must be stone, ink, cloud, x-ray, depth or normals, not “%1”.")
+                         .arg(quoted(*options.look))};
+}
+
+io::Stereo stereoOf(const RenderArguments& options) {
+    if (!options.stereo) return io::Stereo::None;
+    return choiceArgument("--stereo", *options.stereo, {"side-by-side", "anaglyph"}) == "anaglyph"
+               ? io::Stereo::Anaglyph
+               : io::Stereo::SideBySide;
+}
+
+// |⟨n, x⟩ − t| ≤ w, or without w the half-space ⟨n, x⟩ ≤ t.
+std::optional<attractor::SpaceClip> clipOf(const document::Fractal& fractal, const RenderArguments& options) {
+    if (!options.slice) return fractal.inSpace.clip;
+    const auto given = numbers(quoted(*options.slice));
+    attractor::SpaceClip clip;
+    if (given.size() == 4 || given.size() == 5) {
+        clip.normal = {given[0], given[1], given[2]};
+        clip.highest = given[3];
+        if (given.size() == 5) {
+            clip.lowest = given[3] - given[4];
+            clip.highest = given[3] + given[4];
+        }
+        if (isUsable(clip)) return clip;
+    }
+    throw UsageError{
+        tr("--slice “%1” is not valid: it must be a normal that is not zero, an offset and a half "
+           "width of at least 0, such as 1,1,1,1.5,0.01; without the half width, everything up "
+           "to the offset is kept.")
+            .arg(quoted(*options.slice))};
+}
+
+void refuseNumbers(const RenderArguments& options) {
+    const QString reason = tr("--look depth shows depths, without samples and colours.");
+    refuseIf(options.points.has_value(), "--points", reason);
+    refuseIf(options.palette.has_value(), "--palette", reason);
+    refuseIf(options.colour.has_value(), "--colour", reason);
+    refuseIf(options.gamma.has_value(), "--gamma", reason);
+    refuseIf(options.brightness.has_value(), "--brightness", reason);
+    refuseIf(options.contrast.has_value(), "--contrast", reason);
+    refuseIf(options.vibrancy.has_value(), "--vibrancy", reason);
+    refuseIf(options.background.has_value(), "--background", reason);
+    refuseIf(options.supersample.has_value(), "--supersample", reason);
+    refuseIf(options.bits && !is16Bit(options), "--bits", tr("--look depth has 16 bits."));
+}
+
+void refuseUnsupported(const RenderArguments& options, LookInSpace look) {
+    const QString plane = tr("it applies only to entries in the plane.");
+    refuseIf(options.yDown, "--y-down", plane);
+    refuseIf(options.viewRotation.has_value(), "--view-rotation", plane);
+    refuseIf(options.algorithm != "density", "--algorithm", plane);
+    refuseIf(options.iterations.has_value(), "--iterations", plane);
+    refuseIf(options.svg.has_value(), "--svg", plane);
+    refuseIf(options.depth.has_value(), "--depth", plane);
+    refuseIf(options.legend && (look == LookInSpace::Depth || look == LookInSpace::Normals), "--legend",
+             tr("--look depth and normals show data, which has no letters beside it."));
+    refuseIf(options.stereo && (look == LookInSpace::Depth || look == LookInSpace::Normals), "--stereo",
+             tr("--look depth and normals show data, which cannot be seen in stereo."));
+    refuseIf(options.overlay && (look == LookInSpace::Depth || look == LookInSpace::Normals), "--overlay",
+             tr("--look depth and normals show data, which nothing can be drawn over."));
+    refuseIf(options.overlay && options.stereo, "--overlay",
+             tr("nothing can be drawn over a picture in stereo."));
+    refuseIf(options.colour && look == LookInSpace::XRay, "--colour",
+             tr("--look x-ray shows the mean depth with the palette."));
+    if (look == LookInSpace::Depth || attractor::showsCloud(look))
+        refuseLight(options, tr("it applies only to solids: --look stone or ink."));
+    if (look == LookInSpace::Depth) refuseNumbers(options);
+}
+
+// What the picture is embedded in; nullopt: nothing.
+std::optional<io::ShapeFile> pageOf(const RenderArguments& options) {
+    const QString suffix = suffixOf(options);
+    if (suffix == u"svg") return io::ShapeFile::Svg;
+    if (suffix == u"pdf") return io::ShapeFile::Pdf;
+    return std::nullopt;
+}
+
+void refuseUnsupportedFile(const RenderArguments& options, LookInSpace look) {
+    const QString suffix = suffixOf(options);
+    if (look == LookInSpace::Depth && suffix != u"sum" && io::pictureFileOf(suffix) != io::PictureFile::Png)
+        throw UsageError{
+            tr("--look depth can be drawn only as .png, and “%1” is not.").arg(fileNameOf(options.output))};
+    refuseIf(pageOf(options) && is16Bit(options), "--bits 16",
+             tr("a picture in .svg and .pdf has 8 bits per channel."));
+}
+
+attractor::Orientation orientationOf(const RenderArguments& options) {
+    if (!options.orbit) return attractor::orbit(30, 20);
+    const auto angles = numbers(quoted(*options.orbit));
+    if (angles.size() != 2 && angles.size() != 3)
+        throw UsageError{tr("--orbit “%1” is not valid: it must be azimuth, elevation and perhaps roll in "
+                            "degrees, such as 30,20.")
+                             .arg(quoted(*options.orbit))};
+    return attractor::orbit(angles[0], angles[1], angles.size() == 3 ? angles[2] : 0);
+}
+
+Corners cornersArgument(const char* option, const std::string& text) {
+    Corners corners;
+    for (const QString& part : quoted(text).simplified().split(u' ', Qt::SkipEmptyParts)) {
+        const auto xyz = numbers(part);
+        if (xyz.size() != 3) {
+            corners.clear();
+            break;
+        }
+        corners.emplace_back(xyz[0], xyz[1], xyz[2]);
+    }
+    if (corners.size() < 4)
+        throw UsageError{tr("%1 “%2” is not valid: it must be at least four points in space, such as "
+                            "\"0,0,0 1,0,0 0,1,0 0,0,1\".")
+                             .arg(QLatin1String(option), quoted(text))};
+    return corners;
+}
+
+// hull, of 16 corners, or hull:N; nullopt for other texts.
+std::optional<int> hullVertices(const std::string& text) {
+    constexpr int usual = 16;
+    if (text == "hull") return usual;
+    if (!text.starts_with("hull:")) return std::nullopt;
+    bool isNumber = false;
+    const int corners = quoted(text.substr(5)).toInt(&isNumber);
+    if (!isNumber || corners < 8 || corners > 24)
+        throw UsageError{tr("--rest-cage hull:N in space must have 8 to 24 corners, not “%1”.")
+                             .arg(quoted(text.substr(5)))};
+    return corners;
+}
+
+Corners restOf(const RenderArguments& options, const document::System3& system,
+               const ifs::SupportFunction<3>* support) {
+    const std::string text = options.restCage.value_or("canonical");
+    const std::optional<int> hull = hullVertices(text);
+    if (text != "canonical" && text != "box" && text != "octahedron" && !hull)
+        return cornersArgument("--rest-cage", text);
+    if (support == nullptr)
+        throw UsageError{tr("--rest-cage %1 cannot be used here: the system has no certified attractor.")
+                             .arg(quoted(text))};
+    using enum document::SpacePolyhedron;
+    if (hull) return document::verticesAround(system, *support, Hull, *hull);
+    return document::verticesAround(system, *support,
+                                    text == "box"          ? Box
+                                    : text == "octahedron" ? Octahedron
+                                                           : Simplex);
+}
+
+// The stored one where none is asked for.
+std::optional<ifs::ControlCage<3>> cageOf(const RenderArguments& options, const document::Shape<3>& shape,
+                                          const ifs::SupportFunction<3>* support) {
+    const std::optional<ifs::ControlCage<3>>& stored = shape.cage;
+    if (!options.cage && !options.restCage) return stored;
+    ifs::ControlCage<3> cage;
+    cage.rest = stored && !options.restCage ? stored->rest : restOf(options, shape.system, support);
+    cage.current = options.cage ? cornersArgument("--cage", *options.cage) : cage.rest;
+    if (cage.current.size() != cage.rest.size())
+        throw UsageError{tr("The cage has %1 corners and the rest cage %2: they must have the same number.")
+                             .arg(cage.current.size())
+                             .arg(cage.rest.size())};
+    if (!ifs::isValid(cage))
+        throw UsageError{
+            cage.rest.size() == 4
+                ? tr("The corners of the rest cage are in one plane, so they define no coordinates.")
+                : tr("The points of a rest cage in space must be the corners of a convex polyhedron.")};
+    return cage;
+}
+
+// As keys have it, but for what options say.
+attractor::OrbitCamera cameraAtRest(const Shown& shown, const RenderArguments& options) {
+    attractor::OrbitCamera camera = shown.camera.value_or(attractor::OrbitCamera());
+    const QSize size = sizeArgument("--size", options.size);
+    camera.size = {size.width(), size.height()};
+    if (stereoOf(options) == io::Stereo::SideBySide) {
+        if (size.width() % 2 != 0)
+            throw UsageError{
+                tr("--stereo side-by-side needs an even width, for two pictures of the same size.")};
+        camera.size.width /= 2;
+    }
+    if (!shown.camera || options.orbit) camera.orientation = orientationOf(options);
+    return animation::orbited(camera, shown.orbit);
+}
+
+document::Fractal placedIn(document::Fractal fractal, const std::optional<ifs::ControlCage<3>>& cage) {
+    document::space(fractal)->cage = cage;
+    return fractal;
+}
+
+// With what is drawn over the picture.
+attractor::OrbitCamera fittedWithMarks(const attractor::OrbitCamera& camera, const Shown& shown,
+                                       const document::Fractal& placed, const io::PictureOverlay& overlay,
+                                       double margin) {
+    const auto marks = document::reachOfVertices(io::spaceOverlayPoints(placed, overlay));
+    const auto reach = [&](const ifs::Vector<3>& u) {
+        return std::max(shown.support ? shown.support(u) : document::extentAlong(placed, u).high, marks(u));
+    };
+    return attractor::fitted(camera, reach, margin);
+}
+
+double angleOfView(const std::string& argument, const QString& fileName) {
+    constexpr double wide = 150;
+    const double angle = positiveArgument("--perspective", argument);
+    if (!(angle < 180))
+        throw UsageError{tr("--perspective “%1” is not valid: it must be an angle of view below 180 degrees.")
+                             .arg(quoted(argument))};
+    if (angle > wide)
+        reportWarning(fileName,
+                      tr("With an angle of view of %1 degrees, nearly all of the picture shows what "
+                         "is beside the camera, and what is in front of it is tiny.")
+                          .arg(angle));
+    return angle;
+}
+
+attractor::OrbitCamera cameraOf(const Shown& shown, const RenderArguments& options,
+                                const attractor::PreparedSpace& system,
+                                const ifs::SupportFunction<3>* support,
+                                const std::optional<ifs::ControlCage<3>>& stored, const QString& fileName) {
+    const ifs::AffineMap<3> cage = stored ? ifs::displayMap(*stored) : ifs::AffineMap<3>();
+    const bool isBent = stored && ifs::bends(*stored);
+    attractor::OrbitCamera camera = cameraAtRest(shown, options);
+    if (options.perspective) {
+        camera.projection = attractor::OrbitCamera::Projection::Perspective;
+        camera.fieldOfView = angleOfView(*options.perspective, fileName);
+    }
+    if (options.view) {
+        refuseIf(options.margin.has_value(), "--margin", tr("--view already defines the view."));
+        const auto view = numbers(quoted(*options.view));
+        if (view.size() != 4 || !(view[3] > 0))
+            throw UsageError{tr("--view “%1” is not valid: in space it must be the target and a positive "
+                                "height, such as \"0,1.5,0,10\".")
+                                 .arg(quoted(*options.view))};
+        camera.target = {view[0], view[1], view[2]};
+        camera.height = view[3];
+        return camera;
+    }
+    if (shown.camera) return camera;
+    const double margin = options.margin ? marginArgument("--margin", *options.margin) : 0.05;
+    const io::PictureOverlay overlay = overlayOf(options);
+    if (support != nullptr && (overlay.maps || overlay.cage))
+        return fittedWithMarks(camera, shown, placedIn(shown.fractal, stored), overlay, margin);
+    if (shown.support) return attractor::fitted(camera, shown.support, margin);
+    if (support != nullptr && !document::space(shown.fractal)->moved.empty()) {
+        const document::Fractal placed = placedIn(shown.fractal, stored);
+        const auto reach = [&](const ifs::Vector<3>& u) { return document::extentAlong(placed, u).high; };
+        return attractor::fitted(camera, reach, margin);
+    }
+    if (isBent) return attractor::fitted(camera, document::reachOfVertices(stored->current), margin);
+    if (support != nullptr) return attractor::fitted(camera, *support, cage, margin);
+    reportWarning(fileName, tr("No box around the picture could be certified; the view is estimated from "
+                               "the points drawn. Set it with --view."));
+    const auto ofBox = [&](const ifs::Vector<3>& u) {
+        const ifs::Vector<3> inner = cage.linear.transpose() * u;
+        return u.dot(cage(system.centre)) + inner.cwiseAbs().dot(system.halfExtent);
+    };
+    return attractor::fitted(camera, ofBox, margin);
+}
+
+// What is drawn of an entry that the options have been put into.
+attractor::SpaceRequest requestOf(const Shown& shown, const document::Fractal& fractal,
+                                  const RenderArguments& options, const QString& fileName) {
+    attractor::SpaceRequest request = document::spaceRequest(fractal, {});
+    request.seed = wholeArgument("--seed", options.seed);
+    request.threads = options.threads ? integerArgument("--threads", *options.threads, 1, 1024)
+                                      : io::threadsOfThisMachine();
+    const attractor::PreparedSpace system = attractor::preparedSpace(request.system);
+    const auto support = system.isCertified ? ifs::SupportFunction<3>::of(system.maps) : std::nullopt;
+    request.cage = cageOf(options, *document::space(fractal), support ? &*support : nullptr);
+    request.camera = cameraOf(shown, options, system, support ? &*support : nullptr, request.cage, fileName);
+    const auto pixels = std::uint64_t(request.camera.size.width) * std::uint64_t(request.camera.size.height);
+    request.samples = options.points ? countArgument("--points", *options.points, 1, maxPoints)
+                                     : std::max<std::uint64_t>(100 * pixels, 1'000'000);
+    return request;
+}
+
+io::OverlayMarks marksOf(const io::SpaceExport& picture, const RenderArguments& options) {
+    const io::PictureOverlay overlay = overlayOf(options);
+    const document::Fractal placed = placedIn(picture.fractal, picture.request.cage);
+    if (overlay.hull && !document::spaceSupport(placed))
+        throw UsageError{tr("--overlay hull cannot be used here: the system has no certified attractor.")};
+    if (overlay.hull && picture.request.cage && ifs::bends(*picture.request.cage))
+        throw UsageError{tr("--overlay hull cannot be used here: the cage bends the picture.")};
+    return io::spaceOverlayMarks(placed, picture.request.camera, overlay);
+}
+
+void warnOfEmptySlice(const io::SpaceExport& picture, const QString& fileName) {
+    const document::Fractal placed = placedIn(picture.fractal, picture.request.cage);
+    const attractor::SpaceClip& clip = *picture.request.clip;
+    const double length = clip.normal.stableNorm();
+    if (!document::spaceSupport(placed)) return; // how far it extends is not certain
+    const document::Extent extent = document::extentAlong(placed, clip.normal / length);
+    const double noise = 1e-9 * (extent.high - extent.low);
+    if (clip.lowest > (extent.high + noise) * length || clip.highest < (extent.low - noise) * length)
+        reportWarning(fileName,
+                      tr("The slice misses the attractor, so the picture is empty: along its normal, "
+                         "the attractor extends from %1 to %2.")
+                          .arg(io::withoutNoise(extent.low, noise) * length, 0, 'g', 6)
+                          .arg(io::withoutNoise(extent.high, noise) * length, 0, 'g', 6));
+}
+
+} // namespace
+
+void refuseSpaceOptions(const RenderArguments& options) {
+    const QString reason = tr("it applies only to entries in space.");
+    refuseIf(options.orbit.has_value(), "--orbit", reason);
+    refuseIf(options.perspective.has_value(), "--perspective", reason);
+    refuseIf(options.look.has_value(), "--look", reason);
+    refuseIf(options.slice.has_value(), "--slice", reason);
+    refuseIf(options.stereo.has_value(), "--stereo", reason);
+    refuseLight(options, reason);
+}
+
+io::SpaceExport spaceExportOf(const Shown& shown, const RenderArguments& options, const QString& fileName) {
+
+    io::SpaceExport picture;
+    document::Fractal& fractal = picture.fractal;
+    fractal = shown.fractal;
+    picture.look = fractal.inSpace.look = lookOf(fractal, options);
+    fractal.inSpace.clip = clipOf(fractal, options);
+    refuseUnsupportedFile(options, picture.look);
+    picture.stereo = stereoOf(options);
+    refuseUnsupported(options, picture.look);
+    if (picture.look == LookInSpace::Depth || attractor::showsCloud(picture.look)) {
+        applyAppearance(fractal.appearance, options);
+    } else {
+        applySolidOptions(fractal, options);
+        picture.solid = solidAppearance(fractal, options);
+        if (options.supersample)
+            picture.supersample = integerArgument("--supersample", *options.supersample, 1, 4);
+    }
+    picture.depth = depthOf(options);
+    picture.page = pageOf(options);
+    const bool isForCompositing = picture.look == LookInSpace::Normals && !options.bits && !picture.page;
+    if (isForCompositing && io::takes(pictureFileOf(options), io::PictureFormat::Depth::Bits16))
+        picture.depth = io::PictureFormat::Depth::Bits16;
+    picture.file = pictureFileOf(options);
+    picture.quality = qualityOf(options);
+    picture.dotsPerInch = dotsPerInch(options);
+    picture.request = requestOf(shown, fractal, options, fileName);
+    if (options.slice) warnOfEmptySlice(picture, fileName);
+    if (options.legend) picture.legend = io::mapLegend(fractal, picture.request.camera.size.height);
+    if (options.overlay) picture.marks = marksOf(picture, options);
+    fractal = options.frame ? shown.entry : placedIn(fractal, picture.request.cage);
+    if (io::memoryFor(picture) > maxBytes)
+        throw UsageError{tr("--size %1 needs more than 4 GB of memory in space.").arg(quoted(options.size))};
+    return picture;
+}
+
+} // namespace cli

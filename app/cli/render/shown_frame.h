@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "render/render_arguments.h"
+#include "render/render_view.h"
+
+#include "attractor/request/orbit_camera.h"
+#include "document/moments/animated_fractal.h"
+
+// What one moment of an entry shows.
+namespace cli {
+
+struct Shown {
+    document::Fractal fractal;                      // what is drawn
+    document::Fractal entry;                        // what a picture carries
+    std::optional<attractor::View> view{};          // of the keys, in the plane …
+    std::optional<attractor::OrbitCamera> camera{}; // … and in space
+    double orbit = 0;                               // degrees: animation::orbited()
+    // Without a camera of their own, the frames of an animation share the view of all of them.
+    std::optional<ViewBox> box{};    // in the plane
+    attractor::Support support = {}; // in space
+};
+
+// The entry at rest, or at --frame; in the plane with the colours that are asked for. Throws UsageError for a
+// frame outside of the animation.
+Shown shownBy(const document::Fractal& entry, const RenderArguments& arguments);
+
+// The same frame after frame: what is common to all of them is worked out once.
+class Frames {
+public:
+    Frames(const document::Fractal& entry, const RenderArguments& arguments);
+
+    Shown at(const animation::Moment& moment) const;
+
+private:
+    const RenderArguments& m_arguments;
+    document::Fractal m_entry;
+    Shown m_common;
+};
+
+// That the moment is after the last frame of the entry; empty if it is not.
+QString frameObstacle(const document::Fractal& entry, const animation::Moment& moment);
+
+} // namespace cli

@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: MIT
+#include "files/exports.h"
+
+#include "dialogs/export/animation_export_dialog.h"
+#include "dialogs/export/export_progress.h"
+#include "document/text/text.h"
+#include "messages/window_messages.h"
+#include "session/session.h"
+
+#include <QCoreApplication>
+#include <QDockWidget>
+#include <QMessageBox>
+#include <QPointer>
+#include <QPushButton>
+#include <QStandardPaths>
+
+#include <algorithm>
+
+namespace exports {
+
+QString folder() {
+    return QStandardPaths::writableLocation(QStandardPaths::AppLocalDataLocation) +
+           QStringLiteral("/exports");
+}
+
+view::ExportQueue* queue() {
+    auto* known = qApp->findChild<view::ExportQueue*>(QString(), Qt::FindDirectChildrenOnly);
+    if (known) return known;
+    auto* made = new view::ExportQueue(folder(), qApp);
+    QObject::connect(qApp, &QCoreApplication::aboutToQuit, made, &view::ExportQueue::shutDown);
+    return made;
+}
+
+void connectPanel(QDockWidget* panel, WindowMessages* messages) {
+    panel->hide();
+    QObject::connect(queue(), &view::ExportQueue::message, messages, &WindowMessages::say);
+    QObject::connect(queue(), &view::ExportQueue::resumed, panel, [panel, messages] {
+        const int count = queue()->unfinished();
+        if (count == 0) return; // those that failed can wait until the panel is opened
+        panel->show();
+        panel->raise();
+        messages->say(Text::tr("%n exports from the last session are in the queue.", nullptr, count));
+    });
+}
+
+void showPanel(const QMainWindow& window) {
+    auto* panel = window.findChild<QDockWidget*>(QStringLiteral("exports"));
+    panel->show();
+    panel->raise();
+}
+
+namespace {
+
+// Whether its export may be stopped, or has ended before anybody answered.
+bool mayStop(view::ExportProgress& progress) {
+    QMessageBox box(QMessageBox::Question, Text::tr("Export is not finished"),
+                    Text::tr("A file is still being exported."), QMessageBox::NoButton, progress.window());
+    box.setInformativeText(Text::tr("If you stop now, no file is written."));
+    const QPushButton* stop = box.addButton(Text::tr("&Stop Export"), QMessageBox::AcceptRole);
+    QPushButton* goOn = box.addButton(Text::tr("&Continue"), QMessageBox::RejectRole);
+    box.setDefaultButton(goOn);
+    box.setEscapeButton(goOn);
+    const QPointer<view::ExportProgress> watched(&progress);
+    QObject::connect(&progress, &view::ExportProgress::ended, &box, &QDialog::reject);
+    box.exec();
+    return box.clickedButton() == stop || !watched || !watched->isUnderWay();
+}
+
+} // namespace
+
+bool mayEnd(QWidget* window) {
+    for (auto* animation : window->findChildren<view::AnimationExportDialog*>())
+        if (!animation->mayClose()) return false;
+    for (auto* progress : window->findChildren<view::ExportProgress*>()) {
+        const bool isAsked = qobject_cast<view::AnimationExportDialog*>(progress->window()) != nullptr;
+        if (!isAsked && progress->isUnderWay() && !mayStop(*progress)) return false;
+    }
+    const auto others = session::windows();
+    const bool isLast = std::ranges::none_of(
+        others, [window](const SessionWindow* other) { return other != window && other->isVisible(); });
+    if (queue()->unfinished() == 0 || queue()->isPaused() || !isLast) return true;
+    QMessageBox box(QMessageBox::Question, Text::tr("Exports are not finished"), {}, QMessageBox::Cancel,
+                    window);
+    box.setInformativeText(Text::tr("They will continue the next time you start Barycage. Close it now?",
+                                    nullptr, queue()->unfinished()));
+    const QPushButton* close = box.addButton(Text::tr("&Close"), QMessageBox::AcceptRole);
+    box.setDefaultButton(QMessageBox::Cancel);
+    const auto follow = [&box] {
+        const int left = queue()->unfinished();
+        box.setText(Text::tr("%n exports are still in the queue.", nullptr, left));
+        if (left == 0) box.accept(); // nobody need answer any more
+    };
+    QObject::connect(queue(), &view::ExportQueue::exportChanged, &box, follow);
+    QObject::connect(queue(), &view::ExportQueue::listChanged, &box, follow);
+    follow();
+    box.exec();
+    return queue()->unfinished() == 0 || box.clickedButton() == close;
+}
+
+} // namespace exports

@@ -1,0 +1,201 @@
+// SPDX-License-Identifier: MIT
+#include "files/file_commands.h"
+
+#include "messages/save_question.h"
+#include "panels/collage/collage_panel.h"
+#include "panels/collage/target_box.h"
+#include "panels/snapshots/snapshots.h"
+#include "session/session.h"
+#include "widgets/file_dialogs.h"
+
+#include <QAbstractButton>
+#include <QFileInfo>
+#include <QMessageBox>
+#include <QPushButton>
+
+namespace {
+
+constexpr qsizetype maxNamed = 6; // snapshots in a question
+
+QString fileFilter() {
+    return FileCommands::tr(
+        "Fractint collections (*.ifs *.par);;Flames (*.flame *.flam3);;Tables of numbers (*.csv *.tsv "
+        "*.txt);;Pictures with an embedded fractal (*.png *.svg);;Lessons (*.lesson);;All files (*)");
+}
+
+QString list(const QStringList& names) {
+    QStringList some = names.mid(0, maxNamed);
+    if (some.size() < names.size()) some << QStringLiteral("…");
+    return some.join(QStringLiteral(", "));
+}
+
+} // namespace
+
+FileCommands::FileCommands(const MenuContext& context, OpenFile* file)
+    : QObject(context.window), m_context(context), m_file(file) {}
+
+QString FileCommands::lostSnapshots() const {
+    const QStringList names = m_snapshots ? m_snapshots->unsaved() : QStringList();
+    if (names.isEmpty()) return {};
+    return tr("Snapshots are not saved with the file and will be lost: %1. To keep one, cancel and choose "
+              "Add as Entry in the Snapshots panel.")
+        .arg(list(names));
+}
+
+QString FileCommands::discardedSnapshots() const {
+    const QStringList names = m_snapshots ? m_snapshots->lostByDiscarding() : QStringList();
+    if (names.isEmpty()) return {};
+    return tr("If you discard the changes, the snapshots of them will be lost, too: %1.").arg(list(names));
+}
+
+bool FileCommands::maybeSave() {
+    if (m_lessons.maybeSave && !m_lessons.maybeSave()) return false;
+    m_context.canvas->cancelGesture();
+    if (!m_context.document->isModified()) {
+        const QString lost = lostSnapshots();
+        return lost.isEmpty() ||
+               askToDiscard(m_context.window, tr("Unsaved snapshots"),
+                            tr("“%1” has snapshots that are not saved.").arg(m_file->name()), lost);
+    }
+    switch (askToSave(m_context.window, tr("Unsaved changes"),
+                      tr("“%1” has unsaved changes.").arg(m_file->name()),
+                      {targetRemark(), lostSnapshots(), discardedSnapshots()})) {
+    case QMessageBox::Save:
+        return save();
+    case QMessageBox::Discard:
+        return true;
+    default:
+        return false;
+    }
+}
+
+bool FileCommands::open(const QString& path) {
+    if (m_lessons.open && path.endsWith(QLatin1String(".lesson"), Qt::CaseInsensitive))
+        return m_lessons.open(path);
+    if (const io::Failure failure = m_file->open(path)) {
+        if (m_file->isStopped()) return false;
+        m_context.messages->fail(tr("%1 could not be opened").arg(QFileInfo(path).fileName()), *failure);
+        return false;
+    }
+    reportOpened();
+    return true;
+}
+
+void FileCommands::reportOpened() {
+    const document::FractalFile& file = m_context.document->file();
+    qsizetype broken = 0;
+    qsizetype bent = 0;
+    for (const document::Entry& entry : file.entries) {
+        if (document::dimension(*entry.fractal) == 0)
+            ++broken;
+        else if (document::callsForAttention(entry.problems))
+            ++bent;
+    }
+    QString sentence = tr("%n entries", nullptr, int(file.entries.size()));
+    if (broken > 0)
+        sentence += tr(", %n of them could not be read and are kept unchanged", nullptr, int(broken));
+    if (bent > 0) sentence += tr(", %n read with warnings", nullptr, int(bent));
+    m_context.messages->say(sentence + u'.');
+}
+
+void FileCommands::startNew() {
+    if (!maybeSave()) return;
+    m_file->startNew();
+    m_context.canvas->fit();
+}
+
+void FileCommands::chooseAndOpen() {
+    if (!maybeSave()) return;
+    const QString folder = m_file->path().isEmpty() ? QString() : QFileInfo(m_file->path()).path();
+    const QString path = view::chooseFileToOpen(m_context.window, tr("Open"), fileFilter(), folder);
+    if (!path.isEmpty() && !session::showOther(path, m_context.window)) open(path);
+}
+
+void FileCommands::openRecent(const QString& path) {
+    if (!session::showOther(path, m_context.window) && maybeSave()) open(path);
+}
+
+// Another program has changed the file, or taken it away.
+FileCommands::Answer FileCommands::askAboutDisk(OpenFile::OnDisk found) {
+    const bool isGone = found == OpenFile::OnDisk::Gone;
+    QMessageBox box(
+        QMessageBox::Warning, isGone ? tr("Missing on disk") : tr("Changed on disk"),
+        isGone ? tr("“%1” has been deleted, renamed or moved since you opened it.").arg(m_file->name())
+               : tr("Another program has changed “%1” since you opened it.").arg(m_file->name()),
+        QMessageBox::Cancel, m_context.window);
+    box.setInformativeText(isGone ? tr("Saving creates it again in its old location.")
+                                  : tr("Saving overwrites the changes made by the other program."));
+    const QPushButton* here = isGone ? box.addButton(QMessageBox::Save)
+                                     : box.addButton(tr("Replace"), QMessageBox::DestructiveRole);
+    const QPushButton* elsewhere = box.addButton(tr("Save As…"), QMessageBox::AcceptRole);
+    box.exec();
+    const QAbstractButton* clicked = box.clickedButton();
+    return clicked == here ? Answer::Save : clicked == elsewhere ? Answer::SaveAs : Answer::Cancel;
+}
+
+bool FileCommands::save() {
+    if (m_lessons.refusesSaving && m_lessons.refusesSaving()) return false;
+    if (m_file->path().isEmpty()) return saveAs();
+    const std::optional<OpenFile::OnDisk> found = m_file->onDisk();
+    if (!found) return false;
+    const Answer answer = *found == OpenFile::OnDisk::Same ? Answer::Save : askAboutDisk(*found);
+    if (answer == Answer::SaveAs) return saveAs();
+    if (answer == Answer::Cancel) return false;
+    if (const io::Failure failure = m_file->save()) {
+        m_context.messages->fail(tr("%1 was not saved").arg(m_file->name()), *failure);
+        return false;
+    }
+    reportSaved();
+    return true;
+}
+
+QString FileCommands::targetRemark() const {
+    const auto* collage = m_context.window->findChild<view::CollagePanel*>();
+    return collage != nullptr && collage->target()->hasTargets()
+               ? tr("The target in the Collage panel is not saved with the file.")
+               : QString();
+}
+
+void FileCommands::reportSaved() {
+    QString sentence = tr("Saved %1.").arg(m_file->name());
+    if (m_file->otherNames() > 0)
+        sentence += u' ' + tr("Other names of the file (hard links) keep the old contents.");
+    if (const QString remark = targetRemark(); !remark.isEmpty() && !m_hasRemarkedOnTarget) {
+        sentence += u' ' + remark;
+        m_hasRemarkedOnTarget = true;
+    }
+    m_context.messages->say(sentence);
+}
+
+bool FileCommands::saveAs() {
+    if (m_lessons.refusesSaving && m_lessons.refusesSaving()) return false;
+    const QString suggestion =
+        m_file->path().isEmpty()
+            ? document::uniqueName({}, m_context.document->fractal().name) + QStringLiteral(".ifs")
+            : m_file->path();
+    const QString path = view::chooseFileToSave(m_context.window, tr("Save As"), suggestion,
+                                                tr("Fractint collections (*.ifs)"), QStringLiteral("ifs"));
+    if (path.isEmpty()) return false;
+    if (const io::Failure failure = m_file->saveAs(path)) {
+        m_context.messages->fail(tr("%1 was not saved").arg(QFileInfo(path).fileName()), *failure);
+        return false;
+    }
+    reportSaved();
+    return true;
+}
+
+void FileCommands::revert() {
+    QStringList lost{lostSnapshots(), discardedSnapshots()};
+    lost.removeAll(QString());
+    if (m_context.document->isModified() || !lost.isEmpty()) {
+        const QString question =
+            m_context.document->isModified()
+                ? tr("Revert to “%1” as it is on disk? Your changes since then will be lost.")
+                : tr("Revert to “%1” as it is on disk?");
+        if (!askToDiscard(m_context.window, tr("Revert"), question.arg(m_file->name()),
+                          lost.join(QStringLiteral("\n\n"))))
+            return;
+    }
+    if (const io::Failure failure = m_file->revert(); failure && !m_file->isStopped())
+        m_context.messages->fail(tr("%1 could not be reloaded").arg(m_file->name()), *failure);
+}

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "actions/action_menu.h"
+#include "files/open_file.h"
+
+#include <functional>
+
+namespace view {
+class Snapshots;
+}
+
+// Opens and saves the file of a window, with the dialogs that this takes. Shares the translations of the main
+// window.
+class FileCommands : public QObject {
+    Q_DECLARE_TR_FUNCTIONS(MainWindow)
+
+public:
+    FileCommands(const MenuContext& context, OpenFile* file);
+
+    bool maybeSave();               // asks about unsaved changes; false: the user cancelled
+    bool open(const QString& path); // reports what was read, or what failed
+    // These ask about unsaved changes first. A file that another window has is shown there.
+    void startNew();
+    void chooseAndOpen();
+    void openRecent(const QString& path);
+
+    bool save();
+    bool saveAs();
+    void revert();
+
+    // A lesson goes with the file: how one is opened, whether what is written may be given up, and whether
+    // one is played, which keeps the file from being saved meanwhile.
+    struct Lessons {
+        std::function<bool(const QString& path)> open;
+        std::function<bool()> maybeSave;
+        std::function<bool()> refusesSaving;
+    };
+    void setLessons(const Lessons& lessons) { m_lessons = lessons; }
+    void setSnapshots(const view::Snapshots* snapshots) { m_snapshots = snapshots; } // lost with the file
+
+private:
+    enum class Answer { Save, SaveAs, Cancel };
+    Answer askAboutDisk(OpenFile::OnDisk found);
+    void reportOpened();
+    void reportSaved();
+    QString targetRemark() const;       // about the target of a collage, if there is one
+    QString lostSnapshots() const;      // a sentence; empty: none
+    QString discardedSnapshots() const; // besides these, when changes are given up
+
+    MenuContext m_context;
+    OpenFile* m_file;
+    Lessons m_lessons;
+    bool m_hasRemarkedOnTarget = false; // since the window is open
+    const view::Snapshots* m_snapshots = nullptr;
+};

@@ -1,0 +1,249 @@
+// SPDX-License-Identifier: MIT
+#include "files/open_file.h"
+
+#include "document/fractal/fractal_geometry.h"
+#include "document/tops/picture_paths.h"
+#include "files/recent_files.h"
+#include "io/collection_reader.h"
+#include "io/file/background.h"
+#include "io/file/hard_links.h"
+#include "io/fractint/fractint_reader.h"
+#include "io/fractint/fractint_writer.h"
+#include "io/table/listed_maps.h"
+#include "io/text/encoding.h"
+#include "widgets/background/wait_for.h"
+
+#include <QCryptographicHash>
+#include <QFileInfo>
+#include <QHash>
+#include <QScopedValueRollback>
+
+#include <algorithm>
+#include <atomic>
+#include <memory>
+#include <optional>
+
+namespace {
+
+QByteArray digestOf(const QByteArray& bytes) {
+    return QCryptographicHash::hash(bytes, QCryptographicHash::Sha256);
+}
+
+struct Reading {
+    io::Loaded loaded;
+    io::Collection collection; // when there is no failure
+    QByteArray digest;
+    QString table; // whose order of columns is assumed
+};
+
+QFuture<Reading> readBeside(const QString& path) {
+    return io::inBackground<Reading>(io::Lane::Reading, [path](QPromise<Reading>& promise) {
+        Reading reading{io::loadFile(path), {}, {}, {}};
+        if (!reading.loaded.failure) {
+            reading.collection = io::readCollection(reading.loaded.bytes, path);
+            reading.digest = digestOf(reading.loaded.bytes);
+            if (reading.collection.isOrderAssumed)
+                reading.table = io::tableIn(
+                    QString::fromUtf8(io::fromUtf16(reading.loaded.bytes).value_or(reading.loaded.bytes)));
+            // What showing the first entry takes is remembered.
+            const auto& entries = reading.collection.file.entries;
+            const auto shown = std::ranges::find_if(
+                entries, [](const auto& entry) { return document::system2(*entry.fractal) != nullptr; });
+            if (shown != entries.end()) document::supportFunction(*shown->fractal);
+        }
+        promise.addResult(std::move(reading));
+    });
+}
+
+// Somebody cancels what somebody else is about to finish; the first one decides.
+struct Writing {
+    std::atomic<bool> isDecided = false;
+    io::Failure failure;
+    document::FractalFile file; // as it reads when it is opened again
+    QByteArray digest;
+    int otherNames = 0; // of the file that was there
+};
+
+QFuture<void> writeBeside(const std::shared_ptr<Writing>& writing, const document::FractalFile& file,
+                          const QString& path) {
+    return QFuture<void>(
+        io::inBackground<bool>(io::Lane::Saving, [writing, file, path](QPromise<bool>& promise) {
+            constexpr qsizetype piece = 1 << 20;
+            const QByteArray bytes = io::writeFractint(file);
+            writing->file = io::readFractint(bytes, QFileInfo(path).completeBaseName());
+            writing->digest = digestOf(bytes);
+            writing->otherNames = io::otherNames(path);
+            io::NewFile target(path);
+            for (qsizetype at = 0; at < bytes.size() && !target.failure(); at += piece) {
+                if (promise.isCanceled()) return;
+                target.write(bytes.constData() + at, std::min(piece, bytes.size() - at));
+            }
+            if (!writing->isDecided.exchange(true)) writing->failure = target.commit();
+        }));
+}
+
+OpenFile::OnDisk now(const QString& path, const QByteArray& known) {
+    using enum OpenFile::OnDisk;
+    if (!QFileInfo::exists(path)) return Gone;
+    const io::Loaded loaded = io::loadFile(path);
+    return loaded.failure || digestOf(loaded.bytes) != known ? Changed : Same;
+}
+
+// Entries of one name are one entry: those that nobody touched are not shown as changed.
+void keepIds(document::FractalFile& recovered, const document::FractalFile& before) {
+    QHash<QString, document::EntryId> known;
+    for (const document::Entry& entry : before.entries)
+        if (!known.contains(entry.fractal->name)) known.insert(entry.fractal->name, entry.id);
+    auto fresh = static_cast<std::uint32_t>(document::freshId(before));
+    for (document::Entry& entry : recovered.entries) {
+        entry.id = known.take(entry.fractal->name);
+        if (entry.id == document::EntryId::None) entry.id = static_cast<document::EntryId>(fresh++);
+    }
+}
+
+} // namespace
+
+OpenFile::OpenFile(document::Document* document, QWidget* window) : m_document(document), m_window(window) {}
+
+QString OpenFile::name() const {
+    return m_path.isEmpty() ? tr("Untitled") : QFileInfo(m_path).fileName();
+}
+
+void OpenFile::startNew() {
+    startFrom(document::fileOf(document::sierpinskiTriangle()), document::EntryId::None);
+}
+
+void OpenFile::startFrom(document::FractalFile file, document::EntryId current) {
+    m_document->setFile(std::move(file), current);
+    remember({}, {});
+}
+
+bool OpenFile::hasRead(const QFuture<void>& reading, const QString& label) {
+    m_reading = reading;
+    m_isReading = true;
+    const bool isRead = view::waitFor(reading, label, m_window);
+    m_isReading = false;
+    m_reading = {};
+    if (m_isStopped) emit stopped();
+    return isRead && !m_isStopped;
+}
+
+void OpenFile::stopReading() {
+    if (!m_isReading) return;
+    m_isStopped = true;
+    m_reading.cancel();
+}
+
+io::Failure OpenFile::open(const QString& path) {
+    const QScopedValueRollback<bool> busy(m_isBusy, true);
+    m_isStopped = false;
+    const auto file = QFileInfo(path).fileName();
+    QFuture<Reading> result = readBeside(path);
+    if (!hasRead(QFuture<void>(result), tr("Reading “%1”…").arg(file)))
+        return tr("Reading “%1” was cancelled.").arg(file);
+    auto [loaded, collection, digest, table] = result.takeResult();
+    if (loaded.failure) return loaded.failure;
+    if (collection.file.entries.isEmpty() && !collection.file.problems.isEmpty())
+        return collection.file.problems.first().message;
+    document::FractalFile before = m_document->file();
+    m_document->setFile(std::move(collection.file));
+    io::freeInBackground(std::move(before));
+    // What was taken out of another format has no .ifs file to be saved to yet.
+    if (collection.format == QLatin1String("fractint"))
+        remember(path, digest);
+    else
+        remember({}, {});
+    recent_files::add(path);
+    if (collection.format == QLatin1String("flame")) emit flamesOpened();
+    if (collection.isOrderAssumed) emit orderAssumed(table);
+    return std::nullopt;
+}
+
+std::optional<io::Failure> OpenFile::recover(const document::Snapshot& snapshot) {
+    io::Failure failure;
+    m_isStopped = false;
+    if (!snapshot.path.isEmpty()) failure = open(snapshot.path);
+    if (m_isStopped) return std::nullopt;
+    if (snapshot.path.isEmpty() || failure) startNew();
+    const QScopedValueRollback<bool> busy(m_isBusy, true);
+    QFuture<document::FractalFile> reading = io::inBackground<document::FractalFile>(
+        [snapshot, before = m_document->file()](QPromise<document::FractalFile>& promise) {
+            document::FractalFile file =
+                io::readFractint(snapshot.bytes, QFileInfo(snapshot.path).completeBaseName());
+            keepIds(file, before);
+            promise.addResult(std::move(file));
+        });
+    if (!hasRead(QFuture<void>(reading), tr("Reading “%1”…").arg(snapshot.title))) return std::nullopt;
+    document::FractalFile recovered = reading.takeResult();
+    const bool known = snapshot.current >= 0 && snapshot.current < recovered.entries.size();
+    const document::EntryId current =
+        known ? recovered.entries[snapshot.current].id : document::EntryId::None;
+    if (snapshot.path.isEmpty()) { // there is nothing that undoing could go back to
+        m_document->setFile(std::move(recovered), current);
+        m_document->undoStack()->resetClean();
+    } else {
+        m_document->editFile(tr("Recover unsaved work"), std::move(recovered), current);
+    }
+    if (!snapshot.path.isEmpty()) {
+        m_path = snapshot.path;
+        m_digest = snapshot.base; // not what somebody else may have written since
+        m_isMissing = failure.has_value();
+        emit pathChanged();
+    }
+    return failure;
+}
+
+io::Failure OpenFile::save() {
+    return write(m_path);
+}
+
+io::Failure OpenFile::saveAs(const QString& path) {
+    return write(path);
+}
+
+io::Failure OpenFile::revert() {
+    return open(m_path);
+}
+
+std::optional<OpenFile::OnDisk> OpenFile::onDisk() {
+    if (m_path.isEmpty()) return OnDisk::Same;
+    const QScopedValueRollback<bool> busy(m_isBusy, true);
+    QFuture<OnDisk> result = io::inBackground<OnDisk>(
+        io::Lane::Saving, [path = m_path, known = m_digest](QPromise<OnDisk>& promise) {
+            promise.addResult(now(path, known));
+        });
+    if (!view::waitFor(QFuture<void>(result), tr("Reading “%1”…").arg(name()), m_window)) return std::nullopt;
+    const OnDisk found = result.takeResult();
+    return found == OnDisk::Gone && m_isMissing ? OnDisk::Same : found;
+}
+
+io::Failure OpenFile::write(const QString& path) {
+    const QScopedValueRollback<bool> busy(m_isBusy, true);
+    const auto writing = std::make_shared<Writing>();
+    const auto inFolder = [from = m_path.isEmpty() ? QString() : QFileInfo(m_path).path(),
+                           to = QFileInfo(path).absolutePath()](const document::FractalFile& of) {
+        return document::withPicturesFoundFrom(of, from, to);
+    };
+    QFuture<void> work = writeBeside(writing, inFolder(m_document->file()), path);
+    const auto file = QFileInfo(path).fileName();
+    while (
+        !view::waitFor(work, tr("Saving “%1”…").arg(file), m_window)) // in the end it is cancelled, or saved
+        if (!writing->isDecided.exchange(true))
+            return tr("Saving “%1” was cancelled. The file on disk is unchanged.").arg(file);
+    work.waitForFinished(); // throws what went wrong besides
+    if (writing->failure) return writing->failure;
+    m_otherNames = writing->otherNames;
+    remember(path, writing->digest);
+    m_document->editFile(tr("Adjust Picture Paths"), inFolder(m_document->file()), m_document->currentId());
+    m_document->markSaved(writing->file);
+    io::freeInBackground(std::move(writing->file));
+    recent_files::add(path);
+    return std::nullopt;
+}
+
+void OpenFile::remember(const QString& path, const QByteArray& digest) {
+    m_path = path.isEmpty() ? QString() : QFileInfo(path).absoluteFilePath(); // it outlives this folder
+    m_digest = digest;
+    m_isMissing = false;
+    emit pathChanged();
+}

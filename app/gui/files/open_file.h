@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "document/disk/journal.h"
+#include "document/document.h"
+#include "io/file/save_file.h"
+
+#include <QByteArray>
+#include <QFuture>
+#include <QObject>
+#include <QString>
+
+class QWidget;
+
+// Where a window's document comes from and goes to.
+class OpenFile : public QObject {
+    Q_OBJECT
+
+public:
+    OpenFile(document::Document* document, QWidget* window);
+
+    QString path() const { return m_path; } // empty while it has none
+    QString name() const;                   // for titles: file name, or "Untitled"
+
+    void startNew();                                                       // a Sierpiński triangle, no path
+    void startFrom(document::FractalFile file, document::EntryId current); // no path
+    // Pictures that carry their system open as a file without path. The document is as before when this
+    // fails.
+    io::Failure open(const QString& path);
+    // A large file is read or written beside the window, and events are handled meanwhile.
+    bool isBusy() const { return m_isBusy; }
+    bool isReading() const { return m_isReading; }
+    // The window closes: what is read is not waited for any more, and nothing is said about it. stopped()
+    // follows when nobody uses the window any more.
+    void stopReading();
+    bool isStopped() const { return m_isStopped; }
+    // Unsaved work as one undoable step over the file as it is on disk, so that nothing is written before it
+    // is saved. A file that cannot be read now, as on a drive that is not there, is said; the path stays.
+    // nullopt when the user does not wait for it.
+    std::optional<io::Failure> recover(const document::Snapshot& snapshot);
+    io::Failure save(); // to path()
+    io::Failure saveAs(const QString& path);
+    io::Failure revert();
+
+    QByteArray digest() const { return m_digest; } // of the bytes that were read or written here
+    // What has become of the file at path(): `Changed` when it holds other bytes or cannot be read, `Gone`
+    // when there is none any more and the user has not been told so. nullopt when the user does not wait for
+    // it.
+    enum class OnDisk { Same, Changed, Gone };
+    std::optional<OnDisk> onDisk();
+    // Hard links of the file that was there before the last save, which go on leading to the old contents.
+    int otherNames() const { return m_otherNames; }
+
+signals:
+    void pathChanged();
+    void stopped();
+    // A table was opened whose text does not say what its columns are.
+    void orderAssumed(const QString& text);
+    void flamesOpened();
+
+private:
+    bool hasRead(const QFuture<void>& reading, const QString& label);
+    io::Failure write(const QString& path);
+    void remember(const QString& path, const QByteArray& digest);
+
+    document::Document* m_document;
+    QWidget* m_window;
+    bool m_isBusy = false;
+    bool m_isReading = false;
+    bool m_isStopped = false;
+    QFuture<void> m_reading;
+    QString m_path;
+    QByteArray m_digest;
+    bool m_isMissing = false; // it was not there to be read, and the user knows
+    int m_otherNames = 0;
+};

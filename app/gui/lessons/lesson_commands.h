@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "actions/action_menu.h"
+#include "io/lesson/lesson_reader.h"
+#include "lessons/lesson_player.h"
+#include "panels/lesson/lesson_notebook.h"
+
+class FileCommands;
+class OpenFile;
+class QDockWidget;
+namespace view {
+class LessonPanel;
+}
+
+// The lesson of a window: written in its panel, kept beside the file of its fractals, and played. Its menu
+// goes into the View menu.
+class LessonCommands : public ActionMenu {
+    Q_DECLARE_TR_FUNCTIONS(MainWindow)
+
+public:
+    LessonCommands(const MenuContext& context, const LessonParts& parts, QAction* presentation);
+
+    void setFiles(FileCommands* commands, OpenFile* file); // which it then follows
+    view::LessonPanel* panel() const { return m_panel; }
+    void setDock(QDockWidget* dock); // that holds the panel
+
+    bool open(const QString& path); // the lesson and its file; reports what failed
+    bool maybeSave();               // ends the lesson, asks about unsaved steps; false: the user cancelled
+    void recover(const QByteArray& lesson, const QString& path); // of a window that is gone; empty: none
+    void showBuiltIn(const QString& name); // in the language of the user, where there is such a text
+
+    // The lessons that come with the program, as actions; `window` makes the window for one of them.
+    void addBuiltIn(QMenu* menu, const std::function<LessonCommands*()>& window);
+
+    view::LessonNotebook& notebook() { return *m_notebook; }
+    LessonPlayer& player() { return *m_player; }
+
+private:
+    void createActions();
+    void connectPanel();
+    struct LessonPlace {
+        QString lesson;       // its path; empty for one that comes with the program
+        QString fractals;     // their path
+        bool isOther = false; // than the lesson says, as the user has found them
+    };
+    bool adopt(const LessonPlace& place, const QString& name, io::LessonFile read);
+    bool openWith(const QString& fractals, const QString& path, io::LessonFile lesson);
+    void askForForeign(const QString& path, io::LessonFile lesson);
+    void offerToFind(const QString& path, io::LessonFile lesson);
+    void showPanel();
+    bool save();
+    bool saveAs();
+    bool isReadyToSave();
+    bool saveTo(const QString& path);
+    void addStep();
+    void play();
+    void fileChanged();
+    bool isUnused() const;
+
+    LessonParts m_parts;
+    view::LessonNotebook* m_notebook;
+    view::LessonPanel* m_panel;
+    LessonPlayer* m_player;
+    QDockWidget* m_dock = nullptr;
+    FileCommands* m_commands = nullptr;
+    OpenFile* m_file = nullptr;
+    QString m_filePath;       // of the fractals that the lesson belongs to
+    bool m_isGivenUp = false; // the user does not want the unsaved steps
+    bool m_isOpening = false;
+};

@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: MIT
+#include "menus/animation_menu.h"
+
+#include "panels/timeline/space_tap.h"
+#include "panels/timeline/timeline_panel.h"
+#include "panels/timeline/track_view.h"
+#include "stage/stage.h"
+#include "widgets/icon.h"
+
+#include <QDockWidget>
+
+AnimationMenu::AnimationMenu(const MenuContext& context, view::TimelinePanel* panel)
+    : ActionMenu(context, tr("&Animation")), m_panel(panel) {
+    m_animate = add({"animate", tr("A&nimate"), {}, tr("Show the timeline under the canvas")}, [this] {
+        if (m_animate->isChecked()) {
+            showDock();
+            m_panel->trackView()->setFocus();
+        } else {
+            m_dock->hide();
+        }
+    });
+    m_animate->setCheckable(true);
+    addToolBarGroup({m_animate});
+    addSeparator();
+    addPlaying();
+    addSeparator();
+    addKeys();
+    addSeparator();
+    addMenu(panel->motionMenu());
+    panel->timeline().setCameraSource([context]() -> document::SeenCamera {
+        if (!context.stage->showsSpace() && context.canvas->camera().height <= 0) return std::nullopt;
+        return context.stage->camera();
+    });
+    connect(panel, &view::TimelinePanel::message, context.messages, &WindowMessages::say);
+    connect(panel, &view::TimelinePanel::motionAdded, this, &AnimationMenu::showDock);
+}
+
+void AnimationMenu::setDock(QDockWidget* dock) {
+    m_dock = dock;
+    m_animate->setChecked(!dock->isHidden());
+    connect(dock->toggleViewAction(), &QAction::toggled, m_animate, &QAction::setChecked);
+}
+
+void AnimationMenu::showDock() {
+    m_dock->show();
+    m_dock->raise();
+}
+
+void AnimationMenu::addPlaying() {
+    view::Timeline& timeline = m_panel->timeline();
+    view::Playback& playback = timeline.playback();
+    const auto toggle = [&playback] { playback.setPlaying(!playback.isPlaying()); };
+    QAction* play =
+        add({"play", tr("&Play"), {}, tr("Play or stop the animation (Space on the canvas)")}, toggle);
+    connect(&playback, &view::Playback::playingChanged, play, [play](bool playing) {
+        play->setIcon(view::icon(playing ? QStringLiteral("pause") : QStringLiteral("play")));
+        play->setText(playing ? tr("&Pause") : tr("&Play"));
+    });
+    view::SpaceView* space = context().stage->space();
+    connect(new view::SpaceTap(context().stage->plane()), &view::SpaceTap::tapped, this, toggle);
+    connect(new view::SpaceTap(space), &view::SpaceTap::tapped, this, [space, toggle] {
+        if (!space->ball().focused()) toggle(); // there, Space looks along an axis
+    });
+    add({nullptr, tr("P&revious Frame"), QKeySequence(tr(",")), tr("Move the playhead back one frame")},
+        [&timeline] { timeline.setFrame(timeline.frame() - 1); });
+    add({nullptr, tr("Ne&xt Frame"), QKeySequence(tr(".")), tr("Move the playhead forward one frame")},
+        [&timeline] { timeline.setFrame(timeline.frame() + 1); });
+    add({"key-previous", tr("Pre&vious Key"), QKeySequence(tr("Alt+,")),
+         tr("Move the playhead to the previous key")},
+        [&timeline] { timeline.stepToKey(-1); });
+    add({"key-next", tr("Nex&t Key"), QKeySequence(tr("Alt+.")), tr("Move the playhead to the next key")},
+        [&timeline] { timeline.stepToKey(1); });
+}
+
+void AnimationMenu::addKeys() {
+    view::Timeline& timeline = m_panel->timeline();
+    const auto withTracks = [this](void (view::KeyCommands::*set)()) {
+        return [this, set] {
+            m_panel->showTracks();
+            showDock();
+            (m_panel->timeline().keys().*set)();
+        };
+    };
+    add({"key", tr("Set &Key"), QKeySequence(tr("K")), tr("Key the current track at the playhead")},
+        withTracks(&view::KeyCommands::set));
+    add({nullptr, tr("Set Keys of &All Tracks"), QKeySequence(tr("Shift+K")),
+         tr("Key all tracks that have keys at the playhead, or all tracks if none has")},
+        withTracks(&view::KeyCommands::setInAll));
+    add({"remove", tr("&Delete Keys"), {}, tr("Delete the selected keys")},
+        [&timeline] { timeline.keys().remove(); });
+}

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "actions/action_menu.h"
+
+class QDockWidget;
+
+namespace view {
+class TimelinePanel;
+}
+
+// The commands of the timeline, for the whole window.
+class AnimationMenu : public ActionMenu {
+    Q_DECLARE_TR_FUNCTIONS(MainWindow)
+
+public:
+    AnimationMenu(const MenuContext& context, view::TimelinePanel* panel);
+
+    void setDock(QDockWidget* dock); // that shows the panel
+
+private:
+    void addPlaying();
+    void addKeys();
+    void showDock();
+
+    view::TimelinePanel* m_panel;
+    QDockWidget* m_dock = nullptr;
+    QAction* m_animate = nullptr;
+};

@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: MIT
+#include "menus/cage_menu.h"
+
+#include "dialogs/aifs_dialog.h"
+#include "document/edits/cage/cage_actions.h"
+#include "document/edits/cage/cage_edits.h"
+#include "stage/stage.h"
+
+#include <QActionGroup>
+
+CageMenu::CageMenu(const MenuContext& context) : ActionMenu(context, tr("&Cage")) {
+    const QList<QAction*> tools = addTools();
+    addSeparator();
+    addToolBarGroup(tools + addOperations());
+    addSeparator();
+    addModes();
+}
+
+QList<QAction*> CageMenu::addTools() {
+    const std::pair<Tool, ActionSpec> specs[] = {
+        {Tool::Cage,
+         {"cage", tr("&Drag the Cage"), QKeySequence(tr("C")), tr("Drag the corners of the cage")}},
+        {Tool::Maps,
+         {"maps", tr("Drag t&he Maps"), QKeySequence(tr("M")),
+          tr("Show each map as its image of the cage, and drag it by its corners")}},
+        {Tool::Branch,
+         {"branch", tr("Drag a Bra&nch"), QKeySequence(tr("B")),
+          tr("Click a point of the attractor and drag the branch that contains it")}},
+        {Tool::DefineTriangle,
+         {"define", tr("De&fine Triangle"), QKeySequence(tr("D")),
+          tr("Define the control triangle with three clicks, or in space the tetrahedron with four")}},
+    };
+    auto* group = new QActionGroup(this);
+    QList<QAction*> tools;
+    for (const auto& [tool, spec] : specs)
+        tools << addTool(group, tool, spec);
+    const auto nameDefinition = [define = tools.last(), stage = context().stage] {
+        define->setText(stage->showsSpace() ? tr("De&fine Tetrahedron") : tr("De&fine Triangle"));
+    };
+    connect(context().stage, &Stage::switched, tools.last(), nameDefinition);
+    nameDefinition();
+    return tools;
+}
+
+QAction* CageMenu::addTool(QActionGroup* group, Tool tool, const ActionSpec& spec) {
+    view::CanvasView* canvas = context().canvas;
+    QAction* action = add(spec, [canvas, tool] { canvas->setTool(tool); });
+    action->setCheckable(true);
+    action->setChecked(canvas->tool() == tool);
+    group->addAction(action);
+    connect(canvas, &view::CanvasView::toolChanged, action,
+            [action, tool](Tool now) { action->setChecked(now == tool); });
+    if (tool != Tool::Cage) disableWhen(action, &document::cageObstacle);
+    return action;
+}
+
+QList<QAction*> CageMenu::addOperations() {
+    QAction* fitSimplex = addOperation(&document::fitMinimalCanonicalSimplex,
+                                       {"fit-simplex",
+                                        tr("Fit &Minimal Canonical Simplex"),
+                                        {},
+                                        tr("Fit the smallest isosceles right triangle with legs parallel to "
+                                           "the axes around the attractor")});
+    QAction* reset = addOperation(
+        &document::resetCage,
+        {"reset", tr("&Reset"), {}, tr("Return the cage to rest: the picture shows the code as it is")});
+    QAction* bake = addOperation(
+        &document::bakeCage,
+        {"bake", tr("&Bake"), QKeySequence(tr("Ctrl+B")),
+         tr("Write the placement into the code: the picture stays, and the coefficients change")});
+    QAction* unbake = addOperation(&document::unbakeCage,
+                                   {nullptr,
+                                    tr("&Unbake"),
+                                    {},
+                                    tr("Extract the placement from the code: the picture stays, and the code "
+                                       "is rewritten for the triangle (0, 0), (1, 0), (0, 1)")});
+    QAction* regular = addOperation(
+        &document::makeCageRegular,
+        {nullptr, tr("Make Re&gular"), {}, tr("Move the vertices to the nearest regular polygon")});
+    QAction* invariantForm =
+        add({nullptr,
+             tr("Affine &Invariant Form…"),
+             {},
+             tr("Show every map as a matrix over the control triangle, with rows that sum to 1")},
+            [this] { showInvariantForm(); });
+    disableWhen(reset, &document::resetObstacle);
+    disableWhen(bake, &document::bakeObstacle);
+    disableWhen(unbake, &document::unbakeObstacle);
+    disableWhen(fitSimplex, &document::cageObstacle);
+    for (QAction* action : {regular, invariantForm})
+        disableWhen(action, &document::planeObstacle);
+    return {fitSimplex, reset, bake};
+}
+
+QAction* CageMenu::addOperation(Operation operation, const ActionSpec& spec) {
+    return add(spec, [this, operation] {
+        if (const auto sentence = operation(*context().document)) context().messages->say(*sentence);
+    });
+}
+
+void CageMenu::addModes() {
+    auto* group = new QActionGroup(this);
+    QAction* place = addMode(
+        group, document::CageMode::Place,
+        {"place", tr("&Place"), {}, tr("Moving the cage moves the picture; the code does not change")});
+    QAction* rewrite = addMode(group, document::CageMode::Rewrite,
+                               {"rewrite", tr("Re&write"), {}, tr("Moving the cage rewrites the code")});
+    addToolBarGroup({place, rewrite});
+}
+
+QAction* CageMenu::addMode(QActionGroup* group, document::CageMode mode, const ActionSpec& spec) {
+    document::Document* document = context().document;
+    QAction* action = add(spec, [document, mode] { document->setCageMode(mode); });
+    action->setCheckable(true);
+    action->setChecked(document->cageMode() == mode);
+    group->addAction(action);
+    connect(document, &document::Document::cageModeChanged, action,
+            [action, mode](document::CageMode now) { action->setChecked(now == mode); });
+    return action;
+}
+
+void CageMenu::showInvariantForm() {
+    auto* dialog = new view::AifsDialog(context().document->fractal(), context().window);
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    dialog->show();
+}

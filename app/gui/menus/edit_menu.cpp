@@ -1,0 +1,217 @@
+// SPDX-License-Identifier: MIT
+#include "menus/edit_menu.h"
+
+#include "desktop/theme.h"
+#include "dialogs/preferences_dialog.h"
+#include "dialogs/transform_dialog.h"
+#include "dialogs/variations/mutate_dialog.h"
+#include "dialogs/variations/random_dialog.h"
+#include "document/edits/cage/cage_edits.h"
+#include "document/edits/dimension_edits.h"
+#include "document/variations/variations.h"
+#include "menus/clipboard_commands.h"
+#include "menus/snapshot_commands.h"
+#include "session/session.h"
+#include "stage/stage.h"
+#include "widgets/icon.h"
+#include "widgets/menus/menu_text.h"
+#include "widgets/text/tooltip_text.h"
+
+#include <QGuiApplication>
+
+namespace {
+
+// The axis along which the projection of a solid is a system: z, else y, else x.
+std::optional<ifs::Vector<3>> flatAxis(const document::Fractal& fractal) {
+    for (const int axis : {2, 1, 0}) {
+        const ifs::Vector<3> direction = ifs::Vector<3>::Unit(axis);
+        if (document::flattenObstacle(fractal, direction).isEmpty()) return direction;
+    }
+    return std::nullopt;
+}
+
+QString projectionObstacle(const document::Fractal& fractal) {
+    return flatAxis(fractal) ? QString() : document::flattenObstacle(fractal, ifs::Vector<3>::UnitZ());
+}
+
+} // namespace
+
+EditMenu::EditMenu(const MenuContext& context, SnapshotCommands& snapshots)
+    : ActionMenu(context, tr("&Edit")) {
+    addHistory();
+    addSeparator();
+    addClipboard();
+    addSeparator();
+    snapshots.addTo(*this);
+    addSeparator();
+    addFractals();
+    addDimensions();
+    addSeparator();
+    addToggle({nullptr,
+               tr("Allow Systems &without an Attractor"),
+               {},
+               tr("Let a drag of maps continue where an attractor is no longer guaranteed"),
+               "edit/allowNoAttractor"},
+              [canvas = context.canvas, stage = context.stage](bool on) {
+                  canvas->tools().setAllowsNoAttractor(on);
+                  stage->views()->setAllowsNoAttractor(on);
+                  stage->compare()->setAllowsNoAttractor(on);
+              });
+    add({"settings", tr("&Preferences…"), QKeySequence(tr("Ctrl+,")),
+         tr("Language, theme, picture quality, and what opens at startup")},
+        [this] { showPreferences(); });
+}
+
+void EditMenu::addHistory() {
+    QUndoStack* stack = context().document->undoStack();
+    QAction* undo = stack->createUndoAction(context().window, tr("&Undo"));
+    undo->setIconText(tr("&Undo").remove(u'&')); // whatever step it takes back
+    undo->setShortcut(QKeySequence(tr("Ctrl+Z")));
+    undo->setIcon(view::icon(QStringLiteral("undo")));
+    undo->setStatusTip(tr("Undo the last edit"));
+    // In the middle of a drag, it takes back the drag alone.
+    disconnect(undo, nullptr, stack, nullptr);
+    connect(undo, &QAction::triggered, stack, [stack, stage = context().stage] {
+        if (QGuiApplication::mouseButtons() == Qt::NoButton || !stage->cancelGesture()) stack->undo();
+    });
+    QAction* redo = stack->createRedoAction(context().window, tr("&Redo"));
+    redo->setIconText(tr("&Redo").remove(u'&'));
+    redo->setShortcuts({QKeySequence(tr("Ctrl+Shift+Z")), QKeySequence(tr("Ctrl+Y"))});
+    redo->setIcon(view::icon(QStringLiteral("redo")));
+    redo->setStatusTip(tr("Redo the last edit that was undone"));
+    addShared(undo);
+    addShared(redo);
+    // Steps may be named after entries, which a tool tip would take for markup, and which may be long.
+    const auto showStep = [this](QAction* action, const QString& name, const QString& step) {
+        action->setText((name + u' ' + view::menuText(step, fontMetrics())).trimmed());
+        action->setToolTip(view::tooltipText((action->iconText() + u' ' + step).trimmed()));
+    };
+    connect(stack, &QUndoStack::undoTextChanged, undo,
+            [undo, showStep](const QString& step) { showStep(undo, tr("&Undo"), step); });
+    connect(stack, &QUndoStack::redoTextChanged, redo,
+            [redo, showStep](const QString& step) { showStep(redo, tr("&Redo"), step); });
+    addToolBarGroup({undo, redo});
+}
+
+// Of the maps or the entries, whichever have the focus. The keys that many widgets take for themselves are
+// shown here and left to them.
+void EditMenu::addClipboard() {
+    const ClipboardCommands commands(context());
+    add({"cut", tr("&Cut"), QKeySequence::Cut, tr("Move the selected maps or entries to the clipboard")},
+        [commands] { commands.cut(); });
+    add({"copy", tr("Cop&y"), QKeySequence::Copy, tr("Copy the selected maps or entries")},
+        [commands] { commands.copy(); });
+    add({"paste", tr("P&aste"), QKeySequence::Paste,
+         tr("Add fractals from the clipboard to the file: entries of an .ifs file, flames or a table of "
+            "numbers; or maps to the fractal")},
+        [commands] { commands.paste(); });
+    QAction* duplicate = add({"duplicate", tr("Dupl&icate"), QKeySequence(Qt::Key_Insert),
+                              tr("Duplicate the selected maps or entries")},
+                             [commands] { commands.duplicate(); });
+    QAction* remove =
+        add({"remove", tr("&Delete"), QKeySequence::Delete, tr("Delete the selected maps or entries")},
+            [commands] { commands.remove(); });
+    QAction* all =
+        add({nullptr, tr("&Select All"), QKeySequence::SelectAll, tr("Select all maps or all entries")},
+            [commands] { commands.selectAll(); });
+    for (QAction* action : {duplicate, remove, all})
+        action->setShortcutContext(Qt::WidgetShortcut);
+}
+
+void EditMenu::addFractals() {
+    QAction* transform = add({"transform", tr("&Transform…"), QKeySequence(tr("Ctrl+T")),
+                              tr("Rotate, scale, shear, reflect or move the whole fractal by exact amounts")},
+                             [this] { openTransform(); });
+    QAction* mutate = add({nullptr, tr("&Mutate…"), QKeySequence(tr("Ctrl+M")),
+                           tr("Breed variations of this fractal, or cross it with another one")},
+                          [this] { openMutate(); });
+    disableWhen(transform, &document::cageObstacle);
+    disableWhen(mutate, &document::variationObstacle);
+    add({nullptr, tr("Add Ra&ndom Fractal…"), QKeySequence(tr("Ctrl+Shift+M")),
+         tr("Choose from a sheet of random fractals and add one to the file")},
+        [this] { addRandom(); });
+}
+
+// To space and back. The window follows the dimension of the entry.
+void EditMenu::addDimensions() {
+    document::Document* document = context().document;
+    QAction* lift =
+        add({nullptr,
+             tr("&Lift to Space"),
+             {},
+             tr("Add a third dimension to every map; the picture stays flat until you move a map")},
+            [this, document] {
+                const QString loss = document::dimensionLoss(document->entryFractal());
+                auto lifted = document::lifted(document->fractal());
+                if (!lifted) return;
+                document->edit(tr("Lift to Space"), *std::move(lifted));
+                if (!loss.isEmpty()) context().messages->say(loss);
+            });
+    QAction* flatten =
+        add({nullptr,
+             tr("&Flatten to the Plane"),
+             {},
+             tr("Replace the solid by its projection along the first axis that every map keeps")},
+            [this, document] {
+                const QString loss = document::dimensionLoss(document->entryFractal());
+                const auto axis = flatAxis(document->fractal());
+                auto projection = axis ? document::flattened(document->fractal(), *axis) : std::nullopt;
+                if (!projection) return;
+                document->edit(tr("Flatten to the Plane"), *std::move(projection));
+                if (!loss.isEmpty()) context().messages->say(loss);
+            });
+    disableWhen(lift, &document::liftObstacle);
+    disableWhen(flatten, &projectionObstacle);
+    const auto warn = [document, lift, flatten] { // the tips are those of disableWhen() so far
+        const QString loss = document::dimensionLoss(document->entryFractal());
+        for (QAction* action : {lift, flatten}) {
+            if (loss.isEmpty() || !action->isEnabled()) continue;
+            action->setStatusTip(loss);
+            action->setToolTip(view::tooltipText(loss));
+        }
+    };
+    warn();
+    connect(document, &document::Document::changed, lift, warn);
+}
+
+void EditMenu::openTransform() {
+    auto* dialog = new view::TransformDialog(context().document, context().window);
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    dialog->open(); // modal: another edit would end the preview
+}
+
+void EditMenu::openMutate() {
+    view::MutateDialog::Descent& left = m_descents[context().document->currentId()];
+    auto* dialog = new view::MutateDialog(context().document, context().window, left);
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    left = {};
+    QObject::connect(dialog, &QDialog::rejected, dialog, [&left, dialog] {
+        if (dialog->descent().line.size() > 1) left = dialog->descent();
+    });
+    dialog->open();
+}
+
+void EditMenu::addRandom() {
+    auto* dialog = new view::RandomDialog(context().document, context().window);
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    dialog->open();
+}
+
+void EditMenu::showPreferences() {
+    auto* dialog = new view::PreferencesDialog(context().window);
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    QStringList unsaved;
+    for (const SessionWindow* window : session::windows())
+        if (window->isWindowModified())
+            unsaved << QString(window->windowTitle()).remove(QStringLiteral("[*]"));
+    dialog->setUnsaved(unsaved);
+    connect(dialog, &view::PreferencesDialog::changed, dialog, [](const view::Preferences& preferences) {
+        view::applyTheme(preferences.theme);
+        for (SessionWindow* window : session::windows())
+            window->adopt(preferences);
+    });
+    // Queued: the dialog closes with its window.
+    connect(dialog, &view::PreferencesDialog::restartRequested, qApp, &session::restart,
+            Qt::QueuedConnection);
+    dialog->show();
+}

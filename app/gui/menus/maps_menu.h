@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "actions/action_menu.h"
+#include "document/edits/maps/maps_arrange.h"
+
+// What can be done with the selected maps.
+class MapsMenu : public ActionMenu {
+    Q_DECLARE_TR_FUNCTIONS(MainWindow)
+
+public:
+    explicit MapsMenu(const MenuContext& context);
+
+private:
+    void addList();
+    void addLayers();
+    void addArrangement(ActionMenu* menu, document::MapsArrangement arrangement, const QString& text,
+                        const QString& tip);
+};

@@ -1,0 +1,247 @@
+// SPDX-License-Identifier: MIT
+#include "menus/view_menu.h"
+
+#include "bridges/construction.h"
+#include "canvas/marks/map_numbers.h"
+#include "desktop/settings.h"
+#include "document/edits/cage/cage_edits.h"
+#include "document/fractal/space_geometry.h"
+#include "menus/saved_views_menu.h"
+#include "stage/stage.h"
+#include "widgets/icon.h"
+
+namespace {
+
+constexpr double zoomStep = 1.25;
+constexpr double rotationStep = 15; // degrees
+
+} // namespace
+
+ViewMenu::ViewMenu(const MenuContext& context, const std::function<void(bool)>& present)
+    : ActionMenu(context, tr("&View")) {
+    addZoom();
+    addRotation();
+    addCamera();
+    addSeparator();
+    addOverlays();
+    addSnapping();
+    addTransformation();
+    addCompare();
+    addSeparator();
+    m_panels = addMenu(tr("&Panels"));
+    addScreens(present);
+}
+
+void ViewMenu::addZoom() {
+    Stage* stage = context().stage;
+    QAction* fit = add({"fit", tr("&Fit"), QKeySequence(tr("F")), tr("Show the whole fractal")},
+                       [stage] { stage->fit(); });
+    QAction* in = add({"zoom-in", tr("Zoom &In"), QKeySequence::ZoomIn, tr("Zoom in")},
+                      [stage] { stage->zoomBy(zoomStep); });
+    QAction* out = add({"zoom-out", tr("Zoom &Out"), QKeySequence::ZoomOut, tr("Zoom out")},
+                       [stage] { stage->zoomBy(1 / zoomStep); });
+    add({"zoom-reset", tr("&100 %"), QKeySequence(tr("1")), tr("Show one unit as one hundred pixels")},
+        [stage] { stage->resetZoom(); });
+    m_savedViews = new SavedViewsMenu(context());
+    addMenu(m_savedViews);
+    addToolBarGroup({fit, in, out});
+}
+
+void ViewMenu::addRotation() {
+    auto* menu = new ActionMenu(context(), tr("Rotat&e View"));
+    addMenu(menu);
+    view::CanvasNavigation& navigation = context().canvas->navigation();
+    QAction* left = menu->add({nullptr, tr("Rotate View &Left"), QKeySequence(tr("Ctrl+[")),
+                               tr("Rotate the view counter-clockwise by 15°")},
+                              [&navigation] { navigation.rotateBy(rotationStep); });
+    QAction* right = menu->add({nullptr, tr("Rotate View &Right"), QKeySequence(tr("Ctrl+]")),
+                                tr("Rotate the view clockwise by 15°")},
+                               [&navigation] { navigation.rotateBy(-rotationStep); });
+    QAction* reset = menu->add({nullptr, tr("Re&set Rotation"), {}, tr("Return the view to upright")},
+                               [&navigation] { navigation.resetRotation(); });
+    for (QAction* ofThePlane : {left, right, reset})
+        disableWhen(ofThePlane, &document::planeObstacle);
+}
+
+void ViewMenu::addCamera() {
+    auto* menu = new ActionMenu(context(), tr("Ca&mera"));
+    addMenu(menu);
+    view::SpaceNavigation& space = context().stage->space()->navigation();
+    const struct {
+        QString text;
+        QString tip;
+        attractor::Direction direction;
+    } views[] = {
+        {tr("&Front"), tr("Look from the front (1 on the keypad)"), view::directions::front},
+        {tr("&Back"), tr("Look from behind (Ctrl+1 on the keypad)"), view::directions::back},
+        {tr("&Right"), tr("Look from the right (3 on the keypad)"), view::directions::right},
+        {tr("&Left"), tr("Look from the left (Ctrl+3 on the keypad)"), view::directions::left},
+        {tr("&Top"), tr("Look down (7 on the keypad)"), view::directions::top},
+        {tr("B&ottom"), tr("Look up (Ctrl+7 on the keypad)"), view::directions::bottom},
+        {tr("&Isometric"), tr("Look from a corner (Home)"), view::directions::isometric},
+    };
+    for (const auto& view : views)
+        disableWhen(menu->add({nullptr, view.text, {}, view.tip},
+                              [&space, to = view.direction] { space.lookFrom(to); }),
+                    &document::spaceObstacle);
+    menu->addSeparator();
+    addPerspective(*menu);
+    view::FourViews* solid = context().stage->views();
+    QAction* four =
+        menu->addToggle({nullptr,
+                         tr("Four &Views"),
+                         {},
+                         tr("Show the solid from the top, the front and the right, and in perspective"),
+                         "space/fourViews",
+                         false},
+                        [solid](bool on) { solid->showFour(on); });
+    disableWhen(four, &document::spaceObstacle);
+    QAction* zUp = menu->addToggle(
+        {nullptr,
+         tr("&Z Up"),
+         {},
+         tr("Point the z axis up, as in CAD programs; the fractal stays as it is"),
+         "space/zUp",
+         false},
+        [solid](bool on) { solid->setUpAxis(on ? attractor::UpAxis::Z : attractor::UpAxis::Y); });
+    disableWhen(zUp, &document::spaceObstacle);
+    addStereo(*menu);
+}
+
+// Checked while the view is in perspective. What is stored is the choice, whatever views along an axis and
+// Four Views show for a while.
+void ViewMenu::addPerspective(ActionMenu& menu) {
+    const QString setting = QStringLiteral("space/perspective");
+    view::SpaceNavigation& space = context().stage->space()->navigation();
+    QAction* perspective = menu.addToggle(
+        {nullptr, tr("&Perspective"), {}, tr("Make distant parts look smaller (5 on the keypad)")},
+        [&space, setting](bool on) {
+            space.setPerspective(on);
+            view::store(setting, space.isPerspectiveChosen());
+        });
+    connect(&space, &view::SpaceNavigation::perspectiveChanged, perspective, &QAction::setChecked);
+    perspective->setChecked(view::stored(setting, false).toBool());
+    disableWhen(perspective, &document::spaceObstacle);
+}
+
+// One or none of them.
+void ViewMenu::addStereo(ActionMenu& menu) {
+    using attractor::Stereo;
+    view::FourViews* views = context().stage->views();
+    const auto toggle = [views, &menu](Stereo stereo, const QString& text, const QString& tip) {
+        return menu.addToggle({nullptr, text, {}, tip}, [views, stereo](bool on) {
+            if (on || views->stereo() == stereo) views->setStereo(on ? stereo : Stereo::None);
+        });
+    };
+    menu.addSeparator();
+    QAction* sides = toggle(Stereo::SideBySide, tr("Stereo, &Side by Side"),
+                            tr("Show the views of both eyes side by side, the left eye on the left"));
+    QAction* glasses = toggle(Stereo::Anaglyph, tr("Stereo, for Red and &Cyan Glasses"),
+                              tr("Show the views of both eyes in one picture, in red and cyan"));
+    connect(sides, &QAction::toggled, glasses, [glasses](bool on) {
+        if (on) glasses->setChecked(false);
+    });
+    connect(glasses, &QAction::toggled, sides, [sides](bool on) {
+        if (on) sides->setChecked(false);
+    });
+    for (QAction* stereo : {sides, glasses})
+        disableWhen(stereo, &document::spaceObstacle);
+}
+
+void ViewMenu::addOverlays() {
+    view::CanvasView* canvas = context().canvas;
+    QAction* grid =
+        addToggle({"grid", tr("&Grid"), QKeySequence(tr("G")), tr("Show the grid"), "canvas/grid", true},
+                  [canvas](bool on) { canvas->options().setGridVisible(on); });
+    connect(&canvas->options(), &view::CanvasOptions::gridVisibleChanged, grid, &QAction::setChecked);
+    QAction* axes =
+        addToggle({"axes", tr("&Axes"), QKeySequence(tr("A")), tr("Show the axes"), "canvas/axes", true},
+                  [canvas](bool on) { canvas->options().setAxesVisible(on); });
+    connect(&canvas->options(), &view::CanvasOptions::axesVisibleChanged, axes, &QAction::setChecked);
+    QAction* downwards =
+        addToggle({"y-axis", tr("&Y Axis Down"), QKeySequence(tr("Y")),
+                   tr("Point the y axis down, as in window coordinates")},
+                  [canvas](bool on) {
+                      canvas->navigation().setYAxis(on ? attractor::YAxis::Down : attractor::YAxis::Up);
+                  });
+    connect(&canvas->navigation(), &view::CanvasNavigation::cameraChanged, downwards, [canvas, downwards] {
+        downwards->setChecked(canvas->navigation().yAxis() == attractor::YAxis::Down); // by a saved view
+    });
+    auto* marks = new view::MapNumbers; // the scene owns it
+    canvas->scene()->addItem(marks);
+    connect(&canvas->options(), &view::CanvasOptions::mapNumbersVisibleChanged, canvas,
+            [marks](bool on) { marks->setVisible(on); });
+    m_numbers = addToggle({nullptr, tr("&Numbers of Maps"), QKeySequence(tr("N")),
+                           tr("Show the number and the fixed point of each map"), "canvas/numbers", false},
+                          [canvas](bool on) { canvas->options().setMapNumbersVisible(on); });
+    connect(&canvas->options(), &view::CanvasOptions::mapNumbersVisibleChanged, m_numbers,
+            &QAction::setChecked);
+    for (QAction* ofThePlane : {grid, axes, downwards, m_numbers})
+        disableWhen(ofThePlane, &document::planeObstacle);
+    QAction* hide = addToggle({"hide", tr("Only the Pi&cture"), QKeySequence(tr("H")),
+                               tr("Hide everything on the canvas except the picture")},
+                              [canvas](bool on) { canvas->options().setOverlaysVisible(!on); });
+    connect(&canvas->options(), &view::CanvasOptions::overlaysVisibleChanged, hide,
+            [hide](bool on) { hide->setChecked(!on); });
+}
+
+void ViewMenu::addSnapping() {
+    auto* menu = new ActionMenu(context(), tr("&Snap To"));
+    menu->setIcon(view::icon(QStringLiteral("snap")));
+    addMenu(menu);
+    const std::tuple<view::SnapTo, QString, const char*> targets[] = {
+        {view::SnapTo::Grid, tr("&Grid"), "canvas/snap/grid"},
+        {view::SnapTo::Vertices, tr("&Vertices"), "canvas/snap/vertices"},
+        {view::SnapTo::Axes, tr("&Axes"), "canvas/snap/axes"},
+    };
+    for (const auto& [target, text, setting] : targets)
+        menu->addToggle({nullptr, text, {}, tr("Make dragged vertices snap to this"), setting},
+                        [canvas = context().canvas, target = target](bool on) {
+                            canvas->options().setSnapping(canvas->options().snapping().setFlag(target, on));
+                        });
+}
+
+void ViewMenu::addTransformation() {
+    view::TransformationView* transformation = context().stage->transformation();
+    m_transformation = addToggle(
+        {nullptr, tr("Fractal &Transformation"), QKeySequence(tr("Ctrl+Shift+T")),
+         tr("Show another entry beside this one, and colour this one by a picture placed on the other")},
+        [transformation](bool on) { transformation->setTransformationShown(on); });
+    disableWhen(m_transformation, &document::planeObstacle);
+    connect(transformation, &view::TransformationView::message, context().messages, &WindowMessages::say);
+}
+
+void ViewMenu::alternateWith(view::Construction* construction) {
+    using view::Construction;
+    connect(construction, &Construction::starting, m_transformation, [this] {
+        if (!m_transformation->isChecked()) return;
+        m_transformation->setChecked(false);
+        context().messages->say(
+            tr("The fractal transformation was hidden to show how the attractor is built."));
+    });
+    connect(m_transformation, &QAction::toggled, construction, [construction](bool on) {
+        if (on) construction->setMode(Construction::Mode::Density);
+    });
+}
+
+void ViewMenu::addCompare() {
+    Stage* stage = context().stage;
+    const view::ComparePane* pane = stage->compare();
+    QAction* compare = addToggle({nullptr, tr("Side &by Side"), QKeySequence(tr("Ctrl+Shift+B")),
+                                  tr("Show another entry beside this one, to compare and edit both")},
+                                 [stage](bool on) { stage->setCompared(on); });
+    connect(pane, &view::ComparePane::closeRequested, compare, [compare] { compare->setChecked(false); });
+    connect(pane, &view::ComparePane::message, context().messages, &WindowMessages::say);
+}
+
+void ViewMenu::addScreens(const std::function<void(bool)>& present) {
+    m_fullScreen =
+        addToggle({nullptr, tr("F&ull Screen"), QKeySequence(tr("F11")), tr("Fill the whole screen")},
+                  [window = context().window](bool on) {
+                      window->setWindowState(window->windowState().setFlag(Qt::WindowFullScreen, on));
+                  });
+    m_presentation = addToggle(
+        {nullptr, tr("P&resentation"), QKeySequence(tr("Shift+F11")),
+         tr("Show only the canvas in full screen, for example on a projector; press Esc to return")},
+        present);
+}

@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: MIT
+#include "messages/message_banner.h"
+
+#include "canvas/canvas_view.h"
+
+#include <QAccessible>
+#include <QBoxLayout>
+#include <QKeyEvent>
+#include <QLabel>
+#include <QMainWindow>
+#include <QPainter>
+
+#include <algorithm>
+
+MessageBanner::MessageBanner(QMainWindow* host) : QFrame(host), m_host(host) {
+    setAttribute(Qt::WA_DeleteOnClose);
+    m_geometryTimer.setSingleShot(true);
+    m_geometryTimer.setInterval(0);
+    connect(&m_geometryTimer, &QTimer::timeout, this, &MessageBanner::layOut);
+    follow(host);
+}
+
+QLabel* MessageBanner::createTitle() {
+    auto* title = new QLabel(this);
+    QFont bold = font();
+    bold.setBold(true);
+    bold.setPointSizeF(bold.pointSizeF() * 1.15);
+    title->setFont(bold);
+    return title;
+}
+
+QBoxLayout* MessageBanner::createButtons() {
+    m_buttons = new QBoxLayout(QBoxLayout::LeftToRight);
+    return m_buttons;
+}
+
+void MessageBanner::follow(QWidget* widget) {
+    widget->installEventFilter(this);
+}
+
+void MessageBanner::unfollow(QWidget* widget) {
+    widget->removeEventFilter(this);
+}
+
+void MessageBanner::appear(const QString& announcement) {
+    show();
+    m_geometryTimer.start();
+    setAccessibleDescription(announcement);
+    QAccessibleEvent event(this, QAccessible::Alert);
+    QAccessible::updateAccessibility(&event);
+}
+
+QRect MessageBanner::canvasRect() const {
+    const QWidget* canvas = m_host->centralWidget();
+    return {canvas->mapTo(m_host, QPoint()), canvas->size()};
+}
+
+QPoint MessageBanner::topLeft() {
+    return {canvasRect().left() + margin, canvasRect().bottom() - hintHeight - height()};
+}
+
+void MessageBanner::layOut() {
+    const int width = std::min(maxWidth, canvasRect().width() - 2 * margin);
+    if (m_buttons) {
+        m_buttons->setDirection(QBoxLayout::LeftToRight);
+        if (m_buttons->minimumSize().width() > width - 2 * margin)
+            m_buttons->setDirection(QBoxLayout::TopToBottom);
+    }
+    setFixedWidth(width);
+    resize(width, std::max(heightForWidth(width), minimumSizeHint().height()));
+    const QPoint corner = topLeft();
+    move(std::max(0, corner.x()), std::max(0, corner.y()));
+    raise();
+    tellCanvas();
+}
+
+void MessageBanner::tellCanvas() {
+    for (auto* canvas : m_host->findChildren<view::CanvasView*>())
+        canvas->setCovered(isVisible() ? QRect(canvas->viewport()->mapFrom(m_host, pos()), size()) : QRect());
+}
+
+void MessageBanner::hideEvent(QHideEvent* event) {
+    QFrame::hideEvent(event);
+    tellCanvas();
+}
+
+bool MessageBanner::eventFilter(QObject* watched, QEvent* event) {
+    switch (event->type()) {
+    case QEvent::Resize:
+    case QEvent::Move:
+    case QEvent::Show:
+    case QEvent::Hide:
+    case QEvent::LayoutRequest:
+        m_geometryTimer.start();
+        break;
+    default:
+        break;
+    }
+    return QFrame::eventFilter(watched, event);
+}
+
+void MessageBanner::changeEvent(QEvent* event) {
+    QFrame::changeEvent(event);
+    if (event->type() == QEvent::FontChange) m_geometryTimer.start();
+}
+
+void MessageBanner::keyPressEvent(QKeyEvent* event) {
+    if (event->key() == Qt::Key_Escape)
+        close();
+    else
+        QFrame::keyPressEvent(event);
+}
+
+void MessageBanner::paintEvent(QPaintEvent*) {
+    QPainter painter(this);
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setPen(QPen(palette().color(QPalette::Highlight), 1));
+    painter.setBrush(palette().color(QPalette::Base));
+    painter.drawRoundedRect(QRectF(rect()).adjusted(0.5, 0.5, -0.5, -0.5), 8, 8);
+}

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "attractor/render/renderer.h"
+#include "canvas/canvas_view.h"
+#include "document/fractal/fractal.h"
+#include "space/space_input.h"
+
+#include <QDeadlineTimer>
+#include <QStatusBar>
+
+class QLabel;
+
+// One quiet line: where the pointer is or what was just said, whether there is an attractor, what was drawn;
+// and that unsaved work is not kept for recovery yet, when that takes too long. What does not fit ends in
+// dots, and is whole in a tool tip.
+class StatusLine : public QStatusBar {
+    Q_OBJECT
+
+public:
+    explicit StatusLine(QWidget* parent = nullptr);
+
+    void showPointer(const view::PointerPosition& position);
+    void showSpacePointer(const view::SpacePosition& position);
+    void clearPointer();
+    void showVerdict(const document::Fractal& fractal);
+    void showTime(double milliseconds); // of a picture without points
+    void showFrame(const attractor::Frame& frame);
+    void showRotation(double degrees); // of the view in the plane; nothing for 0
+    void showRecovery(bool isLate);    // nothing while it is in time
+
+protected:
+    bool event(QEvent* event) override;
+    void paintEvent(QPaintEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
+
+private:
+    QRect messageRoom() const;
+    QString shownMessage() const; // what there is room for
+
+    QLabel* m_pointer;
+    QLabel* m_recovery;
+    QLabel* m_rotation;
+    QLabel* m_verdict;
+    QLabel* m_frame;
+    QDeadlineTimer m_toRead; // what was said last
+};

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: MIT
+#include "animation/paths/camera_path.h"
+
+#include "attractor/arithmetic/arithmetic.h"
+
+#include <cmath>
+#include <numbers>
+
+namespace animation {
+
+namespace {
+
+struct Zoom {
+    double height;
+    double share; // of the way of the centre
+};
+
+Zoom zoom(double from, double to, double u) {
+    const double ratio = to / from;
+    if (ratio == 1) return {from, u};
+    const double logarithm = attractor::naturalLogarithm(ratio);
+    const double power = attractor::exponential(u * logarithm);
+    // Near 1 both differences lose their digits, and the share is u(1 + (u − 1)·ln r/2 + …).
+    constexpr double small = 1e-5;
+    const double share =
+        std::abs(logarithm) < small ? u * (1 + (u - 1) * logarithm / 2) : (power - 1) / (ratio - 1);
+    return {from * power, share};
+}
+
+} // namespace
+
+double turnBetween(double from, double to) {
+    return std::remainder(to - from, 2 * std::numbers::pi);
+}
+
+attractor::View between(const attractor::View& from, const attractor::View& to, double share) {
+    if (share <= 0) return from;
+    if (share >= 1) return to;
+    const Zoom now = zoom(from.height, to.height, share);
+    attractor::View view = from;
+    view.height = now.height;
+    view.centre = from.centre + now.share * (to.centre - from.centre);
+    if (from.rotation != to.rotation) view.rotation += share * turnBetween(from.rotation, to.rotation);
+    return view;
+}
+
+attractor::OrbitCamera between(const attractor::OrbitCamera& from, const attractor::OrbitCamera& to,
+                               double share) {
+    if (share <= 0) return from;
+    if (share >= 1) return to;
+    const Zoom now = zoom(from.height, to.height, share);
+    attractor::OrbitCamera camera = from;
+    camera.height = now.height;
+    camera.target = from.target + now.share * (to.target - from.target);
+    camera.orientation = from.orientation.slerp(share, to.orientation).normalized();
+    camera.fieldOfView = (1 - share) * from.fieldOfView + share * to.fieldOfView;
+    return camera;
+}
+
+attractor::OrbitCamera orbited(attractor::OrbitCamera camera, double degrees) {
+    if (degrees == 0) return camera;
+    const attractor::Orientation turn(attractor::cosineOfDegrees(degrees / 2), 0,
+                                      attractor::sineOfDegrees(degrees / 2), 0);
+    camera.orientation = turn * camera.orientation;
+    return camera;
+}
+
+} // namespace animation

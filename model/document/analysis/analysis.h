@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "document/analysis/space_outlines.h"
+#include "document/fractal/fractal.h"
+#include "ifs/dimension/box_counting.h"
+#include "ifs/extent/polygon.h"
+#include "ifs/facts.h"
+#include "ifs/system/branch.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <set>
+#include <stop_token>
+#include <vector>
+
+namespace document {
+
+struct AnalysisRequest {
+    std::shared_ptr<const Fractal> fractal;
+    std::set<Outline> outlines;
+    int cylinderDepth = 1; // symbols of the addresses whose cylinders are outlined
+    std::uint64_t revision = 0;
+};
+
+// One shape to draw, in displayed coordinates; more than one point are a closed polygon.
+struct OutlineShape {
+    Outline kind;
+    ifs::Polygon points;
+    std::optional<attractor::Rgba> colour; // of the map of a fixed point, of the first map of a cylinder
+    ifs::Word word{};   // the address of a cylinder, over the maps that the chaos game applies
+    ifs::Word listed{}; // the same by their indices in the system: a symmetry makes several of one
+};
+
+// What is known of a picture: of the code's attractor where its cage puts it. Only a cage that bends leaves
+// no system to analyse; then the facts are those of the code, and the shapes are bent with it. Where branches
+// are moved, extents, mean and covariance are those of what is shown, everything else that of the code. Of a
+// system in space only `solid` and its shapes are known.
+struct Analysis {
+    std::uint64_t revision = 0; // of the request
+    bool isOfCode = false;
+    bool hasMovedBranches = false;
+    ifs::Facts<2> facts;
+    std::optional<ifs::Facts<3>> solid;
+    std::vector<ifs::Vector<2>> fixedPoints; // of the active maps that have one
+    std::vector<std::size_t> fixedBy;        // whose they are: indices into the system
+    std::optional<ifs::BoxCounting> boxCounting;
+    std::vector<OutlineShape> shapes;
+    std::vector<OutlineShape> outerCylinders; // which contain those of the shapes, and are not drawn
+    std::vector<SpaceOutline> shapesInSpace;
+    bool isComplete = false; // false: the affinity dimension and the box counting are still under way
+};
+
+// Analyses one fractal after the other; what belongs to the code is worked out once for as long as only the
+// cage moves, and nothing at all when only other outlines are wanted.
+class Analyser {
+public:
+    // What takes a few milliseconds, in space perhaps a second; complete where the rest is known already. The
+    // fractal must be a system.
+    Analysis begun(const AnalysisRequest& request);
+    // The rest of it; nullopt when stopped.
+    std::optional<Analysis> completed(Analysis analysis, const std::stop_token& stop);
+
+private:
+    void addInvariants(Analysis& analysis) const; // of the code
+    Analysis begunInSpace(const AnalysisRequest& request);
+    std::optional<Analysis> completedInSpace(Analysis analysis, const std::stop_token& stop);
+
+    System2 m_system;
+    std::optional<ifs::Facts<2>> m_code; // of m_system, the affinity dimension once it has been asked for
+    bool m_hasDimension = false;
+    ifs::AffineMap<2> m_display;                   // of what was begun last
+    std::optional<ifs::BoxCounting> m_boxCounting; // of the code under m_counted
+    std::optional<ifs::AffineMap<2>> m_counted;
+    System3 m_solidSystem;
+    std::optional<ifs::Facts<3>> m_solidCode; // of m_solidSystem
+    bool m_hasSolidInvariants = false;
+};
+
+} // namespace document

@@ -1,0 +1,256 @@
+// SPDX-License-Identifier: MIT
+#include "document/edits/cage/cage_edits.h"
+
+#include "document/edits/cage/rounding.h"
+#include "document/edits/cage/space_cage_edits.h"
+#include "document/fractal/fractal_geometry.h"
+
+#include "document/text/text.h"
+#include "ifs/cage/hull_cage.h"
+
+#include <algorithm>
+
+namespace document {
+
+namespace {
+
+constexpr double relativeTolerance = 1e-10; // finer than anybody sees, and never slow
+
+ifs::Orientation<2> orientationOf(SimplexChoice choice) {
+    const bool left = choice == SimplexChoice::MinusPlus || choice == SimplexChoice::MinusMinus;
+    const bool down = choice == SimplexChoice::PlusMinus || choice == SimplexChoice::MinusMinus;
+    return {left ? -1 : 1, down ? -1 : 1};
+}
+
+// The maps that act on the displayed picture and take part in it.
+std::vector<ifs::AffineMap<2>> displayedMaps(const Fractal& fractal) {
+    const System2* code = system2(fractal);
+    if (!code) return {};
+    const auto system = isAtRest(fractal) ? std::optional(*code) : effectiveSystem(fractal);
+    return system ? ifs::activeMaps(*system).maps : std::vector<ifs::AffineMap<2>>{};
+}
+
+// The same picture held by other vertices.
+std::optional<Fractal> withCageThrough(const Fractal& fractal, const std::vector<ifs::Vector<2>>& vertices) {
+    Fractal after = fractal;
+    auto& cage = plane(after)->cage = ifs::redefine<2>(effectiveCage(fractal), vertices);
+    return cage ? std::optional(after) : std::nullopt;
+}
+
+// The code takes up its cage (ifs::bake); nullopt where that cannot be.
+std::optional<Fractal> withCageBaked(const Fractal& fractal) {
+    const Shape<2>* shape = plane(fractal);
+    if (!shape || !shape->cage) return std::nullopt;
+    auto baked = ifs::bake(shape->system, *shape->cage);
+    auto result = baked ? conjugated(fractal, ifs::displayMap(*shape->cage)) : std::nullopt;
+    if (!result) return std::nullopt;
+    dropRounding(baked->system);
+    plane(*result)->system = std::move(baked->system);
+    plane(*result)->cage = std::move(baked->cage);
+    return result;
+}
+
+} // namespace
+
+namespace {
+
+template <int Dim> bool areAlike(const ifs::ControlCage<Dim>* p, const ifs::ControlCage<Dim>* q) {
+    if (!p || !q) return !p && !q;
+    if (p->deformation != q->deformation || p->rest.size() != q->rest.size()) return false;
+    const auto near = [](const std::vector<ifs::Vector<Dim>>& these,
+                         const std::vector<ifs::Vector<Dim>>& those) {
+        double size = 0;
+        for (const ifs::Vector<Dim>& vertex : these)
+            size = std::max(size, (vertex - these.front()).norm());
+        return std::equal(these.begin(), these.end(), those.begin(), [size](const auto& v, const auto& w) {
+            return (v - w).norm() <= 10 * relativeTolerance * size;
+        });
+    };
+    return near(p->rest, q->rest) && near(p->current, q->current);
+}
+
+const ifs::ControlCage<3>* cage3(const Fractal& fractal) {
+    const Shape<3>* shape = space(fractal);
+    return shape && shape->cage ? &*shape->cage : nullptr;
+}
+
+} // namespace
+
+bool isCageAlike(const Fractal& a, const Fractal& b) {
+    return areAlike(cage2(a), cage2(b)) && areAlike(cage3(a), cage3(b));
+}
+
+bool isAtRest(const Fractal& fractal) {
+    if (const Shape<3>* shape = space(fractal))
+        return !shape->cage || shape->cage->rest == shape->cage->current;
+    const ifs::ControlCage<2>* cage = cage2(fractal);
+    return !cage || cage->rest == cage->current;
+}
+
+QString planeObstacle(const Fractal& fractal) {
+    if (system2(fractal)) return {};
+    return Text::tr("This entry is not a system in the plane.");
+}
+
+QString cageObstacle(const Fractal& fractal) {
+    return dimension(fractal) == 0 ? planeObstacle(fractal) : QString();
+}
+
+QString bakeObstacle(const Fractal& fractal) {
+    if (space(fractal)) return spaceBakeObstacle(fractal);
+    if (const QString obstacle = planeObstacle(fractal); !obstacle.isEmpty()) return obstacle;
+    if (isAtRest(fractal)) return Text::tr("The cage is at rest: the picture shows the code.");
+    if (ifs::bends(*cage2(fractal)))
+        return Text::tr("The cage bends the picture, and no affine code produces a bent picture. Choose "
+                        "“Affine fit” to bake the closest affine placement.");
+    if (!ifs::isInvertible(*cage2(fractal)))
+        return Text::tr(
+            "The cage is flat, so its placement cannot be baked into the code. Open the cage first.");
+    return {};
+}
+
+std::optional<Fractal> baked(const Fractal& fractal) {
+    if (space(fractal)) return spaceBaked(fractal);
+    return bakeObstacle(fractal).isEmpty() ? withCageBaked(fractal) : std::nullopt;
+}
+
+QString resetObstacle(const Fractal& fractal) {
+    if (dimension(fractal) == 0) return planeObstacle(fractal);
+    if (isAtRest(fractal)) return Text::tr("The cage is at rest.");
+    return {};
+}
+
+Fractal withCageAtRest(Fractal fractal) {
+    if (Shape<2>* shape = plane(fractal); shape && shape->cage) shape->cage->current = shape->cage->rest;
+    if (Shape<3>* shape = space(fractal); shape && shape->cage) shape->cage->current = shape->cage->rest;
+    return fractal;
+}
+
+Fractal withCageMoved(Fractal fractal, ifs::ControlCage<2> cage, CageMode mode) {
+    if (Shape<2>* shape = plane(fractal)) shape->cage = std::move(cage);
+    if (mode == CageMode::Rewrite)
+        if (auto rewritten = baked(fractal)) return *std::move(rewritten);
+    return fractal;
+}
+
+QString modeText(const Fractal& fractal, CageMode mode) {
+    const ifs::ControlCage<2>* cage = cage2(fractal);
+    const bool bendable = cage && cage->rest.size() > 3 && cage->deformation == ifs::Deformation::Bend;
+    if (mode == CageMode::Place)
+        return Text::tr("Moving the cage moves the picture. Bake to change the code.");
+    if (bendable)
+        return Text::tr("Moving the whole cage rewrites the code. Moving single vertices bends the picture, "
+                        "which no code can reproduce, so the code does not change.");
+    return Text::tr("Moving the cage rewrites all coefficients of the code; "
+                    "the cage is then at rest in its new position.");
+}
+
+QString unbakeObstacle(const Fractal& fractal) {
+    if (space(fractal)) return spaceUnbakeObstacle(fractal);
+    if (const QString obstacle = planeObstacle(fractal); !obstacle.isEmpty()) return obstacle;
+    if (!isAtRest(fractal)) return Text::tr("The cage is not at rest: it already holds a placement.");
+    if (const ifs::ControlCage<2>* cage = cage2(fractal); cage && cage->rest.size() != 3)
+        return Text::tr("Only a cage with three vertices can be unbaked.");
+    return {};
+}
+
+std::optional<Fractal> unbaked(const Fractal& fractal) {
+    if (space(fractal)) return spaceUnbaked(fractal);
+    if (!unbakeObstacle(fractal).isEmpty()) return std::nullopt;
+    const ifs::ControlCage<2> cage = effectiveCage(fractal);
+    const std::vector<ifs::Vector<2>> unit{{0, 0}, {1, 0}, {0, 1}};
+    Fractal after = fractal;
+    plane(after)->cage = {cage.rest, unit};
+    auto result = withCageBaked(after);
+    if (result) plane(*result)->cage = {unit, cage.current};
+    return result;
+}
+
+QString cageWarning(const Fractal& fractal) {
+    const ifs::ControlCage<2>* cage = cage2(fractal);
+    if (!cage || !ifs::bends(*cage)) return {};
+    // Either kind of coordinates tells, and this one needs no certified hull.
+    const auto kind =
+        ifs::isStrictlyConvex(cage->rest) ? ifs::Coordinates::Wachspress : ifs::Coordinates::MeanValue;
+    switch (ifs::flawOf(*cage, {*cage, kind})) {
+    case ifs::CageFlaw::None:
+        return {};
+    case ifs::CageFlaw::Concave:
+        return Text::tr("The cage is not convex: the picture may fold over itself at the notch.");
+    case ifs::CageFlaw::Folded:
+        return Text::tr(
+            "The cage is folded: parts of the picture overlap. Move the vertices apart to unfold it.");
+    }
+    return {};
+}
+
+std::optional<ifs::CanonicalSimplex<2>> displayedSimplex(const Fractal& fractal, SimplexChoice choice) {
+    const auto support = ifs::SupportFunction<2>::of(displayedMaps(fractal));
+    if (!support) return std::nullopt;
+    const double tolerance = relativeTolerance * support->radius();
+    return choice == SimplexChoice::Minimal
+               ? ifs::minimalCanonicalSimplex(*support, tolerance)
+               : ifs::canonicalSimplex<2>(*support, orientationOf(choice), tolerance);
+}
+
+std::optional<Fractal> withCageFitted(const Fractal& fractal, SimplexChoice choice) {
+    if (space(fractal) && choice == SimplexChoice::Minimal) return withTetrahedronFitted(fractal);
+    const auto simplex = displayedSimplex(fractal, choice);
+    if (!simplex) return std::nullopt;
+    Fractal after = fractal;
+    auto& cage = plane(after)->cage;
+    if (!isAtRest(fractal)) {
+        cage = ifs::redefine(*cage2(fractal), simplex->vertices);
+        return cage ? std::optional(after) : std::nullopt;
+    }
+    if (choice == SimplexChoice::Minimal)
+        cage.reset(); // it then follows the code
+    else
+        cage = ifs::cageAtRest<2>(simplex->vertices);
+    return after;
+}
+
+std::optional<std::vector<ifs::Vector<2>>> verticesAround(const Fractal& fractal, PolygonChoice choice,
+                                                          int corners) {
+    const auto support = ifs::SupportFunction<2>::of(displayedMaps(fractal));
+    if (!support) return std::nullopt;
+    if (choice == PolygonChoice::Box) {
+        const auto box = ifs::boundingBox(*support);
+        const ifs::Vector<2> low = box.min.array() - box.error, high = box.max.array() + box.error;
+        return {{low, {high.x(), low.y()}, high, {low.x(), high.y()}}};
+    }
+    const auto around = ifs::enlargedHull(*support);
+    if (choice == PolygonChoice::Rectangle) return ifs::smallestRectangleAround(around);
+    return choice == PolygonChoice::Hull ? ifs::simplifiedHull(around, corners)
+                                         : ifs::regularPolygonAround(around, corners);
+}
+
+std::optional<Fractal> withCageAround(const Fractal& fractal, PolygonChoice choice, int corners) {
+    const auto vertices = verticesAround(fractal, choice, corners);
+    return vertices ? withCageThrough(fractal, *vertices) : std::nullopt;
+}
+
+QString fitObstacle(const Fractal& fractal) {
+    if (space(fractal)) return spaceFitObstacle(fractal);
+    if (const QString obstacle = planeObstacle(fractal); !obstacle.isEmpty()) return obstacle;
+    if (ifs::activeMaps(*system2(fractal)).maps.empty())
+        return Text::tr("No map is active, so there is nothing to enclose.");
+    if (ifs::activeMaps(*system2(fractal)).isLinked())
+        return Text::tr("The maps are linked; a cage cannot be fitted to linked maps.");
+    const ifs::ControlCage<2>* cage = cage2(fractal);
+    if (cage && ifs::bends(*cage))
+        return Text::tr(
+            "A bent picture cannot be given another cage. First reset the cage or choose “Affine fit”.");
+    if (!isAtRest(fractal) && !ifs::isInvertible(*cage))
+        return Text::tr("The cage is flat. First open or reset the triangle.");
+    if (!ifs::SupportFunction<2>::of(displayedMaps(fractal)))
+        return Text::tr("This system has no attractor that can be enclosed.");
+    return {};
+}
+
+QString orientationText(const ifs::Orientation<2>& orientation) {
+    const auto sign = [](int s) { return s < 0 ? QStringLiteral("−") : QStringLiteral("+"); };
+    return QStringLiteral("(%1, %2)").arg(sign(orientation[0]), sign(orientation[1]));
+}
+
+} // namespace document

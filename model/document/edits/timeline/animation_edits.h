@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "document/fractal/fractal.h"
+#include "document/saved_views.h"
+
+#include <optional>
+#include <span>
+#include <variant>
+#include <vector>
+
+// Edits of the animation of an entry: its keys and its timing. Functions take an entry with its animation, or
+// one that has none yet and begins with animation::Animation's own timing, and return it changed.
+namespace document {
+
+// What keys can move.
+struct Track {
+    enum class Kind { Cage, Map, Branch, Look, Camera };
+    Kind kind = Kind::Cage;
+    std::vector<ifs::MapId> maps{}; // the map; of a branch, its address; else none
+
+    friend bool operator==(const Track&, const Track&) = default;
+};
+
+// All that keys can move in this entry, with the keys that do, by frame.
+struct TrackKeys {
+    struct Key {
+        int frame = 0;
+        animation::Ease ease;
+        friend bool operator==(const Key&, const Key&) = default;
+    };
+    Track track;
+    std::vector<Key> keys;
+
+    friend bool operator==(const TrackKeys&, const TrackKeys&) = default;
+};
+std::vector<TrackKeys> tracksOf(const Fractal& entry);
+// Whether tracks, keys, motions and timing of both are the same, told without listing them.
+bool areTracksAlike(const Fractal& a, const Fractal& b);
+
+// When an animation plays; of an entry without one, as a new one begins.
+struct Timing {
+    animation::FrameRate rate;
+    int length = 0;
+    animation::Loop loop = animation::Loop::Off;
+
+    friend bool operator==(const Timing&, const Timing&) = default;
+};
+Timing timingOf(const Fractal& entry);
+// Keys behind a new end are lost.
+Fractal withTiming(Fractal entry, const Timing& timing);
+
+// A key of one track.
+struct KeyAt {
+    Track track;
+    int frame = 0;
+
+    friend bool operator==(const KeyAt&, const KeyAt&) = default;
+};
+
+// A key at this frame with the value shown there; the first of its track also keys frame 0. `camera` is what
+// is seen there, the orbit of an entry in space included; of the other dimension it keys nothing.
+using SeenCamera = std::optional<SavedView::Camera>;
+Fractal withKey(Fractal entry, const Track& track, int frame, const SeenCamera& camera);
+// A track that loses its last keys stays as the first of these had it.
+Fractal withoutKeys(Fractal entry, std::span<const KeyAt> keys);
+Fractal withEase(Fractal entry, std::span<const KeyAt> keys, const animation::Ease& ease);
+
+enum class KeyMove {
+    Move,   // what is at the new frames gives way
+    Copy,   // and they stay where they were as well
+    Ripple, // all later keys of these tracks come along; the animation grows if need be
+};
+// By so many frames, as far as they stay within the animation.
+Fractal withKeysMoved(Fractal entry, std::span<const KeyAt> keys, int by, KeyMove how);
+// How many frames these keys can be moved, at most `by`.
+int possibleMove(const Fractal& entry, std::span<const KeyAt> keys, int by, KeyMove how);
+
+// Keys apart from any entry, for the clipboard; frames count from the first of them.
+struct CopiedKey {
+    KeyAt at;
+    std::variant<animation::Key<animation::CagePose<2>>, animation::Key<animation::CagePose<3>>,
+                 animation::Key<animation::MapPose<2>>, animation::Key<animation::MapPose<3>>,
+                 animation::Key<ifs::AffineMap<2>>, animation::Key<ifs::AffineMap<3>>,
+                 animation::Key<animation::Look>, animation::Key<attractor::View>,
+                 animation::Key<attractor::OrbitCamera>>
+        key;
+};
+std::vector<CopiedKey> copiedKeys(const Fractal& entry, std::span<const KeyAt> keys);
+// Of tracks that this entry has, at `frame` and later, within the animation. Where they are now.
+struct Pasted {
+    Fractal fractal;
+    std::vector<KeyAt> keys;
+};
+Pasted withKeysPasted(Fractal entry, std::span<const CopiedKey> keys, int frame);
+
+// Without its motion of this index.
+Fractal withoutMotion(Fractal entry, std::size_t motion);
+
+// A number of a motion that a user may change.
+struct MotionNumber {
+    enum class Kind {
+        Degrees, // the strength of a sway, to 360 either way
+        Share,   // the strength of breathing, below 1 either way
+        Turns,   // in the length of the animation, to animation::maxCycles either way, not 0
+        Cycles,  // the same, but 1 and more; of a sway, those of each of its waves
+    };
+    Kind kind = Kind::Turns;
+    double value = 0;
+
+    friend bool operator==(const MotionNumber&, const MotionNumber&) = default;
+};
+// Always in the same order; none where there is no motion of this index.
+std::vector<MotionNumber> motionNumbers(const Fractal& entry, std::size_t motion);
+// With other values of them all. Where one is out of its range, the entry as it is.
+Fractal withMotionNumbers(Fractal entry, std::size_t motion, std::span<const MotionNumber> numbers);
+
+} // namespace document

@@ -1,0 +1,220 @@
+// SPDX-License-Identifier: MIT
+#include "document/edits/timeline/motion_edits.h"
+
+#include "document/fractal/fractal_geometry.h"
+#include "document/fractal/space_geometry.h"
+#include "document/moments/animated_fractal.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+namespace document {
+
+namespace {
+
+constexpr double swell = 0.1;
+constexpr int directions = 64;      // in which a piece is looked at
+constexpr double viewMargin = 0.98; // of the largest view that sees nothing else
+constexpr double roundOff = 1e-9;   // of a similarity
+constexpr double tolerance = 1e-4;  // of a support value, of the size of the attractor
+constexpr int maxNodes = 5'000;     // of its search: with more, the view only becomes a little larger
+
+template <int Dim> ifs::Vector<Dim> displayed(const Fractal& fractal, const ifs::Vector<Dim>& point) {
+    if constexpr (Dim == 2)
+        return placement(fractal)(point);
+    else
+        return point;
+}
+
+template <int Dim> std::vector<ifs::Vector<Dim>> fixedPoints(const Shape<Dim>& shape) {
+    std::vector<ifs::Vector<Dim>> result;
+    for (const auto& map : ifs::activeMaps(shape.system).maps)
+        if (const auto fixed = ifs::fixedPoint<Dim>(map)) result.push_back(*fixed);
+    return result;
+}
+
+// Where a plant stands: of the fixed points, which belong to the attractor, the lowest on the screen.
+template <int Dim> ifs::Vector<Dim> root(const Fractal& fractal, const Shape<Dim>& shape) {
+    const auto points = fixedPoints<Dim>(shape);
+    const auto height = [&](const ifs::Vector<Dim>& point) { return displayed<Dim>(fractal, point).y(); };
+    if (points.empty()) return ifs::Vector<Dim>::Zero();
+    return *std::ranges::min_element(points, {}, height);
+}
+
+template <int Dim> ifs::Vector<Dim> middle(const Shape<Dim>& shape) {
+    ifs::Vector<Dim> sum = ifs::Vector<Dim>::Zero();
+    const auto points = fixedPoints<Dim>(shape);
+    for (const auto& point : points)
+        sum += point;
+    return points.empty() ? sum : ifs::Vector<Dim>(sum / double(points.size()));
+}
+
+template <int Dim> Fractal withMotion(Fractal entry, animation::Motion<Dim> motion) {
+    auto& shape = std::get<Shape<Dim>>(entry.shape);
+    if (!shape.animation) shape.animation.emplace();
+    if (animation::trackCount(*shape.animation) == 0) shape.animation->loop = animation::Loop::Cycle;
+    shape.animation->motions.push_back(std::move(motion));
+    return entry;
+}
+
+// Whether the shapes have maps; then what `make` returns for the one there is.
+template <class Make> std::optional<Fractal> ofItsDimension(const Fractal& entry, Make make) {
+    if (const auto* shape = plane(entry); shape && !shape->system.maps.empty())
+        return make.template operator()<2>(*shape);
+    if (const auto* shape = space(entry); shape && !shape->system.maps.empty())
+        return make.template operator()<3>(*shape);
+    return std::nullopt;
+}
+
+std::optional<Fractal> asStrongAsCanBe(const Fractal& entry, const std::stop_token& stop) {
+    return withSafeStrength(entry, animationFacts(entry)->motions - 1, stop);
+}
+
+// How far the piece w(A) is from a point, or less: the largest distance to a line that has it on one side.
+double distanceTo(const ifs::SupportFunction<2>& attractor, const ifs::AffineMap<2>& piece,
+                  const ifs::Vector<2>& point) {
+    double distance = 0;
+    for (int i = 0; i < directions; ++i) {
+        const double angle = 2 * std::numbers::pi * i / directions;
+        const ifs::Vector<2> u(std::cos(angle), std::sin(angle));
+        const auto extent = attractor(piece.linear.transpose() * u, tolerance * attractor.radius(), maxNodes);
+        distance = std::max(distance, u.dot(point - piece.translation) - extent.value - extent.error);
+    }
+    return distance;
+}
+
+struct SmallCopy {
+    ifs::Vector<2> centre; // displayed
+    double ratio = 1;      // of what the view comes to
+    double turn = 0;       // counter-clockwise, in (−π, π]
+    double radius = 0;     // of the largest ball about the centre that, scaled, meets no other piece
+};
+
+double ratioOf(const ifs::AffineMap<2>& map) {
+    return std::sqrt(std::abs(map.linear.determinant()));
+}
+
+// Where the view comes to if the map is a similarity, with radius 0. After a mirrored copy comes one of that
+// copy, which is not mirrored and lies in the same place.
+std::optional<SmallCopy> copyUnder(const ifs::AffineMap<2>& map) {
+    const double ratio = ratioOf(map), square = ratio * ratio;
+    const auto centre = ifs::fixedPoint<2>(map);
+    const ifs::Matrix<2> excess = map.linear.transpose() * map.linear - square * ifs::Matrix<2>::Identity();
+    if (!centre || ratio <= roundOff || ratio >= 1 - roundOff || excess.norm() > roundOff * square)
+        return std::nullopt;
+    if (map.linear.determinant() < 0) return SmallCopy{*centre, square, 0, 0};
+    return SmallCopy{*centre, ratio, std::atan2(map.linear(1, 0), map.linear(0, 0)), 0};
+}
+
+std::optional<SmallCopy> largestCopy(const System2& shown, const std::stop_token& stop) {
+    const auto active = ifs::activeMaps(shown);
+    const auto attractor = ifs::SupportFunction<2>::of(active.maps);
+    std::optional<SmallCopy> best;
+    if (!attractor) return best;
+    for (std::size_t j = 0; j < active.maps.size(); ++j) {
+        const ifs::AffineMap<2>& map = active.maps[j];
+        auto copy = copyUnder(map);
+        if (!copy) continue;
+        double clear = std::numeric_limits<double>::infinity();
+        for (std::size_t i = 0; i < active.maps.size(); ++i) {
+            if (stop.stop_requested()) return std::nullopt;
+            if (i != j) clear = std::min(clear, distanceTo(*attractor, active.maps[i], copy->centre));
+        }
+        copy->radius = std::min(clear / ratioOf(map), 4 * attractor->radius());
+        if (copy->radius > (best ? best->radius : 0)) best = copy;
+    }
+    return best;
+}
+
+// In colours of the palette, where it has others: by density, or a solid by address.
+Fractal showingPalette(Fractal entry) {
+    using attractor::ColourBy;
+    using attractor::LookInSpace;
+    using attractor::SolidColour;
+    const LookInSpace look = entry.inSpace.look;
+    ColourBy& colour = entry.appearance.colourBy;
+    if (!space(entry) || look == LookInSpace::Cloud) {
+        if (colour == ColourBy::Map || colour == ColourBy::Plain) colour = ColourBy::Density;
+    } else if (!attractor::showsCloud(look)) {
+        const SolidColour shown = solidColour(entry);
+        if (shown == SolidColour::Map || shown == SolidColour::Plain)
+            entry.inSpace.colourBy = SolidColour::Address;
+    }
+    return entry;
+}
+
+} // namespace
+
+std::optional<Fractal> withWind(const Fractal& entry, const animation::SwayPreset& preset,
+                                const std::stop_token& stop) {
+    return ofItsDimension(entry, [&]<int Dim>(const Shape<Dim>& shape) {
+        return asStrongAsCanBe(
+            withMotion<Dim>(entry, animation::swayOf<Dim>(preset, {}, root<Dim>(entry, shape))), stop);
+    });
+}
+
+std::optional<Fractal> withTurn(const Fractal& entry, const std::stop_token& stop) {
+    return ofItsDimension(entry, [&]<int Dim>(const Shape<Dim>& shape) -> std::optional<Fractal> {
+        const auto turned = [&](animation::MapIds maps) {
+            return withMotion<Dim>(entry, animation::Turn<Dim>{std::move(maps), 1, middle<Dim>(shape)});
+        };
+        const auto isSafe = [&](const Fractal& fractal) { return losesAttractor(fractal, stop) == false; };
+        if (Fractal all = turned({}); isSafe(all)) return all;
+        animation::MapIds able;
+        for (const auto& map : shape.system.maps) {
+            if (stop.stop_requested()) return std::nullopt;
+            if (isSafe(turned({map.id}))) able.push_back(map.id);
+        }
+        while (!able.empty() && !stop.stop_requested() && !isSafe(turned(able)))
+            able.pop_back();
+        return able.empty() || stop.stop_requested() ? std::nullopt : std::optional(turned(able));
+    });
+}
+
+std::optional<Fractal> withOrbit(const Fractal& entry) {
+    return ofItsDimension(entry, [&]<int Dim>(const Shape<Dim>& shape) {
+        animation::Orbit<Dim> orbit;
+        if constexpr (Dim == 2) {
+            const auto box = displayedBox(entry);
+            orbit.centre =
+                box ? ifs::Vector<2>((box->min + box->max) / 2) : displayed<2>(entry, middle<2>(shape));
+        }
+        return withMotion<Dim>(entry, orbit);
+    });
+}
+
+std::optional<Fractal> withBreathing(const Fractal& entry, const std::stop_token& stop) {
+    return ofItsDimension(entry, [&]<int Dim>(const Shape<Dim>& shape) {
+        return asStrongAsCanBe(
+            withMotion<Dim>(entry, animation::Breathe<Dim>{{}, swell, 1, middle<Dim>(shape)}), stop);
+    });
+}
+
+std::optional<Fractal> withPaletteCycle(const Fractal& entry) {
+    const Fractal shown = showingPalette(entry);
+    return ofItsDimension(
+        shown, [&]<int Dim>(const Shape<Dim>&) { return withMotion<Dim>(shown, animation::PaletteCycle{}); });
+}
+
+std::optional<Fractal> withEndlessZoom(const Fractal& entry, double aspect, attractor::YAxis yAxis,
+                                       const std::stop_token& stop) {
+    const auto system = plane(entry) && plane(entry)->moved.empty() ? effectiveSystem(entry) : std::nullopt;
+    const auto copy = system ? largestCopy(*system, stop) : std::nullopt;
+    if (!copy) return std::nullopt;
+    const double height = viewMargin * 2 * copy->radius / std::hypot(1, aspect);
+    const attractor::View from{copy->centre, height, yAxis};
+    // What lies counter-clockwise comes upright again as the picture turns the other way.
+    const double turn = yAxis == attractor::YAxis::Up ? -copy->turn : copy->turn;
+    const attractor::View to{copy->centre, height * copy->ratio, yAxis,
+                             attractor::rotationOf(attractor::degreesOf(turn))};
+    Fractal result = entry;
+    Shape<2>& shape = *plane(result);
+    if (!shape.animation) shape.animation.emplace();
+    shape.animation->loop = animation::Loop::Cycle;
+    shape.animation->camera = {{0, from, {}}, {shape.animation->length, to, {}}};
+    return result;
+}
+
+} // namespace document

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "animation/motions/motion_presets.h"
+#include "document/fractal/fractal.h"
+
+#include <optional>
+#include <stop_token>
+
+// Loops in one step: motions, and a camera that never arrives. All take an entry with its animation, if it
+// has one, and add to it. What may take long, as of many maps, returns nullopt soon after it is stopped.
+namespace document {
+
+// Sway about what is lowest on the screen, as strong as leaves an attractor at all times. nullopt where the
+// entry holds no maps, as of all of these functions.
+std::optional<Fractal> withWind(const Fractal& entry, const animation::SwayPreset& preset,
+                                const std::stop_token& stop = {});
+// All maps turn once about the middle; where an attractor would be lost, those that can. nullopt if none.
+std::optional<Fractal> withTurn(const Fractal& entry, const std::stop_token& stop = {});
+// The picture, or the camera in space, goes round once.
+std::optional<Fractal> withOrbit(const Fractal& entry);
+// All maps swell and shrink by up to a tenth, as far as leaves an attractor at all times.
+std::optional<Fractal> withBreathing(const Fractal& entry, const std::stop_token& stop = {});
+// The palette goes round.
+std::optional<Fractal> withPaletteCycle(const Fractal& entry);
+
+// Camera keys at both ends from a view to its image under a similarity among the maps of what is displayed,
+// or under its square if it mirrors: as one piece is a small copy of the whole, the last frame is the first.
+// nullopt unless the entry is in the plane and has such a piece, with all others certainly out of sight at
+// the end. `aspect` is that of the picture, width by height, ≥ 1 or below. docs/mathematics.md, "Animation".
+std::optional<Fractal> withEndlessZoom(const Fractal& entry, double aspect, attractor::YAxis yAxis,
+                                       const std::stop_token& stop = {});
+
+} // namespace document

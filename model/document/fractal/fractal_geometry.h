@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "attractor/request/render_request.h"
+#include "document/fractal/fractal.h"
+#include "ifs/cage/control_cage.h"
+#include "ifs/extent/support_function.h"
+#include "ifs/links/linked_extent.h"
+#include "ifs/system/branch.h"
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+// What follows from a fractal: the extent, the cage in force, and where the picture is.
+namespace document {
+
+// The extent of the code's attractor; nullptr when it has none, or its maps are linked. Any thread. The
+// fractal and its copies remember what takes long (SupportCache).
+std::shared_ptr<const ifs::SupportFunction<2>> supportFunction(const Fractal& fractal);
+// The same of linked maps; nullopt where they are not.
+std::optional<ifs::LinkedExtent> linkedExtent(const Fractal& fractal);
+
+// The minimal canonical simplex of the code at rest; when the code has no attractor, a unit triangle.
+ifs::ControlCage<2> canonicalCage(const Fractal& fractal);
+
+// The cage in force: the stored one, else the lasting one, else the canonical one, which costs a certified
+// simplex.
+ifs::ControlCage<2> effectiveCage(const Fractal& fractal);
+
+// Coordinates of the code → displayed ones.
+ifs::Placement placement(const Fractal& fractal);
+
+// The branches that are moved, as words over indices into the system. Those with a map that is gone are left
+// out.
+template <int Dim> std::vector<ifs::MovedBranch<Dim>> movedBranches(const Shape<Dim>& shape);
+// Those of an entry in the plane; of others none.
+std::vector<ifs::MovedBranch<2>> movedBranches(const Fractal& fractal);
+// What is shown in place of the attractor: ifs::pieces over the active maps of the code. Empty where no
+// branch is moved.
+template <int Dim>
+std::vector<ifs::MovedBranch<Dim>> shownBranches(const Shape<Dim>& shape, const ifs::ActiveMaps<Dim>& active);
+// The maps of these, in coordinates of the code: the attractor alone where no branch is moved.
+template <int Dim> std::vector<ifs::AffineMap<Dim>> shownPieces(const Shape<Dim>& shape);
+
+// The code becomes M∘w∘M⁻¹, and so does what moves its branches; nullopt unless it is a system of that
+// dimension and M can be inverted. The cage stays.
+template <int Dim>
+std::optional<Fractal> conjugated(const Fractal& fractal, const ifs::AffineMap<Dim>& transformation);
+
+// The maps of the code as they act on the displayed picture, M_c∘w∘M_c⁻¹; nullopt while the placement is flat
+// or bent.
+std::optional<System2> effectiveSystem(const Fractal& fractal);
+
+// The request that draws the fractal through the camera with default quality.
+attractor::RenderRequest renderRequest(const Fractal& fractal, const attractor::Camera& camera);
+
+// Certified box of what is displayed (the attractor under its cage), under a bend to a hundredth of its size;
+// nullopt when there is none. Nothing is left to add to it, unlike ifs::BoundingBox with its error.
+struct Box {
+    ifs::Vector<2> min;
+    ifs::Vector<2> max;
+};
+std::optional<Box> displayedBox(const Fractal& fractal);
+
+} // namespace document

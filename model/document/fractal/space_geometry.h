@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "attractor/light/solid_appearance.h"
+#include "attractor/request/space_request.h"
+#include "document/fractal/fractal.h"
+#include "ifs/cage/control_cage.h"
+#include "ifs/extent/support_function.h"
+
+#include <functional>
+#include <memory>
+#include <optional>
+#include <vector>
+
+// What follows from a fractal in space; fractal_geometry.h has the same for the plane.
+namespace document {
+
+// Why nothing that is meant for systems in space can be done; empty for those.
+QString spaceObstacle(const Fractal& fractal);
+
+// The extent of the code's attractor; nullptr when it has none, or the entry is not in space. Any thread.
+std::shared_ptr<const ifs::SupportFunction<3>> spaceSupport(const Fractal& fractal);
+
+// The cage in force: the stored one, else the lasting one, else the minimal canonical simplex of the code at
+// rest; without an attractor, a unit tetrahedron. nullopt when the entry is not in space.
+std::optional<ifs::ControlCage<3>> spaceCage(const Fractal& fractal);
+
+// Whether what follows from the extent of an entry in space is answered at once. Of very many maps it first
+// has to be found: the window does so in the background (view::ExtentFinder). Of other entries, true.
+bool isSpaceExtentKnown(const Fractal& fractal);
+// The cage in force if it is stored, lasts or its extent is known.
+std::optional<ifs::ControlCage<3>> knownSpaceCage(const Fractal& fractal);
+
+// The maps of the code as they act on the displayed picture; nullopt while the placement is flat or bent.
+std::optional<System3> effectiveSpaceSystem(const Fractal& fractal);
+
+// max ⟨u, x⟩ over the vertices: what a cage that bends displays is within their hull.
+std::function<double(const ifs::Vector<3>&)> reachOfVertices(std::vector<ifs::Vector<3>> vertices);
+
+// How far what is displayed of a fractal in space reaches along a unit vector: low ≤ ⟨u, x⟩ ≤ high. Without
+// an attractor, its cage.
+struct Extent {
+    double low = 0;
+    double high = 0;
+};
+Extent extentAlong(const Fractal& fractal, const ifs::Vector<3>& u);
+
+// Shows what is displayed of a fractal in space, and its cage, as large as leaves a margin.
+attractor::OrbitCamera fittedTo(const Fractal& fractal, attractor::OrbitCamera camera, double margin);
+
+// The same without the cage.
+attractor::OrbitCamera fittedToPicture(const Fractal& fractal, attractor::OrbitCamera camera, double margin);
+
+// The request that draws a fractal in space through the camera.
+attractor::SpaceRequest spaceRequest(const Fractal& fractal, const attractor::OrbitCamera& camera);
+
+// What the colours of its solid show.
+attractor::SolidColour solidColour(const Fractal& fractal);
+
+// How its solid looks. Ink is on paper and numbers are on black until a background is chosen.
+attractor::SolidAppearance solidAppearance(const Fractal& fractal);
+
+// What is around the picture.
+attractor::Rgba backgroundInSpace(const Fractal& fractal);
+
+// A fractal in space with the current vertices of its cage there; the cage is stored from then on.
+Fractal withSpaceCageMoved(Fractal fractal, ifs::ControlCage<3> cage);
+
+} // namespace document

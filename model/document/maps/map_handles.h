@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "document/fractal/fractal.h"
+#include "document/fractal/fractal_geometry.h"
+#include "ifs/system/branch.h"
+
+#include <memory>
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace document {
+
+// The maps of a fractal as the images of its cage, to be dragged. Everything is in displayed coordinates and
+// counted from the fractal as given, so that nothing accumulates and the way back is exact. The results hold
+// the cage in force, so that it stays while the code changes under it.
+class MapHandles {
+public:
+    // The fractal must be a system of the plane and `cage` its effective one. The maps are shown and moved as
+    // they are seen inside the piece that `within` makes of the attractor.
+    MapHandles(std::shared_ptr<const Fractal> fractal, const ifs::ControlCage<2>& cage,
+               const ifs::AffineMap<2>& within = {});
+    // The map of one branch as the only one, at index 0; moving it moves what is shown of the branch
+    // (Shape::moved) and leaves the code alone. With `recurs` the same branch moves inside it too, and so on.
+    // The word has indices of maps that take part.
+    static MapHandles ofBranch(const std::shared_ptr<const Fractal>& fractal, const ifs::ControlCage<2>& cage,
+                               const ifs::Word& branch, bool recurs = false);
+
+    std::size_t count() const { return maps().size(); }
+    const std::vector<ifs::WeightedMap<2>>& maps() const {
+        return m_branch.empty() ? system2(*m_fractal)->maps : m_branchMap;
+    }
+    std::vector<ifs::Vector<2>> corners(std::size_t index) const; // images of the cage's vertices
+    std::vector<ifs::Vector<2>> outline(std::size_t index) const; // the same polygon, bent with the cage
+
+    // Boxes around the images of the cage, soon found for many maps. Where the cage bends they are where
+    // their middles are shown, but as large as its affine fit makes them.
+    std::vector<Box> boxes() const;
+    bool bends() const { return m_placement.bend() != nullptr; }
+
+    // Maps can be moved unless the placement, or the piece, is flat.
+    bool canBeMoved() const;
+
+    // One corner elsewhere: a change of rank one.
+    Fractal withCornerMoved(std::size_t index, std::size_t corner, const ifs::Vector<2>& offset) const;
+    // Where the cage bends, those below are of first order in the middle of each map.
+    Fractal withMapsMoved(std::span<const std::size_t> indices, const ifs::Vector<2>& offset) const;
+    Fractal withMapsMoved(std::span<const std::size_t> indices,
+                          std::span<const ifs::Vector<2>> offsets) const; // one for each map
+    Fractal withMapsChanged(std::span<const std::size_t> indices, const ifs::AffineMap<2>& change) const;
+    // Each map turned about the image of `root`, a point in coordinates of the code: branches that swing.
+    Fractal withMapsSwung(std::span<const std::size_t> indices, const ifs::Vector<2>& root,
+                          double angle) const;
+
+private:
+    ifs::AffineMap<2> around(std::size_t index) const; // what displays a map, to first order
+    // `change` in coordinates of the piece, after the map.
+    void change(Fractal& fractal, std::size_t index, const ifs::AffineMap<2>& change) const;
+    void changeDisplayed(Fractal& fractal, std::size_t index, const ifs::AffineMap<2>& change) const;
+    Fractal changed() const; // with the cage as it is
+
+    std::shared_ptr<const Fractal> m_fractal;
+    ifs::ControlCage<2> m_cage;
+    ifs::Placement m_placement;
+    ifs::AffineMap<2> m_within;
+    std::vector<ifs::MapId> m_branch;
+    std::vector<ifs::WeightedMap<2>> m_branchMap;
+};
+
+// What a change of a branch is made a change of.
+enum class BranchEdit {
+    Display, // where the branch is shown, and it alone: the code stays
+    OwnMap,  // the system over the cut set of its address, in which the branch is the first map
+    LastMap, // the last map of its address, as it is seen there: all branches that it makes change alike
+    Inside,  // as Display, and again inside the branch: recurring_branches.h
+};
+inline bool keepsCode(BranchEdit edit) {
+    return edit == BranchEdit::Display || edit == BranchEdit::Inside;
+}
+
+// A branch σ, a word of indices in the system, as a map that can be moved.
+struct BranchHandles {
+    MapHandles handles;
+    std::size_t index = 0;
+};
+// nullopt when the word is empty or names a map that takes no part.
+std::optional<BranchHandles> branchHandles(const std::shared_ptr<const Fractal>& fractal,
+                                           const ifs::ControlCage<2>& cage, const ifs::Word& branch,
+                                           BranchEdit edit);
+
+// The same with the branch, a word of indices, where its maps put it; as it is when there is no such branch.
+Fractal withBranchPutBack(Fractal fractal, const ifs::Word& branch);
+bool isMoved(const Fractal& fractal, const ifs::Word& branch);
+
+// change∘w_σ of a branch of the system that changes inside itself, which it does only where this contracts;
+// w_σ of others.
+ifs::AffineMap<2> recurringMap(const Fractal& fractal, const ifs::Word& branch);
+
+// The lowest point of what is displayed, in coordinates of the code: where a plant stands.
+std::optional<ifs::Vector<2>> root(const Fractal& fractal);
+
+} // namespace document

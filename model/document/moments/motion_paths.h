@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "document/fractal/fractal.h"
+
+#include <vector>
+
+namespace document {
+
+// Where a point of an animation in the plane goes, displayed: at evenly spaced frames, every one if there are
+// not too many.
+struct MotionPath {
+    std::size_t index = 0; // of the vertex in the cage, or of the map in the system
+    std::vector<ifs::Vector<2>> points;
+    std::vector<ifs::Vector<2>> keys; // at the frames of its keys …
+    std::vector<int> frames;          // … which are these
+    // Of a map: the image of the cage at these frames.
+    std::vector<std::vector<ifs::Vector<2>>> outlines{};
+};
+
+// Of the vertices of the cage in their order, and of the centres of the maps that have keys: the images of
+// the middle of the cage. Empty where there are no such keys.
+struct MotionPaths {
+    std::vector<MotionPath> vertices;
+    std::vector<MotionPath> maps;
+};
+MotionPaths motionPaths(const Fractal& entry);
+
+} // namespace document

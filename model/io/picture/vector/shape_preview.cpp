@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: MIT
+#include "io/picture/vector/shape_preview.h"
+
+#include "io/picture/vector/svg_shapes.h"
+
+#include <QPainter>
+#include <QPolygonF>
+
+#include <algorithm>
+
+namespace io {
+
+namespace {
+
+constexpr std::uint64_t maxCopies = 50'000;
+constexpr std::uint64_t maxDots = 200'000;
+
+QColor colourOf(const attractor::Rgba& colour) {
+    return {colour.red, colour.green, colour.blue, colour.alpha};
+}
+
+QPolygonF polygon(const Ring& ring, const ifs::AffineMap<2>& map) {
+    QPolygonF corners;
+    for (const auto& point : ring) {
+        const ifs::Vector<2> at = map(point);
+        corners << QPointF(at.x(), at.y());
+    }
+    return corners;
+}
+
+// One that is drawn without a long wait.
+int previewDepth(const ifs::CopyHierarchy& levels, const SvgFormat& format) {
+    int depth = std::min(svgDepth(levels, format), levels.deepest());
+    while (depth > 0 && levels.references(depth) > maxCopies)
+        --depth;
+    return depth;
+}
+
+class Preview {
+public:
+    Preview(const document::Fractal& fractal, const attractor::Camera& camera, const std::stop_token& stop)
+        : m_fractal(fractal),
+          m_camera(camera),
+          m_stop(stop),
+          m_image(camera.width, camera.height, QImage::Format_ARGB32_Premultiplied) {
+        m_image.fill(Qt::transparent);
+    }
+
+    QImage draw(const ifs::CopyHierarchy& levels, const SvgFormat& format) {
+        QPainter painter(&m_image);
+        painter.setRenderHint(QPainter::Antialiasing);
+        if (format.style != ShapeStyle::Outline)
+            painter.fillRect(m_image.rect(), colourOf(m_fractal.appearance.background));
+        switch (format.style) {
+        case ShapeStyle::Structured:
+            drawCopies(painter, levels, previewDepth(levels, format));
+            break;
+        case ShapeStyle::Outline:
+            painter.setPen(Qt::black);
+            for (const Ring& ring : leafUnion(levels, previewDepth(levels, format), m_stop))
+                painter.drawPolygon(polygon(ring, {}));
+            break;
+        case ShapeStyle::Points:
+            for (const auto& [colour, points] :
+                 shapePoints(m_fractal, m_camera, std::min(format.points, maxDots), format.seed)) {
+                painter.setPen(QPen(colourOf(colour), 1, Qt::SolidLine, Qt::RoundCap));
+                for (const auto& point : points)
+                    painter.drawPoint(QPointF(point.x(), point.y()));
+            }
+            break;
+        }
+        painter.end();
+        if (format.cage == CageVisibility::Shown) paintCage(m_image, m_fractal, m_camera);
+        return m_image;
+    }
+
+private:
+    void drawCopies(QPainter& painter, const ifs::CopyHierarchy& levels, int depth) {
+        m_outline = levels.outline(depth);
+        m_copies.clear();
+        for (int level = 0; level <= depth; ++level)
+            m_copies.push_back(level == 0 ? std::vector<ifs::Copy>() : levels.copies(level, depth));
+        const attractor::Rgba all = shapeColour(m_fractal.appearance);
+        painter.setPen(Qt::NoPen);
+        for (const ifs::Copy& copy : levels.picture(depth)) {
+            painter.setBrush(colourOf(shapeColour(m_fractal, levels, copy).value_or(all)));
+            drawCopy(painter, levels, copy, levels.display() * copy.map);
+        }
+    }
+
+    // `map` takes what it is a copy of to pixels.
+    void drawCopy(QPainter& painter, const ifs::CopyHierarchy& levels, const ifs::Copy& copy,
+                  const ifs::AffineMap<2>& map) {
+        if (m_stop.stop_requested()) return;
+        if (copy.projection) {
+            for (const Ring& bar : levels.projection(*copy.projection)->bars)
+                painter.drawPolygon(polygon(bar, map));
+        } else if (copy.level == 0) {
+            painter.drawPolygon(polygon(m_outline, map));
+        } else {
+            for (const ifs::Copy& inner : m_copies.at(std::size_t(copy.level)))
+                drawCopy(painter, levels, inner, map * inner.map);
+        }
+    }
+
+    const document::Fractal& m_fractal;
+    const attractor::Camera& m_camera;
+    const std::stop_token& m_stop;
+    QImage m_image;
+    Ring m_outline;                               // level 0
+    std::vector<std::vector<ifs::Copy>> m_copies; // by level
+};
+
+} // namespace
+
+std::optional<QImage> shapePreview(const document::Fractal& fractal, const attractor::Camera& camera,
+                                   const SvgFormat& format, const std::stop_token& stop) {
+    const ShapeLevels levels = shapeLevels(fractal, camera);
+    if (!levels.levels) return std::nullopt;
+    const QImage image = Preview(fractal, camera, stop).draw(*levels.levels, format);
+    return stop.stop_requested() || image.isNull() ? std::nullopt : std::optional(image);
+}
+
+} // namespace io

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "ifs/copies/copy_hierarchy.h"
+#include "io/file/save_file.h"
+
+#include "attractor/request/camera.h"
+#include "document/fractal/fractal.h"
+
+#include <stop_token>
+#include <vector>
+
+// The shapes of a scalable picture, whatever file they are written to.
+namespace io {
+
+struct ShapeLevels {
+    std::optional<ifs::CopyHierarchy> levels;
+    Failure failure; // why there are none
+};
+ShapeLevels shapeLevels(const document::Fractal& fractal, const attractor::Camera& camera);
+
+// One colour for what has shades in a picture made of points: the plain one, or the bright part of the
+// palette.
+attractor::Rgba shapeColour(const attractor::Appearance& appearance);
+// Of a copy in the picture; nullopt: the colour of all.
+std::optional<attractor::Rgba> shapeColour(const document::Fractal& fractal, const ifs::CopyHierarchy& levels,
+                                           const ifs::Copy& copy);
+
+// The union of all copies of level 0 in a picture of this depth, in pixels: closed rings that touch neither
+// themselves nor each other but in points; filled by the even-odd rule. Empty when stopped.
+using Ring = std::vector<ifs::Vector<2>>;
+std::vector<Ring> leafUnion(const ifs::CopyHierarchy& levels, int depth, const std::stop_token& stop = {});
+
+// Points of the chaos game that the camera sees, in pixels, by colour. The system must be plane.
+struct ColouredPoints {
+    attractor::Rgba colour;
+    std::vector<ifs::Vector<2>> points;
+};
+std::vector<ColouredPoints> shapePoints(const document::Fractal& fractal, const attractor::Camera& camera,
+                                        std::uint64_t points, std::uint64_t seed);
+
+} // namespace io

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: MIT
+#include "widgets/background/save_beside.h"
+
+#include "document/text/text.h"
+#include "io/file/background.h"
+#include "widgets/background/wait_for.h"
+
+#include <QFileInfo>
+#include <QPointer>
+#include <QWidget>
+
+#include <atomic>
+#include <memory>
+
+namespace view {
+
+namespace {
+
+// Somebody cancels what somebody else is about to finish; the first one decides.
+struct Shared {
+    std::atomic<bool> isDecided = false;
+    io::Failure failure;
+};
+
+} // namespace
+
+Saving saveBeside(const QString& path, const QByteArray& bytes, QWidget* window) {
+    const auto shared = std::make_shared<Shared>();
+    QFuture<void> work(io::inBackground<bool>(io::Lane::Saving, [shared, path, bytes](QPromise<bool>&) {
+        io::NewFile file(path);
+        if (!file.failure()) file.write(bytes);
+        if (!shared->isDecided.exchange(true)) shared->failure = file.commit();
+    }));
+    const QString label = Text::tr("Saving “%1”…").arg(QFileInfo(path).fileName());
+    const QPointer over(window);
+    while (!waitFor(work, label, over)) // in the end it is cancelled, or saved
+        if (!shared->isDecided.exchange(true)) return {true, {}};
+    work.waitForFinished(); // throws what went wrong besides
+    return {false, shared->failure};
+}
+
+} // namespace view
