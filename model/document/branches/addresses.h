@@ -6,8 +6,18 @@
 
 #include <memory>
 #include <optional>
+#include <vector>
 
 namespace document {
+
+// The ids of the maps that a word of indices names.
+template <int Dim>
+std::vector<ifs::MapId> idsOf(const ifs::IteratedFunctionSystem<Dim>& system, const ifs::Word& indices) {
+    std::vector<ifs::MapId> word;
+    for (const int index : indices)
+        word.push_back(system.maps[std::size_t(index)].id);
+    return word;
+}
 
 // Addresses of the points of what is displayed. Words name maps by their indices in the system, outermost
 // first.

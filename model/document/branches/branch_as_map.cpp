@@ -2,6 +2,7 @@
 #include "document/branches/branch_as_map.h"
 
 #include "attractor/request/colour_coordinates.h"
+#include "document/branches/addresses.h"
 #include "document/fractal/fractal_geometry.h"
 #include "document/fractal/recurring_branches.h"
 #include "ifs/system/recurring_branch.h"
@@ -44,13 +45,6 @@ attractor::MapBlends blendsOver(const Fractal& fractal, const ifs::ActiveMaps<Di
     for (std::size_t index = 0; index < before.maps.size(); ++index)
         if (!std::ranges::binary_search(active.index, index)) blends[system.maps[made++].id] = blendAt(index);
     return blends;
-}
-
-template <int Dim> std::vector<ifs::MapId> idsOf(const System<Dim>& system, const ifs::Word& indices) {
-    std::vector<ifs::MapId> word;
-    for (const int index : indices)
-        word.push_back(system.maps[std::size_t(index)].id);
-    return word;
 }
 
 // What moves branches of the fractal, over the cut set of `letters`, whose maps are those of `system`. What

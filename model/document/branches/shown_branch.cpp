@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "document/branches/shown_branch.h"
+#include "document/branches/addresses.h"
 #include "document/fractal/fractal_geometry.h"
 #include "document/fractal/recurring_branches.h"
 
@@ -10,14 +11,6 @@
 namespace document {
 
 namespace {
-
-template <int Dim>
-std::vector<ifs::MapId> idsOf(const ifs::IteratedFunctionSystem<Dim>& system, const ifs::Word& indices) {
-    std::vector<ifs::MapId> word;
-    for (const int index : indices)
-        word.push_back(system.maps[std::size_t(index)].id);
-    return word;
-}
 
 template <int Dim>
 const MovedBranch<Dim>* find(const Shape<Dim>& shape, const std::vector<ifs::MapId>& word) {

@@ -31,7 +31,8 @@ std::vector<ifs::AffineMap<2>> displayedMaps(const Fractal& fractal) {
 }
 
 // The same picture held by other vertices.
-std::optional<Fractal> withCageThrough(const Fractal& fractal, const std::vector<ifs::Vector<2>>& vertices) {
+std::optional<Fractal> withPolygonThrough(const Fractal& fractal,
+                                          const std::vector<ifs::Vector<2>>& vertices) {
     Fractal after = fractal;
     auto& cage = plane(after)->cage = ifs::redefine<2>(effectiveCage(fractal), vertices);
     return cage ? std::optional(after) : std::nullopt;
@@ -227,7 +228,7 @@ std::optional<std::vector<ifs::Vector<2>>> verticesAround(const Fractal& fractal
 
 std::optional<Fractal> withCageAround(const Fractal& fractal, PolygonChoice choice, int corners) {
     const auto vertices = verticesAround(fractal, choice, corners);
-    return vertices ? withCageThrough(fractal, *vertices) : std::nullopt;
+    return vertices ? withPolygonThrough(fractal, *vertices) : std::nullopt;
 }
 
 QString fitObstacle(const Fractal& fractal) {

@@ -170,9 +170,9 @@ QByteArray compressedRows(const QByteArray& png) {
 }
 
 // Colours and opacity are two pictures.
-class PdfPage final : public PagePictureWriter {
+class PdfPicturePage final : public PagePictureWriter {
 public:
-    PdfPage(OverlayMarks marks, PdfFile& file, const PictureFormat& format)
+    PdfPicturePage(OverlayMarks marks, PdfFile& file, const PictureFormat& format)
         : PagePictureWriter(format), m_marks(std::move(marks)), m_file(file), m_colours(coloursOf(format)) {
         if (format.pixels == Pixels::Transparent)
             m_opacities = std::make_unique<PngBytes>(opacitiesOf(format));
@@ -266,7 +266,7 @@ private:
     const QString m_title;
     QIODevice& m_device;
     PdfFile m_file;
-    PdfPage m_page;
+    PdfPicturePage m_page;
 };
 
 } // namespace
@@ -277,7 +277,7 @@ std::unique_ptr<PictureWriter> pageWriter(PicturePage page, QIODevice& device, c
 }
 
 std::unique_ptr<PictureWriter> pageWriter(OverlayMarks marks, PdfFile& file, const PictureFormat& format) {
-    return std::make_unique<PdfPage>(std::move(marks), file, format);
+    return std::make_unique<PdfPicturePage>(std::move(marks), file, format);
 }
 
 } // namespace io
