@@ -12,6 +12,7 @@
 #include "process/messages.h"
 #include "process/output.h"
 #include "process/progress_bar.h"
+#include "render/render_arguments.h"
 
 #include "document/edits/cage/cage_edits.h"
 #include "document/edits/dimension_edits.h"
@@ -72,10 +73,6 @@ io::TableColumns columnsArgument(const char* option, const std::string& text) {
     throw UsageError{tr("%1 “%2” is not an order of columns: it must name a b c d (or r s theta phi), e and "
                         "f, and optionally p, each once, such as \"a b e c d f p\".")
                          .arg(QLatin1String(option), QString::fromStdString(text))};
-}
-
-void refuseIf(bool given, const char* option, const QString& reason) {
-    if (given) throw UsageError{tr("%1 cannot be used here: %2").arg(QLatin1String(option), reason)};
 }
 
 fs::path nativePath(const QString& path) {
