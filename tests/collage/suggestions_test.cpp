@@ -269,7 +269,7 @@ private slots:
     void attractorsAreCollagesOfThemselves() {
         const std::vector<Entry> entries = collection();
         const Grid picture{-0.5, 0.5, 1.0 / 256, 256, 256};
-        for (std::size_t i = 0; i < entries.size(); i += support::isThorough() ? 1 : 6) {
+        for (std::size_t i = 0; i < entries.size(); i += support::isThorough() ? 1 : 12) {
             const auto maps = drawings::fitted(entries[i].maps, entries[i].probabilities);
             const Target own = target(attractorMask(picture, maps), 1, 0.25);
             const CollageMeasure measure = collageMeasure(own, maps);

@@ -14,12 +14,20 @@
 
 #include <cmath>
 #include <numeric>
+#include <span>
 
 namespace io {
 
 namespace {
 
 using Layout = JsonWriter::Layout;
+
+void writeValues(JsonWriter& json, const auto& values) {
+    json.beginArray(Layout::Inline);
+    for (const auto value : values)
+        json.value(value);
+    json.endArray();
+}
 
 template <int Dim> void writeVector(JsonWriter& json, const ifs::Vector<Dim>& v) {
     json.beginArray(Layout::Inline);
@@ -221,12 +229,8 @@ template <int Dim> void writeHull(JsonWriter& json, const ifs::Facts<Dim>& facts
         json.member("volume_error", ifs::volumeError(*hull));
         json.key("facets");
         json.beginArray(Layout::Inline);
-        for (const auto& facet : hull->facets) {
-            json.beginArray(Layout::Inline);
-            for (const int corner : facet)
-                json.value(corner);
-            json.endArray();
-        }
+        for (const auto& facet : hull->facets)
+            writeValues(json, facet);
         json.endArray();
     }
     json.member("error", hull->error);
@@ -428,12 +432,8 @@ template <int Dim> void writeLinks(JsonWriter& json, const ifs::IteratedFunction
     const std::vector<double> matrix = ifs::linkMatrix(system);
     json.key("links");
     json.beginArray(Layout::Inline);
-    for (std::size_t i = 0; i < n; ++i) {
-        json.beginArray(Layout::Inline);
-        for (std::size_t j = 0; j < n; ++j)
-            json.value(matrix[i * n + j]);
-        json.endArray();
-    }
+    for (std::size_t i = 0; i < n; ++i)
+        writeValues(json, std::span(matrix).subspan(i * n, n));
     json.endArray();
     json.key("link_states");
     json.beginArray(Layout::Inline);
@@ -446,10 +446,7 @@ template <int Dim> void writeLinks(JsonWriter& json, const ifs::IteratedFunction
     for (std::size_t k = 0; k < active.index.size(); ++k)
         visits[active.index[k]] = stationary[k];
     json.key("visits");
-    json.beginArray(Layout::Inline);
-    for (const double share : visits)
-        json.value(share);
-    json.endArray();
+    writeValues(json, visits);
 }
 
 template <int Dim>

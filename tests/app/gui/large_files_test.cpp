@@ -421,7 +421,7 @@ void LargeFilesTest::aFolderIsBrowsed() {
     QCOMPARE(takeLate(), QString());
 }
 
-// But for those that ask for a file, a printer, or to leave.
+// But for those that ask for a file, a printer, or to leave. Every third, or all.
 void LargeFilesTest::everyCommandIsChosen() {
     openLarge("many {\n" + rows(support::isThorough() ? 50'000 : 10'000) + "}\n");
     const QStringList left{QStringLiteral("Open…"),        QStringLiteral("Save As…"),
@@ -436,8 +436,10 @@ void LargeFilesTest::everyCommandIsChosen() {
             if (!action->isSeparator() && !action->menu() && !left.contains(action->text().remove(u'&')))
                 commands << action;
     QVERIFY(commands.size() > 40);
+    int number = 0;
     for (const QPointer<QAction>& command : commands) {
         if (!command || !command->isEnabled()) continue;
+        if (number++ % 3 != 0 && !support::isThorough()) continue;
         const QByteArray name = command->text().toUtf8();
         doing(name, [&] { command->trigger(); });
         (void)QTest::qWaitFor([] { return document::backgroundFinishes(0ms); },
