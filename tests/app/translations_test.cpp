@@ -296,8 +296,7 @@ void TranslationsTest::oneIsSingular() {
 void TranslationsTest::pluralsAndTheGuideAreSaid() {
     QTranslator english;
     QVERIFY(english.load(QStringLiteral(":/translations/barycage_en.qm")));
-    QCOMPARE(english.translate("Text", "%n maps added.", nullptr, 1),
-             QStringLiteral("%n map added."));
+    QCOMPARE(english.translate("Text", "%n maps added.", nullptr, 1), QStringLiteral("%n map added."));
     for (const char* language : {"de", "es", "fr", "mk"}) {
         QTranslator other;
         QVERIFY(other.load(QStringLiteral(":/translations/barycage_%1.qm").arg(QLatin1String(language))));
