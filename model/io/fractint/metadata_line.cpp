@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "io/fractint/metadata_line.h"
 
+#include "io/text/number.h"
+
 #include <QString>
 
 #include <algorithm>
