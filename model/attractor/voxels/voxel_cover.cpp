@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "attractor/voxels/voxel_cover.h"
 
+#include <Eigen/LU>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
