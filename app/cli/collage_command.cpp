@@ -2,12 +2,12 @@
 #include "options/commands.h"
 #include "options/tr.h"
 #include "options/usage_error.h"
-#include "process/arguments.h"
 #include "process/input.h"
 #include "process/interrupt.h"
 #include "process/messages.h"
 #include "process/output.h"
 #include "process/progress_bar.h"
+#include "render/render_arguments.h"
 
 #include "collage/suggestions.h"
 #include "io/fractint/entry_writer.h"
@@ -24,28 +24,32 @@ namespace cli {
 
 namespace {
 
+struct MapCounts {
+    int least = 2, most = 8;
+};
+
 struct CollageArguments {
     std::string picture;
     std::string output;
     std::optional<std::string> report;
-    std::string maps = "2-8";
-    std::optional<std::string> seconds;
-    std::optional<std::string> starts;
-    std::string seed = "1";
+    MapCounts maps;
+    std::optional<std::chrono::duration<double>> seconds;
+    std::optional<std::uint64_t> starts;
+    std::uint64_t seed = 1;
     bool similarities = false;
     bool withoutMirrors = false;
-    std::optional<std::string> angles;
+    std::optional<int> angles; // degrees
     bool stem = false;
-    std::optional<std::string> threshold;
+    std::optional<int> threshold;
     bool invert = false;
-    std::optional<std::string> threads;
+    std::optional<int> threads;
     Verbosity verbosity;
 };
 
 constexpr int minMaps = 2, maxMaps = 16;
 
 // "4", or "2-8".
-void readMaps(const std::string& text, collage::SearchOptions& options) {
+MapCounts mapsArgument(const std::string&, const std::string& text) {
     const QStringList parts = QString::fromStdString(text).split(u'-');
     bool areNumbers = parts.size() <= 2;
     for (const QString& part : parts) {
@@ -53,12 +57,18 @@ void readMaps(const std::string& text, collage::SearchOptions& options) {
         const int maps = part.toInt(&isNumber);
         areNumbers = areNumbers && isNumber && maps >= minMaps && maps <= maxMaps;
     }
-    options.minMaps = parts.front().toInt();
-    options.maxMaps = parts.back().toInt();
-    if (!areNumbers || options.minMaps > options.maxMaps)
+    const MapCounts counts{parts.front().toInt(), parts.back().toInt()};
+    if (!areNumbers || counts.least > counts.most)
         throw UsageError{tr("--maps “%1” is not valid: it must be a number from 2 to 16, or a range such as "
                             "2-8.")
                              .arg(QString::fromStdString(text))};
+    return counts;
+}
+
+int angleArgument(const std::string&, const std::string& text) {
+    if (text == "60" || text == "90") return std::stoi(text);
+    throw UsageError{
+        tr("--angles “%1” is not valid: it must be 60 or 90 degrees.").arg(QString::fromStdString(text))};
 }
 
 collage::Constraints constraintsOf(const CollageArguments& arguments) {
@@ -66,27 +76,19 @@ collage::Constraints constraintsOf(const CollageArguments& arguments) {
     if (arguments.similarities) constraints.mapClass = collage::MapClass::Similarity;
     if (arguments.withoutMirrors) constraints.mirrors = collage::Mirrors::Excluded;
     if (arguments.stem) constraints.first = collage::FirstMap::Stem;
-    if (!arguments.angles) return constraints;
-    if (*arguments.angles != "60" && *arguments.angles != "90")
-        throw UsageError{tr("--angles “%1” is not valid: it must be 60 or 90 degrees.")
-                             .arg(QString::fromStdString(*arguments.angles))};
-    constraints.angleStep = std::stoi(*arguments.angles);
+    if (arguments.angles) constraints.angleStep = *arguments.angles;
     return constraints;
 }
 
 collage::SearchOptions optionsOf(const CollageArguments& arguments) {
     collage::SearchOptions options;
-    readMaps(arguments.maps, options);
-    if (arguments.seconds && arguments.starts)
-        throw UsageError{tr("--seconds and --starts cannot be used together.")};
-    if (arguments.seconds)
-        options.time = std::chrono::duration<double>(secondsArgument("--seconds", *arguments.seconds));
-    if (arguments.starts)
-        options.starts = std::size_t(countArgument("--starts", *arguments.starts, 1, 1'000'000'000));
-    options.seed = wholeArgument("--seed", arguments.seed);
+    options.minMaps = arguments.maps.least;
+    options.maxMaps = arguments.maps.most;
+    if (arguments.seconds) options.time = *arguments.seconds;
+    if (arguments.starts) options.starts = std::size_t(*arguments.starts);
+    options.seed = arguments.seed;
     options.constraints = constraintsOf(arguments);
-    options.threads = arguments.threads ? integerArgument("--threads", *arguments.threads, 1, 1024)
-                                        : io::threadsOfThisMachine();
+    options.threads = threadsOf(arguments.threads);
     options.maxResults = 4;
     return options;
 }
@@ -120,8 +122,7 @@ private:
 // Empty when stopped. Throws InputError where there is nothing to trace.
 collage::Mask targetOf(const CollageArguments& arguments, const std::stop_token& stop) {
     const QString name = fileNameOf(arguments.picture);
-    std::optional<int> threshold;
-    if (arguments.threshold) threshold = integerArgument("--threshold", *arguments.threshold, 0, 255);
+    const std::optional<int>& threshold = arguments.threshold;
     const io::Loaded loaded = loadBytes(arguments.picture);
     if (loaded.failure) throw InputError{name, *loaded.failure, ExitStatus::CannotReadOrWrite};
     const QuietReaders quiet;
@@ -198,21 +199,24 @@ ExitStatus collageOf(const CollageArguments& arguments) {
 void addSearchOptions(Command& command, CollageArguments& arguments) {
     const OptionGroup search = command.group("Search");
     search.add(
-        "--maps", "N|MIN-MAX", &arguments.maps,
+        "--maps", "N|MIN-MAX", parsed(&arguments.maps, mapsArgument),
         "Number of maps, 2 to 16, or a range, in which a map is added only if it improves the fit enough",
         "2-8");
-    search.add("--seconds", "S", &arguments.seconds, "How long to search", "2");
-    search.add("--starts", "K", &arguments.starts,
+    search.add("--seconds", "S", parsed(&arguments.seconds, secondsArgument), "How long to search", "2")
+        .excludes("--starts");
+    search.add("--starts", "K", parsed(&arguments.starts, countFrom(1, 1'000'000'000)),
                "Number of random starts, instead of a time; the result is then the same on every run");
-    search.add("--seed", "K", &arguments.seed, "Seed of the random starts", "1");
+    search.add("--seed", "K", parsed(&arguments.seed, wholeArgument), "Seed of the random starts", "1");
     search.flag("--similarities", &arguments.similarities, "Only maps that keep all angles");
     search.flag("--no-mirrors", &arguments.withoutMirrors, "No maps that reflect");
-    search.add("--angles", "60|90", &arguments.angles, "Maps rotate only by multiples of this many degrees",
-               "any");
+    search
+        .add("--angles", "60|90", parsed(&arguments.angles, angleArgument),
+             "Maps rotate only by multiples of this many degrees", "any")
+        .completedBy(Completion::Kind::Words, {"60", "90"});
     search.flag("--stem", &arguments.stem,
                 "The first map flattens the shape to a line, like the stem of a fern");
-    search.add("-j,--threads", "N", &arguments.threads,
-               "Threads, 1 to 1024; never changes the result of --starts", "all cores");
+    addThreadsOption(search, arguments.threads).description =
+        "Threads, 1 to 1024; never changes the result of --starts";
 }
 
 } // namespace
@@ -227,11 +231,13 @@ Command collageCommand() {
                   "PNG, JPEG, WebP, TIFF, OpenEXR, GIF, BMP or PNM; - for standard input")
         .required();
     files.add("-o,--output", "OUT.ifs", &arguments->output, "File to write; - for standard output")
+        .completedBy(Completion::Kind::Files, {"ifs"})
         .fileName()
         .required();
-    files.add("--report", "R.json", &arguments->report, "Write how well it fits, in pixels of the picture");
+    files.add("--report", "R.json", &arguments->report, "Write how well it fits, in pixels of the picture")
+        .completedBy(Completion::Kind::Files, {"json"});
     const OptionGroup shape = command.group("Shape");
-    shape.add("--threshold", "T", &arguments->threshold,
+    shape.add("--threshold", "T", parsed(&arguments->threshold, integerFrom(0, 255)),
               "Grey level from 0 to 255 up to which a pixel is dark and belongs to the shape", "Otsu's");
     shape.flag("--invert", &arguments->invert, "Trace the light or transparent part instead");
     addSearchOptions(command, *arguments);

@@ -26,10 +26,13 @@ struct GalleryArguments {
     std::vector<std::string> files;
     std::vector<std::string> entries;
     std::string output;
-    std::string tile = "240x240";
-    std::string paper = "dark";
+    QSize tile{240, 240};
+    io::ContactSheet::Paper paper = io::ContactSheet::Paper::Dark;
     std::string title;
-    std::optional<std::string> columns, palette, colour, page;
+    int columns = 0; // as many as fit
+    std::optional<attractor::Palette> palette;
+    std::optional<attractor::ColourBy> colour;
+    std::optional<QPageSize> page;
     Verbosity verbosity;
 };
 
@@ -44,10 +47,9 @@ QString headingOf(const QString& fileName) {
 io::ContactSheet sheetOf(const GalleryArguments& arguments) {
     io::ContactSheet sheet;
     sheet.title = QString::fromStdString(arguments.title);
-    if (arguments.columns) sheet.columns = integerArgument("--columns", *arguments.columns, 1, 1000);
-    sheet.tile = sizeArgument("--tile", arguments.tile);
-    const bool isLight = choiceArgument("--paper", arguments.paper, {"dark", "light"}) == "light";
-    sheet.paper = isLight ? io::ContactSheet::Paper::Light : io::ContactSheet::Paper::Dark;
+    sheet.columns = arguments.columns;
+    sheet.tile = arguments.tile;
+    sheet.paper = arguments.paper;
     sheet.threads = io::threadsOfThisMachine();
     return sheet;
 }
@@ -67,7 +69,7 @@ std::optional<io::PictureFile> fileOf(const QString& output) {
 }
 
 // A name, or width and height in millimetres.
-QPageSize pageArgument(const std::string& text) {
+QPageSize pageArgument(const std::string&, const std::string& text) {
     const QString name = QString::fromStdString(text).toLower();
     if (name == u"a3") return QPageSize(QPageSize::A3);
     if (name == u"a4") return QPageSize(QPageSize::A4);
@@ -140,14 +142,12 @@ ExitStatus addFiles(const GalleryArguments& arguments, const Style& style, io::C
 ExitStatus gallery(const GalleryArguments& arguments) {
     const ProgressMode mode = applied(arguments.verbosity);
     io::ContactSheet sheet = sheetOf(arguments);
-    Style style{{}, {}, sheet.paper == io::ContactSheet::Paper::Light};
-    if (arguments.palette) style.palette = paletteArgument("--palette", *arguments.palette);
-    if (arguments.colour) style.colourBy = colourByArgument("--colour", *arguments.colour);
+    const Style style{arguments.palette, arguments.colour, sheet.paper == io::ContactSheet::Paper::Light};
     const Interrupt interrupt;
     const QString output = fileNameOf(arguments.output);
     const auto file = fileOf(output);
     if (file && arguments.page) throw UsageError{tr("--page cannot be used here: only a .pdf has pages.")};
-    const QPageSize page = pageArgument(arguments.page.value_or("A4"));
+    const QPageSize page = arguments.page.value_or(QPageSize(QPageSize::A4));
     const ExitStatus read = addFiles(arguments, style, sheet);
     if (sheet.sections.isEmpty()) {
         reportError(output, tr("No file contains an entry that can be shown, so nothing was written."));
@@ -185,24 +185,30 @@ Command galleryCommand() {
     files
         .add("-o,--output", "SHEET", &arguments->output,
              "Sheet to write: .png, .jpg, .webp, .tiff or .pdf; - for standard output (PNG)")
+        .completedBy(Completion::Kind::Files, {"png", "jpg", "jpeg", "webp", "tif", "tiff", "pdf"})
         .fileName()
         .required();
     addEntriesOption(command, arguments->entries);
     const OptionGroup colours = command.group("Colours");
     colours
-        .add("--palette", "PALETTE", &arguments->palette, "Palette: a name, as render lists them, or a file",
-             "stored in each entry, else Maple")
+        .add("--palette", "PALETTE", parsed(&arguments->palette, paletteArgument),
+             "Palette: a name, as render lists them, or a file", "stored in each entry, else Maple")
+        .completedBy(Completion::Kind::Palettes)
         .fileName();
-    colours.add("--colour,--color", "BY", &arguments->colour,
+    colours.add("--colour,--color", "BY",
+                choice(&arguments->colour, std::span<const ifs::Named<attractor::ColourBy>>(coloursInPlane)),
                 "Colour by density, map, address, blend or none", "stored in each entry, else density");
     const OptionGroup sheet = command.group("Sheet");
     sheet.add("--title", "TEXT", &arguments->title, "Title above the sheet").orEmpty();
-    sheet.add("--columns", "N", &arguments->columns, "Pictures per row, 1 to 1000",
-              "enough to fill a screen, at most 1920 pixels");
-    sheet.add("--page", "SIZE", &arguments->page,
-              "Pages of a .pdf: A3, A4, A5, letter, legal, or WIDTHxHEIGHT in millimetres", "A4");
-    sheet.add("--tile", "WxH", &arguments->tile, "Width and height of a picture in pixels", "240x240");
-    sheet.add("--paper", "PAPER", &arguments->paper,
+    sheet.add("--columns", "N", parsed(&arguments->columns, integerFrom(1, 1000)),
+              "Pictures per row, 1 to 1000", "enough to fill a screen, at most 1920 pixels");
+    sheet
+        .add("--page", "SIZE", parsed(&arguments->page, pageArgument),
+             "Pages of a .pdf: A3, A4, A5, letter, legal, or WIDTHxHEIGHT in millimetres", "A4")
+        .completedBy(Completion::Kind::Words, {"A3", "A4", "A5", "letter", "legal"});
+    sheet.add("--tile", "WxH", parsed(&arguments->tile, sizeArgument),
+              "Width and height of a picture in pixels", "240x240");
+    sheet.add("--paper", "PAPER", choice(&arguments->paper),
               "Background of the sheet and its pictures: dark or light", "dark");
     addVerbosityOptions(command, arguments->verbosity);
     command.run = [arguments] { return gallery(*arguments); };

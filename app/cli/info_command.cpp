@@ -34,16 +34,11 @@ struct InfoArguments {
     bool names = false;
     bool list = false;
     bool noDimension = false;
-    std::optional<std::string> hullTolerance;
-    std::optional<std::string> frame;
-    std::string budget = "1";
+    std::optional<double> hullTolerance;
+    std::optional<animation::Moment> frame;
+    std::optional<double> budget = 1; // seconds; none: no limit
     Verbosity verbosity;
 };
-
-std::optional<double> tolerance(const InfoArguments& arguments) {
-    if (!arguments.hullTolerance) return std::nullopt;
-    return positiveArgument("--hull-tolerance", *arguments.hullTolerance);
-}
 
 // Each name once, as --entry takes it.
 QByteArray namesOf(const QList<document::Entry>& entries) {
@@ -105,13 +100,12 @@ void limit(io::InfoSubject& subject, std::chrono::duration<double> perFact) {
     subject.end = ifs::ProcessorClock::now() + perCall * perFact;
 }
 
-QByteArray factsOf(const InfoArguments& arguments, io::InfoSubject subject, ProgressMode mode,
-                   std::optional<double> budget) {
+QByteArray factsOf(const InfoArguments& arguments, io::InfoSubject subject, ProgressMode mode) {
     document::Problems remarks;
-    subject.hullTolerance = tolerance(arguments);
-    if (arguments.frame) subject.moment = momentArgument("--frame", *arguments.frame);
+    subject.hullTolerance = arguments.hullTolerance;
+    if (arguments.frame) subject.moment = *arguments.frame;
     subject.limits.withAffinityDimension = !arguments.noDimension;
-    if (budget) limit(subject, std::chrono::duration<double>(*budget));
+    if (arguments.budget) limit(subject, std::chrono::duration<double>(*arguments.budget));
     subject.remark = [&](const document::Problem& problem) { remarks << problem; };
     QByteArray answer;
     {
@@ -125,8 +119,7 @@ QByteArray factsOf(const InfoArguments& arguments, io::InfoSubject subject, Prog
 }
 
 // Entries whose animations end before the frame are named and left out.
-void dropEntriesEndedBefore(const std::string& frame, Selection& selection, const QString& fileName) {
-    const animation::Moment moment = momentArgument("--frame", frame);
+void dropEntriesEndedBefore(const animation::Moment& moment, Selection& selection, const QString& fileName) {
     selection.entries.removeIf([&](const document::Entry& entry) {
         if (isLoaded(entry) && !document::animationFacts(*entry.fractal))
             reportWarning(fileName, tr("“%1” has no animation: its properties are the "
@@ -139,19 +132,16 @@ void dropEntriesEndedBefore(const std::string& frame, Selection& selection, cons
     });
 }
 
-std::optional<double> budgetArgument(const std::string& text) {
+std::optional<double> budgetArgument(const std::string& option, const std::string& text) {
     if (text == "none") return std::nullopt;
     constexpr double maxSeconds = 1e6;
-    const double seconds = positiveArgument("--budget", text);
+    const double seconds = positiveArgument(option, text);
     if (seconds > maxSeconds) throw UsageError{tr("--budget must be none, or at most 1000000 seconds.")};
     return seconds;
 }
 
 ExitStatus info(const InfoArguments& arguments) {
     const ProgressMode mode = applied(arguments.verbosity);
-    const auto budget = budgetArgument(arguments.budget);
-    tolerance(arguments);
-    if (arguments.frame) momentArgument("--frame", *arguments.frame);
     const auto input = readInput(arguments.file);
     if (!input) return ExitStatus::CannotReadOrWrite;
     Selection selection = select(*input, arguments.entries);
@@ -161,7 +151,7 @@ ExitStatus info(const InfoArguments& arguments) {
         input->name, input->collection.format, selection.entries, selection.problems, {}};
     const QByteArray answer = arguments.names  ? namesOf(selection.entries)
                               : arguments.list ? listOf(*input, subject, arguments.json)
-                                               : factsOf(arguments, subject, mode, budget);
+                                               : factsOf(arguments, subject, mode);
     if (!print(answer)) {
         reportError(input->name, io::cannotPrint(errno));
         return ExitStatus::CannotReadOrWrite;
@@ -185,16 +175,17 @@ Command infoCommand() {
     output.flag("--names", &arguments->names, "Print only the names, one per line").excludes("--list");
     output.flag("--list", &arguments->list, "Print only the number, dimension, maps and name of each entry");
     const OptionGroup properties = command.group("Properties");
-    properties.add("--frame", "F", &arguments->frame,
+    properties.add("--frame", "F", parsed(&arguments->frame, momentArgument),
                    "The moment of an animation in frames, counted from 0, such as 12, 12.5 or 25/2",
                    "the entry at rest");
-    properties.add("--hull-tolerance", "LENGTH", &arguments->hullTolerance,
+    properties.add("--hull-tolerance", "LENGTH", parsed(&arguments->hullTolerance, positiveArgument),
                    "Tolerance of the convex hull, in the system's units", "1e-6 of the diagonal");
-    properties.add(
-        "--budget", "SECONDS", &arguments->budget,
-        "Processor time for each property that can take long, with three times as much for an entry and "
-        "30 times for all, or none for no limit",
-        "1");
+    properties
+        .add("--budget", "SECONDS", parsed(&arguments->budget, budgetArgument),
+             "Processor time for each property that can take long, with three times as much for an entry and "
+             "30 times for all, or none for no limit",
+             "1")
+        .completedBy(Completion::Kind::Words, {"1", "10", "none"});
     properties.flag("--no-dimension", &arguments->noDimension, "Leave out the affinity dimension");
     addVerbosityOptions(command, arguments->verbosity);
     command.run = [arguments] { return info(*arguments); };

@@ -26,7 +26,7 @@ struct MorphArguments {
     std::string from;
     std::string to;
     std::string output;
-    std::string length = "120";
+    int length = 120; // frames
     std::vector<std::string> pins;
     Verbosity verbosity;
 };
@@ -113,7 +113,6 @@ void checkOutput(const QString& output, const QString& input) {
 ExitStatus morph(const MorphArguments& arguments) {
     applied(arguments.verbosity);
     checkOutput(fileNameOf(arguments.output), fileNameOf(arguments.file));
-    const int length = integerArgument("--length", arguments.length, 1, animation::maxLength);
     const std::vector<animation::Pin> pins = pinsOf(arguments.pins);
     const auto input = readInput(arguments.file);
     if (!input) return ExitStatus::CannotReadOrWrite;
@@ -128,7 +127,8 @@ ExitStatus morph(const MorphArguments& arguments) {
                 tr("--pin %1:%2 names a map that does not exist.").arg(pin.from + 1).arg(pin.to + 1)};
     warnOfLosses(*from, input->name);
     if (to != from) warnOfLosses(*to, input->name);
-    const document::MorphOutcome outcome = document::morphed(*from->fractal, *to->fractal, length, pins);
+    const document::MorphOutcome outcome =
+        document::morphed(*from->fractal, *to->fractal, arguments.length, pins);
     if (!outcome.fractal) {
         const document::Entry* flawed = outcome.isOfSecond ? to : from;
         reportError(input->name, sentence(outcome.flaw, printableLine(flawed->fractal->name)));
@@ -146,12 +146,18 @@ Command morphCommand() {
     const OptionGroup files = command.group("Files");
     files.argument("FILE", &arguments->file, "Collection with both entries; - for standard input").required();
     files.add("-o,--output", "OUT.ifs", &arguments->output, "File to write; - for standard output")
+        .completedBy(Completion::Kind::Files, {"ifs"})
         .fileName()
         .required();
     const OptionGroup group = command.group("Morph");
-    group.add("--from", "NAME", &arguments->from, "The entry at frame 0: its name, or #NUMBER").required();
-    group.add("--to", "NAME", &arguments->to, "The entry at the last frame").required();
-    group.add("--length", "FRAMES", &arguments->length, "The last frame", "120");
+    group.add("--from", "NAME", &arguments->from, "The entry at frame 0: its name, or #NUMBER")
+        .completedBy(Completion::Kind::Entries)
+        .required();
+    group.add("--to", "NAME", &arguments->to, "The entry at the last frame")
+        .completedBy(Completion::Kind::Entries)
+        .required();
+    group.add("--length", "FRAMES", parsed(&arguments->length, integerFrom(1, animation::maxLength)),
+              "The last frame", "120");
     group.add("--pin", "I:K", &arguments->pins,
               "Map I of the first becomes map K of the second, as far as their weights allow; may be "
               "repeated");

@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "steal_arguments.h"
 
-#include "options/options.h"
 #include "options/tr.h"
 #include "options/usage_error.h"
-#include "process/arguments.h"
 #include "process/input.h"
 #include "process/messages.h"
 #include "process/output.h"
@@ -26,39 +24,38 @@ StealTask taskOf(const StealArguments& arguments) {
     return arguments.picture ? StealTask::Picture : arguments.map ? StealTask::Map : StealTask::Tear;
 }
 
-document::TheftMode modeOf(const StealArguments& arguments) {
-    const auto mode = document::theftModeNamed(QString::fromStdString(*arguments.mode));
-    if (!mode)
-        throw UsageError{
-            tr("--mode “%1” is not valid: it must be steal, transform, grid, reduce or posterise.")
-                .arg(QString::fromStdString(*arguments.mode))};
-    return *mode;
+document::TheftMode modeArgument(const std::string&, const std::string& text) {
+    if (const auto mode = ifs::named<document::TheftMode>(text)) return *mode;
+    throw UsageError{tr("--mode “%1” is not valid: it must be steal, transform, grid, reduce or posterise.")
+                         .arg(QString::fromStdString(text))};
 }
 
-std::vector<std::size_t> orderOf(const StealArguments& arguments) {
+std::vector<std::size_t> orderArgument(const std::string&, const std::string& text) {
     std::vector<std::size_t> order;
-    for (const QString& part : QString::fromStdString(*arguments.order).split(u',')) {
+    for (const QString& part : QString::fromStdString(text).split(u',')) {
         bool isNumber = false;
         const int number = part.trimmed().toInt(&isNumber);
         if (!isNumber || number < 1)
             throw UsageError{
                 tr("--order “%1” is not valid: it must be the numbers of the maps, the one on top "
                    "first, such as 2,1,3.")
-                    .arg(QString::fromStdString(*arguments.order))};
+                    .arg(QString::fromStdString(text))};
         order.push_back(std::size_t(number - 1));
     }
     return order;
 }
 
+// A view of the plane.
+NumberList planeViewArgument(const std::string& option, const std::string& text) {
+    viewArgument(option, text);
+    return numbersArgument(option, text);
+}
+
 void refuseForNumbers(const StealArguments& arguments) {
-    const QString reason = tr("--map and --tear draw no picture.");
-    refuseIf(arguments.output.has_value(), "-o", reason);
-    refuseIf(arguments.isExact, "--exact", reason);
-    refuseIf(arguments.mode.has_value(), "--mode", reason);
-    refuseIf(arguments.pictureView.has_value(), "--picture-view", reason);
-    refuseIf(arguments.shown.view.has_value(), "--view", reason);
-    refuseIf(arguments.shown.points.has_value(), "--points", reason);
-    refuseIf(arguments.shown.background.has_value(), "--background", reason);
+    refuseIf(arguments.output.has_value(), "-o", tr("--map and --tear draw no picture."));
+    arguments.shown.given.refuse(
+        {"--exact", "--mode", "--picture-view", "--view", "--points", "--background"},
+        tr("--map and --tear draw no picture."));
 }
 
 void checkPicture(const StealArguments& arguments) {
@@ -68,20 +65,10 @@ void checkPicture(const StealArguments& arguments) {
     if (!isStandardOutput(output) && QFileInfo(output).suffix().toLower() != QStringLiteral("png"))
         throw UsageError{tr("The output must be a .png file, and “%1” is not.").arg(output)};
     refuseIf(arguments.isExact && arguments.shown.points, "--points", tr("--exact draws without samples."));
-    const bool isOpen = pictureSizeArgument("--size", arguments.shown.size).isEmpty();
-    if (arguments.shown.view) {
-        viewArgument("--view", *arguments.shown.view);
-        refuseIf(isOpen, "--size with one side", tr("--view has no proportions; give both sides."));
-    }
-    if (arguments.pictureView) {
-        viewArgument("--picture-view", *arguments.pictureView);
-        refuseIf(arguments.mode && modeOf(arguments) != document::TheftMode::StealColours, "--picture-view",
-                 tr("only --mode steal places the picture."));
-    }
-    if (arguments.shown.points)
-        countArgument("--points", *arguments.shown.points, 1, attractor::KeyTops::maxPoints);
-    if (arguments.shown.background) colourArgument("--background", *arguments.shown.background);
-    wholeArgument("--seed", arguments.shown.seed);
+    refuseIf(arguments.shown.view && arguments.shown.size.isEmpty(), "--size with one side",
+             tr("--view has no proportions; give both sides."));
+    refuseIf(arguments.pictureView && arguments.mode && arguments.mode != document::TheftMode::StealColours,
+             "--picture-view", tr("only --mode steal places the picture."));
 }
 
 } // namespace
@@ -95,8 +82,8 @@ document::KeptTheft theftOf(const StealArguments& arguments, const document::Fra
     else
         throw UsageError{tr("--from NAME is missing, and “%1” has no stored fractal transformation.")
                              .arg(printableLine(entry.name))};
-    if (arguments.order) theft.order = orderOf(arguments);
-    if (arguments.mode) theft.mode = modeOf(arguments);
+    if (arguments.order) theft.order = *arguments.order;
+    if (arguments.mode) theft.mode = *arguments.mode;
     if (arguments.picture) {
         theft.picture.clear();
         theft.embedded.clear();
@@ -105,24 +92,15 @@ document::KeptTheft theftOf(const StealArguments& arguments, const document::Fra
     return theft;
 }
 
-double epsilonOf(const StealArguments& arguments) {
-    return positiveArgument("--tear", *arguments.tear);
-}
-
 StealTask checked(const StealArguments& arguments) {
     const StealTask task = taskOf(arguments);
     if (arguments.file == "-" && arguments.fromFile == "-")
         throw UsageError{tr("Only one of the files can be standard input.")};
     refuseIf(arguments.fromFile && !arguments.from, "--from-file", tr("it applies only with --from."));
-    if (arguments.order) orderOf(arguments);
-    if (arguments.mode) modeOf(arguments);
     if (task == StealTask::Picture)
         checkPicture(arguments);
     else
         refuseForNumbers(arguments);
-    if (task == StealTask::Map) pointListArgument("--map", *arguments.map);
-    if (task == StealTask::Tear) epsilonOf(arguments);
-    if (arguments.shown.threads) integerArgument("--threads", *arguments.shown.threads, 1, 1024);
     if (arguments.shown.simd) selectInstructions(*arguments.shown.simd);
     return task;
 }
@@ -134,47 +112,53 @@ void addPictureOptions(Command& command, StealArguments& arguments) {
     group
         .add("--picture", "PICTURE", &arguments.picture,
              "Picture on the second entry: PNG, JPEG, WebP, TIFF, OpenEXR, GIF, BMP or PNM")
+        .completedBy(Completion::Kind::Files)
         .fileName();
-    group.add("--picture-view", "CX,CY,HEIGHT", &arguments.pictureView,
+    group.add("--picture-view", "CX,CY,HEIGHT", parsed(&arguments.pictureView, viewArgument),
               "What the picture shows of the second entry", "all of it, with a margin of 5 %");
-    group.add("--size", "WxH", &arguments.shown.size,
-              "Width and height in pixels; 1200x or x900 keeps the proportions of the fractal", "1200x900");
-    group.add("--view", "CX,CY,HEIGHT", &arguments.shown.view, "Centre and height of the view",
-              "all of the fractal");
-    group.add("--background", "COLOUR", &arguments.shown.background,
-              "transparent, a name such as white, #rrggbb, or #rrggbbaa with opacity",
-              "stored in the entry, else #0d1017");
+    addSizeOption(group, arguments.shown.size);
+    group.add("--view", "CX,CY,HEIGHT", parsed(&arguments.shown.view, planeViewArgument),
+              "Centre and height of the view", "all of the fractal");
+    addBackgroundOption(group, arguments.shown.background);
     group.flag("--exact", &arguments.isExact,
                "Go through all addresses down to the pixels instead of drawing samples");
-    group.add("--points", "N", &arguments.shown.points, "Samples, up to 4.29e9, such as 250000, 1e9 or 2G",
-              "100 per pixel, at least 1M");
-    group.add("--seed", "S", &arguments.shown.seed, "Seed of the random numbers", "1");
-    group.add("-j,--threads", "N", &arguments.shown.threads, "Threads, 1 to 1024; never changes the picture",
-              "all cores");
-    group.add("--simd", "SET", &arguments.shown.simd,
-              "Instruction set: scalar, sse4, avx2, avx512 or neon; never changes the picture",
-              "the fastest");
+    group.add("--points", "N", parsed(&arguments.shown.points, countFrom(1, attractor::KeyTops::maxPoints)),
+              "Samples, up to 4.29e9, such as 250000, 1e9 or 2G", "100 per pixel, at least 1M");
+    addSeedOption(group, arguments.shown.seed);
+    addThreadsOption(group, arguments.shown.threads);
+    addSimdOption(group, arguments.shown.simd);
 }
 
 } // namespace
 
 void addStealOptions(Command& command, StealArguments& arguments) {
+    command.given = &arguments.shown.given;
     const OptionGroup files = command.group("Files");
     files.argument("FILE", &arguments.file, "Collection with the entries; - for standard input").required();
     files.add("-o,--output", "OUT.png", &arguments.output, "Picture to write; - for standard output")
+        .completedBy(Completion::Kind::Files, {"png"})
         .fileName();
-    files.add("--entry", "NAME", &arguments.entry, "The entry that is drawn: its name, or #NUMBER",
-              "the first that can be read");
-    files.add("--from", "NAME", &arguments.from, "The entry that colours are taken from",
-              "the partner stored with the entry, and its settings");
-    files.add("--from-file", "FILE2", &arguments.fromFile, "Collection with that entry", "FILE").fileName();
+    files
+        .add("--entry", "NAME", &arguments.entry, "The entry that is drawn: its name, or #NUMBER",
+             "the first that can be read")
+        .completedBy(Completion::Kind::Entries);
+    files
+        .add("--from", "NAME", &arguments.from, "The entry that colours are taken from",
+             "the partner stored with the entry, and its settings")
+        .completedBy(Completion::Kind::Entries);
+    files.add("--from-file", "FILE2", &arguments.fromFile, "Collection with that entry", "FILE")
+        .completedBy(Completion::Kind::Files)
+        .fileName();
     const OptionGroup group = command.group("Transformation");
-    group.add("--order", "I,J,…", &arguments.order, "Numbers of the maps, the one on top first", "1,2,…");
-    group.add("--mode", "MODE", &arguments.mode,
-              "steal, transform, grid, reduce or posterise, as in the window", "steal");
-    group.add("--map", "POINTS", &arguments.map,
+    group.add("--order", "I,J,…", parsed(&arguments.order, orderArgument),
+              "Numbers of the maps, the one on top first", "1,2,…");
+    group
+        .add("--mode", "MODE", parsed(&arguments.mode, modeArgument),
+             "steal, transform, grid, reduce or posterise, as in the window", "steal")
+        .completedBy(Completion::Kind::Words, wordsOf(ifs::names<document::TheftMode>));
+    group.add("--map", "POINTS", parsed(&arguments.map, pointListArgument),
               "Print where these points of the first entry go, and their addresses: \"x,y x,y …\"");
-    group.add("--tear", "EPS", &arguments.tear,
+    group.add("--tear", "EPS", parsed(&arguments.tear, positiveArgument),
               "Print how far neighbouring points are torn apart, at the resolution EPS");
     group.flag("--json", &arguments.isJson, "Print JSON, one line for each point");
     addPictureOptions(command, arguments);

@@ -20,7 +20,12 @@ struct StealArguments {
     std::string file;
     Text fromFile;
     Text entry, from; // without `from`: what the entry keeps
-    Text output, picture, map, tear, order, mode, pictureView;
+    Text output, picture;
+    std::optional<std::vector<ifs::Vector<2>>> map; // points
+    std::optional<double> tear;                     // the resolution
+    std::optional<std::vector<std::size_t>> order;  // indices of maps
+    std::optional<document::TheftMode> mode;
+    std::optional<attractor::View> pictureView;
     bool isExact = false;
     bool isJson = false;
     RenderArguments shown; // --size, --view, --points, --seed, --threads, --simd, --background
@@ -35,6 +40,5 @@ StealTask checked(const StealArguments& arguments);
 // What is asked, or without --from what the entry keeps, with what is asked in its place. A picture that is
 // kept has its path from the folder of the file; it is empty where --picture names another.
 document::KeptTheft theftOf(const StealArguments& arguments, const document::Fractal& entry);
-double epsilonOf(const StealArguments& arguments);
 
 } // namespace cli

@@ -2,7 +2,6 @@
 #include "options/commands.h"
 #include "options/tr.h"
 #include "options/usage_error.h"
-#include "process/arguments.h"
 #include "process/input.h"
 #include "process/interrupt.h"
 #include "process/messages.h"
@@ -229,7 +228,7 @@ private:
 ExitStatus mapPoints(const document::CoupledEntries& entries, const StealArguments& arguments,
                      const QString& fileName) {
     PointTable table(entries, arguments.isJson, fileName);
-    for (const ifs::Vector<2>& x : pointListArgument("--map", *arguments.map))
+    for (const ifs::Vector<2>& x : *arguments.map)
         table.add(x);
     return printed(table.text(), fileName, table.status());
 }
@@ -269,7 +268,7 @@ QByteArray tearText(const ifs::Tear& torn, ifs::Homeomorphism verdict) {
 
 ExitStatus printTear(const document::CoupledEntries& entries, const StealArguments& arguments,
                      const QString& fileName) {
-    const ifs::Tear torn = ifs::tear(entries.fromAttractor, entries.toAttractor, epsilonOf(arguments));
+    const ifs::Tear torn = ifs::tear(entries.fromAttractor, entries.toAttractor, *arguments.tear);
     if (torn.isCutShort)
         reportWarning(fileName, tr("There are too many pieces of that size; the value printed is only an "
                                    "upper bound for the tear."));
@@ -324,8 +323,7 @@ std::optional<document::LaidPicture> laidPicture(const document::CoupledEntries&
     const int width = picture->width(), height = picture->height();
     if (arguments.pictureView && theft.mode == document::TheftMode::StealColours)
         return document::LaidPicture{
-            picture, attractor::worldToPixel(attractor::cameraOf(
-                         viewArgument("--picture-view", *arguments.pictureView), {width, height}))};
+            picture, attractor::worldToPixel(attractor::cameraOf(*arguments.pictureView, {width, height}))};
     if (!theft.view && theft.mode == document::TheftMode::StealColours) {
         const ViewBox box = boxOfAttractor(entries.to);
         return document::LaidPicture{
@@ -342,14 +340,11 @@ attractor::TheftRequest requestOf(const document::CoupledEntries& entries, const
     request.camera = cameraOf(Shown{entries.from, entries.from}, shown, fileName);
     request.isExact = arguments.isExact;
     const auto pixels = std::uint64_t(request.camera.width) * std::uint64_t(request.camera.height);
-    request.points = shown.points
-                         ? countArgument("--points", *shown.points, 1, attractor::KeyTops::maxPoints)
-                         : std::clamp<std::uint64_t>(100 * pixels, 1'000'000, attractor::KeyTops::maxPoints);
-    request.seed = wholeArgument("--seed", shown.seed);
-    request.threads =
-        shown.threads ? integerArgument("--threads", *shown.threads, 1, 1024) : io::threadsOfThisMachine();
-    request.background = shown.background ? colourArgument("--background", *shown.background)
-                                          : entries.from.appearance.background;
+    request.points = shown.points.value_or(
+        std::clamp<std::uint64_t>(100 * pixels, 1'000'000, attractor::KeyTops::maxPoints));
+    request.seed = shown.seed;
+    request.threads = threadsOf(shown.threads);
+    request.background = shown.background.value_or(entries.from.appearance.background);
     return request;
 }
 

@@ -29,8 +29,7 @@ PictureSource::~PictureSource() {
 }
 
 QString PictureSource::wishFor(attractor::Pattern pattern) {
-    const auto name = attractor::nameOf(pattern);
-    return QString::fromLatin1(name.data(), qsizetype(name.size()));
+    return QString::fromLatin1(ifs::nameOf(pattern));
 }
 
 void PictureSource::draw(attractor::Pattern pattern) {

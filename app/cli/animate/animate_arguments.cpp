@@ -4,7 +4,6 @@
 #include "options/options.h"
 #include "options/tr.h"
 #include "options/usage_error.h"
-#include "process/arguments.h"
 #include "process/input.h"
 #include "process/output.h"
 
@@ -19,7 +18,7 @@ namespace {
 
 constexpr int maxChunks = 1'000'000;
 
-Chunk chunkOf(const std::string& text) {
+Chunk chunkArgument(const std::string&, const std::string& text) {
     const QStringList parts = QString::fromStdString(text).split(u'/');
     bool areNumbers[2] = {false, false};
     Chunk chunk;
@@ -35,17 +34,10 @@ void refuseForVideo(const AnimateArguments& arguments) {
     refuseIf(arguments.chunk.has_value(), "--chunk",
              tr("only one process can write a video. Draw the frames as NAME.####.png, and make the video "
                 "from them with encode."));
-    refuseIf(arguments.existing == "skip", "--existing skip",
+    refuseIf(arguments.existing == Existing::Skip, "--existing skip",
              tr("a video is written in one piece. Frames written as NAME.####.png can be skipped."));
     refuseIf(is16Bit(arguments.picture), "--bits 16", tr("videos have 8 bits per channel."));
     refuseIf(arguments.picture.dpi.has_value(), "--dpi", tr("videos have no resolution."));
-}
-
-Existing existingOf(const AnimateArguments& arguments) {
-    const std::string existing =
-        choiceArgument("--existing", arguments.existing.value_or(arguments.video ? "replace" : "skip"),
-                       {"skip", "replace", "fail"});
-    return existing == "skip" ? Existing::Skip : existing == "replace" ? Existing::Replace : Existing::Fail;
 }
 
 } // namespace
@@ -60,32 +52,44 @@ void addAnimateOptions(Command& command, AnimateArguments& arguments) {
         .add("-o,--output", "OUT", &arguments.picture.output,
              "Pictures to write, such as NAME.####.png: #### is the number of the frame plus 1, with "
              "leading zeros; or a video: .mp4, .webm, .mkv (lossless), .gif, .webp or .apng")
+        .completedBy(Completion::Kind::Files, {"png", "mp4", "webm", "mkv", "gif", "webp", "apng"})
+        .is(Work)
         .fileName()
         .required();
     addEntriesOption(command, arguments.picture.entries, "the first with an animation").description =
         "The entry: its name, or #NUMBER";
     const OptionGroup frames = command.group("Frames");
-    frames.add("--frames", "LIST", &arguments.frames,
-               "Only these numbers of files, counted from 1: a-b, every x-th with a-bxX, and lists of them",
-               "all");
-    frames.add("--chunk", "I/N", &arguments.chunk,
-               "Only every N-th of them, from the I-th on, counted from 0", "0/1");
-    frames.add(
-        "--existing", "WHAT", &arguments.existing,
-        "What happens to files that exist: skip keeps those that are complete and of the same request, and "
-        "replaces the others with a warning; replace replaces all; fail draws nothing",
-        "skip; for a video replace");
-    frames.add("--fps", "R", &arguments.rate, "Frames per second of a video, such as 24, 29.97 or 30000/1001",
-               "those of the animation");
-    frames.add("--shutter", "DEG", &arguments.picture.shutter,
-               "Motion blur: the angle for which the shutter is open around each frame, 0 to 360; 180 is "
-               "half the time of a frame",
-               "0");
-    frames.add(
-        "--exposure", "HOW", &arguments.picture.exposure,
-        "Brightness: smooth follows the whole animation without flicker, fixed is that of frame 0, each is "
-        "measured separately for every frame",
-        "smooth");
+    frames
+        .add("--frames", "LIST", parsed(&arguments.ranges, rangesArgument),
+             "Only these numbers of files, counted from 1: a-b, every x-th with a-bxX, and lists of them",
+             "all")
+        .is(Work);
+    frames
+        .add("--chunk", "I/N", parsed(&arguments.chunk, chunkArgument),
+             "Only every N-th of them, from the I-th on, counted from 0", "0/1")
+        .is(Work);
+    frames
+        .add("--existing", "WHAT", choice(&arguments.existing),
+             "What happens to files that exist: skip keeps those that are complete and of the same request, "
+             "and replaces the others with a warning; replace replaces all; fail draws nothing",
+             "skip; for a video replace")
+        .is(Work);
+    frames
+        .add("--fps", "R", parsed(&arguments.framesPerSecond, rateArgument),
+             "Frames per second of a video, such as 24, 29.97 or 30000/1001", "those of the animation")
+        .is(Work);
+    frames
+        .add("--shutter", "DEG", parsed(&arguments.picture.shutter, shutterArgument),
+             "Motion blur: the angle for which the shutter is open around each frame, 0 to 360; 180 is "
+             "half the time of a frame",
+             "0")
+        .is(Picture);
+    frames
+        .add("--exposure", "HOW", choice(&arguments.picture.exposure),
+             "Brightness: smooth follows the whole animation without flicker, fixed is that of frame 0, each "
+             "is measured separately for every frame",
+             "smooth")
+        .is(Picture);
     addFrameOptions(command, arguments.picture);
     command.option("--points").description = "Samples of each frame, such as 250000, 1e9 or 2G";
     addVerbosityOptions(command, arguments.picture.verbosity);
@@ -104,19 +108,14 @@ void check(AnimateArguments& arguments) {
     if (arguments.video)
         refuseForVideo(arguments);
     else
-        refuseIf(arguments.rate.has_value(), "--fps", tr("it applies only to videos."));
-    if (arguments.rate) arguments.framesPerSecond = rateArgument("--fps", *arguments.rate);
-    if (arguments.picture.shutter) shutterArgument("--shutter", *arguments.picture.shutter);
-    arguments.picture.exposure =
-        choiceArgument("--exposure", arguments.picture.exposure, {"fixed", "smooth", "each"});
+        refuseIf(arguments.framesPerSecond.has_value(), "--fps", tr("it applies only to videos."));
     if (arguments.picture.entries.size() > 1 || arguments.picture.entries == std::vector<std::string>{"all"})
         throw UsageError{tr("The frames are of one entry: give --entry once, with its name or number.")};
-    if (arguments.frames && *arguments.frames != "all") arguments.ranges = rangesOf(*arguments.frames);
-    if (arguments.chunk) arguments.part = chunkOf(*arguments.chunk);
-    arguments.whatExists = existingOf(arguments);
+    arguments.whatExists = arguments.existing.value_or(arguments.video ? Existing::Replace : Existing::Skip);
 }
 
-std::vector<FileRange> rangesOf(const std::string& text) {
+std::vector<FileRange> rangesArgument(const std::string&, const std::string& text) {
+    if (text == "all") return {};
     static const QRegularExpression form(
         QStringLiteral("^\\s*([0-9]{1,7})(?:-([0-9]{1,7})(?:x([0-9]{1,7}))?)?\\s*$"));
     std::vector<FileRange> ranges;

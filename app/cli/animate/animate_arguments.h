@@ -4,10 +4,12 @@
 #include "render/render_arguments.h"
 
 #include "animation/animation.h"
+#include "ifs/names.h"
 #include "io/video/format/video_format.h"
 
 #include <QString>
 
+#include <array>
 #include <optional>
 #include <string>
 #include <vector>
@@ -39,14 +41,14 @@ enum class Existing {
 
 struct AnimateArguments {
     std::string file;
-    RenderArguments picture; // of every frame
-    std::optional<std::string> frames, chunk, existing, rate;
+    RenderArguments picture;       // of every frame
+    std::vector<FileRange> ranges; // numbers of files; none: all
+    std::optional<Chunk> chunk;
+    std::optional<Existing> existing;
+    std::optional<animation::FrameRate> framesPerSecond;
 
     std::optional<io::VideoFormat> video; // that the output is, in place of pictures
-    std::vector<FileRange> ranges;        // that `frames` asks for; none: all
-    Chunk part;
     Existing whatExists = Existing::Skip; // of videos never
-    std::optional<animation::FrameRate> framesPerSecond;
 };
 
 void addAnimateOptions(Command& command, AnimateArguments& arguments);
@@ -54,8 +56,8 @@ void addAnimateOptions(Command& command, AnimateArguments& arguments);
 // Looks at every value before a file is read.
 void check(AnimateArguments& arguments);
 
-// Of "1-240x2,300". Throws UsageError.
-std::vector<FileRange> rangesOf(const std::string& text);
+// --frames: "1-240x2,300", or "all" for none. Throws UsageError.
+std::vector<FileRange> rangesArgument(const std::string& option, const std::string& text);
 
 // The numbers that the ranges ask for, ascending, each once, up to `count`.
 std::vector<int> filesIn(const std::vector<FileRange>& ranges, int count);
@@ -69,3 +71,7 @@ void checkPattern(const QString& pattern);
 QString numbered(const QString& pattern, int number);
 
 } // namespace cli
+
+template <>
+inline constexpr auto ifs::names<cli::Existing> = std::to_array<ifs::Named<cli::Existing>>(
+    {{cli::Existing::Skip, "skip"}, {cli::Existing::Replace, "replace"}, {cli::Existing::Fail, "fail"}});

@@ -45,8 +45,9 @@ std::vector<int> filesOf(const AnimateArguments& arguments, const Input& input,
                       tr("The last frame of “%1” has the number %2; larger ones in --frames are ignored.")
                           .arg(printableLine(entry.name), QString::number(count)));
     const std::vector<int> all = filesIn(arguments.ranges, count);
+    const Chunk part = arguments.chunk.value_or(Chunk());
     std::vector<int> files;
-    for (auto i = std::size_t(arguments.part.i); i < all.size(); i += std::size_t(arguments.part.n))
+    for (auto i = std::size_t(part.i); i < all.size(); i += std::size_t(part.n))
         files.push_back(all[i]);
     return files;
 }

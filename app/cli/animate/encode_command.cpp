@@ -37,16 +37,13 @@ namespace {
 struct EncodeArguments {
     std::string pattern;
     std::string output;
-    std::optional<std::string> rate, frames;
+    std::optional<std::vector<FileRange>> ranges; // none of them: all frames of the animation
+    std::optional<animation::FrameRate> framesPerSecond;
     bool dryRun = false;
     Verbosity verbosity;
 
     io::VideoFormat format = io::VideoFormat::Mp4; // of the output
-    std::optional<animation::FrameRate> framesPerSecond;
-    std::vector<FileRange> ranges; // that `frames` asks for
 };
-
-constexpr const char* allFrames = "all";
 
 void check(EncodeArguments& arguments) {
     const QString pattern = fileNameOf(arguments.pattern);
@@ -61,8 +58,6 @@ void check(EncodeArguments& arguments) {
                             "is none of them.")
                              .arg(output)};
     arguments.format = *format;
-    if (arguments.rate) arguments.framesPerSecond = rateArgument("--fps", *arguments.rate);
-    if (arguments.frames && *arguments.frames != allFrames) arguments.ranges = rangesOf(*arguments.frames);
 }
 
 // The numbers of the files there are, ascending.
@@ -183,12 +178,12 @@ private:
     // The pictures that become the video, of those that are there: all that are asked for must be.
     ExitStatus chooseFrom(const std::vector<int>& there) {
         const int count = m_facts ? animation::frameCount(m_facts->loop, m_facts->length) : 0;
-        if (!m_arguments.ranges.empty()) {
+        if (m_arguments.ranges && !m_arguments.ranges->empty()) {
             int last = 1;
-            for (const FileRange& range : m_arguments.ranges)
+            for (const FileRange& range : *m_arguments.ranges)
                 last = std::max(last, range.last);
-            m_numbers = filesIn(m_arguments.ranges, last);
-        } else if (m_arguments.frames) {
+            m_numbers = filesIn(*m_arguments.ranges, last);
+        } else if (m_arguments.ranges) {
             m_numbers = filesIn({}, count);
             if (count == 0) {
                 reportError(m_pattern,
@@ -210,7 +205,7 @@ private:
         std::vector<int> frames = m_numbers;
         for (int& frame : frames)
             frame -= m_offset;
-        if (!m_arguments.frames && count > 0 && int(frames.size()) < count)
+        if (!m_arguments.ranges && count > 0 && int(frames.size()) < count)
             reportWarning(m_pattern, tr("The pictures are %1 of %2 frames of the animation: %3.")
                                          .arg(frames.size())
                                          .arg(count)
@@ -238,7 +233,7 @@ private:
         for (const auto& [number, looked] : m_looked)
             if (const Marks& marks = looked.marks; marks.number > 0 && marks.animation == m_animation)
                 ++offsets[number - marks.number];
-        if (!m_arguments.frames && !offsets.empty())
+        if (!m_arguments.ranges && !offsets.empty())
             m_offset = std::ranges::max_element(offsets, {}, &std::pair<const int, int>::second)->first;
         readEntry(numbered(m_pattern, source));
     }
@@ -355,20 +350,25 @@ Command encodeCommand() {
         .argument("NAME.####.png", &arguments->pattern,
                   "Name of the pictures, all of the same size, such as NAME.####.png: #### stands for their "
                   "numbers with leading zeros, without gaps")
+        .completedBy(Completion::Kind::Files, {"png"})
         .required();
     files
         .add("-o,--output", "OUT", &arguments->output,
              "Video to write: .mp4, .webm, .mkv (lossless), .gif, .webp or .apng")
+        .completedBy(Completion::Kind::Files, {"mp4", "webm", "mkv", "gif", "webp", "apng"})
         .fileName()
         .required();
     const OptionGroup frames = command.group("Frames");
-    frames.add("--frames", "LIST|all", &arguments->frames,
-               "Pictures to take, all of which must be there: their numbers, such as 1-240,300, or all "
-               "frames of the animation that the pictures carry",
-               "all that are there");
+    frames
+        .add("--frames", "LIST|all", parsed(&arguments->ranges, rangesArgument),
+             "Pictures to take, all of which must be there: their numbers, such as 1-240,300, or all "
+             "frames of the animation that the pictures carry",
+             "all that are there")
+        .completedBy(Completion::Kind::Words, {"all"});
     frames.flag("--dry-run", &arguments->dryRun,
                 "Report what is wrong with the options; look at no picture, and write nothing");
-    frames.add("--fps", "R", &arguments->rate, "Frames per second, such as 24, 29.97 or 30000/1001",
+    frames.add("--fps", "R", parsed(&arguments->framesPerSecond, rateArgument),
+               "Frames per second, such as 24, 29.97 or 30000/1001",
                "those of the animation in the pictures, else 24");
     addVerbosityOptions(command, arguments->verbosity);
     command.run = [arguments] { return encode(*arguments); };

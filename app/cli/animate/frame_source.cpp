@@ -3,7 +3,6 @@
 
 #include "options/tr.h"
 #include "options/usage_error.h"
-#include "process/arguments.h"
 #include "render/render_plane.h"
 #include "render/render_space.h"
 
@@ -42,12 +41,7 @@ io::SpaceExport FrameSource::spaceAt(const animation::Moment& moment) const {
 }
 
 io::FrameOptions frameOptions(const RenderArguments& options) {
-    io::FrameOptions frames;
-    if (options.shutter) frames.shutter = shutterArgument("--shutter", *options.shutter);
-    frames.exposing = options.exposure == "fixed"    ? io::Exposing::Fixed
-                      : options.exposure == "smooth" ? io::Exposing::Smooth
-                                                     : io::Exposing::Each;
-    return frames;
+    return {options.shutter, options.exposure};
 }
 
 } // namespace cli

@@ -12,7 +12,6 @@
 #include "process/messages.h"
 #include "process/output.h"
 #include "process/progress_bar.h"
-#include "render/render_arguments.h"
 
 #include "document/edits/cage/cage_edits.h"
 #include "document/edits/dimension_edits.h"
@@ -42,7 +41,8 @@ struct ConvertArguments {
     std::vector<std::string> files; // the inputs, then the output
     std::vector<std::string> entries;
     std::string format;
-    std::optional<std::string> columns, inColumns, points, seed;
+    std::optional<io::TableColumns> columns, inColumns;
+    std::optional<std::uint64_t> points, seed;
     SolidArguments solid;
     SymmetryArguments symmetry;
     bool bake = false;
@@ -61,18 +61,18 @@ struct Plan {
     std::uint64_t seed = 1;
     io::SolidOptions solid;
     DimensionChange change;
-    SymmetryChange symmetry;
+    SymmetryArguments symmetry;
     QString output;
     bool intoFolder = false;
 };
 
-io::TableColumns columnsArgument(const char* option, const std::string& text) {
-    const bool isRead = QLatin1String(option) == QLatin1String("--in-columns");
+io::TableColumns columnsArgument(const std::string& option, const std::string& text) {
+    const bool isRead = option == "--in-columns";
     const QString order = QString::fromStdString(text);
     if (const auto columns = isRead ? io::columnsToRead(order) : io::tableColumns(order)) return *columns;
     throw UsageError{tr("%1 “%2” is not an order of columns: it must name a b c d (or r s theta phi), e and "
                         "f, and optionally p, each once, such as \"a b e c d f p\".")
-                         .arg(QLatin1String(option), QString::fromStdString(text))};
+                         .arg(QString::fromStdString(option), QString::fromStdString(text))};
 }
 
 fs::path nativePath(const QString& path) {
@@ -114,13 +114,12 @@ Plan planOf(const ConvertArguments& arguments) {
     const bool isMesh = std::holds_alternative<io::MeshFormat>(plan.format);
     plan.solid = solidOptions(arguments.solid, isMesh, std::holds_alternative<ScadFormat>(plan.format));
     plan.change = dimensionChange(arguments.solid);
-    plan.symmetry = symmetryChange(arguments.symmetry);
+    plan.symmetry = arguments.symmetry;
     if (arguments.yAsWritten) plan.reading.axis = plan.writing.axis = io::FlameAxis::AsWritten;
-    if (arguments.inColumns) plan.reading.columns = columnsArgument("--in-columns", *arguments.inColumns);
-    if (arguments.columns) plan.writing.columns = columnsArgument("--columns", *arguments.columns);
-    if (arguments.points)
-        plan.points = countArgument("--points", *arguments.points, 1, io::PointCloud::maxPoints);
-    if (arguments.seed) plan.seed = wholeArgument("--seed", *arguments.seed);
+    if (arguments.inColumns) plan.reading.columns = *arguments.inColumns;
+    if (arguments.columns) plan.writing.columns = *arguments.columns;
+    if (arguments.points) plan.points = *arguments.points;
+    if (arguments.seed) plan.seed = *arguments.seed;
     if (arguments.files.size() > 2 && !plan.intoFolder)
         throw UsageError{tr("Several files can be converted only into a folder, and “%1” is not one. (To "
                             "create a folder, end its name with /.)")
@@ -516,9 +515,12 @@ Command convertCommand() {
         .minimum(2);
     addEntriesOption(command, arguments->entries);
     const OptionGroup format = command.group("Format");
-    format.add("--to", "FORMAT", &arguments->format,
-               "fractint, flame, aifs, tex, csv, tsv, ply, pdf, stl, obj, glb or scad",
-               "as the output name determines");
+    format
+        .add("--to", "FORMAT", &arguments->format,
+             "fractint, flame, aifs, tex, csv, tsv, ply, pdf, stl, obj, glb or scad",
+             "as the output name determines")
+        .completedBy(Completion::Kind::Words, {"fractint", "flame", "aifs", "tex", "csv", "tsv", "ply", "pdf",
+                                               "stl", "obj", "glb", "scad"});
     files.flag("--overwrite", &arguments->overwrite,
                "Replace an input file even if the output contains less");
     format.flag("--bake", &arguments->bake, "Bake the cage into the code");
@@ -526,14 +528,20 @@ Command convertCommand() {
     format.flag("--y-as-written", &arguments->yAsWritten,
                 "Keep the y of flames as written; their pictures are then upside down");
     const OptionGroup tables = command.group("Tables");
-    tables.add("--columns", "ORDER", &arguments->columns,
-               "Order of the columns of the table to write, such as \"a b e c d f p\"", "a b c d e f p");
-    tables.add("--in-columns", "ORDER", &arguments->inColumns, "Order of the columns in the table to read",
-               "as in its header");
+    const std::vector<std::string> orders{"abcdefp", "abecdfp", "acbdefp", "pabcdef"};
+    tables
+        .add("--columns", "ORDER", parsed(&arguments->columns, columnsArgument),
+             "Order of the columns of the table to write, such as \"a b e c d f p\"", "a b c d e f p")
+        .completedBy(Completion::Kind::Words, orders);
+    tables
+        .add("--in-columns", "ORDER", parsed(&arguments->inColumns, columnsArgument),
+             "Order of the columns in the table to read", "as in its header")
+        .completedBy(Completion::Kind::Words, orders);
     const OptionGroup points = command.group("Points");
-    points.add("--points", "N", &arguments->points,
+    points.add("--points", "N", parsed(&arguments->points, countFrom(1, io::PointCloud::maxPoints)),
                "Number of points to write (.csv, .ply) instead of the maps");
-    points.add("--seed", "N", &arguments->seed, "Seed of the random numbers for --points", "1");
+    points.add("--seed", "N", parsed(&arguments->seed, wholeArgument),
+               "Seed of the random numbers for --points", "1");
     addSolidOptions(command, arguments->solid);
     addSymmetryOptions(command, arguments->symmetry);
     addVerbosityOptions(command, arguments->verbosity);

@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "convert/solid_arguments.h"
 
-#include "options/options.h"
 #include "options/tr.h"
 #include "options/usage_error.h"
 #include "process/arguments.h"
 #include "process/messages.h"
-#include "render/render_arguments.h"
 
 #include "document/edits/dimension_edits.h"
 #include "io/text/number.h"
@@ -15,22 +13,51 @@
 
 namespace cli {
 
+namespace {
+
+double lengthArgument(const std::string& option, const std::string& text) {
+    constexpr double minLength = 1e-3, maxLength = 1e6;
+    const double length = positiveArgument(option, text);
+    if (length >= minLength && length <= maxLength) return length;
+    throw UsageError{tr("--longest “%1” is not valid: it must be from 0.001 to 1000000 mm.")
+                         .arg(QString::fromStdString(text))};
+}
+
+Lift liftArgument(const std::string&, const std::string& text) {
+    if (text == "auto") return {};
+    if (const auto scale = io::parseNumber(QString::fromStdString(text))) return {scale};
+    throw UsageError{tr("--lift “%1” is not valid: it must be a factor for z, or auto.")
+                         .arg(QString::fromStdString(text))};
+}
+
+ifs::Vector<3> directionArgument(const std::string&, const std::string& text) {
+    const auto xyz = numbers(QString::fromStdString(text));
+    if (xyz.size() != 3 || ifs::Vector<3>(xyz[0], xyz[1], xyz[2]).isZero(0))
+        throw UsageError{tr("--flatten “%1” is not valid: it must be a direction, such as 0,0,1.")
+                             .arg(QString::fromStdString(text))};
+    return {xyz[0], xyz[1], xyz[2]};
+}
+
+} // namespace
+
 void addSolidOptions(Command& command, SolidArguments& arguments) {
     const OptionGroup solids = command.group("Solids");
-    solids.add("--voxel", "H", &arguments.voxel,
+    solids.add("--voxel", "H", parsed(&arguments.voxel, positiveArgument),
                "Size of a voxel in mm: the surface is within √3 H of the attractor", "by --resolution");
-    solids.add("--resolution", "N", &arguments.resolution, "Voxels along the longest side of the solid",
-               "128");
-    solids.add("--wall", "W", &arguments.wall,
+    solids.add("--resolution", "N",
+               parsed(&arguments.resolution, integerFrom(1, io::SolidOptions::maxResolution)),
+               "Voxels along the longest side of the solid", "128");
+    solids.add("--wall", "W", parsed(&arguments.wall, positiveArgument),
                "Smallest thickness in mm; thinner parts are thickened. By default, none is");
     solids.flag("--fill", &arguments.fill, "Fill cavities that are closed off from outside");
-    solids.add("--longest", "MM", &arguments.longest, "Longest side of the attractor in mm",
-               "1 mm for 1 unit of the system");
+    solids.add("--longest", "MM", parsed(&arguments.longest, lengthArgument),
+               "Longest side of the attractor in mm", "1 mm for 1 unit of the system");
     const OptionGroup dimension = command.group("Dimension");
-    dimension.add(
-        "--lift", "S|auto", &arguments.lift,
-        "Lift systems in the plane to space: every map scales z by S; auto: by the square root of |det|");
-    dimension.add("--flatten", "X,Y,Z", &arguments.flatten,
+    dimension
+        .add("--lift", "S|auto", parsed(&arguments.lift, liftArgument),
+             "Lift systems in the plane to space: every map scales z by S; auto: by the square root of |det|")
+        .completedBy(Completion::Kind::Words, {"auto"});
+    dimension.add("--flatten", "X,Y,Z", parsed(&arguments.flatten, directionArgument),
                   "Project systems in space to the plane, along a direction that every map keeps");
 }
 
@@ -48,38 +75,20 @@ io::SolidOptions solidOptions(const SolidArguments& arguments, bool isMesh, bool
     refuseIf(arguments.voxel && arguments.resolution, "--resolution",
              tr("--voxel already gives the size of the voxels."));
     io::SolidOptions options;
-    if (arguments.voxel) options.voxel = positiveArgument("--voxel", *arguments.voxel);
-    if (arguments.resolution)
-        options.resolution =
-            integerArgument("--resolution", *arguments.resolution, 1, io::SolidOptions::maxResolution);
-    if (arguments.wall) options.wall = positiveArgument("--wall", *arguments.wall);
-    if (arguments.longest) {
-        constexpr double minLength = 1e-3, maxLength = 1e6;
-        options.longest = positiveArgument("--longest", *arguments.longest);
-        if (options.longest < minLength || options.longest > maxLength)
-            throw UsageError{tr("--longest “%1” is not valid: it must be from 0.001 to 1000000 mm.")
-                                 .arg(QString::fromStdString(*arguments.longest))};
-    }
+    if (arguments.voxel) options.voxel = *arguments.voxel;
+    if (arguments.resolution) options.resolution = *arguments.resolution;
+    if (arguments.wall) options.wall = *arguments.wall;
+    if (arguments.longest) options.longest = *arguments.longest;
     options.fillsCavities = arguments.fill;
     return options;
 }
 
 DimensionChange dimensionChange(const SolidArguments& arguments) {
+    refuseIf(arguments.lift && arguments.flatten, "--flatten", tr("--lift does the opposite."));
     DimensionChange change;
     change.isLift = arguments.lift.has_value();
-    if (change.isLift && *arguments.lift != "auto") {
-        change.scale = io::parseNumber(QString::fromStdString(*arguments.lift));
-        if (!change.scale)
-            throw UsageError{tr("--lift “%1” is not valid: it must be a factor for z, or auto.")
-                                 .arg(QString::fromStdString(*arguments.lift))};
-    }
-    if (!arguments.flatten) return change;
-    refuseIf(change.isLift, "--flatten", tr("--lift does the opposite."));
-    const auto xyz = numbers(QString::fromStdString(*arguments.flatten));
-    if (xyz.size() != 3 || ifs::Vector<3>(xyz[0], xyz[1], xyz[2]).isZero(0))
-        throw UsageError{tr("--flatten “%1” is not valid: it must be a direction, such as 0,0,1.")
-                             .arg(QString::fromStdString(*arguments.flatten))};
-    change.flatten = ifs::Vector<3>(xyz[0], xyz[1], xyz[2]);
+    if (arguments.lift) change.scale = arguments.lift->scale;
+    change.flatten = arguments.flatten;
     return change;
 }
 

@@ -13,8 +13,15 @@ namespace cli {
 
 struct Command;
 
+struct Lift {
+    std::optional<double> scale; // of z; none: by the square root of |det|
+};
+
 struct SolidArguments {
-    std::optional<std::string> voxel, resolution, wall, longest, lift, flatten;
+    std::optional<double> voxel, wall, longest; // mm
+    std::optional<int> resolution;
+    std::optional<Lift> lift;
+    std::optional<ifs::Vector<3>> flatten; // along this direction
     bool fill = false;
 };
 

@@ -21,33 +21,39 @@ std::optional<document::Fractal> symmetric(const document::Fractal& fractal, con
     return symmetry ? std::optional(document::withSymmetry(fractal, *symmetry)) : std::nullopt;
 }
 
+io::NamedSymmetry symmetryArgument(const std::string&, const std::string& text) {
+    if (const auto symmetry = io::symmetryNamed(QString::fromStdString(text))) return *symmetry;
+    throw UsageError{tr("--symmetry “%1” is not a symmetry: it must be none, mirror, c2 to c24, d2 to d24, "
+                        "tetrahedral, octahedral or icosahedral, optionally followed by an angle in degrees "
+                        "(mirror:30, d6:15) and a centre (c6@1,2).")
+                         .arg(QString::fromStdString(text))};
+}
+
+std::vector<std::string> symmetryWords() {
+    std::vector<std::string> words{"none", "mirror"};
+    for (const char kind : {'c', 'd'})
+        for (int order = 2; order <= 24; ++order)
+            words.push_back(kind + std::to_string(order));
+    for (const char* polyhedral : {"tetrahedral", "octahedral", "icosahedral"})
+        words.emplace_back(polyhedral);
+    return words;
+}
+
 } // namespace
 
 void addSymmetryOptions(Command& command, SymmetryArguments& arguments) {
     const OptionGroup group = command.group("Symmetry");
-    group.add("--symmetry", "GROUP[:DEGREES][@X,Y[,Z]]", &arguments.symmetry,
-              "Make entries symmetric: none, mirror, c2 to c24 (rotation), d2 to d24 (dihedral); in space "
-              "also tetrahedral, octahedral, icosahedral. mirror:30 sets the angle of a mirror, c6@1,2 the "
-              "centre");
+    group
+        .add("--symmetry", "GROUP[:DEGREES][@X,Y[,Z]]", parsed(&arguments.symmetry, symmetryArgument),
+             "Make entries symmetric: none, mirror, c2 to c24 (rotation), d2 to d24 (dihedral); in space "
+             "also tetrahedral, octahedral, icosahedral. mirror:30 sets the angle of a mirror, c6@1,2 the "
+             "centre")
+        .completedBy(Completion::Kind::Words, symmetryWords());
     group.flag("--expand", &arguments.expand,
                "Write the plain maps that a symmetry or linked maps stand for, where they exist");
 }
 
-SymmetryChange symmetryChange(const SymmetryArguments& arguments) {
-    SymmetryChange change{{}, arguments.expand};
-    if (!arguments.symmetry) return change;
-    const QString text = QString::fromStdString(*arguments.symmetry);
-    change.symmetry = io::symmetryNamed(text);
-    if (!change.symmetry)
-        throw UsageError{
-            tr("--symmetry “%1” is not a symmetry: it must be none, mirror, c2 to c24, d2 to d24, "
-               "tetrahedral, octahedral or icosahedral, optionally followed by an angle in degrees "
-               "(mirror:30, d6:15) and a centre (c6@1,2).")
-                .arg(text)};
-    return change;
-}
-
-std::optional<QString> changeSymmetry(document::Entry& entry, const SymmetryChange& change) {
+std::optional<QString> changeSymmetry(document::Entry& entry, const SymmetryArguments& change) {
     if (!change.symmetry) return std::nullopt;
     const document::Fractal& fractal = *entry.fractal;
     const std::size_t order = ifs::groupOrder(change.symmetry->group, change.symmetry->order);
@@ -63,7 +69,7 @@ std::optional<QString> changeSymmetry(document::Entry& entry, const SymmetryChan
     return std::nullopt;
 }
 
-Expansion expanded(document::Entry& entry, const SymmetryChange& change) {
+Expansion expanded(document::Entry& entry, const SymmetryArguments& change) {
     Expansion result;
     if (!change.expand) return result;
     if (document::isSymmetric(*entry.fractal)) {

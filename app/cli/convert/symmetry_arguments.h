@@ -14,28 +14,22 @@ namespace cli {
 struct Command;
 
 struct SymmetryArguments {
-    std::optional<std::string> symmetry;
-    bool expand = false;
-};
-
-void addSymmetryOptions(Command& command, SymmetryArguments& arguments);
-
-struct SymmetryChange {
     std::optional<io::NamedSymmetry> symmetry;
     bool expand = false;
 
     bool isWanted() const { return symmetry || expand; }
 };
-SymmetryChange symmetryChange(const SymmetryArguments& arguments); // throws UsageError
+
+void addSymmetryOptions(Command& command, SymmetryArguments& arguments);
 
 // The entry with the symmetry; or why it cannot have it.
-std::optional<QString> changeSymmetry(document::Entry& entry, const SymmetryChange& change);
+std::optional<QString> changeSymmetry(document::Entry& entry, const SymmetryArguments& change);
 
 struct Expansion {
     std::optional<QString> obstacle; // the entry cannot be written
     std::optional<QString> warning;
 };
 // The entry as plain maps, without a symmetry and without links.
-Expansion expanded(document::Entry& entry, const SymmetryChange& change);
+Expansion expanded(document::Entry& entry, const SymmetryArguments& change);
 
 } // namespace cli

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "options/options.h"
 
+#include "options/tr.h"
+#include "options/usage_error.h"
+
 #include <algorithm>
 #include <stdexcept>
 #include <utility>
@@ -21,6 +24,7 @@ std::vector<std::string> betweenCommas(const std::string& text) {
 
 // Puts values to the place of an option.
 struct Storing {
+    const std::string& option;
     const std::vector<std::string>& values;
 
     void operator()(std::monostate) const {}
@@ -28,6 +32,7 @@ struct Storing {
     void operator()(std::string* place) const { *place = values.front(); }
     void operator()(std::optional<std::string>* place) const { *place = values.front(); }
     void operator()(std::vector<std::string>* place) const { *place = values; }
+    void operator()(const ReadValue& read) const { read(option, values.front()); }
 };
 
 } // namespace
@@ -62,6 +67,21 @@ Option& Option::question() {
     return *this;
 }
 
+Option& Option::is(unsigned kinds) {
+    about |= kinds;
+    return *this;
+}
+
+Option& Option::completedBy(Completion::Kind kind, std::vector<std::string> words) {
+    completion = {kind, std::move(words)};
+    return *this;
+}
+
+std::string Option::name() const {
+    if (!longNames.empty()) return longNames.front();
+    return shortNames.empty() ? valueName.substr(0, valueName.find('.')) : shortNames.front();
+}
+
 bool Option::isArgument() const {
     return longNames.empty() && shortNames.empty();
 }
@@ -84,7 +104,7 @@ bool Option::isNamed(const std::string& name) const {
 }
 
 void Option::store(const std::vector<std::string>& values) const {
-    std::visit(Storing{values}, place);
+    std::visit(Storing{name(), values}, place);
 }
 
 OptionGroup::OptionGroup(Command& command, std::string name) : m_command(command), m_name(std::move(name)) {}
@@ -99,13 +119,14 @@ Option& OptionGroup::added(const std::string& names, Option option) const {
     return m_command.options.emplace_back(std::move(option));
 }
 
-Option& OptionGroup::add(const std::string& names, const std::string& valueName, const Place& place,
+Option& OptionGroup::add(const std::string& names, const std::string& valueName, const Value& value,
                          const std::string& description, const std::string& standard) const {
     Option option;
     option.valueName = valueName;
     option.description = description;
     option.standard = standard;
-    option.place = place;
+    option.place = value.place;
+    option.completion = value.completion;
     return added(names, std::move(option));
 }
 
@@ -122,7 +143,7 @@ Command::Command(std::string commandName, std::string commandDescription, std::s
     : name(std::move(commandName)),
       description(std::move(commandDescription)),
       usage(std::move(commandUsage)) {
-    group(generalOptions).add("-h,--help", {}, {}, "Print this help message and exit");
+    group(generalOptions).add("-h,--help", {}, Place(), "Print this help message and exit").is(Work);
 }
 
 OptionGroup Command::group(const std::string& groupName) {
@@ -140,6 +161,24 @@ const Option* Command::find(const std::string& optionName) const {
     const auto found =
         std::ranges::find_if(options, [&](const Option& candidate) { return candidate.isNamed(optionName); });
     return found == options.end() ? nullptr : &*found;
+}
+
+bool Given::has(const std::string& name) const {
+    return std::ranges::any_of(m_options, [&](const Option* option) { return option->isNamed(name); });
+}
+
+void Given::refuse(unsigned about, const QString& reason) const {
+    for (const Option* option : m_options)
+        refuseIf((option->about & about) != 0, option->name().c_str(), reason);
+}
+
+void Given::refuse(const std::vector<std::string>& names, const QString& reason) const {
+    for (const std::string& name : names)
+        refuseIf(has(name), name.c_str(), reason);
+}
+
+void refuseIf(bool given, const char* option, const QString& reason) {
+    if (given) throw UsageError{tr("%1 cannot be used here: %2").arg(QLatin1String(option), reason)};
 }
 
 Program::Program(std::string programDescription, std::vector<Command> programCommands)

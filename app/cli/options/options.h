@@ -8,17 +8,60 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <utility>
 #include <variant>
 #include <vector>
+
+class QString;
 
 // The tables of the command line: what each command takes, what the help says of it, and where the values go.
 // What was typed is held by the parser until all of it makes sense; the tables do not change.
 namespace cli {
 
+// Reads a value and stores it. Throws UsageError with a sentence that names the option.
+using ReadValue = std::function<void(const std::string& option, const std::string& text)>;
+
 // Where the values of an option go. To nothing: it asks for the help. A bool: it is a flag and takes no
-// value. A list: the option may be repeated, and an argument takes all words that are left.
-using Place =
-    std::variant<std::monostate, bool*, std::string*, std::optional<std::string>*, std::vector<std::string>*>;
+// value. A list: the option may be repeated, and an argument takes all words that are left. A function: it is
+// called for each value.
+using Place = std::variant<std::monostate, bool*, std::string*, std::optional<std::string>*,
+                           std::vector<std::string>*, ReadValue>;
+
+// What a shell offers for the value of an option.
+struct Completion {
+    enum class Kind { Nothing, Words, Entries, Palettes, Files };
+    Kind kind = Kind::Nothing;
+    std::vector<std::string> words; // or the suffixes of the files, without a dot; none: all files
+};
+
+// The place of a value, and what completes it.
+struct Value {
+    Value(Place where) : place(std::move(where)) {}
+    template <class T> Value(T* where) : place(where) {}
+
+    Place place;
+    Completion completion;
+};
+
+// A value that `read` makes of the name of the option and of what was typed.
+template <class T, class Read> Value parsed(T* place, Read read) {
+    return Place(ReadValue(
+        [place, read](const std::string& option, const std::string& text) { *place = read(option, text); }));
+}
+
+// What an option of a picture says something about: what cannot be used together is refused by these.
+enum About : unsigned {
+    Tone = 1,      // the tone curve of a density
+    Samples = 2,   // their number
+    Colours = 4,   // the palette, and what it shows
+    Cells = 8,     // of which a pixel has several
+    Rows = 16,     // of pixels, in a file
+    Light = 32,    // that falls on a solid
+    InPlane = 64,  // what entries in space do not know …
+    InSpace = 128, // … and the other way round
+    Picture = 256, // what all parts of a picture have in common
+    Work = 512,    // how it is drawn and where it goes: never a pixel
+};
 
 // Or an argument, which has no name and is known by its place.
 struct Option {
@@ -28,6 +71,8 @@ struct Option {
     std::string standard; // that is taken where the option is not given, as the help has it; may be empty
     std::string group;    // heading in the help
     Place place;
+    Completion completion;
+    unsigned about = 0;                // of About
     std::size_t minItems = 1;          // of an argument
     std::vector<std::string> excluded; // names of options that cannot be used together with this one
     bool isRequired = false;
@@ -41,7 +86,11 @@ struct Option {
     Option& fileName();
     Option& orEmpty();
     Option& question();
+    Option& is(unsigned about);
+    Option& completedBy(Completion::Kind kind, std::vector<std::string> words = {});
 
+    // As messages call it: its first long name, or of an argument what stands for it.
+    std::string name() const;
     bool isArgument() const;
     bool isFlag() const; // takes no value
     bool asksForHelp() const;
@@ -60,7 +109,7 @@ public:
     OptionGroup(Command& command, std::string name);
 
     // Names between commas, such as "-j,--threads". The reference holds as long as the command is not moved.
-    Option& add(const std::string& names, const std::string& valueName, const Place& place,
+    Option& add(const std::string& names, const std::string& valueName, const Value& value,
                 const std::string& description, const std::string& standard = {}) const;
     Option& flag(const std::string& names, bool* place, const std::string& description) const;
     Option& argument(const std::string& valueName, const Place& place, const std::string& description) const;
@@ -74,6 +123,23 @@ private:
 
 constexpr auto generalOptions = "Options"; // the heading of what every command has; the last in the help
 
+// Throws UsageError: "--x cannot be used here: reason".
+void refuseIf(bool given, const char* option, const QString& reason);
+
+// The options of a command that were typed, in the order of its table.
+class Given {
+public:
+    void add(const Option& option) { m_options.push_back(&option); }
+    bool has(const std::string& name) const;
+
+    // Throws UsageError when one of them says something of this kind, or has one of the names.
+    void refuse(unsigned about, const QString& reason) const;
+    void refuse(const std::vector<std::string>& names, const QString& reason) const;
+
+private:
+    std::vector<const Option*> m_options;
+};
+
 struct Command {
     // The usage names the command. It has --help from the beginning.
     Command(std::string name, std::string description, std::string usage);
@@ -84,6 +150,7 @@ struct Command {
 
     std::string name, description, usage;
     std::deque<Option> options;
+    Given* given = nullptr;          // where it is noted what was typed; nullptr: nowhere
     std::function<ExitStatus()> run; // once the places are filled in
 };
 

@@ -231,8 +231,11 @@ private:
     }
 
     void store() const {
-        for (const Option& option : m_command.options)
-            if (isGiven(option)) option.store(m_values.at(&option));
+        for (const Option& option : m_command.options) {
+            if (!isGiven(option)) continue;
+            option.store(m_values.at(&option));
+            if (m_command.given != nullptr) m_command.given->add(option);
+        }
     }
 
     const Program& m_program;

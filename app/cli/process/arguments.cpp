@@ -67,9 +67,14 @@ std::vector<double> numbers(const QString& text) {
     return result;
 }
 
-std::string choiceArgument(const std::string& option, const std::string& text,
+NumberList numbersArgument(const std::string&, const std::string& text) {
+    return {text, numbers(QString::fromStdString(text))};
+}
+
+std::size_t choiceArgument(const std::string& option, const std::string& text,
                            const std::vector<std::string>& names) {
-    if (std::ranges::find(names, text) != names.end()) return text;
+    const auto found = std::ranges::find(names, text);
+    if (found != names.end()) return std::size_t(found - names.begin());
     QStringList shown;
     for (const std::string& name : names)
         shown << QString::fromStdString(name);
@@ -96,6 +101,18 @@ std::uint64_t countArgument(const std::string& option, const std::string& text, 
         refuse(option, text,
                tr("it must be a whole number from %1 to %2, such as 250000, 1e6 or 2.5M.").arg(min).arg(max));
     return *number;
+}
+
+double numberArgument(const std::string& option, const std::string& text, double min, double max) {
+    const auto number = io::parseNumber(QString::fromStdString(text));
+    if (!number || !(*number >= min && *number <= max))
+        refuse(option, text, tr("it must be a number from %1 to %2.").arg(min).arg(max, 0, 'f', 0));
+    return *number;
+}
+
+std::string sizeText(const QSize& size) {
+    const auto side = [](int pixels) { return pixels > 0 ? std::to_string(pixels) : std::string(); };
+    return side(size.width()) + 'x' + side(size.height());
 }
 
 QSize pictureSizeArgument(const std::string& option, const std::string& text) {
@@ -153,19 +170,19 @@ double positiveArgument(const std::string& option, const std::string& text) {
     return *number;
 }
 
-double secondsArgument(const std::string& option, const std::string& text) {
+std::chrono::duration<double> secondsArgument(const std::string& option, const std::string& text) {
     constexpr double maxSeconds = 1e6;
     const auto number = io::parseNumber(QString::fromStdString(text));
     if (!number || !(*number > 0 && *number <= maxSeconds))
         refuse(option, text, tr("it must be a number of seconds above 0, at most 1000000."));
-    return *number;
+    return std::chrono::duration<double>(*number);
 }
 
 double marginArgument(const std::string& option, const std::string& text) {
     const auto number = io::parseNumber(QString::fromStdString(text));
     if (!number || !(*number >= 0 && *number < 50))
         refuse(option, text, tr("it must be a percentage of the picture, from 0 to less than 50."));
-    return *number / 100;
+    return *number;
 }
 
 attractor::Rgba colourArgument(const std::string& option, const std::string& text) {
@@ -209,13 +226,12 @@ attractor::Palette paletteArgument(const std::string& option, const std::string&
                .arg(names.join(QStringLiteral(", "))));
 }
 
-attractor::ColourBy colourByArgument(const std::string& option, const std::string& text) {
-    const std::string name = choiceArgument(option, text, {"density", "map", "address", "blend", "none"});
-    return name == "density"   ? attractor::ColourBy::Density
-           : name == "map"     ? attractor::ColourBy::Map
-           : name == "address" ? attractor::ColourBy::Address
-           : name == "blend"   ? attractor::ColourBy::Blend
-                               : attractor::ColourBy::Plain;
+ColourMeaning meaningArgument(const std::string& option, const std::string& text) {
+    ColourMeaning meaning{text, {}, ifs::named<attractor::SolidColour>(text)};
+    const std::vector<std::string> words = wordsOf(coloursInPlane);
+    if (!meaning.inSpace || std::ranges::find(words, text) != words.end())
+        meaning.inPlane = coloursInPlane[choiceArgument(option, text, words)].value;
+    return meaning;
 }
 
 void putOn(attractor::Appearance& appearance, const attractor::Rgba& background) {
@@ -253,7 +269,7 @@ double rotationArgument(const std::string& option, const std::string& text) {
     const auto degrees = io::parseNumber(QString::fromStdString(text));
     if (!degrees || !(std::abs(*degrees) <= maxDegrees))
         refuse(option, text, tr("it must be an angle from -360 to 360 degrees."));
-    return attractor::rotationOf(*degrees);
+    return *degrees;
 }
 
 attractor::View viewArgument(const std::string& option, const std::string& text) {

@@ -117,8 +117,10 @@ bool isLoaded(const document::Entry& entry) {
 }
 
 Option& addEntriesOption(Command& command, std::vector<std::string>& entries, const char* standard) {
-    return command.group("Files").add(
-        "--entry", "NAME", &entries, "Only this entry: its name, #NUMBER, or all; may be repeated", standard);
+    return command.group("Files")
+        .add("--entry", "NAME", &entries, "Only this entry: its name, #NUMBER, or all; may be repeated",
+             standard)
+        .completedBy(Completion::Kind::Entries);
 }
 
 namespace {

@@ -13,23 +13,17 @@
 
 namespace cli {
 
-ProgressMode progressMode(const std::string& text) {
-    const std::string chosen = choiceArgument("--progress", text, {"always", "never", "auto"});
-    return chosen == "always"  ? ProgressMode::Always
-           : chosen == "never" ? ProgressMode::Never
-                               : ProgressMode::Auto;
-}
-
 void addVerbosityOptions(Command& command, Verbosity& verbosity) {
     const OptionGroup general = command.group(generalOptions);
-    general.add("--progress", "WHEN", &verbosity.progress,
-                "Progress bar: always, never, or auto for a terminal", "auto");
-    general.flag("-q,--quiet", &verbosity.isQuiet, "No progress bar and no warnings");
+    general
+        .add("--progress", "WHEN", choice(&verbosity.progress),
+             "Progress bar: always, never, or auto for a terminal", "auto")
+        .is(Work);
+    general.flag("-q,--quiet", &verbosity.isQuiet, "No progress bar and no warnings").is(Work);
 }
 
 ProgressMode applied(const Verbosity& verbosity) {
-    const ProgressMode mode = progressMode(verbosity.progress);
-    if (!verbosity.isQuiet) return mode;
+    if (!verbosity.isQuiet) return verbosity.progress;
     hideWarnings();
     return ProgressMode::Never;
 }

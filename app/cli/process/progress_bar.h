@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "ifs/names.h"
+
+#include <array>
 #include <chrono>
 #include <string>
 
@@ -10,15 +13,13 @@ struct Command;
 
 enum class ProgressMode { Always, Never, Auto }; // Auto: when standard error is a terminal
 
-ProgressMode progressMode(const std::string& text); // throws UsageError
-
 // What every command says while it works.
 struct Verbosity {
-    std::string progress = "auto";
+    ProgressMode progress = ProgressMode::Auto;
     bool isQuiet = false; // neither progress nor warnings
 };
 void addVerbosityOptions(Command& command, Verbosity& verbosity);
-ProgressMode applied(const Verbosity& verbosity); // throws UsageError
+ProgressMode applied(const Verbosity& verbosity); // hides warnings, if they are not wanted
 
 // One line on standard error that is drawn over, and gone at the end. Of work that takes longer than a few
 // seconds it says how much time is left.
@@ -43,3 +44,9 @@ private:
 };
 
 } // namespace cli
+
+template <>
+inline constexpr auto ifs::names<cli::ProgressMode> =
+    std::to_array<ifs::Named<cli::ProgressMode>>({{cli::ProgressMode::Always, "always"},
+                                                  {cli::ProgressMode::Never, "never"},
+                                                  {cli::ProgressMode::Auto, "auto"}});

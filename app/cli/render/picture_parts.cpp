@@ -4,7 +4,6 @@
 #include "options/commands.h"
 #include "options/tr.h"
 #include "options/usage_error.h"
-#include "process/arguments.h"
 #include "process/input.h"
 #include "process/interrupt.h"
 #include "process/messages.h"
@@ -25,91 +24,29 @@ namespace cli {
 
 namespace {
 
-constexpr int maxParts = 1'000'000;
-
-// i of n, from "i/n"; i counts from 0.
-struct Share {
-    int index = 0;
-    int count = 1;
-};
-Share shareArgument(const char* option, const std::string& text) {
-    const QString whole = QString::fromStdString(text);
-    const QStringList numbers = whole.split(u'/');
-    bool isIndex = false;
-    bool isCount = false;
-    const Share share{numbers.value(0).toInt(&isIndex), numbers.value(1).toInt(&isCount)};
-    if (numbers.size() != 2 || !isIndex || !isCount || share.index < 0 || share.index >= share.count ||
-        share.count > maxParts)
-        throw UsageError{
-            tr("%1 “%2” is not valid: write i/n, where n is the number of parts, at most %3, and "
-               "i counts from 0 to n − 1.")
-                .arg(QLatin1String(option), whole, QString::number(maxParts))};
-    return share;
-}
-
-attractor::PicturePart partArgument(const RenderArguments& arguments) {
-    const Share share = shareArgument("--part", arguments.part.value_or("0/1"));
+attractor::PicturePart partOf(const RenderArguments& arguments) {
+    const Share share = arguments.part.value_or(Share());
     return {std::uint64_t(share.index), std::uint64_t(share.count)};
 }
 
 // Rows of pixels.
-struct Rows {
+struct PixelRows {
     int first = 0;
     int end = 0;
 };
-Rows bandArgument(const RenderArguments& arguments, int height) {
-    const Share share = shareArgument("--band", arguments.band.value_or("0/1"));
+PixelRows bandOf(const RenderArguments& arguments, int height) {
+    const Share share = arguments.band.value_or(Share());
     const auto boundary = [&](int number) { return int(std::int64_t(height) * number / share.count); };
-    const Rows rows{boundary(share.index), boundary(share.index + 1)};
+    const PixelRows rows{boundary(share.index), boundary(share.index + 1)};
     if (rows.first == rows.end)
         throw UsageError{tr("--band %1 has no rows: the height of the picture is %2.")
-                             .arg(QString::fromStdString(*arguments.band))
+                             .arg(QStringLiteral("%1/%2").arg(share.index).arg(share.count))
                              .arg(height)};
     return rows;
 }
 
 bool isDivided(const RenderArguments& arguments) {
     return arguments.part || arguments.band;
-}
-
-// What the file that is resumed has decided.
-void refuseWhatIsDecided(const RenderArguments& arguments) {
-    const QString reason = tr("the file that --resume names already defines the picture.");
-    refuseIf(!arguments.files.empty(), "FILE", reason);
-    refuseIf(!arguments.entries.empty(), "--entry", reason);
-    const RenderArguments standard;
-    refuseIf(arguments.size != standard.size, "--size", reason);
-    refuseIf(arguments.seed != standard.seed, "--seed", reason);
-    const std::pair<const OptionText*, const char*> options[] = {
-        {&arguments.margin, "--margin"},
-        {&arguments.cage, "--cage"},
-        {&arguments.restCage, "--rest-cage"},
-        {&arguments.view, "--view"},
-        {&arguments.palette, "--palette"},
-        {&arguments.colour, "--colour"},
-        {&arguments.gamma, "--gamma"},
-        {&arguments.brightness, "--brightness"},
-        {&arguments.contrast, "--contrast"},
-        {&arguments.vibrancy, "--vibrancy"},
-        {&arguments.background, "--background"},
-        {&arguments.supersample, "--supersample"},
-        {&arguments.bits, "--bits"},
-        {&arguments.dpi, "--dpi"},
-        {&arguments.viewRotation, "--view-rotation"},
-        {&arguments.orbit, "--orbit"},
-        {&arguments.perspective, "--perspective"},
-        {&arguments.look, "--look"},
-        {&arguments.light, "--light"},
-        {&arguments.fog, "--fog"},
-        {&arguments.slice, "--slice"},
-        {&arguments.stereo, "--stereo"},
-        {&arguments.frame, "--frame"},
-        {&arguments.overlay, "--overlay"},
-    };
-    for (const auto& [value, name] : options)
-        refuseIf(value->has_value(), name, reason);
-    refuseIf(arguments.yDown, "--y-down", reason);
-    refuseIf(arguments.legend, "--legend", reason);
 }
 
 // Where the sums or the picture go.
@@ -176,10 +113,6 @@ ExitStatus write(Sums sums, const Target& target, const Verbosity& verbosity, co
     return ExitStatus::CannotReadOrWrite;
 }
 
-int threadsOf(const std::optional<std::string>& text) {
-    return text ? integerArgument("--threads", *text, 1, 1024) : io::threadsOfThisMachine();
-}
-
 bool isSumFile(const QString& output) {
     return QFileInfo(output).suffix().compare(u"sum", Qt::CaseInsensitive) == 0;
 }
@@ -205,7 +138,7 @@ AnySums readSums(const QStringList& paths, int threads) {
 struct MergeArguments {
     std::vector<std::string> files;
     std::string output;
-    std::optional<std::string> threads, quality;
+    std::optional<int> threads, quality;
     Verbosity verbosity;
 };
 
@@ -216,7 +149,7 @@ ExitStatus merge(const MergeArguments& arguments) {
         throw UsageError{tr("The parts can be merged into a .png, .jpg, .webp, .tiff, .exr or .sum file, and "
                             "“%1” is none of them.")
                              .arg(output)};
-    const std::optional<int> quality = qualityArgument(arguments.quality, kind);
+    const std::optional<int> quality = fittingQuality(arguments.quality, kind);
     QStringList files;
     for (const std::string& file : arguments.files)
         files << fileNameOf(file);
@@ -239,15 +172,15 @@ template <class Sums>
 ExitStatus resume(Sums sums, const RenderArguments& arguments, const Interrupt& interrupt) {
     const QString output = fileNameOf(arguments.output);
     refuseIf(isSolid(sums.picture), "--resume", tr("a solid is not made of samples."));
-    const std::uint64_t points = countArgument("--points", *arguments.points, 1, maxPoints);
+    const std::uint64_t points = *arguments.points;
     const std::uint64_t there = std::accumulate(sums.passes.begin(), sums.passes.end(), std::uint64_t{0});
     if (points <= there)
         throw UsageError{tr("--points must be larger than %2, which “%1” already has.")
                              .arg(fileNameOf(*arguments.resume), QString::number(there))};
     addPass(sums, points - there);
     if (isDivided(arguments)) {
-        const Rows rows = bandArgument(arguments, heightOf(sums));
-        sums.drawn = {{rows.first, rows.end, sums.passes.size() - 1, partArgument(arguments)}};
+        const PixelRows rows = bandOf(arguments, heightOf(sums));
+        sums.drawn = {{rows.first, rows.end, sums.passes.size() - 1, partOf(arguments)}};
         sums.files.reset();
     }
     Target target{output, {}, qualityOf(arguments)};
@@ -258,10 +191,8 @@ ExitStatus resume(Sums sums, const RenderArguments& arguments, const Interrupt& 
 } // namespace
 
 void checkParts(const RenderArguments& arguments, Format format) {
-    if (arguments.part) partArgument(arguments);
-    if (arguments.band) shareArgument("--band", *arguments.band);
     if (arguments.resume) {
-        refuseWhatIsDecided(arguments);
+        arguments.given.refuse(Picture, tr("the file that --resume names already defines the picture."));
         if (!arguments.points)
             throw UsageError{tr("--resume needs --points, the number of points of the whole picture.")};
         refuseIf(format != Format::Pixels && format != Format::Sum, "--resume",
@@ -275,24 +206,25 @@ void checkParts(const RenderArguments& arguments, Format format) {
             tr("A part of a picture is written to a .sum file, which barycage-cli merge reads.")};
     refuseIf(format == Format::Sum && arguments.frame, "--frame", tr("a .sum file shows the entry at rest."));
     const QString reason = tr("it applies only to --algorithm density.");
-    refuseIf(format == Format::Sum && arguments.algorithm != "density", "--algorithm", reason);
+    refuseIf(format == Format::Sum && arguments.algorithm != attractor::Algorithm::Density, "--algorithm",
+             reason);
 }
 
 io::PictureSums partOfPicture(const io::PngExport& picture, const RenderArguments& arguments) {
-    const Rows rows = bandArgument(arguments, picture.request.camera.height);
-    return io::partOf(picture, rows.first, rows.end, partArgument(arguments));
+    const PixelRows rows = bandOf(arguments, picture.request.camera.height);
+    return io::partOf(picture, rows.first, rows.end, partOf(arguments));
 }
 
 io::SpaceSums partOfPicture(const io::SpaceExport& picture, const RenderArguments& arguments) {
     refuseIf(arguments.part && isSolid(picture), "--part",
              tr("a solid is not made of samples; divide it with --band."));
     refuseIf(picture.stereo != io::Stereo::None, "--stereo", tr("a .sum file holds what one eye sees."));
-    const Rows rows = bandArgument(arguments, picture.request.camera.size.height);
-    return io::partOf(picture, rows.first, rows.end, partArgument(arguments));
+    const PixelRows rows = bandOf(arguments, picture.request.camera.size.height);
+    return io::partOf(picture, rows.first, rows.end, partOf(arguments));
 }
 
 ExitStatus resumePicture(const RenderArguments& arguments) {
-    const Interrupt interrupt(timeLimitOf(arguments));
+    const Interrupt interrupt(arguments.timeLimit);
     const AnySums read = readSums({fileNameOf(*arguments.resume)}, threadsOf(arguments.threads));
     return std::visit([&](const auto& sums) { return resume(sums, arguments, interrupt); }, read);
 }
@@ -302,17 +234,16 @@ Command mergeCommand() {
     Command command("merge", "Merge the parts of a picture", "merge FILE... -o OUT [OPTION]...");
     const OptionGroup files = command.group("Files");
     files.argument("FILE...", &arguments->files, "Parts of one picture, written by render or merge")
+        .completedBy(Completion::Kind::Files, {"sum"})
         .required();
     files
         .add("-o,--output", "OUT", &arguments->output,
              "Picture to write once all parts are present, in a format of render, or their sum (.sum)")
+        .completedBy(Completion::Kind::Files, {"png", "jpg", "jpeg", "webp", "tif", "tiff", "exr", "sum"})
         .fileName()
         .required();
-    files.add("--quality", "Q", &arguments->quality, "Quality of .jpg and .webp, 1 to 100",
-              "92; WebP without loss");
-    command.group("Algorithm")
-        .add("-j,--threads", "N", &arguments->threads, "Threads, 1 to 1024; never changes the picture",
-             "all cores");
+    addQualityOption(files, arguments->quality).standard = "92; WebP without loss";
+    addThreadsOption(command.group("Algorithm"), arguments->threads);
     addVerbosityOptions(command, arguments->verbosity);
     command.run = [arguments] { return merge(*arguments); };
     return command;

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "process/arguments.h"
 #include "process/progress_bar.h"
 
+#include "attractor/light/stereo.h"
 #include "attractor/request/appearance.h"
 #include "attractor/request/render_request.h"
+#include "io/animation/frame_drawing.h"
 #include "io/overlay/picture_overlay.h"
 #include "io/picture/vector/svg_writer.h"
 #include "io/raster/picture_writer.h"
@@ -20,8 +23,6 @@
 // option.
 namespace cli {
 
-struct Command;
-
 constexpr int maxInt = std::numeric_limits<int>::max();
 constexpr std::uint64_t maxPoints = std::numeric_limits<std::uint64_t>::max();
 
@@ -34,63 +35,106 @@ struct Steps {
     int last = 0;
 };
 
-using OptionText = std::optional<std::string>; // as typed; nullopt: not given
+// index of count parts, counted from 0.
+struct Share {
+    int index = 0;
+    int count = 1;
+};
 
 struct AppearanceOptions {
-    OptionText palette, colour, gamma, brightness, contrast, vibrancy, background;
-    std::optional<attractor::Palette> readPalette; // that `palette` names
+    std::optional<attractor::Palette> palette;
+    std::optional<ColourMeaning> colour;
+    std::optional<double> gamma, brightness, contrast, vibrancy;
+    std::optional<attractor::Rgba> background;
+    std::optional<int> supersample;
 };
 
 struct SpaceOptions {
-    OptionText orbit, perspective, look, light, fog, slice, stereo;
+    std::optional<NumberList> orbit, light, slice;
+    std::optional<double> perspective; // degrees
+    std::optional<attractor::LookInSpace> look;
+    std::optional<double> fog;
+    attractor::Stereo stereo = attractor::Stereo::None;
+};
+
+struct ViewOptions {
+    QSize size{1200, 900};              // 0: as the proportions want it
+    std::optional<NumberList> view;     // of three numbers in the plane, four in space
+    std::optional<double> viewRotation; // degrees
+    double margin = 5;                  // per cent of the picture
+    bool yDown = false;
+    // Points, or words for the corners at rest: what they mean depends on the dimension.
+    std::optional<std::string> cage, restCage;
 };
 
 struct FrameOptions { // of an animation
-    OptionText frame;
-    OptionText shutter; // in degrees
-    std::string exposure = "smooth";
+    std::optional<animation::Moment> frame;
+    document::ShutterAngle shutter = 0;
+    io::Exposing exposure = io::Exposing::Smooth;
 };
 
 struct PartOptions { // of a picture made on several machines, or in several runs
-    OptionText part, band, resume;
+    std::optional<Share> part, band;
+    std::optional<std::string> resume; // a file of sums
 };
 
 struct ResourceOptions {
-    OptionText threads, simd, timeLimit, memoryLimit;
+    std::optional<int> threads;
+    std::optional<std::string> simd;
+    std::optional<std::chrono::duration<double>> timeLimit;
+    std::optional<std::uint64_t> memoryLimit; // bytes
 };
 
-struct RenderArguments : AppearanceOptions, SpaceOptions, FrameOptions, PartOptions, ResourceOptions {
+struct FileOptions {
+    std::string format;
+    std::optional<int> bits, quality;
+    std::optional<double> dpi;
+    std::optional<io::ShapeStyle> svg;
+    std::optional<int> depth;
+};
+
+struct RenderArguments : AppearanceOptions,
+                         SpaceOptions,
+                         ViewOptions,
+                         FrameOptions,
+                         PartOptions,
+                         ResourceOptions,
+                         FileOptions {
     std::vector<std::string> files;
     std::vector<std::string> entries;
     std::string output;
-    std::string format;
-    std::string size = "1200x900";
-    std::string seed = "1";
-    std::string algorithm = "density";
-    OptionText points, iterations, supersample;
-    OptionText view, viewRotation, margin, cage, restCage;
-    OptionText depth, bits, quality, dpi;
-    OptionText svg, overlay;
-    bool yDown = false;
+    std::uint64_t seed = 1;
+    attractor::Algorithm algorithm = attractor::Algorithm::Density;
+    std::optional<std::uint64_t> points;
+    std::optional<Steps> iterations;
+    io::PictureOverlay overlay;
     bool legend = false;
     bool listPalettes = false;
     bool dryRun = false;
     Verbosity verbosity;
-    Steps steps; // that `iterations` asks for
+    Given given;
+
+    Steps steps() const { return iterations.value_or(Steps()); }
 };
 
 void addRenderOptions(Command& command, RenderArguments& arguments);
 // Those that animate has as well: view, space, samples, colours, bits and resolution.
 void addFrameOptions(Command& command, RenderArguments& arguments);
+// Of what other commands than render have as well.
+Option& addQualityOption(const OptionGroup& group, std::optional<int>& quality);
+Option& addThreadsOption(const OptionGroup& group, std::optional<int>& threads);
+Option& addSimdOption(const OptionGroup& group, std::optional<std::string>& simd);
+Option& addSeedOption(const OptionGroup& group, std::uint64_t& seed);
+Option& addSizeOption(const OptionGroup& group, QSize& size);
+Option& addBackgroundOption(const OptionGroup& group, std::optional<attractor::Rgba>& background);
 
-// Looks at every value before a file is read, and reads the palette.
-Format checked(RenderArguments& arguments);
+// Looks at what does not fit together before a file is read.
+Format checked(const RenderArguments& arguments);
 
 void selectInstructions(const std::string& name); // --simd
-void refuseIf(bool given, const char* option, const QString& reason);
+int threadsOf(const std::optional<int>& threads);
 // Of an entry in the plane as shapes: what makes no sense, or has a value out of its range.
 void checkShapes(const RenderArguments& arguments);
-attractor::Algorithm algorithmOf(const std::string& text);
 io::SvgFormat shapesOf(const RenderArguments& arguments);
 void applyAppearance(attractor::Appearance& appearance, const RenderArguments& arguments);
 QString suffixOf(const RenderArguments& arguments); // of the file, by --to or the name of the output
@@ -100,11 +144,6 @@ io::PictureFormat::Depth depthOf(const RenderArguments& arguments); // of the ro
 bool is16Bit(const RenderArguments& arguments);
 std::optional<int> qualityOf(const RenderArguments& arguments);
 // --quality of a picture of this kind; none: no picture.
-std::optional<int> qualityArgument(const std::optional<std::string>& quality,
-                                   std::optional<io::PictureFile> file);
-io::PictureOverlay overlayOf(const RenderArguments& arguments);
-std::optional<double> dotsPerInch(const RenderArguments& arguments);
-std::optional<std::chrono::duration<double>> timeLimitOf(const RenderArguments& arguments);
-std::optional<std::uint64_t> memoryLimitOf(const RenderArguments& arguments); // in bytes
+std::optional<int> fittingQuality(const std::optional<int>& quality, std::optional<io::PictureFile> file);
 
 } // namespace cli

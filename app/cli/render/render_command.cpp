@@ -2,7 +2,6 @@
 #include "options/commands.h"
 #include "options/tr.h"
 #include "options/usage_error.h"
-#include "process/arguments.h"
 #include "process/input.h"
 #include "process/interrupt.h"
 #include "process/memory_limit.h"
@@ -41,13 +40,13 @@ void checkDepth(const document::Fractal& fractal, const attractor::Camera& camer
     if (!plan.failure && plan.depth != shapesOf(arguments).depth)
         throw UsageError{
             tr("--depth %1 would need 400,000 references or more; the deepest possible here is %2.")
-                .arg(QString::fromStdString(*arguments.depth))
+                .arg(*arguments.depth)
                 .arg(plan.deepest)};
 }
 
 io::Export exportOf(const Shown& shown, const attractor::Camera& camera, Format format,
                     const RenderArguments& arguments, const Steps& steps) {
-    if (overlayOf(arguments).hull && !document::supportFunction(shown.fractal))
+    if (arguments.overlay.hull && !document::supportFunction(shown.fractal))
         throw UsageError{
             document::linkedExtent(shown.fractal)
                 ? tr("--overlay hull cannot be used here: the maps are linked.")
@@ -116,13 +115,13 @@ std::vector<Task> tasksFor(const Input& input, const document::Entry* entry,
     const QString pattern = fileNameOf(arguments.output);
     const auto& entries = input.collection.file.entries;
     OutputName name{
-        entry->fractal->name, int(entry - entries.data()) + 1, int(entries.size()), input.name, {},
-        arguments.steps.last};
-    if (isStandardOutput(pattern)) return {{&input, entry, arguments.steps, pattern}};
+        entry->fractal->name,  int(entry - entries.data()) + 1, int(entries.size()), input.name, {},
+        arguments.steps().last};
+    if (isStandardOutput(pattern)) return {{&input, entry, arguments.steps(), pattern}};
     if (!hasIterations(pattern) || !arguments.iterations)
-        return {{&input, entry, arguments.steps, outputFor(pattern, name)}};
+        return {{&input, entry, arguments.steps(), outputFor(pattern, name)}};
     std::vector<Task> tasks;
-    for (int n = arguments.steps.first; n <= arguments.steps.last; ++n) {
+    for (int n = arguments.steps().first; n <= arguments.steps().last; ++n) {
         name.iterations = n;
         tasks.push_back({&input, entry, {n, n}, outputFor(pattern, name)});
     }
@@ -132,7 +131,7 @@ std::vector<Task> tasksFor(const Input& input, const document::Entry* entry,
 class Session {
 public:
     Session(const RenderArguments& arguments, Format format, ProgressMode mode)
-        : m_arguments(arguments), m_format(format), m_interrupt(timeLimitOf(arguments)), m_bar(mode) {}
+        : m_arguments(arguments), m_format(format), m_interrupt(arguments.timeLimit), m_bar(mode) {}
 
     ExitStatus run() {
         std::list<Input> inputs;
@@ -275,13 +274,12 @@ ExitStatus listPalettes() {
     return writeOutput(QStringLiteral("-"), names);
 }
 
-ExitStatus render(RenderArguments arguments) {
+ExitStatus render(const RenderArguments& arguments) {
     if (arguments.listPalettes) return listPalettes();
     const ProgressMode mode = applied(arguments.verbosity);
     const Format format = checked(arguments);
     checkParts(arguments, format);
-    timeLimitOf(arguments);
-    if (const auto bytes = memoryLimitOf(arguments)) limitMemory(*bytes);
+    if (arguments.memoryLimit) limitMemory(*arguments.memoryLimit);
     if (arguments.resume) return resumePicture(arguments);
     return Session(arguments, format, mode).run();
 }

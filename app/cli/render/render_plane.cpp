@@ -81,10 +81,10 @@ namespace {
 
 // The box of all steps, or of the attractor.
 ViewBox boxOf(const document::Fractal& fractal, const RenderArguments& arguments) {
-    if (algorithmOf(arguments.algorithm) != attractor::Algorithm::Deterministic)
-        return boxOfAttractor(fractal);
-    ViewBox box = boxOfIterate(fractal, arguments.steps.first);
-    for (int n = arguments.steps.first + 1; n <= arguments.steps.last; ++n) {
+    if (arguments.algorithm != attractor::Algorithm::Deterministic) return boxOfAttractor(fractal);
+    const Steps steps = arguments.steps();
+    ViewBox box = boxOfIterate(fractal, steps.first);
+    for (int n = steps.first + 1; n <= steps.last; ++n) {
         const ViewBox next = boxOfIterate(fractal, n);
         box.min = box.min.cwiseMin(next.min);
         box.max = box.max.cwiseMax(next.max);
@@ -131,12 +131,11 @@ QSize completed(QSize size, const ifs::Vector<2>& extent) {
 } // namespace
 
 attractor::Camera cameraOf(const Shown& shown, const RenderArguments& arguments, const QString& fileName) {
-    const QSize size = pictureSizeArgument("--size", arguments.size);
+    const QSize& size = arguments.size;
     const auto yAxis = arguments.yDown ? attractor::YAxis::Down : attractor::YAxis::Up;
-    const double rotation =
-        arguments.viewRotation ? rotationArgument("--view-rotation", *arguments.viewRotation) : 0;
+    const double rotation = attractor::rotationOf(arguments.viewRotation.value_or(0));
     if (arguments.view) {
-        attractor::View view = viewArgument("--view", *arguments.view);
+        attractor::View view = viewArgument("--view", arguments.view->text);
         view.yAxis = yAxis;
         view.rotation = rotation;
         return attractor::cameraOf(view, {size.width(), size.height()});
@@ -148,9 +147,9 @@ attractor::Camera cameraOf(const Shown& shown, const RenderArguments& arguments,
         if (arguments.viewRotation) view.rotation = rotation;
         return attractor::cameraOf(view, {size.width(), size.height()});
     }
-    const bool isIterate = algorithmOf(arguments.algorithm) == attractor::Algorithm::Deterministic;
+    const bool isIterate = arguments.algorithm == attractor::Algorithm::Deterministic;
     const ViewBox plain = shown.box && !isIterate ? *shown.box : boxOf(shown.fractal, arguments);
-    const ViewBox box = withOverlay(plain, shown.fractal, overlayOf(arguments));
+    const ViewBox box = withOverlay(plain, shown.fractal, arguments.overlay);
     if (!box.certified)
         reportWarning(fileName, tr("No box around the picture could be certified; the view is estimated from "
                                    "the points drawn. Set it with --view."));
@@ -160,8 +159,7 @@ attractor::Camera cameraOf(const Shown& shown, const RenderArguments& arguments,
     camera.width = whole.width();
     camera.height = whole.height();
     camera.yAxis = yAxis;
-    const double margin = arguments.margin ? marginArgument("--margin", *arguments.margin) : 0.05;
-    return fitted(camera, box.min, box.max, margin);
+    return fitted(camera, box.min, box.max, arguments.margin / 100);
 }
 
 namespace {
@@ -170,13 +168,11 @@ attractor::RenderRequest requestOf(const document::Fractal& fractal, const attra
                                    const RenderArguments& arguments, int step) {
     attractor::RenderRequest request = document::renderRequest(fractal, camera);
     const auto pixels = std::uint64_t(camera.width) * std::uint64_t(camera.height);
-    request.algorithm = algorithmOf(arguments.algorithm);
-    request.seed = wholeArgument("--seed", arguments.seed);
-    request.threads = arguments.threads ? integerArgument("--threads", *arguments.threads, 1, 1024)
-                                        : io::threadsOfThisMachine();
+    request.algorithm = arguments.algorithm;
+    request.seed = arguments.seed;
+    request.threads = threadsOf(arguments.threads);
     const std::uint64_t perPixel = request.algorithm == attractor::Algorithm::ChaosGame ? 2 : 100;
-    request.samples = arguments.points ? countArgument("--points", *arguments.points, 1, maxPoints)
-                                       : std::max<std::uint64_t>(perPixel * pixels, 1'000'000);
+    request.samples = arguments.points.value_or(std::max<std::uint64_t>(perPixel * pixels, 1'000'000));
     if (request.algorithm == attractor::Algorithm::Deterministic) {
         request.iterations = step;
         request.samples = 1;
@@ -193,10 +189,10 @@ io::PngExport pngOf(const Shown& shown, const attractor::Camera& camera, const R
     picture.depth = depthOf(arguments);
     picture.file = pictureFileOf(arguments);
     picture.quality = qualityOf(arguments);
-    picture.overlay = overlayOf(arguments);
+    picture.overlay = arguments.overlay;
     picture.withLegend = arguments.legend;
     if (arguments.frame) picture.explained = std::make_shared<document::Fractal>(shown.fractal);
-    picture.dotsPerInch = dotsPerInch(arguments);
+    picture.dotsPerInch = arguments.dpi;
     return picture;
 }
 

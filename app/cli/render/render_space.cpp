@@ -36,24 +36,10 @@ QString quoted(const std::string& text) {
     return QString::fromStdString(text);
 }
 
-LookInSpace lookOf(const document::Fractal& fractal, const RenderArguments& options) {
-    if (!options.look) return fractal.inSpace.look;
-    if (const auto look = io::lookInSpaceNamed(QByteArray::fromStdString(*options.look))) return *look;
-    throw UsageError{tr("--look must be stone, ink, cloud, x-ray, depth or normals, not “%1”.")
-                         .arg(quoted(*options.look))};
-}
-
-io::Stereo stereoOf(const RenderArguments& options) {
-    if (!options.stereo) return io::Stereo::None;
-    return choiceArgument("--stereo", *options.stereo, {"side-by-side", "anaglyph"}) == "anaglyph"
-               ? io::Stereo::Anaglyph
-               : io::Stereo::SideBySide;
-}
-
 // |⟨n, x⟩ − t| ≤ w, or without w the half-space ⟨n, x⟩ ≤ t.
 std::optional<attractor::SpaceClip> clipOf(const document::Fractal& fractal, const RenderArguments& options) {
     if (!options.slice) return fractal.inSpace.clip;
-    const auto given = numbers(quoted(*options.slice));
+    const std::vector<double>& given = options.slice->values;
     attractor::SpaceClip clip;
     if (given.size() == 4 || given.size() == 5) {
         clip.normal = {given[0], given[1], given[2]};
@@ -68,43 +54,34 @@ std::optional<attractor::SpaceClip> clipOf(const document::Fractal& fractal, con
         tr("--slice “%1” is not valid: it must be a normal that is not zero, an offset and a half "
            "width of at least 0, such as 1,1,1,1.5,0.01; without the half width, everything up "
            "to the offset is kept.")
-            .arg(quoted(*options.slice))};
+            .arg(quoted(options.slice->text))};
 }
 
 void refuseNumbers(const RenderArguments& options) {
     const QString reason = tr("--look depth shows depths, without samples and colours.");
-    refuseIf(options.points.has_value(), "--points", reason);
-    refuseIf(options.palette.has_value(), "--palette", reason);
-    refuseIf(options.colour.has_value(), "--colour", reason);
-    refuseIf(options.gamma.has_value(), "--gamma", reason);
-    refuseIf(options.brightness.has_value(), "--brightness", reason);
-    refuseIf(options.contrast.has_value(), "--contrast", reason);
-    refuseIf(options.vibrancy.has_value(), "--vibrancy", reason);
-    refuseIf(options.background.has_value(), "--background", reason);
-    refuseIf(options.supersample.has_value(), "--supersample", reason);
+    options.given.refuse(Samples | Colours | Tone | Cells, reason);
+    options.given.refuse({"--background"}, reason);
     refuseIf(options.bits && !is16Bit(options), "--bits", tr("--look depth has 16 bits."));
 }
 
 void refuseUnsupported(const RenderArguments& options, LookInSpace look) {
     const QString plane = tr("it applies only to entries in the plane.");
-    refuseIf(options.yDown, "--y-down", plane);
-    refuseIf(options.viewRotation.has_value(), "--view-rotation", plane);
-    refuseIf(options.algorithm != "density", "--algorithm", plane);
-    refuseIf(options.iterations.has_value(), "--iterations", plane);
-    refuseIf(options.svg.has_value(), "--svg", plane);
-    refuseIf(options.depth.has_value(), "--depth", plane);
-    refuseIf(options.legend && (look == LookInSpace::Depth || look == LookInSpace::Normals), "--legend",
-             tr("--look depth and normals show data, which has no letters beside it."));
-    refuseIf(options.stereo && (look == LookInSpace::Depth || look == LookInSpace::Normals), "--stereo",
-             tr("--look depth and normals show data, which cannot be seen in stereo."));
-    refuseIf(options.overlay && (look == LookInSpace::Depth || look == LookInSpace::Normals), "--overlay",
-             tr("--look depth and normals show data, which nothing can be drawn over."));
-    refuseIf(options.overlay && options.stereo, "--overlay",
-             tr("nothing can be drawn over a picture in stereo."));
+    options.given.refuse(InPlane, plane);
+    refuseIf(options.algorithm != attractor::Algorithm::Density, "--algorithm", plane);
+    if (look == LookInSpace::Depth || look == LookInSpace::Normals) {
+        options.given.refuse({"--legend"},
+                             tr("--look depth and normals show data, which has no letters beside it."));
+        options.given.refuse({"--stereo"},
+                             tr("--look depth and normals show data, which cannot be seen in stereo."));
+        options.given.refuse({"--overlay"},
+                             tr("--look depth and normals show data, which nothing can be drawn over."));
+    }
+    if (options.stereo != attractor::Stereo::None)
+        options.given.refuse({"--overlay"}, tr("nothing can be drawn over a picture in stereo."));
     refuseIf(options.colour && look == LookInSpace::XRay, "--colour",
              tr("--look x-ray shows the mean depth with the palette."));
     if (look == LookInSpace::Depth || attractor::showsCloud(look))
-        refuseLight(options, tr("it applies only to solids: --look stone or ink."));
+        options.given.refuse(Light, tr("it applies only to solids: --look stone or ink."));
     if (look == LookInSpace::Depth) refuseNumbers(options);
 }
 
@@ -127,11 +104,7 @@ void refuseUnsupportedFile(const RenderArguments& options, LookInSpace look) {
 
 attractor::Orientation orientationOf(const RenderArguments& options) {
     if (!options.orbit) return attractor::orbit(30, 20);
-    const auto angles = numbers(quoted(*options.orbit));
-    if (angles.size() != 2 && angles.size() != 3)
-        throw UsageError{tr("--orbit “%1” is not valid: it must be azimuth, elevation and perhaps roll in "
-                            "degrees, such as 30,20.")
-                             .arg(quoted(*options.orbit))};
+    const std::vector<double>& angles = options.orbit->values;
     return attractor::orbit(angles[0], angles[1], angles.size() == 3 ? angles[2] : 0);
 }
 
@@ -205,9 +178,9 @@ std::optional<ifs::ControlCage<3>> cageOf(const RenderArguments& options, const 
 // As keys have it, but for what options say.
 attractor::OrbitCamera cameraAtRest(const Shown& shown, const RenderArguments& options) {
     attractor::OrbitCamera camera = shown.camera.value_or(attractor::OrbitCamera());
-    const QSize size = sizeArgument("--size", options.size);
+    const QSize size = sizeArgument("--size", sizeText(options.size));
     camera.size = {size.width(), size.height()};
-    if (stereoOf(options) == io::Stereo::SideBySide) {
+    if (options.stereo == io::Stereo::SideBySide) {
         if (size.width() % 2 != 0)
             throw UsageError{
                 tr("--stereo side-by-side needs an even width, for two pictures of the same size.")};
@@ -233,18 +206,13 @@ attractor::OrbitCamera fittedWithMarks(const attractor::OrbitCamera& camera, con
     return attractor::fitted(camera, reach, margin);
 }
 
-double angleOfView(const std::string& argument, const QString& fileName) {
+void warnOfWideAngle(double angle, const QString& fileName) {
     constexpr double wide = 150;
-    const double angle = positiveArgument("--perspective", argument);
-    if (!(angle < 180))
-        throw UsageError{tr("--perspective “%1” is not valid: it must be an angle of view below 180 degrees.")
-                             .arg(quoted(argument))};
     if (angle > wide)
         reportWarning(fileName,
                       tr("With an angle of view of %1 degrees, nearly all of the picture shows what "
                          "is beside the camera, and what is in front of it is tiny.")
                           .arg(angle));
-    return angle;
 }
 
 attractor::OrbitCamera cameraOf(const Shown& shown, const RenderArguments& options,
@@ -256,22 +224,22 @@ attractor::OrbitCamera cameraOf(const Shown& shown, const RenderArguments& optio
     attractor::OrbitCamera camera = cameraAtRest(shown, options);
     if (options.perspective) {
         camera.projection = attractor::OrbitCamera::Projection::Perspective;
-        camera.fieldOfView = angleOfView(*options.perspective, fileName);
+        camera.fieldOfView = *options.perspective;
+        warnOfWideAngle(*options.perspective, fileName);
     }
     if (options.view) {
-        refuseIf(options.margin.has_value(), "--margin", tr("--view already defines the view."));
-        const auto view = numbers(quoted(*options.view));
+        const std::vector<double>& view = options.view->values;
         if (view.size() != 4 || !(view[3] > 0))
             throw UsageError{tr("--view “%1” is not valid: in space it must be the target and a positive "
                                 "height, such as \"0,1.5,0,10\".")
-                                 .arg(quoted(*options.view))};
+                                 .arg(quoted(options.view->text))};
         camera.target = {view[0], view[1], view[2]};
         camera.height = view[3];
         return camera;
     }
     if (shown.camera) return camera;
-    const double margin = options.margin ? marginArgument("--margin", *options.margin) : 0.05;
-    const io::PictureOverlay overlay = overlayOf(options);
+    const double margin = options.margin / 100;
+    const io::PictureOverlay& overlay = options.overlay;
     if (support != nullptr && (overlay.maps || overlay.cage))
         return fittedWithMarks(camera, shown, placedIn(shown.fractal, stored), overlay, margin);
     if (shown.support) return attractor::fitted(camera, shown.support, margin);
@@ -295,21 +263,19 @@ attractor::OrbitCamera cameraOf(const Shown& shown, const RenderArguments& optio
 attractor::SpaceRequest requestOf(const Shown& shown, const document::Fractal& fractal,
                                   const RenderArguments& options, const QString& fileName) {
     attractor::SpaceRequest request = document::spaceRequest(fractal, {});
-    request.seed = wholeArgument("--seed", options.seed);
-    request.threads = options.threads ? integerArgument("--threads", *options.threads, 1, 1024)
-                                      : io::threadsOfThisMachine();
+    request.seed = options.seed;
+    request.threads = threadsOf(options.threads);
     const attractor::PreparedSpace system = attractor::preparedSpace(request.system);
     const auto support = system.isCertified ? ifs::SupportFunction<3>::of(system.maps) : std::nullopt;
     request.cage = cageOf(options, *document::space(fractal), support ? &*support : nullptr);
     request.camera = cameraOf(shown, options, system, support ? &*support : nullptr, request.cage, fileName);
     const auto pixels = std::uint64_t(request.camera.size.width) * std::uint64_t(request.camera.size.height);
-    request.samples = options.points ? countArgument("--points", *options.points, 1, maxPoints)
-                                     : std::max<std::uint64_t>(100 * pixels, 1'000'000);
+    request.samples = options.points.value_or(std::max<std::uint64_t>(100 * pixels, 1'000'000));
     return request;
 }
 
 io::OverlayMarks marksOf(const io::SpaceExport& picture, const RenderArguments& options) {
-    const io::PictureOverlay overlay = overlayOf(options);
+    const io::PictureOverlay& overlay = options.overlay;
     const document::Fractal placed = placedIn(picture.fractal, picture.request.cage);
     if (overlay.hull && !document::spaceSupport(placed))
         throw UsageError{tr("--overlay hull cannot be used here: the system has no certified attractor.")};
@@ -336,32 +302,24 @@ void warnOfEmptySlice(const io::SpaceExport& picture, const QString& fileName) {
 } // namespace
 
 void refuseSpaceOptions(const RenderArguments& options) {
-    const QString reason = tr("it applies only to entries in space.");
-    refuseIf(options.orbit.has_value(), "--orbit", reason);
-    refuseIf(options.perspective.has_value(), "--perspective", reason);
-    refuseIf(options.look.has_value(), "--look", reason);
-    refuseIf(options.slice.has_value(), "--slice", reason);
-    refuseIf(options.stereo.has_value(), "--stereo", reason);
-    refuseLight(options, reason);
+    options.given.refuse(InSpace, tr("it applies only to entries in space."));
 }
 
 io::SpaceExport spaceExportOf(const Shown& shown, const RenderArguments& options, const QString& fileName) {
-
     io::SpaceExport picture;
     document::Fractal& fractal = picture.fractal;
     fractal = shown.fractal;
-    picture.look = fractal.inSpace.look = lookOf(fractal, options);
+    picture.look = fractal.inSpace.look = options.look.value_or(fractal.inSpace.look);
     fractal.inSpace.clip = clipOf(fractal, options);
     refuseUnsupportedFile(options, picture.look);
-    picture.stereo = stereoOf(options);
+    picture.stereo = options.stereo;
     refuseUnsupported(options, picture.look);
     if (picture.look == LookInSpace::Depth || attractor::showsCloud(picture.look)) {
         applyAppearance(fractal.appearance, options);
     } else {
         applySolidOptions(fractal, options);
         picture.solid = solidAppearance(fractal, options);
-        if (options.supersample)
-            picture.supersample = integerArgument("--supersample", *options.supersample, 1, 4);
+        if (options.supersample) picture.supersample = *options.supersample;
     }
     picture.depth = depthOf(options);
     picture.page = pageOf(options);
@@ -370,14 +328,15 @@ io::SpaceExport spaceExportOf(const Shown& shown, const RenderArguments& options
         picture.depth = io::PictureFormat::Depth::Bits16;
     picture.file = pictureFileOf(options);
     picture.quality = qualityOf(options);
-    picture.dotsPerInch = dotsPerInch(options);
+    picture.dotsPerInch = options.dpi;
     picture.request = requestOf(shown, fractal, options, fileName);
     if (options.slice) warnOfEmptySlice(picture, fileName);
     if (options.legend) picture.legend = io::mapLegend(fractal, picture.request.camera.size.height);
-    if (options.overlay) picture.marks = marksOf(picture, options);
+    if (options.overlay != io::PictureOverlay()) picture.marks = marksOf(picture, options);
     fractal = options.frame ? shown.entry : placedIn(fractal, picture.request.cage);
     if (io::memoryFor(picture) > maxBytes)
-        throw UsageError{tr("--size %1 needs more than 4 GB of memory in space.").arg(quoted(options.size))};
+        throw UsageError{
+            tr("--size %1 needs more than 4 GB of memory in space.").arg(quoted(sizeText(options.size)))};
     return picture;
 }
 

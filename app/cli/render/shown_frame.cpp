@@ -3,7 +3,6 @@
 
 #include "options/tr.h"
 #include "options/usage_error.h"
-#include "process/arguments.h"
 
 namespace cli {
 
@@ -41,7 +40,7 @@ Shown Frames::at(const animation::Moment& moment) const {
 }
 
 Shown shownBy(const document::Fractal& entry, const RenderArguments& arguments) {
-    if (arguments.frame) return Frames(entry, arguments).at(momentArgument("--frame", *arguments.frame));
+    if (arguments.frame) return Frames(entry, arguments).at(*arguments.frame);
     Shown shown{entry, entry};
     if (document::plane(entry)) applyAppearance(shown.fractal.appearance, arguments);
     return shown;

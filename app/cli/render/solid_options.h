@@ -15,7 +15,4 @@ void applySolidOptions(document::Fractal& fractal, const RenderArguments& option
 // How the solid of such an entry is drawn.
 attractor::SolidAppearance solidAppearance(const document::Fractal& fractal, const RenderArguments& options);
 
-// Throws UsageError for options of a light that the look does not have.
-void refuseLight(const RenderArguments& options, const QString& reason);
-
 } // namespace cli

@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "ifs/names.h"
+
+#include <array>
+
 // How a value gets from one key to the next.
 namespace animation {
 
@@ -35,3 +39,14 @@ bool isValid(const Ease& ease);
 Ease cubicEase(double x1, double y1, double x2, double y2);
 
 } // namespace animation
+
+template <>
+inline constexpr auto ifs::names<animation::Ease::Kind> = std::to_array<ifs::Named<animation::Ease::Kind>>({
+    {animation::Ease::Kind::Hold, "hold"},
+    {animation::Ease::Kind::Linear, "linear"},
+    {animation::Ease::Kind::In, "in"},
+    {animation::Ease::Kind::Out, "out"},
+    {animation::Ease::Kind::Both, "both"},
+    {animation::Ease::Kind::Cubic, "cubic"},
+    {animation::Ease::Kind::Smooth, "smooth"},
+});

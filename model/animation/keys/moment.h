@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "ifs/names.h"
+
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <string_view>
@@ -47,3 +50,10 @@ Moment folded(const Moment& moment, Loop loop, int length);
 double phase(const Moment& moment, int length, int cycles);
 
 } // namespace animation
+
+template <>
+inline constexpr auto ifs::names<animation::Loop> = std::to_array<ifs::Named<animation::Loop>>({
+    {animation::Loop::Off, "off"},
+    {animation::Loop::Cycle, "cycle"},
+    {animation::Loop::ThereAndBack, "there-and-back"},
+});

@@ -2,7 +2,9 @@
 #pragma once
 
 #include "attractor/light/tone_map16.h"
+#include "ifs/names.h"
 
+#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -22,3 +24,10 @@ std::vector<Rgba16> joined(Stereo stereo, const std::vector<Rgba16>& left, const
                            int width);
 
 } // namespace attractor
+
+template <>
+inline constexpr auto ifs::names<attractor::Stereo> = std::to_array<ifs::Named<attractor::Stereo>>({
+    {attractor::Stereo::None, "none"},
+    {attractor::Stereo::SideBySide, "side-by-side"},
+    {attractor::Stereo::Anaglyph, "anaglyph"},
+});

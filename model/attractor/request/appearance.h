@@ -3,8 +3,10 @@
 
 #include "attractor/colour/palette.h"
 #include "attractor/request/map_values.h"
+#include "ifs/names.h"
 #include "ifs/system/iterated_function_system.h"
 
+#include <array>
 #include <cstddef>
 
 namespace attractor {
@@ -66,3 +68,12 @@ MapBlend mapBlend(const Appearance& appearance, ifs::MapId id, std::size_t index
 MapBlend composed(const MapBlend& outer, const MapBlend& inner);
 
 } // namespace attractor
+
+template <>
+inline constexpr auto ifs::names<attractor::ColourBy> = std::to_array<ifs::Named<attractor::ColourBy>>({
+    {attractor::ColourBy::Density, "density"},
+    {attractor::ColourBy::Map, "map"},
+    {attractor::ColourBy::Address, "address"},
+    {attractor::ColourBy::Plain, "plain"},
+    {attractor::ColourBy::Blend, "blend"},
+});

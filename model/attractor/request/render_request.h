@@ -4,9 +4,11 @@
 #include "attractor/request/appearance.h"
 #include "attractor/request/camera.h"
 #include "ifs/cage/control_cage.h"
+#include "ifs/names.h"
 #include "ifs/system/branch.h"
 #include "ifs/system/iterated_function_system.h"
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <vector>
@@ -60,3 +62,10 @@ enum class RenderNote {
 };
 
 } // namespace attractor
+
+template <>
+inline constexpr auto ifs::names<attractor::Algorithm> = std::to_array<ifs::Named<attractor::Algorithm>>({
+    {attractor::Algorithm::Density, "density"},
+    {attractor::Algorithm::ChaosGame, "chaos-game"},
+    {attractor::Algorithm::Deterministic, "deterministic"},
+});

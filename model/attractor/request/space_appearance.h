@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "ifs/names.h"
 #include "ifs/system/affine_map.h"
 
+#include <array>
 #include <limits>
 #include <optional>
 
@@ -55,3 +57,22 @@ struct SpaceAppearance {
 };
 
 } // namespace attractor
+
+template <>
+inline constexpr auto ifs::names<attractor::LookInSpace> = std::to_array<ifs::Named<attractor::LookInSpace>>({
+    {attractor::LookInSpace::Stone, "stone"},
+    {attractor::LookInSpace::Ink, "ink"},
+    {attractor::LookInSpace::Cloud, "cloud"},
+    {attractor::LookInSpace::XRay, "x-ray"},
+    {attractor::LookInSpace::Depth, "depth"},
+    {attractor::LookInSpace::Normals, "normals"},
+});
+
+template <>
+inline constexpr auto ifs::names<attractor::SolidColour> = std::to_array<ifs::Named<attractor::SolidColour>>({
+    {attractor::SolidColour::Plain, "none"},
+    {attractor::SolidColour::Map, "map"},
+    {attractor::SolidColour::Address, "address"},
+    {attractor::SolidColour::Height, "height"},
+    {attractor::SolidColour::Depth, "depth"},
+});

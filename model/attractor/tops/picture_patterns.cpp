@@ -166,20 +166,7 @@ Colour colourOf(Pattern pattern, double x, double y) {
     return waves(x, y);
 }
 
-constexpr std::array<std::string_view, 8> names{"grid",  "wheel",  "rings",  "sunset",
-                                                "glass", "marble", "tartan", "waves"};
-
 } // namespace
-
-std::string_view nameOf(Pattern pattern) {
-    return names[std::size_t(pattern)];
-}
-
-std::optional<Pattern> patternNamed(std::string_view name) {
-    const auto* const found = std::ranges::find(names, name);
-    if (found == names.end()) return std::nullopt;
-    return patterns[found - names.begin()];
-}
 
 MipPicture picture(Pattern pattern, int side) {
     std::vector<Rgba> pixels;

@@ -2,10 +2,10 @@
 #pragma once
 
 #include "attractor/tops/mip_picture.h"
+#include "ifs/names.h"
 
-#include <optional>
+#include <array>
 #include <span>
-#include <string_view>
 
 namespace attractor {
 
@@ -23,10 +23,19 @@ enum class Pattern {
 inline constexpr Pattern patterns[] = {Pattern::Grid,  Pattern::Wheel,  Pattern::Rings,  Pattern::Sunset,
                                        Pattern::Glass, Pattern::Marble, Pattern::Tartan, Pattern::Waves};
 
-std::string_view nameOf(Pattern pattern); // as files store it
-std::optional<Pattern> patternNamed(std::string_view name);
-
 // Square, of side × side pixels.
 MipPicture picture(Pattern pattern, int side = 1024);
 
 } // namespace attractor
+
+template <>
+inline constexpr auto ifs::names<attractor::Pattern> = std::to_array<ifs::Named<attractor::Pattern>>({
+    {attractor::Pattern::Grid, "grid"},
+    {attractor::Pattern::Wheel, "wheel"},
+    {attractor::Pattern::Rings, "rings"},
+    {attractor::Pattern::Sunset, "sunset"},
+    {attractor::Pattern::Glass, "glass"},
+    {attractor::Pattern::Marble, "marble"},
+    {attractor::Pattern::Tartan, "tartan"},
+    {attractor::Pattern::Waves, "waves"},
+});

@@ -19,14 +19,6 @@ constexpr qsizetype maxPath = 8192;
 constexpr qsizetype maxDataLine = 44; // letters, four of which hold three bytes
 const QByteArray::Base64Options dataLetters = QByteArray::Base64UrlEncoding | QByteArray::OmitTrailingEquals;
 
-const std::array<std::pair<TheftMode, const char*>, 5> modeNames{{
-    {TheftMode::StealColours, "steal"},
-    {TheftMode::TransformPicture, "transform"},
-    {TheftMode::DeformationGrid, "grid"},
-    {TheftMode::Reduce, "reduce"},
-    {TheftMode::Posterise, "posterise"},
-}};
-
 bool isOurs(const QString& comment) {
     return comment.startsWith(prefix);
 }
@@ -65,9 +57,10 @@ void readLine(const QString& key, const QString& value, KeptTheft& theft, Encode
     if (key == QLatin1String("-data") && encoded.data.size() < 2 * maxEmbeddedPicture)
         encoded.data += value.toLatin1();
     if (key == QLatin1String("-view")) theft.view = viewOf(value);
-    if (key == QLatin1String("-mode")) theft.mode = theftModeNamed(value).value_or(theft.mode);
+    if (key == QLatin1String("-mode"))
+        theft.mode = ifs::named<TheftMode>(value.toStdString()).value_or(theft.mode);
     if (key == QLatin1String("-pattern"))
-        if (const auto pattern = attractor::patternNamed(value.toStdString())) theft.pattern = *pattern;
+        theft.pattern = ifs::named<attractor::Pattern>(value.toStdString()).value_or(theft.pattern);
 }
 
 QString line(const char* key, const QString& value) {
@@ -75,17 +68,14 @@ QString line(const char* key, const QString& value) {
 }
 
 QStringList linesOf(const KeptTheft& theft) {
-    QStringList lines{line("", theft.partner)};
-    for (const auto& [mode, name] : modeNames)
-        if (mode == theft.mode) lines << line("-mode", QLatin1String(name));
+    QStringList lines{line("", theft.partner), line("-mode", QLatin1String(ifs::nameOf(theft.mode)))};
     QStringList numbers;
     for (std::size_t k = 0; k < theft.order.size(); ++k) {
         numbers << QString::number(theft.order[k] + 1);
         if (numbers.size() == 8 || k + 1 == theft.order.size())
             lines << line("-order", std::exchange(numbers, {}).join(u' '));
     }
-    const auto name = attractor::nameOf(theft.pattern);
-    lines << line("-pattern", QLatin1String(name.data(), qsizetype(name.size())));
+    lines << line("-pattern", QLatin1String(ifs::nameOf(theft.pattern)));
     const QByteArray path = QUrl::toPercentEncoding(theft.picture, "/");
     for (qsizetype at = 0; at < path.size(); at += maxValue)
         lines << line("-picture", QString::fromLatin1(path.mid(at, maxValue)));
@@ -101,12 +91,6 @@ QStringList linesOf(const KeptTheft& theft) {
 }
 
 } // namespace
-
-std::optional<TheftMode> theftModeNamed(const QString& name) {
-    const auto known = std::ranges::find_if(
-        modeNames, [&](const auto& named) { return name == QLatin1String(named.second); });
-    return known == modeNames.end() ? std::nullopt : std::optional(known->first);
-}
 
 std::optional<KeptTheft> keptTheft(const Fractal& fractal) {
     KeptTheft theft;

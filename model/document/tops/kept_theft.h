@@ -4,10 +4,12 @@
 #include "attractor/request/camera.h"
 #include "attractor/tops/picture_patterns.h"
 #include "document/fractal/fractal.h"
+#include "ifs/names.h"
 
 #include <QByteArray>
 #include <QString>
 
+#include <array>
 #include <cstddef>
 #include <optional>
 #include <vector>
@@ -23,8 +25,6 @@ enum class TheftMode {
 };
 
 inline constexpr qsizetype maxEmbeddedPicture = 128 * 1024; // bytes
-
-std::optional<TheftMode> theftModeNamed(const QString& name); // as it is kept: steal, transform, grid, …
 
 // What an entry keeps of its fractal transformation, in comments "barycage: partner…" of its own.
 // docs/formats.md, "Our own lines".
@@ -47,3 +47,12 @@ std::optional<KeptTheft> keptTheft(const Fractal& fractal); // lines that make n
 Fractal withTheft(Fractal fractal, const std::optional<KeptTheft>& theft);
 
 } // namespace document
+
+template <>
+inline constexpr auto ifs::names<document::TheftMode> = std::to_array<ifs::Named<document::TheftMode>>({
+    {document::TheftMode::StealColours, "steal"},
+    {document::TheftMode::TransformPicture, "transform"},
+    {document::TheftMode::DeformationGrid, "grid"},
+    {document::TheftMode::Reduce, "reduce"},
+    {document::TheftMode::Posterise, "posterise"},
+});

@@ -78,10 +78,6 @@ private:
     attractor::Support m_support;
 };
 
-const char* nameOf(Exposing exposing) {
-    return exposing == Exposing::Smooth ? "smooth" : exposing == Exposing::Fixed ? "fixed" : "each";
-}
-
 // That of the same options on the command line; without a frame, what all frames have in common.
 QByteArray requestHash(const AnimationExport& what, std::optional<int> frame) {
     FrameRequestText text;
@@ -91,7 +87,7 @@ QByteArray requestHash(const AnimationExport& what, std::optional<int> frame) {
     text.addCount("seed", 1);
     if (what.points) text.addCount("points", *what.points);
     if (what.frames.shutter > 0) text.addCount("shutter", std::uint64_t(what.frames.shutter));
-    text.add("exposure", nameOf(what.frames.exposing));
+    text.add("exposure", ifs::nameOf(what.frames.exposing));
     return text.hash(what.entry);
 }
 
@@ -181,7 +177,7 @@ QStringList options(const AnimationExport& what) {
         list << QStringLiteral("--shutter")
              << QString::fromLatin1(formatNumber(what.frames.shutter / 1000.0));
     if (what.frames.exposing != Exposing::Smooth)
-        list << QStringLiteral("--exposure") << QLatin1String(nameOf(what.frames.exposing));
+        list << QStringLiteral("--exposure") << QLatin1String(ifs::nameOf(what.frames.exposing));
     if (what.first > 0 || what.last + 1 < frameCount(what.entry))
         list << QStringLiteral("--frames") << QStringLiteral("%1-%2").arg(what.first + 1).arg(what.last + 1);
     return list;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "document/moments/shutter.h"
+#include "ifs/names.h"
 #include "io/animation/request_text.h"
 #include "io/picture/png_export.h"
 #include "io/picture/space_export.h"
@@ -9,6 +10,7 @@
 #include <QByteArray>
 #include <QString>
 
+#include <array>
 #include <functional>
 #include <future>
 #include <map>
@@ -92,3 +94,10 @@ private:
 };
 
 } // namespace io
+
+template <>
+inline constexpr auto ifs::names<io::Exposing> = std::to_array<ifs::Named<io::Exposing>>({
+    {io::Exposing::Fixed, "fixed"},
+    {io::Exposing::Smooth, "smooth"},
+    {io::Exposing::Each, "each"},
+});

@@ -75,7 +75,7 @@ QByteArrayList numbersOf(const attractor::OrbitCamera& camera) {
 
 QByteArrayList lookLines(const Look& look) {
     QByteArrayList lines{
-        metadataLine("look colour-by", nameOf(look.colourBy)),
+        metadataLine("look colour-by", ifs::nameOf(look.colourBy)),
         metadataLine("look palette", QByteArray::fromStdString(look.palette.name)),
     };
     const attractor::Palette* builtIn = attractor::findPalette(look.palette.name);
@@ -91,14 +91,14 @@ QByteArrayList lookLines(const Look& look) {
     if (look.vibrancy != usual.vibrancy) lines << metadataLine("look vibrancy", formatNumber(look.vibrancy));
     if (!look.inSpace) return lines;
     if (look.inSpace->look == attractor::SpaceAppearance().look) // one line at least
-        lines << metadataLine("look space-look", nameOf(look.inSpace->look));
+        lines << metadataLine("look space-look", ifs::nameOf(look.inSpace->look));
     return lines << spaceComments(*look.inSpace, "look ");
 }
 
 template <int Dim, class Value> QByteArrayList keyLines(const Keys<Value>& keys) {
     QByteArrayList lines;
     for (const auto& [frame, value, ease] : keys) {
-        lines << metadataLine("key", QByteArray::number(frame) + ' ' + nameOf(ease.kind));
+        lines << metadataLine("key", QByteArray::number(frame) + ' ' + ifs::nameOf(ease.kind));
         if (ease.kind == animation::Ease::Kind::Cubic)
             lines << metadataLines("handles", {formatNumber(ease.x1), formatNumber(ease.y1),
                                                formatNumber(ease.x2), formatNumber(ease.y2)});
@@ -386,9 +386,10 @@ private:
 template <int Dim> QByteArrayList animationComments(const document::Shape<Dim>& shape) {
     if (!shape.animation) return {};
     const Animation<Dim>& animation = *shape.animation;
-    QByteArrayList lines{metadataLine(
-        "animation", QByteArray::number(animation.length) + ' ' + QByteArray::number(animation.rate.frames) +
-                         '/' + QByteArray::number(animation.rate.seconds) + ' ' + nameOf(animation.loop))};
+    QByteArrayList lines{metadataLine("animation", QByteArray::number(animation.length) + ' ' +
+                                                       QByteArray::number(animation.rate.frames) + '/' +
+                                                       QByteArray::number(animation.rate.seconds) + ' ' +
+                                                       ifs::nameOf(animation.loop))};
     if (animation.reference) {
         QByteArrayList numbers;
         append<Dim>(numbers, *animation.reference);

@@ -20,20 +20,6 @@ using animation::Ease, animation::Loop;
 constexpr std::size_t maxAnimationNumbers = 4'000'000; // of one animation
 constexpr std::size_t maxParts = 100'000; // tracks, keys of a track, motions, maps of one of them, stops
 
-constexpr std::array loopNames{std::pair{Loop::Off, "off"}, std::pair{Loop::Cycle, "cycle"},
-                               std::pair{Loop::ThereAndBack, "there-and-back"}};
-constexpr std::array easeNames{
-    std::pair{Ease::Kind::Hold, "hold"},    std::pair{Ease::Kind::Linear, "linear"},
-    std::pair{Ease::Kind::In, "in"},        std::pair{Ease::Kind::Out, "out"},
-    std::pair{Ease::Kind::Both, "both"},    std::pair{Ease::Kind::Cubic, "cubic"},
-    std::pair{Ease::Kind::Smooth, "smooth"}};
-
-template <class Names> auto named(const Names& names, const QByteArray& name) {
-    using Value = decltype(names.front().first);
-    const auto found = std::ranges::find_if(names, [&](const auto& entry) { return name == entry.second; });
-    return found == names.end() ? std::nullopt : std::optional<Value>(found->first);
-}
-
 std::optional<int> whole(const QByteArray& text) {
     bool good = false;
     const int value = text.toInt(&good);
@@ -58,14 +44,6 @@ bool setColour(attractor::Rgba& colour, const QByteArray& text) {
 }
 
 } // namespace
-
-const char* nameOf(animation::Loop loop) {
-    return std::ranges::find(loopNames, loop, &std::pair<Loop, const char*>::first)->second;
-}
-
-const char* nameOf(animation::Ease::Kind kind) {
-    return std::ranges::find(easeNames, kind, &std::pair<Ease::Kind, const char*>::first)->second;
-}
 
 bool AnimationLines::isKnown(const QByteArray& key) {
     constexpr std::array keys{"animation", "reference", "track", "word",   "key",
@@ -105,7 +83,7 @@ bool AnimationLines::readHeader(const QByteArrayList& values) {
     const QByteArrayList rate = values[1].split('/');
     const auto length = whole(values[0]);
     const auto frames = whole(rate.front()), seconds = whole(rate.back());
-    const auto loop = named(loopNames, values[2]);
+    const auto loop = ifs::named<Loop>(values[2].toStdString());
     if (!length || rate.size() != 2 || !frames || !seconds || !loop) return false;
     m_stored.length = *length;
     m_stored.rate = {*frames, *seconds};
@@ -115,10 +93,7 @@ bool AnimationLines::readHeader(const QByteArrayList& values) {
 
 bool AnimationLines::readTrack(const QByteArrayList& values) {
     using Of = Stored::Track::Of;
-    constexpr std::array names{std::pair{Of::Cage, "cage"}, std::pair{Of::Map, "map"},
-                               std::pair{Of::Branch, "branch"}, std::pair{Of::Look, "look"},
-                               std::pair{Of::Camera, "camera"}};
-    const auto of = named(names, values[0]);
+    const auto of = ifs::named<Of>(values[0].toStdString());
     if (!of || m_stored.tracks.size() >= maxParts) return false;
     m_stored.tracks.push_back({*of, {}, {}});
     m_within = Within::Track;
@@ -139,7 +114,7 @@ bool AnimationLines::readKey(const QByteArray& key, const QByteArrayList& values
                appendMaps(track.maps, values, true);
     if (key == "key") {
         const auto frame = whole(values[0]);
-        const auto ease = values.size() == 2 ? named(easeNames, values[1]) : std::nullopt;
+        const auto ease = values.size() == 2 ? ifs::named<Ease::Kind>(values[1].toStdString()) : std::nullopt;
         if (!frame || !ease || track.keys.size() >= maxParts) return false;
         Stored::Key next;
         next.frame = *frame;
@@ -180,7 +155,7 @@ bool AnimationLines::readLook(const QByteArrayList& values) {
     }
     if (values.size() != 2) return false;
     if (what == "colour-by") {
-        const auto colourBy = colourByNamed(values[1]);
+        const auto colourBy = ifs::named<attractor::ColourBy>(values[1].toStdString());
         look.colourBy = colourBy.value_or(look.colourBy);
         return colourBy.has_value();
     }

@@ -2,11 +2,13 @@
 #pragma once
 
 #include "animation/animation.h"
+#include "ifs/names.h"
 #include "io/fractint/space_comments.h"
 
 #include <QByteArray>
 #include <QByteArrayList>
 
+#include <array>
 #include <optional>
 #include <string>
 #include <vector>
@@ -78,7 +80,15 @@ private:
 };
 
 // As the lines name it.
-const char* nameOf(animation::Loop loop);
-const char* nameOf(animation::Ease::Kind kind);
 
 } // namespace io
+
+template <>
+inline constexpr auto ifs::names<io::AnimationLines::Stored::Track::Of> =
+    std::to_array<ifs::Named<io::AnimationLines::Stored::Track::Of>>({
+        {io::AnimationLines::Stored::Track::Of::Cage, "cage"},
+        {io::AnimationLines::Stored::Track::Of::Map, "map"},
+        {io::AnimationLines::Stored::Track::Of::Branch, "branch"},
+        {io::AnimationLines::Stored::Track::Of::Look, "look"},
+        {io::AnimationLines::Stored::Track::Of::Camera, "camera"},
+    });

@@ -116,7 +116,8 @@ QByteArrayList paletteLines(const attractor::Palette& palette) {
 QByteArrayList appearanceLines(const attractor::Appearance& appearance) {
     const attractor::Appearance standard;
     QByteArrayList lines;
-    if (appearance.colourBy != standard.colourBy) lines << line("colour-by", nameOf(appearance.colourBy));
+    if (appearance.colourBy != standard.colourBy)
+        lines << line("colour-by", ifs::nameOf(appearance.colourBy));
     if (!(appearance.palette == standard.palette)) lines << paletteLines(appearance.palette);
     if (!(appearance.plain == standard.plain)) lines << line("plain", colourText(appearance.plain));
     if (!(appearance.background == standard.background))
@@ -255,7 +256,7 @@ bool MetadataComments::readSetting(const QByteArray& key, const QByteArrayList& 
         return true;
     }
     if (key == "colour-by") {
-        const auto colourBy = colourByNamed(values[0]);
+        const auto colourBy = ifs::named<attractor::ColourBy>(values[0].toStdString());
         m_appearance.colourBy = colourBy.value_or(m_appearance.colourBy);
         return colourBy.has_value();
     }

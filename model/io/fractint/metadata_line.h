@@ -22,9 +22,6 @@ QByteArrayList metadataLines(const char* key, const QByteArrayList& values);
 // A value of such a line.
 std::optional<double> metadataNumber(const QByteArray& value);
 
-const char* nameOf(attractor::ColourBy colourBy);
-std::optional<attractor::ColourBy> colourByNamed(const QByteArray& name);
-
 // A text that is written after this key: one line, no blanks at its ends, short enough.
 std::string storableText(const char* key, const std::string& text);
 

@@ -4,11 +4,8 @@
 #include "io/fractint/metadata_line.h"
 #include "io/text/number.h"
 
-#include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
-#include <utility>
 
 namespace io {
 
@@ -17,35 +14,8 @@ namespace {
 using attractor::LookInSpace;
 using attractor::SolidColour;
 
-constexpr std::array<std::pair<LookInSpace, const char*>, 6> lookNames{{
-    {LookInSpace::Stone, "stone"},
-    {LookInSpace::Ink, "ink"},
-    {LookInSpace::Cloud, "cloud"},
-    {LookInSpace::XRay, "x-ray"},
-    {LookInSpace::Depth, "depth"},
-    {LookInSpace::Normals, "normals"},
-}};
-
-constexpr std::array<std::pair<SolidColour, const char*>, 5> colourNames{{
-    {SolidColour::Plain, "none"},
-    {SolidColour::Map, "map"},
-    {SolidColour::Address, "address"},
-    {SolidColour::Height, "height"},
-    {SolidColour::Depth, "depth"},
-}};
-
 constexpr const char* open = "-"; // a side of the clip without a plane
 constexpr double infinite = std::numeric_limits<double>::infinity();
-
-template <class Names, class Value> const char* nameIn(const Names& names, Value value) {
-    const auto found = std::ranges::find(names, value, &Names::value_type::first);
-    return found == names.end() ? "" : found->second;
-}
-
-template <class Value, class Names> std::optional<Value> valueIn(const Names& names, const QByteArray& name) {
-    const auto found = std::ranges::find_if(names, [&](const auto& entry) { return name == entry.second; });
-    return found == names.end() ? std::nullopt : std::optional<Value>(found->first);
-}
 
 QByteArray bound(double value) {
     return std::isfinite(value) ? formatNumber(value) : QByteArray(open);
@@ -53,30 +23,14 @@ QByteArray bound(double value) {
 
 } // namespace
 
-const char* nameOf(LookInSpace look) {
-    return nameIn(lookNames, look);
-}
-
-std::optional<LookInSpace> lookInSpaceNamed(const QByteArray& name) {
-    return valueIn<LookInSpace>(lookNames, name);
-}
-
-const char* nameOf(SolidColour colour) {
-    return nameIn(colourNames, colour);
-}
-
-std::optional<SolidColour> solidColourNamed(const QByteArray& name) {
-    return valueIn<SolidColour>(colourNames, name);
-}
-
 QByteArrayList spaceComments(const attractor::SpaceAppearance& appearance, const QByteArray& before) {
     const attractor::SpaceAppearance standard;
     QByteArrayList lines;
     const auto add = [&](const char* key, const QByteArrayList& values) {
         lines << metadataLines(before + key, values);
     };
-    if (appearance.look != standard.look) add("space-look", {nameOf(appearance.look)});
-    if (appearance.colourBy) add("solid-colour", {nameOf(*appearance.colourBy)});
+    if (appearance.look != standard.look) add("space-look", {ifs::nameOf(appearance.look)});
+    if (appearance.colourBy) add("solid-colour", {ifs::nameOf(*appearance.colourBy)});
     if (appearance.lightAzimuth != standard.lightAzimuth ||
         appearance.lightElevation != standard.lightElevation)
         add("light", {formatNumber(appearance.lightAzimuth), formatNumber(appearance.lightElevation)});
@@ -94,12 +48,12 @@ QByteArrayList spaceComments(const attractor::SpaceAppearance& appearance, const
 bool SpaceComments::read(const QByteArray& key, const QByteArrayList& values) {
     if (values.isEmpty()) return false;
     if (key == "space-look") {
-        const auto look = lookInSpaceNamed(values[0]);
+        const auto look = ifs::named<LookInSpace>(values[0].toStdString());
         m_appearance.look = look.value_or(m_appearance.look);
         return look && values.size() == 1;
     }
     if (key == "solid-colour") {
-        const auto colour = solidColourNamed(values[0]);
+        const auto colour = ifs::named<SolidColour>(values[0].toStdString());
         if (colour) m_appearance.colourBy = colour;
         return colour && values.size() == 1;
     }

@@ -12,12 +12,6 @@
 // How an entry in space is shown, in comment lines. docs/formats.md, "Our own lines".
 namespace io {
 
-// The names of looks and colours that files and the command line use.
-const char* nameOf(attractor::LookInSpace look);
-std::optional<attractor::LookInSpace> lookInSpaceNamed(const QByteArray& name);
-const char* nameOf(attractor::SolidColour colour);
-std::optional<attractor::SolidColour> solidColourNamed(const QByteArray& name);
-
 // None where everything is as in a new entry. `before` is put before the key of every line.
 QByteArrayList spaceComments(const attractor::SpaceAppearance& appearance, const QByteArray& before = {});
 

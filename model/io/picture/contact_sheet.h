@@ -2,6 +2,7 @@
 #pragma once
 
 #include "document/fractal/fractal.h"
+#include "ifs/names.h"
 #include "io/picture/png_export.h"
 
 #include <QList>
@@ -9,6 +10,7 @@
 #include <QSize>
 #include <QString>
 
+#include <array>
 #include <memory>
 
 namespace io {
@@ -45,3 +47,10 @@ ExportOutcome exportSheetPdf(const ContactSheet& sheet, const QPageSize& page, c
                              const Progress& progress = {}, const std::stop_token& stop = {});
 
 } // namespace io
+
+template <>
+inline constexpr auto
+    ifs::names<io::ContactSheet::Paper> = std::to_array<ifs::Named<io::ContactSheet::Paper>>({
+        {io::ContactSheet::Paper::Dark, "dark"},
+        {io::ContactSheet::Paper::Light, "light"},
+    });

@@ -467,7 +467,7 @@ void writeAnimation(JsonWriter& json, const document::Fractal& fractal) {
     json.member("fps", QStringLiteral("%1/%2").arg(facts->rate.frames).arg(facts->rate.seconds));
     json.key("frames");
     json.value(facts->length);
-    json.member("loop", QString::fromLatin1(nameOf(facts->loop)));
+    json.member("loop", QString::fromLatin1(ifs::nameOf(facts->loop)));
     json.key("tracks");
     json.value(facts->tracks);
     json.endObject();

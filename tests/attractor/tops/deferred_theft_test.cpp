@@ -160,14 +160,14 @@ private slots:
     void patternsAreNamedAndDiffer() {
         std::vector<double> middles;
         for (const attractor::Pattern pattern : attractor::patterns) {
-            QCOMPARE(attractor::patternNamed(attractor::nameOf(pattern)), std::optional(pattern));
+            QCOMPARE(ifs::named<attractor::Pattern>(ifs::nameOf(pattern)), std::optional(pattern));
             const auto picture = attractor::picture(pattern, 32);
             QCOMPARE(picture.width(), 32);
             middles.push_back(picture.at(16, 16, 1024).red);
         }
         std::ranges::sort(middles);
         QVERIFY(std::ranges::adjacent_find(middles) == middles.end());
-        QVERIFY(!attractor::patternNamed("no such"));
+        QVERIFY(!ifs::named<attractor::Pattern>("no such"));
     }
 };
 

@@ -3,6 +3,7 @@
 
 #include "attractor/request/camera.h"
 #include "document/fractal/fractal.h"
+#include "ifs/names.h"
 #include "io/file/save_file.h"
 #include "io/overlay/cage_overlay.h"
 #include "io/overlay/picture_overlay.h"
@@ -10,6 +11,7 @@
 
 #include <QByteArray>
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <stop_token>
@@ -63,3 +65,10 @@ SvgPicture svgPicture(const document::Fractal& fractal, const attractor::Camera&
 QByteArray structuredSvg(const document::Fractal& fractal, const attractor::Camera& camera);
 
 } // namespace io
+
+template <>
+inline constexpr auto ifs::names<io::ShapeStyle> = std::to_array<ifs::Named<io::ShapeStyle>>({
+    {io::ShapeStyle::Structured, "structured"},
+    {io::ShapeStyle::Outline, "outline"},
+    {io::ShapeStyle::Points, "points"},
+});
