@@ -212,9 +212,12 @@ void addSearchOptions(Command& command, CollageArguments& arguments) {
     search
         .add("--angles", "60|90", parsed(&arguments.angles, angleArgument),
              "Maps rotate only by multiples of this many degrees", "any")
+        .moreOf("The rotation of a map is that of its polar decomposition.")
         .completedBy(Completion::Kind::Words, {"60", "90"});
-    search.flag("--stem", &arguments.stem,
-                "The first map flattens the shape to a line, like the stem of a fern");
+    search
+        .flag("--stem", &arguments.stem,
+              "The first map flattens the shape to a line, like the stem of a fern")
+        .moreOf("It is free of the other constraints.");
     addThreadsOption(search, arguments.threads).description =
         "Threads, 1 to 1024; never changes the result of --starts";
 }
@@ -225,6 +228,9 @@ Command collageCommand() {
     auto arguments = std::make_shared<CollageArguments>();
     Command command("collage", "Find a system whose attractor looks like a picture",
                     "collage PICTURE -o OUT.ifs [OPTION]...");
+    command.more = "The shape consists of the opaque pixels if the picture has transparent ones, "
+                   "otherwise of the dark pixels. In the system, the height of the picture is 1, y is "
+                   "up, and the middle of the picture is the origin.";
     const OptionGroup files = command.group("Files");
     files
         .argument("PICTURE", &arguments->picture,
@@ -235,10 +241,17 @@ Command collageCommand() {
         .fileName()
         .required();
     files.add("--report", "R.json", &arguments->report, "Write how well it fits, in pixels of the picture")
+        .moreOf("mean, p95 and iou compare the shape with the attractor, hausdorff with its collage; "
+                "overlap is the area of all images of the shape together, divided by the area that "
+                "they cover; no point of the shape or the attractor is farther from the other than "
+                "bound; starts is the number of random starts.")
         .completedBy(Completion::Kind::Files, {"json"});
     const OptionGroup shape = command.group("Shape");
-    shape.add("--threshold", "T", parsed(&arguments->threshold, integerFrom(0, 255)),
-              "Grey level from 0 to 255 up to which a pixel is dark and belongs to the shape", "Otsu's");
+    shape
+        .add("--threshold", "T", parsed(&arguments->threshold, integerFrom(0, 255)),
+             "Grey level from 0 to 255 up to which a pixel is dark and belongs to the shape", "Otsu's")
+        .moreOf("Of a picture with transparent pixels, 255 minus the opacity counts instead of the "
+                "grey level, and the threshold is 127 by default.");
     shape.flag("--invert", &arguments->invert, "Trace the light or transparent part instead");
     addSearchOptions(command, *arguments);
     addVerbosityOptions(command, arguments->verbosity);

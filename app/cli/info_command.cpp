@@ -171,22 +171,32 @@ Command infoCommand() {
         .required();
     addEntriesOption(command, arguments->entries);
     const OptionGroup output = command.group("Output");
-    output.flag("--json", &arguments->json, "Print one JSON object at full precision").excludes("--names");
-    output.flag("--names", &arguments->names, "Print only the names, one per line").excludes("--list");
-    output.flag("--list", &arguments->list, "Print only the number, dimension, maps and name of each entry");
+    output.flag("--json", &arguments->json, "Print one JSON object at full precision")
+        .moreOf("Its schema is info.schema.json in the documentation.")
+        .excludes("--names");
+    output.flag("--names", &arguments->names, "Print only the names, one per line")
+        .moreOf("Control characters in them are replaced; each name can be used as printed.")
+        .excludes("--list");
+    output.flag("--list", &arguments->list, "Print only the number, dimension, maps and name of each entry")
+        .moreOf("With --json, the same as an object.");
     const OptionGroup properties = command.group("Properties");
     properties.add("--frame", "F", parsed(&arguments->frame, momentArgument),
                    "The moment of an animation in frames, counted from 0, such as 12, 12.5 or 25/2",
                    "the entry at rest");
-    properties.add("--hull-tolerance", "LENGTH", parsed(&arguments->hullTolerance, positiveArgument),
-                   "Tolerance of the convex hull, in the system's units", "1e-6 of the diagonal");
+    properties
+        .add("--hull-tolerance", "LENGTH", parsed(&arguments->hullTolerance, positiveArgument),
+             "Tolerance of the convex hull, in the system's units", "1e-6 of the diagonal")
+        .moreOf("A warning is printed where it is not reached.");
     properties
         .add("--budget", "SECONDS", parsed(&arguments->budget, budgetArgument),
              "Processor time for each property that can take long, with three times as much for an entry and "
              "30 times for all, or none for no limit",
              "1")
+        .moreOf("A property that would take longer is reported as not computed within the budget; in "
+                "JSON it is null, and listed as out_of_time.")
         .completedBy(Completion::Kind::Words, {"1", "10", "none"});
-    properties.flag("--no-dimension", &arguments->noDimension, "Leave out the affinity dimension");
+    properties.flag("--no-dimension", &arguments->noDimension, "Leave out the affinity dimension")
+        .moreOf("It takes longest.");
     addVerbosityOptions(command, arguments->verbosity);
     command.run = [arguments] { return info(*arguments); };
     return command;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "options/commands.h"
+#include "options/describe.h"
 #include "options/help.h"
 #include "options/parser.h"
 #include "options/tr.h"
@@ -28,6 +29,10 @@ ExitStatus answer(const cli::Program& program, const cli::Call& call) {
 }
 
 ExitStatus call(const cli::Program& program, const std::vector<std::string>& words) {
+    if (words.size() == 2 && words.front() == "--describe") {
+        const std::string text = cli::describe(program, words.back());
+        return cli::writeOutput(QStringLiteral("-"), QByteArray::fromStdString(text));
+    }
     const cli::Call call = cli::parse(program, words);
     return call.question != cli::Question::None ? answer(program, call) : call.command->run();
 }

@@ -143,6 +143,10 @@ Command morphCommand() {
     auto arguments = std::make_shared<MorphArguments>();
     Command command("morph", "Write an entry whose animation turns one entry into another",
                     "morph FILE --from A --to B -o OUT.ifs [OPTION]...");
+    command.more = "The entry has one map for each pair of an optimal transport between the weights. At "
+                   "frame 0 its attractor and measure are those of the first entry, at the last frame "
+                   "those of the second. In between, no map has a larger contraction factor than at the "
+                   "worse end. Their own animations and moved branches are not part of it.";
     const OptionGroup files = command.group("Files");
     files.argument("FILE", &arguments->file, "Collection with both entries; - for standard input").required();
     files.add("-o,--output", "OUT.ifs", &arguments->output, "File to write; - for standard output")

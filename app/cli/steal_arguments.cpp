@@ -112,16 +112,21 @@ void addPictureOptions(Command& command, StealArguments& arguments) {
     group
         .add("--picture", "PICTURE", &arguments.picture,
              "Picture on the second entry: PNG, JPEG, WebP, TIFF, OpenEXR, GIF, BMP or PNM")
+        .moreOf("It has up to 32 million pixels.")
         .completedBy(Completion::Kind::Files)
         .fileName();
-    group.add("--picture-view", "CX,CY,HEIGHT", parsed(&arguments.pictureView, viewArgument),
-              "What the picture shows of the second entry", "all of it, with a margin of 5 %");
+    group
+        .add("--picture-view", "CX,CY,HEIGHT", parsed(&arguments.pictureView, viewArgument),
+             "What the picture shows of the second entry", "all of it, with a margin of 5 %")
+        .moreOf("No colours are taken from outside it.");
     addSizeOption(group, arguments.shown.size);
     group.add("--view", "CX,CY,HEIGHT", parsed(&arguments.shown.view, planeViewArgument),
               "Centre and height of the view", "all of the fractal");
     addBackgroundOption(group, arguments.shown.background);
-    group.flag("--exact", &arguments.isExact,
-               "Go through all addresses down to the pixels instead of drawing samples");
+    group
+        .flag("--exact", &arguments.isExact,
+              "Go through all addresses down to the pixels instead of drawing samples")
+        .moreOf("No pixel is missed.");
     group.add("--points", "N", parsed(&arguments.shown.points, countFrom(1, attractor::KeyTops::maxPoints)),
               "Samples, up to 4.29e9, such as 250000, 1e9 or 2G", "100 per pixel, at least 1M");
     addSeedOption(group, arguments.shown.seed);
@@ -155,12 +160,29 @@ void addStealOptions(Command& command, StealArguments& arguments) {
     group
         .add("--mode", "MODE", parsed(&arguments.mode, modeArgument),
              "steal, transform, grid, reduce or posterise, as in the window", "steal")
+        .moreOf("steal: as a picture of the second entry would show it; transform: over the box of "
+                "that entry; grid: a grid in place of the picture; reduce or posterise: through the "
+                "first entry and back with fewer pixels or shades.")
         .completedBy(Completion::Kind::Words, wordsOf(ifs::names<document::TheftMode>));
-    group.add("--map", "POINTS", parsed(&arguments.map, pointListArgument),
-              "Print where these points of the first entry go, and their addresses: \"x,y x,y …\"");
-    group.add("--tear", "EPS", parsed(&arguments.tear, positiveArgument),
-              "Print how far neighbouring points are torn apart, at the resolution EPS");
-    group.flag("--json", &arguments.isJson, "Print JSON, one line for each point");
+    group
+        .add("--map", "POINTS", parsed(&arguments.map, pointListArgument),
+             "Print where these points of the first entry go, and their addresses: \"x,y x,y …\"")
+        .moreOf("Nothing is drawn. Addresses have up to 40 maps, or as many as double precision "
+                "determines; they have a digit for each map, or numbers with spaces between them "
+                "where a map has a number above 9. A point is replaced by the nearest point of the "
+                "attractor, within 1e-9 of the size of the attractor; a point farther away is an "
+                "error, and the command continues.");
+    group
+        .add("--tear", "EPS", parsed(&arguments.tear, positiveArgument),
+             "Print how far neighbouring points are torn apart, at the resolution EPS")
+        .moreOf("Nothing is drawn. Prints the largest diameter of the images of two pieces of the "
+                "first entry whose size is at most EPS and whose distance is no larger: no jump "
+                "between such pieces is larger. Also prints where, and whether the transformation is "
+                "a homeomorphism, where that is proved.");
+    group.flag("--json", &arguments.isJson, "Print JSON, one line for each point")
+        .moreOf("Of a point {\"point\": [x, y], \"address\": \"1232...\", \"image\": [x, y]}, of the tear "
+                "{\"tear\": t, \"at\": [[x, y], [x, y]], \"homeomorphism\": true|false|null}. Unknown "
+                "values are null.");
     addPictureOptions(command, arguments);
     addVerbosityOptions(command, arguments.shown.verbosity);
 }

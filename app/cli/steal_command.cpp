@@ -397,6 +397,13 @@ Command stealCommand() {
     auto arguments = std::make_shared<StealArguments>();
     Command command("steal", "Paint an entry with the colours of a picture on another entry",
                     "steal FILE --entry F [--from G --picture PICTURE] -o OUT.png [OPTION]...");
+    command.more = "Every point of the attractor of one entry has the colour of the point of another "
+                   "with the same address, on which the picture lies; if a point has several addresses, "
+                   "the one on top counts. Both entries must have the same number of active maps; the "
+                   "k-th of one corresponds to the k-th of the other. Cages are applied; moved branches "
+                   "are not. The picture shows the second entry as render would show it in a picture of "
+                   "its size: its certified bounding box, with its proportions and a margin of at least "
+                   "5 % on each side.";
     addStealOptions(command, *arguments);
     command.run = [arguments] { return steal(*arguments); };
     return command;

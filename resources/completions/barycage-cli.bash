@@ -84,25 +84,235 @@ _barycage_cli_offer() {
   done
 }
 
-# The first word that is neither an option nor the value of one.
+# Written by barycage-cli --describe bash; ./dev describe renews it.
+_barycage_cli_commands=(info render convert gallery animate encode morph merge collage steal)
+
+# Sets `options`: those of the command $1.
+_barycage_cli_options_of() {
+  case $1 in
+    info)
+      options=(--help --entry --json --names --list --frame --hull-tolerance --budget --no-dimension --progress --quiet)
+      ;;
+    render)
+      options=(--help --output --entry --size --margin --view --view-rotation --y-down --orbit --perspective --look --light --fog --slice --stereo --points --supersample --seed --threads --simd --palette --colour --color --gamma --brightness --contrast --vibrancy --background --bits --dpi --cage --rest-cage --frame --algorithm --iterations --part --band --resume --time-limit --memory-limit --to --svg --depth --quality --overlay --legend --list-palettes --dry-run --progress --quiet)
+      ;;
+    convert)
+      options=(--help --entry --to --overwrite --bake --strict --y-as-written --columns --in-columns --points --seed --voxel --resolution --wall --fill --longest --lift --flatten --symmetry --expand --progress --quiet)
+      ;;
+    gallery)
+      options=(--help --output --entry --palette --colour --color --title --columns --page --tile --paper --progress --quiet)
+      ;;
+    animate)
+      options=(--help --output --entry --frames --chunk --existing --fps --shutter --exposure --size --margin --view --view-rotation --y-down --orbit --perspective --look --light --fog --slice --stereo --points --supersample --seed --threads --simd --palette --colour --color --gamma --brightness --contrast --vibrancy --background --bits --dpi --progress --quiet)
+      ;;
+    encode)
+      options=(--help --output --frames --dry-run --fps --progress --quiet)
+      ;;
+    morph)
+      options=(--help --output --from --to --length --pin --progress --quiet)
+      ;;
+    merge)
+      options=(--help --output --quality --threads --progress --quiet)
+      ;;
+    collage)
+      options=(--help --output --report --threshold --invert --maps --seconds --starts --seed --similarities --no-mirrors --angles --stem --threads --progress --quiet)
+      ;;
+    steal)
+      options=(--help --output --entry --from --from-file --order --mode --map --tear --json --picture --picture-view --size --view --background --exact --points --seed --threads --simd --progress --quiet)
+      ;;
+    *) options=() ;;
+  esac
+}
+
+# Sets `kind` of what completes the value of $2, an option of the command $1, and `choices` of words. Fails where
+# there is no value.
+_barycage_cli_value_of() {
+  choices=()
+  case "$1 $2" in
+    'info --entry' | \
+      'render --entry' | \
+      'convert --entry' | \
+      'gallery --entry' | \
+      'animate --entry' | \
+      'morph --from' | \
+      'morph --to' | \
+      'steal --entry' | \
+      'steal --from') kind=entries ;;
+    'info --frame' | \
+      'info --hull-tolerance' | \
+      'render --size' | \
+      'render --margin' | \
+      'render --view' | \
+      'render --view-rotation' | \
+      'render --orbit' | \
+      'render --perspective' | \
+      'render --light' | \
+      'render --fog' | \
+      'render --slice' | \
+      'render --points' | \
+      'render --seed' | \
+      'render -j' | \
+      'render --threads' | \
+      'render --gamma' | \
+      'render --brightness' | \
+      'render --contrast' | \
+      'render --vibrancy' | \
+      'render --dpi' | \
+      'render --cage' | \
+      'render --frame' | \
+      'render --iterations' | \
+      'render --part' | \
+      'render --band' | \
+      'render --time-limit' | \
+      'render --memory-limit' | \
+      'render --depth' | \
+      'render --quality' | \
+      'convert --points' | \
+      'convert --seed' | \
+      'convert --voxel' | \
+      'convert --resolution' | \
+      'convert --wall' | \
+      'convert --longest' | \
+      'convert --flatten' | \
+      'gallery --title' | \
+      'gallery --columns' | \
+      'gallery --tile' | \
+      'animate --frames' | \
+      'animate --chunk' | \
+      'animate --fps' | \
+      'animate --shutter' | \
+      'animate --size' | \
+      'animate --margin' | \
+      'animate --view' | \
+      'animate --view-rotation' | \
+      'animate --orbit' | \
+      'animate --perspective' | \
+      'animate --light' | \
+      'animate --fog' | \
+      'animate --slice' | \
+      'animate --points' | \
+      'animate --seed' | \
+      'animate -j' | \
+      'animate --threads' | \
+      'animate --gamma' | \
+      'animate --brightness' | \
+      'animate --contrast' | \
+      'animate --vibrancy' | \
+      'animate --dpi' | \
+      'encode --fps' | \
+      'morph --length' | \
+      'morph --pin' | \
+      'merge --quality' | \
+      'merge -j' | \
+      'merge --threads' | \
+      'collage --threshold' | \
+      'collage --maps' | \
+      'collage --seconds' | \
+      'collage --starts' | \
+      'collage --seed' | \
+      'collage -j' | \
+      'collage --threads' | \
+      'steal --order' | \
+      'steal --map' | \
+      'steal --tear' | \
+      'steal --picture-view' | \
+      'steal --size' | \
+      'steal --view' | \
+      'steal --points' | \
+      'steal --seed' | \
+      'steal -j' | \
+      'steal --threads') kind=nothing ;;
+    'info --budget') kind=words choices=(1 10 none) ;;
+    'info --progress' | \
+      'render --progress' | \
+      'convert --progress' | \
+      'gallery --progress' | \
+      'animate --progress' | \
+      'encode --progress' | \
+      'morph --progress' | \
+      'merge --progress' | \
+      'collage --progress' | \
+      'steal --progress') kind=words choices=(always never auto) ;;
+    'render -o' | \
+      'render --output' | \
+      'render --resume' | \
+      'gallery -o' | \
+      'gallery --output' | \
+      'animate -o' | \
+      'animate --output' | \
+      'encode -o' | \
+      'encode --output' | \
+      'morph -o' | \
+      'morph --output' | \
+      'merge -o' | \
+      'merge --output' | \
+      'collage -o' | \
+      'collage --output' | \
+      'collage --report' | \
+      'steal -o' | \
+      'steal --output' | \
+      'steal --from-file' | \
+      'steal --picture') kind=files ;;
+    'render --look' | \
+      'animate --look') kind=words choices=(stone ink cloud x-ray depth normals) ;;
+    'render --stereo' | \
+      'animate --stereo') kind=words choices=(side-by-side anaglyph) ;;
+    'render --supersample' | \
+      'animate --supersample') kind=words choices=(1 2 3 4) ;;
+    'render --simd' | \
+      'animate --simd' | \
+      'steal --simd') kind=words choices=(scalar sse4 avx2 avx512 neon) ;;
+    'render --palette' | \
+      'gallery --palette' | \
+      'animate --palette') kind=palettes ;;
+    'render --colour' | \
+      'render --color' | \
+      'animate --colour' | \
+      'animate --color') kind=words choices=(density map address blend height depth none) ;;
+    'render --background' | \
+      'animate --background' | \
+      'steal --background') kind=words choices=(transparent black white) ;;
+    'render --bits' | \
+      'animate --bits') kind=words choices=(8 16 32) ;;
+    'render --rest-cage') kind=words choices=(canonical box rectangle octahedron hull) ;;
+    'render --algorithm') kind=words choices=(density chaos-game deterministic) ;;
+    'render --to') kind=words choices=(png jpg webp tiff exr svg pdf) ;;
+    'render --svg') kind=words choices=(structured outline points) ;;
+    'render --overlay') kind=words choices=(maps hull cage fixed-points numbers) ;;
+    'convert --to') kind=words choices=(fractint flame aifs tex csv tsv ply pdf stl obj glb scad) ;;
+    'convert --columns' | \
+      'convert --in-columns') kind=words choices=(abcdefp abecdfp acbdefp pabcdef) ;;
+    'convert --lift') kind=words choices=(auto) ;;
+    'convert --symmetry') kind=words choices=(none mirror c2 c3 c4 c5 c6 c7 c8 c9 c10 c11 c12 c13 c14 c15 c16 c17 c18 c19 c20 c21 c22 c23 c24 d2 d3 d4 d5 d6 d7 d8 d9 d10 d11 d12 d13 d14 d15 d16 d17 d18 d19 d20 d21 d22 d23 d24 tetrahedral octahedral icosahedral) ;;
+    'gallery --colour' | \
+      'gallery --color') kind=words choices=(density map address blend none) ;;
+    'gallery --page') kind=words choices=(A3 A4 A5 letter legal) ;;
+    'gallery --paper') kind=words choices=(dark light) ;;
+    'animate --existing') kind=words choices=(skip replace fail) ;;
+    'animate --exposure') kind=words choices=(fixed smooth each) ;;
+    'encode --frames') kind=words choices=(all) ;;
+    'collage --angles') kind=words choices=(60 90) ;;
+    'steal --mode') kind=words choices=(steal transform grid reduce posterise) ;;
+    *) return 1 ;;
+  esac
+}
+# What is written ends here.
+
+# The first word behind the command that is neither an option nor the value of one.
 _barycage_cli_file() {
-  local word skip=
+  local word skip= kind choices
   file=
   for word; do
     if [[ -n $skip ]]; then
       skip=
-      continue
+    elif [[ $word == -- ]]; then
+      :
+    elif [[ $word == -* ]]; then
+      ! _barycage_cli_value_of "${line[1]}" "$word" || skip=1
+    else
+      file=$word
+      return
     fi
-    case $word in
-      --json | --names | --list | --no-dimension | --bake | --strict | --overwrite | --fill | --y-as-written | --y-down | \
-        --list-palettes | --dry-run | --quiet | --help | -q | -h | --*=* | -[oj]?*) ;;
-      --) ;;
-      --* | -[oj]) skip=1 ;;
-      *)
-        file=$word
-        return
-        ;;
-    esac
   done
 }
 
@@ -115,81 +325,22 @@ _barycage_cli_names() {
   _barycage_cli_offer "${names[@]/#/"$1"}"
 }
 
-_barycage_cli_options() {
-  local options=
-  case ${line[1]} in
-    info) options="--entry --frame --json --list --names --hull-tolerance --budget --no-dimension --progress --quiet --help" ;;
-    render) options="--output --entry --frame --size --points --seed --margin --cage --rest-cage --view --view-rotation --orbit --perspective --look --light --fog --slice --stereo --y-down --palette --list-palettes --colour --color
-      --gamma --brightness --contrast --vibrancy --background --algorithm --iterations --part --band --resume --dry-run --time-limit --memory-limit --supersample --threads --svg --depth --bits --quality --dpi --overlay --legend --simd
-      --to --progress --quiet --help" ;;
-    convert) options="--entry --overwrite --bake --strict --to --columns --in-columns --points --seed --voxel --resolution --wall --fill --longest --lift --flatten --symmetry --expand --y-as-written
-      --progress --quiet --help" ;;
-    animate) options="--output --entry --frames --chunk --existing --fps --shutter --exposure --size --points --seed --margin --view --view-rotation --orbit --perspective --look --light --fog --slice --stereo --y-down
-      --palette --colour --color --gamma --brightness --contrast --vibrancy --background --supersample --threads --bits --dpi --simd
-      --progress --quiet --help" ;;
-    encode) options="--output --frames --fps --dry-run --progress --quiet --help" ;;
-    collage) options="--output --report --threshold --invert --maps --seconds --starts --seed --similarities --no-mirrors --angles --stem --threads --progress --quiet --help" ;;
-    morph) options="--output --from --to --length --pin --progress --quiet --help" ;;
-    steal) options="--output --entry --from --from-file --order --mode --map --tear --json --picture --picture-view --size --view --background --exact
-      --points --seed --threads --simd --progress --quiet --help" ;;
-    merge) options="--output --quality --threads --progress --quiet --help" ;;
-    gallery) options="--output --entry --palette --colour --color --columns --tile --paper --page --title --progress --quiet --help" ;;
-  esac
-  local IFS=$' \n'
-  _barycage_cli_offer $options
-}
-
+# Completes the value of the option $1, which $2 stands before in the same word.
 _barycage_cli_value() {
-  case $1 in
-    --entry | --from) _barycage_cli_names "$2" ;;
-    --colour | --color) _barycage_cli_offer "$2"{density,map,address,blend,height,depth,none} ;;
-    --algorithm) _barycage_cli_offer "$2"{density,chaos-game,deterministic} ;;
-    --look) _barycage_cli_offer "$2"{stone,ink,cloud,x-ray,depth,normals} ;;
-    --stereo) _barycage_cli_offer "$2"{side-by-side,anaglyph} ;;
-    --svg) _barycage_cli_offer "$2"{structured,outline,points} ;;
-    --bits) _barycage_cli_offer "$2"{8,16,32} ;;
-    --overlay) _barycage_cli_offer "$2"{maps,hull,cage,fixed-points,numbers} ;;
-    --page) _barycage_cli_offer "$2"{A3,A4,A5,letter,legal} ;;
-    --supersample) _barycage_cli_offer "$2"{1,2,3,4} ;;
-    --simd) _barycage_cli_offer "$2"{scalar,sse4,avx2,avx512,neon} ;;
-    --progress) _barycage_cli_offer "$2"{always,never,auto} ;;
-    --rest-cage) _barycage_cli_offer "$2"{canonical,box,rectangle,octahedron,hull,hull:8} ;;
-    --background) _barycage_cli_offer "$2"{transparent,black,white} ;;
-    --to)
-      if [[ ${line[1]} == morph ]]; then
-        _barycage_cli_names "$2"
-      elif [[ ${line[1]} == render ]]; then
-        _barycage_cli_offer "$2"{png,jpg,webp,tiff,exr,svg,pdf}
-      else
-        _barycage_cli_offer "$2"{fractint,flame,aifs,tex,csv,tsv,ply,pdf,stl,obj,glb,scad}
-      fi
+  local kind choices
+  _barycage_cli_value_of "${line[1]}" "$1" || return 1
+  case $kind in
+    entries) _barycage_cli_names "$2" ;;
+    words) _barycage_cli_offer "${choices[@]/#/"$2"}" ;;
+    palettes)
+      mapfile -t choices < <(command barycage-cli render --list-palettes </dev/null 2>/dev/null)
+      _barycage_cli_offer "${choices[@]/#/"$2"}"
+      compopt -o default
       ;;
-    --existing) _barycage_cli_offer "$2"{skip,replace,fail} ;;
-    --paper) _barycage_cli_offer "$2"{dark,light} ;;
-    --columns)
-      [[ ${line[1]} == gallery ]] || _barycage_cli_offer "$2"{abcdefp,abecdfp,acbdefp,pabcdef}
-      ;;
-    --in-columns) _barycage_cli_offer "$2"{abcdefp,abecdfp,acbdefp,pabcdef} ;;
-    --resume | --report | --picture | --from-file) compopt -o default ;;
-    -o | --output)
+    files)
       [[ $typed != - ]] || _barycage_cli_offer -
       compopt -o default
       ;;
-    --palette)
-      local names
-      mapfile -t names < <(command barycage-cli render --list-palettes </dev/null 2>/dev/null)
-      _barycage_cli_offer "${names[@]/#/"$2"}"
-      compopt -o default
-      ;;
-    --lift) _barycage_cli_offer "$2"auto ;;
-    --symmetry) _barycage_cli_offer none mirror c{2..24} d{2..24} tetrahedral octahedral icosahedral ;;
-    --budget) _barycage_cli_offer "$2"{1,10,none} ;;
-    --mode) _barycage_cli_offer steal transform grid reduce posterise ;;
-    --size | --points | --seed | --margin | --cage | --view | --view-rotation | --orbit | --perspective | --light | --fog | --slice | --gamma | --brightness | --contrast | --vibrancy | --iterations | --part | --band | --threads | -j | \
-      --depth | --dpi | --hull-tolerance | --tile | --title | --voxel | --resolution | --wall | --longest | --flatten | --frame | --frames | --chunk | --length | --pin | \
-      --threshold | --maps | --seconds | --starts | --picture-view | --order | --map | --tear | \
-      --time-limit | --memory-limit) ;;
-    *) return 1 ;;
   esac
 }
 
@@ -209,15 +360,17 @@ _barycage_cli() {
   [[ -z $active && $typed == "$kept"* ]] || return 0
 
   if ((current == 1)); then
-    _barycage_cli_offer info render animate encode morph collage convert gallery merge steal help --version --help
+    _barycage_cli_offer "${_barycage_cli_commands[@]}" help --version --help
   elif ((current == 2)) && [[ ${line[1]} == help ]]; then
-    _barycage_cli_offer info render animate encode morph collage convert gallery merge steal
+    _barycage_cli_offer "${_barycage_cli_commands[@]}"
   elif [[ $typed == --*=* ]]; then
     _barycage_cli_value "${typed%%=*}" "${typed%%=*}="
   elif _barycage_cli_value "${line[current - 1]}"; then
     :
   elif [[ $typed == -* ]]; then
-    _barycage_cli_options
+    local options
+    _barycage_cli_options_of "${line[1]}"
+    _barycage_cli_offer "${options[@]}"
   else
     compopt -o default
   fi

@@ -52,17 +52,23 @@ void addAnimateOptions(Command& command, AnimateArguments& arguments) {
         .add("-o,--output", "OUT", &arguments.picture.output,
              "Pictures to write, such as NAME.####.png: #### is the number of the frame plus 1, with "
              "leading zeros; or a video: .mp4, .webm, .mkv (lossless), .gif, .webp or .apng")
+        .moreOf("A folder that does not exist is created. Videos are .mp4 (H.264), .webm (VP9, with "
+                "transparency), .mkv (FFV1, lossless), .gif (one palette for all frames), .webp and "
+                ".apng (both lossless). A video contains the entry, and Barycage can open it again as "
+                "an animation.")
         .completedBy(Completion::Kind::Files, {"png", "mp4", "webm", "mkv", "gif", "webp", "apng"})
         .is(Work)
         .fileName()
         .required();
-    addEntriesOption(command, arguments.picture.entries, "the first with an animation").description =
-        "The entry: its name, or #NUMBER";
+    addEntriesOption(command, arguments.picture.entries, "the first with an animation")
+        .is(Work) // a request holds the entry itself
+        .description = "The entry: its name, or #NUMBER";
     const OptionGroup frames = command.group("Frames");
     frames
         .add("--frames", "LIST", parsed(&arguments.ranges, rangesArgument),
              "Only these numbers of files, counted from 1: a-b, every x-th with a-bxX, and lists of them",
              "all")
+        .moreOf("A warning is printed if some are after the last frame.")
         .is(Work);
     frames
         .add("--chunk", "I/N", parsed(&arguments.chunk, chunkArgument),
@@ -73,6 +79,7 @@ void addAnimateOptions(Command& command, AnimateArguments& arguments) {
              "What happens to files that exist: skip keeps those that are complete and of the same request, "
              "and replaces the others with a warning; replace replaces all; fail draws nothing",
              "skip; for a video replace")
+        .moreOf("The warning says how many. A video is never skipped.")
         .is(Work);
     frames
         .add("--fps", "R", parsed(&arguments.framesPerSecond, rateArgument),
@@ -89,6 +96,7 @@ void addAnimateOptions(Command& command, AnimateArguments& arguments) {
              "Brightness: smooth follows the whole animation without flicker, fixed is that of frame 0, each "
              "is measured separately for every frame",
              "smooth")
+        .moreOf("Smooth is measured at the keys and half way between them; each is what render does.")
         .is(Picture);
     addFrameOptions(command, arguments.picture);
     command.option("--points").description = "Samples of each frame, such as 250000, 1e9 or 2G";

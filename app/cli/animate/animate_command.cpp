@@ -151,6 +151,11 @@ Command animateCommand() {
     auto arguments = std::make_shared<AnimateArguments>();
     Command command("animate", "Draw the frames of an animation as pictures or as a video",
                     "animate FILE -o OUT [OPTION]...");
+    command.more = "Files count from 1: file K shows frame K - 1. Without a loop, the frames 0 to L are "
+                   "drawn; in a cycle 0 to L - 1, because frame L is frame 0 again; there and back 2L of "
+                   "them. The bytes of a file depend only on the entry, its frame and the options. A "
+                   "file is written completely or not at all and contains a hash of all of these, so the "
+                   "same command finishes interrupted work, and any number of machines can share it.";
     addAnimateOptions(command, *arguments);
     command.run = [arguments] { return animate(*arguments); };
     return command;

@@ -345,6 +345,9 @@ Command encodeCommand() {
     auto arguments = std::make_shared<EncodeArguments>();
     Command command("encode", "Make a video from numbered PNG pictures",
                     "encode NAME.####.png -o OUT [OPTION]...");
+    command.more = "The pictures have one size and no gaps. If they contain an animation, so does the "
+                   "video. The same frames give the same bytes as animate writes. A frame of another "
+                   "animation, or one that was drawn with other options than the newest one, is refused.";
     const OptionGroup files = command.group("Files");
     files
         .argument("NAME.####.png", &arguments->pattern,

@@ -525,17 +525,21 @@ Command convertCommand() {
                "Replace an input file even if the output contains less");
     format.flag("--bake", &arguments->bake, "Bake the cage into the code");
     format.flag("--strict", &arguments->strict, "Write .ifs files that every program can read");
-    format.flag("--y-as-written", &arguments->yAsWritten,
-                "Keep the y of flames as written; their pictures are then upside down");
+    format
+        .flag("--y-as-written", &arguments->yAsWritten,
+              "Keep the y of flames as written; their pictures are then upside down")
+        .moreOf("By default y is flipped, because it points down in flame files.");
     const OptionGroup tables = command.group("Tables");
     const std::vector<std::string> orders{"abcdefp", "abecdfp", "acbdefp", "pabcdef"};
     tables
         .add("--columns", "ORDER", parsed(&arguments->columns, columnsArgument),
              "Order of the columns of the table to write, such as \"a b e c d f p\"", "a b c d e f p")
+        .moreOf("The columns are the letters a to f and p, or r, s, theta, phi, e, f and p.")
         .completedBy(Completion::Kind::Words, orders);
     tables
         .add("--in-columns", "ORDER", parsed(&arguments->inColumns, columnsArgument),
              "Order of the columns in the table to read", "as in its header")
+        .moreOf("It is needed where the header does not name them.")
         .completedBy(Completion::Kind::Words, orders);
     const OptionGroup points = command.group("Points");
     points.add("--points", "N", parsed(&arguments->points, countFrom(1, io::PointCloud::maxPoints)),

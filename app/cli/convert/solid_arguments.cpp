@@ -42,8 +42,10 @@ ifs::Vector<3> directionArgument(const std::string&, const std::string& text) {
 
 void addSolidOptions(Command& command, SolidArguments& arguments) {
     const OptionGroup solids = command.group("Solids");
-    solids.add("--voxel", "H", parsed(&arguments.voxel, positiveArgument),
-               "Size of a voxel in mm: the surface is within √3 H of the attractor", "by --resolution");
+    solids
+        .add("--voxel", "H", parsed(&arguments.voxel, positiveArgument),
+             "Size of a voxel in mm: the surface is within √3 H of the attractor", "by --resolution")
+        .moreOf("In .scad files it is the largest size of a part.");
     solids.add("--resolution", "N",
                parsed(&arguments.resolution, integerFrom(1, io::SolidOptions::maxResolution)),
                "Voxels along the longest side of the solid", "128");

@@ -48,9 +48,15 @@ void addSymmetryOptions(Command& command, SymmetryArguments& arguments) {
              "Make entries symmetric: none, mirror, c2 to c24 (rotation), d2 to d24 (dihedral); in space "
              "also tetrahedral, octahedral, icosahedral. mirror:30 sets the angle of a mirror, c6@1,2 the "
              "centre")
+        .moreOf("Each map also acts rotated or mirrored. The centre is otherwise the origin. In space "
+                "the first four leave z unchanged.")
         .completedBy(Completion::Kind::Words, symmetryWords());
-    group.flag("--expand", &arguments.expand,
-               "Write the plain maps that a symmetry or linked maps stand for, where they exist");
+    group
+        .flag("--expand", &arguments.expand,
+              "Write the plain maps that a symmetry or linked maps stand for, where they exist")
+        .moreOf("This is for programs that support neither. Entries whose linked maps have no plain "
+                "equivalent are omitted, with status 1; a warning is printed if the plain maps have "
+                "other densities.");
 }
 
 std::optional<QString> changeSymmetry(document::Entry& entry, const SymmetryArguments& change) {

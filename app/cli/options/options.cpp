@@ -67,6 +67,11 @@ Option& Option::question() {
     return *this;
 }
 
+Option& Option::moreOf(std::string sentences) {
+    more = std::move(sentences);
+    return *this;
+}
+
 Option& Option::is(unsigned kinds) {
     about |= kinds;
     return *this;

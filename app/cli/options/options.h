@@ -69,6 +69,7 @@ struct Option {
     std::string valueName;                          // stands for the value in the help and in messages
     std::string description;
     std::string standard; // that is taken where the option is not given, as the help has it; may be empty
+    std::string more;     // what only the manual page says, in sentences
     std::string group;    // heading in the help
     Place place;
     Completion completion;
@@ -86,6 +87,7 @@ struct Option {
     Option& fileName();
     Option& orEmpty();
     Option& question();
+    Option& moreOf(std::string sentences);
     Option& is(unsigned about);
     Option& completedBy(Completion::Kind kind, std::vector<std::string> words = {});
 
@@ -149,6 +151,7 @@ struct Command {
     const Option* find(const std::string& name) const;
 
     std::string name, description, usage;
+    std::string more; // what only the manual page says, in sentences
     std::deque<Option> options;
     Given* given = nullptr;          // where it is noted what was typed; nullptr: nowhere
     std::function<ExitStatus()> run; // once the places are filled in

@@ -11,6 +11,8 @@
 #include <QRegularExpression>
 #include <QSet>
 
+#include <vector>
+
 // What the frames of barycage-cli animate are asked for, and how long the others will take.
 class CliFramesTest : public CommandLineTest {
     Q_OBJECT
@@ -19,14 +21,60 @@ private slots:
     void init();
     void everyOptionIsAnotherRequest();
     void everyOptionInSpaceIsAnotherRequest();
+    void noOptionIsForgotten();
     void framesHave16Bits();
     void theTimeLeftIsSaid();
     void aFullDiskNamesTheFrame_data();
     void aFullDiskNamesTheFrame();
 
 private:
-    void verifyAllDiffer(const QByteArray& file, std::initializer_list<const char*> options);
+    void verifyAllDiffer(const QByteArray& file, const std::vector<const char*>& options);
 };
+
+namespace {
+
+// No two of them ask for the same frame.
+const std::vector<const char*> inPlane{
+    "--size 48x36 --points 20000",
+    "--size 49x36 --points 20000",
+    "--size 48x37 --points 20000",
+    "--size 48x36 --points 20001",
+    "--size 48x36 --points 20000 --seed 2",
+    "--size 48x36 --points 20000 --gamma 3",
+    "--size 48x36 --points 20000 --brightness 9",
+    "--size 48x36 --points 20000 --contrast 2",
+    "--size 48x36 --points 20000 --vibrancy 0.5",
+    "--size 48x36 --points 20000 --margin 6",
+    "--size 48x36 --points 20000 --background black",
+    "--size 48x36 --points 20000 --palette Fern",
+    "--size 48x36 --points 20000 --colour map",
+    "--size 48x36 --points 20000 --bits 16",
+    "--size 48x36 --points 20000 --supersample 2",
+    "--size 48x36 --points 20000 --dpi 300",
+    "--size 48x36 --points 20000 --shutter 180",
+    "--size 48x36 --points 20000 --exposure each",
+    "--size 48x36 --points 20000 --exposure fixed",
+    "--size 48x36 --points 20000 --view 0,5,12",
+    "--size 48x36 --points 20000 --view 0,5,13",
+    "--size 48x36 --points 20000 --view-rotation 30",
+    "--size 48x36 --points 20000 --y-down",
+};
+const std::vector<const char*> inSpace{
+    "",
+    "--orbit 10,20",
+    "--view 0.5,0.5,0.5,2",
+    "--perspective 40",
+    "--look stone",
+    "--look normals",
+    "--look stone --light 60,0",
+    "--look stone --fog 0.5",
+    "--slice 0,0,1,0.5",
+    "--perspective 40 --stereo anaglyph",
+    "--perspective 40 --stereo side-by-side",
+    "--background black",
+};
+
+} // namespace
 
 void CliFramesTest::init() {
     const QByteArray maps = " -0.04 0 -0.23 -0.65 -0.08 0.26 .25\n 0.61 0 0 0.31 0.07 3.5 .25\n"
@@ -47,7 +95,7 @@ void CliFramesTest::init() {
     write("cube.ifs", cube + "}\n");
 }
 
-void CliFramesTest::verifyAllDiffer(const QByteArray& file, std::initializer_list<const char*> options) {
+void CliFramesTest::verifyAllDiffer(const QByteArray& file, const std::vector<const char*>& options) {
     QSet<QString> requests;
     for (const char* option : options) {
         const Result result = run("animate " + file + " -o f.#.png --existing replace " + option);
@@ -60,37 +108,25 @@ void CliFramesTest::verifyAllDiffer(const QByteArray& file, std::initializer_lis
 }
 
 void CliFramesTest::everyOptionIsAnotherRequest() {
-    verifyAllDiffer("wind.ifs --frames 1", {"--size 48x36 --points 20000",
-                                            "--size 49x36 --points 20000",
-                                            "--size 48x37 --points 20000",
-                                            "--size 48x36 --points 20001",
-                                            "--size 48x36 --points 20000 --seed 2",
-                                            "--size 48x36 --points 20000 --gamma 3",
-                                            "--size 48x36 --points 20000 --brightness 9",
-                                            "--size 48x36 --points 20000 --contrast 2",
-                                            "--size 48x36 --points 20000 --vibrancy 0.5",
-                                            "--size 48x36 --points 20000 --margin 6",
-                                            "--size 48x36 --points 20000 --background black",
-                                            "--size 48x36 --points 20000 --palette Fern",
-                                            "--size 48x36 --points 20000 --colour map",
-                                            "--size 48x36 --points 20000 --bits 16",
-                                            "--size 48x36 --points 20000 --supersample 2",
-                                            "--size 48x36 --points 20000 --dpi 300",
-                                            "--size 48x36 --points 20000 --shutter 180",
-                                            "--size 48x36 --points 20000 --exposure each",
-                                            "--size 48x36 --points 20000 --exposure fixed",
-                                            "--size 48x36 --points 20000 --view 0,5,12",
-                                            "--size 48x36 --points 20000 --view 0,5,13",
-                                            "--size 48x36 --points 20000 --view-rotation 30",
-                                            "--size 48x36 --points 20000 --y-down"});
+    verifyAllDiffer("wind.ifs --frames 1", inPlane);
 }
 
 void CliFramesTest::everyOptionInSpaceIsAnotherRequest() {
-    verifyAllDiffer("cube.ifs --frames 1 --size 48x36",
-                    {"", "--orbit 10,20", "--view 0.5,0.5,0.5,2", "--perspective 40", "--look stone",
-                     "--look normals", "--look stone --light 60,0", "--look stone --fog 0.5",
-                     "--slice 0,0,1,0.5", "--perspective 40 --stereo anaglyph",
-                     "--perspective 40 --stereo side-by-side", "--background black"});
+    verifyAllDiffer("cube.ifs --frames 1 --size 48x36", inSpace);
+}
+
+// What no frame looks different for is marked so in the table, and every other option is in a list above.
+void CliFramesTest::noOptionIsForgotten() {
+    const Result described = run("--describe frames");
+    QCOMPARE(described.status, 0);
+    QByteArray tried;
+    for (const auto& options : {inPlane, inSpace})
+        for (const char* option : options)
+            tried += QByteArray(option) + ' ';
+    const QByteArrayList all = described.out.trimmed().split('\n');
+    QVERIFY(all.size() > 20);
+    for (const QByteArray& name : all)
+        QVERIFY2(tried.contains(name + ' '), name.constData());
 }
 
 void CliFramesTest::framesHave16Bits() {

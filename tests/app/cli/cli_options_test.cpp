@@ -11,31 +11,22 @@
 #include <QTemporaryDir>
 #include <QTest>
 
-// The completions of three shells and the manual page name the options that --help names: all of them, and no
-// others.
+// What follows from the table of options is written into the completions of three shells and the manual page.
 class CliOptionsTest : public QObject {
     Q_OBJECT
 
 private slots:
-    void completionsAndManualKnowEveryOption_data() { subcommands(); }
-    void completionsAndManualKnowEveryOption();
-    void nothingElseIsOffered();
-    void everySubcommandIsOffered();
-    void helpAndVersionAreOffered();
+    void theTableIsWrittenInto_data();
+    void theTableIsWrittenInto();
+    void everyOptionIsInTheTables();
     void manualsSayWhatEveryoneAsks();
     void theEditorSaysItsVersionWithoutADisplay();
     void theEditorDrawsWithoutADisplay();
 
 private:
     static QProcessEnvironment withoutDisplay();
-    static void subcommands() {
-        QTest::addColumn<QString>("subcommand");
-        for (const QString& name : commands())
-            QTest::newRow(qPrintable(name)) << name;
-    }
-    static QString help(const QStringList& arguments);
+    static QString answer(const QStringList& arguments);
     static QStringList commands();
-    static QSet<QString> optionsOf(const QString& subcommand);
     static QString read(const char* path);
 };
 
@@ -49,8 +40,6 @@ QSet<QString> found(const QString& text, const QString& pattern) {
     return words;
 }
 
-const QString longOption = QStringLiteral("--([a-z][a-z-]*)");
-
 // From the line that begins with `from` to the next that begins like it.
 QString part(const QString& text, const QString& from, const QString& until) {
     const qsizetype begin = text.indexOf(from);
@@ -61,27 +50,18 @@ QString part(const QString& text, const QString& from, const QString& until) {
 
 } // namespace
 
-QString CliOptionsTest::help(const QStringList& arguments) {
+QString CliOptionsTest::answer(const QStringList& arguments) {
     QProcess process;
-    process.start(support::buildPath(QStringLiteral("barycage-cli")),
-                  arguments + QStringList{QStringLiteral("--help")});
+    process.start(support::buildPath(QStringLiteral("barycage-cli")), arguments);
     process.waitForFinished(60'000);
     return QString::fromUtf8(process.readAllStandardOutput());
 }
 
 QStringList CliOptionsTest::commands() {
-    const QString text = help({});
-    QStringList names = found(part(text, QStringLiteral("\nCommands:"), QStringLiteral("\n\n")),
-                              QStringLiteral("^  ([a-z]+)  "))
-                            .values();
-    names.sort();
-    return names;
-}
-
-QSet<QString> CliOptionsTest::optionsOf(const QString& subcommand) {
-    QSet<QString> options = found(help({subcommand}), longOption);
-    options.remove(QStringLiteral("help")); // said once for all
-    return options;
+    const QString text = answer({QStringLiteral("--help")});
+    return found(part(text, QStringLiteral("\nCommands:"), QStringLiteral("\n\n")),
+                 QStringLiteral("^  ([a-z]+)  "))
+        .values();
 }
 
 QString CliOptionsTest::read(const char* path) {
@@ -89,84 +69,53 @@ QString CliOptionsTest::read(const char* path) {
     return file.open(QIODevice::ReadOnly) ? QString::fromUtf8(file.readAll()) : QString();
 }
 
-void CliOptionsTest::completionsAndManualKnowEveryOption() {
-    QFETCH(QString, subcommand);
-    const QSet<QString> options = optionsOf(subcommand);
-    QVERIFY(options.size() >= 3);
-    const QString bash = part(read("completions/barycage-cli.bash"),
-                              subcommand + QStringLiteral(") options="), QStringLiteral(";;"));
-    QCOMPARE(found(bash, longOption) - QSet<QString>{QStringLiteral("help")}, options);
-
-    const QString manual =
-        read("linux/barycage-cli.1.in").replace(QStringLiteral("\\-"), QStringLiteral("-"));
-    const QString section = part(manual, QStringLiteral(".SS ") + subcommand, QStringLiteral("\n.SS "))
-                                .section(QStringLiteral("\n.PP\n"), 0, 0);
-    QCOMPARE(found(section, QStringLiteral("^\\.BI? --([a-z][a-z-]*)")), options);
-    for (const QString& option : options)
-        QVERIFY2(section.count(QRegularExpression(QStringLiteral("^\\.BI? --%1( |$)").arg(option),
-                                                  QRegularExpression::MultilineOption)) == 1,
-                 qPrintable(option));
-
-    const QString zsh = read("completions/_barycage-cli");
-    const QString fish = read("completions/barycage-cli.fish");
-    for (const QString& option : options) {
-        QVERIFY2(zsh.contains(QStringLiteral("--") + option + u'[') ||
-                     zsh.contains(QStringLiteral("--") + option + u'}'),
-                 qPrintable(option));
-        QVERIFY2(found(fish, QStringLiteral("-l ([a-z-]+)")).contains(option) ||
-                     part(fish, QStringLiteral("for option in"), QStringLiteral("\n"))
-                         .split(u' ')
-                         .contains(option),
-                 qPrintable(option));
-    }
+void CliOptionsTest::theTableIsWrittenInto_data() {
+    QTest::addColumn<QString>("reader");
+    QTest::addColumn<QString>("path");
+    QTest::newRow("bash") << "bash"
+                          << "completions/barycage-cli.bash";
+    QTest::newRow("zsh") << "zsh"
+                         << "completions/_barycage-cli";
+    QTest::newRow("fish") << "fish"
+                          << "completions/barycage-cli.fish";
+    QTest::newRow("manual") << "manual"
+                            << "linux/barycage-cli.1.in";
 }
 
-void CliOptionsTest::nothingElseIsOffered() {
-    QSet<QString> all{QStringLiteral("help"), QStringLiteral("version"), QStringLiteral("option")};
-    for (const QString& command : commands())
-        all += optionsOf(command);
-    for (const char* file : {"completions/barycage-cli.bash", "completions/_barycage-cli"})
-        for (const QString& option : found(read(file), QStringLiteral("(?<![-\\w])--([a-z][a-z-]+)")))
-            QVERIFY2(all.contains(option), qPrintable(option));
-    for (const QString& option :
-         found(read("completions/barycage-cli.fish"), QStringLiteral("^complete .* -l ([a-z][a-z-]+)")))
-        QVERIFY2(all.contains(option), qPrintable(option));
+void CliOptionsTest::theTableIsWrittenInto() {
+    QFETCH(QString, reader);
+    QFETCH(QString, path);
+    const QString file = read(qPrintable(path));
+    const QString begin = QStringLiteral("--describe %1; ./dev describe renews it.\n").arg(reader);
+    const QString written = part(file, begin, QStringLiteral("What is written ends here.")).mid(begin.size());
+    const QString expected = answer({QStringLiteral("--describe"), reader});
+    QVERIFY(expected.size() > 1000);
+    QVERIFY2(written.section(u'\n', 0, -2) + u'\n' == expected,
+             qPrintable(QStringLiteral("./dev describe renews %1").arg(path)));
 }
 
-void CliOptionsTest::everySubcommandIsOffered() {
-    const QStringList names = commands();
-    QVERIFY(names.size() >= 4);
-    for (const QString& name : names) {
-        QVERIFY2(read("completions/barycage-cli.bash")
-                     .contains(QRegularExpression(QStringLiteral("_barycage_cli_offer [a-z ]*\\b") + name)),
-                 qPrintable(name));
-        QVERIFY2(read("completions/_barycage-cli").contains(u'\'' + name + u'['), qPrintable(name));
-        QVERIFY2(read("completions/barycage-cli.fish")
-                     .contains(QStringLiteral("-f -a ") + name + QStringLiteral(" -d")),
-                 qPrintable(name));
-        QVERIFY2(read("linux/barycage-cli.1.in").contains(QStringLiteral(".B barycage-cli ") + name),
-                 qPrintable(name));
-    }
-}
-
-// Before a command both, behind one its help.
-void CliOptionsTest::helpAndVersionAreOffered() {
-    const QString bash = read("completions/barycage-cli.bash");
-    const QString zsh = read("completions/_barycage-cli");
-    const QString fish = read("completions/barycage-cli.fish");
-    const QString first = part(zsh, QStringLiteral("CURRENT == 2"), QStringLiteral("return"));
-    for (const char* option : {"help", "version"}) {
-        const QString name = QString::fromLatin1(option);
-        QVERIFY(bash.contains(QRegularExpression(QStringLiteral("_barycage_cli_offer info .*--") + name)));
-        QVERIFY(first.contains(QStringLiteral("--") + name + u'['));
-        QVERIFY(found(fish, QStringLiteral("-l ([a-z-]+)")).contains(name));
-    }
+// --help is written by other code.
+void CliOptionsTest::everyOptionIsInTheTables() {
     for (const QString& command : commands()) {
-        QVERIFY(part(bash, u' ' + command + QStringLiteral(") options="), QStringLiteral(";;"))
-                    .contains(QStringLiteral("--help")));
-        QVERIFY2(part(zsh, u' ' + command + QStringLiteral(")\n"), QStringLiteral(";;"))
-                     .contains(QStringLiteral("--help[")),
-                 qPrintable(command));
+        const QStringList help = answer({command, QStringLiteral("--help")}).split(u'\n');
+        QSet<QString> options;
+        for (const QString& line : help)
+            options += found(line.left(26), QStringLiteral("(?:^  |, )(--[a-z-]+)"));
+        QVERIFY(options.size() >= 3);
+        for (const QString& option : options) {
+            QVERIFY2(part(read("completions/barycage-cli.bash"), QStringLiteral("    %1)\n").arg(command),
+                          QStringLiteral(";;"))
+                         .contains(QRegularExpression(QStringLiteral("[( ]%1[ )]").arg(option))),
+                     qPrintable(option));
+            QVERIFY2(part(read("completions/_barycage-cli"), QStringLiteral("    %1)\n").arg(command),
+                          QStringLiteral(";;"))
+                         .contains(option + u'['),
+                     qPrintable(option));
+            QVERIFY2(read("completions/barycage-cli.fish")
+                         .contains(QRegularExpression(
+                             QStringLiteral("_from %1\".* -l %2 ").arg(command, option.mid(2)))),
+                     qPrintable(option));
+        }
     }
 }
 
