@@ -7,6 +7,7 @@
 #include "process/interrupt.h"
 #include "process/messages.h"
 #include "process/output.h"
+#include "process/picture_suffixes.h"
 #include "process/progress_bar.h"
 
 #include "io/picture/contact_sheet.h"
@@ -54,17 +55,19 @@ io::ContactSheet sheetOf(const GalleryArguments& arguments) {
     return sheet;
 }
 
+bool takesSheets(const io::PictureFileFacts& facts) {
+    return facts.takes8Bits;
+}
+
 // nullopt: PDF.
 std::optional<io::PictureFile> fileOf(const QString& output) {
     const QString suffix = QFileInfo(output).suffix();
     if (isStandardOutput(output)) return io::PictureFile::Png;
     if (suffix.compare(u"pdf", Qt::CaseInsensitive) == 0) return std::nullopt;
     const auto file = io::pictureFileOf(suffix);
-    if (!file || !io::takes(*file, io::PictureFormat::Depth::Bits8))
-        throw UsageError{
-            tr("The sheet can be written as .png, .jpg, .webp, .tiff or .pdf, and “%1” is none of "
-               "them.")
-                .arg(output)};
+    if (!file || !takesSheets(io::factsOf(*file)))
+        throw UsageError{tr("The sheet can be written as %1, and “%2” is none of them.")
+                             .arg(namedSuffixes(takesSheets, tr("or"), {"pdf"}), output)};
     return file;
 }
 
@@ -184,8 +187,9 @@ Command galleryCommand() {
     files.argument("FILE...", &arguments->files, "Collections; - for standard input").required();
     files
         .add("-o,--output", "SHEET", &arguments->output,
-             "Sheet to write: .png, .jpg, .webp, .tiff or .pdf; - for standard output (PNG)")
-        .completedBy(Completion::Kind::Files, {"png", "jpg", "jpeg", "webp", "tif", "tiff", "pdf"})
+             "Sheet to write: " + namedSuffixes(takesSheets, tr("or"), {"pdf"}).toStdString() +
+                 "; - for standard output (PNG)")
+        .completedBy(Completion::Kind::Files, pictureSuffixes(takesSheets, {"pdf"}))
         .fileName()
         .required();
     addEntriesOption(command, arguments->entries);

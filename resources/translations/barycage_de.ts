@@ -6011,14 +6011,6 @@
         <translation>&amp;Aufgaben auf einem Cluster:</translation>
     </message>
     <message>
-        <source>Result</source>
-        <translation>Ergebnis</translation>
-    </message>
-    <message>
-        <source>&amp;Export…</source>
-        <translation>&amp;Exportieren…</translation>
-    </message>
-    <message>
         <source>Asks for a file name and writes the animation. You can continue editing in the meantime: the animation is exported as it was when this dialog opened.</source>
         <translation>Fragt nach einem Dateinamen und schreibt die Animation. Sie können währenddessen weiterarbeiten: Exportiert wird die Animation, wie sie beim Öffnen dieses Dialogs war.</translation>
     </message>
@@ -6051,28 +6043,12 @@
         <translation>Die Helligkeit wird gemessen …</translation>
     </message>
     <message>
-        <source>&amp;Stop</source>
-        <translation>&amp;Anhalten</translation>
-    </message>
-    <message>
-        <source>&amp;Close</source>
-        <translation>&amp;Schließen</translation>
-    </message>
-    <message>
         <source>Export stopped. The pictures written so far are complete; export again to draw the others.</source>
         <translation>Export angehalten. Die bisher geschriebenen Bilder sind vollständig; exportieren Sie erneut, um die übrigen zu zeichnen.</translation>
     </message>
     <message>
-        <source>Export stopped; nothing was written.</source>
-        <translation>Der Export wurde angehalten; nichts wurde geschrieben.</translation>
-    </message>
-    <message>
         <source>Written to %1 and so on, up to %2.</source>
         <translation>Geschrieben nach %1 und so weiter bis %2.</translation>
-    </message>
-    <message>
-        <source>Written to %1.</source>
-        <translation>Geschrieben nach %1.</translation>
     </message>
     <message>
         <source>Folder That the Cluster Can Read and Write</source>
@@ -8451,14 +8427,6 @@
         <translation>Was die Datei enthalten wird</translation>
     </message>
     <message>
-        <source>Result</source>
-        <translation>Ergebnis</translation>
-    </message>
-    <message>
-        <source>&amp;Export…</source>
-        <translation>&amp;Exportieren…</translation>
-    </message>
-    <message>
         <source>Copy &amp;Text</source>
         <translation>&amp;Text kopieren</translation>
     </message>
@@ -8519,24 +8487,8 @@
         <translation>Daten exportieren</translation>
     </message>
     <message>
-        <source>&amp;Stop</source>
-        <translation>&amp;Anhalten</translation>
-    </message>
-    <message>
         <source>The text was copied to the clipboard.</source>
         <translation>Der Text wurde in die Zwischenablage kopiert.</translation>
-    </message>
-    <message>
-        <source>&amp;Close</source>
-        <translation>&amp;Schließen</translation>
-    </message>
-    <message>
-        <source>Export stopped; nothing was written.</source>
-        <translation>Der Export wurde angehalten; nichts wurde geschrieben.</translation>
-    </message>
-    <message>
-        <source>Written to %1.</source>
-        <translation>Geschrieben nach %1.</translation>
     </message>
     <message>
         <source>The beginning of the file as it will be written.</source>
@@ -8584,10 +8536,6 @@
     <message>
         <source>Export “%1”</source>
         <translation>„%1“ exportieren</translation>
-    </message>
-    <message>
-        <source>&amp;Export…</source>
-        <translation>&amp;Exportieren…</translation>
     </message>
     <message>
         <source>PNG: pixels</source>
@@ -8722,10 +8670,6 @@
         <translation>&amp;Tiefe:</translation>
     </message>
     <message>
-        <source>Result</source>
-        <translation>Ergebnis</translation>
-    </message>
-    <message>
         <source>Only systems in the plane can be exported as a picture.</source>
         <translation>Nur Systeme der Ebene können als Bild exportiert werden.</translation>
     </message>
@@ -8744,22 +8688,6 @@
     <message>
         <source>Export Picture</source>
         <translation>Bild exportieren</translation>
-    </message>
-    <message>
-        <source>Export stopped; nothing was written.</source>
-        <translation>Der Export wurde angehalten; nichts wurde geschrieben.</translation>
-    </message>
-    <message>
-        <source>Written to %1.</source>
-        <translation>Geschrieben nach %1.</translation>
-    </message>
-    <message>
-        <source>&amp;Stop</source>
-        <translation>&amp;Anhalten</translation>
-    </message>
-    <message>
-        <source>&amp;Close</source>
-        <translation>&amp;Schließen</translation>
     </message>
     <message>
         <source>The picture has no background and can be placed over another.</source>
@@ -8854,10 +8782,6 @@
         <translation>Der Name „%1“ nennt kein Format: Er muss auf .png, .jpg, .webp, .tiff, .exr, .svg oder .pdf enden.</translation>
     </message>
     <message>
-        <source>Add to Queue…</source>
-        <translation>In die Warteschlange…</translation>
-    </message>
-    <message>
         <source>Asks for a file name and adds the picture to the queue in the Exports panel. The queue continues after a restart.</source>
         <translation>Fragt nach einem Dateinamen und zeichnet das Bild, wenn es an der Reihe ist, nach denen, die in der Leiste „Exporte“ warten. Die Warteschlange läuft nach einem Neustart weiter.</translation>
     </message>
@@ -8946,6 +8870,37 @@
     <message>
         <source>The export queue cannot be saved for the next session: its folder is not writable, or the disk is full.</source>
         <translation>Die Warteschlange der Exporte kann nicht für den nächsten Start aufbewahrt werden: Ihr Ordner ist nicht beschreibbar, oder der Datenträger ist voll.</translation>
+    </message>
+</context>
+<context>
+    <name>view::ExportShell</name>
+    <message>
+        <source>Result</source>
+        <translation>Ergebnis</translation>
+    </message>
+    <message>
+        <source>&amp;Export…</source>
+        <translation>&amp;Exportieren…</translation>
+    </message>
+    <message>
+        <source>Add to Queue…</source>
+        <translation>In die Warteschlange…</translation>
+    </message>
+    <message>
+        <source>&amp;Stop</source>
+        <translation>&amp;Anhalten</translation>
+    </message>
+    <message>
+        <source>&amp;Close</source>
+        <translation>&amp;Schließen</translation>
+    </message>
+    <message>
+        <source>Export stopped; nothing was written.</source>
+        <translation>Der Export wurde angehalten; nichts wurde geschrieben.</translation>
+    </message>
+    <message>
+        <source>Written to %1.</source>
+        <translation>Geschrieben nach %1.</translation>
     </message>
 </context>
 <context>
@@ -12494,14 +12449,6 @@ Tasten: Bild auf und Bild ab wählen eine Marke, die Pfeile bewegen sie, Einfg f
         <translation>&amp;Format:</translation>
     </message>
     <message>
-        <source>Result</source>
-        <translation>Ergebnis</translation>
-    </message>
-    <message>
-        <source>&amp;Export…</source>
-        <translation>&amp;Exportieren…</translation>
-    </message>
-    <message>
         <source>Asks for a file name and writes the file.</source>
         <translation>Fragt nach dem Namen der Datei und schreibt sie.</translation>
     </message>
@@ -12598,22 +12545,6 @@ Tasten: Bild auf und Bild ab wählen eine Marke, die Pfeile bewegen sie, Einfg f
         <translation>Exportieren</translation>
     </message>
     <message>
-        <source>&amp;Stop</source>
-        <translation>&amp;Anhalten</translation>
-    </message>
-    <message>
-        <source>&amp;Close</source>
-        <translation>&amp;Schließen</translation>
-    </message>
-    <message>
-        <source>Export stopped; nothing was written.</source>
-        <translation>Der Export wurde angehalten; nichts wurde geschrieben.</translation>
-    </message>
-    <message>
-        <source>Written to %1.</source>
-        <translation>Geschrieben nach %1.</translation>
-    </message>
-    <message>
         <source>Picture (.jpg)</source>
         <translation>Bild (.jpg)</translation>
     </message>
@@ -12632,10 +12563,6 @@ Tasten: Bild auf und Bild ab wählen eine Marke, die Pfeile bewegen sie, Einfg f
     <message>
         <source>Depths can be written only as PNG.</source>
         <translation>Tiefen werden nur als PNG geschrieben.</translation>
-    </message>
-    <message>
-        <source>Add to Queue…</source>
-        <translation>In die Warteschlange…</translation>
     </message>
     <message>
         <source>Asks for a file name and adds the file to the queue in the Exports panel. The queue continues after a restart.</source>
@@ -12692,6 +12619,10 @@ Tasten: Bild auf und Bild ab wählen eine Marke, die Pfeile bewegen sie, Einfg f
     <message>
         <source>Stere&amp;o:</source>
         <translation>Stere&amp;o:</translation>
+    </message>
+    <message>
+        <source>The name “%1” does not determine the format. It must end with one of these: %2.</source>
+        <translation>Der Name „%1“ nennt kein Format. Er muss auf eine dieser Endungen enden: %2.</translation>
     </message>
 </context>
 <context>
@@ -13325,14 +13256,6 @@ Tasten: Bild auf und Bild ab wählen eine Marke, die Pfeile bewegen sie, Einfg f
         <translation>„%1“ exportieren</translation>
     </message>
     <message>
-        <source>Result</source>
-        <translation>Ergebnis</translation>
-    </message>
-    <message>
-        <source>&amp;Export…</source>
-        <translation>&amp;Exportieren…</translation>
-    </message>
-    <message>
         <source>Asks for a file name and writes the picture. You can keep working in the meantime.</source>
         <translation>Fragt nach einem Dateinamen und schreibt das Bild. Sie können währenddessen weiterarbeiten.</translation>
     </message>
@@ -13375,22 +13298,6 @@ Tasten: Bild auf und Bild ab wählen eine Marke, die Pfeile bewegen sie, Einfg f
     <message>
         <source>There is not enough memory for this picture. Reduce its size.</source>
         <translation>Für dieses Bild reicht der Speicher nicht. Verkleinern Sie es.</translation>
-    </message>
-    <message>
-        <source>Export stopped; nothing was written.</source>
-        <translation>Der Export wurde angehalten; nichts wurde geschrieben.</translation>
-    </message>
-    <message>
-        <source>Written to %1.</source>
-        <translation>Geschrieben nach %1.</translation>
-    </message>
-    <message>
-        <source>&amp;Stop</source>
-        <translation>&amp;Anhalten</translation>
-    </message>
-    <message>
-        <source>&amp;Close</source>
-        <translation>&amp;Schließen</translation>
     </message>
 </context>
 <context>

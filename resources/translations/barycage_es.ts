@@ -6011,14 +6011,6 @@
         <translation>&amp;Tareas en un clúster:</translation>
     </message>
     <message>
-        <source>Result</source>
-        <translation>Resultado</translation>
-    </message>
-    <message>
-        <source>&amp;Export…</source>
-        <translation>&amp;Exportar…</translation>
-    </message>
-    <message>
         <source>Asks for a file name and writes the animation. You can continue editing in the meantime: the animation is exported as it was when this dialog opened.</source>
         <translation>Pide un nombre de archivo y escribe la animación. Mientras tanto puede seguir editando: se exporta la animación tal como estaba al abrir este diálogo.</translation>
     </message>
@@ -6051,28 +6043,12 @@
         <translation>Midiendo la luminosidad…</translation>
     </message>
     <message>
-        <source>&amp;Stop</source>
-        <translation>&amp;Detener</translation>
-    </message>
-    <message>
-        <source>&amp;Close</source>
-        <translation>Ce&amp;rrar</translation>
-    </message>
-    <message>
         <source>Export stopped. The pictures written so far are complete; export again to draw the others.</source>
         <translation>Exportación detenida. Las imágenes escritas hasta ahora están completas; exporte de nuevo para dibujar las demás.</translation>
     </message>
     <message>
-        <source>Export stopped; nothing was written.</source>
-        <translation>La exportación se detuvo; no se escribió nada.</translation>
-    </message>
-    <message>
         <source>Written to %1 and so on, up to %2.</source>
         <translation>Escrito en %1 y así sucesivamente hasta %2.</translation>
-    </message>
-    <message>
-        <source>Written to %1.</source>
-        <translation>Escrito en %1.</translation>
     </message>
     <message>
         <source>Folder That the Cluster Can Read and Write</source>
@@ -8451,14 +8427,6 @@
         <translation>Lo que contendrá el archivo</translation>
     </message>
     <message>
-        <source>Result</source>
-        <translation>Resultado</translation>
-    </message>
-    <message>
-        <source>&amp;Export…</source>
-        <translation>&amp;Exportar…</translation>
-    </message>
-    <message>
         <source>Copy &amp;Text</source>
         <translation>Copiar &amp;texto</translation>
     </message>
@@ -8519,24 +8487,8 @@
         <translation>Exportar datos</translation>
     </message>
     <message>
-        <source>&amp;Stop</source>
-        <translation>&amp;Detener</translation>
-    </message>
-    <message>
         <source>The text was copied to the clipboard.</source>
         <translation>El texto está en el portapapeles.</translation>
-    </message>
-    <message>
-        <source>&amp;Close</source>
-        <translation>Ce&amp;rrar</translation>
-    </message>
-    <message>
-        <source>Export stopped; nothing was written.</source>
-        <translation>La exportación se detuvo; no se escribió nada.</translation>
-    </message>
-    <message>
-        <source>Written to %1.</source>
-        <translation>Escrito en %1.</translation>
     </message>
     <message>
         <source>The beginning of the file as it will be written.</source>
@@ -8584,10 +8536,6 @@
     <message>
         <source>Export “%1”</source>
         <translation>Exportar «%1»</translation>
-    </message>
-    <message>
-        <source>&amp;Export…</source>
-        <translation>&amp;Exportar…</translation>
     </message>
     <message>
         <source>PNG: pixels</source>
@@ -8722,10 +8670,6 @@
         <translation>&amp;Profundidad:</translation>
     </message>
     <message>
-        <source>Result</source>
-        <translation>Resultado</translation>
-    </message>
-    <message>
         <source>Only systems in the plane can be exported as a picture.</source>
         <translation>Solo los sistemas del plano se pueden exportar como imagen.</translation>
     </message>
@@ -8744,22 +8688,6 @@
     <message>
         <source>Export Picture</source>
         <translation>Exportar imagen</translation>
-    </message>
-    <message>
-        <source>Export stopped; nothing was written.</source>
-        <translation>La exportación se detuvo; no se escribió nada.</translation>
-    </message>
-    <message>
-        <source>Written to %1.</source>
-        <translation>Escrito en %1.</translation>
-    </message>
-    <message>
-        <source>&amp;Stop</source>
-        <translation>&amp;Detener</translation>
-    </message>
-    <message>
-        <source>&amp;Close</source>
-        <translation>Cerr&amp;ar</translation>
     </message>
     <message>
         <source>The picture has no background and can be placed over another.</source>
@@ -8854,10 +8782,6 @@
         <translation>El nombre «%1» no indica el formato: debe terminar en .png, .jpg, .webp, .tiff, .exr, .svg o .pdf.</translation>
     </message>
     <message>
-        <source>Add to Queue…</source>
-        <translation>Añadir a la cola…</translation>
-    </message>
-    <message>
         <source>Asks for a file name and adds the picture to the queue in the Exports panel. The queue continues after a restart.</source>
         <translation>Pide un nombre de archivo y dibuja la imagen cuando le toca, después de las que esperan en el panel Exportaciones. La cola continúa tras reiniciar.</translation>
     </message>
@@ -8946,6 +8870,37 @@
     <message>
         <source>The export queue cannot be saved for the next session: its folder is not writable, or the disk is full.</source>
         <translation>La cola de exportaciones no se puede conservar para el próximo inicio: no se puede escribir en su carpeta o el disco está lleno.</translation>
+    </message>
+</context>
+<context>
+    <name>view::ExportShell</name>
+    <message>
+        <source>Result</source>
+        <translation>Resultado</translation>
+    </message>
+    <message>
+        <source>&amp;Export…</source>
+        <translation>&amp;Exportar…</translation>
+    </message>
+    <message>
+        <source>Add to Queue…</source>
+        <translation>Añadir a la cola…</translation>
+    </message>
+    <message>
+        <source>&amp;Stop</source>
+        <translation>&amp;Detener</translation>
+    </message>
+    <message>
+        <source>&amp;Close</source>
+        <translation>Ce&amp;rrar</translation>
+    </message>
+    <message>
+        <source>Export stopped; nothing was written.</source>
+        <translation>La exportación se detuvo; no se escribió nada.</translation>
+    </message>
+    <message>
+        <source>Written to %1.</source>
+        <translation>Escrito en %1.</translation>
     </message>
 </context>
 <context>
@@ -12494,14 +12449,6 @@ Teclas: Re Pág y Av Pág eligen una parada, las flechas la mueven, Ins añade u
         <translation>&amp;Formato:</translation>
     </message>
     <message>
-        <source>Result</source>
-        <translation>Resultado</translation>
-    </message>
-    <message>
-        <source>&amp;Export…</source>
-        <translation>&amp;Exportar…</translation>
-    </message>
-    <message>
         <source>Asks for a file name and writes the file.</source>
         <translation>Pide el nombre del archivo y lo escribe.</translation>
     </message>
@@ -12598,22 +12545,6 @@ Teclas: Re Pág y Av Pág eligen una parada, las flechas la mueven, Ins añade u
         <translation>Exportar</translation>
     </message>
     <message>
-        <source>&amp;Stop</source>
-        <translation>&amp;Detener</translation>
-    </message>
-    <message>
-        <source>&amp;Close</source>
-        <translation>Ce&amp;rrar</translation>
-    </message>
-    <message>
-        <source>Export stopped; nothing was written.</source>
-        <translation>La exportación se detuvo; no se escribió nada.</translation>
-    </message>
-    <message>
-        <source>Written to %1.</source>
-        <translation>Escrito en %1.</translation>
-    </message>
-    <message>
         <source>Picture (.jpg)</source>
         <translation>Imagen (.jpg)</translation>
     </message>
@@ -12632,10 +12563,6 @@ Teclas: Re Pág y Av Pág eligen una parada, las flechas la mueven, Ins añade u
     <message>
         <source>Depths can be written only as PNG.</source>
         <translation>Las profundidades solo se escriben como PNG.</translation>
-    </message>
-    <message>
-        <source>Add to Queue…</source>
-        <translation>Añadir a la cola…</translation>
     </message>
     <message>
         <source>Asks for a file name and adds the file to the queue in the Exports panel. The queue continues after a restart.</source>
@@ -12692,6 +12619,10 @@ Teclas: Re Pág y Av Pág eligen una parada, las flechas la mueven, Ins añade u
     <message>
         <source>Stere&amp;o:</source>
         <translation>Es&amp;téreo:</translation>
+    </message>
+    <message>
+        <source>The name “%1” does not determine the format. It must end with one of these: %2.</source>
+        <translation>El nombre «%1» no indica el formato. Debe terminar en una de estas extensiones: %2.</translation>
     </message>
 </context>
 <context>
@@ -13325,14 +13256,6 @@ Teclas: Re Pág y Av Pág eligen una parada, las flechas la mueven, Ins añade u
         <translation>Exportar «%1»</translation>
     </message>
     <message>
-        <source>Result</source>
-        <translation>Resultado</translation>
-    </message>
-    <message>
-        <source>&amp;Export…</source>
-        <translation>&amp;Exportar…</translation>
-    </message>
-    <message>
         <source>Asks for a file name and writes the picture. You can keep working in the meantime.</source>
         <translation>Pide un nombre de archivo y escribe la imagen. Mientras tanto puede seguir trabajando.</translation>
     </message>
@@ -13375,22 +13298,6 @@ Teclas: Re Pág y Av Pág eligen una parada, las flechas la mueven, Ins añade u
     <message>
         <source>There is not enough memory for this picture. Reduce its size.</source>
         <translation>No hay memoria suficiente para esta imagen. Reduzca su tamaño.</translation>
-    </message>
-    <message>
-        <source>Export stopped; nothing was written.</source>
-        <translation>La exportación se detuvo; no se escribió nada.</translation>
-    </message>
-    <message>
-        <source>Written to %1.</source>
-        <translation>Escrito en %1.</translation>
-    </message>
-    <message>
-        <source>&amp;Stop</source>
-        <translation>&amp;Detener</translation>
-    </message>
-    <message>
-        <source>&amp;Close</source>
-        <translation>Ce&amp;rrar</translation>
     </message>
 </context>
 <context>

@@ -6011,14 +6011,6 @@
         <translation>&amp;Tâches sur une grappe :</translation>
     </message>
     <message>
-        <source>Result</source>
-        <translation>Résultat</translation>
-    </message>
-    <message>
-        <source>&amp;Export…</source>
-        <translation>&amp;Exporter…</translation>
-    </message>
-    <message>
         <source>Asks for a file name and writes the animation. You can continue editing in the meantime: the animation is exported as it was when this dialog opened.</source>
         <translation>Demande un nom de fichier et écrit l’animation. Vous pouvez continuer à éditer : l’animation est exportée telle qu’elle était à l’ouverture de ce dialogue.</translation>
     </message>
@@ -6051,28 +6043,12 @@
         <translation>Mesure de la luminosité…</translation>
     </message>
     <message>
-        <source>&amp;Stop</source>
-        <translation>&amp;Arrêter</translation>
-    </message>
-    <message>
-        <source>&amp;Close</source>
-        <translation>Fer&amp;mer</translation>
-    </message>
-    <message>
         <source>Export stopped. The pictures written so far are complete; export again to draw the others.</source>
         <translation>Exportation arrêtée. Les images déjà écrites sont complètes ; exportez de nouveau pour dessiner les autres.</translation>
     </message>
     <message>
-        <source>Export stopped; nothing was written.</source>
-        <translation>L’exportation a été arrêtée&#x202f;; rien n’a été écrit.</translation>
-    </message>
-    <message>
         <source>Written to %1 and so on, up to %2.</source>
         <translation>Écrit dans %1 et ainsi de suite jusqu’à %2.</translation>
-    </message>
-    <message>
-        <source>Written to %1.</source>
-        <translation>Écrit dans %1.</translation>
     </message>
     <message>
         <source>Folder That the Cluster Can Read and Write</source>
@@ -8451,14 +8427,6 @@
         <translation>Ce que contiendra le fichier</translation>
     </message>
     <message>
-        <source>Result</source>
-        <translation>Résultat</translation>
-    </message>
-    <message>
-        <source>&amp;Export…</source>
-        <translation>&amp;Exporter…</translation>
-    </message>
-    <message>
         <source>Copy &amp;Text</source>
         <translation>Copier le &amp;texte</translation>
     </message>
@@ -8519,24 +8487,8 @@
         <translation>Exporter les données</translation>
     </message>
     <message>
-        <source>&amp;Stop</source>
-        <translation>&amp;Arrêter</translation>
-    </message>
-    <message>
         <source>The text was copied to the clipboard.</source>
         <translation>Le texte est dans le presse-papiers.</translation>
-    </message>
-    <message>
-        <source>&amp;Close</source>
-        <translation>Fer&amp;mer</translation>
-    </message>
-    <message>
-        <source>Export stopped; nothing was written.</source>
-        <translation>L’exportation a été arrêtée&#x202f;; rien n’a été écrit.</translation>
-    </message>
-    <message>
-        <source>Written to %1.</source>
-        <translation>Écrit dans %1.</translation>
     </message>
     <message>
         <source>The beginning of the file as it will be written.</source>
@@ -8584,10 +8536,6 @@
     <message>
         <source>Export “%1”</source>
         <translation>Exporter «&#x202f;%1&#x202f;»</translation>
-    </message>
-    <message>
-        <source>&amp;Export…</source>
-        <translation>&amp;Exporter…</translation>
     </message>
     <message>
         <source>PNG: pixels</source>
@@ -8722,10 +8670,6 @@
         <translation>Profon&amp;deur&#x202f;:</translation>
     </message>
     <message>
-        <source>Result</source>
-        <translation>Résultat</translation>
-    </message>
-    <message>
         <source>Only systems in the plane can be exported as a picture.</source>
         <translation>Seuls les systèmes du plan peuvent être exportés comme image.</translation>
     </message>
@@ -8744,22 +8688,6 @@
     <message>
         <source>Export Picture</source>
         <translation>Exporter l’image</translation>
-    </message>
-    <message>
-        <source>Export stopped; nothing was written.</source>
-        <translation>L’exportation a été arrêtée&#x202f;; rien n’a été écrit.</translation>
-    </message>
-    <message>
-        <source>Written to %1.</source>
-        <translation>Écrit dans %1.</translation>
-    </message>
-    <message>
-        <source>&amp;Stop</source>
-        <translation>&amp;Arrêter</translation>
-    </message>
-    <message>
-        <source>&amp;Close</source>
-        <translation>Fer&amp;mer</translation>
     </message>
     <message>
         <source>The picture has no background and can be placed over another.</source>
@@ -8854,10 +8782,6 @@
         <translation>Le nom «&#x202f;%1&#x202f;» n’indique pas le format&#x202f;: il doit se terminer par .png, .jpg, .webp, .tiff, .exr, .svg ou .pdf.</translation>
     </message>
     <message>
-        <source>Add to Queue…</source>
-        <translation>Ajouter à la file d’attente…</translation>
-    </message>
-    <message>
         <source>Asks for a file name and adds the picture to the queue in the Exports panel. The queue continues after a restart.</source>
         <translation>Demande un nom de fichier et dessine l’image à son tour, après celles qui attendent dans le panneau Exports. La file d’attente reprend après un redémarrage.</translation>
     </message>
@@ -8946,6 +8870,37 @@
     <message>
         <source>The export queue cannot be saved for the next session: its folder is not writable, or the disk is full.</source>
         <translation>La file d’attente des exports ne peut pas être conservée pour le prochain démarrage : son dossier n’est pas accessible en écriture, ou le disque est plein.</translation>
+    </message>
+</context>
+<context>
+    <name>view::ExportShell</name>
+    <message>
+        <source>Result</source>
+        <translation>Résultat</translation>
+    </message>
+    <message>
+        <source>&amp;Export…</source>
+        <translation>&amp;Exporter…</translation>
+    </message>
+    <message>
+        <source>Add to Queue…</source>
+        <translation>Ajouter à la file d’attente…</translation>
+    </message>
+    <message>
+        <source>&amp;Stop</source>
+        <translation>&amp;Arrêter</translation>
+    </message>
+    <message>
+        <source>&amp;Close</source>
+        <translation>Fer&amp;mer</translation>
+    </message>
+    <message>
+        <source>Export stopped; nothing was written.</source>
+        <translation>L’exportation a été arrêtée ; rien n’a été écrit.</translation>
+    </message>
+    <message>
+        <source>Written to %1.</source>
+        <translation>Écrit dans %1.</translation>
     </message>
 </context>
 <context>
@@ -12494,14 +12449,6 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
         <translation>&amp;Format :</translation>
     </message>
     <message>
-        <source>Result</source>
-        <translation>Résultat</translation>
-    </message>
-    <message>
-        <source>&amp;Export…</source>
-        <translation>&amp;Exporter…</translation>
-    </message>
-    <message>
         <source>Asks for a file name and writes the file.</source>
         <translation>Demande le nom du fichier et l’écrit.</translation>
     </message>
@@ -12598,22 +12545,6 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
         <translation>Exporter</translation>
     </message>
     <message>
-        <source>&amp;Stop</source>
-        <translation>&amp;Arrêter</translation>
-    </message>
-    <message>
-        <source>&amp;Close</source>
-        <translation>Fer&amp;mer</translation>
-    </message>
-    <message>
-        <source>Export stopped; nothing was written.</source>
-        <translation>L’exportation a été arrêtée&#x202f;; rien n’a été écrit.</translation>
-    </message>
-    <message>
-        <source>Written to %1.</source>
-        <translation>Écrit dans %1.</translation>
-    </message>
-    <message>
         <source>Picture (.jpg)</source>
         <translation>Image (.jpg)</translation>
     </message>
@@ -12632,10 +12563,6 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
     <message>
         <source>Depths can be written only as PNG.</source>
         <translation>Les profondeurs ne s’écrivent qu’en PNG.</translation>
-    </message>
-    <message>
-        <source>Add to Queue…</source>
-        <translation>Ajouter à la file d’attente…</translation>
     </message>
     <message>
         <source>Asks for a file name and adds the file to the queue in the Exports panel. The queue continues after a restart.</source>
@@ -12692,6 +12619,10 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
     <message>
         <source>Stere&amp;o:</source>
         <translation>Stéré&amp;o&#x202f;:</translation>
+    </message>
+    <message>
+        <source>The name “%1” does not determine the format. It must end with one of these: %2.</source>
+        <translation>Le nom «&#x202f;%1&#x202f;» n’indique pas le format. Il doit se terminer par l’une de ces extensions&#x202f;: %2.</translation>
     </message>
 </context>
 <context>
@@ -13325,14 +13256,6 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
         <translation>Exporter «&#x202f;%1&#x202f;»</translation>
     </message>
     <message>
-        <source>Result</source>
-        <translation>Résultat</translation>
-    </message>
-    <message>
-        <source>&amp;Export…</source>
-        <translation>&amp;Exporter…</translation>
-    </message>
-    <message>
         <source>Asks for a file name and writes the picture. You can keep working in the meantime.</source>
         <translation>Demande un nom de fichier et écrit l’image. Vous pouvez continuer à travailler.</translation>
     </message>
@@ -13375,22 +13298,6 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
     <message>
         <source>There is not enough memory for this picture. Reduce its size.</source>
         <translation>Il n’y a pas assez de mémoire pour cette image. Réduisez sa taille.</translation>
-    </message>
-    <message>
-        <source>Export stopped; nothing was written.</source>
-        <translation>L’exportation a été arrêtée&#x202f;; rien n’a été écrit.</translation>
-    </message>
-    <message>
-        <source>Written to %1.</source>
-        <translation>Écrit dans %1.</translation>
-    </message>
-    <message>
-        <source>&amp;Stop</source>
-        <translation>&amp;Arrêter</translation>
-    </message>
-    <message>
-        <source>&amp;Close</source>
-        <translation>Fer&amp;mer</translation>
     </message>
 </context>
 <context>

@@ -6024,14 +6024,6 @@
         <translation>Задачи на &amp;кластер:</translation>
     </message>
     <message>
-        <source>Result</source>
-        <translation>Резултат</translation>
-    </message>
-    <message>
-        <source>&amp;Export…</source>
-        <translation>&amp;Извези…</translation>
-    </message>
-    <message>
         <source>Asks for a file name and writes the animation. You can continue editing in the meantime: the animation is exported as it was when this dialog opened.</source>
         <translation>Прашува за име на датотека и ја запишува анимацијата. Во меѓувреме можете да продолжите со уредување: се извезува анимацијата каква што била кога се отворил прозорецов.</translation>
     </message>
@@ -6064,28 +6056,12 @@
         <translation>Се мери осветленоста…</translation>
     </message>
     <message>
-        <source>&amp;Stop</source>
-        <translation>&amp;Запри</translation>
-    </message>
-    <message>
-        <source>&amp;Close</source>
-        <translation>&amp;Затвори</translation>
-    </message>
-    <message>
         <source>Export stopped. The pictures written so far are complete; export again to draw the others.</source>
         <translation>Извозот е запрен. Досега запишаните слики се целосни; извезете повторно за да се нацртаат другите.</translation>
     </message>
     <message>
-        <source>Export stopped; nothing was written.</source>
-        <translation>Извозот е запрен; ништо не е запишано.</translation>
-    </message>
-    <message>
         <source>Written to %1 and so on, up to %2.</source>
         <translation>Запишано во %1 и така натаму до %2.</translation>
-    </message>
-    <message>
-        <source>Written to %1.</source>
-        <translation>Запишано во %1.</translation>
     </message>
     <message>
         <source>Folder That the Cluster Can Read and Write</source>
@@ -8474,14 +8450,6 @@
         <translation>Што ќе содржи датотеката</translation>
     </message>
     <message>
-        <source>Result</source>
-        <translation>Резултат</translation>
-    </message>
-    <message>
-        <source>&amp;Export…</source>
-        <translation>&amp;Извези…</translation>
-    </message>
-    <message>
         <source>Copy &amp;Text</source>
         <translation>Копирај &amp;текст</translation>
     </message>
@@ -8542,24 +8510,8 @@
         <translation>Извоз на податоци</translation>
     </message>
     <message>
-        <source>&amp;Stop</source>
-        <translation>&amp;Запри</translation>
-    </message>
-    <message>
         <source>The text was copied to the clipboard.</source>
         <translation>Текстот е на таблата со исечоци.</translation>
-    </message>
-    <message>
-        <source>&amp;Close</source>
-        <translation>&amp;Затвори</translation>
-    </message>
-    <message>
-        <source>Export stopped; nothing was written.</source>
-        <translation>Извозот е запрен; ништо не е запишано.</translation>
-    </message>
-    <message>
-        <source>Written to %1.</source>
-        <translation>Запишано во %1.</translation>
     </message>
     <message>
         <source>The beginning of the file as it will be written.</source>
@@ -8607,10 +8559,6 @@
     <message>
         <source>Export “%1”</source>
         <translation>Извоз на „%1“</translation>
-    </message>
-    <message>
-        <source>&amp;Export…</source>
-        <translation>&amp;Извези…</translation>
     </message>
     <message>
         <source>PNG: pixels</source>
@@ -8745,10 +8693,6 @@
         <translation>&amp;Длабочина:</translation>
     </message>
     <message>
-        <source>Result</source>
-        <translation>Резултат</translation>
-    </message>
-    <message>
         <source>Only systems in the plane can be exported as a picture.</source>
         <translation>Како слика можат да се извезат само системи во рамнината.</translation>
     </message>
@@ -8767,22 +8711,6 @@
     <message>
         <source>Export Picture</source>
         <translation>Извоз на слика</translation>
-    </message>
-    <message>
-        <source>Export stopped; nothing was written.</source>
-        <translation>Извозот е запрен; ништо не е запишано.</translation>
-    </message>
-    <message>
-        <source>Written to %1.</source>
-        <translation>Запишано во %1.</translation>
-    </message>
-    <message>
-        <source>&amp;Stop</source>
-        <translation>&amp;Запри</translation>
-    </message>
-    <message>
-        <source>&amp;Close</source>
-        <translation>&amp;Затвори</translation>
     </message>
     <message>
         <source>The picture has no background and can be placed over another.</source>
@@ -8877,10 +8805,6 @@
         <translation>Името „%1“ не го кажува форматот: мора да завршува на .png, .jpg, .webp, .tiff, .exr, .svg или .pdf.</translation>
     </message>
     <message>
-        <source>Add to Queue…</source>
-        <translation>Додај во редот…</translation>
-    </message>
-    <message>
         <source>Asks for a file name and adds the picture to the queue in the Exports panel. The queue continues after a restart.</source>
         <translation>Прашува за име на датотека и ја црта сликата кога ќе дојде на ред, по оние што чекаат во панелот „Извози“. Редот продолжува по повторно стартување.</translation>
     </message>
@@ -8972,6 +8896,37 @@
     <message>
         <source>The export queue cannot be saved for the next session: its folder is not writable, or the disk is full.</source>
         <translation>Редот на извози не може да се зачува за следното стартување: во неговата папка не може да се пишува, или дискот е полн.</translation>
+    </message>
+</context>
+<context>
+    <name>view::ExportShell</name>
+    <message>
+        <source>Result</source>
+        <translation>Резултат</translation>
+    </message>
+    <message>
+        <source>&amp;Export…</source>
+        <translation>&amp;Извези…</translation>
+    </message>
+    <message>
+        <source>Add to Queue…</source>
+        <translation>Додај во редот…</translation>
+    </message>
+    <message>
+        <source>&amp;Stop</source>
+        <translation>&amp;Запри</translation>
+    </message>
+    <message>
+        <source>&amp;Close</source>
+        <translation>&amp;Затвори</translation>
+    </message>
+    <message>
+        <source>Export stopped; nothing was written.</source>
+        <translation>Извозот е запрен; ништо не е запишано.</translation>
+    </message>
+    <message>
+        <source>Written to %1.</source>
+        <translation>Запишано во %1.</translation>
     </message>
 </context>
 <context>
@@ -12525,14 +12480,6 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
         <translation>&amp;Формат:</translation>
     </message>
     <message>
-        <source>Result</source>
-        <translation>Резултат</translation>
-    </message>
-    <message>
-        <source>&amp;Export…</source>
-        <translation>&amp;Извези…</translation>
-    </message>
-    <message>
         <source>Asks for a file name and writes the file.</source>
         <translation>Прашува за името на датотеката и ја запишува.</translation>
     </message>
@@ -12629,22 +12576,6 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
         <translation>Извези</translation>
     </message>
     <message>
-        <source>&amp;Stop</source>
-        <translation>&amp;Запри</translation>
-    </message>
-    <message>
-        <source>&amp;Close</source>
-        <translation>&amp;Затвори</translation>
-    </message>
-    <message>
-        <source>Export stopped; nothing was written.</source>
-        <translation>Извозот е запрен; ништо не е запишано.</translation>
-    </message>
-    <message>
-        <source>Written to %1.</source>
-        <translation>Запишано во %1.</translation>
-    </message>
-    <message>
         <source>Picture (.jpg)</source>
         <translation>Слика (.jpg)</translation>
     </message>
@@ -12663,10 +12594,6 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
     <message>
         <source>Depths can be written only as PNG.</source>
         <translation>Длабочините се запишуваат само како PNG.</translation>
-    </message>
-    <message>
-        <source>Add to Queue…</source>
-        <translation>Додај во редот…</translation>
     </message>
     <message>
         <source>Asks for a file name and adds the file to the queue in the Exports panel. The queue continues after a restart.</source>
@@ -12723,6 +12650,10 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
     <message>
         <source>Stere&amp;o:</source>
         <translation>&amp;Стерео:</translation>
+    </message>
+    <message>
+        <source>The name “%1” does not determine the format. It must end with one of these: %2.</source>
+        <translation>Името „%1“ не го кажува форматот. Мора да завршува на една од овие наставки: %2.</translation>
     </message>
 </context>
 <context>
@@ -13357,14 +13288,6 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
         <translation>Извоз на „%1“</translation>
     </message>
     <message>
-        <source>Result</source>
-        <translation>Резултат</translation>
-    </message>
-    <message>
-        <source>&amp;Export…</source>
-        <translation>&amp;Извези…</translation>
-    </message>
-    <message>
         <source>Asks for a file name and writes the picture. You can keep working in the meantime.</source>
         <translation>Прашува за име на датотека и ја запишува сликата. Во меѓувреме можете да работите.</translation>
     </message>
@@ -13407,22 +13330,6 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
     <message>
         <source>There is not enough memory for this picture. Reduce its size.</source>
         <translation>Нема доволно меморија за оваа слика. Намалете ја.</translation>
-    </message>
-    <message>
-        <source>Export stopped; nothing was written.</source>
-        <translation>Извозот е запрен; ништо не е запишано.</translation>
-    </message>
-    <message>
-        <source>Written to %1.</source>
-        <translation>Запишано во %1.</translation>
-    </message>
-    <message>
-        <source>&amp;Stop</source>
-        <translation>&amp;Запри</translation>
-    </message>
-    <message>
-        <source>&amp;Close</source>
-        <translation>&amp;Затвори</translation>
     </message>
 </context>
 <context>

@@ -3,7 +3,6 @@
 
 #include "dialogs/export/export_camera.h"
 #include "dialogs/export/export_preview.h"
-#include "dialogs/export/export_progress.h"
 #include "dialogs/export/export_size_editor.h"
 #include "dialogs/export/large_export.h"
 #include "dialogs/export/last_export.h"
@@ -14,14 +13,8 @@
 #include "widgets/text/tooltip_text.h"
 
 #include <QComboBox>
-#include <QDialogButtonBox>
 #include <QFileInfo>
 #include <QFormLayout>
-#include <QHBoxLayout>
-#include <QLabel>
-#include <QPushButton>
-#include <QShortcut>
-#include <QVBoxLayout>
 
 #include <algorithm>
 #include <cmath>
@@ -35,43 +28,17 @@ const QString exportKind = QStringLiteral("transformation");
 } // namespace
 
 TheftExportDialog::TheftExportDialog(const document::TheftJob& job, QWidget* parent)
-    : QDialog(parent), m_job(job) {
+    : ExportShell(parent), m_job(job) {
     setWindowTitle(tr("Export “%1”").arg(titleText(m_job.from.fractal->name)));
     createOptions();
-    m_message = new QLabel(this);
-    m_message->setWordWrap(true);
-    m_message->setTextFormat(Qt::PlainText);
-    m_message->setAccessibleName(tr("Result"));
-    m_message->hide();
-    m_progress = new ExportProgress(this);
-    auto* buttons = new QDialogButtonBox(this);
-    m_start = buttons->addButton(tr("&Export…"), QDialogButtonBox::AcceptRole);
-    m_start->setWhatsThis(
-        tr("Asks for a file name and writes the picture. You can keep working in the meantime."));
-    m_close = buttons->addButton(QDialogButtonBox::Close);
     m_preview = new ExportPreview(this);
-    auto* top = new QHBoxLayout;
-    top->addWidget(m_options);
-    top->addWidget(m_preview, 1);
-    auto* layout = new QVBoxLayout(this);
-    layout->addLayout(top, 1);
-    layout->addWidget(m_message);
-    layout->addWidget(m_progress);
-    layout->addWidget(buttons);
-    connect(buttons, &QDialogButtonBox::accepted, this, &TheftExportDialog::chooseFile);
-    connect(buttons, &QDialogButtonBox::rejected, this, [this] {
-        if (m_work.isRunning())
-            m_stop.request_stop();
-        else
-            reject();
-    });
-    // Esc is the button: it stops before it closes. Closing the window does both at once.
-    connect(new QShortcut(QKeySequence::Cancel, this), &QShortcut::activated, m_close, &QPushButton::click);
+    lay(m_options, m_preview, Qt::Horizontal);
+    setStartHelp(tr("Asks for a file name and writes the picture. You can keep working in the meantime."));
     connect(m_section, &QComboBox::currentIndexChanged, this, &TheftExportDialog::update);
     connect(m_size, &ExportSizeEditor::changed, this, &TheftExportDialog::update);
-    connect(&m_work, &QFutureWatcherBase::finished, this, &TheftExportDialog::finish);
+    connect(&m_work, &QFutureWatcherBase::finished, this, &TheftExportDialog::whenWorked);
     connect(&m_work, &QFutureWatcherBase::progressValueChanged, this,
-            [this](int thousandths) { m_progress->setFraction(thousandths / 1000.0); });
+            [this](int thousandths) { setFraction(thousandths / 1000.0); });
     connect(&m_extent, &QFutureWatcherBase::finished, this, &TheftExportDialog::update);
     m_extent.setFuture(io::inBackground<std::optional<document::Box>>(
         [fractal = m_job.from.fractal](QPromise<std::optional<document::Box>>& promise) {
@@ -110,10 +77,6 @@ void TheftExportDialog::setFolder(const QString& folder) {
     m_folder = folder;
 }
 
-QString TheftExportDialog::message() const {
-    return m_message->text();
-}
-
 QSize TheftExportDialog::pixels() const {
     return m_size->pixels();
 }
@@ -135,15 +98,14 @@ void TheftExportDialog::update() {
                     });
 }
 
-void TheftExportDialog::chooseFile() {
-    if (!confirmLargeExport(this, m_size->pixels(), 0)) return;
+QString TheftExportDialog::chosenFile() {
+    if (!confirmLargeExport(this, m_size->pixels(), 0)) return {};
     const QString name = document::uniqueName({}, m_job.from.fractal->name) + QStringLiteral(".png");
     const QString path =
         chooseFileToSave(this, tr("Export Stolen Picture"), suggestedPath(exportKind, name, m_folder),
                          tr("Pictures (*.png)"), QStringLiteral("png"));
-    if (path.isEmpty()) return;
-    rememberExport(exportKind, {QStringLiteral("png"), m_size->choice()}, path);
-    exportTo(path);
+    if (!path.isEmpty()) rememberExport(exportKind, {QStringLiteral("png"), m_size->choice()}, path);
+    return path;
 }
 
 void TheftExportDialog::exportTo(const QString& path) {
@@ -154,7 +116,7 @@ void TheftExportDialog::exportTo(const QString& path) {
             tr("The name “%1” does not end with .png. Choose another name.").arg(QFileInfo(path).fileName()));
     m_path = path;
     m_stop = {};
-    setBusy(true);
+    begin([this] { m_stop.request_stop(); });
     m_work.setFuture(io::inBackground<io::ExportOutcome>(
         io::Lane::Saving, [job = m_job, camera = camera(pixels()), path,
                            stop = m_stop.get_token()](QPromise<io::ExportOutcome>& promise) {
@@ -164,28 +126,13 @@ void TheftExportDialog::exportTo(const QString& path) {
         }));
 }
 
-void TheftExportDialog::finish() {
-    setBusy(false);
-    if (m_work.future().resultCount() == 0)
-        return say(tr("There is not enough memory for this picture. Reduce its size."));
-    const io::ExportOutcome outcome = m_work.result();
-    if (outcome.stopped) return say(tr("Export stopped; nothing was written."));
-    if (outcome.failure) return say(*outcome.failure);
-    say(tr("Written to %1.").arg(m_path));
-    emit exported(m_path);
-}
-
-void TheftExportDialog::say(const QString& sentence) {
-    m_message->setText(sentence);
-    m_message->show();
-}
-
-void TheftExportDialog::setBusy(bool busy) {
-    m_options->setEnabled(!busy);
-    m_start->setEnabled(!busy);
-    m_close->setText(busy ? tr("&Stop") : tr("&Close"));
-    busy ? m_progress->begin() : m_progress->end();
-    if (busy) m_message->hide();
+void TheftExportDialog::whenWorked() {
+    io::ExportOutcome outcome;
+    if (m_work.future().resultCount() > 0)
+        outcome = m_work.result();
+    else
+        outcome.failure = tr("There is not enough memory for this picture. Reduce its size.");
+    finish(outcome, m_path);
 }
 
 } // namespace view

@@ -1,29 +1,26 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "dialogs/export/export_shell.h"
 #include "document/fractal/fractal_geometry.h"
 #include "document/tops/theft_thread.h"
 #include "io/picture/png_export.h"
 
-#include <QDialog>
 #include <QFutureWatcher>
 
 #include <optional>
 #include <stop_token>
 
 class QComboBox;
-class QLabel;
-class QPushButton;
 
 namespace view {
 
 class ExportPreview;
-class ExportProgress;
 class ExportSizeEditor;
 
 // Exports the picture that a fractal transformation steals, as PNG: what the canvas shows or the whole
-// attractor, in any size. Works in the background; closing it stops the export.
-class TheftExportDialog : public QDialog {
+// attractor, in any size.
+class TheftExportDialog : public ExportShell {
     Q_OBJECT
 
 public:
@@ -36,23 +33,19 @@ public:
     enum class Section { View, Attractor };
     void setSection(Section section);
     void setFolder(const QString& folder); // to suggest
-    void exportTo(const QString& path);    // what the Export button does once a file is chosen
-    QString message() const;               // what came of it
+    void exportTo(const QString& path) override;
     ExportSizeEditor& sizeEditor() { return *m_size; }
     const ExportPreview& preview() const { return *m_preview; }
 
-signals:
-    void exported(const QString& path);
+protected:
+    QString chosenFile() override;
 
 private:
     void createOptions();
     QSize pixels() const;
     attractor::Camera camera(const QSize& size) const;
     void update();
-    void chooseFile();
-    void finish();
-    void say(const QString& sentence);
-    void setBusy(bool busy);
+    void whenWorked();
 
     document::TheftJob m_job;
     QString m_folder;
@@ -61,10 +54,6 @@ private:
     QComboBox* m_section = nullptr;
     ExportSizeEditor* m_size = nullptr;
     ExportPreview* m_preview = nullptr;
-    QLabel* m_message = nullptr;
-    ExportProgress* m_progress = nullptr;
-    QPushButton* m_start = nullptr;
-    QPushButton* m_close = nullptr;
     QFutureWatcher<std::optional<document::Box>> m_extent; // of F, found in the background
     QFutureWatcher<io::ExportOutcome> m_work;
     std::stop_source m_stop;

@@ -19,12 +19,11 @@ QString shown(const std::string& word) {
     return QString::fromStdString(word);
 }
 
-QString listed(const std::vector<std::string>& names) {
+QString listed(const std::vector<std::string>& names, const QString& last = tr("or")) {
     QStringList list;
     for (const std::string& name : names)
         list << shown(name);
-    const QString last = list.takeLast();
-    return list.isEmpty() ? last : tr("%1 or %2").arg(list.join(QStringLiteral(", ")), last);
+    return cli::listed(std::move(list), last);
 }
 
 // Insertions, deletions, replacements and exchanges of neighbours that make one word the other.
@@ -95,7 +94,7 @@ QString unknownCommand(const Program& program, const std::string& name) {
     const auto names = commandNames(program);
     const std::string meant = nearest(name, names);
     return meant.empty() ? tr("There is no command “%1”; the commands are %2.")
-                               .arg(shown(name), listed(names).replace(tr(" or "), tr(" and ")))
+                               .arg(shown(name), listed(names, tr("and")))
                          : tr("There is no command “%1”; did you mean %2?").arg(shown(name), shown(meant));
 }
 
@@ -254,6 +253,11 @@ const Command& commandNamed(const Program& program, const std::string& name) {
 }
 
 } // namespace
+
+QString listed(QStringList words, const QString& last) {
+    const QString end = words.takeLast();
+    return words.isEmpty() ? end : words.join(QStringLiteral(", ")) + u' ' + last + u' ' + end;
+}
 
 std::string nearest(const std::string& word, const std::vector<std::string>& candidates) {
     constexpr std::size_t minPrefix = 3;

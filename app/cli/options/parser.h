@@ -3,6 +3,8 @@
 
 #include "options/options.h"
 
+#include <QStringList>
+
 #include <string>
 #include <vector>
 
@@ -19,6 +21,9 @@ struct Call {
 // Fills the places of the command in, once all words make sense; a complaint names them as typed. An unknown
 // option is named before anything else is complained about. Throws UsageError.
 Call parse(const Program& program, const std::vector<std::string>& words);
+
+// "a, b or c".
+QString listed(QStringList words, const QString& last);
 
 // Of the candidates the one that was probably meant: one that begins like the word, or else differs from it
 // in few letters. Empty when there is none.

@@ -78,8 +78,7 @@ std::size_t choiceArgument(const std::string& option, const std::string& text,
     QStringList shown;
     for (const std::string& name : names)
         shown << QString::fromStdString(name);
-    const QString last = shown.takeLast();
-    const QString wanted = tr("it must be %1 or %2").arg(shown.join(QStringLiteral(", ")), last);
+    const QString wanted = tr("it must be %1").arg(listed(shown, tr("or")));
     const std::string meant = nearest(text, names);
     refuse(option, text,
            meant.empty() ? wanted + u'.'

@@ -9,6 +9,7 @@
 #include "process/messages.h"
 #include "process/output.h"
 #include "process/output_names.h"
+#include "process/picture_suffixes.h"
 #include "process/progress_bar.h"
 
 #include "io/file/standard_output.h"
@@ -146,9 +147,8 @@ ExitStatus merge(const MergeArguments& arguments) {
     const QString output = fileNameOf(arguments.output);
     const std::optional<io::PictureFile> kind = io::pictureFileOf(QFileInfo(output).suffix());
     if (!kind && !isSumFile(output))
-        throw UsageError{tr("The parts can be merged into a .png, .jpg, .webp, .tiff, .exr or .sum file, and "
-                            "“%1” is none of them.")
-                             .arg(output)};
+        throw UsageError{tr("The parts can be merged into a %1 file, and “%2” is none of them.")
+                             .arg(namedSuffixes(anyPicture, tr("or"), {"sum"}), output)};
     const std::optional<int> quality = fittingQuality(arguments.quality, kind);
     QStringList files;
     for (const std::string& file : arguments.files)
@@ -239,7 +239,7 @@ Command mergeCommand() {
     files
         .add("-o,--output", "OUT", &arguments->output,
              "Picture to write once all parts are present, in a format of render, or their sum (.sum)")
-        .completedBy(Completion::Kind::Files, {"png", "jpg", "jpeg", "webp", "tif", "tiff", "exr", "sum"})
+        .completedBy(Completion::Kind::Files, pictureSuffixes(anyPicture, {"sum"}))
         .fileName()
         .required();
     addQualityOption(files, arguments->quality).standard = "92; WebP without loss";

@@ -6,6 +6,7 @@
 #include "process/input.h"
 #include "process/output.h"
 #include "process/output_names.h"
+#include "process/picture_suffixes.h"
 
 #include "attractor/kernels/kernels.h"
 #include "io/picture/picture_writers.h"
@@ -32,12 +33,11 @@ Format formatOf(const RenderArguments& arguments) {
     if (suffix == u"pdf") return Format::Pdf;
     if (suffix == u"sum") return Format::Sum;
     if (isStandardOutput(fileNameOf(arguments.output)))
-        throw UsageError{
-            tr("Give the format for standard output with --to: png, jpg, webp, tiff, exr, svg or pdf.")};
+        throw UsageError{tr("Give the format for standard output with --to: %1.")
+                             .arg(namedSuffixes(anyPicture, tr("or"), {"svg", "pdf"}).remove(u'.'))};
     throw UsageError{
-        tr("The picture can be written as .png, .jpg, .webp, .tiff, .exr, .svg, .pdf or .sum, and "
-           "“%1” is none of them.")
-            .arg(fileNameOf(arguments.output))};
+        tr("The picture can be written as %1, and “%2” is none of them.")
+            .arg(namedSuffixes(anyPicture, tr("or"), {"svg", "pdf", "sum"}), fileNameOf(arguments.output))};
 }
 
 } // namespace
@@ -102,8 +102,9 @@ bool is16Bit(const RenderArguments& arguments) {
 }
 
 std::optional<int> fittingQuality(const std::optional<int>& quality, std::optional<io::PictureFile> file) {
-    const bool hasQuality = file == io::PictureFile::Jpeg || file == io::PictureFile::WebP;
-    refuseIf(quality && !hasQuality, "--quality", tr("it applies only to .jpg and .webp."));
+    const auto hasQuality = [](const io::PictureFileFacts& facts) { return facts.hasQuality; };
+    refuseIf(quality && !(file && io::factsOf(*file).hasQuality), "--quality",
+             tr("it applies only to %1.").arg(namedSuffixes(hasQuality, tr("and"))));
     return quality;
 }
 
@@ -117,13 +118,14 @@ namespace {
 void checkPixels(const RenderArguments& arguments) {
     using enum io::PictureFormat::Depth;
     const io::PictureFile file = pictureFileOf(arguments);
+    const auto isFlat = [](const io::PictureFileFacts& facts) { return !facts.takes16Bits; };
     qualityOf(arguments);
     if (!io::takes(file, Bits8))
         refuseIf(arguments.bits == 8, "--bits 8", tr("OpenEXR has 16 or 32 bits per channel."));
     else
         refuseIf(arguments.bits == 32, "--bits 32", tr("only .exr has 32 bits per channel."));
     refuseIf(is16Bit(arguments) && !io::takes(file, Bits16), "--bits 16",
-             tr(".jpg and .webp have 8 bits per channel."));
+             tr("%1 have 8 bits per channel.").arg(namedSuffixes(isFlat, tr("and"))));
 }
 
 // What makes no sense for the format, whatever the entry. Nothing is ignored silently.

@@ -4,6 +4,7 @@
 #include "options/tr.h"
 #include "options/usage_error.h"
 #include "process/input.h"
+#include "process/picture_suffixes.h"
 
 #include <QStringList>
 
@@ -11,7 +12,6 @@ namespace cli {
 
 namespace {
 
-const std::vector<std::string> formats{"png", "jpg", "webp", "tiff", "exr", "svg", "pdf"}; // of --to
 const std::vector<std::string> overlayParts{"maps", "hull", "cage", "fixed-points", "numbers"};
 
 // "6", or "0-6" for all from 0 to 6.
@@ -56,7 +56,12 @@ int bitsArgument(const std::string& option, const std::string& text) {
     return std::stoi(bits[choiceArgument(option, text, bits)]);
 }
 
+std::vector<std::string> formatWords() {
+    return usualSuffixes(anyPicture, {"svg", "pdf"});
+}
+
 std::string formatArgument(const std::string& option, const std::string& text) {
+    const std::vector<std::string> formats = formatWords();
     return formats[choiceArgument(option, text, formats)];
 }
 
@@ -196,9 +201,10 @@ void addColourOptions(Command& command, RenderArguments& arguments) {
 void addShapeOptions(Command& command, RenderArguments& arguments) {
     const OptionGroup file = command.group("File");
     file.add("--to", "FORMAT", parsed(&arguments.format, formatArgument),
-             "png, jpg, webp, tiff, exr, svg or pdf", "as the output name determines")
+             namedSuffixes(anyPicture, tr("or"), {"svg", "pdf"}).remove(u'.').toStdString(),
+             "as the output name determines")
         .moreOf("All but PDF contain the system, which barycage-cli can read again.")
-        .completedBy(Completion::Kind::Words, formats);
+        .completedBy(Completion::Kind::Words, formatWords());
     file.add("--svg", "KIND", choice(&arguments.svg),
              "Kind of vector graphics: structured, outline or points", "structured")
         .moreOf("These are copies of copies, the outline of all copies as one path, for cutters and "
@@ -429,13 +435,13 @@ void addRenderOptions(Command& command, RenderArguments& arguments) {
         .is(Picture);
     files
         .add("-o,--output", "OUT", &arguments.output,
-             "Picture to write: .png, .jpg, .webp, .tiff, .exr, .svg or .pdf, or its sums: .sum; - for "
-             "standard output; for several, %e is the name of the entry, %n its number, %f its file, %i the "
-             "number of iterations")
+             "Picture to write: " + namedSuffixes(anyPicture, tr("or"), {"svg", "pdf"}).toStdString() +
+                 ", or its sums: .sum; - for standard output; for several, %e is the name of the entry, %n "
+                 "its "
+                 "number, %f its file, %i the number of iterations")
         .moreOf("%% is a per cent sign. The names of folders contain no placeholders: % is a letter "
                 "there. Nothing is drawn if two pictures would be written to one file.")
-        .completedBy(Completion::Kind::Files,
-                     {"png", "jpg", "jpeg", "webp", "tif", "tiff", "exr", "svg", "pdf", "sum"})
+        .completedBy(Completion::Kind::Files, pictureSuffixes(anyPicture, {"svg", "pdf", "sum"}))
         .fileName()
         .required();
     addEntriesOption(command, arguments.entries, "the first that can be read").is(Picture);

@@ -14,63 +14,76 @@ namespace io {
 
 namespace {
 
-// Pixels along a side, where there is a limit.
-std::optional<int> maxSide(PictureFile file) {
-    switch (file) {
-    case PictureFile::Jpeg:
-        return 65'500;
-    case PictureFile::WebP:
-        return 16'383;
-    default:
-        return std::nullopt;
-    }
+template <class Writer>
+std::unique_ptr<PictureWriter> writerOf(QIODevice& device, const PictureFormat& format) {
+    return std::make_unique<Writer>(device, format);
 }
 
-QString nameOf(PictureFile file) {
-    switch (file) {
-    case PictureFile::Png:
-        return QStringLiteral("PNG");
-    case PictureFile::Jpeg:
-        return QStringLiteral("JPEG");
-    case PictureFile::WebP:
-        return QStringLiteral("WebP");
-    case PictureFile::Tiff:
-        return QStringLiteral("TIFF");
-    default:
-        return QStringLiteral("OpenEXR");
-    }
+template <PictureFile file>
+std::unique_ptr<PictureWriter> exrWriter(QIODevice& device, const PictureFormat& format) {
+    return std::make_unique<ExrWriter>(device, file, format);
 }
 
 } // namespace
 
+std::span<const PictureFileFacts> pictureFiles() {
+    static const std::vector<PictureFileFacts> files{
+        {.file = PictureFile::Png, .title = "PNG", .suffixes = {"png"}, .writer = writerOf<PngWriter>},
+        {.file = PictureFile::Jpeg,
+         .title = "JPEG",
+         .suffixes = {"jpg", "jpeg"},
+         .takes16Bits = false,
+         .hasQuality = true,
+         .canBeTransparent = false,
+         .maxSide = 65'500,
+         .writer = writerOf<JpegWriter>},
+        {.file = PictureFile::WebP,
+         .title = "WebP",
+         .suffixes = {"webp"},
+         .takes16Bits = false,
+         .hasQuality = true,
+         .maxSide = 16'383,
+         .writer = writerOf<WebPWriter>},
+        {.file = PictureFile::Tiff,
+         .title = "TIFF",
+         .suffixes = {"tiff", "tif"},
+         .writer = writerOf<TiffWriter>},
+        {.file = PictureFile::ExrHalf,
+         .title = "OpenEXR",
+         .suffixes = {"exr"},
+         .takes8Bits = false,
+         .writer = exrWriter<PictureFile::ExrHalf>},
+        {.file = PictureFile::ExrFloat,
+         .title = "OpenEXR",
+         .suffixes = {},
+         .takes8Bits = false,
+         .writer = exrWriter<PictureFile::ExrFloat>},
+    };
+    return files;
+}
+
+const PictureFileFacts& factsOf(PictureFile file) {
+    return *std::ranges::find(pictureFiles(), file, &PictureFileFacts::file);
+}
+
 std::optional<PictureFile> pictureFileOf(const QString& suffix) {
-    const QString name = suffix.toLower();
-    if (name == u"png") return PictureFile::Png;
-    if (name == u"jpg" || name == u"jpeg") return PictureFile::Jpeg;
-    if (name == u"webp") return PictureFile::WebP;
-    if (name == u"tif" || name == u"tiff") return PictureFile::Tiff;
-    if (name == u"exr") return PictureFile::ExrHalf;
+    for (const PictureFileFacts& facts : pictureFiles())
+        for (const char* known : facts.suffixes)
+            if (suffix.compare(QLatin1String(known), Qt::CaseInsensitive) == 0) return facts.file;
     return std::nullopt;
 }
 
 bool takes(PictureFile file, PictureFormat::Depth depth) {
-    using enum PictureFormat::Depth;
-    switch (file) {
-    case PictureFile::Jpeg:
-    case PictureFile::WebP:
-        return depth == Bits8;
-    case PictureFile::ExrHalf:
-    case PictureFile::ExrFloat:
-        return depth == Bits16;
-    default:
-        return true;
-    }
+    const PictureFileFacts& facts = factsOf(file);
+    return depth == PictureFormat::Depth::Bits8 ? facts.takes8Bits : facts.takes16Bits;
 }
 
 Failure whyImpossible(PictureFile file, const PictureFormat& format) {
     constexpr double maxJpegDots = 65535;
-    if (const auto limit = maxSide(file); limit && std::max(format.width, format.height) > *limit)
-        return Text::tr("A %1 picture has at most %2 pixels along a side.").arg(nameOf(file)).arg(*limit);
+    const PictureFileFacts& facts = factsOf(file);
+    const QLatin1String title(facts.title);
+    if (facts.maxSide && std::max(format.width, format.height) > *facts.maxSide)
+        return Text::tr("A %1 picture has at most %2 pixels along a side.").arg(title).arg(*facts.maxSide);
     if (file == PictureFile::Jpeg && format.pixels == PictureFormat::Pixels::Transparent)
         return Text::tr(
             "A JPEG picture cannot be transparent. Choose a background colour or another format.");
@@ -78,26 +91,13 @@ Failure whyImpossible(PictureFile file, const PictureFormat& format) {
         return Text::tr("A JPEG picture has at most %1 dots per inch.").arg(int(maxJpegDots));
     const bool isOnlyOfPng = format.pixels == PictureFormat::Pixels::Grey || !format.texts.empty();
     if ((file != PictureFile::Png && isOnlyOfPng) || !takes(file, format.depth))
-        return Text::tr("Such a picture cannot be written as %1.").arg(nameOf(file));
+        return Text::tr("Such a picture cannot be written as %1.").arg(title);
     return std::nullopt;
 }
 
 std::unique_ptr<PictureWriter> pictureWriter(PictureFile file, QIODevice& device,
                                              const PictureFormat& format) {
-    switch (file) {
-    case PictureFile::Jpeg:
-        return std::make_unique<JpegWriter>(device, format);
-    case PictureFile::WebP:
-        return std::make_unique<WebPWriter>(device, format);
-    case PictureFile::Tiff:
-        return std::make_unique<TiffWriter>(device, format);
-    case PictureFile::ExrHalf:
-    case PictureFile::ExrFloat:
-        return std::make_unique<ExrWriter>(device, file, format);
-    case PictureFile::Png:
-        break;
-    }
-    return std::make_unique<PngWriter>(device, format);
+    return factsOf(file).writer(device, format);
 }
 
 } // namespace io

@@ -8,17 +8,33 @@
 
 #include <memory>
 #include <optional>
+#include <span>
+#include <vector>
 
 namespace io {
 
 // The part of the progress of an export in which it is drawn; the rest is compression.
 inline constexpr double shareOfDrawing = 0.8;
 
-// By the ending of a file's name, in any case: png, jpg, jpeg, webp, tif, tiff or exr (with 16 bits).
+// What a kind of picture file can hold, and who writes it.
+struct PictureFileFacts {
+    PictureFile file;
+    const char* title;                 // "PNG"
+    std::vector<const char*> suffixes; // the usual one first; none: its name is that of another kind
+    bool takes8Bits = true;            // of rows
+    bool takes16Bits = true;
+    bool hasQuality = false; // and loses something
+    bool canBeTransparent = true;
+    std::optional<int> maxSide = std::nullopt; // pixels
+    std::unique_ptr<PictureWriter> (*writer)(QIODevice& device, const PictureFormat& format);
+};
+std::span<const PictureFileFacts> pictureFiles(); // in the order of lists
+const PictureFileFacts& factsOf(PictureFile file);
+
+// By the ending of a file's name, in any case; OpenEXR with 16 bits.
 std::optional<PictureFile> pictureFileOf(const QString& suffix);
 
-// How deep the rows of such a picture are: JPEG and WebP take only 8 bits, OpenEXR only 16.
-bool takes(PictureFile file, PictureFormat::Depth depth);
+bool takes(PictureFile file, PictureFormat::Depth depth); // rows of this depth
 
 // Why no picture of this format can be written to such a file, in a sentence, before it is drawn.
 Failure whyImpossible(PictureFile file, const PictureFormat& format);

@@ -3,9 +3,7 @@
 
 #include "bridges/attractor_watch.h"
 #include "dialogs/export/cluster_queue.h"
-#include "dialogs/export/export_progress.h"
 #include "dialogs/export/last_export.h"
-#include "dialogs/export/start_export.h"
 #include "document/text/unique_names.h"
 #include "io/animation/frames_view.h"
 #include "io/file/background.h"
@@ -15,7 +13,6 @@
 #include "widgets/text/tooltip_text.h"
 
 #include <QComboBox>
-#include <QDialogButtonBox>
 #include <QFileInfo>
 #include <QFormLayout>
 #include <QHBoxLayout>
@@ -80,7 +77,7 @@ template <int Dim> void setCamera(document::Shape<Dim>& shape, const AnimationEx
 
 AnimationExportDialog::AnimationExportDialog(document::Document* document, const Camera& camera,
                                              QWidget* parent)
-    : QDialog(parent),
+    : ExportShell(parent),
       m_entry(document->entryFractal()),
       m_camera(camera),
       m_views(document::savedViews(m_entry)),
@@ -90,13 +87,13 @@ AnimationExportDialog::AnimationExportDialog(document::Document* document, const
     setWindowTitle(tr("Export the Animation “%1”").arg(titleText(m_entry.name)));
     createFormat();
     createFrames();
-    auto* layout = new QVBoxLayout(this);
-    m_options = new QWidget(this);
-    m_options->setLayout(m_form);
-    m_form->setContentsMargins({});
-    layout->addWidget(m_options);
-    layout->addWidget(createResult());
+    auto* options = new QWidget(this);
+    auto* layout = new QVBoxLayout(options);
+    layout->setContentsMargins({});
+    layout->addLayout(m_form);
+    createPlan(options);
     layout->addStretch();
+    lay(options, nullptr, Qt::Vertical);
     createButtons();
     connect(m_queue, &ClusterQueue::stateChanged, this, &AnimationExportDialog::say);
     connect(m_queue, &ClusterQueue::finished, this, [this] { m_cluster->setEnabled(true); });
@@ -184,46 +181,29 @@ void AnimationExportDialog::createFrames() {
     m_form->addRow(tr("&Tasks on a cluster:"), m_tasks);
 }
 
-QWidget* AnimationExportDialog::createResult() {
-    auto* page = new QWidget(this);
-    m_plan = new QLabel(page);
+void AnimationExportDialog::createPlan(QWidget* options) {
+    m_plan = new QLabel(options);
     m_plan->setWordWrap(true);
     m_plan->setAccessibleName(tr("Summary of the export"));
-    m_lost = new QLabel(page);
+    m_lost = new QLabel(options);
     m_lost->setWordWrap(true);
     m_lost->setAccessibleName(tr("Frame without an attractor"));
     m_lost->hide();
-    m_message = new QLabel(page);
-    m_message->setWordWrap(true);
-    m_message->setTextFormat(Qt::PlainText);
-    m_message->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
-    m_message->setAccessibleName(tr("Result"));
-    m_message->hide();
-    m_progress = new ExportProgress(page);
-    auto* layout = new QVBoxLayout(page);
-    layout->setContentsMargins({});
-    for (QWidget* row : std::initializer_list<QWidget*>{m_plan, m_lost, m_message, m_progress})
-        layout->addWidget(row);
-    return page;
+    options->layout()->addWidget(m_plan);
+    options->layout()->addWidget(m_lost);
 }
 
 void AnimationExportDialog::createButtons() {
-    auto* buttons = new QDialogButtonBox(this);
-    m_start = buttons->addButton(tr("&Export…"), QDialogButtonBox::AcceptRole);
-    m_start->setWhatsThis(tr("Asks for a file name and writes the animation. You can continue editing in the "
-                             "meantime: the animation is exported as it was when this dialog opened."));
-    m_cluster = buttons->addButton(tr("On a &Cluster…"), QDialogButtonBox::ActionRole);
-    m_cluster->setWhatsThis(tr("Writes a folder with the animation and with scripts that draw it on a Slurm "
-                               "cluster, and submits the job if sbatch is found."));
-    m_close = buttons->addButton(QDialogButtonBox::Close);
-    layout()->addWidget(buttons);
-    connect(buttons, &QDialogButtonBox::accepted, this, &AnimationExportDialog::chooseFile);
+    setStartHelp(tr("Asks for a file name and writes the animation. You can continue editing in the "
+                    "meantime: the animation is exported as it was when this dialog opened."));
+    m_cluster = addButton(tr("On a &Cluster…"),
+                          tr("Writes a folder with the animation and with scripts that draw it on a Slurm "
+                             "cluster, and submits the job if sbatch is found."));
     connect(m_cluster, &QPushButton::clicked, this, &AnimationExportDialog::chooseFolder);
-    connect(buttons, &QDialogButtonBox::rejected, this, [this] { m_job ? m_job->stop() : reject(); });
 }
 
 bool AnimationExportDialog::mayClose() {
-    if (!m_job) return true;
+    if (!isBusy()) return true;
     QMessageBox box(QMessageBox::Question, tr("Export is not finished"),
                     tr("The animation “%1” is still being exported.").arg(m_entry.name),
                     QMessageBox::NoButton, this);
@@ -236,12 +216,12 @@ bool AnimationExportDialog::mayClose() {
     box.setDefaultButton(goOn);
     box.setEscapeButton(goOn);
     box.exec();
-    return !m_job || box.clickedButton() == stop;
+    return !isBusy() || box.clickedButton() == stop;
 }
 
 void AnimationExportDialog::reject() {
-    const bool wasIdle = !m_job;
-    if (mayClose() && (wasIdle || m_job)) QDialog::reject(); // what has ended meanwhile shows its outcome
+    const bool wasIdle = !isBusy();
+    if (mayClose() && (wasIdle || isBusy())) QDialog::reject(); // what has ended meanwhile shows its outcome
 }
 
 void AnimationExportDialog::setSection(Section section) {
@@ -250,10 +230,6 @@ void AnimationExportDialog::setSection(Section section) {
 
 void AnimationExportDialog::setFormat(Format format) {
     m_format->setCurrentIndex(format);
-}
-
-QString AnimationExportDialog::message() const {
-    return m_message->text();
 }
 
 QString AnimationExportDialog::suffix() const {
@@ -301,9 +277,9 @@ void AnimationExportDialog::update() {
     if (what.format && !io::factsOf(*what.format).storesAlpha && m_entry.appearance.background.alpha < 255)
         plan += u' ' + tr("MP4 has no transparency: the background becomes black.");
     m_plan->setText(plan);
-    const io::Failure obstacle = io::animationObstacle(what);
-    if (obstacle) say(*obstacle);
-    m_start->setEnabled(!obstacle && !m_job);
+    m_obstacle = io::animationObstacle(what);
+    if (m_obstacle) say(*m_obstacle);
+    enableButtons();
 }
 
 void AnimationExportDialog::adoptEnding(const QString& path) {
@@ -311,7 +287,7 @@ void AnimationExportDialog::adoptEnding(const QString& path) {
     if (format && m_format->currentIndex() != Pictures) m_format->setCurrentIndex(int(*format));
 }
 
-void AnimationExportDialog::chooseFile() {
+QString AnimationExportDialog::chosenFile() {
     const bool isPictures = m_format->currentIndex() == Pictures;
     const QString filter = tr("%1 files (*.%2)").arg(suffix().toUpper(), suffix());
     const QString fileName = document::uniqueName({}, m_entry.name) + u'.' + suffix();
@@ -321,14 +297,14 @@ void AnimationExportDialog::chooseFile() {
     const QString path =
         chooseFileToSave(this, tr("Export Animation"), suggestedPath(animationKind, suggestion), filter,
                          suffix(), !isPictures);
-    if (path.isEmpty()) return;
+    if (path.isEmpty()) return {};
     adoptEnding(path);
     const QString size = QStringLiteral("%1 %2").arg(m_width->value()).arg(m_height->value());
     rememberExport(animationKind, {formatName(m_format->currentIndex()), size}, path);
     const QString number = io::framePath(QStringLiteral(".png"), m_first->value(), m_last->value());
     const QString file =
         isPictures && path.endsWith(number) ? path.chopped(number.size()) + QStringLiteral(".png") : path;
-    if (!isPictures || mayReplace(file)) exportTo(file);
+    return !isPictures || mayReplace(file) ? file : QString();
 }
 
 bool AnimationExportDialog::mayReplace(const QString& path) {
@@ -353,45 +329,27 @@ bool AnimationExportDialog::mayReplace(const QString& path) {
     return self && box.clickedButton() == replace;
 }
 
-void AnimationExportDialog::startWork() {
-    m_message->hide();
-    m_progress->begin(tr("Measuring the brightness…"));
-    m_options->setEnabled(false);
-    m_start->setEnabled(false);
-    m_cluster->setEnabled(false);
-    m_close->setText(tr("&Stop"));
-}
-
 void AnimationExportDialog::exportTo(const QString& path) {
     adoptEnding(path);
-    startWork();
-    m_job = startExport(
-        chosen(), path, this, [this](double fraction) { m_progress->setFraction(fraction); },
-        [this, path](const io::ExportOutcome& outcome) { finish(outcome, path); });
+    m_cluster->setEnabled(false);
+    start(chosen(), path, tr("Measuring the brightness…"));
 }
 
-void AnimationExportDialog::finish(const io::ExportOutcome& outcome, const QString& path) {
-    m_job.reset();
+void AnimationExportDialog::whenFinished() {
     if (m_question) m_question->reject();
-    m_progress->end();
-    m_options->setEnabled(true);
     m_cluster->setEnabled(true);
-    m_close->setText(tr("&Close"));
     update();
-    const bool isPictures = m_format->currentIndex() == Pictures;
+}
+
+QString AnimationExportDialog::sentenceFor(const io::ExportOutcome& outcome, const QString& path) const {
     const auto picture = [&](int frame) { return io::framePath(path, frame, m_last->value()); };
-    if (outcome.stopped)
-        say(isPictures ? tr("Export stopped. The pictures written so far are complete; export again to draw "
-                            "the others.")
-                       : tr("Export stopped; nothing was written."));
-    else if (outcome.failure)
-        say(*outcome.failure);
-    else if (isPictures)
-        say(tr("Written to %1 and so on, up to %2.")
-                .arg(picture(m_first->value()), QFileInfo(picture(m_last->value())).fileName()));
-    else
-        say(tr("Written to %1.").arg(path));
-    if (!outcome.stopped && !outcome.failure) emit exported(path);
+    if (outcome.failure || m_format->currentIndex() != Pictures)
+        return ExportShell::sentenceFor(outcome, path);
+    return outcome.stopped
+               ? tr("Export stopped. The pictures written so far are complete; export again to draw the "
+                    "others.")
+               : tr("Written to %1 and so on, up to %2.")
+                     .arg(picture(m_first->value()), QFileInfo(picture(m_last->value())).fileName());
 }
 
 void AnimationExportDialog::chooseFolder() {
@@ -420,11 +378,6 @@ void AnimationExportDialog::prepareCluster(const QString& folder) {
         m_queue->submit(written.folder);
     }
     emit exported(written.folder);
-}
-
-void AnimationExportDialog::say(const QString& sentence) {
-    m_message->setText(sentence);
-    m_message->setVisible(!sentence.isEmpty());
 }
 
 } // namespace view

@@ -3,16 +3,14 @@
 
 #include "attractor/request/camera.h"
 #include "attractor/request/orbit_camera.h"
+#include "dialogs/export/export_shell.h"
 #include "document/document.h"
 #include "document/saved_views.h"
 #include "io/animation/cluster_job.h"
-#include "io/export_job.h"
 
-#include <QDialog>
 #include <QMessageBox>
 #include <QPointer>
 
-#include <memory>
 #include <optional>
 #include <variant>
 
@@ -26,12 +24,10 @@ namespace view {
 
 class AttractorWatch;
 class ClusterQueue;
-class ExportProgress;
 
 // Exports the animation of the current entry as it is when the dialog opens: as a video, as pictures, or as a
-// folder from which a cluster draws it. The work goes on in a thread of the model while the window is used;
-// closing the dialog stops it, after a question.
-class AnimationExportDialog : public QDialog {
+// folder from which a cluster draws it. Closing the dialog while it works asks first.
+class AnimationExportDialog : public ExportShell {
     Q_OBJECT
 
 public:
@@ -43,31 +39,29 @@ public:
     void setSection(Section section);       // what is shown where no camera key says
     enum Format { Mp4, WebM, Mkv, Gif, WebP, Apng, Pictures };
     void setFormat(Format format);
-    void exportTo(const QString& path);         // what Export does once a file is chosen …
-    void prepareCluster(const QString& folder); // … and On a Cluster once a folder is
-    QString message() const;                    // what came of it
+    void exportTo(const QString& path) override;
+    void prepareCluster(const QString& folder); // what On a Cluster does once a folder is chosen
     bool mayClose();                            // asks the user while an export is under way
     void reject() override;
 
-signals:
-    void exported(const QString& path);
+protected:
+    QString chosenFile() override;
+    bool isPossible() const override { return !m_obstacle; }
+    void whenFinished() override;
+    QString sentenceFor(const io::ExportOutcome& outcome, const QString& path) const override;
 
 private:
     void createFormat();
     void createFrames();
-    QWidget* createResult();
+    void createPlan(QWidget* options);
     void createButtons();
     void adoptEnding(const QString& path); // a video of the format that the file is named after
     io::AnimationExport chosen() const;
     document::Fractal entryInView() const;
     QString suffix() const;
     void update();
-    void chooseFile();
     bool mayReplace(const QString& path); // asks the user where pictures would replace others
     void chooseFolder();
-    void startWork();
-    void finish(const io::ExportOutcome& outcome, const QString& path);
-    void say(const QString& sentence);
 
     document::Fractal m_entry; // as it was when the dialog opened
     Camera m_camera;
@@ -85,16 +79,11 @@ private:
     QSpinBox* m_tasks = nullptr;
     QLabel* m_plan = nullptr;
     QLabel* m_lost = nullptr; // says when there is no attractor
-    QLabel* m_message = nullptr;
-    QWidget* m_options = nullptr;
-    ExportProgress* m_progress = nullptr;
-    QPushButton* m_start = nullptr;
     QPushButton* m_cluster = nullptr;
-    QPushButton* m_close = nullptr;
     ClusterQueue* m_queue = nullptr;
     AttractorWatch* m_watch;
-    QPointer<QMessageBox> m_question;     // whether to stop; nobody need answer once the work has ended
-    std::unique_ptr<io::ExportJob> m_job; // last: stops before the rest goes
+    io::Failure m_obstacle;
+    QPointer<QMessageBox> m_question; // whether to stop; nobody need answer once the work has ended
 };
 
 } // namespace view

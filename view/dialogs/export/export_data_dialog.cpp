@@ -2,9 +2,7 @@
 #include "dialogs/export/export_data_dialog.h"
 
 #include "dialogs/column_orders.h"
-#include "dialogs/export/export_progress.h"
 #include "dialogs/export/last_export.h"
-#include "dialogs/export/start_export.h"
 #include "document/edits/cage/cage_edits.h"
 #include "io/file/background.h"
 #include "widgets/background/save_beside.h"
@@ -16,18 +14,14 @@
 #include <QCheckBox>
 #include <QClipboard>
 #include <QComboBox>
-#include <QDialogButtonBox>
 #include <QFontDatabase>
 #include <QFormLayout>
 #include <QGuiApplication>
-#include <QLabel>
 #include <QPlainTextEdit>
 #include <QPointer>
 #include <QPushButton>
-#include <QShortcut>
 #include <QSpinBox>
 #include <QStandardItemModel>
-#include <QVBoxLayout>
 
 #include <algorithm>
 #include <chrono>
@@ -56,7 +50,7 @@ std::shared_ptr<const document::Fractal> bakedOf(const document::Fractal& fracta
 } // namespace
 
 ExportDataDialog::ExportDataDialog(document::Document* document, QWidget* parent)
-    : QDialog(parent), m_fractal(document->fractal()), m_baked(bakedOf(m_fractal)) {
+    : ExportShell(parent), m_fractal(document->fractal()), m_baked(bakedOf(m_fractal)) {
     setWindowTitle(tr("Export Data of “%1”").arg(titleText(m_fractal.name)));
     m_form = new QFormLayout;
     createOptions(m_form);
@@ -66,30 +60,13 @@ ExportDataDialog::ExportDataDialog(document::Document* document, QWidget* parent
     m_preview->setFont(QFontDatabase::systemFont(QFontDatabase::FixedFont));
     m_preview->setAccessibleName(tr("Preview of the file"));
     m_preview->setWhatsThis(tr("The beginning of the file as it will be written."));
-    m_message = new QLabel(this);
-    m_message->setWordWrap(true);
-    m_message->setTextFormat(Qt::PlainText); // it quotes names and paths
-    m_message->setAccessibleName(tr("Result"));
-    m_progress = new ExportProgress(this);
-    auto* buttons = new QDialogButtonBox(this);
-    m_export = buttons->addButton(tr("&Export…"), QDialogButtonBox::AcceptRole);
-    m_export->setWhatsThis(tr("Asks for a file name and writes the file."));
-    m_copy = buttons->addButton(tr("Copy &Text"), QDialogButtonBox::ActionRole);
-    m_copy->setWhatsThis(tr("Copies the whole text to the clipboard instead of writing a file."));
-    m_close = buttons->addButton(QDialogButtonBox::Close);
-    auto* layout = new QVBoxLayout(this);
-    m_options = new QWidget(this);
-    m_options->setLayout(m_form);
+    auto* options = new QWidget(this);
+    options->setLayout(m_form);
     m_form->setContentsMargins({});
-    layout->addWidget(m_options);
-    layout->addWidget(m_preview, 1);
-    layout->addWidget(m_message);
-    layout->addWidget(m_progress);
-    layout->addWidget(buttons);
-    connect(buttons, &QDialogButtonBox::accepted, this, &ExportDataDialog::chooseFile);
-    connect(buttons, &QDialogButtonBox::rejected, this, [this] { m_job ? m_job->stop() : reject(); });
-    // Esc is the button: it stops before it closes. Closing the window does both at once.
-    connect(new QShortcut(QKeySequence::Cancel, this), &QShortcut::activated, m_close, &QPushButton::click);
+    lay(options, m_preview, Qt::Vertical);
+    setStartHelp(tr("Asks for a file name and writes the file."));
+    m_copy =
+        addButton(tr("Copy &Text"), tr("Copies the whole text to the clipboard instead of writing a file."));
     connect(m_copy, &QPushButton::clicked, this, &ExportDataDialog::copy);
     connect(&m_previewed, &QFutureWatcherBase::finished, this, &ExportDataDialog::showPreview);
     resize(fontMetrics().averageCharWidth() * 90, fontMetrics().lineSpacing() * 26);
@@ -210,17 +187,13 @@ void ExportDataDialog::update() {
     const QString obstacle = !isHeld              ? tr("This format can store only systems in the plane.")
                              : isTable && isPlane ? m_columns->obstacle()
                                                   : QString();
-    const bool possible = obstacle.isEmpty();
-    m_export->setEnabled(possible);
-    m_copy->setEnabled(possible);
-    m_message->clear();
-    if (!possible)
-        say(obstacle);
-    else if (!format)
-        say(tr("The points of the chaos game as shown, without the first 14."));
-    else if (const QString loss = this->loss(); !loss.isEmpty())
-        say(loss);
-    if (format && possible) startPreview();
+    m_isPossible = obstacle.isEmpty();
+    enableButtons();
+    m_copy->setEnabled(m_isPossible);
+    say(!m_isPossible ? obstacle
+        : !format     ? tr("The points of the chaos game as shown, without the first 14.")
+                      : loss());
+    if (format && m_isPossible) startPreview();
 }
 
 // In the background, for the text of many maps takes long.
@@ -238,14 +211,13 @@ void ExportDataDialog::showPreview() {
     if (text.isResultReadyAt(0)) m_preview->setPlainText(QString::fromUtf8(text.result()));
 }
 
-void ExportDataDialog::chooseFile() {
+QString ExportDataDialog::chosenFile() {
     const QString filter = tr("%1 files (*.%2)").arg(suffix().toUpper(), suffix());
     const QString fileName = document::uniqueName({}, m_fractal.name) + u'.' + suffix();
     const QString path =
         chooseFileToSave(this, tr("Export Data"), suggestedPath(dataKind, fileName), filter, suffix());
-    if (path.isEmpty()) return;
-    rememberExport(dataKind, {formatNames().at(m_format->currentIndex()), {}}, path);
-    exportTo(path);
+    if (!path.isEmpty()) rememberExport(dataKind, {formatNames().at(m_format->currentIndex()), {}}, path);
+    return path;
 }
 
 void ExportDataDialog::exportTo(const QString& path) {
@@ -258,44 +230,22 @@ void ExportDataDialog::exportTo(const QString& path) {
         outcome.failure = failure;
         return finish(outcome, path);
     }
-    say({});
-    m_progress->begin();
-    m_options->setEnabled(false);
-    m_export->setEnabled(false);
-    m_close->setText(tr("&Stop"));
-    const io::PointCloud cloud{m_fractal, std::uint64_t(m_points->value()), 1, pointFormat()};
-    m_job = startExport(
-        cloud, path, this, [this](double fraction) { m_progress->setFraction(fraction); },
-        [this, path](const io::ExportOutcome& outcome) { finish(outcome, path); });
+    start(io::PointCloud{m_fractal, std::uint64_t(m_points->value()), 1, pointFormat()}, path);
 }
 
 void ExportDataDialog::copy() {
     QGuiApplication::clipboard()->setText(QString::fromUtf8(textMaker()()));
-    sayWithLoss(tr("The text was copied to the clipboard."));
+    say(withLoss(tr("The text was copied to the clipboard.")));
 }
 
-void ExportDataDialog::finish(const io::ExportOutcome& outcome, const QString& path) {
-    m_job.reset();
-    m_progress->end();
-    m_options->setEnabled(true);
-    m_export->setEnabled(true);
-    m_close->setText(tr("&Close"));
-    if (outcome.stopped)
-        say(tr("Export stopped; nothing was written."));
-    else if (outcome.failure)
-        say(*outcome.failure);
-    else
-        sayWithLoss(tr("Written to %1.").arg(path));
-    if (!outcome.stopped && !outcome.failure) emit exported(path);
+QString ExportDataDialog::sentenceFor(const io::ExportOutcome& outcome, const QString& path) const {
+    const QString sentence = ExportShell::sentenceFor(outcome, path);
+    return outcome.stopped || outcome.failure ? sentence : withLoss(sentence);
 }
 
-void ExportDataDialog::sayWithLoss(const QString& sentence) {
+QString ExportDataDialog::withLoss(const QString& sentence) const {
     const QString lost = loss();
-    say(lost.isEmpty() ? sentence : sentence + u'\n' + lost);
-}
-
-void ExportDataDialog::say(const QString& sentence) {
-    m_message->setText(sentence);
+    return lost.isEmpty() ? sentence : sentence + u'\n' + lost;
 }
 
 } // namespace view

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "dialogs/export/export_shell.h"
 #include "document/document.h"
 #include "io/exchange/text_formats.h"
-#include "io/export_job.h"
 
-#include <QDialog>
 #include <QFutureWatcher>
 
 #include <functional>
@@ -15,7 +14,6 @@
 class QCheckBox;
 class QComboBox;
 class QFormLayout;
-class QLabel;
 class QPlainTextEdit;
 class QPushButton;
 class QSpinBox;
@@ -23,21 +21,22 @@ class QSpinBox;
 namespace view {
 
 class ColumnOrders;
-class ExportProgress;
 
 // Hands the numbers of the current entry to other programs: flames, IFStile, tables, points. Shows what the
 // file will hold while its options are chosen.
-class ExportDataDialog : public QDialog {
+class ExportDataDialog : public ExportShell {
     Q_OBJECT
 
 public:
     explicit ExportDataDialog(document::Document* document, QWidget* parent = nullptr);
     ~ExportDataDialog() override;
 
-    void exportTo(const QString& path); // what the Export button does once a file is chosen
+    void exportTo(const QString& path) override;
 
-signals:
-    void exported(const QString& path);
+protected:
+    QString chosenFile() override;
+    bool isPossible() const override { return m_isPossible; }
+    QString sentenceFor(const io::ExportOutcome& outcome, const QString& path) const override;
 
 private:
     void createOptions(QFormLayout* form);
@@ -51,11 +50,8 @@ private:
     void update();
     void startPreview();
     void showPreview();
-    void chooseFile();
     void copy();
-    void finish(const io::ExportOutcome& outcome, const QString& path);
-    void say(const QString& sentence);
-    void sayWithLoss(const QString& sentence);
+    QString withLoss(const QString& sentence) const;
 
     const document::Fractal m_fractal;                // as it was when the dialog opened
     std::shared_ptr<const document::Fractal> m_baked; // null where there is nothing to bake, or it cannot be
@@ -67,13 +63,8 @@ private:
     QCheckBox* m_bake = nullptr;
     QPlainTextEdit* m_preview = nullptr;
     QFutureWatcher<QByteArray> m_previewed; // the beginning of the text
-    QLabel* m_message = nullptr;
-    QWidget* m_options = nullptr;
-    ExportProgress* m_progress = nullptr;
-    QPushButton* m_export = nullptr;
     QPushButton* m_copy = nullptr;
-    QPushButton* m_close = nullptr;
-    std::unique_ptr<io::ExportJob> m_job; // last: stops before the rest goes
+    bool m_isPossible = true;
 };
 
 } // namespace view

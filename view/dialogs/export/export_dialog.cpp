@@ -1,14 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "dialogs/export/export_dialog.h"
 
-#include "dialogs/export/enqueue.h"
 #include "dialogs/export/export_camera.h"
 #include "dialogs/export/export_preview.h"
-#include "dialogs/export/export_progress.h"
 #include "dialogs/export/export_size_editor.h"
 #include "dialogs/export/large_export.h"
 #include "dialogs/export/last_export.h"
-#include "dialogs/export/start_export.h"
 #include "document/fractal/fractal_geometry.h"
 #include "ifs/copies/copy_hierarchy.h"
 #include "io/file/background.h"
@@ -20,17 +17,11 @@
 
 #include <QCheckBox>
 #include <QComboBox>
-#include <QDialogButtonBox>
 #include <QFileInfo>
 #include <QFormLayout>
-#include <QGridLayout>
-#include <QHBoxLayout>
 #include <QLabel>
 #include <QLocale>
-#include <QPushButton>
-#include <QShortcut>
 #include <QSpinBox>
-#include <QVBoxLayout>
 
 #include <algorithm>
 #include <cmath>
@@ -44,70 +35,57 @@ constexpr int maxFirstWidth = 780; // of the dialog: it fits the smallest screen
 
 // In the order of the list.
 struct Kind {
-    const char* suffix; // the usual one
-    const char* filter;
     std::variant<io::PictureFile, io::ShapeFile> file;
     const char* name;
 };
 constexpr Kind kinds[] = {
-    {"png", "*.png", io::PictureFile::Png, QT_TRANSLATE_NOOP("view::ExportDialog", "PNG: pixels")},
-    {"jpg", "*.jpg *.jpeg", io::PictureFile::Jpeg,
-     QT_TRANSLATE_NOOP("view::ExportDialog", "JPEG: pixels, a small file")},
-    {"webp", "*.webp", io::PictureFile::WebP,
-     QT_TRANSLATE_NOOP("view::ExportDialog", "WebP: pixels, for web pages")},
-    {"tiff", "*.tif *.tiff", io::PictureFile::Tiff,
-     QT_TRANSLATE_NOOP("view::ExportDialog", "TIFF: pixels, for print")},
-    {"exr", "*.exr", io::PictureFile::ExrHalf,
+    {io::PictureFile::Png, QT_TRANSLATE_NOOP("view::ExportDialog", "PNG: pixels")},
+    {io::PictureFile::Jpeg, QT_TRANSLATE_NOOP("view::ExportDialog", "JPEG: pixels, a small file")},
+    {io::PictureFile::WebP, QT_TRANSLATE_NOOP("view::ExportDialog", "WebP: pixels, for web pages")},
+    {io::PictureFile::Tiff, QT_TRANSLATE_NOOP("view::ExportDialog", "TIFF: pixels, for print")},
+    {io::PictureFile::ExrHalf,
      QT_TRANSLATE_NOOP("view::ExportDialog", "OpenEXR: linear light, for compositing")},
-    {"svg", "*.svg", io::ShapeFile::Svg,
-     QT_TRANSLATE_NOOP("view::ExportDialog", "SVG: shapes for drawing programs")},
-    {"pdf", "*.pdf", io::ShapeFile::Pdf, QT_TRANSLATE_NOOP("view::ExportDialog", "PDF: shapes for print")},
+    {io::ShapeFile::Svg, QT_TRANSLATE_NOOP("view::ExportDialog", "SVG: shapes for drawing programs")},
+    {io::ShapeFile::Pdf, QT_TRANSLATE_NOOP("view::ExportDialog", "PDF: shapes for print")},
 };
+
+// The usual one first.
+QStringList suffixesOf(const Kind& kind) {
+    QStringList suffixes;
+    if (const auto* file = std::get_if<io::PictureFile>(&kind.file))
+        for (const char* suffix : io::factsOf(*file).suffixes)
+            suffixes << QLatin1String(suffix);
+    else
+        suffixes << (kind.file == decltype(kind.file)(io::ShapeFile::Svg) ? QStringLiteral("svg")
+                                                                          : QStringLiteral("pdf"));
+    return suffixes;
+}
 
 const QString pictureKind = QStringLiteral("picture");
 
 // Its place in the list.
 std::optional<int> kindOf(const QString& path) {
     const QString suffix = QFileInfo(path).suffix().toLower();
-    if (suffix.isEmpty()) return std::nullopt;
     for (std::size_t i = 0; i < std::size(kinds); ++i)
-        if (QString::fromLatin1(kinds[i].filter).split(u' ').contains(QStringLiteral("*.") + suffix))
-            return int(i);
+        if (suffixesOf(kinds[i]).contains(suffix)) return int(i);
     return std::nullopt;
 }
 
 } // namespace
 
 ExportDialog::ExportDialog(document::Document* document, const attractor::Camera& camera, QWidget* parent)
-    : QDialog(parent),
+    : ExportShell(parent),
       m_fractal(document->fractal()),
       m_camera(camera),
       m_views(document::savedViews(m_fractal)) {
     setWindowTitle(tr("Export “%1”").arg(titleText(m_fractal.name)));
-    auto* layout = new QVBoxLayout(this);
     m_options = new QWidget(this);
     m_preview = new ExportPreview(this);
-    auto* top = new QHBoxLayout;
-    top->addWidget(m_options);
-    top->addWidget(m_preview, 1);
-    layout->addLayout(top, 1);
     createFormat();
-    layout->addWidget(createProgress());
-    auto* buttons = new QDialogButtonBox(this);
-    m_start = buttons->addButton(tr("&Export…"), QDialogButtonBox::AcceptRole);
-    m_start->setWhatsThis(
-        tr("Asks for a file name and writes the file. You can keep working in the meantime."));
-    m_enqueue = buttons->addButton(tr("Add to Queue…"), QDialogButtonBox::ActionRole);
-    m_enqueue->setWhatsThis(tr("Asks for a file name and adds the picture to the queue in the Exports panel. "
-                               "The queue continues after a restart."));
-    m_enqueue->hide();
-    m_close = buttons->addButton(QDialogButtonBox::Close);
-    layout->addWidget(buttons);
-    connect(buttons, &QDialogButtonBox::accepted, this, [this] { exportTo(chosenFile()); });
-    connect(m_enqueue, &QPushButton::clicked, this, [this] { addToQueue(chosenFile()); });
-    connect(buttons, &QDialogButtonBox::rejected, this, [this] { m_job ? m_job->stop() : reject(); });
-    // Esc is the button: it stops before it closes. Closing the window does both at once.
-    connect(new QShortcut(QKeySequence::Cancel, this), &QShortcut::activated, m_close, &QPushButton::click);
+    lay(m_options, m_preview, Qt::Horizontal);
+    setStartHelp(tr("Asks for a file name and writes the file. You can keep working in the meantime."));
+    addQueueButton(tr("Asks for a file name and adds the picture to the queue in the Exports panel. "
+                      "The queue continues after a restart."));
     m_planTimer.setSingleShot(true);
     m_planTimer.setInterval(150);
     connect(&m_planTimer, &QTimer::timeout, this, &ExportDialog::updateSvgPlan);
@@ -230,23 +208,9 @@ void ExportDialog::createSvgOptions() {
     m_form->addRow(m_plan);
 }
 
-QWidget* ExportDialog::createProgress() {
-    auto* page = new QWidget(this);
-    m_message = new QLabel(page);
-    m_message->setWordWrap(true);
-    m_message->setAccessibleName(tr("Result"));
-    m_message->hide();
-    m_progress = new ExportProgress(page);
-    auto* layout = new QGridLayout(page); // in one place: of an export that has begun nothing is said yet
-    layout->setContentsMargins({});
-    layout->addWidget(m_message, 0, 0);
-    layout->addWidget(m_progress, 0, 0);
-    return page;
-}
-
 void ExportDialog::connectOptions() {
     connect(m_format, &QComboBox::currentIndexChanged, this, [this] {
-        m_message->hide(); // what it says is of another file
+        say({}); // what it says is of another file
         update();
     });
     connect(m_section, &QComboBox::currentIndexChanged, this, &ExportDialog::update);
@@ -271,7 +235,7 @@ bool ExportDialog::isSvg() const {
 }
 
 bool ExportDialog::isTransparent() const {
-    return m_transparent->isChecked() && pixels() != io::PictureFile::Jpeg;
+    return m_transparent->isChecked() && (isSvg() || io::factsOf(*pixels()).canBeTransparent);
 }
 
 // What was chosen, where the format takes it.
@@ -342,16 +306,11 @@ void ExportDialog::showPreview() {
 }
 
 void ExportDialog::update() {
-    const bool plane = document::system2(m_fractal) != nullptr;
     m_size->setResolutionVisible(!isSvg());
     m_depth->setEnabled(!m_autoDepth->isChecked());
-    m_start->setEnabled(plane && !m_job);
-    m_enqueue->setEnabled(m_start->isEnabled());
+    enableButtons();
     showPreview();
-    if (!plane) {
-        m_message->setText(tr("Only systems in the plane can be exported as a picture."));
-        m_message->show();
-    }
+    if (!isPossible()) say(tr("Only systems in the plane can be exported as a picture."));
     const bool points = style() == io::ShapeStyle::Points;
     for (QWidget* field :
          std::initializer_list<QWidget*>{m_quality, m_supersample, m_depthOfColour, m_memory})
@@ -365,7 +324,7 @@ void ExportDialog::update() {
     for (QWidget* field : std::initializer_list<QWidget*>{m_depth, m_autoDepth})
         m_form->setRowVisible(field, isSvg() && !points);
     m_transparent->setEnabled(isSvg() ? style() != io::ShapeStyle::Outline
-                                      : pixels() != io::PictureFile::Jpeg);
+                                      : io::factsOf(*pixels()).canBeTransparent);
     if (isSvg()) {
         m_planTimer.start();
         return;
@@ -447,26 +406,26 @@ void ExportDialog::setFolder(const QString& folder) {
     m_folder = folder;
 }
 
-void ExportDialog::setQueue(ExportQueue* queue) {
-    m_queue = queue;
-    m_enqueue->setVisible(queue != nullptr);
+bool ExportDialog::isPossible() const {
+    return document::system2(m_fractal) != nullptr;
 }
 
 QString ExportDialog::chosenFile() {
     if (!isSvg() && !confirmLargeExport(this, m_size->pixels(), memory())) return {};
     const Kind& kind = kinds[m_format->currentIndex()];
-    const QString suffix = QString::fromLatin1(kind.suffix);
-    const QString filter = QStringLiteral("%1 (%2)").arg(suffix.toUpper(), QLatin1String(kind.filter));
+    const QStringList suffixes = suffixesOf(kind);
+    const QString suffix = suffixes.first();
+    const QString filter =
+        QStringLiteral("%1 (*.%2)").arg(suffix.toUpper(), suffixes.join(QStringLiteral(" *.")));
     const QString name = document::uniqueName({}, m_fractal.name) + u'.' + suffix;
     const QString path = chooseFileToSave(this, tr("Export Picture"),
                                           suggestedPath(pictureKind, name, m_folder), filter, suffix);
     if (const auto chosen = kindOf(path))
-        rememberExport(pictureKind, {QString::fromLatin1(kinds[*chosen].suffix), m_size->choice()}, path);
+        rememberExport(pictureKind, {suffixesOf(kinds[*chosen]).first(), m_size->choice()}, path);
     return path;
 }
 
 bool ExportDialog::takeFormat(const QString& path) {
-    if (path.isEmpty()) return false; // nothing was chosen
     const std::optional<int> kind = kindOf(path);
     if (kind)
         m_format->setCurrentIndex(*kind);
@@ -479,48 +438,11 @@ bool ExportDialog::takeFormat(const QString& path) {
 }
 
 void ExportDialog::exportTo(const QString& path) {
-    if (!takeFormat(path)) return;
-    setBusy(true);
-    m_job = startExport(
-        io::exportOf(recipe(camera()), m_fractal), path, this,
-        [this](double fraction) { m_progress->setFraction(fraction); },
-        [this, path](const io::ExportOutcome& outcome) { finish(outcome, path); });
+    if (takeFormat(path)) start(io::exportOf(recipe(camera()), m_fractal), path);
 }
 
-void ExportDialog::addToQueue(const QString& path) {
-    if (!m_queue || !takeFormat(path)) return;
-    const Enqueued added = enqueue(*m_queue, m_fractal, recipe(camera()), path);
-    say(added.sentence);
-    if (added.isAdded) emit queued();
-}
-
-void ExportDialog::say(const QString& sentence) {
-    m_message->setText(sentence);
-    m_message->show();
-}
-
-void ExportDialog::finish(const io::ExportOutcome& outcome, const QString& path) {
-    m_job.reset();
-    setBusy(false);
-    m_message->show();
-    if (outcome.stopped) {
-        m_message->setText(tr("Export stopped; nothing was written."));
-    } else if (outcome.failure) {
-        m_message->setText(*outcome.failure);
-        emit failed(*outcome.failure);
-    } else {
-        m_message->setText(tr("Written to %1.").arg(path));
-        emit exported(path);
-    }
-}
-
-void ExportDialog::setBusy(bool busy) {
-    m_options->setEnabled(!busy);
-    m_start->setEnabled(!busy);
-    m_enqueue->setEnabled(!busy);
-    m_close->setText(busy ? tr("&Stop") : tr("&Close"));
-    busy ? m_progress->begin() : m_progress->end();
-    if (busy) m_message->hide();
+std::optional<io::ExportRecipe> ExportDialog::recipeFor(const QString& path) {
+    return takeFormat(path) ? std::optional(recipe(camera())) : std::nullopt;
 }
 
 } // namespace view

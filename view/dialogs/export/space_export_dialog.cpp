@@ -1,13 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "dialogs/export/space_export_dialog.h"
 
-#include "dialogs/export/enqueue.h"
 #include "dialogs/export/export_preview.h"
-#include "dialogs/export/export_progress.h"
 #include "dialogs/export/export_size_editor.h"
 #include "dialogs/export/large_export.h"
 #include "dialogs/export/last_export.h"
-#include "dialogs/export/start_export.h"
 #include "document/fractal/space_geometry.h"
 #include "document/text/unique_names.h"
 #include "io/exports/recipe_json.h"
@@ -20,18 +17,13 @@
 
 #include <QCheckBox>
 #include <QComboBox>
-#include <QDialogButtonBox>
 #include <QDoubleSpinBox>
+#include <QFileInfo>
 #include <QFormLayout>
-#include <QHBoxLayout>
 #include <QJsonDocument>
 #include <QJsonObject>
-#include <QLabel>
 #include <QPointer>
-#include <QPushButton>
-#include <QShortcut>
 #include <QSpinBox>
-#include <QVBoxLayout>
 
 #include <algorithm>
 
@@ -51,7 +43,7 @@ const QStringList& suffixes() {
 
 SpaceExportDialog::SpaceExportDialog(document::Document* document, const attractor::OrbitCamera& camera,
                                      QWidget* parent)
-    : QDialog(parent),
+    : ExportShell(parent),
       m_fractal(document->fractal()),
       m_camera(camera),
       m_views(document::savedViews(m_fractal)),
@@ -68,36 +60,14 @@ SpaceExportDialog::SpaceExportDialog(document::Document* document, const attract
     m_form->addRow(tr("&Format:"), m_format);
     createPicture();
     createBody();
-    m_message = new QLabel(this);
-    m_message->setWordWrap(true);
-    m_message->setTextFormat(Qt::PlainText);
-    m_message->setAccessibleName(tr("Result"));
-    m_progress = new ExportProgress(this);
-    auto* buttons = new QDialogButtonBox(this);
-    m_start = buttons->addButton(tr("&Export…"), QDialogButtonBox::AcceptRole);
-    m_start->setWhatsThis(tr("Asks for a file name and writes the file."));
-    m_enqueue = buttons->addButton(tr("Add to Queue…"), QDialogButtonBox::ActionRole);
-    m_enqueue->setWhatsThis(tr("Asks for a file name and adds the file to the queue in the Exports panel. "
-                               "The queue continues after a restart."));
-    m_enqueue->hide();
-    m_close = buttons->addButton(QDialogButtonBox::Close);
     m_preview = new ExportPreview(this);
-    auto* top = new QHBoxLayout;
-    m_options = new QWidget(this);
-    m_options->setLayout(m_form);
+    auto* options = new QWidget(this);
+    options->setLayout(m_form);
     m_form->setContentsMargins({});
-    top->addWidget(m_options);
-    top->addWidget(m_preview, 1);
-    auto* layout = new QVBoxLayout(this);
-    layout->addLayout(top, 1);
-    layout->addWidget(m_message);
-    layout->addWidget(m_progress);
-    layout->addWidget(buttons);
-    connect(buttons, &QDialogButtonBox::accepted, this, [this] { exportTo(chosenFile()); });
-    connect(m_enqueue, &QPushButton::clicked, this, [this] { addToQueue(chosenFile()); });
-    connect(buttons, &QDialogButtonBox::rejected, this, [this] { m_job ? m_job->stop() : reject(); });
-    // Esc is the button: it stops before it closes. Closing the window does both at once.
-    connect(new QShortcut(QKeySequence::Cancel, this), &QShortcut::activated, m_close, &QPushButton::click);
+    lay(options, m_preview, Qt::Horizontal);
+    setStartHelp(tr("Asks for a file name and writes the file."));
+    addQueueButton(tr("Asks for a file name and adds the file to the queue in the Exports panel. "
+                      "The queue continues after a restart."));
     const LastExport last = lastExport(solidKind);
     m_format->setCurrentIndex(std::max(0, int(suffixes().indexOf(last.format))));
     m_size->choose(last.size);
@@ -191,33 +161,12 @@ QString SpaceExportDialog::bodyText() const {
     return QString::fromUtf8(QJsonDocument(io::recipeJson(*recipe())).toJson(QJsonDocument::Compact));
 }
 
-void SpaceExportDialog::say(const QString& sentence) {
-    m_message->setText(sentence);
-    if (!isVisible()) return;
-    if (const int needed = layout()->totalHeightForWidth(width()); needed > height()) resize(width(), needed);
-}
-
 SpaceExportDialog::Format SpaceExportDialog::format() const {
     return static_cast<Format>(m_format->currentIndex());
 }
 
 std::optional<io::PictureFile> SpaceExportDialog::pictureFile() const {
-    switch (format()) {
-    case Format::Png:
-    case Format::Svg:
-    case Format::Pdf:
-        return io::PictureFile::Png;
-    case Format::Jpeg:
-        return io::PictureFile::Jpeg;
-    case Format::WebP:
-        return io::PictureFile::WebP;
-    case Format::Tiff:
-        return io::PictureFile::Tiff;
-    case Format::Exr:
-        return io::PictureFile::ExrHalf;
-    default:
-        return std::nullopt;
-    }
+    return page() ? io::PictureFile::Png : io::pictureFileOf(suffix());
 }
 
 std::optional<io::ShapeFile> SpaceExportDialog::page() const {
@@ -228,10 +177,6 @@ std::optional<io::ShapeFile> SpaceExportDialog::page() const {
 
 void SpaceExportDialog::setFormat(Format format) {
     m_format->setCurrentIndex(int(format));
-}
-
-QString SpaceExportDialog::message() const {
-    return m_message->text();
 }
 
 QString SpaceExportDialog::suffix() const {
@@ -263,7 +208,7 @@ std::optional<io::ExportRecipe> SpaceExportDialog::recipe() const {
     picture.size = {m_size->pixels().width(), m_size->pixels().height()};
     picture.file = *pictureFile();
     picture.page = page();
-    picture.isTransparent = m_transparent->isChecked() && picture.file != io::PictureFile::Jpeg;
+    picture.isTransparent = m_transparent->isChecked() && io::factsOf(picture.file).canBeTransparent;
     picture.stereo = static_cast<io::Stereo>(m_stereo->currentIndex());
     picture.supersample = m_supersample->value();
     using enum io::PngFormat::Depth;
@@ -307,7 +252,7 @@ void SpaceExportDialog::update() {
     m_form->setRowVisible(m_supersample,
                           isPicture && !isNumbers && !attractor::showsCloud(m_fractal.inSpace.look));
     m_form->setRowVisible(m_depth, hasDepths && !isDepth);
-    m_form->setRowVisible(m_transparent, isPicture && !isNumbers && file != io::PictureFile::Jpeg);
+    m_form->setRowVisible(m_transparent, isPicture && !isNumbers && io::factsOf(*file).canBeTransparent);
     m_form->setRowVisible(m_stereo, isPicture && !isNumbers);
     for (QWidget* row : std::initializer_list<QWidget*>{m_longest, m_resolution, m_wall, m_fill})
         m_form->setRowVisible(row, isBody());
@@ -316,13 +261,14 @@ void SpaceExportDialog::update() {
 void SpaceExportDialog::check() {
     m_obstacle = obstacle();
     enableButtons();
-    m_message->setText(m_obstacle      ? *m_obstacle
+    QString sentence = m_obstacle      ? *m_obstacle
                        : page()        ? tr("A solid has no shapes: the file contains its picture in pixels.")
                        : pictureFile() ? QString()
                        : isBody()      ? tr("A closed surface around the attractor, for a printer.")
-                                  : tr("One multmatrix for each map; open it in OpenSCAD to render it."));
+                                       : tr("One multmatrix for each map; open it in OpenSCAD to render it.");
     if (!pictureFile() && !m_obstacle && m_fractal.inSpace.clip)
-        m_message->setText(m_message->text() + u' ' + tr("The whole solid is written, not only the slice."));
+        sentence += u' ' + tr("The whole solid is written, not only the slice.");
+    say(sentence);
 }
 
 io::Failure SpaceExportDialog::obstacle() const {
@@ -336,77 +282,56 @@ io::Failure SpaceExportDialog::obstacle() const {
     return std::nullopt;
 }
 
-bool SpaceExportDialog::canExport() const {
-    return m_start->isEnabled();
-}
-
-void SpaceExportDialog::enableButtons() {
-    m_start->setEnabled(!m_obstacle && !m_job);
-    m_enqueue->setEnabled(m_start->isEnabled() && format() != Format::OpenScad); // which is there at once
-}
-
-void SpaceExportDialog::setQueue(ExportQueue* queue) {
-    m_queue = queue;
-    m_enqueue->setVisible(queue != nullptr);
-}
-
 QString SpaceExportDialog::chosenFile() {
     if (pictureFile() && !confirmLargeExport(this, m_size->pixels(), 0)) return {};
     const QString filter = tr("%1 files (*.%2)").arg(suffix().toUpper(), suffix());
     const QString fileName = document::uniqueName({}, m_fractal.name) + u'.' + suffix();
     const QString path =
         chooseFileToSave(this, tr("Export"), suggestedPath(solidKind, fileName), filter, suffix());
-    if (!path.isEmpty()) rememberExport(solidKind, {suffix(), m_size->choice(), bodyText()}, path);
+    if (path.isEmpty() || !takeFormat(path)) return {};
+    rememberExport(solidKind, {suffix(), m_size->choice(), bodyText()}, path);
     return path;
 }
 
-void SpaceExportDialog::addToQueue(const QString& path) {
-    const std::optional<io::ExportRecipe> wanted = recipe();
-    if (!m_queue || !wanted || path.isEmpty() || m_obstacle) return;
-    const Enqueued added = enqueue(*m_queue, m_fractal, *wanted, path);
-    say(added.sentence);
-    if (added.isAdded) emit queued();
+bool SpaceExportDialog::takeFormat(const QString& path) {
+    QString ending = QFileInfo(path).suffix().toLower();
+    if (const auto file = io::pictureFileOf(ending))
+        ending = QLatin1String(io::factsOf(*file).suffixes.front()); // of several
+    const qsizetype index = suffixes().indexOf(ending);
+    if (index >= 0)
+        m_format->setCurrentIndex(int(index));
+    else
+        say(tr("The name “%1” does not determine the format. It must end with one of these: %2.")
+                .arg(QFileInfo(path).fileName(),
+                     QStringLiteral(".") + suffixes().join(QStringLiteral(", ."))));
+    return index >= 0;
+}
+
+std::optional<io::ExportRecipe> SpaceExportDialog::recipeFor(const QString& path) {
+    return takeFormat(path) && isPossible() ? recipe() : std::nullopt;
 }
 
 void SpaceExportDialog::exportTo(const QString& path) {
-    if (path.isEmpty()) return; // nothing was chosen
+    if (!takeFormat(path) || !isPossible()) return;
     m_summary.clear();
-    if (format() == Format::OpenScad) {
-        const io::OpenScad program = io::openScad(m_fractal);
-        io::ExportOutcome outcome;
-        outcome.failure = program.failure;
-        if (!outcome.failure) {
-            const QPointer self(this);
-            const auto [isCancelled, failure] = saveBeside(path, program.text, this);
-            if (!self) return;
-            outcome.stopped = isCancelled;
-            outcome.failure = failure;
-        }
-        return finish(outcome, path);
+    if (format() != Format::OpenScad) return start(toExport(), path);
+    const io::OpenScad program = io::openScad(m_fractal);
+    io::ExportOutcome outcome;
+    outcome.failure = program.failure;
+    if (!outcome.failure) {
+        const QPointer self(this);
+        const auto [isCancelled, failure] = saveBeside(path, program.text, this);
+        if (!self) return;
+        outcome.stopped = isCancelled;
+        outcome.failure = failure;
     }
-    m_message->clear();
-    m_progress->begin();
-    m_options->setEnabled(false);
-    m_close->setText(tr("&Stop"));
-    m_job = startExport(
-        toExport(), path, this, [this](double fraction) { m_progress->setFraction(fraction); },
-        [this, path](const io::ExportOutcome& outcome) { finish(outcome, path); });
-    enableButtons();
+    finish(outcome, path);
 }
 
-void SpaceExportDialog::finish(const io::ExportOutcome& outcome, const QString& path) {
-    m_job.reset();
-    m_progress->end();
-    m_options->setEnabled(true);
-    enableButtons();
-    m_close->setText(tr("&Close"));
-    if (outcome.stopped)
-        say(tr("Export stopped; nothing was written."));
-    else if (outcome.failure)
-        say(*outcome.failure);
-    else
-        say(tr("Written to %1.").arg(path) + (m_summary.isEmpty() ? QString() : u'\n' + m_summary));
-    if (!outcome.stopped && !outcome.failure) emit exported(path);
+QString SpaceExportDialog::sentenceFor(const io::ExportOutcome& outcome, const QString& path) const {
+    const QString sentence = ExportShell::sentenceFor(outcome, path);
+    const bool isWritten = !outcome.stopped && !outcome.failure;
+    return isWritten && !m_summary.isEmpty() ? sentence + u'\n' + m_summary : sentence;
 }
 
 } // namespace view

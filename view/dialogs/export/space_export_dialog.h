@@ -2,33 +2,25 @@
 #pragma once
 
 #include "attractor/request/orbit_camera.h"
+#include "dialogs/export/export_shell.h"
 #include "document/document.h"
 #include "document/saved_views.h"
-#include "io/exports/export_recipe.h"
 
-#include <QDialog>
-
-#include <memory>
 #include <optional>
 
 class QCheckBox;
 class QComboBox;
 class QDoubleSpinBox;
 class QFormLayout;
-class QLabel;
-class QPushButton;
 class QSpinBox;
 
 namespace view {
 
 class ExportPreview;
-class ExportProgress;
-class ExportQueue;
 class ExportSizeEditor;
 
-// Exports an entry in space: the picture as the camera shows it, or a body to print. The work goes on in a
-// thread of the model; closing the dialog stops it.
-class SpaceExportDialog : public QDialog {
+// Exports an entry in space: the picture as the camera shows it, or a body to print.
+class SpaceExportDialog : public ExportShell {
     Q_OBJECT
 
 public:
@@ -39,24 +31,22 @@ public:
 
     enum class Format { Png, Jpeg, WebP, Tiff, Exr, Svg, Pdf, Stl, Obj, Glb, Ply, OpenScad };
     void setFormat(Format format);
-    void setQueue(ExportQueue* queue); // which outlives it; without one, there is no Add to Queue
-    // What the buttons do once a file is chosen.
-    void exportTo(const QString& path);
-    void addToQueue(const QString& path);
+    void exportTo(const QString& path) override; // the ending of the name decides the format
     const ExportPreview& preview() const { return *m_preview; }
-    QString message() const; // what came of it
-    bool canExport() const;
 
-signals:
-    void exported(const QString& path);
-    void queued(); // the export was added
+protected:
+    QString chosenFile() override;
+    std::optional<io::ExportRecipe> recipeFor(const QString& path) override;
+    const document::Fractal* queuedFractal() const override { return &m_fractal; }
+    bool isPossible() const override { return !m_obstacle; }
+    bool isQueueable() const override { return format() != Format::OpenScad; } // it is there at once
+    QString sentenceFor(const io::ExportOutcome& outcome, const QString& path) const override;
 
 private:
     void createPicture();
     void createBody();
     void showBody(const QString& text);
-    QString bodyText() const;          // its settings; empty of a picture
-    void say(const QString& sentence); // with room for it
+    QString bodyText() const; // its settings; empty of a picture
     Format format() const;
     std::optional<io::PictureFile> pictureFile() const; // nullopt: no picture
     std::optional<io::ShapeFile> page() const;          // that it is embedded in
@@ -68,10 +58,8 @@ private:
     io::Failure obstacle() const; // why nothing can be written in this format
     void update();
     void check(); // whether it can be written, and says so
-    void enableButtons();
     void showPreview();
-    QString chosenFile(); // empty: none
-    void finish(const io::ExportOutcome& outcome, const QString& path);
+    bool takeFormat(const QString& path); // says so if the name determines none
 
     document::Fractal m_fractal; // as it was when the dialog opened
     attractor::OrbitCamera m_camera;
@@ -81,7 +69,6 @@ private:
     QComboBox* m_section = nullptr; // the canvas, then the saved views
     ExportSizeEditor* m_size = nullptr;
     ExportPreview* m_preview = nullptr;
-    ExportQueue* m_queue = nullptr;
     QSpinBox* m_supersample = nullptr;
     QComboBox* m_depth = nullptr;
     QCheckBox* m_transparent = nullptr;
@@ -90,15 +77,8 @@ private:
     QSpinBox* m_resolution = nullptr;
     QDoubleSpinBox* m_wall = nullptr;
     QCheckBox* m_fill = nullptr;
-    QLabel* m_message = nullptr;
-    QWidget* m_options = nullptr;
-    ExportProgress* m_progress = nullptr;
-    QPushButton* m_start = nullptr;
-    QPushButton* m_enqueue = nullptr;
-    QPushButton* m_close = nullptr;
     io::Failure m_obstacle;
-    QString m_summary;                    // of the body that was written
-    std::unique_ptr<io::ExportJob> m_job; // last: stops before the rest goes
+    QString m_summary; // of the body that was written
 };
 
 } // namespace view

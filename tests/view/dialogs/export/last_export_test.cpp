@@ -146,6 +146,7 @@ void LastExportTest::solids() {
     resolution()->setValue(16);
     exportAs(*dialog, path("a.stl"));
     QTRY_VERIFY(QFileInfo::exists(path("a.stl")));
+    QTRY_VERIFY(dialog->canExport()); // it has heard of that
     dialog->setFormat(view::SpaceExportDialog::Format::Jpeg);
     exportAs(*dialog, path("b.jpg"));
     QTRY_VERIFY(QFileInfo::exists(path("b.jpg")));

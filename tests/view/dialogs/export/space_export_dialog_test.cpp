@@ -118,6 +118,25 @@ private slots:
         }
     }
 
+    // Whatever the list says: a picture called .jpg is no PNG.
+    void theEndingOfTheNameDecides() {
+        const auto bytesOf = [this](const char* name) {
+            QFile file(path(QLatin1String(name)));
+            return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
+        };
+        for (const auto& [name, magic] : {std::pair{"b.jpg", "\xff\xd8"}, std::pair{"b.JPEG", "\xff\xd8"},
+                                          std::pair{"b.tif", "II*"}, std::pair{"b.scad", "//"}}) {
+            QVERIFY(exportedAs(SpaceExportDialog::Format::Png, QLatin1String(name)));
+            QVERIFY2(bytesOf(name).startsWith(magic), name);
+        }
+        m_dialog->setFormat(SpaceExportDialog::Format::Png);
+        for (const char* name : {"b.docx", "b"}) {
+            m_dialog->exportTo(path(QLatin1String(name)));
+            QVERIFY(m_dialog->message().contains(QStringLiteral("must end with one of these: .png, .jpg")));
+            QVERIFY(!QFileInfo::exists(path(QLatin1String(name))));
+        }
+    }
+
     void vectorGraphicsContainPixels() {
         m_dialog->setFormat(SpaceExportDialog::Format::Svg);
         QVERIFY2(m_dialog->message().contains(QStringLiteral("in pixels")), qPrintable(m_dialog->message()));

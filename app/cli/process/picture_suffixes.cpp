@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: MIT
+#include "process/picture_suffixes.h"
+
+#include "options/parser.h"
+
+namespace cli {
+
+bool anyPicture(const io::PictureFileFacts&) {
+    return true;
+}
+
+std::vector<std::string> pictureSuffixes(const WhichPictures& which, const std::vector<std::string>& more) {
+    std::vector<std::string> suffixes;
+    for (const io::PictureFileFacts& facts : io::pictureFiles())
+        if (which(facts)) suffixes.insert(suffixes.end(), facts.suffixes.begin(), facts.suffixes.end());
+    suffixes.insert(suffixes.end(), more.begin(), more.end());
+    return suffixes;
+}
+
+std::vector<std::string> usualSuffixes(const WhichPictures& which, const std::vector<std::string>& more) {
+    std::vector<std::string> suffixes;
+    for (const io::PictureFileFacts& facts : io::pictureFiles())
+        if (which(facts) && !facts.suffixes.empty()) suffixes.emplace_back(facts.suffixes.front());
+    suffixes.insert(suffixes.end(), more.begin(), more.end());
+    return suffixes;
+}
+
+QString namedSuffixes(const WhichPictures& which, const QString& last, const std::vector<std::string>& more) {
+    QStringList names;
+    for (const std::string& suffix : usualSuffixes(which, more))
+        names << u'.' + QString::fromStdString(suffix);
+    return listed(names, last);
+}
+
+} // namespace cli

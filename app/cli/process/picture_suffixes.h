@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "io/picture/picture_writers.h"
+
+#include <QString>
+
+#include <functional>
+#include <string>
+#include <vector>
+
+// The endings of the names of pictures, for messages, help and completions.
+namespace cli {
+
+using WhichPictures = std::function<bool(const io::PictureFileFacts&)>;
+bool anyPicture(const io::PictureFileFacts& facts);
+
+// All that a file can have, "png", "jpg", "jpeg", …, and then others.
+std::vector<std::string> pictureSuffixes(const WhichPictures& which,
+                                         const std::vector<std::string>& more = {});
+// The usual ones.
+std::vector<std::string> usualSuffixes(const WhichPictures& which, const std::vector<std::string>& more = {});
+// ".png, .jpg or .pdf"
+QString namedSuffixes(const WhichPictures& which, const QString& last,
+                      const std::vector<std::string>& more = {});
+
+} // namespace cli
