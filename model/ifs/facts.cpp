@@ -102,10 +102,6 @@ template <int Dim> void findHull(Facts<Dim>& facts, std::optional<double> tolera
     });
 }
 
-bool exists(Verdict verdict) {
-    return verdict == Verdict::Hyperbolic || verdict == Verdict::EventuallyContractive;
-}
-
 template <int Dim> void findLinkedMeasure(Facts<Dim>& facts) {
     facts.moments = linkedMoments<Dim>(facts.active);
     if (facts.moments) facts.mean = Mean<Dim>{facts.moments->mean, facts.moments->meanError};
@@ -143,7 +139,7 @@ template <int Dim> void findLinked(Facts<Dim>& facts, std::optional<double> hull
         return true;
     });
     if (!isKnown) budget.leaveOut({LongFact::Extents, LongFact::Hull});
-    if (!isKnown || !exists(facts.existence.verdict)) return;
+    if (!isKnown || !facts.existence.exists()) return;
     findLinkedMeasure(facts);
     if constexpr (Dim == 2) findLinkedExtents(facts, hullTolerance, budget);
 }

@@ -465,6 +465,18 @@
         <source>There is no value, because the maps are linked: the equation is another.</source>
         <translation>Es gibt keinen Wert, weil die Abbildungen verknüpft sind: Die Gleichung ist eine andere.</translation>
     </message>
+    <message>
+        <source>There is no value, because the maps contract by too little to bound it.</source>
+        <translation>Es gibt keinen Wert, weil die Abbildungen zu wenig kontrahieren, um ihn abzuschätzen.</translation>
+    </message>
+    <message>
+        <source>Yes: hyperbolic, but the maps contract by too little to bound anything else.</source>
+        <translation>Ja: hyperbolisch, aber die Abbildungen kontrahieren zu wenig, um sonst etwas abzuschätzen.</translation>
+    </message>
+    <message>
+        <source>Yes: the maps contract in an ellipsoidal norm, but by too little to bound anything else.</source>
+        <translation>Ja: Die Abbildungen kontrahieren in einer ellipsoidischen Norm, aber zu wenig, um sonst etwas abzuschätzen.</translation>
+    </message>
 </context>
 <context>
     <name>Application</name>
@@ -2898,6 +2910,14 @@
     <message>
         <source>rotated %1°</source>
         <translation>gedreht um %1°</translation>
+    </message>
+    <message>
+        <source>hyperbolic, s &lt; 1</source>
+        <translation>hyperbolisch, s &lt; 1</translation>
+    </message>
+    <message>
+        <source>contractive in an ellipsoidal norm, γ &lt; 1</source>
+        <translation>kontraktiv in einer ellipsoidischen Norm, γ &lt; 1</translation>
     </message>
 </context>
 <context>

@@ -465,6 +465,18 @@
         <source>There is no value, because the maps are linked: the equation is another.</source>
         <translation>No hay valor, porque las aplicaciones están enlazadas: la ecuación es otra.</translation>
     </message>
+    <message>
+        <source>There is no value, because the maps contract by too little to bound it.</source>
+        <translation>No hay valor, porque las aplicaciones contraen demasiado poco para acotarlo.</translation>
+    </message>
+    <message>
+        <source>Yes: hyperbolic, but the maps contract by too little to bound anything else.</source>
+        <translation>Sí: hiperbólico, pero las aplicaciones contraen demasiado poco para acotar lo demás.</translation>
+    </message>
+    <message>
+        <source>Yes: the maps contract in an ellipsoidal norm, but by too little to bound anything else.</source>
+        <translation>Sí: las aplicaciones contraen en una norma elipsoidal, pero demasiado poco para acotar lo demás.</translation>
+    </message>
 </context>
 <context>
     <name>Application</name>
@@ -2898,6 +2910,14 @@
     <message>
         <source>rotated %1°</source>
         <translation>girada %1°</translation>
+    </message>
+    <message>
+        <source>hyperbolic, s &lt; 1</source>
+        <translation>hiperbólico, s &lt; 1</translation>
+    </message>
+    <message>
+        <source>contractive in an ellipsoidal norm, γ &lt; 1</source>
+        <translation>contractivo en una norma elipsoidal, γ &lt; 1</translation>
     </message>
 </context>
 <context>

@@ -465,6 +465,18 @@
         <source>There is no value, because the maps are linked: the equation is another.</source>
         <translation>Il n’y a pas de valeur, car les applications sont liées&#x202f;: l’équation est une autre.</translation>
     </message>
+    <message>
+        <source>There is no value, because the maps contract by too little to bound it.</source>
+        <translation>Il n’y a pas de valeur, car les applications contractent trop peu pour la borner.</translation>
+    </message>
+    <message>
+        <source>Yes: hyperbolic, but the maps contract by too little to bound anything else.</source>
+        <translation>Oui : hyperbolique, mais les applications contractent trop peu pour borner quoi que ce soit d’autre.</translation>
+    </message>
+    <message>
+        <source>Yes: the maps contract in an ellipsoidal norm, but by too little to bound anything else.</source>
+        <translation>Oui : les applications contractent dans une norme ellipsoïdale, mais trop peu pour borner quoi que ce soit d’autre.</translation>
+    </message>
 </context>
 <context>
     <name>Application</name>
@@ -2898,6 +2910,14 @@
     <message>
         <source>rotated %1°</source>
         <translation>pivotée de %1°</translation>
+    </message>
+    <message>
+        <source>hyperbolic, s &lt; 1</source>
+        <translation>hyperbolique, s &lt; 1</translation>
+    </message>
+    <message>
+        <source>contractive in an ellipsoidal norm, γ &lt; 1</source>
+        <translation>contractant dans une norme ellipsoïdale, γ &lt; 1</translation>
     </message>
 </context>
 <context>

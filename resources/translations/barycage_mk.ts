@@ -466,6 +466,18 @@
         <source>There is no value, because the maps are linked: the equation is another.</source>
         <translation>Нема вредност, бидејќи пресликувањата се поврзани: равенката е друга.</translation>
     </message>
+    <message>
+        <source>There is no value, because the maps contract by too little to bound it.</source>
+        <translation>Нема вредност, бидејќи пресликувањата контрахираат премалку за да се ограничи.</translation>
+    </message>
+    <message>
+        <source>Yes: hyperbolic, but the maps contract by too little to bound anything else.</source>
+        <translation>Да: хиперболичен, но пресликувањата контрахираат премалку за да се ограничи нешто друго.</translation>
+    </message>
+    <message>
+        <source>Yes: the maps contract in an ellipsoidal norm, but by too little to bound anything else.</source>
+        <translation>Да: пресликувањата контрахираат во елипсоидна норма, но премалку за да се ограничи нешто друго.</translation>
+    </message>
 </context>
 <context>
     <name>Application</name>
@@ -2904,6 +2916,14 @@
     <message>
         <source>rotated %1°</source>
         <translation>свртено за %1°</translation>
+    </message>
+    <message>
+        <source>hyperbolic, s &lt; 1</source>
+        <translation>хиперболичен, s &lt; 1</translation>
+    </message>
+    <message>
+        <source>contractive in an ellipsoidal norm, γ &lt; 1</source>
+        <translation>контрактивен во елипсоидна норма, γ &lt; 1</translation>
     </message>
 </context>
 <context>

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 namespace ifs {
@@ -17,6 +18,7 @@ template <int Dim> std::optional<CommonMatrixNorm> commonMatrixNorm(std::span<co
     if (!std::ranges::all_of(
             maps, [&](const AffineMap<Dim>& map) { return map.linear == first || map.linear == -first; }))
         return std::nullopt;
+    if (exactExpansion<Dim>(maps, {0}) != Expansion::No) return std::nullopt;
     for (int digits = 1; digits <= 52; ++digits) { // more, and no double would be γ
         const double gap = std::ldexp(1, -digits);
         const std::array stretched{maps.front(),
@@ -28,7 +30,7 @@ template <int Dim> std::optional<CommonMatrixNorm> commonMatrixNorm(std::span<co
         if (Dim == 3) largest += 2 * slope * slope;
         return CommonMatrixNorm{1 - gap / 2, largest / std::sqrt(rate) * (1 + 1e-12)};
     }
-    return std::nullopt;
+    return CommonMatrixNorm{1, std::numeric_limits<double>::infinity()};
 }
 
 template std::optional<CommonMatrixNorm> commonMatrixNorm(std::span<const AffineMap<2>>);

@@ -8,9 +8,10 @@
 
 namespace ifs {
 
+// A norm that is known to be contracted by exact arithmetic.
 struct CommonMatrixNorm {
-    double contractivity = 0;
-    double equivalence = 1; // C with |x| ≤ ‖x‖ ≤ C|x|
+    double contractivity = 0; // 1: all maps contract, by factors too near 1 for a double
+    double equivalence = 1;   // C with |x| ≤ ‖x‖ ≤ C|x|
 };
 
 // An ellipsoidal norm in which maps with linear parts A or −A contract, such as a single map: there is one if

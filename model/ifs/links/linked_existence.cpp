@@ -150,9 +150,7 @@ private:
 
 template <int Dim> Existence classifyLinked(const ActiveMaps<Dim>& active, int maxProducts) {
     const Existence plain = classify<Dim>(active.maps, maxProducts);
-    const bool exists =
-        plain.verdict == Verdict::Hyperbolic || plain.verdict == Verdict::EventuallyContractive;
-    if (!active.isLinked() || exists || active.maps.empty()) return plain;
+    if (!active.isLinked() || plain.exists() || active.maps.empty()) return plain;
     if (!std::ranges::all_of(active.maps, isFinite<Dim>)) return {};
     return WordSearch<Dim>(active, maxProducts).result();
 }

@@ -56,9 +56,7 @@ struct LinkedExtent::Node {
 };
 
 std::optional<LinkedExtent> LinkedExtent::of(const ActiveMaps<2>& active, const Existence& existence) {
-    const bool exists =
-        existence.verdict == Verdict::Hyperbolic || existence.verdict == Verdict::EventuallyContractive;
-    if (!exists || active.maps.empty()) return std::nullopt;
+    if (!existence.hasFactor() || active.maps.empty()) return std::nullopt;
     LinkedExtent result;
     result.m_active = active;
     const std::size_t n = active.maps.size();

@@ -122,7 +122,8 @@ void writeExistence(JsonWriter& json, const ifs::Existence& existence,
     json.key("attractor");
     json.beginObject(Layout::Inline);
     json.member("verdict", verdictName(existence.verdict));
-    json.member("contractivity", settled ? std::optional(existence.contractivity) : std::nullopt);
+    const bool hasNumber = existence.hasFactor() || existence.verdict == ifs::Verdict::None;
+    json.member("contractivity", hasNumber ? std::optional(existence.contractivity) : std::nullopt);
     json.key("word_length");
     if (settled)
         json.value(existence.verdict == ifs::Verdict::None ? int(existence.witness.size())

@@ -183,14 +183,15 @@ QList<Fact> Facts::all() {
 // Of those without a reason of their own, and of all where there may be nothing to measure.
 template <int Dim> void Facts::explainAbsences() {
     using enum ifs::Verdict;
-    const ifs::Verdict verdict = factsIn<Dim>(*m_analysis).existence.verdict;
-    const bool hasAttractor = verdict == Hyperbolic || verdict == EventuallyContractive;
+    const ifs::Existence& existence = factsIn<Dim>(*m_analysis).existence;
     for (Fact& fact : m_lines) {
         if (!fact.value.isEmpty()) continue;
-        if (verdict == Undecided)
+        if (existence.verdict == Undecided)
             fact.absence = tr("There is no value, because it is not proved that there is an attractor.");
-        else if (!hasAttractor)
+        else if (!existence.exists())
             fact.absence = tr("There is no value, because there is no attractor.");
+        else if (!existence.hasFactor())
+            fact.absence = tr("There is no value, because the maps contract by too little to bound it.");
         else if (fact.absence.isEmpty())
             fact.absence = tr("There is no value: for these maps, none could be computed.");
     }
