@@ -53,9 +53,9 @@ QString count(std::uint64_t samples) {
 QString verdictText(const ifs::Existence& existence) {
     const QString factor = QString::number(existence.contractivity, 'f', 4);
     if (existence.exists() && !existence.hasFactor())
-        return existence.norm == ifs::NormKind::Euclidean
+        return existence.verdict == ifs::Verdict::Hyperbolic
                    ? StatusLine::tr("hyperbolic, s < 1")
-                   : StatusLine::tr("contractive in an ellipsoidal norm, γ < 1");
+                   : StatusLine::tr("contractive in some norm, γ < 1");
     switch (existence.verdict) {
     case ifs::Verdict::Hyperbolic:
         return StatusLine::tr("hyperbolic, s = %1").arg(factor);

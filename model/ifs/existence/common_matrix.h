@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "ifs/existence/exact_matrix.h"
 #include "ifs/system/affine_map.h"
 
 #include <optional>
@@ -18,5 +19,8 @@ struct CommonMatrixNorm {
 // and only if ρ(A) < 1, which is decided without rounding. nullopt when there is none, when 1 − ρ(A) is below
 // 2⁻⁵², or when the linear parts differ. docs/mathematics.md, "When does a system have an attractor?"
 template <int Dim> std::optional<CommonMatrixNorm> commonMatrixNorm(std::span<const AffineMap<Dim>> maps);
+
+// The same for one matrix, with any coefficients.
+template <int Dim> std::optional<CommonMatrixNorm> exactMatrixNorm(const ExactMatrix<Dim>& linear);
 
 } // namespace ifs

@@ -69,6 +69,7 @@ QString belowOne(double contractivity) {
 }
 
 QString contractionSentence(const ifs::Existence& existence) {
+    if (!existence.hasFactor()) return Text::tr("contractive in some norm, γ < 1");
     const QString factor = belowOne(existence.contractivity);
     switch (existence.norm) {
     case ifs::NormKind::Ellipsoidal:

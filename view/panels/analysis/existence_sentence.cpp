@@ -21,10 +21,10 @@ QString factorText(double factor) {
 }
 
 QString slowSentence(const ifs::Existence& existence) {
-    return existence.norm == ifs::NormKind::Euclidean
+    return existence.verdict == ifs::Verdict::Hyperbolic
                ? Sentence::tr("Yes: hyperbolic, but the maps contract by too little to bound anything else.")
-               : Sentence::tr("Yes: the maps contract in an ellipsoidal norm, but by too little to bound "
-                              "anything else.");
+               : Sentence::tr(
+                     "Yes: the maps contract in some norm, but by too little to bound anything else.");
 }
 
 QString contractionSentence(const ifs::Existence& existence) {
