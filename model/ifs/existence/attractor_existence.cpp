@@ -4,6 +4,7 @@
 #include "ifs/existence/common_matrix.h"
 #include "ifs/existence/conditioning.h"
 #include "ifs/existence/exact_contraction.h"
+#include "ifs/existence/exact_similarity.h"
 #include "ifs/existence/expansion.h"
 #include "ifs/existence/invariant_form.h"
 #include "ifs/existence/lyapunov_norm.h"
@@ -436,12 +437,28 @@ template <int Dim> double provedRadius(const Matrix<Dim>& product, double error,
 
 } // namespace
 
+namespace {
+
+// The largest ratio, for the norm of a product is the product of the ratios.
+JointSpectralRadius radiusOfSimilarities(const std::vector<Dyadic>& squares) {
+    const Dyadic largest = *std::ranges::max_element(
+        squares, [](const Dyadic& a, const Dyadic& b) { return (a - b).sign() < 0; });
+    const double root = std::sqrt(largest.rounded());
+    if (!std::isfinite(root)) return {0, root};
+    if (Dyadic(root) * Dyadic(root) == largest) return {root, root};
+    constexpr double few = 0x1p-51;
+    return {root * (1 - few), root * (1 + few)};
+}
+
+} // namespace
+
 template <int Dim>
 JointSpectralRadius jointSpectralRadius(std::span<const AffineMap<Dim>> maps, const Existence& existence) {
     constexpr std::size_t maxProducts = 2'000;
     constexpr int maxLength = 16;
     JointSpectralRadius result{0, std::numeric_limits<double>::infinity()};
     if (maps.empty() || !std::ranges::all_of(maps, isFinite<Dim>)) return result;
+    if (const auto squares = squaredRatios<Dim>(maps)) return radiusOfSimilarities(*squares);
     if (existence.exists()) result.most = std::min(existence.contractivity * (1 + 1e-15), 1.0);
     const Matrices<Dim> generators = linearParts<Dim>(maps);
     for (WordLevel<Dim> level{generators}; allFinite<Dim>(level.products); extend(level, generators)) {
