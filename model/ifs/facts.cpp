@@ -106,10 +106,9 @@ template <int Dim> void findHull(Facts<Dim>& facts, std::optional<double> tolera
     });
 }
 
-// The entropy divided by the rate, at most that of a subspace that holds the attractor.
-void setMeasureDimension(Invariants& invariants, int ofHull) {
+// At most the dimension of a subspace that holds the attractor.
+void setMeasureDimension(Invariants& invariants, double bound, int ofHull) {
     constexpr double rounding = 1e-12;
-    const double bound = *invariants.entropy / -*invariants.lyapunovExponent;
     invariants.measureDimension = std::min(bound, double(ofHull));
     invariants.isMeasureDimensionCapped = bound > ofHull * (1 + rounding);
 }
@@ -124,7 +123,7 @@ template <int Dim> void findLinkedMeasure(Facts<Dim>& facts) {
     invariants.entropy = entropyRate(transitions(facts.active));
     invariants.lyapunovExponent = linkedLyapunovExponent<Dim>(facts.active);
     if (const auto& rate = invariants.lyapunovExponent; rate && *rate < 0)
-        setMeasureDimension(invariants, Dim);
+        setMeasureDimension(invariants, *invariants.entropy / -*rate, Dim);
 }
 
 void findLinkedExtents(Facts<2>& facts, std::optional<double> hullTolerance, Budget& budget) {
@@ -224,6 +223,8 @@ template <int Dim> void findContacts(const Facts<Dim>& facts, Invariants& result
             settleByArea<2>(*result.openSet, maps,
                             result.tile->isExact ? Certainty::Exact : Certainty::ToRounding);
     }
+    if (result.openSet->condition == OpenSetCondition::Holds && facts.similarityDimension > 0.0)
+        result.spectrum = dimensionSpectrum<Dim>(facts.active);
 }
 
 template <int Dim> void findInvariants(const Facts<Dim>& facts, Invariants& result, Budget& budget) {
@@ -238,9 +239,9 @@ template <int Dim> void findInvariants(const Facts<Dim>& facts, Invariants& resu
     if (!facts.support) return;
     if (facts.similarityDimension == 0.0)
         result.measureDimension = 0;
-    else if (result.lyapunovExponent && *result.lyapunovExponent < 0) {
+    else if (const auto bound = measureDimension(active)) {
         const auto hull = affineHull<Dim>(active.maps);
-        setMeasureDimension(result, hull ? hull->dimension : Dim);
+        setMeasureDimension(result, *bound, hull ? hull->dimension : Dim);
     }
     budget.spend(LongFact::Contacts, [&](const std::stop_token&) {
         findContacts(facts, result);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "ifs/dimension/measure.h"
 #include "ifs/dimension/moments.h"
 #include "ifs/existence/attractor_existence.h"
 #include "ifs/extent/convex_hull.h"
@@ -30,6 +31,7 @@ struct Invariants {
     std::optional<JointSpectralRadius> jointSpectralRadius; // of finite maps
     std::optional<PieceContacts> contacts;                  // where there is an attractor
     std::optional<OpenSetFacts> openSet;                    // with them
+    std::optional<DimensionSpectrum> spectrum;              // of similarities under the open set condition
     std::optional<Tile> tile;                               // in the plane
 };
 
