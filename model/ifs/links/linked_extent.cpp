@@ -75,6 +75,9 @@ std::optional<LinkedExtent> LinkedExtent::of(const ActiveMaps<2>& active, const 
         result.m_points.push_back(point);
         known = std::max(known, error);
     }
+    // Maps in a circle make one point each.
+    result.m_arePoints =
+        std::ranges::all_of(result.m_before, [](const auto& maps) { return maps.size() == 1; });
     double longest = 1;
     for (const auto& map : active.maps)
         longest = std::max(longest, map.linear.norm());
@@ -94,6 +97,7 @@ std::optional<LinkedExtent> LinkedExtent::of(const ActiveMaps<2>& active, const 
         result.m_pointError = known + unit * (centre.norm() + reach(result.m_points));
         constexpr double negligible = 0x1p-36; // against what rounding adds to every height
         if (!(rounding <= negligible * farthest)) farthest += rounding;
+        if (result.m_arePoints) return reach(result.m_seen) + result.m_pointError;
         return farthest * existence.normEquivalence / (1 - existence.contractivity);
     };
     result.m_radius = seenFrom(result.m_points.front());
@@ -286,11 +290,29 @@ LinkedExtent::Node LinkedExtent::first(std::size_t part, const Vector<2>& u) con
     return {part, map, map.linear.transpose() * u, u.dot(map.translation)};
 }
 
+LinkedExtent::Height LinkedExtent::ofPoint(std::size_t part, const Vector<2>& u) const {
+    const Vector<2>& seen = m_seen[part];
+    const double rounding = 8 * unit * u.norm() * (seen.norm() + m_centre.norm());
+    return {u.dot(seen) + u.dot(m_centre), u.norm() * m_pointError + rounding, m_points[part]};
+}
+
 LinkedExtent::Height LinkedExtent::ofPart(std::size_t part, const Vector<2>& u, double tolerance) const {
+    if (m_arePoints) return ofPoint(part, u);
     return search({first(part, u)}, u, tolerance);
 }
 
 LinkedExtent::Height LinkedExtent::operator()(const Vector<2>& u, double tolerance) const {
+    if (m_arePoints) {
+        Height best = ofPoint(0, u);
+        double most = best.value + best.error;
+        for (std::size_t j = 1; j < parts(); ++j) {
+            const Height height = ofPoint(j, u);
+            most = std::max(most, height.value + height.error);
+            if (height.value > best.value) best = height;
+        }
+        best.error = most - best.value;
+        return best;
+    }
     std::vector<Node> open;
     for (std::size_t j = 0; j < parts(); ++j)
         open.push_back(first(j, u));

@@ -132,6 +132,12 @@ private slots:
                 QVERIFY(existence.contractivity >= slow && existence.contractivity <= 1);
                 const auto extent = LinkedExtent::of(activeMaps(exact), existence);
                 QCOMPARE(extent.has_value(), existence.hasFactor());
+                if (!extent) continue;
+                // One point after each map, far away where the circle is slow.
+                const BoundingBox<2> box = boundingBox(*extent);
+                QVERIFY(((box.max - box.min).array() >= 0).all());
+                const Vector<2> x = extent->pointOf(0);
+                QVERIFY(holds(box, x) && box.error <= 1e-3 * (1 + x.norm()));
                 const System turned = circle({first, {matrix(.5, 0, 0, .25), {0, 1}}});
                 QCOMPARE(existenceOf(turned).verdict, Verdict::None);
             }
