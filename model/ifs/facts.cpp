@@ -10,10 +10,14 @@
 #include "ifs/links/linked_extent.h"
 #include "ifs/links/linked_measure.h"
 #include "ifs/processor_clock.h"
+#include "ifs/separation/affine_hull.h"
 #include "ifs/separation/exact_hull.h"
 #include "ifs/separation/exact_map.h"
+#include "ifs/separation/hull_cover.h"
+#include "ifs/separation/neighbour_graph.h"
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <initializer_list>
 #include <limits>
@@ -102,8 +106,11 @@ template <int Dim> void findHull(Facts<Dim>& facts, std::optional<double> tolera
     });
 }
 
-bool exists(Verdict verdict) {
-    return verdict == Verdict::Hyperbolic || verdict == Verdict::EventuallyContractive;
+// At most the dimension of a subspace that holds the attractor.
+void setMeasureDimension(Invariants& invariants, double bound, int ofHull) {
+    constexpr double rounding = 1e-12;
+    invariants.measureDimension = std::min(bound, double(ofHull));
+    invariants.isMeasureDimensionCapped = bound > ofHull * (1 + rounding);
 }
 
 template <int Dim> void findLinkedMeasure(Facts<Dim>& facts) {
@@ -116,7 +123,7 @@ template <int Dim> void findLinkedMeasure(Facts<Dim>& facts) {
     invariants.entropy = entropyRate(transitions(facts.active));
     invariants.lyapunovExponent = linkedLyapunovExponent<Dim>(facts.active);
     if (const auto& rate = invariants.lyapunovExponent; rate && *rate < 0)
-        invariants.measureDimension = std::min(*invariants.entropy / -*rate, double(Dim));
+        setMeasureDimension(invariants, *invariants.entropy / -*rate, Dim);
 }
 
 void findLinkedExtents(Facts<2>& facts, std::optional<double> hullTolerance, Budget& budget) {
@@ -143,7 +150,7 @@ template <int Dim> void findLinked(Facts<Dim>& facts, std::optional<double> hull
         return true;
     });
     if (!isKnown) budget.leaveOut({LongFact::Extents, LongFact::Hull});
-    if (!isKnown || !exists(facts.existence.verdict)) return;
+    if (!isKnown || !facts.existence.exists()) return;
     findLinkedMeasure(facts);
     if constexpr (Dim == 2) findLinkedExtents(facts, hullTolerance, budget);
 }
@@ -204,6 +211,22 @@ bool settleExtremePoints(Facts<2>& facts, const std::stop_token& stop) {
     return true;
 }
 
+template <int Dim> void findContacts(const Facts<Dim>& facts, Invariants& result) {
+    const auto& maps = facts.active.maps;
+    const auto graph = facts.box ? neighbourGraph<Dim>(maps, *facts.box) : std::nullopt;
+    const NeighbourGraph* neighbours = graph ? &*graph : nullptr;
+    result.contacts = pieceContacts(*facts.support, neighbours);
+    result.openSet = openSetFacts<Dim>(maps, *result.contacts, neighbours);
+    if constexpr (Dim == 2) {
+        if (facts.box) result.tile = tile(maps, *facts.box, neighbours);
+        if (result.tile && result.tile->area)
+            settleByArea<2>(*result.openSet, maps,
+                            result.tile->isExact ? Certainty::Exact : Certainty::ToRounding);
+    }
+    if (result.openSet->condition == OpenSetCondition::Holds && facts.similarityDimension > 0.0)
+        result.spectrum = dimensionSpectrum<Dim>(facts.active);
+}
+
 template <int Dim> void findInvariants(const Facts<Dim>& facts, Invariants& result, Budget& budget) {
     const auto& active = facts.active;
     if (active.maps.empty() || !std::ranges::all_of(active.maps, isFinite<Dim>)) return;
@@ -214,14 +237,24 @@ template <int Dim> void findInvariants(const Facts<Dim>& facts, Invariants& resu
         return true;
     });
     if (!facts.support) return;
-    result.measureDimension =
-        facts.similarityDimension == 0.0 ? facts.similarityDimension : measureDimension(active);
+    if (facts.similarityDimension == 0.0)
+        result.measureDimension = 0;
+    else if (const auto bound = measureDimension(active)) {
+        const auto hull = affineHull<Dim>(active.maps);
+        setMeasureDimension(result, *bound, hull ? hull->dimension : Dim);
+    }
     budget.spend(LongFact::Contacts, [&](const std::stop_token&) {
-        result.contacts = pieceContacts(*facts.support);
-        if constexpr (Dim == 2)
-            if (facts.box) result.tile = tile(active.maps, *facts.box);
+        findContacts(facts, result);
         return true;
     });
+}
+
+// The hull that is the union of its images is the attractor, and convex.
+void settleConnectedness(const Facts<2>& facts, Invariants& invariants) {
+    if (!invariants.contacts || !facts.isHullExact) return;
+    Connectedness& known = invariants.contacts->connectedness;
+    if (known == Connectedness::Connected || known == Connectedness::Disconnected) return;
+    if (imagesCoverHull(facts.active.maps, facts.extremePoints)) known = Connectedness::Connected;
 }
 
 void findAffinityDimension(Facts<2>& facts, Budget& budget) {
@@ -237,6 +270,17 @@ void findExtremePoints(Facts<2>& facts, Budget& budget) {
         return settleExtremePoints(facts, stop);
     });
     if (!isFound) facts.extremePoints.assign(facts.hull->vertices.size(), std::nullopt);
+    settleConnectedness(facts, facts.invariants);
+}
+
+// Where the facts come without the addresses of the hull, which tell whether its images cover it.
+void settleByAddresses(Facts<2> facts, Invariants& invariants) {
+    constexpr std::chrono::seconds patience(2);
+    if (!facts.hull || !facts.support || !invariants.contacts) return;
+    const Connectedness known = invariants.contacts->connectedness;
+    if (known == Connectedness::Connected || known == Connectedness::Disconnected) return;
+    if (facts.extremePoints.empty() && !settleExtremePoints(facts, Deadline(patience).token())) return;
+    settleConnectedness(facts, invariants);
 }
 
 } // namespace
@@ -247,6 +291,7 @@ template <int Dim> Invariants invariantsOf(const Facts<Dim>& facts) {
     std::vector<LongFact> late;
     Budget unlimited({}, late);
     findInvariants(facts, result, unlimited);
+    if constexpr (Dim == 2) settleByAddresses(facts, result);
     return result;
 }
 

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "ifs/dimension/measure.h"
 #include "ifs/dimension/moments.h"
 #include "ifs/existence/attractor_existence.h"
 #include "ifs/extent/convex_hull.h"
 #include "ifs/extent/convex_hull_3d.h"
 #include "ifs/extent/extent.h"
 #include "ifs/extent/extreme_points.h"
+#include "ifs/separation/open_set.h"
 #include "ifs/separation/piece_contacts.h"
 #include "ifs/system/iterated_function_system.h"
 #include "ifs/tiles/tile.h"
@@ -25,8 +27,11 @@ struct Invariants {
     std::optional<double> entropy;          // of the probabilities, in nats
     std::optional<double> lyapunovExponent; // of similarities
     std::optional<double> measureDimension; // of similarities; an upper bound where pieces overlap
+    bool isMeasureDimensionCapped = false;  // the dimension of the affine hull stands for more than that
     std::optional<JointSpectralRadius> jointSpectralRadius; // of finite maps
     std::optional<PieceContacts> contacts;                  // where there is an attractor
+    std::optional<OpenSetFacts> openSet;                    // with them
+    std::optional<DimensionSpectrum> spectrum;              // of similarities under the open set condition
     std::optional<Tile> tile;                               // in the plane
 };
 

@@ -394,10 +394,6 @@
         <translation>Fläche der Kachel</translation>
     </message>
     <message>
-        <source>Area of the attractor, if all maps have one linear part and translated copies of the attractor tile the plane by the lattice that their translations make; proved by the contacts of the copies.</source>
-        <translation>Fläche des Attraktors, wenn alle Abbildungen denselben linearen Teil haben und verschobene Kopien des Attraktors die Ebene im Gitter ihrer Verschiebungen pflastern; bewiesen durch die Berührungen der Kopien.</translation>
-    </message>
-    <message>
         <source>Boundary dimension</source>
         <translation>Dimension des Randes</translation>
     </message>
@@ -454,16 +450,84 @@
         <translation>Es wurden keine Überlappungen gefunden.</translation>
     </message>
     <message>
-        <source>There is no value: it is not proved that the attractor tiles the plane in this way.</source>
-        <translation>Es gibt keinen Wert: Es ist nicht bewiesen, dass der Attraktor die Ebene auf diese Weise pflastert.</translation>
-    </message>
-    <message>
         <source>There is no value, because these maps are not of this kind.</source>
         <translation>Es gibt keinen Wert, weil diese Abbildungen nicht von dieser Art sind.</translation>
     </message>
     <message>
         <source>There is no value, because the maps are linked: the equation is another.</source>
         <translation>Es gibt keinen Wert, weil die Abbildungen verknüpft sind: Die Gleichung ist eine andere.</translation>
+    </message>
+    <message>
+        <source>There is no value, because the maps contract by too little to bound it.</source>
+        <translation>Es gibt keinen Wert, weil die Abbildungen zu wenig kontrahieren, um ihn abzuschätzen.</translation>
+    </message>
+    <message>
+        <source>Yes: hyperbolic, but the maps contract by too little to bound anything else.</source>
+        <translation>Ja: hyperbolisch, aber die Abbildungen kontrahieren zu wenig, um sonst etwas abzuschätzen.</translation>
+    </message>
+    <message>
+        <source>Open set condition</source>
+        <translation>Offene-Mengen-Bedingung</translation>
+    </message>
+    <message>
+        <source>Whether there is an open set with disjoint images in it. It is proved where the pieces are disjoint, where an area of the attractor is, and where the neighbours of pieces of one size are finitely many, and none of them coincides with its neighbour.</source>
+        <translation>Ob es eine offene Menge gibt, die ihre Bilder enthält und deren Bilder disjunkt sind. Das ist bewiesen, wo die Teile disjunkt sind, wo der Attraktor bewiesenermaßen eine Fläche hat und wo gleich große Teile nur endlich viele Nachbarn haben, von denen keiner mit dem Teil zusammenfällt.</translation>
+    </message>
+    <message>
+        <source>Hausdorff dimension</source>
+        <translation>Hausdorff-Dimension</translation>
+    </message>
+    <message>
+        <source>Dimension of the attractor, where it is proved: the similarity dimension under the open set condition; or, where pieces coincide and there are finitely many neighbours, by the growth of the number of different maps.</source>
+        <translation>Dimension des Attraktors, wo sie bewiesen ist: unter der Offene-Mengen-Bedingung die Ähnlichkeitsdimension; wo Teile zusammenfallen und es nur endlich viele Nachbarn gibt, aus dem Wachstum der Anzahl verschiedener Abbildungen.</translation>
+    </message>
+    <message>
+        <source>There is no value: it is not known how much the pieces overlap, or the maps are no similarities.</source>
+        <translation>Es gibt keinen Wert: Es ist nicht bekannt, wie weit die Teile sich überlappen, oder die Abbildungen sind keine Ähnlichkeiten.</translation>
+    </message>
+    <message>
+        <source>Area of the attractor, if its copies, moved by a lattice and turned by a few turns, cover the plane equally often; proved by the contacts of the copies, or by counting those that hold a point.</source>
+        <translation>Fläche des Attraktors, wenn seine Kopien, um ein Gitter verschoben und um wenige Winkel gedreht, die Ebene überall gleich oft überdecken; bewiesen durch die Berührungen der Kopien oder durch Abzählen der Kopien, in denen ein Punkt liegt.</translation>
+    </message>
+    <message>
+        <source>There is no value: it is not proved that copies of the attractor cover the plane in this way.</source>
+        <translation>Es gibt keinen Wert: Es ist nicht bewiesen, dass Kopien des Attraktors die Ebene auf diese Weise überdecken.</translation>
+    </message>
+    <message>
+        <source>at most %1</source>
+        <translation>höchstens %1</translation>
+    </message>
+    <message>
+        <source>Yes: the maps contract in some norm, but by too little to bound anything else.</source>
+        <translation>Ja: Die Abbildungen kontrahieren in einer passenden Norm, aber zu wenig, um sonst etwas abzuschätzen.</translation>
+    </message>
+    <message>
+        <source>pieces may touch, but do not overlap</source>
+        <translation>Teile berühren sich höchstens, überlappen sich aber nicht</translation>
+    </message>
+    <message>
+        <source>holds</source>
+        <translation>gilt</translation>
+    </message>
+    <message>
+        <source>holds, within rounding error</source>
+        <translation>gilt, soweit die Rundung es erkennen lässt</translation>
+    </message>
+    <message>
+        <source>fails</source>
+        <translation>gilt nicht</translation>
+    </message>
+    <message>
+        <source>fails, within rounding error</source>
+        <translation>gilt nicht, soweit die Rundung es erkennen lässt</translation>
+    </message>
+    <message>
+        <source>(the open set condition holds)</source>
+        <translation>(die Offene-Mengen-Bedingung gilt)</translation>
+    </message>
+    <message>
+        <source>(the open set condition holds, within rounding error)</source>
+        <translation>(die Offene-Mengen-Bedingung gilt, soweit die Rundung es erkennen lässt)</translation>
     </message>
 </context>
 <context>
@@ -2898,6 +2962,14 @@
     <message>
         <source>rotated %1°</source>
         <translation>gedreht um %1°</translation>
+    </message>
+    <message>
+        <source>hyperbolic, s &lt; 1</source>
+        <translation>hyperbolisch, s &lt; 1</translation>
+    </message>
+    <message>
+        <source>contractive in some norm, γ &lt; 1</source>
+        <translation>kontraktiv in einer passenden Norm, γ &lt; 1</translation>
     </message>
 </context>
 <context>
@@ -5378,6 +5450,58 @@
         <source>Delete %1 maps</source>
         <translation>%1 Abbildungen löschen</translation>
     </message>
+    <message>
+        <source>contractive in some norm, γ &lt; 1</source>
+        <translation>kontraktiv in einer passenden Norm, γ &lt; 1</translation>
+    </message>
+    <message>
+        <source>(the open set condition holds)</source>
+        <translation>(die Offene-Mengen-Bedingung gilt)</translation>
+    </message>
+    <message>
+        <source>(the open set condition holds, within rounding error)</source>
+        <translation>(die Offene-Mengen-Bedingung gilt, soweit die Rundung es erkennen lässt)</translation>
+    </message>
+    <message>
+        <source>holds</source>
+        <translation>gilt</translation>
+    </message>
+    <message>
+        <source>fails</source>
+        <translation>gilt nicht</translation>
+    </message>
+    <message>
+        <source>open set condition</source>
+        <translation>Offene-Mengen-Bedingung</translation>
+    </message>
+    <message>
+        <source>neighbours</source>
+        <translation>Nachbarn</translation>
+    </message>
+    <message>
+        <source>Hausdorff dimension</source>
+        <translation>Hausdorff-Dimension</translation>
+    </message>
+    <message>
+        <source>(finite type)</source>
+        <translation>(endlicher Typ)</translation>
+    </message>
+    <message>
+        <source>spectrum</source>
+        <translation>Spektrum</translation>
+    </message>
+    <message>
+        <source>at most %1</source>
+        <translation>höchstens %1</translation>
+    </message>
+    <message>
+        <source>holds, within rounding error</source>
+        <translation>gilt, soweit die Rundung es erkennen lässt</translation>
+    </message>
+    <message>
+        <source>fails, within rounding error</source>
+        <translation>gilt nicht, soweit die Rundung es erkennen lässt</translation>
+    </message>
 </context>
 <context>
     <name>Tour</name>
@@ -5822,6 +5946,18 @@
     <message>
         <source>Branches are moved. Box, simplex, hull, mean and covariance are those of the picture; the other properties are those of the code.</source>
         <translation>Äste sind verschoben. Rechteck, Simplex, Hülle, Mittelwert und Kovarianz sind die des Bildes; die übrigen Kennwerte sind die des Codes.</translation>
+    </message>
+    <message>
+        <source>How Pieces Meet…</source>
+        <translation>Wie Teile sich berühren…</translation>
+    </message>
+    <message>
+        <source>Read in the user guide what these properties mean and how they are proved</source>
+        <translation>Im Handbuch nachlesen, was diese Eigenschaften bedeuten und wie sie bewiesen werden</translation>
+    </message>
+    <message>
+        <source>Opens the user guide where it explains how the pieces of an attractor meet.</source>
+        <translation>Öffnet das Handbuch an der Stelle, die erklärt, wie die Teile eines Attraktors sich berühren.</translation>
     </message>
 </context>
 <context>

@@ -394,10 +394,6 @@
         <translation>Área de la tesela</translation>
     </message>
     <message>
-        <source>Area of the attractor, if all maps have one linear part and translated copies of the attractor tile the plane by the lattice that their translations make; proved by the contacts of the copies.</source>
-        <translation>Área del atractor si todas las aplicaciones tienen la misma parte lineal y las copias trasladadas del atractor teselan el plano según la red de sus traslaciones; demostrada por los contactos de las copias.</translation>
-    </message>
-    <message>
         <source>Boundary dimension</source>
         <translation>Dimensión de la frontera</translation>
     </message>
@@ -454,16 +450,84 @@
         <translation>No se encontraron solapamientos.</translation>
     </message>
     <message>
-        <source>There is no value: it is not proved that the attractor tiles the plane in this way.</source>
-        <translation>No hay valor: no está demostrado que el atractor tesele el plano de esta manera.</translation>
-    </message>
-    <message>
         <source>There is no value, because these maps are not of this kind.</source>
         <translation>No hay valor, porque estas aplicaciones no son de este tipo.</translation>
     </message>
     <message>
         <source>There is no value, because the maps are linked: the equation is another.</source>
         <translation>No hay valor, porque las aplicaciones están enlazadas: la ecuación es otra.</translation>
+    </message>
+    <message>
+        <source>There is no value, because the maps contract by too little to bound it.</source>
+        <translation>No hay valor, porque las aplicaciones contraen demasiado poco para acotarlo.</translation>
+    </message>
+    <message>
+        <source>Yes: hyperbolic, but the maps contract by too little to bound anything else.</source>
+        <translation>Sí: hiperbólico, pero las aplicaciones contraen demasiado poco para acotar lo demás.</translation>
+    </message>
+    <message>
+        <source>Open set condition</source>
+        <translation>Condición del conjunto abierto</translation>
+    </message>
+    <message>
+        <source>Whether there is an open set with disjoint images in it. It is proved where the pieces are disjoint, where an area of the attractor is, and where the neighbours of pieces of one size are finitely many, and none of them coincides with its neighbour.</source>
+        <translation>Si existe un conjunto abierto que contiene sus imágenes y cuyas imágenes son disjuntas. Queda demostrado cuando las piezas son disjuntas, cuando está demostrado que el atractor tiene área, y cuando las piezas de un mismo tamaño tienen un número finito de vecinas y ninguna coincide con su vecina.</translation>
+    </message>
+    <message>
+        <source>Hausdorff dimension</source>
+        <translation>Dimensión de Hausdorff</translation>
+    </message>
+    <message>
+        <source>Dimension of the attractor, where it is proved: the similarity dimension under the open set condition; or, where pieces coincide and there are finitely many neighbours, by the growth of the number of different maps.</source>
+        <translation>Dimensión del atractor, donde está demostrada: la dimensión de semejanza si se cumple la condición del conjunto abierto; o bien, si hay piezas que coinciden y un número finito de vecinas, a partir del crecimiento del número de aplicaciones distintas.</translation>
+    </message>
+    <message>
+        <source>There is no value: it is not known how much the pieces overlap, or the maps are no similarities.</source>
+        <translation>No hay valor: no se sabe cuánto se solapan las piezas, o las aplicaciones no son semejanzas.</translation>
+    </message>
+    <message>
+        <source>Area of the attractor, if its copies, moved by a lattice and turned by a few turns, cover the plane equally often; proved by the contacts of the copies, or by counting those that hold a point.</source>
+        <translation>Área del atractor si sus copias, trasladadas según una red y giradas por unos pocos giros, cubren el plano el mismo número de veces en todas partes; demostrada por los contactos de las copias o contando las que contienen un punto.</translation>
+    </message>
+    <message>
+        <source>There is no value: it is not proved that copies of the attractor cover the plane in this way.</source>
+        <translation>No hay valor: no está demostrado que las copias del atractor cubran el plano de esta manera.</translation>
+    </message>
+    <message>
+        <source>at most %1</source>
+        <translation>como máximo %1</translation>
+    </message>
+    <message>
+        <source>Yes: the maps contract in some norm, but by too little to bound anything else.</source>
+        <translation>Sí: las aplicaciones contraen en cierta norma, pero demasiado poco para acotar lo demás.</translation>
+    </message>
+    <message>
+        <source>pieces may touch, but do not overlap</source>
+        <translation>las piezas pueden tocarse, pero no se solapan</translation>
+    </message>
+    <message>
+        <source>holds</source>
+        <translation>se cumple</translation>
+    </message>
+    <message>
+        <source>holds, within rounding error</source>
+        <translation>se cumple, hasta donde deja ver el redondeo</translation>
+    </message>
+    <message>
+        <source>fails</source>
+        <translation>no se cumple</translation>
+    </message>
+    <message>
+        <source>fails, within rounding error</source>
+        <translation>no se cumple, hasta donde deja ver el redondeo</translation>
+    </message>
+    <message>
+        <source>(the open set condition holds)</source>
+        <translation>(se cumple la condición del conjunto abierto)</translation>
+    </message>
+    <message>
+        <source>(the open set condition holds, within rounding error)</source>
+        <translation>(se cumple la condición del conjunto abierto, hasta donde deja ver el redondeo)</translation>
     </message>
 </context>
 <context>
@@ -2898,6 +2962,14 @@
     <message>
         <source>rotated %1°</source>
         <translation>girada %1°</translation>
+    </message>
+    <message>
+        <source>hyperbolic, s &lt; 1</source>
+        <translation>hiperbólico, s &lt; 1</translation>
+    </message>
+    <message>
+        <source>contractive in some norm, γ &lt; 1</source>
+        <translation>contractivo en cierta norma, γ &lt; 1</translation>
     </message>
 </context>
 <context>
@@ -5378,6 +5450,58 @@
         <source>Delete %1 maps</source>
         <translation>Eliminar %1 aplicaciones</translation>
     </message>
+    <message>
+        <source>contractive in some norm, γ &lt; 1</source>
+        <translation>contractivo en cierta norma, γ &lt; 1</translation>
+    </message>
+    <message>
+        <source>(the open set condition holds)</source>
+        <translation>(se cumple la condición del conjunto abierto)</translation>
+    </message>
+    <message>
+        <source>(the open set condition holds, within rounding error)</source>
+        <translation>(se cumple la condición del conjunto abierto, hasta donde deja ver el redondeo)</translation>
+    </message>
+    <message>
+        <source>holds</source>
+        <translation>se cumple</translation>
+    </message>
+    <message>
+        <source>fails</source>
+        <translation>no se cumple</translation>
+    </message>
+    <message>
+        <source>open set condition</source>
+        <translation>condición del conjunto abierto</translation>
+    </message>
+    <message>
+        <source>neighbours</source>
+        <translation>vecinas</translation>
+    </message>
+    <message>
+        <source>Hausdorff dimension</source>
+        <translation>Dimensión de Hausdorff</translation>
+    </message>
+    <message>
+        <source>(finite type)</source>
+        <translation>(tipo finito)</translation>
+    </message>
+    <message>
+        <source>spectrum</source>
+        <translation>espectro</translation>
+    </message>
+    <message>
+        <source>at most %1</source>
+        <translation>como máximo %1</translation>
+    </message>
+    <message>
+        <source>holds, within rounding error</source>
+        <translation>se cumple, hasta donde deja ver el redondeo</translation>
+    </message>
+    <message>
+        <source>fails, within rounding error</source>
+        <translation>no se cumple, hasta donde deja ver el redondeo</translation>
+    </message>
 </context>
 <context>
     <name>Tour</name>
@@ -5822,6 +5946,18 @@
     <message>
         <source>Branches are moved. Box, simplex, hull, mean and covariance are those of the picture; the other properties are those of the code.</source>
         <translation>Hay ramas desplazadas. La caja, el símplex, la envolvente, la media y la covarianza son las de la imagen; las demás propiedades son las del código.</translation>
+    </message>
+    <message>
+        <source>How Pieces Meet…</source>
+        <translation>Cómo se tocan las piezas…</translation>
+    </message>
+    <message>
+        <source>Read in the user guide what these properties mean and how they are proved</source>
+        <translation>Leer en la guía del usuario qué significan estas propiedades y cómo se demuestran</translation>
+    </message>
+    <message>
+        <source>Opens the user guide where it explains how the pieces of an attractor meet.</source>
+        <translation>Abre la guía del usuario donde explica cómo se tocan las piezas de un atractor.</translation>
     </message>
 </context>
 <context>

@@ -394,10 +394,6 @@
         <translation>Aire de la tuile</translation>
     </message>
     <message>
-        <source>Area of the attractor, if all maps have one linear part and translated copies of the attractor tile the plane by the lattice that their translations make; proved by the contacts of the copies.</source>
-        <translation>Aire de l’attracteur si toutes les applications ont la même partie linéaire et si des copies translatées de l’attracteur pavent le plan suivant le réseau de leurs translations ; prouvée par les contacts des copies.</translation>
-    </message>
-    <message>
         <source>Boundary dimension</source>
         <translation>Dimension de la frontière</translation>
     </message>
@@ -454,16 +450,84 @@
         <translation>Aucun recouvrement n’a été trouvé.</translation>
     </message>
     <message>
-        <source>There is no value: it is not proved that the attractor tiles the plane in this way.</source>
-        <translation>Il n’y a pas de valeur&#x202f;: il n’est pas prouvé que l’attracteur pave le plan de cette façon.</translation>
-    </message>
-    <message>
         <source>There is no value, because these maps are not of this kind.</source>
         <translation>Il n’y a pas de valeur, car ces applications ne sont pas de ce genre.</translation>
     </message>
     <message>
         <source>There is no value, because the maps are linked: the equation is another.</source>
         <translation>Il n’y a pas de valeur, car les applications sont liées&#x202f;: l’équation est une autre.</translation>
+    </message>
+    <message>
+        <source>There is no value, because the maps contract by too little to bound it.</source>
+        <translation>Il n’y a pas de valeur, car les applications contractent trop peu pour la borner.</translation>
+    </message>
+    <message>
+        <source>Yes: hyperbolic, but the maps contract by too little to bound anything else.</source>
+        <translation>Oui : hyperbolique, mais les applications contractent trop peu pour borner quoi que ce soit d’autre.</translation>
+    </message>
+    <message>
+        <source>Open set condition</source>
+        <translation>Condition de l’ensemble ouvert</translation>
+    </message>
+    <message>
+        <source>Whether there is an open set with disjoint images in it. It is proved where the pieces are disjoint, where an area of the attractor is, and where the neighbours of pieces of one size are finitely many, and none of them coincides with its neighbour.</source>
+        <translation>S’il existe un ensemble ouvert qui contient ses images et dont les images sont disjointes. C’est prouvé si les morceaux sont disjoints, s’il est prouvé que l’attracteur a une aire, ou si les morceaux d’une même taille ont un nombre fini de voisins et qu’aucun ne coïncide avec son voisin.</translation>
+    </message>
+    <message>
+        <source>Hausdorff dimension</source>
+        <translation>Dimension de Hausdorff</translation>
+    </message>
+    <message>
+        <source>Dimension of the attractor, where it is proved: the similarity dimension under the open set condition; or, where pieces coincide and there are finitely many neighbours, by the growth of the number of different maps.</source>
+        <translation>Dimension de l’attracteur, là où elle est prouvée : la dimension de similitude sous la condition de l’ensemble ouvert ; ou, si des morceaux coïncident et que les voisins sont en nombre fini, d’après la croissance du nombre d’applications différentes.</translation>
+    </message>
+    <message>
+        <source>There is no value: it is not known how much the pieces overlap, or the maps are no similarities.</source>
+        <translation>Il n’y a pas de valeur : on ignore dans quelle mesure les morceaux se chevauchent, ou les applications ne sont pas des similitudes.</translation>
+    </message>
+    <message>
+        <source>Area of the attractor, if its copies, moved by a lattice and turned by a few turns, cover the plane equally often; proved by the contacts of the copies, or by counting those that hold a point.</source>
+        <translation>Aire de l’attracteur si ses copies, translatées suivant un réseau et tournées de quelques angles, recouvrent partout le plan le même nombre de fois ; prouvée par les contacts des copies ou en comptant celles qui contiennent un point.</translation>
+    </message>
+    <message>
+        <source>There is no value: it is not proved that copies of the attractor cover the plane in this way.</source>
+        <translation>Il n’y a pas de valeur : il n’est pas prouvé que des copies de l’attracteur recouvrent le plan de cette façon.</translation>
+    </message>
+    <message>
+        <source>at most %1</source>
+        <translation>au plus %1</translation>
+    </message>
+    <message>
+        <source>Yes: the maps contract in some norm, but by too little to bound anything else.</source>
+        <translation>Oui : les applications contractent dans une certaine norme, mais trop peu pour borner quoi que ce soit d’autre.</translation>
+    </message>
+    <message>
+        <source>pieces may touch, but do not overlap</source>
+        <translation>des morceaux peuvent se toucher, mais ne se chevauchent pas</translation>
+    </message>
+    <message>
+        <source>holds</source>
+        <translation>remplie</translation>
+    </message>
+    <message>
+        <source>holds, within rounding error</source>
+        <translation>remplie, autant que l’arrondi permet d’en juger</translation>
+    </message>
+    <message>
+        <source>fails</source>
+        <translation>non remplie</translation>
+    </message>
+    <message>
+        <source>fails, within rounding error</source>
+        <translation>non remplie, autant que l’arrondi permet d’en juger</translation>
+    </message>
+    <message>
+        <source>(the open set condition holds)</source>
+        <translation>(la condition de l’ensemble ouvert est remplie)</translation>
+    </message>
+    <message>
+        <source>(the open set condition holds, within rounding error)</source>
+        <translation>(la condition de l’ensemble ouvert est remplie, autant que l’arrondi permet d’en juger)</translation>
     </message>
 </context>
 <context>
@@ -2898,6 +2962,14 @@
     <message>
         <source>rotated %1°</source>
         <translation>pivotée de %1°</translation>
+    </message>
+    <message>
+        <source>hyperbolic, s &lt; 1</source>
+        <translation>hyperbolique, s &lt; 1</translation>
+    </message>
+    <message>
+        <source>contractive in some norm, γ &lt; 1</source>
+        <translation>contractant dans une certaine norme, γ &lt; 1</translation>
     </message>
 </context>
 <context>
@@ -5378,6 +5450,58 @@
         <source>Delete %1 maps</source>
         <translation>Supprimer %1 applications</translation>
     </message>
+    <message>
+        <source>contractive in some norm, γ &lt; 1</source>
+        <translation>contractant dans une certaine norme, γ &lt; 1</translation>
+    </message>
+    <message>
+        <source>(the open set condition holds)</source>
+        <translation>(la condition de l’ensemble ouvert est remplie)</translation>
+    </message>
+    <message>
+        <source>(the open set condition holds, within rounding error)</source>
+        <translation>(la condition de l’ensemble ouvert est remplie, autant que l’arrondi permet d’en juger)</translation>
+    </message>
+    <message>
+        <source>holds</source>
+        <translation>remplie</translation>
+    </message>
+    <message>
+        <source>fails</source>
+        <translation>non remplie</translation>
+    </message>
+    <message>
+        <source>open set condition</source>
+        <translation>condition de l’ensemble ouvert</translation>
+    </message>
+    <message>
+        <source>neighbours</source>
+        <translation>voisins</translation>
+    </message>
+    <message>
+        <source>Hausdorff dimension</source>
+        <translation>Dimension de Hausdorff</translation>
+    </message>
+    <message>
+        <source>(finite type)</source>
+        <translation>(type fini)</translation>
+    </message>
+    <message>
+        <source>spectrum</source>
+        <translation>spectre</translation>
+    </message>
+    <message>
+        <source>at most %1</source>
+        <translation>au plus %1</translation>
+    </message>
+    <message>
+        <source>holds, within rounding error</source>
+        <translation>remplie, autant que l’arrondi permet d’en juger</translation>
+    </message>
+    <message>
+        <source>fails, within rounding error</source>
+        <translation>non remplie, autant que l’arrondi permet d’en juger</translation>
+    </message>
 </context>
 <context>
     <name>Tour</name>
@@ -5822,6 +5946,18 @@
     <message>
         <source>Branches are moved. Box, simplex, hull, mean and covariance are those of the picture; the other properties are those of the code.</source>
         <translation>Des branches sont déplacées. La boîte, le simplexe, l’enveloppe, la moyenne et la covariance sont ceux de l’image ; les autres propriétés sont celles du code.</translation>
+    </message>
+    <message>
+        <source>How Pieces Meet…</source>
+        <translation>Comment les morceaux se touchent…</translation>
+    </message>
+    <message>
+        <source>Read in the user guide what these properties mean and how they are proved</source>
+        <translation>Lire dans le guide d’utilisation ce que signifient ces propriétés et comment elles sont prouvées</translation>
+    </message>
+    <message>
+        <source>Opens the user guide where it explains how the pieces of an attractor meet.</source>
+        <translation>Ouvre le guide d’utilisation à l’endroit qui explique comment les morceaux d’un attracteur se touchent.</translation>
     </message>
 </context>
 <context>

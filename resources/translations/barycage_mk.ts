@@ -395,10 +395,6 @@
         <translation>Плоштина на плочката</translation>
     </message>
     <message>
-        <source>Area of the attractor, if all maps have one linear part and translated copies of the attractor tile the plane by the lattice that their translations make; proved by the contacts of the copies.</source>
-        <translation>Плоштина на атракторот ако сите пресликувања имаат ист линеарен дел и поместените копии на атракторот ја поплочуваат рамнината според решетката на нивните поместувања; докажана преку допирите на копиите.</translation>
-    </message>
-    <message>
         <source>Boundary dimension</source>
         <translation>Димензија на границата</translation>
     </message>
@@ -455,16 +451,84 @@
         <translation>Не се најдени преклопувања.</translation>
     </message>
     <message>
-        <source>There is no value: it is not proved that the attractor tiles the plane in this way.</source>
-        <translation>Нема вредност: не е докажано дека атракторот ја поплочува рамнината на овој начин.</translation>
-    </message>
-    <message>
         <source>There is no value, because these maps are not of this kind.</source>
         <translation>Нема вредност, бидејќи овие пресликувања не се од тој вид.</translation>
     </message>
     <message>
         <source>There is no value, because the maps are linked: the equation is another.</source>
         <translation>Нема вредност, бидејќи пресликувањата се поврзани: равенката е друга.</translation>
+    </message>
+    <message>
+        <source>There is no value, because the maps contract by too little to bound it.</source>
+        <translation>Нема вредност, бидејќи пресликувањата контрахираат премалку за да се ограничи.</translation>
+    </message>
+    <message>
+        <source>Yes: hyperbolic, but the maps contract by too little to bound anything else.</source>
+        <translation>Да: хиперболичен, но пресликувањата контрахираат премалку за да се ограничи нешто друго.</translation>
+    </message>
+    <message>
+        <source>Open set condition</source>
+        <translation>Услов на отворено множество</translation>
+    </message>
+    <message>
+        <source>Whether there is an open set with disjoint images in it. It is proved where the pieces are disjoint, where an area of the attractor is, and where the neighbours of pieces of one size are finitely many, and none of them coincides with its neighbour.</source>
+        <translation>Дали постои отворено множество што ги содржи своите слики, а сликите му се дисјунктни. Тоа е докажано кога деловите се дисјунктни, кога е докажано дека атракторот има плоштина и кога деловите со иста големина имаат конечно многу соседи и ниту еден не се совпаѓа со својот сосед.</translation>
+    </message>
+    <message>
+        <source>Hausdorff dimension</source>
+        <translation>Хаусдорфова димензија</translation>
+    </message>
+    <message>
+        <source>Dimension of the attractor, where it is proved: the similarity dimension under the open set condition; or, where pieces coincide and there are finitely many neighbours, by the growth of the number of different maps.</source>
+        <translation>Димензија на атракторот, таму каде што е докажана: димензијата на сличност кога важи условот на отворено множество; или, кога има делови што се совпаѓаат и конечно многу соседи, според растот на бројот на различни пресликувања.</translation>
+    </message>
+    <message>
+        <source>There is no value: it is not known how much the pieces overlap, or the maps are no similarities.</source>
+        <translation>Нема вредност: не се знае колку деловите се преклопуваат или пресликувањата не се сличности.</translation>
+    </message>
+    <message>
+        <source>Area of the attractor, if its copies, moved by a lattice and turned by a few turns, cover the plane equally often; proved by the contacts of the copies, or by counting those that hold a point.</source>
+        <translation>Плоштина на атракторот ако неговите копии, поместени по решетка и завртени за неколку агли, насекаде подеднакво пати ја покриваат рамнината; докажана преку допирите на копиите или со броење на копиите што содржат една точка.</translation>
+    </message>
+    <message>
+        <source>There is no value: it is not proved that copies of the attractor cover the plane in this way.</source>
+        <translation>Нема вредност: не е докажано дека копии на атракторот ја покриваат рамнината на овој начин.</translation>
+    </message>
+    <message>
+        <source>at most %1</source>
+        <translation>најмногу %1</translation>
+    </message>
+    <message>
+        <source>Yes: the maps contract in some norm, but by too little to bound anything else.</source>
+        <translation>Да: пресликувањата контрахираат во некоја норма, но премалку за да се ограничи нешто друго.</translation>
+    </message>
+    <message>
+        <source>pieces may touch, but do not overlap</source>
+        <translation>деловите може да се допираат, но не се преклопуваат</translation>
+    </message>
+    <message>
+        <source>holds</source>
+        <translation>важи</translation>
+    </message>
+    <message>
+        <source>holds, within rounding error</source>
+        <translation>важи, колку што се гледа од заокружувањето</translation>
+    </message>
+    <message>
+        <source>fails</source>
+        <translation>не важи</translation>
+    </message>
+    <message>
+        <source>fails, within rounding error</source>
+        <translation>не важи, колку што се гледа од заокружувањето</translation>
+    </message>
+    <message>
+        <source>(the open set condition holds)</source>
+        <translation>(условот на отворено множество важи)</translation>
+    </message>
+    <message>
+        <source>(the open set condition holds, within rounding error)</source>
+        <translation>(условот на отворено множество важи, колку што се гледа од заокружувањето)</translation>
     </message>
 </context>
 <context>
@@ -2904,6 +2968,14 @@
     <message>
         <source>rotated %1°</source>
         <translation>свртено за %1°</translation>
+    </message>
+    <message>
+        <source>hyperbolic, s &lt; 1</source>
+        <translation>хиперболичен, s &lt; 1</translation>
+    </message>
+    <message>
+        <source>contractive in some norm, γ &lt; 1</source>
+        <translation>контрактивен во некоја норма, γ &lt; 1</translation>
     </message>
 </context>
 <context>
@@ -5391,6 +5463,58 @@
         <source>Delete %1 maps</source>
         <translation>Бришење на %1 пресликувања</translation>
     </message>
+    <message>
+        <source>contractive in some norm, γ &lt; 1</source>
+        <translation>контрактивен во некоја норма, γ &lt; 1</translation>
+    </message>
+    <message>
+        <source>(the open set condition holds)</source>
+        <translation>(условот на отворено множество важи)</translation>
+    </message>
+    <message>
+        <source>(the open set condition holds, within rounding error)</source>
+        <translation>(условот на отворено множество важи, колку што се гледа од заокружувањето)</translation>
+    </message>
+    <message>
+        <source>holds</source>
+        <translation>важи</translation>
+    </message>
+    <message>
+        <source>fails</source>
+        <translation>не важи</translation>
+    </message>
+    <message>
+        <source>open set condition</source>
+        <translation>услов на отворено множество</translation>
+    </message>
+    <message>
+        <source>neighbours</source>
+        <translation>соседи</translation>
+    </message>
+    <message>
+        <source>Hausdorff dimension</source>
+        <translation>Хаусдорфова димензија</translation>
+    </message>
+    <message>
+        <source>(finite type)</source>
+        <translation>(конечен тип)</translation>
+    </message>
+    <message>
+        <source>spectrum</source>
+        <translation>спектар</translation>
+    </message>
+    <message>
+        <source>at most %1</source>
+        <translation>најмногу %1</translation>
+    </message>
+    <message>
+        <source>holds, within rounding error</source>
+        <translation>важи, колку што се гледа од заокружувањето</translation>
+    </message>
+    <message>
+        <source>fails, within rounding error</source>
+        <translation>не важи, колку што се гледа од заокружувањето</translation>
+    </message>
 </context>
 <context>
     <name>Tour</name>
@@ -5835,6 +5959,18 @@
     <message>
         <source>Branches are moved. Box, simplex, hull, mean and covariance are those of the picture; the other properties are those of the code.</source>
         <translation>Има поместени гранки. Кутијата, симплексот, обвивката, средината и коваријансата се оние на сликата; другите својства се на кодот.</translation>
+    </message>
+    <message>
+        <source>How Pieces Meet…</source>
+        <translation>Како се допираат деловите…</translation>
+    </message>
+    <message>
+        <source>Read in the user guide what these properties mean and how they are proved</source>
+        <translation>Прочитајте во упатството што значат овие својства и како се докажуваат</translation>
+    </message>
+    <message>
+        <source>Opens the user guide where it explains how the pieces of an attractor meet.</source>
+        <translation>Го отвора упатството таму каде што објаснува како се допираат деловите на атракторот.</translation>
     </message>
 </context>
 <context>

@@ -2,6 +2,7 @@
 #include "ifs/canonical_systems.h"
 #include "ifs/extent/polygon.h"
 #include "ifs/facts.h"
+#include "ifs/separation/hull_cover.h"
 #include "support/named_test.h"
 #include "support/near.h"
 
@@ -221,6 +222,80 @@ private slots:
             QVERIFY(limited.hull->vertices == facts.hull->vertices);
             QVERIFY(limited.affinityDimension == facts.affinityDimension);
         }
+    }
+
+    // Pieces that must meet: W(hull) = hull, or two of them that cannot be disjoint.
+    void whatCoversItsHullIsConnected() {
+        const auto connectednessOf = [](const Maps2& maps) {
+            return factsOf(systemOf(maps)).invariants.contacts->connectedness;
+        };
+        QCOMPARE(connectednessOf({affineMap(.9, 0, 0, .9, 0, 0), affineMap(.9, 0, 0, .9, 1, 0)}),
+                 Connectedness::Connected);
+        const auto four = [](double ratio) {
+            Maps2 maps;
+            for (const double x : {0.0, 1 - ratio})
+                for (const double y : {0.0, 1 - ratio})
+                    maps.push_back(affineMap(ratio, 0, 0, ratio, x, y));
+            return maps;
+        };
+        QCOMPARE(connectednessOf(four(.6)), Connectedness::Connected);
+        QCOMPARE(connectednessOf({affineMap(.6, 0, 0, .6, 0, 0), affineMap(.6, 0, 0, .6, .4, 0)}),
+                 Connectedness::Connected);
+        // Of a triangle, three pieces of .7 cover all; of .6, a hole is left.
+        Maps2 triangle{affineMap(.7, 0, 0, .7, 0, 0), affineMap(.7, 0, 0, .7, .3, 0),
+                       affineMap(.7, 0, 0, .7, 0, .3)};
+        QCOMPARE(connectednessOf(triangle), Connectedness::Connected);
+        QCOMPARE(connectednessOf(four(.4)), Connectedness::Disconnected);
+        const Maps2 turning{affineMap(.5, -.5, .5, .5, 0, 0), affineMap(.3, .7, -.7, .3, 1, 0)};
+        QCOMPARE(connectednessOf(turning), Connectedness::Connected); // ½ + .58 > 1
+        // The analysis of the window has no addresses of the hull.
+        const auto facts = geometricFacts(systemOf(four(.6)));
+        QCOMPARE(invariantsOf(facts).contacts->connectedness, Connectedness::Connected);
+    }
+
+    // Of pieces with sides in multiples of 1/32, a gap holds a point with coordinates in multiples of 1/64.
+    void coversOfHulls() {
+        Random random(4);
+        int covered = 0, exact = 0;
+        constexpr int trials = 80;
+        for (int n = 0; n < trials; ++n) {
+            Maps2 maps; // in the corners of the unit square
+            for (int k = 0; k < 4; ++k) {
+                const double w = double(15 + random() % 5) / 32;
+                maps.push_back(affineMap(w, 0, 0, w, k % 2 == 0 ? 0 : 1 - w, k / 2 == 0 ? 0 : 1 - w));
+            }
+            const auto facts = factsOf(systemOf(maps));
+            if (!facts.isHullExact) continue;
+            ++exact;
+            bool isHeld = true;
+            for (int x = 0; x <= 64; ++x)
+                for (int y = 0; y <= 64; ++y)
+                    isHeld = isHeld && std::ranges::any_of(maps, [&](const AffineMap<2>& map) {
+                                 const Vector<2> low = map.translation, high = map(Vector<2>(1, 1));
+                                 return low.x() <= x / 64. && x / 64. <= high.x() && low.y() <= y / 64. &&
+                                        y / 64. <= high.y();
+                             });
+            QCOMPARE(imagesCoverHull(facts.active.maps, facts.extremePoints), isHeld);
+            covered += isHeld ? 1 : 0;
+        }
+        QVERIFY2(covered > 2 && covered < exact - 2,
+                 qPrintable(QStringLiteral("%1 of %2").arg(covered).arg(exact)));
+        QVERIFY(exact > trials / 2);
+    }
+
+    // No measure has a larger dimension than the line or plane that holds the attractor.
+    void measuresAreCapped() {
+        const auto onALine =
+            factsOf(systemOf({affineMap(.9, 0, 0, .9, 0, 0), affineMap(.9, 0, 0, .9, 1, 0)}));
+        QVERIFY(near(onALine.invariants.measureDimension, 1) && onALine.invariants.isMeasureDimensionCapped);
+        const auto slanted =
+            factsOf(systemOf({affineMap(.9, 0, 0, .9, 0, 0), affineMap(.9, 0, 0, .9, 1, 2)}));
+        QVERIFY(near(slanted.invariants.measureDimension, 1) && slanted.invariants.isMeasureDimensionCapped);
+        const auto plain = factsOf(systemOf(sierpinskiRight()));
+        QVERIFY(near(plain.invariants.measureDimension, std::log2(3.0)));
+        QVERIFY(!plain.invariants.isMeasureDimensionCapped);
+        const auto full = factsOf(systemOf(square()));
+        QVERIFY(near(full.invariants.measureDimension, 2) && !full.invariants.isMeasureDimensionCapped);
     }
 
     void nothingIsSaidOfASystemWithoutAnAttractor() {

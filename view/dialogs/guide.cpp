@@ -74,6 +74,16 @@ public:
         return cursorForPosition({0, 0}).position();
     }
 
+    // The heading becomes the first line that is shown.
+    void showSection(const QString& heading) {
+        for (QTextBlock block = document()->begin(); block.isValid(); block = block.next()) {
+            if (block.blockFormat().headingLevel() == 0 || block.text() != heading) continue;
+            setTextCursor(QTextCursor(block));
+            verticalScrollBar()->setValue(int(document()->documentLayout()->blockBoundingRect(block).top()));
+            return;
+        }
+    }
+
     // Where one reads, with some lines before it, unless it is seen already.
     void scrollTo(const QTextCursor& match) {
         const QRect there = cursorRect(match);
@@ -219,7 +229,7 @@ private:
 
 } // namespace
 
-void showGuide(QWidget* parent) {
+void showGuide(QWidget* parent, const QString& heading) {
     auto* dialog = new QDialog(parent);
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     dialog->setWindowTitle(Text::tr("User Guide"));
@@ -256,6 +266,7 @@ void showGuide(QWidget* parent) {
     const QSize page(dialog->fontMetrics().averageCharWidth() * 96, dialog->fontMetrics().lineSpacing() * 42);
     dialog->resize(page.boundedTo(dialog->screen()->availableSize()));
     dialog->show();
+    if (!heading.isEmpty()) browser->showSection(heading);
 }
 
 } // namespace view

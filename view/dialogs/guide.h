@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <QString>
+
 class QWidget;
 
 namespace view {
 
-void showGuide(QWidget* parent); // docs/guide.md, which the program carries with it
+// docs/guide.md, which the program carries with it, at the section with this heading or from its beginning.
+void showGuide(QWidget* parent, const QString& heading = {});
 
 } // namespace view

@@ -52,6 +52,10 @@ QString count(std::uint64_t samples) {
 
 QString verdictText(const ifs::Existence& existence) {
     const QString factor = QString::number(existence.contractivity, 'f', 4);
+    if (existence.exists() && !existence.hasFactor())
+        return existence.verdict == ifs::Verdict::Hyperbolic
+                   ? StatusLine::tr("hyperbolic, s < 1")
+                   : StatusLine::tr("contractive in some norm, γ < 1");
     switch (existence.verdict) {
     case ifs::Verdict::Hyperbolic:
         return StatusLine::tr("hyperbolic, s = %1").arg(factor);

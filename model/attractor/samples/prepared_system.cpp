@@ -235,6 +235,11 @@ double linkedLogarithm(const PreparedSystem& system) {
     return sum;
 }
 
+// Below 0, also where no double below 1 is a factor by which the maps contract.
+double slowestLogarithm(const ifs::Existence& existence) {
+    return naturalLogarithm(std::min(existence.contractivity, 1 - 0x1p-53));
+}
+
 void setBox(PreparedSystem& system, const ifs::Vector<2>& low, const ifs::Vector<2>& high, double slack) {
     system.centre = (low + high) / 2;
     system.halfExtent = (high - low) / 2;
@@ -309,7 +314,7 @@ void prepareLinked(PreparedSystem& system) {
     const ifs::Existence existence = ifs::classifyLinked<2>(system, 2000);
     system.note = existenceNote(existence.verdict);
     if (!(system.meanLogarithm < 0) && existence.verdict == ifs::Verdict::EventuallyContractive)
-        system.meanLogarithm = naturalLogarithm(existence.contractivity);
+        system.meanLogarithm = slowestLogarithm(existence);
     if (const auto extent = ifs::LinkedExtent::of(system, existence))
         placeLinkedBox(system, *extent);
     else
@@ -366,7 +371,7 @@ PreparedSystem prepared(const ifs::IteratedFunctionSystem<2>& system,
     result.note = existenceNote(existence.verdict);
     // Under a cage that shears, maps may stretch one by one whose words contract.
     if (!(result.meanLogarithm < 0) && existence.verdict == ifs::Verdict::EventuallyContractive)
-        result.meanLogarithm = naturalLogarithm(existence.contractivity);
+        result.meanLogarithm = slowestLogarithm(existence);
     placeBox(result);
     result.coincides = shortWordsCoincide(result);
     return result;

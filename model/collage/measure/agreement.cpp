@@ -172,9 +172,7 @@ bool mayLeaveGaps(const ifs::AffineMap<2>& map) {
 // attractor does not shrink.
 void addBound(CollageMeasure& measure, std::span<const ifs::AffineMap<2>> maps, NormSearch search) {
     const ifs::Existence existence = ifs::classify<2>(maps, search == NormSearch::Hurried ? 2'000 : 20'000);
-    if (existence.verdict != ifs::Verdict::Hyperbolic &&
-        existence.verdict != ifs::Verdict::EventuallyContractive)
-        return;
+    if (!existence.hasFactor()) return;
     measure.norm = ifs::contractingNorm<2>(maps, existence);
     measure.bound = measure.norm.equivalence *
                     (measure.images.hausdorff + (2 + measure.contraction) * std::sqrt(0.5)) /

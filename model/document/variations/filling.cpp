@@ -75,8 +75,7 @@ template <int Dim> Fractal bareOf(const ifs::IteratedFunctionSystem<Dim>& system
 }
 
 template <int Dim> bool isCertain(const ifs::IteratedFunctionSystem<Dim>& system) {
-    const ifs::Verdict verdict = ifs::classifyLinked<Dim>(ifs::activeMaps(system)).verdict;
-    return verdict == ifs::Verdict::Hyperbolic || verdict == ifs::Verdict::EventuallyContractive;
+    return ifs::classifyLinked<Dim>(ifs::activeMaps(system)).hasFactor();
 }
 
 } // namespace

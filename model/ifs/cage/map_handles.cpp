@@ -77,7 +77,7 @@ std::optional<Vector<2>> preimage(const Placement& placement, const Vector<2>& d
 }
 
 bool hasAttractor(const Existence& existence) {
-    return existence.verdict == Verdict::Hyperbolic || existence.verdict == Verdict::EventuallyContractive;
+    return existence.exists();
 }
 
 template <int Dim> SafeWay<Dim> safeWay(const std::function<std::vector<AffineMap<Dim>>(double)>& mapsAt) {
@@ -86,14 +86,14 @@ template <int Dim> SafeWay<Dim> safeWay(const std::function<std::vector<AffineMa
     const auto verdictOn = [](std::span<const AffineMap<Dim>> maps) { return classify<Dim>(maps, products); };
     SafeWay<Dim> way{.past = mapsAt(1)};
     way.verdict = verdictOn(way.past);
-    if (hasAttractor(way.verdict) || !hasAttractor(verdictOn(mapsAt(0)))) return {};
+    if (way.verdict.exists() || !verdictOn(mapsAt(0)).exists()) return {};
     double past = 1;
     way.share = 0;
     while (past - way.share > precision) {
         const double middle = (way.share + past) / 2;
         std::vector<AffineMap<Dim>> maps = mapsAt(middle);
         Existence verdict = verdictOn(maps);
-        if (hasAttractor(verdict)) {
+        if (verdict.exists()) {
             way.share = middle;
         } else {
             past = middle;

@@ -54,8 +54,7 @@ bool isLostToRounding(const AffineMap<2>& map) {
 }
 
 bool hasAttractor(std::span<const AffineMap<2>> maps) {
-    const Verdict verdict = classify(maps).verdict;
-    return verdict == Verdict::Hyperbolic || verdict == Verdict::EventuallyContractive;
+    return classify(maps).exists();
 }
 
 template <int Dim> std::optional<double> dimensionOf(std::span<const AffineMap<Dim>> maps) {

@@ -16,8 +16,20 @@ double entropy(std::span<const double> probabilities);
 // similarities, with the ratios s_i, in some coordinates. nullopt otherwise.
 template <int Dim> std::optional<double> lyapunovExponent(const ActiveMaps<Dim>& maps);
 
-// Entropy divided by −Lyapunov exponent, at most Dim: an upper bound of the dimension of the measure, which
-// it is under the open set condition. nullopt without Lyapunov exponent.
+// Entropy divided by −Lyapunov exponent: an upper bound of the dimension of the measure, which it is under
+// the open set condition. It may be larger than that of space. nullopt without Lyapunov exponent.
 template <int Dim> std::optional<double> measureDimension(const ActiveMaps<Dim>& maps);
+
+// Some of Rényi's dimensions of the measure. Under the open set condition they are those where
+// Σ pᵢ^q rᵢ^(−τ) = 1, D_q = τ/(1 − q) (Cawley and Mauldin).
+struct DimensionSpectrum {
+    double capacity = 0;    // D₀, of the attractor
+    double information = 0; // D₁, of the measure
+    double correlation = 0; // D₂
+    double least = 0;       // D_∞, at the densest points
+};
+
+// Of similarities that are not all constant, in some coordinates.
+template <int Dim> std::optional<DimensionSpectrum> dimensionSpectrum(const ActiveMaps<Dim>& maps);
 
 } // namespace ifs

@@ -3,6 +3,8 @@
 
 #include "ifs/existence/common_matrix.h"
 #include "ifs/existence/conditioning.h"
+#include "ifs/existence/exact_contraction.h"
+#include "ifs/existence/exact_similarity.h"
 #include "ifs/existence/expansion.h"
 #include "ifs/existence/invariant_form.h"
 #include "ifs/existence/lyapunov_norm.h"
@@ -231,20 +233,30 @@ template <int Dim> double leastContractivity(std::span<const AffineMap<Dim>> map
     }
 }
 
-// What an exact rule decides, however slowly the maps contract.
-template <int Dim> std::optional<Existence> contractionWithoutRounding(std::span<const AffineMap<Dim>> maps) {
+// What exact rules decide, however slowly the maps contract. `better` are coordinates whose norm may show it.
+template <int Dim>
+std::optional<Existence> contractionWithoutRounding(std::span<const AffineMap<Dim>> maps,
+                                                    const std::optional<Conditioned<Dim>>& better) {
+    const std::vector<int> longest{int(maxNorm<Dim>(linearParts<Dim>(maps)).index)};
     if (const auto euclidean = exactEuclideanNorm<Dim>(maps))
-        return Existence{.verdict = Verdict::Hyperbolic,
-                         .contractivity = euclidean->contractivity,
-                         .witness = {int(maxNorm<Dim>(linearParts<Dim>(maps)).index)}};
-    auto along = supportNorm<Dim>(maps);
-    if (!along) along = lyapunovNorm<Dim>(maps);
-    if (along)
+        return Existence{
+            .verdict = Verdict::Hyperbolic, .contractivity = euclidean->contractivity, .witness = longest};
+    const auto along = [&longest](const CommonMatrixNorm& norm) {
         return Existence{.verdict = Verdict::EventuallyContractive,
-                         .contractivity = along->contractivity,
-                         .witness = {int(maxNorm<Dim>(linearParts<Dim>(maps)).index)},
-                         .normEquivalence = along->equivalence,
+                         .contractivity = norm.contractivity,
+                         .witness = longest,
+                         .normEquivalence = norm.equivalence,
                          .norm = NormKind::Ellipsoidal};
+    };
+    std::optional<CommonMatrixNorm> seen;
+    if (better) {
+        const Matrix<Dim> root = better->image.linear.inverse();
+        seen = ellipsoidNorm<Dim>(maps, root.transpose() * root);
+    }
+    const CommonMatrixNorm unusable{1, std::numeric_limits<double>::infinity()};
+    for (const auto& norm : {supportNorm<Dim>(maps), lyapunovNorm<Dim>(maps), seen})
+        if (norm && norm->contractivity < 1) return along(*norm);
+    if (seen || contractExactly<Dim>(maps)) return along(unusable);
     return std::nullopt;
 }
 
@@ -265,7 +277,7 @@ std::optional<Existence> contractionInSomeNorm(std::span<const AffineMap<Dim>> m
                          .witness = {better->slowest},
                          .normEquivalence = better->condition,
                          .norm = NormKind::Ellipsoidal};
-    if (const auto common = commonMatrixNorm<Dim>(maps))
+    if (const auto common = commonMatrixNorm<Dim>(maps); common && common->contractivity < 1)
         return Existence{.verdict = Verdict::EventuallyContractive,
                          .contractivity = common->contractivity,
                          .witness = {0},
@@ -285,7 +297,7 @@ std::optional<Existence> contractionInSomeNorm(std::span<const AffineMap<Dim>> m
                              .normEquivalence = polytope->equivalence * (better ? better->condition : 1),
                              .norm = NormKind::Polytope};
     }
-    return contractionWithoutRounding<Dim>(maps);
+    return contractionWithoutRounding<Dim>(maps, better);
 }
 
 // Longer words than can all be tried: those that are the longest where the maps are short.
@@ -425,14 +437,29 @@ template <int Dim> double provedRadius(const Matrix<Dim>& product, double error,
 
 } // namespace
 
+namespace {
+
+// The largest ratio, for the norm of a product is the product of the ratios.
+JointSpectralRadius radiusOfSimilarities(const std::vector<Dyadic>& squares) {
+    const Dyadic largest = *std::ranges::max_element(
+        squares, [](const Dyadic& a, const Dyadic& b) { return (a - b).sign() < 0; });
+    const double root = std::sqrt(largest.rounded());
+    if (!std::isfinite(root)) return {0, root};
+    if (Dyadic(root) * Dyadic(root) == largest) return {root, root};
+    constexpr double few = 0x1p-51;
+    return {root * (1 - few), root * (1 + few)};
+}
+
+} // namespace
+
 template <int Dim>
 JointSpectralRadius jointSpectralRadius(std::span<const AffineMap<Dim>> maps, const Existence& existence) {
     constexpr std::size_t maxProducts = 2'000;
     constexpr int maxLength = 16;
     JointSpectralRadius result{0, std::numeric_limits<double>::infinity()};
     if (maps.empty() || !std::ranges::all_of(maps, isFinite<Dim>)) return result;
-    if (existence.verdict == Verdict::Hyperbolic || existence.verdict == Verdict::EventuallyContractive)
-        result.most = existence.contractivity * (1 + 1e-15);
+    if (const auto squares = squaredRatios<Dim>(maps)) return radiusOfSimilarities(*squares);
+    if (existence.exists()) result.most = std::min(existence.contractivity * (1 + 1e-15), 1.0);
     const Matrices<Dim> generators = linearParts<Dim>(maps);
     for (WordLevel<Dim> level{generators}; allFinite<Dim>(level.products); extend(level, generators)) {
         const double norm = maxNorm<Dim>(level.products).value + maxError(level);

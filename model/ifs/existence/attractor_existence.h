@@ -27,8 +27,8 @@ enum class NormKind {
 struct Existence {
     Verdict verdict = Verdict::Undecided;
     // Hyperbolic: s = max ‖A_i‖. EventuallyContractive: γ = (max ‖A_σ‖ over |σ| = wordLength)^(1/wordLength);
-    // or, with wordLength 1, max ‖A_i‖ in a norm that is not Euclidean. Undecided: the smallest γ found.
-    // None: ρ(A_σ)^(1/|σ|) ≥ 1 of the witness.
+    // or, with wordLength 1, max ‖A_i‖ in a norm that is not Euclidean; 1 where that is proved to be below 1
+    // but too near it for a double. Undecided: the smallest γ found. None: ρ(A_σ)^(1/|σ|) ≥ 1 of the witness.
     double contractivity = 0;
     int wordLength = 1;
     // None: a word (indices into the maps, outermost first) whose spectral radius is proved to be at least 1.
@@ -38,6 +38,12 @@ struct Existence {
     // longer words by 1e-3 at least: where products vanish, no norm shows it.
     double normEquivalence = 1;
     NormKind norm = NormKind::Euclidean; // Hyperbolic and EventuallyContractive
+
+    bool exists() const {
+        return verdict == Verdict::Hyperbolic || verdict == Verdict::EventuallyContractive;
+    }
+    // Whether there is a factor below 1 to work with: extents and everything made of them need one.
+    bool hasFactor() const { return exists() && contractivity < 1; }
 };
 
 // Whether the maps have an attractor, with the certificate of it. At most `maxProducts` words are multiplied
@@ -57,7 +63,7 @@ template <int Dim> struct ContractingNorm {
 };
 
 // The norm with the smallest equivalence/(1 − contractivity), by which certificates widen, among those of
-// words and the ellipsoidal ones. `existence` must be Hyperbolic or EventuallyContractive.
+// words and the ellipsoidal ones. `existence` must have a factor.
 template <int Dim>
 ContractingNorm<Dim> contractingNorm(std::span<const AffineMap<Dim>> maps, const Existence& existence);
 

@@ -5,6 +5,7 @@
 #include "ifs/system/affine_map.h"
 
 #include <array>
+#include <bit>
 #include <cstddef>
 
 namespace ifs {
@@ -29,6 +30,50 @@ std::array<std::array<Dyadic, Size>, Size> operator*(const std::array<std::array
             for (std::size_t k = 0; k < Size; ++k)
                 result[i][j] = result[i][j] + a[i][k] * b[k][j];
     return result;
+}
+
+template <std::size_t Size>
+std::array<std::array<Dyadic, Size>, Size> transposed(const std::array<std::array<Dyadic, Size>, Size>& m) {
+    std::array<std::array<Dyadic, Size>, Size> result;
+    for (std::size_t i = 0; i < Size; ++i)
+        for (std::size_t j = 0; j < Size; ++j)
+            result[i][j] = m[j][i];
+    return result;
+}
+
+// The matrix a − factor·b.
+template <std::size_t Size>
+std::array<std::array<Dyadic, Size>, Size> difference(const std::array<std::array<Dyadic, Size>, Size>& a,
+                                                      const Dyadic& factor,
+                                                      const std::array<std::array<Dyadic, Size>, Size>& b) {
+    std::array<std::array<Dyadic, Size>, Size> result;
+    for (std::size_t i = 0; i < Size; ++i)
+        for (std::size_t j = 0; j < Size; ++j)
+            result[i][j] = a[i][j] - factor * b[i][j];
+    return result;
+}
+
+// Row by row, from the minors of the rows before in every set of columns: without a division.
+template <std::size_t Size> Dyadic determinant(const std::array<std::array<Dyadic, Size>, Size>& m) {
+    std::array<Dyadic, (1u << Size)> minors;
+    minors[0] = Dyadic(1);
+    for (unsigned columns = 1; columns < minors.size(); ++columns) {
+        const auto row = std::size_t(std::popcount(columns)) - 1;
+        for (std::size_t k = 0; k < Size; ++k) {
+            if ((columns >> k & 1u) == 0) continue;
+            const Dyadic term = m[row][k] * minors[columns & ~(1u << k)];
+            const bool isOdd = std::popcount(columns >> (k + 1)) % 2 == 1;
+            minors[columns] = isOdd ? minors[columns] - term : minors[columns] + term;
+        }
+    }
+    return minors.back();
+}
+
+// Whether a symmetric matrix of two or three rows is positive definite, by its leading minors.
+template <std::size_t Size> bool isPositiveDefinite(const std::array<std::array<Dyadic, Size>, Size>& m) {
+    static_assert(Size == 2 || Size == 3);
+    const Dyadic second = m[0][0] * m[1][1] - m[0][1] * m[1][0];
+    return m[0][0].sign() > 0 && second.sign() > 0 && (Size == 2 || determinant(m).sign() > 0);
 }
 
 // Each entry within 2⁻⁵¹ of itself; infinite or 0 where it is too large or too small for a double.

@@ -5,8 +5,8 @@
 #include "ifs/existence/symmetric_square.h"
 
 #include <array>
-#include <bit>
 #include <cmath>
+#include <vector>
 
 namespace ifs {
 
@@ -14,47 +14,9 @@ namespace {
 
 template <std::size_t Size> using Square = std::array<std::array<Dyadic, Size>, Size>;
 
-// Row by row, from the minors of the rows before in every set of columns: without a division.
-template <std::size_t Size> Dyadic determinant(const Square<Size>& m) {
-    std::array<Dyadic, (1u << Size)> minors;
-    minors[0] = Dyadic(1);
-    for (unsigned columns = 1; columns < minors.size(); ++columns) {
-        const auto row = std::size_t(std::popcount(columns)) - 1;
-        for (std::size_t k = 0; k < Size; ++k) {
-            if ((columns >> k & 1u) == 0) continue;
-            const Dyadic term = m[row][k] * minors[columns & ~(1u << k)];
-            const bool isOdd = std::popcount(columns >> (k + 1)) % 2 == 1;
-            minors[columns] = isOdd ? minors[columns] - term : minors[columns] + term;
-        }
-    }
-    return minors.back();
-}
-
-template <int Dim> bool isPositiveDefinite(const ExactMatrix<Dim>& m) {
-    const Dyadic second = m[0][0] * m[1][1] - m[0][1] * m[1][0];
-    return m[0][0].sign() > 0 && second.sign() > 0 && (Dim == 2 || determinant(m).sign() > 0);
-}
-
-template <int Dim> ExactMatrix<Dim> transposed(const ExactMatrix<Dim>& m) {
-    ExactMatrix<Dim> result;
-    for (std::size_t i = 0; i < Dim; ++i)
-        for (std::size_t j = 0; j < Dim; ++j)
-            result[i][j] = m[j][i];
-    return result;
-}
-
-// a − factor·b
-template <int Dim>
-ExactMatrix<Dim> difference(const ExactMatrix<Dim>& a, const Dyadic& factor, const ExactMatrix<Dim>& b) {
-    ExactMatrix<Dim> result;
-    for (std::size_t i = 0; i < Dim; ++i)
-        for (std::size_t j = 0; j < Dim; ++j)
-            result[i][j] = a[i][j] - factor * b[i][j];
-    return result;
-}
-
 // A positive multiple of P, by Cramer's rule; the zero matrix where there is no P.
-template <int Dim> ExactMatrix<Dim> form(const std::vector<ExactMatrix<Dim>>& maps, double weight) {
+template <int Dim>
+ExactMatrix<Dim> form(const std::vector<ExactMatrix<Dim>>& maps, const std::vector<double>& weights) {
     constexpr auto size = std::size_t(symmetricSize<Dim>);
     Square<size> equations;
     std::array<Dyadic, size> identity;
@@ -64,9 +26,13 @@ template <int Dim> ExactMatrix<Dim> form(const std::vector<ExactMatrix<Dim>>& ma
             for (std::size_t row = 0, i = 0; i < Dim; ++i)
                 for (std::size_t j = i; j < Dim; ++j, ++row) { // (AᵀPA)_ij for the unit P of a and b
                     Dyadic sum;
-                    for (const auto& m : maps)
-                        sum = sum + m[a][i] * m[b][j] + (a == b ? Dyadic() : m[b][i] * m[a][j]);
-                    equations[row][column] = Dyadic(row == column ? 1 : 0) - Dyadic(weight) * sum;
+                    for (std::size_t k = 0; k < maps.size(); ++k) {
+                        if (weights[k] == 0) continue;
+                        const ExactMatrix<Dim>& m = maps[k];
+                        const Dyadic mixed = a == b ? Dyadic() : m[b][i] * m[a][j];
+                        sum = sum + Dyadic(weights[k]) * (m[a][i] * m[b][j] + mixed);
+                    }
+                    equations[row][column] = Dyadic(row == column ? 1 : 0) - sum;
                 }
         }
     const bool isNegative = determinant(equations).sign() < 0;
@@ -92,39 +58,73 @@ template <int Dim> double conditionOf(const ExactMatrix<Dim>& form) {
     return std::sqrt(roundedQuotient(power, determinant(form))) * (1 + 1e-12);
 }
 
-// The g with (1 + g)²AᵀPA < P for all of them, a power of two; 0 where there is none that a double can use.
-template <int Dim> double gapOf(const std::vector<ExactMatrix<Dim>>& maps, const ExactMatrix<Dim>& form) {
+// The g with (1 + g)²AᵀPA < P for all of them, a power of two; 0 where all AᵀPA < P and no g is a double that
+// can be used, nullopt where they are not.
+template <int Dim>
+std::optional<double> gapOf(const std::vector<ExactMatrix<Dim>>& maps, const ExactMatrix<Dim>& form) {
     constexpr int maxDigits = 52;
     int digits = 1;
     for (const auto& m : maps) {
-        const ExactMatrix<Dim> image = transposed<Dim>(m) * form * m;
-        for (;; ++digits) {
-            if (digits > maxDigits) return 0;
+        const ExactMatrix<Dim> image = transposed(m) * form * m;
+        if (!isPositiveDefinite(difference(form, Dyadic(1), image))) return std::nullopt;
+        for (; digits <= maxDigits; ++digits) {
             const Dyadic stretch = Dyadic(1) + Dyadic(std::ldexp(1, -digits));
-            if (isPositiveDefinite<Dim>(difference<Dim>(form, stretch * stretch, image))) break;
+            if (isPositiveDefinite(difference(form, stretch * stretch, image))) break;
         }
     }
-    return std::ldexp(1, -digits);
+    return digits > maxDigits ? 0 : std::ldexp(1, -digits);
 }
+
+template <int Dim>
+std::optional<CommonMatrixNorm> normOf(const std::vector<ExactMatrix<Dim>>& maps,
+                                       const ExactMatrix<Dim>& form) {
+    if (!isPositiveDefinite(form)) return std::nullopt;
+    const auto gap = gapOf<Dim>(maps, form);
+    if (!gap) return std::nullopt;
+    const double equivalence = conditionOf<Dim>(form);
+    return CommonMatrixNorm{std::isfinite(equivalence) ? 1 - *gap / 2 : 1, equivalence};
+}
+
+template <int Dim> std::vector<ExactMatrix<Dim>> exactParts(std::span<const AffineMap<Dim>> maps) {
+    std::vector<ExactMatrix<Dim>> result;
+    for (const auto& map : maps)
+        result.push_back(exactMatrix<Dim>(map.linear));
+    return result;
+}
+
+constexpr std::size_t maxMapsOfForm = 8;
 
 } // namespace
 
+template <int Dim>
+std::optional<CommonMatrixNorm> ellipsoidNorm(std::span<const AffineMap<Dim>> maps,
+                                              const Matrix<Dim>& symmetric) {
+    if (maps.size() > maxMapsOfForm || !symmetric.allFinite()) return std::nullopt;
+    return normOf<Dim>(exactParts<Dim>(maps), exactMatrix<Dim>(symmetric));
+}
+
 template <int Dim> std::optional<CommonMatrixNorm> lyapunovNorm(std::span<const AffineMap<Dim>> maps) {
-    constexpr std::size_t maxMaps = 8;
-    if (maps.size() > maxMaps) return std::nullopt;
-    std::vector<ExactMatrix<Dim>> exact;
-    for (const auto& map : maps)
-        exact.push_back(exactMatrix<Dim>(map.linear));
-    for (double weight = 1; weight * double(maps.size()) > 0.5; weight /= 2) {
-        const ExactMatrix<Dim> found = form<Dim>(exact, weight);
-        if (!isPositiveDefinite<Dim>(found)) continue;
-        const double gap = gapOf<Dim>(exact, found), equivalence = conditionOf<Dim>(found);
-        if (gap > 0 && std::isfinite(equivalence)) return CommonMatrixNorm{1 - gap / 2, equivalence};
+    if (maps.size() > maxMapsOfForm) return std::nullopt;
+    const auto exact = exactParts<Dim>(maps);
+    std::vector<std::vector<double>> weights;
+    for (double weight = 1; weight * double(maps.size()) > 0.5; weight /= 2)
+        weights.emplace_back(maps.size(), weight);
+    for (std::size_t k = 0; k < maps.size() && maps.size() > 1; ++k) {
+        weights.emplace_back(maps.size(), 0.0);
+        weights.back()[k] = 1;
     }
-    return std::nullopt;
+    std::optional<CommonMatrixNorm> slow;
+    for (const auto& weight : weights) {
+        const auto norm = normOf<Dim>(exact, form<Dim>(exact, weight));
+        if (norm && norm->contractivity < 1) return norm;
+        if (norm) slow = norm;
+    }
+    return slow;
 }
 
 template std::optional<CommonMatrixNorm> lyapunovNorm(std::span<const AffineMap<2>>);
 template std::optional<CommonMatrixNorm> lyapunovNorm(std::span<const AffineMap<3>>);
+template std::optional<CommonMatrixNorm> ellipsoidNorm(std::span<const AffineMap<2>>, const Matrix<2>&);
+template std::optional<CommonMatrixNorm> ellipsoidNorm(std::span<const AffineMap<3>>, const Matrix<3>&);
 
 } // namespace ifs

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 namespace ifs {
 
@@ -99,14 +100,7 @@ template <int Dim> bool isShort(const Matrix<Dim>& linear, double gap) {
                 sum = sum + a[k][i] * a[k][j];
             rest[i][j] = Dyadic(i == j ? 1 : 0) - sum * stretch * stretch;
         }
-    const Dyadic second = rest[0][0] * rest[1][1] - rest[0][1] * rest[1][0];
-    if (rest[0][0].sign() <= 0 || second.sign() <= 0) return false;
-    if constexpr (Dim == 2) return true;
-    constexpr std::size_t z = Dim - 1;
-    const Dyadic determinant = rest[0][0] * (rest[1][1] * rest[z][z] - rest[1][z] * rest[z][1]) -
-                               rest[0][1] * (rest[1][0] * rest[z][z] - rest[1][z] * rest[z][0]) +
-                               rest[0][z] * (rest[1][0] * rest[z][1] - rest[1][1] * rest[z][0]);
-    return determinant.sign() > 0;
+    return isPositiveDefinite(rest);
 }
 
 } // namespace
@@ -117,17 +111,17 @@ template <int Dim> bool isShort(const Matrix<Dim>& linear, double gap) {
 // the largest coefficient, and μ + g/4 < 1 − g/2.
 template <int Dim> std::optional<CommonMatrixNorm> supportNorm(std::span<const AffineMap<Dim>> maps) {
     const Support<Dim> support(maps);
-    if (!support.isMonomial()) return std::nullopt;
+    if (!support.isMonomial() || !support.areCyclesBelowOne(0)) return std::nullopt;
     for (int digits = 2; digits <= maxDigits; ++digits) {
         const double gap = std::ldexp(1, -digits);
         if (!support.areCyclesBelowOne(gap)) continue;
         const double largest = std::max(1.0, support.largest());
         const double walk = std::pow(2 * largest, Dim - 1), step = 4 * Dim * largest * walk / gap;
         const double equivalence = walk * std::pow(step, support.components() - 1) * (1 + 1e-12);
-        if (!std::isfinite(equivalence)) return std::nullopt;
+        if (!std::isfinite(equivalence)) break;
         return CommonMatrixNorm{1 - gap / 2, equivalence};
     }
-    return std::nullopt;
+    return CommonMatrixNorm{1, std::numeric_limits<double>::infinity()};
 }
 
 template <int Dim> std::optional<CommonMatrixNorm> exactEuclideanNorm(std::span<const AffineMap<Dim>> maps) {
@@ -135,11 +129,11 @@ template <int Dim> std::optional<CommonMatrixNorm> exactEuclideanNorm(std::span<
     if (maps.size() > maxMaps) return std::nullopt;
     int digits = 1;
     for (const auto& map : maps) {
-        if (!(map.linear.cwiseAbs().maxCoeff() <= 1)) return std::nullopt;
-        while (!isShort<Dim>(map.linear, std::ldexp(1, -digits)))
-            if (++digits > maxDigits) return std::nullopt;
+        if (!(map.linear.cwiseAbs().maxCoeff() <= 1) || !isShort<Dim>(map.linear, 0)) return std::nullopt;
+        while (digits <= maxDigits && !isShort<Dim>(map.linear, std::ldexp(1, -digits)))
+            ++digits;
     }
-    return CommonMatrixNorm{1 - std::ldexp(1, -digits - 1), 1};
+    return CommonMatrixNorm{digits > maxDigits ? 1 : 1 - std::ldexp(1, -digits - 1), 1};
 }
 
 template std::optional<CommonMatrixNorm> supportNorm(std::span<const AffineMap<2>>);

@@ -42,8 +42,7 @@ template <int Dim> struct SupportFunction<Dim>::LazyContainer {
 template <int Dim>
 std::optional<SupportFunction<Dim>> SupportFunction<Dim>::of(std::span<const AffineMap<Dim>> maps) {
     const Existence existence = classify(maps);
-    if (existence.verdict != Verdict::Hyperbolic && existence.verdict != Verdict::EventuallyContractive)
-        return std::nullopt;
+    if (!existence.hasFactor()) return std::nullopt;
     if (const auto better = conditioned(maps))
         if (auto result = through(*better, maps)) return result;
     return of(maps, existence);
@@ -54,8 +53,7 @@ template <int Dim>
 std::optional<SupportFunction<Dim>> SupportFunction<Dim>::through(const Conditioned<Dim>& better,
                                                                   std::span<const AffineMap<Dim>> maps) {
     const Existence existence = classify<Dim>(better.maps);
-    if (existence.verdict != Verdict::Hyperbolic && existence.verdict != Verdict::EventuallyContractive)
-        return std::nullopt;
+    if (!existence.hasFactor()) return std::nullopt;
     const auto support = of(better.maps, existence);
     if (!support) return std::nullopt;
     // The exact maps take every point within `error` of the attractor of the rounded ones to another such.

@@ -26,7 +26,7 @@ template <int Dim> struct SupportContainer;
 // attractor.
 template <int Dim> class SupportFunction {
 public:
-    // nullopt when the maps are not hyperbolic or eventually contractive.
+    // nullopt when no factor below 1 is known by which the maps contract.
     static std::optional<SupportFunction> of(std::span<const AffineMap<Dim>> maps);
 
     // Stops at `tolerance` (absolute, ≥ a few ulps of the size) or when `maxNodes` words are open; either way

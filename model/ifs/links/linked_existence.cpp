@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: MIT
 #include "ifs/links/linked_existence.h"
 
+#include "ifs/existence/common_matrix.h"
 #include "ifs/existence/exact_matrix.h"
 #include "ifs/existence/expansion.h"
+#include "ifs/system/link_graph.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <optional>
 #include <vector>
 
@@ -20,9 +23,10 @@ template <int Dim> class WordSearch {
 public:
     WordSearch(const ActiveMaps<Dim>& active, int maxProducts) : m_active(active), m_left(maxProducts) {}
 
-    Existence result() {
+    // Of the words of these maps, which no others may follow.
+    Existence result(const std::vector<std::size_t>& maps) {
         std::vector<Word> open;
-        for (std::size_t i = 0; i < m_active.maps.size(); ++i)
+        for (const std::size_t i : maps)
             open.push_back({{int(i)}, m_active.maps[i].linear, 0, {}});
         Existence found;
         for (int length = 1; !open.empty() && length <= maxLength; ++length) {
@@ -146,15 +150,108 @@ private:
     std::vector<int> m_witness;
 };
 
+// The maps of a part in the order in which they are applied; empty unless each has one successor.
+template <int Dim>
+std::vector<std::size_t> circleOf(const ActiveMaps<Dim>& active, const std::vector<std::size_t>& part) {
+    const std::size_t n = active.maps.size();
+    std::vector<std::size_t> result{part.front()};
+    for (;;) {
+        std::optional<std::size_t> next;
+        for (std::size_t j = 0; j < n; ++j) {
+            if (!(active.links[result.back() * n + j] > 0)) continue;
+            if (next) return {};
+            next = j;
+        }
+        if (!next) return {};
+        if (*next == result.front()) return result;
+        result.push_back(*next);
+    }
+}
+
+// Of maps that follow one another in a circle alone, admissible words are powers of the word of all of them,
+// and beginnings of these. The sum of their norms is at most n·C·M/(1 − γ), where the word contracts by γ in
+// a norm with this C and beginnings have norms up to M, whichever map comes first.
+template <int Dim>
+Existence circleExistence(const ActiveMaps<Dim>& active, const std::vector<std::size_t>& circle) {
+    constexpr std::size_t maxMeasured = 64;
+    const std::size_t n = circle.size();
+    Existence result{.verdict = Verdict::EventuallyContractive, .contractivity = 1, .wordLength = int(n)};
+    for (std::size_t k = n; k-- > 0;)
+        result.witness.push_back(int(circle[k]));
+    const auto letter = [&](std::size_t k) {
+        return exactMatrix<Dim>(active.maps[std::size_t(result.witness[k % n])].linear);
+    };
+    for (std::size_t first = 0; first < n; ++first) {
+        ExactMatrix<Dim> product = letter(first);
+        double longest = 1;
+        for (std::size_t k = 1; k < n; ++k) {
+            longest = std::max(longest, rounded<Dim>(product).norm() * (1 + 1e-12));
+            product = product * letter(first + k);
+        }
+        if (first == 0 && exactExpansion<Dim>(product) == Expansion::Yes) {
+            result.verdict = Verdict::None;
+            result.contractivity = std::pow(std::max(radiusOf<Dim>(product), 1.0), 1.0 / double(n));
+            return result;
+        }
+        const auto norm = n <= maxMeasured ? exactMatrixNorm<Dim>(product) : std::nullopt;
+        if (!norm || norm->contractivity == 1) {
+            result.contractivity = 1;
+            result.normEquivalence = std::numeric_limits<double>::infinity();
+            return result;
+        }
+        result.contractivity = std::pow(norm->contractivity, 1.0 / double(n)) * (1 + 0x1p-52);
+        result.normEquivalence =
+            std::max(result.normEquivalence, double(n) * norm->equivalence * longest * (1 + 1e-12));
+    }
+    result.contractivity = std::min(result.contractivity, 1.0);
+    return result;
+}
+
+// Circles by the exact radius of their word, the other parts by the search. nullopt where no part is a
+// circle.
+template <int Dim> std::optional<Existence> existenceByParts(const ActiveMaps<Dim>& active, int maxProducts) {
+    constexpr std::size_t maxLetters = 1'000;
+    std::vector<std::size_t> others;
+    std::optional<Existence> slowest;
+    std::size_t letters = 0;
+    const auto add = [&slowest](const Existence& found) {
+        if (!slowest) {
+            slowest = found;
+            return;
+        }
+        const double equivalence = std::max(slowest->normEquivalence, found.normEquivalence);
+        if (found.contractivity > slowest->contractivity) slowest = found;
+        slowest->normEquivalence = equivalence;
+    };
+    for (const auto& part : connectedParts(active.links, active.maps.size())) {
+        const auto circle = circleOf<Dim>(active, part);
+        letters += circle.size();
+        if (circle.empty() || letters > maxLetters) {
+            others.insert(others.end(), part.begin(), part.end());
+            continue;
+        }
+        const Existence found = circleExistence<Dim>(active, circle);
+        if (found.verdict == Verdict::None) return found;
+        add(found);
+    }
+    if (!slowest || others.empty()) return slowest;
+    const Existence rest = WordSearch<Dim>(active, maxProducts).result(others);
+    if (!rest.exists()) return rest;
+    add(rest);
+    return slowest;
+}
+
 } // namespace
 
 template <int Dim> Existence classifyLinked(const ActiveMaps<Dim>& active, int maxProducts) {
     const Existence plain = classify<Dim>(active.maps, maxProducts);
-    const bool exists =
-        plain.verdict == Verdict::Hyperbolic || plain.verdict == Verdict::EventuallyContractive;
-    if (!active.isLinked() || exists || active.maps.empty()) return plain;
+    if (!active.isLinked() || plain.exists() || active.maps.empty()) return plain;
     if (!std::ranges::all_of(active.maps, isFinite<Dim>)) return {};
-    return WordSearch<Dim>(active, maxProducts).result();
+    std::vector<std::size_t> all(active.maps.size());
+    std::iota(all.begin(), all.end(), std::size_t(0));
+    const Existence found = WordSearch<Dim>(active, maxProducts).result(all);
+    if (found.verdict != Verdict::Undecided) return found;
+    return existenceByParts<Dim>(active, maxProducts).value_or(found);
 }
 
 template Existence classifyLinked<2>(const ActiveMaps<2>&, int);

@@ -10,9 +10,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <map>
 #include <memory>
+#include <numbers>
 #include <tuple>
 #include <utility>
 
@@ -56,9 +58,7 @@ struct LinkedExtent::Node {
 };
 
 std::optional<LinkedExtent> LinkedExtent::of(const ActiveMaps<2>& active, const Existence& existence) {
-    const bool exists =
-        existence.verdict == Verdict::Hyperbolic || existence.verdict == Verdict::EventuallyContractive;
-    if (!exists || active.maps.empty()) return std::nullopt;
+    if (!existence.hasFactor() || active.maps.empty()) return std::nullopt;
     LinkedExtent result;
     result.m_active = active;
     const std::size_t n = active.maps.size();
@@ -75,6 +75,9 @@ std::optional<LinkedExtent> LinkedExtent::of(const ActiveMaps<2>& active, const 
         result.m_points.push_back(point);
         known = std::max(known, error);
     }
+    // Maps in a circle make one point each.
+    result.m_arePoints =
+        std::ranges::all_of(result.m_before, [](const auto& maps) { return maps.size() == 1; });
     double longest = 1;
     for (const auto& map : active.maps)
         longest = std::max(longest, map.linear.norm());
@@ -94,6 +97,7 @@ std::optional<LinkedExtent> LinkedExtent::of(const ActiveMaps<2>& active, const 
         result.m_pointError = known + unit * (centre.norm() + reach(result.m_points));
         constexpr double negligible = 0x1p-36; // against what rounding adds to every height
         if (!(rounding <= negligible * farthest)) farthest += rounding;
+        if (result.m_arePoints) return reach(result.m_seen) + result.m_pointError;
         return farthest * existence.normEquivalence / (1 - existence.contractivity);
     };
     result.m_radius = seenFrom(result.m_points.front());
@@ -107,7 +111,85 @@ std::optional<LinkedExtent> LinkedExtent::of(const ActiveMaps<2>& active, const 
     const Vector<2> high(sides[0], sides[1]), low(-sides[2], -sides[3]);
     const double radius = seenFrom((low + high) / 2);
     result.m_radius = std::min(radius, (high - low).norm() / 2 * (1 + 8 * unit));
+    const bool isWide = std::ranges::any_of(axes, [&result](const Vector<2>& axis) {
+        constexpr double wide = 1e-6; // of the radius
+        return result(axis).error > wide * result.m_radius;
+    });
+    if (isWide) result.boundParts();
     return result;
+}
+
+namespace {
+
+constexpr std::size_t directions = 256;
+
+const std::array<Vector<2>, directions>& circleOfDirections() {
+    static const auto made = [] {
+        std::array<Vector<2>, directions> result;
+        for (std::size_t k = 0; k < directions; ++k) {
+            const double angle = 2 * std::numbers::pi * double(k) / double(directions);
+            result[k] = {std::cos(angle), std::sin(angle)};
+        }
+        return result;
+    }();
+    return made;
+}
+
+// A bound of ⟨v,x⟩ from those in the two directions beside v, of which v is a positive combination. What
+// rounding may cost is for the caller to add.
+double between(const std::vector<double>& bounds, const Vector<2>& v) {
+    const auto& u = circleOfDirections();
+    const double turn = std::atan2(v.y(), v.x()) / (2 * std::numbers::pi) * double(directions);
+    const auto k = std::size_t((std::int64_t(std::floor(turn)) + std::int64_t(directions)) % directions);
+    const std::size_t next = (k + 1) % directions;
+    const auto cross = [](const Vector<2>& a, const Vector<2>& b) { return a.x() * b.y() - a.y() * b.x(); };
+    const double whole = cross(u[k], u[next]);
+    return std::max(cross(v, u[next]), 0.0) / whole * bounds[k] +
+           std::max(cross(u[k], v), 0.0) / whole * bounds[next];
+}
+
+} // namespace
+
+// From the ball, h_j(u) ≤ max over the maps i before j of h_i(A_jᵀu) + ⟨u,t_j⟩, again and again. Every one of
+// these numbers is a bound, wherever the iteration ends.
+void LinkedExtent::boundParts() {
+    constexpr std::size_t maxWork = 20'000'000;
+    constexpr double settled = 1e-7; // of the radius
+    const std::size_t n = parts();
+    std::size_t links = 0;
+    for (const auto& before : m_before)
+        links += before.size();
+    const std::size_t rounds = maxWork / (links * directions);
+    std::vector<std::vector<double>> bounds(n, std::vector<double>(directions, m_radius));
+    for (std::size_t round = 0; round < rounds; ++round) {
+        double change = 0;
+        for (std::size_t j = 0; j < n; ++j)
+            for (std::size_t k = 0; k < directions; ++k) {
+                const Vector<2>& u = circleOfDirections()[k];
+                const AffineMap<2>& map = m_active.maps[j];
+                const Vector<2> v = map.linear.transpose() * u;
+                double most = -m_radius;
+                for (const std::size_t i : m_before[j])
+                    most = std::max(most, between(bounds[i], v));
+                const double slack = 64 * unit * (map.linear.norm() * m_radius + map.translation.norm()) +
+                                     shiftRounding(m_maps[j], m_centre);
+                const double bound = most + u.dot(map.translation) + slack;
+                if (!(bound < bounds[j][k])) continue;
+                change = std::max(change, bounds[j][k] - bound);
+                bounds[j][k] = bound;
+            }
+        if (change <= settled * m_radius) break;
+    }
+    m_bounds = std::move(bounds);
+}
+
+double LinkedExtent::boundOfRest(const Node& node) const {
+    const double length = node.v.norm(), ball = m_radius * length;
+    if (m_bounds.empty() || !(length > 0)) return ball;
+    double most = -ball;
+    for (const std::size_t i : m_before[node.last])
+        most = std::max(most, between(m_bounds[i], node.v));
+    return std::min(ball, most + 64 * unit * ball);
 }
 
 // All words of one length at a time. Words whose linear parts take u to the same vector, after the same map,
@@ -121,9 +203,7 @@ LinkedExtent::Height LinkedExtent::search(std::vector<Node> open, const Vector<2
     const auto looseness = [this](const Node& node) { return node.loose + node.v.norm() * m_pointError; };
     // Where it varies widely, each word answers for its own.
     const auto allowance = [&](const Node& node) { return m_isCancelling ? looseness(node) : 0; };
-    const auto reach = [&](const Node& node) {
-        return node.offset + m_radius * node.v.norm() + allowance(node);
-    };
+    const auto reach = [&](const Node& node) { return node.offset + boundOfRest(node) + allowance(node); };
     double most = best.value, apart = 0, loose = 0;
     int exactLeft = maxExact;
     for (int level = 0; level < maxLevels; ++level) {
@@ -210,11 +290,29 @@ LinkedExtent::Node LinkedExtent::first(std::size_t part, const Vector<2>& u) con
     return {part, map, map.linear.transpose() * u, u.dot(map.translation)};
 }
 
+LinkedExtent::Height LinkedExtent::ofPoint(std::size_t part, const Vector<2>& u) const {
+    const Vector<2>& seen = m_seen[part];
+    const double rounding = 8 * unit * u.norm() * (seen.norm() + m_centre.norm());
+    return {u.dot(seen) + u.dot(m_centre), u.norm() * m_pointError + rounding, m_points[part]};
+}
+
 LinkedExtent::Height LinkedExtent::ofPart(std::size_t part, const Vector<2>& u, double tolerance) const {
+    if (m_arePoints) return ofPoint(part, u);
     return search({first(part, u)}, u, tolerance);
 }
 
 LinkedExtent::Height LinkedExtent::operator()(const Vector<2>& u, double tolerance) const {
+    if (m_arePoints) {
+        Height best = ofPoint(0, u);
+        double most = best.value + best.error;
+        for (std::size_t j = 1; j < parts(); ++j) {
+            const Height height = ofPoint(j, u);
+            most = std::max(most, height.value + height.error);
+            if (height.value > best.value) best = height;
+        }
+        best.error = most - best.value;
+        return best;
+    }
     std::vector<Node> open;
     for (std::size_t j = 0; j < parts(); ++j)
         open.push_back(first(j, u));

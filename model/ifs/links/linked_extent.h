@@ -46,6 +46,9 @@ private:
     std::vector<Node> lengthened(const std::vector<Node>& open, const Vector<2>& u, double& apart,
                                  int& exactLeft) const;
     Node child(const Node& node, std::size_t map, const Vector<2>& u, int& exactLeft) const;
+    void boundParts();
+    double boundOfRest(const Node& node) const; // of ⟨v,x⟩ over the x that may follow a word
+    Height ofPoint(std::size_t part, const Vector<2>& u) const;
     Height search(std::vector<Node> open, const Vector<2>& u, double tolerance) const;
 
     ActiveMaps<2> m_active;                         // with centre() as the origin
@@ -54,9 +57,13 @@ private:
     std::vector<Vector<2>> m_points;                // one of each part
     double m_pointError = 0;                        // none of which is farther from such a point
     std::vector<Vector<2>> m_seen;                  // the same from the centre
+    bool m_arePoints = false;                       // each part is one
     bool m_isCancelling = false;                    // words are much longer than the maps make them
     Vector<2> m_centre = Vector<2>::Zero();
     double m_radius = 0;
+    // Bounds of the heights of each part from the centre, in directions of equal angle; empty where the ball
+    // does.
+    std::vector<std::vector<double>> m_bounds;
 };
 
 // As of plain maps, to rounding where the search allows it.

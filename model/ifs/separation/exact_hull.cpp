@@ -45,15 +45,15 @@ bool isWithin(const Point& exact, const Vector<2>& point, double distance) {
     return true;
 }
 
-std::optional<Point> pointOf(std::span<const AffineMap<2>> maps,
-                             const std::optional<PeriodicPoint>& address) {
+} // namespace
+
+std::optional<ExactPoint<2>> exactPointOf(std::span<const AffineMap<2>> maps,
+                                          const std::optional<PeriodicPoint>& address) {
     if (!address || address->prefix.size() + address->period.size() > maxLetters) return std::nullopt;
     const Point fixed = exactFixedPoint(exactWord(maps, address->period));
     if (fixed.denominator.sign() == 0) return std::nullopt;
     return image(exactWord(maps, address->prefix), fixed);
 }
-
-} // namespace
 
 bool isExactHull(std::span<const AffineMap<2>> maps,
                  const std::vector<std::optional<PeriodicPoint>>& points) {
@@ -61,7 +61,7 @@ bool isExactHull(std::span<const AffineMap<2>> maps,
     if (count == 0 || count > maxVertices || count * count * maps.size() > maxTurns) return false;
     std::vector<Point> polygon;
     for (const auto& address : points) {
-        const auto point = pointOf(maps, address);
+        const auto point = exactPointOf(maps, address);
         if (!point) return false;
         polygon.push_back(*point);
     }
@@ -81,7 +81,7 @@ double roundingOf(std::span<const AffineMap<2>> maps,
                   const std::vector<std::optional<PeriodicPoint>>& points) {
     double distance = 0; // along either axis
     for (const auto& address : points) {
-        const auto exact = pointOf(maps, address);
+        const auto exact = exactPointOf(maps, address);
         if (!exact) return std::numeric_limits<double>::infinity();
         while (!isWithin(*exact, address->point, distance))
             distance = std::max(2 * distance, 0x1p-54 * address->point.cwiseAbs().maxCoeff() + 0x1p-1000);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "ifs/extent/extreme_points.h"
+#include "ifs/separation/exact_map.h"
 #include "ifs/system/affine_map.h"
 
 #include <optional>
@@ -15,6 +16,10 @@ namespace ifs {
 // by their addresses, and W(P) ⊂ P. The maps must have an attractor. False where an address is missing, and
 // where the numbers get too long. docs/mathematics.md, "Extreme points with periodic addresses".
 bool isExactHull(std::span<const AffineMap<2>> maps, const std::vector<std::optional<PeriodicPoint>>& points);
+
+// The point without rounding; nullopt for one without an address, or with a long one.
+std::optional<ExactPoint<2>> exactPointOf(std::span<const AffineMap<2>> maps,
+                                          const std::optional<PeriodicPoint>& address);
 
 // How far, at most, these points are from where their addresses are; all of them must have one.
 double roundingOf(std::span<const AffineMap<2>> maps,

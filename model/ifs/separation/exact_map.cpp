@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "ifs/separation/exact_map.h"
 
+#include "ifs/existence/exact_matrix.h"
+
 namespace ifs {
 
 namespace {
@@ -12,18 +14,6 @@ template <int Dim> std::array<Dyadic, Dim> product(const Entries<Dim>& m, const 
     for (std::size_t i = 0; i < Dim; ++i)
         for (std::size_t j = 0; j < Dim; ++j)
             result[i] = result[i] + m[i][j] * x[j];
-    return result;
-}
-
-Dyadic determinant(const Entries<2>& m) {
-    return m[0][0] * m[1][1] - m[0][1] * m[1][0];
-}
-
-Dyadic determinant(const Entries<3>& m) {
-    Dyadic result;
-    for (std::size_t k = 0; k < 3; ++k)
-        result = result +
-                 m[0][k] * (m[1][(k + 1) % 3] * m[2][(k + 2) % 3] - m[1][(k + 2) % 3] * m[2][(k + 1) % 3]);
     return result;
 }
 

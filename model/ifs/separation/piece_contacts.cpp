@@ -3,6 +3,7 @@
 
 #include "ifs/linear/rounding.h"
 #include "ifs/separation/exact_map.h"
+#include "ifs/separation/open_set.h"
 #include "ifs/separation/stored_rounding.h"
 
 #include <Eigen/LU>
@@ -48,8 +49,9 @@ std::vector<Composed<Dim>> shortWords(std::span<const AffineMap<Dim>> maps, std:
 
 template <int Dim> class Contacts {
 public:
-    explicit Contacts(const SupportFunction<Dim>& support)
-        : m_maps(support.maps()),
+    Contacts(const SupportFunction<Dim>& support, const NeighbourGraph* neighbours)
+        : m_neighbours(neighbours),
+          m_maps(support.maps()),
           m_seen(support.conditioning() ? support.conditioning()->support : support),
           m_off(support.conditioning() ? support.conditioning()->error : 0),
           m_telling(1e-6 * support.radius()) {
@@ -68,6 +70,10 @@ public:
         }
         if (m_maps.size() > maxMaps) return result;
         result.overlaps = overlaps();
+        if (result.overlaps.empty() && m_neighbours && m_neighbours->overlap()) {
+            const auto& [first, second] = *m_neighbours->overlap();
+            result.overlaps.push_back({first, second, m_neighbours->certainty() == Certainty::Exact});
+        }
         const auto apart = piecesApart();
         if (!result.overlaps.empty())
             result.separation = Separation::Overlapping;
@@ -221,6 +227,8 @@ private:
     Connectedness connectedness(const std::vector<bool>& apart) const {
         if (!joinsAll([&](std::size_t i, std::size_t j) { return !apart[pairIndex(i, j)]; }))
             return Connectedness::Disconnected;
+        // Two pieces cannot be disjoint where those of a neighbourhood cannot.
+        if (m_maps.size() == 2 && fillSpace<Dim>(m_maps)) return Connectedness::Connected;
         const auto points = knownPoints();
         std::vector<bool> exact(apart.size()), rounded(apart.size());
         for (std::size_t i = 0; i < m_maps.size(); ++i)
@@ -230,7 +238,16 @@ private:
             return Connectedness::Connected;
         if (joinsAll([&](std::size_t i, std::size_t j) { return rounded[pairIndex(i, j)]; }))
             return Connectedness::ConnectedToRounding;
-        return Connectedness::Unknown;
+        return byNeighbours();
+    }
+
+    Connectedness byNeighbours() const {
+        if (!m_neighbours) return Connectedness::Unknown;
+        const bool isJoined =
+            joinsAll([&](std::size_t i, std::size_t j) { return m_neighbours->meet(i, j); });
+        if (m_neighbours->certainty() == Certainty::Exact)
+            return isJoined ? Connectedness::Connected : Connectedness::Disconnected;
+        return isJoined ? Connectedness::ConnectedToRounding : Connectedness::Unknown;
     }
 
     // w_prefix(fix(w_period))
@@ -306,6 +323,7 @@ private:
         return image(exactWord<Dim>(m_maps, way), exactFixedPoint(exactWord<Dim>(m_maps, point.period)));
     }
 
+    const NeighbourGraph* m_neighbours;
     const std::vector<AffineMap<Dim>>& m_maps;
     const SupportFunction<Dim>& m_seen;
     double m_off;     // by which a point of the attractor is off where it is seen
@@ -315,11 +333,12 @@ private:
 
 } // namespace
 
-template <int Dim> PieceContacts pieceContacts(const SupportFunction<Dim>& support) {
-    return Contacts<Dim>(support).found();
+template <int Dim>
+PieceContacts pieceContacts(const SupportFunction<Dim>& support, const NeighbourGraph* neighbours) {
+    return Contacts<Dim>(support, neighbours).found();
 }
 
-template PieceContacts pieceContacts(const SupportFunction<2>&);
-template PieceContacts pieceContacts(const SupportFunction<3>&);
+template PieceContacts pieceContacts(const SupportFunction<2>&, const NeighbourGraph*);
+template PieceContacts pieceContacts(const SupportFunction<3>&, const NeighbourGraph*);
 
 } // namespace ifs

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "ifs/extent/support_function.h"
+#include "ifs/separation/neighbour_graph.h"
 #include "ifs/system/branch.h"
 
 #include <vector>
@@ -36,6 +37,8 @@ struct PieceContacts {
 };
 
 // In bounded work: Unknown is what it leaves open, and all there is of more than 64 maps.
-template <int Dim> PieceContacts pieceContacts(const SupportFunction<Dim>& support);
+// `neighbours`, where they are known, are those of the same maps: they tell which pieces meet.
+template <int Dim>
+PieceContacts pieceContacts(const SupportFunction<Dim>& support, const NeighbourGraph* neighbours = nullptr);
 
 } // namespace ifs

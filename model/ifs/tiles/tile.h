@@ -2,6 +2,7 @@
 #pragma once
 
 #include "ifs/extent/extent.h"
+#include "ifs/separation/neighbour_graph.h"
 #include "ifs/system/affine_map.h"
 
 #include <optional>
@@ -12,13 +13,15 @@
 namespace ifs {
 
 struct Tile {
-    std::optional<double> area;              // of an integer digit tile that tiles by its lattice
+    std::optional<double> area;              // of a tile whose copies cover the plane equally often
     std::optional<double> boundaryDimension; // where all maps are similarities of one ratio
     double boundaryDimensionError = 0;       // by which it may be off
     bool isExact = false; // proved of the coefficients as they are; else as far as their rounding tells
 };
 
-// Nothing where neither is proved, within bounded work. The box is that of the attractor.
-std::optional<Tile> tile(std::span<const AffineMap<2>> maps, const BoundingBox<2>& box);
+// Nothing where neither is proved, within bounded work. Box and neighbours, if they are known, are those of
+// the attractor.
+std::optional<Tile> tile(std::span<const AffineMap<2>> maps, const BoundingBox<2>& box,
+                         const NeighbourGraph* neighbours);
 
 } // namespace ifs

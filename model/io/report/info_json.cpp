@@ -9,6 +9,7 @@
 #include "ifs/facts.h"
 #include "ifs/system/links.h"
 #include "io/fractint/animation_lines.h"
+#include "io/report/invariants_json.h"
 #include "io/report/json_writer.h"
 #include "io/text/symmetry_text.h"
 
@@ -50,11 +51,6 @@ template <int Dim, typename Points> void writePoints(JsonWriter& json, const Poi
     json.endArray();
 }
 
-void writeNull(JsonWriter& json, const char* key) {
-    json.key(key);
-    json.null();
-}
-
 template <int Dim> void writeMap(JsonWriter& json, const ifs::WeightedMap<Dim>& map, double probability) {
     json.beginObject(Layout::Inline);
     json.key("linear");
@@ -73,16 +69,6 @@ template <int Dim> void writeMap(JsonWriter& json, const ifs::WeightedMap<Dim>& 
         json.null();
     json.member("fixed_point_error", enclosed ? std::optional(enclosed->error) : std::nullopt);
     json.endObject();
-}
-
-// Maps counted from 1, in the order of the file.
-void writeWord(JsonWriter& json, const char* key, const ifs::Word& word,
-               const std::vector<std::size_t>& indices) {
-    json.key(key);
-    json.beginArray(Layout::Inline);
-    for (const int symbol : word)
-        json.value(int(indices[std::size_t(symbol)]) + 1);
-    json.endArray();
 }
 
 QString normName(ifs::NormKind norm) {
@@ -122,7 +108,8 @@ void writeExistence(JsonWriter& json, const ifs::Existence& existence,
     json.key("attractor");
     json.beginObject(Layout::Inline);
     json.member("verdict", verdictName(existence.verdict));
-    json.member("contractivity", settled ? std::optional(existence.contractivity) : std::nullopt);
+    const bool hasNumber = existence.hasFactor() || existence.verdict == ifs::Verdict::None;
+    json.member("contractivity", hasNumber ? std::optional(existence.contractivity) : std::nullopt);
     json.key("word_length");
     if (settled)
         json.value(existence.verdict == ifs::Verdict::None ? int(existence.witness.size())
@@ -253,66 +240,6 @@ template <int Dim> void writeCage(JsonWriter& json, const std::optional<ifs::Con
     json.endObject();
 }
 
-void writeContacts(JsonWriter& json, const std::optional<ifs::PieceContacts>& contacts,
-                   const std::vector<std::size_t>& indices, bool isLate) {
-    using ifs::Connectedness, ifs::Separation;
-    const auto separation = contacts ? contacts->separation : Separation::Unknown;
-    const auto connectedness = contacts ? contacts->connectedness : Connectedness::Unknown;
-    if (separation == Separation::Unknown)
-        writeNull(json, "separation");
-    else
-        json.member("separation", separation == Separation::Strong ? QStringLiteral("strong")
-                                                                   : QStringLiteral("overlapping"));
-    if (connectedness == Connectedness::Unknown)
-        writeNull(json, "connectedness");
-    else
-        json.member("connectedness",
-                    connectedness == Connectedness::Disconnected ? QStringLiteral("disconnected")
-                    : connectedness == Connectedness::Connected  ? QStringLiteral("connected")
-                                                                 : QStringLiteral("connected_to_rounding"));
-    if (isLate) return writeNull(json, "overlaps");
-    json.key("overlaps");
-    json.beginArray(Layout::Inline);
-    for (const auto& overlap : contacts ? contacts->overlaps : std::vector<ifs::Overlap>()) {
-        json.beginObject(Layout::Inline);
-        writeWord(json, "first", overlap.first, indices);
-        writeWord(json, "second", overlap.second, indices);
-        json.member("exact", overlap.isExact);
-        json.endObject();
-    }
-    json.endArray();
-}
-
-void writeTile(JsonWriter& json, const std::optional<ifs::Tile>& tile) {
-    if (!tile) return writeNull(json, "tile");
-    json.key("tile");
-    json.beginObject(Layout::Inline);
-    json.member("area", tile->area);
-    json.member("boundary_dimension", tile->boundaryDimension);
-    json.member("boundary_dimension_error",
-                tile->boundaryDimension ? std::optional(tile->boundaryDimensionError) : std::nullopt);
-    json.member("exact", tile->isExact);
-    json.endObject();
-}
-
-template <int Dim> void writeInvariants(JsonWriter& json, const ifs::Facts<Dim>& facts) {
-    const ifs::Invariants& invariants = facts.invariants;
-    writeContacts(json, invariants.contacts, facts.active.index, facts.isLate(ifs::LongFact::Contacts));
-    writeTile(json, invariants.tile);
-    const auto& radius = invariants.jointSpectralRadius;
-    if (radius && std::isfinite(radius->most)) {
-        json.key("joint_spectral_radius");
-        json.beginObject(Layout::Inline);
-        json.member("least", radius->least);
-        json.member("most", radius->most);
-        json.endObject();
-    } else
-        writeNull(json, "joint_spectral_radius");
-    json.member("entropy", invariants.entropy);
-    json.member("lyapunov_exponent", invariants.lyapunovExponent);
-    json.member("measure_dimension", invariants.measureDimension);
-}
-
 // Those that are null without the fact.
 std::vector<const char*> keysOf(ifs::LongFact fact) {
     switch (fact) {
@@ -323,7 +250,8 @@ std::vector<const char*> keysOf(ifs::LongFact fact) {
     case ifs::LongFact::JointSpectralRadius:
         return {"joint_spectral_radius"};
     case ifs::LongFact::Contacts:
-        return {"separation", "connectedness", "overlaps", "tile"};
+        return {"separation", "connectedness",       "overlaps", "open_set_condition",
+                "neighbours", "hausdorff_dimension", "spectrum", "tile"};
     case ifs::LongFact::Hull:
         return {"hull"};
     case ifs::LongFact::AffinityDimension:

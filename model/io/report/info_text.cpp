@@ -69,6 +69,7 @@ QString belowOne(double contractivity) {
 }
 
 QString contractionSentence(const ifs::Existence& existence) {
+    if (!existence.hasFactor()) return Text::tr("contractive in some norm, γ < 1");
     const QString factor = belowOne(existence.contractivity);
     switch (existence.norm) {
     case ifs::NormKind::Ellipsoidal:
@@ -275,7 +276,13 @@ template <int Dim> QString similarityNote(const ifs::Facts<Dim>& facts) {
     case ifs::Separation::Unknown:
         break;
     }
-    return u' ' + Text::tr("(if the open set condition holds; else an upper bound)");
+    if (!invariants.openSet || invariants.openSet->condition == ifs::OpenSetCondition::Unknown)
+        return u' ' + Text::tr("(if the open set condition holds; else an upper bound)");
+    if (invariants.openSet->condition == ifs::OpenSetCondition::Fails)
+        return u' ' + Text::tr("(upper bound: the open set condition fails)");
+    return u' ' + (invariants.openSet->certainty == ifs::Certainty::Exact
+                       ? Text::tr("(the open set condition holds)")
+                       : Text::tr("(the open set condition holds, within rounding error)"));
 }
 
 QString separationText(ifs::Separation separation) {
@@ -302,6 +309,47 @@ QString connectednessText(ifs::Connectedness connectedness) {
         break;
     }
     return Text::tr("unknown");
+}
+
+QString openSetText(const ifs::OpenSetFacts& facts) {
+    const bool isExact = facts.certainty == ifs::Certainty::Exact;
+    switch (facts.condition) {
+    case ifs::OpenSetCondition::Holds:
+        return isExact ? Text::tr("holds") : Text::tr("holds, within rounding error");
+    case ifs::OpenSetCondition::Fails:
+        return isExact ? Text::tr("fails") : Text::tr("fails, within rounding error");
+    case ifs::OpenSetCondition::Unknown:
+        break;
+    }
+    return Text::tr("unknown");
+}
+
+void addOpenSet(Lines& lines, const ifs::Invariants& invariants) {
+    if (!invariants.openSet) return;
+    lines.add(Text::tr("open set condition"), openSetText(*invariants.openSet));
+    if (const auto& neighbours = invariants.openSet->neighbours)
+        lines.add(Text::tr("neighbours"), QString::number(*neighbours));
+    if (const auto& dimension = invariants.openSet->dimension) {
+        const bool isByType = dimension->proof == ifs::HausdorffDimension::Proof::FiniteType;
+        const bool isExact = dimension->certainty == ifs::Certainty::Exact;
+        lines.add(Text::tr("Hausdorff dimension"),
+                  digits(dimension->value) +
+                      io::errorNote({dimension->value}, dimension->error, 1, shownDigits) +
+                      (isByType ? u' ' + Text::tr("(finite type)") : QString()) +
+                      (isExact ? QString() : u' ' + Text::tr("(within rounding error)")));
+    }
+    if (const auto& spectrum = invariants.spectrum)
+        lines.add(Text::tr("spectrum"), QStringLiteral("D0 %1, D1 %2, D2 %3, D∞ %4")
+                                            .arg(digits(spectrum->capacity), digits(spectrum->information),
+                                                 digits(spectrum->correlation), digits(spectrum->least)));
+}
+
+// One number where that is all that the digits show of the interval.
+QString radiusText(const ifs::JointSpectralRadius& radius) {
+    constexpr double rounding = 1e-15; // of exact radii
+    if (radius.most - radius.least <= rounding * radius.most && digits(radius.least) == digits(radius.most))
+        return digits(radius.most);
+    return Text::tr("between %1 and %2").arg(lowerDigits(radius.least), upperDigits(radius.most));
 }
 
 void addTile(Lines& lines, const std::optional<ifs::Tile>& tile) {
@@ -333,18 +381,21 @@ template <int Dim> void addInvariants(Lines& lines, const ifs::Facts<Dim>& facts
                            : Text::tr("the words %1 and %2 are the same map within rounding error"))
                           .arg(wordText(overlap.first, index), wordText(overlap.second, index)));
     }
+    addOpenSet(lines, invariants);
     addTile(lines, invariants.tile);
     if (facts.isLate(ifs::LongFact::JointSpectralRadius))
         lines.add(Text::tr("joint spectral radius"), notComputed());
     if (const auto& radius = invariants.jointSpectralRadius; radius && std::isfinite(radius->most))
-        lines.add(Text::tr("joint spectral radius"),
-                  Text::tr("between %1 and %2").arg(lowerDigits(radius->least), upperDigits(radius->most)));
+        lines.add(Text::tr("joint spectral radius"), radiusText(*radius));
     if (invariants.entropy) lines.add(Text::tr("entropy"), digits(*invariants.entropy));
     if (invariants.lyapunovExponent)
         lines.add(Text::tr("Lyapunov exponent"), digits(*invariants.lyapunovExponent));
     if (invariants.measureDimension)
         lines.add(Text::tr("dimension of measure"),
-                  digits(*invariants.measureDimension) + similarityNote(facts));
+                  (invariants.isMeasureDimensionCapped
+                       ? Text::tr("at most %1").arg(digits(*invariants.measureDimension))
+                       : digits(*invariants.measureDimension)) +
+                      similarityNote(facts));
 }
 
 template <int Dim>

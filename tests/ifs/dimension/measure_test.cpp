@@ -40,9 +40,22 @@ private slots:
         QVERIFY(!lyapunovExponent(active) && !measureDimension(active));
         QVERIFY(entropy(active.probabilities) > 0);
         QCOMPARE(entropy(std::vector<double>{1}), 0.0);
-        // Not above the dimension of the plane, however much overlaps.
+        // Above the dimension of the plane, where much overlaps.
         const Maps2 many(9, affineMap(.5, 0, 0, .5, 0, 0));
-        QCOMPARE(*measureDimension(activeMaps(canonical::system<2>(many, std::vector<double>(9, 1)))), 2.0);
+        QVERIFY(near(*measureDimension(activeMaps(canonical::system<2>(many, std::vector<double>(9, 1)))),
+                     std::log2(9), 1e-12));
+    }
+
+    void spectrumOfACantorSet() {
+        const Maps2 maps{affineMap(1. / 3, 0, 0, 1. / 3, 0, 0), affineMap(1. / 3, 0, 0, 1. / 3, 2. / 3, 0)};
+        const auto spectrum = dimensionSpectrum(activeMaps(canonical::system<2>(maps, {3, 7})));
+        QVERIFY(spectrum && near(spectrum->capacity, std::log(2) / std::log(3), 1e-12));
+        QVERIFY(near(spectrum->information, 0.556032649876389, 1e-12));
+        QVERIFY(near(spectrum->correlation, 0.495832042896650, 1e-12));
+        QVERIFY(near(spectrum->least, -std::log(.7) / std::log(3), 1e-12));
+        const auto even = dimensionSpectrum(activeMaps(canonical::system<2>(maps, {1, 1})));
+        QVERIFY(near(even->least, even->capacity, 1e-12) && near(even->correlation, even->capacity, 1e-12));
+        QVERIFY(!dimensionSpectrum(activeMaps(canonical::system<2>(fern(), fernWeights))));
     }
 
     void jointSpectralRadii() {

@@ -17,7 +17,7 @@ using namespace linked_systems;
 namespace {
 
 bool exists(const Existence& existence) {
-    return existence.verdict == Verdict::Hyperbolic || existence.verdict == Verdict::EventuallyContractive;
+    return existence.exists();
 }
 
 Matrix<2> matrix(double a, double b, double c, double d) {
@@ -118,6 +118,65 @@ private slots:
                 QVERIFY(existence.verdict != Verdict::None);
             else
                 QVERIFY(!exists(existence));
+        }
+    }
+
+    // The radius of the word decides, however near to 1 it is.
+    void slowCircles() {
+        for (const double slow : {1 - 1e-9, 1 - 1e-12, 1 - 0x1p-50, 1 - 0x1p-53}) {
+            for (const double lean : {0.0, 3.0, 1000.0}) {
+                const AffineMap<2> first{matrix(2, lean, 0, 1), {1, 0}};
+                const System exact = circle({first, {matrix(slow / 2, 0, 0, .25), {0, 1}}});
+                const Existence existence = existenceOf(exact);
+                QVERIFY(exists(existence));
+                QVERIFY(existence.contractivity >= slow && existence.contractivity <= 1);
+                const auto extent = LinkedExtent::of(activeMaps(exact), existence);
+                QCOMPARE(extent.has_value(), existence.hasFactor());
+                if (!extent) continue;
+                // One point after each map, far away where the circle is slow.
+                const BoundingBox<2> box = boundingBox(*extent);
+                QVERIFY(((box.max - box.min).array() >= 0).all());
+                const Vector<2> x = extent->pointOf(0);
+                QVERIFY(holds(box, x) && box.error <= 1e-3 * (1 + x.norm()));
+                const System turned = circle({first, {matrix(.5, 0, 0, .25), {0, 1}}});
+                QCOMPARE(existenceOf(turned).verdict, Verdict::None);
+            }
+        }
+    }
+
+    // One part is a circle, the other is not.
+    void circlesBesideOtherParts() {
+        const auto parts = [](double slow, double other) {
+            const std::vector<AffineMap<2>> maps{{matrix(2, 1, 0, 1), {1, 0}},
+                                                 {matrix(slow / 2, 0, 0, .25), {0, 1}},
+                                                 {matrix(other, 0, 0, .5), {2, 0}},
+                                                 {matrix(.5, 0, 1, other), {0, 2}}};
+            return system(maps, {0, 1, 0, 0, 1, 0, 0, 0, 0, 0, 1, 1, 0, 0, 1, 1});
+        };
+        QVERIFY(exists(existenceOf(parts(1 - 1e-12, .5))));
+        QCOMPARE(existenceOf(parts(1, .5)).verdict, Verdict::None);
+        QCOMPARE(existenceOf(parts(1 - 1e-12, 1)).verdict, Verdict::None);
+    }
+
+    // Of maps that stretch before they contract, words are many and the ball about the attractor is wide.
+    void boxesOfMapsThatStretch() {
+        std::mt19937 random(9);
+        for (const double slow : {.45, .4, .3}) {
+            const System maps =
+                system({affineMap(2, 0, 0, .5, 1, 0), affineMap(slow, .1, 0, .9, 0, 1)}, {0, 1, 1, 1});
+            const auto active = activeMaps(maps);
+            const auto extent = LinkedExtent::of(active, classifyLinked<2>(active));
+            QVERIFY(extent);
+            const BoundingBox<2> box = boundingBox(*extent);
+            const double size = (box.max - box.min).norm();
+            QVERIFY2(box.error <= 1e-3 * size, qPrintable(QString::number(box.error / size)));
+            Vector<2> x = extent->pointOf(0);
+            std::size_t last = 0;
+            for (int k = 0; k < 200'000; ++k) {
+                last = last == 0 ? 1 : random() % 2;
+                x = active.maps[last](x);
+                QVERIFY(holds(box, x));
+            }
         }
     }
 

@@ -21,7 +21,10 @@ using Maps = std::vector<AffineMap<2>>;
 
 std::optional<Tile> tileOf(const Maps& maps) {
     const auto support = SupportFunction<2>::of(maps);
-    return support ? tile(maps, boundingBox(*support)) : std::nullopt;
+    if (!support) return std::nullopt;
+    const BoundingBox<2> box = boundingBox(*support);
+    const auto neighbours = neighbourGraph<2>(maps, box);
+    return tile(maps, box, neighbours ? &*neighbours : nullptr);
 }
 
 Maps squares(int side) {
@@ -86,10 +89,11 @@ private slots:
     // Heighway's, and Koch's for the terdragon.
     void dragons() {
         const auto levy = tileOf(canonical::levy());
-        QVERIFY(levy && levy->isExact && !levy->area);
+        QVERIFY(levy && levy->isExact && near(levy->area, .25));
         QVERIFY(near(levy->boundaryDimension, 1.934007182988291, 1e-8));
         const auto heighway = tileOf(canonical::heighway());
         QVERIFY(heighway && near(heighway->boundaryDimension, 1.523627086202492));
+        QVERIFY(heighway->isExact && near(heighway->area, .5));
         const double third = 0.5, rise = std::sqrt(3.0) / 6;
         const auto turned = [](double a, double b, double e, double f) {
             return affineMap(a, -b, b, a, e, f);
@@ -98,9 +102,21 @@ private slots:
                                        turned(third, rise, third, -rise)});
         QVERIFY(terdragon && !terdragon->isExact);
         QVERIFY(near(terdragon->boundaryDimension, std::log(4) / std::log(3)));
+        QVERIFY(near(terdragon->area, std::sqrt(3.0) / 6));
     }
 
     // β³ − β² − 2 = 0, and Koch's curve.
+    // Copies of an L of three squares cover the plane without a lattice of translations.
+    void chair() {
+        const auto found = tileOf({affineMap(.5, 0, 0, .5, 0, 0), affineMap(.5, 0, 0, .5, .5, .5),
+                                   affineMap(0, -.5, .5, 0, 2, 0), affineMap(0, .5, -.5, 0, 0, 2)});
+        QVERIFY(found && found->isExact && near(found->area, 3) && near(found->boundaryDimension, 1));
+        // Four right triangles of one half, one of them turned.
+        const auto triangle = tileOf({affineMap(.5, 0, 0, .5, 0, 0), affineMap(.5, 0, 0, .5, .5, 0),
+                                      affineMap(.5, 0, 0, .5, 0, .5), affineMap(-.5, 0, 0, -.5, .5, .5)});
+        QVERIFY(triangle && triangle->isExact && near(triangle->area, .5));
+    }
+
     void boundaryDimensionsHaveAnError() {
         for (const Maps& maps : {canonical::twin(), canonical::heighway()}) {
             const auto found = tileOf(maps);

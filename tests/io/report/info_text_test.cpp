@@ -188,7 +188,11 @@ private slots:
     }
 
     void saysWhatTheSimilarityDimensionIs() {
-        QVERIFY(lineOf(subjectOf(Gasket), QStringLiteral("similarity dimension"))
+        QCOMPARE(lineOf(subjectOf(Gasket), QStringLiteral("similarity dimension")),
+                 QStringLiteral("1.58496 (the open set condition holds)"));
+        // Two ratios, and pieces that meet.
+        QVERIFY(lineOf(subjectOf({{.5, 0, 0, .5, 0, 0}, {.5, 0, 0, .5, .5, 0}, {.25, 0, 0, .25, 0, .5}}),
+                       QStringLiteral("similarity dimension"))
                     .contains(QStringLiteral("if the open set condition holds")));
         auto rows = Gasket;
         rows.push_back(rows[1]);
@@ -204,6 +208,44 @@ private slots:
         const auto dust = subjectOf({{.25, 0, 0, .25, 0, 0}, {.25, 0, 0, .25, 1, 0}});
         QVERIFY(lineOf(dust, QStringLiteral("similarity dimension")).contains(QStringLiteral("disjoint")));
         QCOMPARE(lineOf(dust, QStringLiteral("connectedness")), QStringLiteral("not connected"));
+    }
+
+    void saysWhatIsProvedOfNeighbours() {
+        const QJsonObject gasket = entryOf(subjectOf(Gasket));
+        QCOMPARE(gasket[QStringLiteral("open_set_condition")], QJsonValue(true));
+        QVERIFY(!gasket.contains(QStringLiteral("open_set_condition_to_rounding")));
+        QCOMPARE(gasket[QStringLiteral("neighbours")].toInt(), 6);
+        const QJsonObject dimension = gasket[QStringLiteral("hausdorff_dimension")].toObject();
+        QVERIFY(std::abs(dimension[QStringLiteral("value")].toDouble() - std::log2(3)) < 1e-12);
+        QCOMPARE(dimension[QStringLiteral("by")].toString(), QStringLiteral("open set condition"));
+        QVERIFY(!dimension[QStringLiteral("to_rounding")].toBool());
+        QVERIFY(std::abs(gasket[QStringLiteral("spectrum")][QStringLiteral("D2")].toDouble() - std::log2(3)) <
+                1e-12);
+        QCOMPARE(lineOf(subjectOf(Gasket), QStringLiteral("joint spectral radius")), QStringLiteral("0.5"));
+        const double third = 1. / 3;
+        const auto digits = subjectOf(
+            {{third, 0, 0, third, 0, 0}, {third, 0, 0, third, third, 0}, {third, 0, 0, third, 1, 0}});
+        const QJsonObject overlapping = entryOf(digits);
+        QCOMPARE(overlapping[QStringLiteral("open_set_condition")], QJsonValue(false));
+        QVERIFY(!overlapping.contains(QStringLiteral("open_set_condition_to_rounding"))); // 03 = 10 as stored
+        QCOMPARE(overlapping[QStringLiteral("hausdorff_dimension")][QStringLiteral("by")].toString(),
+                 QStringLiteral("finite type"));
+        QCOMPARE(lineOf(digits, QStringLiteral("Hausdorff dimension")),
+                 QStringLiteral("0.876036 (finite type) (within rounding error)"));
+        QVERIFY(overlapping[QStringLiteral("spectrum")].isNull());
+        const auto segment = subjectOf({{.9, 0, 0, .9, 0, 0}, {.9, 0, 0, .9, 1, 0}});
+        QVERIFY(entryOf(segment)[QStringLiteral("measure_dimension_capped")].toBool());
+        QVERIFY(
+            lineOf(segment, QStringLiteral("dimension of measure")).startsWith(QStringLiteral("at most 1 ")));
+        QCOMPARE(lineOf(segment, QStringLiteral("connectedness")), QStringLiteral("connected"));
+    }
+
+    void saysWhereNoFactorIsKnown() {
+        const auto slow = subjectOf({{.28, -.96, .96, .28, 1, 0}, {.14, -.48, .48, .14, 0, 1}});
+        QCOMPARE(lineOf(slow, QStringLiteral("attractor")), QStringLiteral("hyperbolic, s < 1"));
+        const QJsonObject attractor = entryOf(slow)[QStringLiteral("attractor")].toObject();
+        QCOMPARE(attractor[QStringLiteral("verdict")].toString(), QStringLiteral("hyperbolic"));
+        QVERIFY(attractor[QStringLiteral("contractivity")].isNull());
     }
 
     // Three copies of nine tenths have no room in the plane without overlapping.

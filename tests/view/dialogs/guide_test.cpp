@@ -19,6 +19,7 @@ private slots:
     void showsTextAndPictures();
     void picturesAreDecodedInTheBackground();
     void nothingIsBesideANarrowWindow();
+    void sectionsAreOpened();
     void wordsAreFound();
 };
 
@@ -82,6 +83,16 @@ void GuideTest::nothingIsBesideANarrowWindow() {
         QTRY_COMPARE(browser->window()->width(), width);
         QTRY_COMPARE(browser->horizontalScrollBar()->maximum(), 0);
     }
+}
+
+void GuideTest::sectionsAreOpened() {
+    QWidget window;
+    view::showGuide(&window, QStringLiteral("How pieces meet"));
+    auto* browser = window.findChild<QTextBrowser*>();
+    QVERIFY(QTest::qWaitForWindowActive(browser->window()));
+    QCOMPARE(browser->textCursor().block().text(), QStringLiteral("How pieces meet"));
+    QTRY_VERIFY(browser->viewport()->rect().contains(browser->cursorRect()));
+    QVERIFY(browser->cursorRect().top() < browser->viewport()->height() / 2);
 }
 
 void GuideTest::wordsAreFound() {

@@ -6,6 +6,7 @@
 #include "ifs/facts.h"
 #include "io/report/figure_error.h"
 #include "panels/analysis/existence_sentence.h"
+#include "panels/analysis/separation_texts.h"
 #include "panels/cage/cage_texts.h"
 #include "widgets/numbers/number_text.h"
 
@@ -90,6 +91,7 @@ private:
     template <int Dim> void addHull();
     template <int Dim> void addContacts();
     template <int Dim> void addInvariants();
+    template <int Dim> void addOpenSet();
     void addTile();
     template <int Dim> static QString caveat(const Analysis& analysis);
 
@@ -167,6 +169,7 @@ QList<Fact> Facts::all() {
         addHull<Dim>();
         const qsizetype first = m_lines.size();
         addContacts<Dim>();
+        addOpenSet<Dim>();
         if constexpr (Dim == 2) addTile();
         addInvariants<Dim>();
         for (qsizetype k = first; k < m_lines.size(); ++k)
@@ -183,14 +186,15 @@ QList<Fact> Facts::all() {
 // Of those without a reason of their own, and of all where there may be nothing to measure.
 template <int Dim> void Facts::explainAbsences() {
     using enum ifs::Verdict;
-    const ifs::Verdict verdict = factsIn<Dim>(*m_analysis).existence.verdict;
-    const bool hasAttractor = verdict == Hyperbolic || verdict == EventuallyContractive;
+    const ifs::Existence& existence = factsIn<Dim>(*m_analysis).existence;
     for (Fact& fact : m_lines) {
         if (!fact.value.isEmpty()) continue;
-        if (verdict == Undecided)
+        if (existence.verdict == Undecided)
             fact.absence = tr("There is no value, because it is not proved that there is an attractor.");
-        else if (!hasAttractor)
+        else if (!existence.exists())
             fact.absence = tr("There is no value, because there is no attractor.");
+        else if (!existence.hasFactor())
+            fact.absence = tr("There is no value, because the maps contract by too little to bound it.");
         else if (fact.absence.isEmpty())
             fact.absence = tr("There is no value: for these maps, none could be computed.");
     }
@@ -252,17 +256,8 @@ template <int Dim> QString Facts::caveat(const Analysis& analysis) {
     if (dimension == 0.0) return {}; // nothing is less
     if (dimension && ifs::exceedsSpace(*dimension, Dim))
         return u' ' + tr("(upper bound: the open set condition fails)");
-    const auto& contacts = factsIn<Dim>(analysis).invariants.contacts;
-    if (!contacts) return {};
-    switch (contacts->separation) {
-    case ifs::Separation::Strong:
-        return u' ' + tr("(of the attractor: its pieces are disjoint)");
-    case ifs::Separation::Overlapping:
-        return u' ' + tr("(upper bound: pieces coincide)");
-    case ifs::Separation::Unknown:
-        break;
-    }
-    return u' ' + tr("(if the open set condition holds; else an upper bound)");
+    const ifs::Invariants& invariants = factsIn<Dim>(analysis).invariants;
+    return invariants.contacts ? u' ' + openSetRemark(invariants) : QString();
 }
 
 template <int Dim> void Facts::addContacts() {
@@ -271,33 +266,14 @@ template <int Dim> void Facts::addContacts() {
     add(tr("Separation"),
         tr("Whether the pieces that the maps make of the attractor are disjoint (strong separation, proved "
            "by disjoint covers), or words of maps coincide, so that the open set condition fails."),
-        invariants.contacts.has_value(), [](const Analysis& analysis, Format) {
-            switch (factsIn<Dim>(analysis).invariants.contacts->separation) {
-            case ifs::Separation::Strong:
-                return tr("strong: no two pieces meet");
-            case ifs::Separation::Overlapping:
-                return tr("none: pieces coincide");
-            case ifs::Separation::Unknown:
-                break;
-            }
-            return tr("unknown");
-        });
+        invariants.contacts.has_value(),
+        [](const Analysis& analysis, Format) { return separationText(factsIn<Dim>(analysis).invariants); });
     add(tr("Connectedness"),
         tr("An attractor is connected if and only if its pieces are joined by common points (Hata). Common "
            "points are looked for among fixed points of short words, and their absence is proved by "
            "disjoint covers."),
         invariants.contacts.has_value(), [](const Analysis& analysis, Format) {
-            switch (factsIn<Dim>(analysis).invariants.contacts->connectedness) {
-            case ifs::Connectedness::Connected:
-                return tr("connected");
-            case ifs::Connectedness::ConnectedToRounding:
-                return tr("connected, within rounding error");
-            case ifs::Connectedness::Disconnected:
-                return tr("not connected");
-            case ifs::Connectedness::Unknown:
-                break;
-            }
-            return tr("unknown");
+            return connectednessText(factsIn<Dim>(analysis).invariants.contacts->connectedness);
         });
     add(
         tr("Overlaps"),
@@ -314,6 +290,33 @@ template <int Dim> void Facts::addContacts() {
         tr("No overlaps were found."));
 }
 
+template <int Dim> void Facts::addOpenSet() {
+    const auto& openSet = factsIn<Dim>(*m_analysis).invariants.openSet;
+    add(tr("Open set condition"),
+        tr("Whether there is an open set with disjoint images in it. It is proved where the pieces are "
+           "disjoint, where "
+           "an area of the attractor is, and where the neighbours of pieces of one size are finitely many, "
+           "and "
+           "none of them coincides with its neighbour."),
+        openSet.has_value(), [](const Analysis& analysis, Format) {
+            return openSetText(*factsIn<Dim>(analysis).invariants.openSet);
+        });
+    add(
+        tr("Hausdorff dimension"),
+        tr("Dimension of the attractor, where it is proved: the similarity dimension under the open set "
+           "condition; or, where pieces coincide and there are finitely many neighbours, by the growth of "
+           "the "
+           "number of different maps."),
+        openSet && openSet->dimension,
+        [](const Analysis& analysis, Format number) {
+            const auto& found = *factsIn<Dim>(analysis).invariants.openSet->dimension;
+            return number(found.value) + note({found.value}, found.error, 1, number) +
+                   roundingRemark(found.certainty);
+        },
+        tr("There is no value: it is not known how much the pieces overlap, or the maps are no "
+           "similarities."));
+}
+
 void Facts::addTile() {
     const auto& tile = m_analysis->facts.invariants.tile;
     const auto withNote = [](const QString& figure, const Analysis& analysis) {
@@ -322,14 +325,14 @@ void Facts::addTile() {
     };
     add(
         tr("Tile area"),
-        tr("Area of the attractor, if all maps have one linear part and translated copies of the attractor "
-           "tile the plane by the lattice that their translations make; proved by the contacts of the "
-           "copies."),
+        tr("Area of the attractor, if its copies, moved by a lattice and turned by a few turns, cover the "
+           "plane "
+           "equally often; proved by the contacts of the copies, or by counting those that hold a point."),
         tile && tile->area,
         [withNote](const Analysis& analysis, Format number) {
             return withNote(number(*analysis.facts.invariants.tile->area), analysis);
         },
-        tr("There is no value: it is not proved that the attractor tiles the plane in this way."));
+        tr("There is no value: it is not proved that copies of the attractor cover the plane in this way."));
     add(
         tr("Boundary dimension"),
         tr("Dimension of the boundary, if all maps are similarities of one ratio whose pieces fill an area "
@@ -381,7 +384,10 @@ template <int Dim> void Facts::addInvariants() {
                  "measure under the open set condition, and an upper bound for it otherwise."),
         invariants.measureDimension.has_value(),
         [](const Analysis& analysis, Format number) {
-            return number(*factsIn<Dim>(analysis).invariants.measureDimension) + caveat<Dim>(analysis);
+            const auto& found = factsIn<Dim>(analysis).invariants;
+            const QString value = number(*found.measureDimension);
+            return (found.isMeasureDimensionCapped ? tr("at most %1").arg(value) : value) +
+                   caveat<Dim>(analysis);
         },
         notSimilarities());
 }

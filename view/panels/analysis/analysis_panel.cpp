@@ -4,6 +4,7 @@
 #include "bridges/analysis_bridge.h"
 #include "canvas/items/analysis_item.h"
 #include "canvas/items/overlay_style.h"
+#include "dialogs/guide.h"
 #include "panels/analysis/box_counting_plot.h"
 #include "widgets/numbers/number_box.h"
 
@@ -94,6 +95,14 @@ AnalysisPanel::AnalysisPanel(document::Document* document, AnalysisBridge* bridg
     m_copy->setWhatsThis(tr("Copies the name and the value of every line, at full precision."));
     m_copy->setAutoRaise(true);
     connect(m_copy, &QToolButton::clicked, this, &AnalysisPanel::copyAll);
+    m_explain = new QToolButton(content);
+    m_explain->setText(tr("How Pieces Meet…"));
+    m_explain->setToolTip(tr("Read in the user guide what these properties mean and how they are proved"));
+    m_explain->setWhatsThis(
+        tr("Opens the user guide where it explains how the pieces of an attractor meet."));
+    m_explain->setAutoRaise(true);
+    connect(m_explain, &QToolButton::clicked, this,
+            [this] { showGuide(window(), QStringLiteral("How pieces meet")); });
     auto* layout = new QVBoxLayout(content);
     layout->setContentsMargins(12, 12, 12, 12);
     layout->setSpacing(10);
@@ -101,6 +110,7 @@ AnalysisPanel::AnalysisPanel(document::Document* document, AnalysisBridge* bridg
     layout->addWidget(makeOutlines());
     layout->addWidget(m_box);
     layout->addWidget(m_plot);
+    layout->addWidget(m_explain, 0, Qt::AlignLeft);
     layout->addWidget(m_copy, 0, Qt::AlignLeft);
     layout->addStretch();
     setWidget(content);
@@ -244,6 +254,7 @@ void AnalysisPanel::showAnalysis() {
     m_facts = facts;
     m_box->setVisible(analysis != nullptr);
     m_copy->setVisible(analysis != nullptr);
+    m_explain->setVisible(analysis != nullptr);
     m_plot->setCounting(analysis ? analysis->boxCounting : std::nullopt, analysis && !analysis->isComplete);
     if (!analysis) return;
     if (m_lines.size() < facts.size()) makeLines(facts.size());

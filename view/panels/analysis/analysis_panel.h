@@ -69,6 +69,7 @@ private:
     std::map<document::Outline, QCheckBox*> m_outlineBoxes;
     QSpinBox* m_depth = nullptr;
     QToolButton* m_copy;
+    QToolButton* m_explain;
 };
 
 } // namespace view

@@ -20,6 +20,13 @@ QString factorText(double factor) {
     return factor < 1 && text.toDouble() >= 1 ? fullNumber(factor) : text;
 }
 
+QString slowSentence(const ifs::Existence& existence) {
+    return existence.verdict == ifs::Verdict::Hyperbolic
+               ? Sentence::tr("Yes: hyperbolic, but the maps contract by too little to bound anything else.")
+               : Sentence::tr(
+                     "Yes: the maps contract in some norm, but by too little to bound anything else.");
+}
+
 QString contractionSentence(const ifs::Existence& existence) {
     const QString factor = factorText(existence.contractivity);
     switch (existence.norm) {
@@ -51,6 +58,7 @@ QString rowsOf(const std::vector<int>& word, const std::vector<std::size_t>& row
 
 QString existenceSentence(const ifs::Existence& existence, const std::vector<std::size_t>& rows) {
     const QString factor = factorText(existence.contractivity);
+    if (existence.exists() && !existence.hasFactor()) return slowSentence(existence);
     switch (existence.verdict) {
     case ifs::Verdict::Hyperbolic:
         return Sentence::tr("Yes: hyperbolic, every map has a contraction factor of %1 or less.").arg(factor);

@@ -7,20 +7,20 @@
 
 namespace ifs {
 
-// Which contacts of two tiles the contacts of their pieces are: a graph with as many edges from one vertex to
-// another as there are pairs of pieces.
+// Which contacts of two pieces the contacts of smaller pieces are: a graph with as many edges from one vertex
+// to another as there are pairs of these, or with weights.
 class ContactGraph {
 public:
     static constexpr std::size_t maxVertices = 1024;
 
     explicit ContactGraph(std::size_t vertices) : m_edges(vertices) {}
-    void join(std::size_t from, std::size_t to) { m_edges[from].push_back(to); }
+    void join(std::size_t from, std::size_t to, double weight = 1) { m_edges[from].push_back({to, weight}); }
 
     // Leaves the vertices from which a walk can go on for ever, the only ones that stand for common points.
-    // Returns how many those are; they keep their order.
-    std::size_t prune();
+    // Returns what they were before, in order.
+    std::vector<std::size_t> prune();
 
-    // An interval that holds the spectral radius of the matrix of numbers of edges (Collatz and Wielandt).
+    // An interval that holds the spectral radius of the matrix of sums of weights (Collatz and Wielandt).
     // nullopt where it is not found to 1e-11 of its size; usually it is, to 1e-14.
     struct Radius {
         double least = 0;
@@ -32,7 +32,11 @@ private:
     std::vector<std::vector<std::size_t>> strongParts() const;
     std::optional<Radius> radiusOf(const std::vector<std::size_t>& part) const;
 
-    std::vector<std::vector<std::size_t>> m_edges;
+    struct Edge {
+        std::size_t to;
+        double weight;
+    };
+    std::vector<std::vector<Edge>> m_edges;
 };
 
 } // namespace ifs

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "ifs/tiles/contact_graph.h"
+#include "ifs/separation/contact_graph.h"
 
 #include <algorithm>
 #include <bitset>
@@ -7,29 +7,29 @@
 
 namespace ifs {
 
-std::size_t ContactGraph::prune() {
+std::vector<std::size_t> ContactGraph::prune() {
     const std::size_t count = m_edges.size();
     std::vector<char> isKept(count, 1);
     for (bool isChanged = true; isChanged;) {
         isChanged = false;
         for (std::size_t k = 0; k < count; ++k) {
             if (!isKept[k] ||
-                std::ranges::any_of(m_edges[k], [&](std::size_t to) { return isKept[to] != 0; }))
+                std::ranges::any_of(m_edges[k], [&](const Edge& edge) { return isKept[edge.to] != 0; }))
                 continue;
             isKept[k] = 0;
             isChanged = true;
         }
     }
-    std::vector<std::size_t> index(count);
-    std::size_t kept = 0;
+    std::vector<std::size_t> index(count), kept;
     for (std::size_t k = 0; k < count; ++k)
-        if (isKept[k]) index[k] = kept++;
-    std::vector<std::vector<std::size_t>> edges(kept);
-    for (std::size_t k = 0; k < count; ++k) {
-        if (!isKept[k]) continue;
-        for (const std::size_t to : m_edges[k])
-            if (isKept[to]) edges[index[k]].push_back(index[to]);
-    }
+        if (isKept[k]) {
+            index[k] = kept.size();
+            kept.push_back(k);
+        }
+    std::vector<std::vector<Edge>> edges(kept.size());
+    for (const std::size_t k : kept)
+        for (const Edge& edge : m_edges[k])
+            if (isKept[edge.to]) edges[index[k]].push_back({index[edge.to], edge.weight});
     m_edges = std::move(edges);
     return kept;
 }
@@ -39,8 +39,8 @@ std::vector<std::vector<std::size_t>> ContactGraph::strongParts() const {
     const std::size_t count = m_edges.size();
     std::vector<std::bitset<maxVertices>> reached(count);
     for (std::size_t k = 0; k < count; ++k)
-        for (const std::size_t to : m_edges[k])
-            reached[k].set(to);
+        for (const Edge& edge : m_edges[k])
+            reached[k].set(edge.to);
     for (std::size_t via = 0; via < count; ++via)
         for (std::size_t k = 0; k < count; ++k)
             if (reached[k][via]) reached[k] |= reached[via];
@@ -72,9 +72,9 @@ std::optional<ContactGraph::Radius> ContactGraph::radiusOf(const std::vector<std
         Radius radius{std::numeric_limits<double>::infinity(), 0};
         for (std::size_t k = 0; k < part.size(); ++k) {
             next[k] = 0;
-            for (const std::size_t to : m_edges[part[k]])
-                if (index[to] < part.size()) next[k] += f[index[to]];
-            const double rounding = roundingUnit * double(m_edges[part[k]].size() + 4);
+            for (const auto& [to, weight] : m_edges[part[k]])
+                if (index[to] < part.size()) next[k] += weight * f[index[to]];
+            const double rounding = roundingUnit * double(m_edges[part[k]].size() + 6);
             radius.least = std::min(radius.least, next[k] / f[k] * (1 - rounding));
             radius.most = std::max(radius.most, next[k] / f[k] * (1 + rounding));
         }

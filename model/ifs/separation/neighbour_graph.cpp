@@ -1,0 +1,376 @@
+// SPDX-License-Identifier: MIT
+#include "ifs/separation/neighbour_graph.h"
+
+#include "ifs/existence/invariant_form.h"
+#include "ifs/linear/decompositions.h"
+#include "ifs/linear/rounding.h"
+#include "ifs/linear/symmetric_matrices.h"
+#include "ifs/separation/affine_hull.h"
+#include "ifs/separation/stored_rounding.h"
+
+#include <Eigen/LU>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+
+namespace ifs {
+
+namespace {
+
+constexpr double tolerance = 1e-9; // of the size of things that may be taken for larger
+constexpr std::size_t maxNeighbourMaps = 64;
+constexpr std::size_t maxEdges = 60'000;
+
+// Products of three numbers like that, and their sums, are doubles without rounding.
+bool isShort(double value) {
+    constexpr double steps = 256, maxSize = 256;
+    return std::abs(value) <= maxSize && value * steps == std::round(value * steps);
+}
+
+template <int Dim> bool isShort(const AffineMap<Dim>& map) {
+    return std::ranges::all_of(map.linear.reshaped(), [](double value) { return isShort(value); }) &&
+           std::ranges::all_of(map.translation, [](double value) { return isShort(value); });
+}
+
+template <int Dim> std::vector<AffineMap<Dim>> inversesOf(std::span<const AffineMap<Dim>> maps) {
+    std::vector<AffineMap<Dim>> result;
+    for (const auto& map : maps) {
+        const Matrix<Dim> inverse = map.linear.inverse();
+        result.push_back({inverse, -(inverse * map.translation)});
+    }
+    return result;
+}
+
+// Whether the inverses are exact, and all that is made of them short.
+template <int Dim>
+bool areShort(std::span<const AffineMap<Dim>> maps, const std::vector<AffineMap<Dim>>& inverses) {
+    for (std::size_t i = 0; i < maps.size(); ++i)
+        if (!isShort(maps[i]) || !isShort(inverses[i]) || !(maps[i] * inverses[i] == AffineMap<Dim>{}))
+            return false;
+    return true;
+}
+
+// A map with what it may be off by, because those that it is made of are stored as doubles.
+template <int Dim> struct Rounded {
+    AffineMap<Dim> map;
+    double linear = 0, shift = 0; // in the norms of a frame
+};
+
+// Coordinates x ↦ U x in which maps are similarities, so that errors do not grow with the condition of each.
+template <int Dim> class Frame {
+public:
+    explicit Frame(const Matrix<Dim>& root)
+        : m_root(root),
+          m_unroot(root.inverse()),
+          m_size(root.norm()),
+          m_condition(m_size * m_unroot.norm()) {}
+
+    double norm(const Matrix<Dim>& linear) const { return spectralNorm<Dim>(m_root * linear * m_unroot); }
+    double length(const Vector<Dim>& v) const { return (m_root * v).norm(); }
+
+    Rounded<Dim> stored(const AffineMap<Dim>& map) const {
+        const auto rounding = StoredRounding<Dim>::of(map);
+        return {map, m_condition * rounding.linear.norm(), m_size * rounding.translation.norm()};
+    }
+
+    // A change δ of A changes A⁻¹ by A⁻¹δA⁻¹.
+    Rounded<Dim> inverse(const AffineMap<Dim>& map, const AffineMap<Dim>& inverse) const {
+        const Rounded<Dim> known = stored(map);
+        const double stretch = norm(inverse.linear);
+        const double linear = stretch * stretch * (known.linear + few * m_condition * map.linear.norm());
+        return {inverse, linear,
+                linear * length(map.translation) +
+                    stretch * (known.shift + few * m_size * map.translation.norm())};
+    }
+
+    Rounded<Dim> product(const Rounded<Dim>& a, const Rounded<Dim>& b) const {
+        const double stretch = norm(a.map.linear);
+        const double size = a.map.linear.norm();
+        return {a.map * b.map,
+                a.linear * norm(b.map.linear) + stretch * b.linear +
+                    few * m_condition * size * b.map.linear.norm(),
+                a.shift + a.linear * length(b.map.translation) + stretch * b.shift +
+                    few * m_size * (size * b.map.translation.norm() + a.map.translation.norm())};
+    }
+
+    bool isSame(const Rounded<Dim>& a, const Rounded<Dim>& b) const {
+        return length(a.map.translation - b.map.translation) <= a.shift + b.shift &&
+               norm(a.map.linear - b.map.linear) <= a.linear + b.linear;
+    }
+
+    // Whether so little is lost to rounding that what is the same to rounding error is not another.
+    bool isTelling(const Rounded<Dim>& h, const Vector<Dim>& size) const {
+        constexpr double most = 0x1p-36;
+        return h.linear <= most && h.shift <= most * length(size);
+    }
+
+private:
+    static constexpr double few = 4 * roundingUnit;
+    Matrix<Dim> m_root, m_unroot;
+    double m_size, m_condition;
+};
+
+template <int Dim> Vector<Dim> sizeOf(const BoundingBox<Dim>& box) {
+    return box.max - box.min + Vector<Dim>::Constant(2 * box.error);
+}
+
+// The sum of the sizes of the products that the determinant is made of.
+double terms(const Matrix<2>& m) {
+    const Matrix<2> size = m.cwiseAbs();
+    return size(0, 0) * size(1, 1) + size(0, 1) * size(1, 0);
+}
+
+double terms(const Matrix<3>& m) {
+    const Matrix<3> size = m.cwiseAbs();
+    double result = 0;
+    for (int k = 0; k < 3; ++k)
+        result += size(0, k) *
+                  (size(1, (k + 1) % 3) * size(2, (k + 2) % 3) + size(1, (k + 2) % 3) * size(2, (k + 1) % 3));
+    return result;
+}
+
+// What the determinant may be off by, as far as the coefficients are off by their rounding.
+template <int Dim> double offDeterminant(const Matrix<Dim>& linear) {
+    return Dim * (StoredRounding<Dim>::share + roundingUnit) * terms(linear);
+}
+
+// The U with P = UᵀU for which all AᵀPA = s²P with the same s, to rounding error.
+template <int Dim>
+std::optional<Matrix<Dim>> rootOfOneRatio(std::span<const AffineMap<Dim>> maps, double& ratio) {
+    const double first = std::abs(determinant<Dim>(maps[0].linear));
+    if (!(first > 0) || !std::isfinite(first)) return std::nullopt;
+    ratio = std::pow(first, 1.0 / Dim);
+    if (!(ratio < 1)) return std::nullopt;
+    for (const auto& map : maps) {
+        const double apart = std::abs(determinant<Dim>(map.linear)) - first;
+        if (!(std::abs(apart) <= offDeterminant<Dim>(map.linear) + offDeterminant<Dim>(maps[0].linear)))
+            return std::nullopt;
+    }
+    const auto form = invariantForm<Dim>(maps);
+    if (!form) return std::nullopt;
+    const double least = singularValues<Dim>(*form)[Dim - 1]; // the largest is 1, but for a factor
+    constexpr double few = 64 * roundingUnit, flat = 1e-12;
+    if (!(least > flat)) return std::nullopt;
+    for (const auto& map : maps) {
+        const Matrix<Dim> image = map.linear.transpose() * *form * map.linear / (ratio * ratio);
+        if (!((image - *form).cwiseAbs().maxCoeff() <= few / least)) return std::nullopt;
+    }
+    return choleskyFactor<Dim>(*form);
+}
+
+// The maps as they are on the affine hull of the attractor, and upright across it, where that does not
+// matter. nullopt where the hull is flat and not parallel to the axes, or nearly flat.
+template <int Dim>
+std::optional<std::vector<AffineMap<Dim>>> spanning(std::span<const AffineMap<Dim>> maps,
+                                                    const BoundingBox<Dim>& box) {
+    std::vector<AffineMap<Dim>> result(maps.begin(), maps.end());
+    const auto hull = affineHull<Dim>(maps);
+    if (!hull || hull->dimension == 0) return std::nullopt;
+    if (hull->dimension == Dim) {
+        // Points of the attractor, far apart: far from a plane or line, too, if their spread is.
+        constexpr double flat = 1e-6;
+        Matrix<Dim> spread = Matrix<Dim>::Zero();
+        for (const auto& outer : maps)
+            for (const auto& inner : maps) {
+                const Vector<Dim> x =
+                    outer(inner((box.min + box.max) / 2)) - maps[0](maps[0]((box.min + box.max) / 2));
+                spread += x * x.transpose();
+            }
+        const auto values = symmetricEigenvalues<Dim>(spread).values;
+        if (!(values[0] > flat * flat * values[Dim - 1])) return std::nullopt;
+        return result;
+    }
+    if (!hull->axes) return std::nullopt;
+    const auto isAlong = [&](int axis) { return std::ranges::find(*hull->axes, axis) != hull->axes->end(); };
+    const int first = hull->axes->front();
+    for (auto& map : result)
+        for (int i = 0; i < Dim; ++i) {
+            if (isAlong(i)) continue;
+            const double upright =
+                std::abs(hull->dimension == 1 ? map.linear(first, first) : map.linear(i, i));
+            for (const int axis : *hull->axes)
+                if (map.linear(axis, i) != 0 || map.linear(i, axis) != 0) return std::nullopt;
+            map.linear.row(i).setZero();
+            map.linear(i, i) = upright;
+            map.translation[i] = 0;
+        }
+    return result;
+}
+
+} // namespace
+
+bool areShort(std::span<const AffineMap<2>> maps) {
+    return areShort<2>(maps, inversesOf<2>(maps));
+}
+
+template <int Dim> class NeighbourSearch {
+public:
+    NeighbourSearch(std::span<const AffineMap<Dim>> maps, const Matrix<Dim>& root,
+                    const BoundingBox<Dim>& box)
+        : m_frame(root), m_centre((box.min + box.max) / 2), m_size(sizeOf<Dim>(box)) {
+        const auto inverses = inversesOf<Dim>(maps);
+        m_isExact = areShort<Dim>(maps, inverses);
+        for (std::size_t i = 0; i < maps.size(); ++i) {
+            m_maps.push_back(m_frame.stored(maps[i]));
+            m_inverses.push_back(m_frame.inverse(maps[i], inverses[i]));
+        }
+        m_found.push_back({});
+        m_ways.emplace_back();
+    }
+
+    // nullopt where there is no end of them.
+    std::optional<NeighbourGraph> graph(double ratio) {
+        NeighbourGraph result;
+        for (std::size_t k = 0; k < m_found.size(); ++k)
+            for (std::size_t i = 0; i < m_maps.size(); ++i)
+                for (std::size_t j = 0; j < m_maps.size(); ++j) {
+                    if (k == 0 && i == j) {
+                        result.m_edges.push_back({0, i, i, 0});
+                        continue;
+                    }
+                    const auto h = m_frame.product(m_inverses[i], m_frame.product(m_found[k], m_maps[j]));
+                    const auto to = place(h);
+                    if (!to || result.m_edges.size() > maxEdges) return std::nullopt;
+                    if (*to == none) continue;
+                    if (*to == m_ways.size()) m_ways.push_back({k, i, j});
+                    if (*to == 0 && !result.m_overlap) result.m_overlap = words(k, i, j);
+                    result.m_edges.push_back({k, i, j, *to});
+                }
+        result.m_certainty = m_isExact ? Certainty::Exact : Certainty::ToRounding;
+        result.m_ratio = ratio;
+        result.m_maps = m_maps.size();
+        keepMeeting(result);
+        return result;
+    }
+
+private:
+    static constexpr std::size_t none = ~std::size_t{0};
+    struct Way {
+        std::size_t from = 0, i = 0, j = 0;
+    };
+
+    // Leaves the maps with h(A) ∩ A ≠ ∅: those from which a walk goes on for ever.
+    void keepMeeting(NeighbourGraph& result) const {
+        ContactGraph contacts(m_found.size());
+        for (const auto& edge : result.m_edges)
+            contacts.join(edge.from, edge.to);
+        const auto kept = contacts.prune();
+        std::vector<std::size_t> index(m_found.size(), none);
+        for (std::size_t k = 0; k < kept.size(); ++k)
+            index[kept[k]] = k;
+        std::vector<NeighbourGraph::Edge> edges;
+        result.m_meet.assign(m_maps.size() * m_maps.size(), 0);
+        for (const auto& [from, i, j, to] : result.m_edges) {
+            if (index[from] == none || index[to] == none) continue;
+            edges.push_back({index[from], i, j, index[to]});
+            if (from == 0) result.m_meet[i * m_maps.size() + j] = 1;
+        }
+        result.m_edges = std::move(edges);
+        result.m_count = kept.size();
+    }
+
+    std::pair<Word, Word> words(std::size_t k, std::size_t i, std::size_t j) const {
+        std::pair<Word, Word> result{{int(i)}, {int(j)}};
+        for (; k != 0; k = m_ways[k].from) {
+            result.first.insert(result.first.begin(), int(m_ways[k].i));
+            result.second.insert(result.second.begin(), int(m_ways[k].j));
+        }
+        return result;
+    }
+
+    bool isSame(const Rounded<Dim>& a, const Rounded<Dim>& b) const {
+        return m_isExact ? a.map == b.map : m_frame.isSame(a, b);
+    }
+
+    // Its number; `none` where the pieces are too far from each other. nullopt where there are too many.
+    std::optional<std::size_t> place(const Rounded<Dim>& h) {
+        const Vector<Dim> reach = (m_size + h.map.linear.cwiseAbs() * m_size) / 2;
+        const Vector<Dim> apart = (h.map(m_centre) - m_centre).cwiseAbs();
+        const double slack = tolerance * m_size.maxCoeff();
+        if (((1 + tolerance) * reach - apart).minCoeff() < -slack) return none;
+        m_isExact = m_isExact && isShort(h.map);
+        if (!m_isExact && !m_frame.isTelling(h, m_size)) return std::nullopt;
+        for (std::size_t k = 0; k < m_found.size(); ++k)
+            if (isSame(m_found[k], h)) return k;
+        if (m_found.size() == ContactGraph::maxVertices) return std::nullopt;
+        m_found.push_back(h);
+        return m_found.size() - 1;
+    }
+
+    Frame<Dim> m_frame;
+    std::vector<Rounded<Dim>> m_maps, m_inverses;
+    Vector<Dim> m_centre, m_size;
+    bool m_isExact = false;
+    std::vector<Rounded<Dim>> m_found; // the identity first
+    std::vector<Way> m_ways;           // how each was found
+};
+
+ContactGraph NeighbourGraph::contacts() const {
+    ContactGraph result(m_count - 1);
+    for (const auto& [from, i, j, to] : m_edges)
+        if (from != 0 && to != 0) result.join(from - 1, to - 1);
+    return result;
+}
+
+// The type of a piece is the set of the maps to its neighbours of the same size, each taken once however many
+// words it has. A piece of the next size that m pairs of a neighbour and a letter lead to counts 1/m with
+// each.
+std::optional<ContactGraph::Radius> NeighbourGraph::growth() const {
+    constexpr std::size_t maxTypeWork = 4'000'000;
+    if (!m_overlap) return ContactGraph::Radius{double(m_maps), double(m_maps)};
+    std::vector<std::vector<std::vector<std::size_t>>> next(m_count,
+                                                            std::vector<std::vector<std::size_t>>(m_maps));
+    for (const auto& [from, i, j, to] : m_edges)
+        next[from][i].push_back(to);
+    using Type = std::vector<std::size_t>;
+    std::map<Type, std::size_t> number{{{0}, 0}};
+    std::vector<Type> types{{0}};
+    struct Step {
+        std::size_t from, to;
+        double weight;
+    };
+    std::vector<Step> steps;
+    std::size_t work = 0;
+    for (std::size_t k = 0; k < types.size(); ++k)
+        for (std::size_t i = 0; i < m_maps; ++i) {
+            Type child;
+            for (const std::size_t h : types[k])
+                child.insert(child.end(), next[h][i].begin(), next[h][i].end());
+            std::ranges::sort(child);
+            const auto same = std::ranges::count(child, std::size_t(0));
+            child.erase(std::unique(child.begin(), child.end()), child.end());
+            work += child.size() + types[k].size();
+            const auto [at, isNew] = number.try_emplace(child, types.size());
+            if (isNew) types.push_back(child);
+            if (types.size() > ContactGraph::maxVertices || work > maxTypeWork) return std::nullopt;
+            steps.push_back({k, at->second, 1 / double(same)});
+        }
+    ContactGraph graph(types.size());
+    for (const auto& [from, to, weight] : steps)
+        graph.join(from, to, weight);
+    return graph.spectralRadius();
+}
+
+template <int Dim>
+std::optional<NeighbourGraph> neighbourGraph(std::span<const AffineMap<Dim>> maps,
+                                             const BoundingBox<Dim>& box) {
+    if (maps.size() < 2 || maps.size() > maxNeighbourMaps) return std::nullopt;
+    if (!box.min.allFinite() || !box.max.allFinite() || !std::isfinite(box.error)) return std::nullopt;
+    if (!(sizeOf<Dim>(box).maxCoeff() > 0)) return std::nullopt;
+    double ratio = 0;
+    if (!std::ranges::all_of(maps, isFinite<Dim>) || !rootOfOneRatio<Dim>(maps, ratio)) return std::nullopt;
+    const auto upright = spanning<Dim>(maps, box);
+    if (!upright) return std::nullopt;
+    const auto root = rootOfOneRatio<Dim>(*upright, ratio);
+    if (!root) return std::nullopt;
+    return NeighbourSearch<Dim>(*upright, *root, box).graph(ratio);
+}
+
+template std::optional<NeighbourGraph> neighbourGraph<2>(std::span<const AffineMap<2>>,
+                                                         const BoundingBox<2>&);
+template std::optional<NeighbourGraph> neighbourGraph<3>(std::span<const AffineMap<3>>,
+                                                         const BoundingBox<3>&);
+
+} // namespace ifs

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "ifs/extent/extent.h"
+#include "ifs/separation/contact_graph.h"
+#include "ifs/system/affine_map.h"
+#include "ifs/system/branch.h"
+
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <utility>
+#include <vector>
+
+namespace ifs {
+
+// Whether a proof takes the coefficients as they are, or as what they are the rounding of; see
+// stored_rounding.h.
+enum class Certainty { Exact, ToRounding };
+
+// The maps h = w_σ⁻¹w_τ between pieces of one size, of similarities with one ratio, as they arise from one
+// another: A ∩ h(A) = ∪ w_i(A ∩ h'(A)) with h' = w_i⁻¹ h w_j. Finitely many of them have h(A) near A. Vertex
+// 0 is the identity. docs/mathematics.md, "Neighbours".
+class NeighbourGraph {
+public:
+    struct Edge {
+        std::size_t from, i, j, to;
+    };
+
+    Certainty certainty() const { return m_certainty; }
+    double ratio() const { return m_ratio; }
+    // How many maps but the identity have h(A) ∩ A ≠ ∅.
+    std::size_t neighbours() const { return m_count - 1; }
+    // Two words of different first letters with the same map, where there are such.
+    const std::optional<std::pair<Word, Word>>& overlap() const { return m_overlap; }
+    // Whether the pieces of two maps have a common point.
+    bool meet(std::size_t i, std::size_t j) const { return m_meet[i * m_maps + j] != 0; }
+    // What the contacts of neighbours are made of; without the identity, and only where no words overlap.
+    ContactGraph contacts() const;
+    // By which factor the number of different maps w_σ, |σ| = n, grows with n, and the number of maps where
+    // no words overlap (Ngai and Wang). nullopt where pieces are in too many different places among each
+    // other.
+    std::optional<ContactGraph::Radius> growth() const;
+
+private:
+    template <int Dim> friend class NeighbourSearch;
+    Certainty m_certainty = Certainty::Exact;
+    double m_ratio = 0;
+    std::size_t m_maps = 0, m_count = 0;
+    std::vector<Edge> m_edges; // by `from` and `i`
+    std::vector<char> m_meet;
+    std::optional<std::pair<Word, Word>> m_overlap;
+};
+
+// nullopt where the maps are not similarities of one ratio, to rounding error, or no end of neighbours is
+// found within bounded work. The box is that of the attractor.
+template <int Dim>
+std::optional<NeighbourGraph> neighbourGraph(std::span<const AffineMap<Dim>> maps,
+                                             const BoundingBox<Dim>& box);
+
+// Whether the maps, their inverses and products of a few of them are doubles without rounding.
+bool areShort(std::span<const AffineMap<2>> maps);
+
+} // namespace ifs

@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: MIT
+#include "ifs/separation/open_set.h"
+
+#include "ifs/dimension/dimension.h"
+#include "ifs/existence/exact_matrix.h"
+#include "ifs/existence/exact_similarity.h"
+#include "ifs/linear/rounding.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace ifs {
+
+namespace {
+
+// Σ|det A_i| − 1
+template <int Dim> Dyadic excessOfDeterminants(std::span<const AffineMap<Dim>> maps) {
+    Dyadic result(-1);
+    for (const auto& map : maps) {
+        const Dyadic det = determinant(exactMatrix<Dim>(map.linear));
+        result = det.sign() < 0 ? result - det : result + det;
+    }
+    return result;
+}
+
+struct Condition {
+    OpenSetCondition condition = OpenSetCondition::Unknown;
+    Certainty certainty = Certainty::Exact;
+};
+
+template <int Dim>
+Condition conditionOf(std::span<const AffineMap<Dim>> maps, const PieceContacts& contacts,
+                      const NeighbourGraph* graph) {
+    using enum OpenSetCondition;
+    const auto& overlaps = contacts.overlaps;
+    if (std::ranges::any_of(overlaps, &Overlap::isExact)) return {Fails};
+    if (contacts.separation == Separation::Strong) return {Holds};
+    if (excessOfDeterminants<Dim>(maps).sign() > 0) return {Fails};
+    if (graph) return {graph->overlap() ? Fails : Holds, graph->certainty()};
+    if (!overlaps.empty()) return {Fails, Certainty::ToRounding};
+    return {};
+}
+
+template <int Dim>
+std::optional<HausdorffDimension> dimensionByCondition(std::span<const AffineMap<Dim>> maps,
+                                                       Certainty certainty) {
+    const auto dimension = similarityDimension<Dim>(maps);
+    if (!dimension || !(*dimension <= Dim * (1 + 1e-9))) return std::nullopt;
+    if (!squaredRatios<Dim>(maps)) certainty = Certainty::ToRounding;
+    return HausdorffDimension{.value = std::min(*dimension, double(Dim)),
+                              .error = similarityDimensionError<Dim>(maps, *dimension),
+                              .certainty = certainty};
+}
+
+// ln κ / −ln r for the growth κ of the number of different maps.
+std::optional<HausdorffDimension> dimensionByType(const NeighbourGraph& graph) {
+    const auto growth = graph.growth();
+    if (!growth || !(growth->least >= 1)) return std::nullopt;
+    const double rate = -std::log(graph.ratio());
+    const double least = std::log(growth->least) / rate, most = std::log(growth->most) / rate;
+    HausdorffDimension result{.value = (least + most) / 2,
+                              .proof = HausdorffDimension::Proof::FiniteType,
+                              .certainty = graph.certainty()};
+    result.error = (most - least) / 2 + 16 * roundingUnit * (result.value + 1) * (1 + 1 / rate);
+    return result;
+}
+
+} // namespace
+
+template <int Dim> bool fillSpace(std::span<const AffineMap<Dim>> maps) {
+    return excessOfDeterminants<Dim>(maps).sign() >= 0;
+}
+
+template <int Dim>
+OpenSetFacts openSetFacts(std::span<const AffineMap<Dim>> maps, const PieceContacts& contacts,
+                          const NeighbourGraph* graph) {
+    OpenSetFacts result;
+    if (maps.size() < 2) {
+        result.condition = OpenSetCondition::Holds;
+        return result;
+    }
+    const auto [condition, certainty] = conditionOf<Dim>(maps, contacts, graph);
+    result.condition = condition;
+    result.certainty = certainty;
+    if (graph) result.neighbours = graph->neighbours();
+    if (condition == OpenSetCondition::Holds)
+        result.dimension = dimensionByCondition<Dim>(maps, certainty);
+    else if (graph && graph->overlap())
+        result.dimension = dimensionByType(*graph);
+    return result;
+}
+
+template <int Dim>
+void settleByArea(OpenSetFacts& facts, std::span<const AffineMap<Dim>> maps, Certainty certainty) {
+    if (facts.condition != OpenSetCondition::Unknown) return;
+    facts.condition = OpenSetCondition::Holds;
+    facts.certainty = certainty;
+    facts.dimension = dimensionByCondition<Dim>(maps, certainty);
+}
+
+#define BARYCAGE_INSTANTIATE(Dim)                                                                            \
+    template OpenSetFacts openSetFacts<Dim>(std::span<const AffineMap<Dim>>, const PieceContacts&,           \
+                                            const NeighbourGraph*);                                          \
+    template void settleByArea<Dim>(OpenSetFacts&, std::span<const AffineMap<Dim>>, Certainty);              \
+    template bool fillSpace<Dim>(std::span<const AffineMap<Dim>>);
+BARYCAGE_INSTANTIATE(2)
+BARYCAGE_INSTANTIATE(3)
+#undef BARYCAGE_INSTANTIATE
+
+} // namespace ifs

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "ifs/separation/neighbour_graph.h"
+#include "ifs/separation/piece_contacts.h"
+#include "ifs/system/affine_map.h"
+
+#include <cstddef>
+#include <optional>
+#include <span>
+
+namespace ifs {
+
+enum class OpenSetCondition { Unknown, Holds, Fails };
+
+struct HausdorffDimension {
+    enum class Proof { OpenSetCondition, FiniteType };
+
+    double value = 0;
+    double error = 0; // by which it may be off
+    Proof proof = Proof::OpenSetCondition;
+    Certainty certainty = Certainty::Exact;
+};
+
+// What is proved of the places of the pieces among each other. docs/mathematics.md, "Neighbours".
+struct OpenSetFacts {
+    OpenSetCondition condition = OpenSetCondition::Unknown;
+    Certainty certainty = Certainty::Exact; // unless it is unknown
+    std::optional<std::size_t> neighbours{}; // maps h = w_σ⁻¹w_τ ≠ 1 between pieces that meet, of finite type
+    std::optional<HausdorffDimension> dimension{}; // of similarities
+};
+
+// `contacts`, and `graph` where it is known, are those of the same maps.
+template <int Dim>
+OpenSetFacts openSetFacts(std::span<const AffineMap<Dim>> maps, const PieceContacts& contacts,
+                          const NeighbourGraph* graph);
+
+// The same where it is proved that the attractor has an area and Σ|det A_i| = 1: its inner points are the
+// open set.
+template <int Dim>
+void settleByArea(OpenSetFacts& facts, std::span<const AffineMap<Dim>> maps, Certainty certainty);
+
+// Whether Σ|det A_i| ≥ 1, without rounding: then pieces that are all disjoint are impossible, for those of a
+// neighbourhood would be, too.
+template <int Dim> bool fillSpace(std::span<const AffineMap<Dim>> maps);
+
+} // namespace ifs
