@@ -11313,6 +11313,65 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
         <source>All palettes: search them, mark favourites, and adjust the one that is selected.</source>
         <translation>Toutes les palettes : cherchez-les, marquez des favorites et ajustez celle qui est sélectionnée.</translation>
     </message>
+<context>
+    <name>view::OrbitRows</name>
+    <message>
+        <source>Axis</source>
+        <translation>Axe</translation>
+    </message>
+    <message>
+        <source>The axis that the camera goes round.</source>
+        <translation>L’axe autour duquel tourne la caméra.</translation>
+    </message>
+    <message>
+        <source>Tilt</source>
+        <translation>Inclinaison</translation>
+    </message>
+    <message>
+        <source>How far the axis is tilted, like that of a globe. With 180° the camera goes round the other way.</source>
+        <translation>De combien l’axe est incliné, comme celui d’un globe. À 180°, la caméra tourne dans l’autre sens.</translation>
+    </message>
+    <message>
+        <source>Direction of the tilt</source>
+        <translation>Direction de l’inclinaison</translation>
+    </message>
+    <message>
+        <source>Where the axis is tilted to: at 0° to the next one, X to Y, Y to Z and Z to X, and at 90° to the one after that.</source>
+        <translation>Vers où l’axe est incliné&#x202f;: à 0°, vers le suivant, X vers Y, Y vers Z et Z vers X, et à 90°, vers celui d’après.</translation>
+    </message>
+    <message>
+        <source>Centre of the fractal</source>
+        <translation>Centre de la fractale</translation>
+    </message>
+    <message>
+        <source>A point</source>
+        <translation>Un point</translation>
+    </message>
+    <message>
+        <source>Middle of the view</source>
+        <translation>Milieu de la vue</translation>
+    </message>
+    <message>
+        <source>Pivot</source>
+        <translation>Pivot</translation>
+    </message>
+    <message>
+        <source>What stays in its place while everything turns.</source>
+        <translation>Ce qui reste en place pendant que tout tourne.</translation>
+    </message>
+    <message>
+        <source>%1 of the pivot</source>
+        <translation>%1 du pivot</translation>
+    </message>
+    <message>
+        <source>The point that stays in its place.</source>
+        <translation>Le point qui reste en place.</translation>
+    </message>
+    <message>
+        <source>Point</source>
+        <translation>Point</translation>
+    </message>
+</context>
 </context>
 <context>
     <name>view::PasteTableDialog</name>

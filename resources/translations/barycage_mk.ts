@@ -11345,6 +11345,65 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
     </message>
 </context>
 <context>
+    <name>view::OrbitRows</name>
+    <message>
+        <source>Axis</source>
+        <translation>Оска</translation>
+    </message>
+    <message>
+        <source>The axis that the camera goes round.</source>
+        <translation>Оската околу која обиколува камерата.</translation>
+    </message>
+    <message>
+        <source>Tilt</source>
+        <translation>Наклон</translation>
+    </message>
+    <message>
+        <source>How far the axis is tilted, like that of a globe. With 180° the camera goes round the other way.</source>
+        <translation>Колку е наклонета оската, како кај глобус. Со 180° камерата обиколува во обратна насока.</translation>
+    </message>
+    <message>
+        <source>Direction of the tilt</source>
+        <translation>Насока на наклонот</translation>
+    </message>
+    <message>
+        <source>Where the axis is tilted to: at 0° to the next one, X to Y, Y to Z and Z to X, and at 90° to the one after that.</source>
+        <translation>Накаде е наклонета оската: на 0° кон следната, X кон Y, Y кон Z и Z кон X, а на 90° кон онаа по неа.</translation>
+    </message>
+    <message>
+        <source>Centre of the fractal</source>
+        <translation>Средина на фракталот</translation>
+    </message>
+    <message>
+        <source>A point</source>
+        <translation>Точка</translation>
+    </message>
+    <message>
+        <source>Middle of the view</source>
+        <translation>Средина на погледот</translation>
+    </message>
+    <message>
+        <source>Pivot</source>
+        <translation>Стожер</translation>
+    </message>
+    <message>
+        <source>What stays in its place while everything turns.</source>
+        <translation>Она што останува на место додека сè се врти.</translation>
+    </message>
+    <message>
+        <source>%1 of the pivot</source>
+        <translation>%1 на стожерот</translation>
+    </message>
+    <message>
+        <source>The point that stays in its place.</source>
+        <translation>Точката што останува на место.</translation>
+    </message>
+    <message>
+        <source>Point</source>
+        <translation>Точка</translation>
+    </message>
+</context>
+<context>
     <name>view::PasteTableDialog</name>
     <message>
         <source>Paste maps</source>
