@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
+#include "document/edit_gesture.h"
 #include "document/edits/timeline/motion_edits.h"
+#include "document/edits/timeline/orbit_edits.h"
 #include "support/named_test.h"
 #include "view/space/space_window.h"
 
@@ -14,6 +16,7 @@ class SpacePivotTest : public QObject {
 private slots:
     void besideTheSolidOneTurnsAboutIt();
     void anOrbitTurnsAboutItsPivot();
+    void anotherAxisIsSeenAtOnce();
 };
 
 // Not about the target, which may lie anywhere.
@@ -52,6 +55,28 @@ void SpacePivotTest::anOrbitTurnsAboutItsPivot() {
     }
     window.document.setMoment(animation::moment(0));
     QVERIFY((window.camera().target - beside.target).norm() < 1e-12);
+}
+
+// And when it is taken back, the view is what it was.
+void SpacePivotTest::anotherAxisIsSeenAtOnce() {
+    const document::Fractal turning = *document::withOrbit(cubeOfEight());
+    Window window(turning);
+    QVERIFY(window.rests());
+    const attractor::OrbitCamera start = window.camera();
+    window.document.setMoment(animation::moment(30));
+    const attractor::OrbitCamera before = window.camera();
+    document::OrbitPlace place = *document::orbitPlace(turning, 0);
+    place.axis = ifs::Vector<3>::UnitX();
+    document::EditGesture gesture = window.document.beginGesture(QStringLiteral("Change"));
+    gesture.previewEntry(document::withOrbitPlace(turning, 0, place));
+    const attractor::OrbitCamera wanted = animation::orbited(start, window.document.orbit());
+    QVERIFY(window.camera().orientation.angularDistance(wanted.orientation) < 1e-7);
+    QVERIFY(window.camera().orientation.angularDistance(before.orientation) > 0.5);
+    gesture.cancel();
+    QVERIFY(window.camera().orientation.angularDistance(before.orientation) < 1e-7);
+    window.document.setMoment(animation::moment(0));
+    QVERIFY(window.camera().orientation.angularDistance(start.orientation) < 1e-7);
+    QVERIFY((window.camera().target - start.target).norm() < 1e-9);
 }
 
 BARYCAGE_TEST(SpacePivotTest, QApplication);
