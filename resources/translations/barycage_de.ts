@@ -465,6 +465,10 @@
         <source>There is no value, because the maps are linked: the equation is another.</source>
         <translation>Es gibt keinen Wert, weil die Abbildungen verknüpft sind: Die Gleichung ist eine andere.</translation>
     </message>
+    <message>
+        <source>%1 (approximation)</source>
+        <translation>%1 (Näherung)</translation>
+    </message>
 </context>
 <context>
     <name>Application</name>

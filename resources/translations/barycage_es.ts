@@ -465,6 +465,10 @@
         <source>There is no value, because the maps are linked: the equation is another.</source>
         <translation>No hay valor, porque las aplicaciones están enlazadas: la ecuación es otra.</translation>
     </message>
+    <message>
+        <source>%1 (approximation)</source>
+        <translation>%1 (aproximación)</translation>
+    </message>
 </context>
 <context>
     <name>Application</name>

@@ -465,6 +465,10 @@
         <source>There is no value, because the maps are linked: the equation is another.</source>
         <translation>Il n’y a pas de valeur, car les applications sont liées&#x202f;: l’équation est une autre.</translation>
     </message>
+    <message>
+        <source>%1 (approximation)</source>
+        <translation>%1 (approximation)</translation>
+    </message>
 </context>
 <context>
     <name>Application</name>

@@ -466,6 +466,10 @@
         <source>There is no value, because the maps are linked: the equation is another.</source>
         <translation>Нема вредност, бидејќи пресликувањата се поврзани: равенката е друга.</translation>
     </message>
+    <message>
+        <source>%1 (approximation)</source>
+        <translation>%1 (приближно)</translation>
+    </message>
 </context>
 <context>
     <name>Application</name>
