@@ -23,7 +23,9 @@
 #include <QLabel>
 #include <QLibraryInfo>
 #include <QLocale>
+#include <QMessageBox>
 #include <QScopeGuard>
+#include <QTextEdit>
 #include <QTranslator>
 
 #include <algorithm>
@@ -81,6 +83,20 @@ bool isForCommand(const QKeyEvent& event) {
     return event.modifiers() == Qt::ControlModifier && event.key() == Qt::Key_E;
 }
 
+// A message box takes a letter without Alt for the button that has it, and a question may appear while
+// somebody types.
+bool isBesideText(const QObject* receiver) {
+    const auto* widget = qobject_cast<const QWidget*>(receiver);
+    return widget && qobject_cast<const QMessageBox*>(widget->window()) &&
+           !qobject_cast<const QTextEdit*>(widget);
+}
+bool isTyped(const QKeyEvent& event) {
+    const auto command = Qt::AltModifier | Qt::ControlModifier | Qt::MetaModifier;
+    const bool isLetter =
+        !event.text().isEmpty() && event.text().front().isPrint() && !event.text().front().isSpace();
+    return isLetter && !(event.modifiers() & command);
+}
+
 void makeRoomForTitle(QDialog& dialog) {
     if (!dialog.isWindow()) return;
     QFont font = QApplication::font("QMdiSubWindowTitleBar");
@@ -98,6 +114,11 @@ void makeRoomForTitle(QDialog& dialog) {
 bool Application::notify(QObject* receiver, QEvent* event) {
     if (event->type() == QEvent::ShortcutOverride && isForCommand(*static_cast<QKeyEvent*>(event))) {
         event->ignore();
+        return true;
+    }
+    if (event->type() == QEvent::KeyPress && isBesideText(receiver) &&
+        isTyped(*static_cast<QKeyEvent*>(event))) {
+        event->accept();
         return true;
     }
     if (event->type() == QEvent::Polish) {

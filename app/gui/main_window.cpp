@@ -478,13 +478,18 @@ void MainWindow::takeFocusFrom(const QWidget* hidden) {
     if (focused && hidden->isAncestorOf(focused)) m_stage->takeFocus();
 }
 
+bool MainWindow::mayClose(Leaving leaving) {
+    const bool isReading = m_file.isReading();
+    m_file.stopReading();
+    m_mayClose =
+        (!m_file.isBusy() || isReading) && m_fileCommands->maybeSave() && exports::mayEnd(this, leaving);
+    return m_mayClose;
+}
+
 void MainWindow::closeEvent(QCloseEvent* event) {
     const bool isReading = m_file.isReading(); // whoever waits for that still uses the window
-    m_file.stopReading();
-    if ((m_file.isBusy() && !isReading) || !m_fileCommands->maybeSave() || !exports::mayEnd(this)) {
-        event->ignore();
-        return;
-    }
+    if (!std::exchange(m_mayClose, false) && !mayClose(Leaving::Window)) return event->ignore();
+    m_mayClose = false;
     const bool presents = m_viewMenu->presentation()->isChecked();
     if (!presents) m_room->showHiddenPanels();
     view::store(QStringLiteral("window/geometry"), presents ? m_before.geometry : saveGeometry());

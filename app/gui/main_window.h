@@ -54,6 +54,8 @@ public:
     QString path() const override { return m_file.path(); }
     void adopt(const view::Preferences& preferences) override;
     Recovery& recovery() override { return m_recovery; }
+    bool mayClose(Leaving leaving) override;
+    void closingIsOff() override { m_mayClose = false; }
 
 protected:
     void closeEvent(QCloseEvent* event) override;
@@ -93,6 +95,7 @@ private:
     Stage* m_stage;
     RoomForPicture* m_room;
     bool m_isAsItWasLeft = false; // the layout of the panels
+    bool m_mayClose = false;      // the user has been asked
     view::CanvasView* m_canvas;   // of the plane
     view::TimelinePanel* m_timeline;
     view::CollagePanel* m_collage;

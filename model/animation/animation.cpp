@@ -119,9 +119,15 @@ private:
     void apply(const Motion<Dim>& motion) {
         animation::moveMaps<Dim>(motion, m_clock.moment, m_clock.length, m_pose.system);
         const double angle = orbitAngle<Dim>(motion, m_clock.moment, m_clock.length);
-        m_pose.orbit += angle;
-        if constexpr (Dim == 2)
-            if (angle != 0 && m_pose.cage) turnCage(*m_pose.cage, std::get<Orbit<2>>(motion).centre, angle);
+        if (const auto* orbit = std::get_if<Orbit<Dim>>(&motion)) {
+            if constexpr (Dim == 2) {
+                if (angle != 0 && m_pose.cage) turnCage(*m_pose.cage, orbit->centre, angle);
+            } else {
+                const bool isAboutCentre = orbit->pivot == OrbitPivot::Centre;
+                m_pose.orbit.push_back(
+                    {angle, orbit->axis, isAboutCentre ? std::optional(orbit->centre) : std::nullopt});
+            }
+        }
         if (const auto* cycle = std::get_if<PaletteCycle>(&motion))
             m_pose.appearance.palette =
                 cycled(m_pose.appearance.palette, phase(m_clock.moment, m_clock.length, cycle->cycles));

@@ -30,7 +30,7 @@ template <int Dim> struct Pose {
     std::vector<BranchPose<Dim>> moved{};
     attractor::Appearance appearance{};
     std::optional<CameraPose<Dim>> camera{}; // nullopt: no key says
-    double orbit = 0;                        // degrees by which a camera in space has gone round: orbited()
+    std::vector<CameraTurn> orbit{};         // how a camera in space has gone round: orbited()
     attractor::SpaceAppearance inSpace{};
 };
 

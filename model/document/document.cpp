@@ -190,7 +190,7 @@ void Document::setMoment(const animation::Moment& moment, Pace pace) {
 void Document::refresh() {
     const auto& entry = currentEntry().fractal;
     if (!animationFacts(*entry)) {
-        m_shown = {entry, {}, {}, 0};
+        m_shown = {entry, {}, {}, {}};
         return;
     }
     const auto& held = m_gesture ? m_gesture->entry : entry;
@@ -198,7 +198,7 @@ void Document::refresh() {
     AnimatedFrame frame = frameAt(*entry, m_moment);
     frame.fractal.lasting = m_lasting;
     m_shown = {std::make_shared<const Fractal>(std::move(frame.fractal)), frame.view, frame.camera,
-               frame.orbit};
+               std::move(frame.orbit)};
 }
 
 Change::Parts Document::replace(const std::shared_ptr<const Fractal>& entry) {

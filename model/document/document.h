@@ -84,8 +84,9 @@ public:
     // Where keys move it: in the plane, and in space as AnimatedFrame::camera, without the orbit.
     const std::optional<attractor::View>& view() const { return m_shown.view; }
     const std::optional<attractor::OrbitCamera>& camera() const { return m_shown.camera; }
-    double orbit() const { return m_shown.orbit; } // degrees that the camera in space has gone round
-    enum class Pace { Rest, Running };             // Running: more moments are to come at once
+    // How the camera in space has gone round: animation::orbited().
+    const std::vector<animation::CameraTurn>& orbit() const { return m_shown.orbit; }
+    enum class Pace { Rest, Running }; // Running: more moments are to come at once
     void setMoment(const animation::Moment& moment, Pace pace = Pace::Rest);
 
     // One undo step each, described by `text` in the imperative; nothing happens when nothing would change.
@@ -129,7 +130,7 @@ private:
         std::shared_ptr<const Fractal> fractal;
         std::optional<attractor::View> view;
         std::optional<attractor::OrbitCamera> camera;
-        double orbit = 0;
+        std::vector<animation::CameraTurn> orbit;
     };
 
     void apply(const State& state);

@@ -2,7 +2,9 @@
 #include "document/traced_picture.h"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
+#include <utility>
 
 namespace document {
 
@@ -120,6 +122,25 @@ private:
     std::multimap<Corner, Corner> m_next;
 };
 
+void place(TracedPicture& traced, const Box& onto) {
+    const collage::PixelBox shape = collage::boxOf(traced.mask);
+    const ifs::Vector<2> size = onto.max - onto.min;
+    // Of a line only one side counts.
+    const double pixel = std::min(size.x() > 0 ? size.x() / shape.width() : HUGE_VAL,
+                                  size.y() > 0 ? size.y() / shape.height() : HUGE_VAL);
+    if (!std::isfinite(pixel)) return;
+    const ifs::Vector<2> away(shape.left + shape.width() / 2.0 - traced.mask.width / 2.0,
+                              traced.mask.height / 2.0 - shape.top - shape.height() / 2.0);
+    traced.place.height = pixel * traced.mask.height;
+    traced.place.middle = (onto.min + onto.max) / 2 - pixel * away;
+    traced.target = placed(std::move(traced.target), traced.place);
+    if (traced.coarse) traced.coarse = placed(*std::move(traced.coarse), traced.place);
+    const ifs::AffineMap<2> there = traced.place.map();
+    for (Outline& outline : traced.outlines)
+        for (ifs::Vector<2>& corner : outline)
+            corner = there(corner);
+}
+
 } // namespace
 
 collage::GreyPicture reducedForTracing(const collage::GreyPicture& picture) {
@@ -147,7 +168,17 @@ std::optional<int> thresholdOf(const collage::GreyPicture& picture, const TraceO
     return levelOf(prepared(picture, options), options);
 }
 
-std::optional<TracedPicture> tracedPicture(const collage::GreyPicture& picture, const TraceOptions& options) {
+collage::Target placed(collage::Target target, const PicturePlace& place) {
+    collage::Grid& grid = target.grid;
+    grid.left = place.middle.x() + place.height * grid.left;
+    grid.top = place.middle.y() + place.height * grid.top;
+    grid.cell *= place.height;
+    target.size *= place.height;
+    return target;
+}
+
+std::optional<TracedPicture> tracedPicture(const collage::GreyPicture& picture, const TraceOptions& options,
+                                           const std::optional<Box>& onto) {
     TracedPicture traced;
     traced.picture = prepared(picture, options);
     // Without transparency everything is opaque, and there is no shape.
@@ -160,6 +191,7 @@ std::optional<TracedPicture> tracedPicture(const collage::GreyPicture& picture, 
     traced.coarseFactor = collage::factorFor(traced.mask, coarseSide);
     if (traced.coarseFactor > 1) traced.coarse = collage::target(traced.mask, traced.coarseFactor, margin);
     traced.outlines = Outlines(traced.mask).closed();
+    if (onto) place(traced, *onto);
     return traced;
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "collage/target/target.h"
+#include "document/fractal/fractal_geometry.h"
 
 #include <optional>
 #include <vector>
@@ -19,9 +20,18 @@ struct TraceOptions {
     friend bool operator==(const TraceOptions&, const TraceOptions&) = default;
 };
 
-// A picture as the target of a collage. In the plane its height is 1 unit, y is up, and its middle is the
-// origin. Lengths in pixels are of `mask`.
+// Where a picture lies in the plane, with y up.
+struct PicturePlace {
+    ifs::Vector<2> middle = ifs::Vector<2>::Zero();
+    double height = 1;
+
+    // Takes what is told of a picture that is 1 unit high, with its middle at the origin, to this one.
+    ifs::AffineMap<2> map() const { return {height * ifs::Matrix<2>::Identity(), middle}; }
+};
+
+// A picture as the target of a collage. Lengths in pixels are of `mask`.
 struct TracedPicture {
+    PicturePlace place;
     collage::GreyPicture picture; // cropped
     collage::Mask mask;           // of the same size
     collage::Target target;       // one cell for each pixel of the mask
@@ -39,7 +49,12 @@ constexpr int maxTracedPixels = 512; // of the longer side
 collage::GreyPicture reducedForTracing(const collage::GreyPicture& picture);
 // The threshold in force: that of the options, else the automatic one; nullopt with one shade only.
 std::optional<int> thresholdOf(const collage::GreyPicture& picture, const TraceOptions& options);
-// nullopt when the shape is empty, or fills the picture.
-std::optional<TracedPicture> tracedPicture(const collage::GreyPicture& picture, const TraceOptions& options);
+// nullopt when the shape is empty, or fills the picture. The shape lies in the middle of the box `onto` and
+// is as large: it touches the box at one pair of sides at least. Without a box, or where that is a point, the
+// picture is 1 unit high, with its middle at the origin.
+std::optional<TracedPicture> tracedPicture(const collage::GreyPicture& picture, const TraceOptions& options,
+                                           const std::optional<Box>& onto = {});
+// The same target at the place of the picture; collage::target() lays it on one that is 1 unit high.
+collage::Target placed(collage::Target target, const PicturePlace& place);
 
 } // namespace document

@@ -35,7 +35,8 @@ template <int Dim> bool isSameBits(const Pose<Dim>& a, const Pose<Dim>& b) {
     if (!(a.system == b.system && a.cage == b.cage && a.appearance == b.appearance)) return false;
     for (std::size_t i = 0; i < a.system.maps.size(); ++i)
         if (!isSameBits<Dim>(a.system.maps[i].map, b.system.maps[i].map)) return false;
-    return a.orbit == b.orbit && a.camera == b.camera;
+    const attractor::OrbitCamera camera;
+    return orbited(camera, a.orbit) == orbited(camera, b.orbit) && a.camera == b.camera;
 }
 
 // Random keys for every track, and every motion.
@@ -281,11 +282,46 @@ private slots:
             QVERIFY(std::abs(share(1 + near) - 1 / (std::sqrt(1 + near) + 1)) < 1e-9);
         attractor::OrbitCamera camera;
         camera.orientation = attractor::orbit(10, 20);
-        QVERIFY(orbited(camera, 90).orientation.angularDistance(attractor::orbit(100, 20)) < 1e-7);
+        QVERIFY(orbited(camera, CameraTurn{90}).orientation.angularDistance(attractor::orbit(100, 20)) <
+                1e-7);
         attractor::OrbitCamera far = camera;
         far.orientation = attractor::orbit(70, 20);
         far.height = 4;
         QVERIFY(std::abs(between(camera, far, 0.5).height - 2) < 1e-14);
+    }
+
+    // What is at the pivot stays in its place of the picture, and so does everything that turns with the
+    // camera.
+    void camerasGoRoundTheirPivot() {
+        std::mt19937_64 random(7);
+        std::uniform_real_distribution<double> number(-3, 3);
+        const auto point = [&] { return Vector<3>(number(random), number(random), number(random)); };
+        for (int i = 0; i < 200; ++i) {
+            attractor::OrbitCamera camera;
+            camera.size = {640, 480};
+            camera.target = point();
+            camera.height = 4;
+            camera.orientation = attractor::orbit(60 * number(random), 20 * number(random), 10);
+            std::vector<CameraTurn> turns;
+            for (int k = 0; k < 3; ++k)
+                turns.push_back({120 * number(random), point().normalized(), point()});
+            const attractor::OrbitCamera once = orbited(camera, turns[0]);
+            const Vector<2> before = toScreen(camera, *turns[0].pivot).pixel;
+            QVERIFY((toScreen(once, *turns[0].pivot).pixel - before).norm() < 1e-9);
+            const attractor::OrbitCamera after = orbited(camera, turns);
+            const Vector<3> seen = point();
+            const Vector<3> moved = (*motionOf(turns))(seen);
+            QVERIFY((toScreen(after, moved).pixel - toScreen(camera, seen).pixel).norm() < 1e-8);
+            const attractor::OrbitCamera back = orbitedBack(after, turns);
+            QVERIFY((back.target - camera.target).norm() < 1e-12);
+            QVERIFY(back.orientation.angularDistance(camera.orientation) < 1e-7);
+            turns[1].pivot.reset(); // about the target, wherever that is
+            QVERIFY(!motionOf(turns));
+            QVERIFY((orbited(camera, turns[1]).target - camera.target).norm() == 0);
+        }
+        QVERIFY(motionOf({})->linear == Matrix<3>::Identity());
+        const std::vector<CameraTurn> none{{0, Vector<3>::UnitX(), point()}};
+        QVERIFY(orbited(attractor::OrbitCamera(), none) == attractor::OrbitCamera());
     }
 
     // In space the orientation takes the shorter great circle, evenly, whichever sign its quaternion has.

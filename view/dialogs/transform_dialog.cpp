@@ -209,10 +209,12 @@ NumberField* TransformDialog::addField(Value value, const QString& name, double 
     field->setStep(step);
     field->setValue(start);
     m_fields[value] = field;
-    connect(field, &NumberField::edited, this, [this, value] {
+    const auto take = [this, value] {
         follow(value);
         showLive();
-    });
+    };
+    connect(field, &NumberField::edited, this, take);
+    connect(field, &NumberField::cancelled, this, take);
     return field;
 }
 

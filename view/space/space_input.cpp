@@ -160,7 +160,7 @@ void SpaceInput::beginOrbit(const QMouseEvent& event, std::optional<AxisBall::En
     orbiting.before = m_navigation.camera();
     const bool onBall = m_isEnabled && !m_isFixed && m_ball.covers(event.position());
     const auto point = onBall ? std::nullopt : m_navigation.pointUnder(event.position());
-    orbiting.pivot = point.value_or(m_navigation.camera().target);
+    orbiting.pivot = onBall ? m_navigation.camera().target : point.value_or(m_navigation.pivotBeside());
     orbiting.press = event.position();
     orbiting.end = end;
     orbiting.button = event.button();

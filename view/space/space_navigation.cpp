@@ -216,6 +216,12 @@ std::optional<ifs::Vector<3>> SpaceNavigation::pointUnder(const QPointF& positio
     return toWorld(m_camera, {pixel, depth});
 }
 
+ifs::Vector<3> SpaceNavigation::pivotBeside() const {
+    const document::Fractal& fractal = m_document->fractal();
+    const bool isKnown = document::isSpaceExtentKnown(fractal);
+    return (isKnown ? document::centreOfPicture(fractal) : std::nullopt).value_or(m_camera.target);
+}
+
 std::optional<ifs::Vector<3>> SpaceNavigation::pointNear(const QPointF& position) const {
     constexpr int reach = 4; // pixels
     double nearest = reach + 0.5;

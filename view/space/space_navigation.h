@@ -63,6 +63,9 @@ public:
 
     // The point of the attractor that is seen there; nullopt beside it.
     std::optional<ifs::Vector<3>> pointUnder(const QPointF& position) const;
+    // What a view turns about that is pulled beside the solid: the middle of the solid or, where that is not
+    // known, the target.
+    ifs::Vector<3> pivotBeside() const;
     // The one that is seen nearest to it, a few pixels away at most: twigs are thin.
     std::optional<ifs::Vector<3>> pointNear(const QPointF& position) const;
 

@@ -50,7 +50,7 @@ void SpaceTouch::twist(const QNativeGestureEvent& event) {
     const attractor::OrbitCamera& camera = m_navigation.camera();
     const bool isFromBelow = attractor::directionOf(camera, m_navigation.upAxis()).elevation < 0;
     const auto pivot = m_navigation.pointUnder(event.position());
-    m_navigation.orbit(camera, pivot.value_or(camera.target), isFromBelow ? -turned : turned, 0);
+    m_navigation.orbit(camera, pivot.value_or(m_navigation.pivotBeside()), isFromBelow ? -turned : turned, 0);
 }
 
 bool SpaceTouch::touch(const QTouchEvent& event) {

@@ -252,16 +252,18 @@ void SpaceView::followFractal(const document::Change& change) {
     layOut();
 }
 
-// Keys say where to look, whatever the user has done since; an orbit without keys goes on from there.
+// Keys say where to look, whatever the user has done since; an orbit without keys goes on from there, also
+// while its axis or pivot is being chosen.
 void SpaceView::followCamera(const document::Change& change) {
     using document::Change;
-    const double turned = m_document->orbit() - std::exchange(m_orbit, m_document->orbit());
+    const auto before = std::exchange(m_orbit, m_document->orbit());
     const bool isAnother = change.parts & (Change::Current | Change::File);
     const bool isLater = !isAnother && change.parts & Change::Time;
     if (m_document->camera()) {
         if (isAnother || isLater) lookAsKeyed(change.live);
-    } else if (isLater && turned != 0 && !m_isFixed && document::space(m_document->fractal())) {
-        m_navigation.moveTo(animation::orbited(m_navigation.camera(), turned), change.live);
+    } else if (!isAnother && m_orbit != before && !m_isFixed && document::space(m_document->fractal())) {
+        const attractor::OrbitCamera still = animation::orbitedBack(m_navigation.camera(), before);
+        m_navigation.moveTo(animation::orbited(still, m_orbit), change.live);
     }
 }
 

@@ -115,11 +115,11 @@ private:
     SpaceBranch m_branch;
     SpaceDefinition m_definition;
     SpaceInput m_input;
-    std::optional<ifs::ControlCage<3>> m_cage; // in force; nullopt while the entry is not in space
-    SpaceCageItem::Faces m_faces;              // of the cage
-    std::vector<ifs::Vector<3>> m_around;      // corners of the box of what is cut
-    QString m_stop;                            // why a drag goes no farther
-    double m_orbit;                            // degrees that the document's camera has gone round
+    std::optional<ifs::ControlCage<3>> m_cage;  // in force; nullopt while the entry is not in space
+    SpaceCageItem::Faces m_faces;               // of the cage
+    std::vector<ifs::Vector<3>> m_around;       // corners of the box of what is cut
+    QString m_stop;                             // why a drag goes no farther
+    std::vector<animation::CameraTurn> m_orbit; // of the document's camera
     bool m_overlays = true;
     bool m_isExtentKnown = false;
     bool m_isFixed = false;

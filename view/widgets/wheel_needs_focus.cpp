@@ -7,6 +7,7 @@
 #include <QCoreApplication>
 #include <QEvent>
 #include <QScrollBar>
+#include <QTabBar>
 
 namespace view {
 
@@ -14,6 +15,7 @@ namespace {
 
 QWidget* valueWidget(QObject* object) {
     const bool hasValue = qobject_cast<QComboBox*>(object) || qobject_cast<QAbstractSpinBox*>(object) ||
+                          qobject_cast<QTabBar*>(object) ||
                           (qobject_cast<QAbstractSlider*>(object) && !qobject_cast<QScrollBar*>(object));
     return hasValue ? static_cast<QWidget*>(object) : nullptr;
 }

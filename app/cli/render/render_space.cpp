@@ -175,7 +175,7 @@ std::optional<ifs::ControlCage<3>> cageOf(const RenderArguments& options, const 
     return cage;
 }
 
-// As keys have it, but for what options say.
+// As keys have it, but for what options say, and before it goes round.
 attractor::OrbitCamera cameraAtRest(const Shown& shown, const RenderArguments& options) {
     attractor::OrbitCamera camera = shown.camera.value_or(attractor::OrbitCamera());
     const QSize size = sizeArgument("--size", sizeText(options.size));
@@ -187,7 +187,7 @@ attractor::OrbitCamera cameraAtRest(const Shown& shown, const RenderArguments& o
         camera.size.width /= 2;
     }
     if (!shown.camera || options.orbit) camera.orientation = orientationOf(options);
-    return animation::orbited(camera, shown.orbit);
+    return camera;
 }
 
 document::Fractal placedIn(document::Fractal fractal, const std::optional<ifs::ControlCage<3>>& cage) {
@@ -199,11 +199,12 @@ document::Fractal placedIn(document::Fractal fractal, const std::optional<ifs::C
 attractor::OrbitCamera fittedWithMarks(const attractor::OrbitCamera& camera, const Shown& shown,
                                        const document::Fractal& placed, const io::PictureOverlay& overlay,
                                        double margin) {
-    const auto marks = document::reachOfVertices(io::spaceOverlayPoints(placed, overlay));
+    const auto marks =
+        io::supportBefore(shown.orbit, document::reachOfVertices(io::spaceOverlayPoints(placed, overlay)));
     const auto reach = [&](const ifs::Vector<3>& u) {
         return std::max(shown.support ? shown.support(u) : document::extentAlong(placed, u).high, marks(u));
     };
-    return attractor::fitted(camera, reach, margin);
+    return io::cameraOfFrame(camera, shown.orbit, reach, margin);
 }
 
 void warnOfWideAngle(double angle, const QString& fileName) {
@@ -235,14 +236,14 @@ attractor::OrbitCamera cameraOf(const Shown& shown, const RenderArguments& optio
                                  .arg(quoted(options.view->text))};
         camera.target = {view[0], view[1], view[2]};
         camera.height = view[3];
-        return camera;
+        return animation::orbited(camera, shown.orbit);
     }
-    if (shown.camera) return camera;
+    if (shown.camera) return animation::orbited(camera, shown.orbit);
     const double margin = options.margin / 100;
     const io::PictureOverlay& overlay = options.overlay;
     if (support != nullptr && (overlay.maps || overlay.cage))
         return fittedWithMarks(camera, shown, placedIn(shown.fractal, stored), overlay, margin);
-    if (shown.support) return attractor::fitted(camera, shown.support, margin);
+    if (shown.support) return io::cameraOfFrame(camera, shown.orbit, shown.support, margin);
     if (support != nullptr && !document::space(shown.fractal)->moved.empty()) {
         const document::Fractal placed = placedIn(shown.fractal, stored);
         const auto reach = [&](const ifs::Vector<3>& u) { return document::extentAlong(placed, u).high; };

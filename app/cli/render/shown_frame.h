@@ -15,7 +15,7 @@ struct Shown {
     document::Fractal entry;                        // what a picture carries
     std::optional<attractor::View> view{};          // of the keys, in the plane …
     std::optional<attractor::OrbitCamera> camera{}; // … and in space
-    double orbit = 0;                               // degrees: animation::orbited()
+    std::vector<animation::CameraTurn> orbit{};     // of the camera in space: animation::orbited()
     // Without a camera of their own, the frames of an animation share the view of all of them.
     std::optional<ViewBox> box{};    // in the plane
     attractor::Support support = {}; // in space

@@ -68,7 +68,7 @@ bool mayStop(view::ExportProgress& progress) {
 
 } // namespace
 
-bool mayEnd(QWidget* window) {
+bool mayEnd(QWidget* window, SessionWindow::Leaving leaving) {
     for (auto* animation : window->findChildren<view::AnimationExportDialog*>())
         if (!animation->mayClose()) return false;
     for (auto* progress : window->findChildren<view::ExportProgress*>()) {
@@ -76,8 +76,8 @@ bool mayEnd(QWidget* window) {
         if (!isAsked && progress->isUnderWay() && !mayStop(*progress)) return false;
     }
     const auto others = session::windows();
-    const bool isLast = std::ranges::none_of(
-        others, [window](const SessionWindow* other) { return other != window && other->isVisible(); });
+    const auto stays = [window](const SessionWindow* other) { return other != window && other->isVisible(); };
+    const bool isLast = leaving == SessionWindow::Leaving::Program || std::ranges::none_of(others, stays);
     if (queue()->unfinished() == 0 || queue()->isPaused() || !isLast) return true;
     QMessageBox box(QMessageBox::Question, Text::tr("Exports are not finished"), {}, QMessageBox::Cancel,
                     window);

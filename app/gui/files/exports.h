@@ -2,6 +2,7 @@
 #pragma once
 
 #include "bridges/export_queue.h"
+#include "session/session.h"
 
 #include <QMainWindow>
 #include <QString>
@@ -21,8 +22,8 @@ view::ExportQueue* queue();
 void connectPanel(QDockWidget* panel, WindowMessages* messages);
 void showPanel(const QMainWindow& window);
 
-// A window closes, and the program with the last one: whether it may, which the user is asked while an
-// animation is exported from this window or exports are not done.
-bool mayEnd(QWidget* window);
+// A window closes, and the program with it or with the last one: whether it may, which the user is asked
+// while an animation is exported from this window or exports are not done.
+bool mayEnd(QWidget* window, SessionWindow::Leaving leaving);
 
 } // namespace exports

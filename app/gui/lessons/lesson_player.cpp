@@ -10,6 +10,7 @@
 #include <QEvent>
 #include <QScopedValueRollback>
 #include <QToolBar>
+#include <QUndoCommand>
 
 #include <algorithm>
 #include <utility>
@@ -33,8 +34,10 @@ LessonPlayer::LessonPlayer(const LessonParts& parts, QAction* presentation)
             stop();
         }
     });
-    connect(parts.document->undoStack(), &QUndoStack::indexChanged, this,
-            [this] { m_base = std::min(m_base, std::max(0, m_parts.document->undoStack()->count() - 1)); });
+    connect(parts.document->undoStack(), &QUndoStack::indexChanged, this, [this](int index) {
+        m_base = std::min(m_base, std::max(0, m_parts.document->undoStack()->count() - 1));
+        if (m_isPlaying && !m_isShowing && index > m_shown) m_hasOthersEdit = true;
+    });
     parts.stage->plane()->viewport()->installEventFilter(this);
     parts.stage->space()->viewport()->installEventFilter(this);
 }
@@ -70,6 +73,7 @@ void LessonPlayer::play(const document::Lesson& lesson, int from) {
     if (!m_dock) createCard();
     m_presentation->setChecked(true);
     m_isPlaying = true;
+    m_hasOwnSteps = m_hasOthersEdit = false;
     showStep(std::clamp(from, 0, int(lesson.steps.size()) - 1));
     showCard();
     emit playingChanged(true);
@@ -88,8 +92,19 @@ void LessonPlayer::takeBack() {
     if (history->index() != m_base && m_base <= history->count()) history->setIndex(m_base);
 }
 
+// Redo would bring back what the lesson itself has shown, and mark the file as changed. The history forgets
+// what can be redone when a step is added, and an obsolete one when it is undone.
+void LessonPlayer::forgetOwnSteps() {
+    if (!m_hasOwnSteps || m_hasOthersEdit) return;
+    auto* last = new QUndoCommand;
+    m_parts.document->undoStack()->push(last);
+    last->setObsolete(true);
+    m_parts.document->undoStack()->undo();
+}
+
 void LessonPlayer::showStep(int step) {
     if (!m_isPlaying || step < 0 || step >= m_lesson.steps.size()) return;
+    const QScopedValueRollback<bool> showing(m_isShowing, true);
     m_step = step;
     takeBack();
     const document::LessonState& state = m_lesson.steps[step].state;
@@ -99,12 +114,18 @@ void LessonPlayer::showStep(int step) {
     m_parts.stage->plane()->setHint({});
     const QString sentence = showLessonState(m_parts, state);
     keepView();
+    m_shown = m_parts.document->undoStack()->index();
+    if (m_shown > m_base) {
+        m_hasOwnSteps = true;
+        m_hasOthersEdit = false;
+    }
     if (!sentence.isEmpty()) emit problem(sentence);
 }
 
 void LessonPlayer::stop() {
     if (!std::exchange(m_isPlaying, false)) return;
     takeBack();
+    forgetOwnSteps();
     m_dock->hide();
     if (m_wasPresentation)
         showPanels({});

@@ -14,8 +14,8 @@ class LessonCard;
 }
 
 // Plays a lesson in the presentation: one step after the other, its text beside the canvas. Every step starts
-// from the file as it was when the lesson began, and so does the window when it ends: what was changed in
-// between can be had back by Redo. docs/decisions/0024.
+// from the file as it was when the lesson began, and so does the window when it ends: what others than the
+// lesson have changed in between can be had back by Redo. docs/decisions/0024.
 class LessonPlayer : public QObject {
     Q_OBJECT
 
@@ -39,6 +39,7 @@ private:
     void createCard();
     void showCard();
     void takeBack();
+    void forgetOwnSteps(); // of the history
     void showPanels(const QStringList& ids);
     void showConstructionBar(bool shown);
     void keepView();
@@ -55,7 +56,11 @@ private:
     bool m_wasConstructionShown = false;
     document::LessonState m_before; // of the window
     document::EntryId m_beforeEntry = document::EntryId::None;
-    int m_base = 0;             // the place in the history at which every step starts
-    attractor::Camera m_camera; // as the step has set it
+    int m_base = 0;               // the place in the history at which every step starts
+    int m_shown = 0;              // the place at which the present step is shown
+    bool m_hasOwnSteps = false;   // a step of the lesson has edited the file
+    bool m_hasOthersEdit = false; // and somebody else since
+    bool m_isShowing = false;     // a step
+    attractor::Camera m_camera;   // as the step has set it
     attractor::OrbitCamera m_orbit;
 };

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "menus/animation_menu.h"
 
+#include "attractor/request/orbit_navigation.h"
 #include "panels/timeline/space_tap.h"
 #include "panels/timeline/timeline_panel.h"
 #include "panels/timeline/track_view.h"
+#include "space/space_view.h"
 #include "stage/stage.h"
 #include "widgets/icon.h"
 
@@ -30,6 +32,10 @@ AnimationMenu::AnimationMenu(const MenuContext& context, view::TimelinePanel* pa
     panel->timeline().setCameraSource([context]() -> document::SeenCamera {
         if (!context.stage->showsSpace() && context.canvas->camera().height <= 0) return std::nullopt;
         return context.stage->camera();
+    });
+    panel->timeline().setVerticalSource([context]() -> ifs::Vector<3> {
+        const attractor::UpAxis up = context.stage->space()->navigation().upAxis();
+        return attractor::standing(up) * ifs::Vector<3>::UnitY();
     });
     connect(panel, &view::TimelinePanel::message, context.messages, &WindowMessages::say);
     connect(panel, &view::TimelinePanel::motionAdded, this, &AnimationMenu::showDock);

@@ -173,8 +173,8 @@ void FileMenu::exportAnimation() {
     view::AnimationExportDialog::Camera camera = attractor::viewOf(canvas);
     if (isSpace) { // as it would be at frame 0
         const auto& document = *context().document;
-        const double turned = document::frameAt(document.entryFractal(), document.moment()).orbit;
-        camera = animation::orbited(context().stage->space()->navigation().camera(), -turned);
+        const auto turns = document::frameAt(document.entryFractal(), document.moment()).orbit;
+        camera = animation::orbitedBack(context().stage->space()->navigation().camera(), turns);
     }
     auto* dialog = new view::AnimationExportDialog(context().document, camera, context().window);
     dialog->setAttribute(Qt::WA_DeleteOnClose);

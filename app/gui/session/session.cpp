@@ -8,6 +8,7 @@
 
 #include <QApplication>
 #include <QFileInfo>
+#include <QPointer>
 #include <QVariant>
 
 #include <algorithm>
@@ -46,9 +47,26 @@ void bringForward(SessionWindow& window) {
     window.activateWindow();
 }
 
+// Panels that float are windows as well: to close them before the user has agreed would lose them.
+bool mayCloseAll() {
+    QList<QPointer<SessionWindow>> asked;
+    for (SessionWindow* window : shown())
+        asked << window;
+    for (const QPointer<SessionWindow>& window : asked) {
+        using Leaving = SessionWindow::Leaving;
+        if (!window || window->mayClose(window == asked.last() ? Leaving::Program : Leaving::Window))
+            continue;
+        for (const QPointer<SessionWindow>& other : asked)
+            if (other) other->closingIsOff();
+        return false;
+    }
+    return true;
+}
+
 // Stores the files they had, also those that were saved on the way, and returns them; nullopt when one stays
 // open. A window is deleted once all of them have closed.
 std::optional<QStringList> closeAll() {
+    if (!mayCloseAll()) return std::nullopt;
     const QList<SessionWindow*> closing = shown();
     QApplication::closeAllWindows();
     if (!shown().isEmpty()) return std::nullopt;

@@ -20,6 +20,11 @@ public:
     virtual QString path() const = 0; // empty while it has no file
     virtual void adopt(const view::Preferences& preferences) = 0;
     virtual Recovery& recovery() = 0;
+    // Asks the user, if something would be lost, and closes nothing. After true, close() does not ask again
+    // until closingIsOff().
+    enum class Leaving { Window, Program };
+    virtual bool mayClose(Leaving leaving) = 0;
+    virtual void closingIsOff() = 0; // because another window stays
 };
 
 // The windows of this run, and the files that were open at its end.
@@ -34,7 +39,7 @@ QStringList files(); // of the last run, without those that are known to be gone
 
 // Stores the files of the open windows for the next run. Call it while a window closes.
 void remember();
-// Closes all windows, each of which may ask first. When all have closed, stores the files they had.
+// Closes all windows, or none: each of them may ask before. When all have closed, stores the files they had.
 void quit();
 // Likewise; main() then starts the program again with the files to reopen.
 void restart();

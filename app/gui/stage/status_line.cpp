@@ -10,8 +10,10 @@
 #include "widgets/text/tooltip_text.h"
 
 #include <QAccessible>
+#include <QCoreApplication>
 #include <QFontDatabase>
 #include <QHelpEvent>
+#include <QKeyEvent>
 #include <QLabel>
 #include <QPainter>
 #include <QStyleOption>
@@ -116,6 +118,19 @@ StatusLine::StatusLine(QWidget* parent)
     addPermanentWidget(m_verdict);
     addPermanentWidget(m_frame);
     connect(this, &QStatusBar::messageChanged, this, [this] { m_toRead.setRemainingTime(toRead); });
+    QCoreApplication::instance()->installEventFilter(this);
+}
+
+// Before whoever takes the key, so that what is said about it stays. Of a shortcut only the question whether
+// somebody needs the key is seen; the parents of the widget are asked after it.
+bool StatusLine::eventFilter(QObject* watched, QEvent* event) {
+    const bool isKey = event->type() == QEvent::KeyPress || event->type() == QEvent::ShortcutOverride;
+    if (!isKey || !watched->isWidgetType() || static_cast<QKeyEvent*>(event)->key() != Qt::Key_Escape)
+        return QStatusBar::eventFilter(watched, event);
+    const auto* widget = static_cast<QWidget*>(watched);
+    const QWidget* focused = widget->window()->focusWidget();
+    if (widget->window() == window() && (widget == focused || !focused)) clearMessage();
+    return QStatusBar::eventFilter(watched, event);
 }
 
 QRect StatusLine::messageRoom() const {

@@ -13,7 +13,7 @@ class QLabel;
 
 // One quiet line: where the pointer is or what was just said, whether there is an attractor, what was drawn;
 // and that unsaved work is not kept for recovery yet, when that takes too long. What does not fit ends in
-// dots, and is whole in a tool tip.
+// dots, and is whole in a tool tip. Esc takes away what was said, in the window that has the focus.
 class StatusLine : public QStatusBar {
     Q_OBJECT
 
@@ -31,6 +31,7 @@ public:
 
 protected:
     bool event(QEvent* event) override;
+    bool eventFilter(QObject* watched, QEvent* event) override;
     void paintEvent(QPaintEvent* event) override;
     void resizeEvent(QResizeEvent* event) override;
 

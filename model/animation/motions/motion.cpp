@@ -68,7 +68,7 @@ template <int Dim> bool holds(const Turn<Dim>& turn) {
     return isTurns(turn.turns) && turn.reference.allFinite() && isUnit(turn.axis);
 }
 template <int Dim> bool holds(const Orbit<Dim>& orbit) {
-    return isTurns(orbit.turns) && orbit.centre.allFinite();
+    return isTurns(orbit.turns) && orbit.centre.allFinite() && isUnit(orbit.axis);
 }
 template <int Dim> bool holds(const Breathe<Dim>& breathe) {
     return isCount(breathe.cycles) && std::abs(breathe.strength) < 1 && breathe.reference.allFinite();

@@ -47,11 +47,16 @@ template <int Dim> struct Turn {
     friend bool operator==(const Turn&, const Turn&) = default;
 };
 
+// What the axis of an orbit in space goes through: its centre, or the target of the camera.
+enum class OrbitPivot { Centre, Target };
+
 // The eye goes round: in the plane the picture turns about a centre, by its cage; in space the camera goes
-// round the vertical axis through its target.
+// round an axis through its pivot.
 template <int Dim> struct Orbit {
     int turns = 1;
-    ifs::Vector<Dim> centre = ifs::Vector<Dim>::Zero(); // displayed coordinates; in the plane
+    ifs::Vector<Dim> centre = ifs::Vector<Dim>::Zero(); // displayed coordinates
+    ifs::Vector<3> axis = ifs::Vector<3>::UnitY();      // in space; of length 1
+    OrbitPivot pivot = OrbitPivot::Centre;
 
     friend bool operator==(const Orbit&, const Orbit&) = default;
 };

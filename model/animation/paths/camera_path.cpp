@@ -27,6 +27,12 @@ Zoom zoom(double from, double to, double u) {
     return {from * power, share};
 }
 
+// Adding and multiplying only: what decides a pixel is the same on every machine.
+attractor::Orientation rotationOf(const CameraTurn& turn) {
+    const ifs::Vector<3> axis = attractor::sineOfDegrees(turn.degrees / 2) * turn.axis;
+    return {attractor::cosineOfDegrees(turn.degrees / 2), axis.x(), axis.y(), axis.z()};
+}
+
 } // namespace
 
 double turnBetween(double from, double to) {
@@ -57,12 +63,35 @@ attractor::OrbitCamera between(const attractor::OrbitCamera& from, const attract
     return camera;
 }
 
-attractor::OrbitCamera orbited(attractor::OrbitCamera camera, double degrees) {
-    if (degrees == 0) return camera;
-    const attractor::Orientation turn(attractor::cosineOfDegrees(degrees / 2), 0,
-                                      attractor::sineOfDegrees(degrees / 2), 0);
-    camera.orientation = turn * camera.orientation;
+attractor::OrbitCamera orbited(attractor::OrbitCamera camera, const CameraTurn& turn) {
+    if (turn.degrees == 0) return camera;
+    const attractor::Orientation rotation = rotationOf(turn);
+    camera.orientation = rotation * camera.orientation;
+    if (turn.pivot) camera.target = *turn.pivot + rotation * (camera.target - *turn.pivot);
     return camera;
+}
+
+attractor::OrbitCamera orbited(attractor::OrbitCamera camera, std::span<const CameraTurn> turns) {
+    for (const CameraTurn& turn : turns)
+        camera = orbited(camera, turn);
+    return camera;
+}
+
+attractor::OrbitCamera orbitedBack(attractor::OrbitCamera camera, std::span<const CameraTurn> turns) {
+    for (std::size_t i = turns.size(); i-- > 0;)
+        camera = orbited(camera, CameraTurn{-turns[i].degrees, turns[i].axis, turns[i].pivot});
+    return camera;
+}
+
+std::optional<ifs::AffineMap<3>> motionOf(std::span<const CameraTurn> turns) {
+    ifs::AffineMap<3> motion;
+    for (const CameraTurn& turn : turns) {
+        if (!turn.pivot) return std::nullopt;
+        if (turn.degrees == 0) continue;
+        const ifs::Matrix<3> rotation = rotationOf(turn).toRotationMatrix();
+        motion = ifs::AffineMap<3>{rotation, *turn.pivot - rotation * *turn.pivot} * motion;
+    }
+    return motion;
 }
 
 } // namespace animation

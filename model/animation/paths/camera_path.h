@@ -3,7 +3,10 @@
 
 #include "attractor/request/camera.h"
 #include "attractor/request/orbit_camera.h"
+#include "ifs/system/affine_map.h"
 
+#include <optional>
+#include <span>
 #include <type_traits>
 
 namespace animation {
@@ -22,7 +25,24 @@ attractor::OrbitCamera between(const attractor::OrbitCamera& from, const attract
 // The shorter way from one rotation of the plane to another, at most half a turn either way.
 double turnBetween(double from, double to);
 
-// The camera gone round its target about the vertical axis, counter-clockwise seen from above, in degrees.
-attractor::OrbitCamera orbited(attractor::OrbitCamera camera, double degrees);
+// A turn of the camera in space about an axis, counter-clockwise seen from its tip. The axis goes through the
+// pivot, or through the target of the camera where there is none.
+struct CameraTurn {
+    double degrees = 0;
+    ifs::Vector<3> axis = ifs::Vector<3>::UnitY(); // of length 1
+    std::optional<ifs::Vector<3>> pivot{};
+
+    friend bool operator==(const CameraTurn&, const CameraTurn&) = default;
+};
+
+// The camera after one turn, or after several in their order.
+attractor::OrbitCamera orbited(attractor::OrbitCamera camera, const CameraTurn& turn);
+attractor::OrbitCamera orbited(attractor::OrbitCamera camera, std::span<const CameraTurn> turns);
+// The camera before these turns.
+attractor::OrbitCamera orbitedBack(attractor::OrbitCamera camera, std::span<const CameraTurn> turns);
+
+// The motion that takes a camera, and what it sees, through turns that all have a pivot; nullopt where one
+// goes about the target.
+std::optional<ifs::AffineMap<3>> motionOf(std::span<const CameraTurn> turns);
 
 } // namespace animation

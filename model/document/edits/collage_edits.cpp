@@ -32,7 +32,21 @@ struct Level {
 constexpr Level levels[] = {{64, 25}, {128, 15}, {256, 10}, {512, 8}};
 
 collage::Target level(const TracedPicture& traced, int side) {
-    return collage::target(traced.mask, collage::factorFor(traced.mask, side), margin);
+    return placed(collage::target(traced.mask, collage::factorFor(traced.mask, side), margin), traced.place);
+}
+
+// A map of the picture that is 1 unit high, with its middle at the origin, as that of the placed one.
+ifs::AffineMap<2> movedTo(const PicturePlace& place, const ifs::AffineMap<2>& map) {
+    return {map.linear, place.height * map.translation + place.middle - map.linear * place.middle};
+}
+
+// And back.
+Maps inUnits(const PicturePlace& place, const Maps& maps) {
+    Maps result;
+    for (const auto& map : maps)
+        result.push_back(
+            {map.linear, (map.translation - place.middle + map.linear * place.middle) / place.height});
+    return result;
 }
 
 std::vector<std::uint8_t> lockedIn(const Fractal& fractal, const CollageMaps& maps,
@@ -122,10 +136,10 @@ std::optional<CollageMaps> collageMaps(const Fractal& fractal) {
     return maps;
 }
 
-Fractal withSuggestion(Fractal fractal, const collage::Suggestion& suggestion) {
+Fractal withSuggestion(Fractal fractal, const collage::Suggestion& suggestion, const PicturePlace& place) {
     Shape<2> shape;
     for (std::size_t i = 0; i < suggestion.maps.size(); ++i)
-        ifs::append<2>(shape.system, suggestion.maps[i], suggestion.weights[i]);
+        ifs::append<2>(shape.system, movedTo(place, suggestion.maps[i]), suggestion.weights[i]);
     fractal.shape = std::move(shape);
     fractal.mapLabels = {}; // of other maps
     return fractal;
@@ -174,8 +188,8 @@ std::optional<Fractal> withWeightsFitted(const Fractal& fractal, const TracedPic
                                          const std::stop_token& stop) {
     const auto maps = collageMaps(fractal);
     if (!maps) return std::nullopt;
-    const std::vector<double> weights =
-        ifs::shares(collage::fittedWeights(densityOf(traced), maps->maps, weightBlur, stop), 1e-4);
+    const std::vector<double> weights = ifs::shares(
+        collage::fittedWeights(densityOf(traced), inUnits(traced.place, maps->maps), weightBlur, stop), 1e-4);
     if (stop.stop_requested()) return std::nullopt;
     Fractal result = fractal;
     for (std::size_t k = 0; k < weights.size(); ++k)
@@ -191,7 +205,7 @@ std::optional<double> shadesBound(const Fractal& fractal, const TracedPicture& t
     std::vector<double> weights;
     for (const std::size_t index : maps->index)
         weights.push_back(all[index]);
-    return collage::measureBound(densityOf(traced), maps->maps, weights, stop);
+    return collage::measureBound(densityOf(traced), inUnits(traced.place, maps->maps), weights, stop);
 }
 
 std::optional<Fractal> withCageFittedTo(const Fractal& fractal, const TracedPicture& traced, int corners,

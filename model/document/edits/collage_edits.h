@@ -25,8 +25,9 @@ struct CollageMaps {
 };
 std::optional<CollageMaps> collageMaps(const Fractal& fractal); // nullopt when there is an obstacle
 
-// The fractal with these maps instead, at rest. Its name, comments and appearance stay.
-Fractal withSuggestion(Fractal fractal, const collage::Suggestion& suggestion);
+// The fractal with these maps instead, at rest and still, where the picture lies. Its name, comments and
+// appearance stay.
+Fractal withSuggestion(Fractal fractal, const collage::Suggestion& suggestion, const PicturePlace& place);
 
 // What a fit may change.
 struct CollageFitOptions {

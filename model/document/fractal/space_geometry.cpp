@@ -91,6 +91,11 @@ std::optional<Reach> reachOf(const Fractal& fractal, double tolerance) {
     };
 }
 
+ifs::Vector<3> displayedAt(const ifs::ControlCage<3>& cage, const ifs::Vector<3>& point) {
+    if (ifs::bends(cage)) return ifs::CageDeformation(cage.rest, cage.current)(point);
+    return ifs::displayMap(cage)(point);
+}
+
 } // namespace
 
 QString spaceObstacle(const Fractal& fractal) {
@@ -125,6 +130,23 @@ std::optional<ifs::ControlCage<3>> knownSpaceCage(const Fractal& fractal) {
 Extent extentAlong(const Fractal& fractal, const ifs::Vector<3>& u) {
     const std::optional<Reach> reach = reachOf(fractal, precision);
     return reach ? Extent{-(*reach)(-u), (*reach)(u)} : Extent{};
+}
+
+std::optional<ifs::Vector<3>> centreOfPicture(const Fractal& fractal) {
+    const auto support = spaceSupport(fractal);
+    const auto cage = support ? spaceCage(fractal) : std::nullopt;
+    if (!cage) return std::nullopt;
+    if (system3(fractal)->maps.size() > manyMapsInSpace) return displayedAt(*cage, support->centre());
+    if (ifs::bends(*cage)) {
+        Fractal straight = fractal;
+        space(straight)->cage = ifs::ControlCage<3>{cage->rest, cage->rest};
+        return displayedAt(*cage, *centreOfPicture(straight));
+    }
+    const Reach reach = *reachOf(fractal, precision);
+    ifs::Vector<3> centre;
+    for (int i = 0; i < 3; ++i)
+        centre[i] = (reach(ifs::Vector<3>::Unit(i)) - reach(-ifs::Vector<3>::Unit(i))) / 2;
+    return centre;
 }
 
 std::optional<System3> effectiveSpaceSystem(const Fractal& fractal) {

@@ -33,14 +33,14 @@ template <int Dim> AnimatedFrame frameOf(const Fractal& fractal, const animation
                                                       std::move(shape.moved),
                                                       std::move(frame.fractal.appearance),
                                                       {},
-                                                      0,
+                                                      {},
                                                       frame.fractal.inSpace});
     shape.system = std::move(pose.system);
     shape.cage = std::move(pose.cage);
     shape.moved = std::move(pose.moved);
     frame.fractal.appearance = std::move(pose.appearance);
     frame.fractal.inSpace = pose.inSpace;
-    frame.orbit = pose.orbit;
+    frame.orbit = std::move(pose.orbit);
     if constexpr (Dim == 2)
         frame.view = pose.camera;
     else

@@ -30,7 +30,7 @@ struct AnimatedFrame {
     Fractal fractal;
     std::optional<attractor::View> view{};
     std::optional<attractor::OrbitCamera> camera{}; // of an entry in space; its size means nothing
-    double orbit = 0;                               // degrees: animation::orbited()
+    std::vector<animation::CameraTurn> orbit{};     // of the camera in space: animation::orbited()
 };
 
 // A fractal that is not animated is the same at every moment.

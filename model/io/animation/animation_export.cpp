@@ -54,8 +54,8 @@ public:
         attractor::OrbitCamera camera = frame.camera.value_or(attractor::OrbitCamera());
         camera.size = {m_what.size.width(), m_what.size.height()};
         if (!frame.camera) camera.orientation = attractor::orbit(30, 20);
-        camera = animation::orbited(camera, frame.orbit);
-        if (m_support) camera = attractor::fitted(camera, m_support);
+        camera = m_support ? cameraOfFrame(camera, frame.orbit, m_support)
+                           : animation::orbited(camera, frame.orbit);
         SpaceExport picture;
         picture.fractal = m_what.entry;
         picture.look = frame.fractal.inSpace.look;
@@ -195,7 +195,21 @@ QString framePath(const QString& path, int frame, int last) {
     return path.chopped(file.suffix().size()) + number + u'.' + file.suffix();
 }
 
-QStringList replacedFiles(const AnimationExport& what, const QString& path) {
+AnimationExport withViewKeyed(AnimationExport what) {
+    auto* shape = document::space(what.entry);
+    if (shape && what.seenFrom) {
+        attractor::OrbitCamera camera = *what.seenFrom;
+        camera.size = {what.size.width(), what.size.height()};
+        camera = cameraOfFrames(what.entry, camera);
+        camera.size = {};
+        shape->animation->camera = {{0, camera, {}}};
+    }
+    what.seenFrom.reset();
+    return what;
+}
+
+QStringList replacedFiles(const AnimationExport& unkeyed, const QString& path) {
+    const AnimationExport what = withViewKeyed(unkeyed);
     QStringList files;
     for (int frame = what.first; frame <= what.last; ++frame) {
         const QString file = framePath(path, frame, what.last);
@@ -210,7 +224,8 @@ Failure animationObstacle(const AnimationExport& what) {
 
 ExportOutcome exportAnimation(const AnimationExport& what, const QString& path, const Progress& progress,
                               const std::stop_token& stop) {
-    return what.format ? writeVideo(what, path, progress, stop) : writePictures(what, path, progress, stop);
+    const AnimationExport keyed = withViewKeyed(what);
+    return what.format ? writeVideo(keyed, path, progress, stop) : writePictures(keyed, path, progress, stop);
 }
 
 } // namespace io

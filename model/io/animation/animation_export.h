@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "attractor/request/orbit_camera.h"
 #include "io/animation/frame_drawing.h"
 #include "io/video/format/video_format.h"
 
@@ -23,7 +24,12 @@ struct AnimationExport {
     FrameOptions frames;
     int first = 0; // frames, counted from 0
     int last = 0;
+    // Whence the frames show all of a solid whose camera has no keys; withViewKeyed() makes it one.
+    std::optional<attractor::OrbitCamera> seenFrom{};
 };
+
+// With a key of the camera in place of `seenFrom`, so that the text of the entry says all. It may take long.
+AnimationExport withViewKeyed(AnimationExport what);
 
 // Between the names of files and the options of `animate`, these arguments say the same.
 QStringList options(const AnimationExport& what);

@@ -106,7 +106,9 @@ attractor::Support supportOfFrames(const document::Fractal& entry) {
     constexpr int maxMoments = 33;
     std::vector<attractor::Support> supports, lost;
     for (const animation::Moment& moment : sampled(entry, maxMoments)) {
-        FrameSupport next = supportOf(*document::space(document::frameAt(entry, moment).fractal));
+        const document::AnimatedFrame frame = document::frameAt(entry, moment);
+        FrameSupport next = supportOf(*document::space(frame.fractal));
+        next.support = supportBefore(frame.orbit, std::move(next.support));
         std::vector<attractor::Support>& all = !next.isCertified && isLost(entry, moment) ? lost : supports;
         all.push_back(std::move(next.support));
     }
@@ -117,6 +119,55 @@ attractor::Support supportOfFrames(const document::Fractal& entry) {
             farthest = std::max(farthest, support(u));
         return farthest;
     };
+}
+
+attractor::Support supportBefore(std::span<const animation::CameraTurn> turns, attractor::Support support) {
+    const auto motion = animation::motionOf(turns);
+    if (!motion || turns.empty()) return support;
+    return [support = std::move(support), motion = *motion](const ifs::Vector<3>& u) {
+        const ifs::Vector<3> turned = motion.linear * u;
+        return support(turned) - turned.dot(motion.translation);
+    };
+}
+
+attractor::OrbitCamera cameraOfFrame(const attractor::OrbitCamera& atRest,
+                                     std::span<const animation::CameraTurn> turns,
+                                     const attractor::Support& allFrames, double margin) {
+    if (animation::motionOf(turns)) // also of no turns
+        return animation::orbited(attractor::fitted(atRest, allFrames, margin), turns);
+    return attractor::fitted(animation::orbited(atRest, turns), allFrames, margin);
+}
+
+attractor::OrbitCamera cameraOfFrames(document::Fractal entry, const attractor::OrbitCamera& camera) {
+    using animation::OrbitPivot;
+    std::vector<animation::Orbit<3>*> aboutTarget;
+    for (animation::Motion<3>& motion : document::space(entry)->animation->motions)
+        if (auto* orbit = std::get_if<animation::Orbit<3>>(&motion);
+            orbit && orbit->pivot == OrbitPivot::Target)
+            aboutTarget.push_back(orbit);
+    attractor::Support all = supportOfFrames(entry);
+    if (aboutTarget.empty()) return attractor::fitted(camera, all);
+    // The target is free to choose: the middle. What is seen about it is taken as the same to all sides, so
+    // that it is in the middle of the view, too.
+    ifs::Vector<3> middle;
+    for (int i = 0; i < 3; ++i)
+        middle[i] = (all(ifs::Vector<3>::Unit(i)) - all(-ifs::Vector<3>::Unit(i))) / 2;
+    for (animation::Orbit<3>* orbit : aboutTarget) {
+        orbit->centre = middle;
+        orbit->pivot = OrbitPivot::Centre;
+    }
+    all = supportOfFrames(entry);
+    const ifs::Matrix<3> axes = camera.orientation.toRotationMatrix();
+    return attractor::fitted(camera, [&](const ifs::Vector<3>& u) {
+        const ifs::Vector<3> inView = axes.transpose() * u;
+        double farthest = -infinity;
+        for (int signs = 0; signs < 8; ++signs) {
+            const ifs::Vector<3> flip(1 - 2 * (signs & 1), 1 - (signs & 2), 1 - 2 * (signs >> 2));
+            const ifs::Vector<3> mirrored = axes * inView.cwiseProduct(flip);
+            farthest = std::max(farthest, all(mirrored) - mirrored.dot(middle));
+        }
+        return farthest + u.dot(middle);
+    });
 }
 
 bool hasCameraKeys(const document::Fractal& entry) {

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "animation/paths/camera_path.h"
 #include "attractor/request/orbit_camera.h"
 #include "document/fractal/fractal.h"
+
+#include <span>
 
 // What a picture must show when nobody says; frames of an animation share it.
 namespace io {
@@ -19,7 +22,23 @@ ViewBox boxOfAttractor(const document::Fractal& fractal); // in the plane, as di
 // between them. Moments that are proved to have no attractor, whose points escape, count only where no other
 // does.
 ViewBox boxOfFrames(const document::Fractal& entry);
+// In space, as a camera sees them that has not gone round yet: turns about a pivot are taken back. Those
+// about the target of the camera are not, because the target is not known.
 attractor::Support supportOfFrames(const document::Fractal& entry);
+
+// The support of what a camera that has not gone round yet sees in the same place as it sees the set of
+// `support` after these turns; `support` itself where a turn goes about the target of the camera.
+attractor::Support supportBefore(std::span<const animation::CameraTurn> turns, attractor::Support support);
+
+// The camera at a moment whose turns are given, which shows all of the frames: one that turns about pivots
+// keeps its height, so that nothing grows or shrinks while it goes round.
+attractor::OrbitCamera cameraOfFrame(const attractor::OrbitCamera& atRest,
+                                     std::span<const animation::CameraTurn> turns,
+                                     const attractor::Support& allFrames, double margin = 0.05);
+
+// A camera for a key, which looks as `camera` does and shows all of the frames of an entry in space while it
+// goes round.
+attractor::OrbitCamera cameraOfFrames(document::Fractal entry, const attractor::OrbitCamera& camera);
 
 bool hasCameraKeys(const document::Fractal& entry); // which then say what is shown
 

@@ -176,6 +176,7 @@ private:
         begin("orbit");
         count(orbit.turns);
         pivot(orbit.centre);
+        if (orbit.pivot == animation::OrbitPivot::Centre) axis(orbit.axis);
     }
     void write(const animation::Breathe<Dim>& breathe) {
         begin("breathe");
@@ -366,13 +367,23 @@ private:
             m_animation.motions.push_back(
                 animation::Turn<Dim>{ids(motion.maps), count, point(motion.pivot), axis(motion.axis)});
         } else if (motion.kind == "orbit") {
-            m_animation.motions.push_back(animation::Orbit<Dim>{count, point(motion.pivot)});
+            addOrbit(motion);
         } else if (motion.kind == "breathe") {
             m_animation.motions.push_back(
                 animation::Breathe<Dim>{ids(motion.maps), strength, count, point(motion.pivot)});
         } else if (fits(motion.kind == "palette" && motion.pivot.empty())) {
             m_animation.motions.push_back(animation::PaletteCycle{count});
         }
+    }
+
+    // In space one without an axis goes about the target, as all of them did before axes were stored.
+    void addOrbit(const Stored::Motion& motion) {
+        animation::Orbit<Dim> orbit{motion.count.value_or(0), point(motion.pivot)};
+        if (Dim == 3 && motion.axis.empty())
+            orbit.pivot = animation::OrbitPivot::Target;
+        else if (Dim == 3)
+            orbit.axis = axis(motion.axis);
+        m_animation.motions.push_back(orbit);
     }
 
     const Stored& m_stored;

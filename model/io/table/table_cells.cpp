@@ -141,6 +141,12 @@ private:
     Row m_cells;
 };
 
+// Names of columns such as “e” and “phi” are constants as well; no column is called “pi”.
+bool isName(QStringView text) {
+    const bool isWord = std::ranges::all_of(text, [](QChar c) { return c.isLetter(); });
+    return isWord && text != u"π" && text.compare(u"pi", Qt::CaseInsensitive) != 0;
+}
+
 } // namespace
 
 QList<Dialect> dialectsOf(QStringView text) {
@@ -185,9 +191,7 @@ std::optional<double> numberIn(const Cell& cell, const Dialect& dialect, NumberU
     }
     text.replace(QChar(0x2044), u'/');
     const qsizetype slash = text.indexOf(u'/');
-    // Names of columns such as “e” and “phi” are constants as well.
-    const bool hasDigit = std::ranges::any_of(text, [](QChar c) { return c.isDigit(); });
-    if (slash < 0) return hasDigit ? evaluate(text, unit) : parseNumber(text);
+    if (slash < 0) return isName(text) ? parseNumber(text) : evaluate(text, unit);
     const auto numerator = parseNumber(text.left(slash));
     const auto denominator = parseNumber(text.mid(slash + 1));
     if (!numerator || !denominator) return evaluate(text, unit);

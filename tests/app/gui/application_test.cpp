@@ -6,6 +6,7 @@
 #include <QDialog>
 #include <QLabel>
 #include <QLineEdit>
+#include <QMessageBox>
 #include <QSignalSpy>
 #include <QTest>
 #include <QVBoxLayout>
@@ -17,6 +18,7 @@ private slots:
     void aDialogHasRoomForItsTitle();
     void aLongTitleIsCut();
     void fieldsLeaveCommandsTheirKeys();
+    void aLetterAnswersNoQuestion();
 };
 
 namespace {
@@ -52,6 +54,27 @@ void ApplicationTest::fieldsLeaveCommandsTheirKeys() {
     QSignalSpy triggered(&action, &QAction::triggered);
     QTest::keyClick(field, Qt::Key_E, Qt::ControlModifier);
     QCOMPARE(triggered.count(), 1);
+}
+
+// It may be meant for the field behind it. With Alt it is meant.
+void ApplicationTest::aLetterAnswersNoQuestion() {
+    QMessageBox box(QMessageBox::Warning, QStringLiteral("Unsaved"), QStringLiteral("Save?"),
+                    QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel);
+    box.button(QMessageBox::Save)->setText(QStringLiteral("&Save"));
+    box.button(QMessageBox::Discard)->setText(QStringLiteral("&Discard"));
+    box.open();
+    QVERIFY(QTest::qWaitForWindowActive(&box));
+    QSignalSpy clicked(&box, &QMessageBox::buttonClicked);
+    for (const int key : {Qt::Key_S, Qt::Key_D})
+        for (const auto modifier : {Qt::NoModifier, Qt::ShiftModifier}) {
+            QTest::keyClick(QApplication::focusWidget(), Qt::Key(key), modifier);
+            for (const QAbstractButton* button : box.buttons())
+                QVERIFY(!button->isDown());
+        }
+    QVERIFY(clicked.isEmpty());
+    QTest::keyClick(QApplication::focusWidget(), Qt::Key_D, Qt::AltModifier);
+    QTRY_COMPARE(clicked.count(), 1);
+    QCOMPARE(box.clickedButton(), box.button(QMessageBox::Discard));
 }
 
 BARYCAGE_TEST(ApplicationTest, Application);

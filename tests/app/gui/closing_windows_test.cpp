@@ -40,6 +40,7 @@ private slots:
     void theQuestionGoesWithTheLastExport();
     void anExportInADialogIsAskedAbout();
     void whatIsSavedOnTheWayIsOpenedAgain();
+    void whoStaysKeepsItsPanels();
 };
 
 // The field is left when the window goes, and says what it holds to a document that must still be there.
@@ -190,6 +191,43 @@ void ClosingWindowsTest::whatIsSavedOnTheWayIsOpenedAgain() {
     session::restart();
     QVERIFY(session::filesToReopen());
     QCOMPARE(*session::filesToReopen(), QStringList{path});
+}
+
+// A panel that floats is a window of its own. Nothing is closed before all have been asked, and nobody twice.
+void ClosingWindowsTest::whoStaysKeepsItsPanels() {
+    MainWindow* saved = shown(support::testData(QStringLiteral("dos.ifs")));
+    MainWindow* changed = shown(support::testData(QStringLiteral("shapes.ifs")));
+    QVERIFY(QTest::qWaitForWindowExposed(changed));
+    QList<QDockWidget*> panels;
+    for (MainWindow* window : {saved, changed}) {
+        panels << window->findChild<QDockWidget*>(QStringLiteral("entries"));
+        panels.last()->setFloating(true);
+        panels.last()->show();
+    }
+    changed->document().edit(QStringLiteral("solid"), pairOfCubes());
+    int asked = 0;
+    QMessageBox::StandardButton press = QMessageBox::Cancel;
+    QTimer answer;
+    connect(&answer, &QTimer::timeout, this, [&] {
+        for (QWidget* widget : QApplication::topLevelWidgets())
+            if (auto* box = qobject_cast<QMessageBox*>(widget); box && box->isVisible()) {
+                ++asked;
+                box->button(press)->click();
+            }
+    });
+    answer.start(20);
+    session::quit();
+    QCOMPARE(asked, 1);
+    QVERIFY(saved->isVisible() && changed->isVisible());
+    for (const QDockWidget* panel : panels)
+        QVERIFY(panel->isVisible() && panel->isFloating());
+    changed->close(); // asks anew
+    QCOMPARE(asked, 2);
+    QVERIFY(changed->isVisible());
+    press = QMessageBox::Discard;
+    session::quit();
+    QCOMPARE(asked, 3); // once
+    QVERIFY(!saved->isVisible() && !changed->isVisible());
 }
 
 BARYCAGE_TEST(ClosingWindowsTest, QApplication);

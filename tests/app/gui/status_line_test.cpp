@@ -7,8 +7,11 @@
 
 #include <QHelpEvent>
 #include <QImage>
+#include <QLineEdit>
+#include <QShortcut>
 #include <QTest>
 #include <QToolTip>
+#include <QVBoxLayout>
 
 #include <memory>
 
@@ -49,6 +52,33 @@ private slots:
     void aShortMessageNeedsNoTip() {
         m_line->showMessage(QStringLiteral("Saved."));
         QVERIFY(tipAt(m_line.get()).isEmpty());
+    }
+
+    // What is said about the key itself stays, and so does what is said in another window.
+    void escapeTakesTheMessageAway() {
+        QWidget window;
+        auto* column = new QVBoxLayout(&window);
+        auto* field = new QLineEdit;
+        auto* inner = new StatusLine;
+        column->addWidget(field);
+        column->addWidget(inner);
+        window.show();
+        field->setFocus();
+        const QString error = QStringLiteral("The attractor would be lost.");
+        inner->showMessage(error);
+        m_line->showMessage(error);
+        QTest::keyClick(field, Qt::Key_A);
+        QCOMPARE(inner->currentMessage(), error);
+        QTest::keyClick(field, Qt::Key_Escape);
+        QVERIFY(inner->currentMessage().isEmpty());
+        QCOMPARE(m_line->currentMessage(), error);
+        QShortcut escape(QKeySequence(Qt::Key_Escape), &window);
+        const QString answer = QStringLiteral("Taken back.");
+        connect(&escape, &QShortcut::activated, inner, [&] { inner->showMessage(answer); });
+        QVERIFY(QTest::qWaitForWindowActive(&window));
+        inner->showMessage(error);
+        QTest::keyClick(field, Qt::Key_Escape);
+        QCOMPARE(inner->currentMessage(), answer);
     }
 
     void thePositionIsReadInFull() {

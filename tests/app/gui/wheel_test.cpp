@@ -10,6 +10,7 @@
 #include <QComboBox>
 #include <QScrollArea>
 #include <QScrollBar>
+#include <QTabBar>
 #include <QTest>
 #include <QVBoxLayout>
 #include <QWheelEvent>
@@ -34,13 +35,15 @@ private:
     static QList<QWidget*> valueWidgets(const QWidget* window);
     static QString value(const QWidget* widget);
     static void turn(QWidget* widget, int notches);
+    static QTabBar* twoTabs();
 };
 
 QList<QWidget*> WheelTest::valueWidgets(const QWidget* window) {
     QList<QWidget*> found;
     for (auto* widget : window->findChildren<QWidget*>()) {
         const bool isSlider = qobject_cast<QAbstractSlider*>(widget) && !qobject_cast<QScrollBar*>(widget);
-        if (isSlider || qobject_cast<QComboBox*>(widget) || qobject_cast<QAbstractSpinBox*>(widget))
+        if (isSlider || qobject_cast<QComboBox*>(widget) || qobject_cast<QAbstractSpinBox*>(widget) ||
+            qobject_cast<QTabBar*>(widget))
             found << widget;
     }
     return found;
@@ -51,7 +54,15 @@ QString WheelTest::value(const QWidget* widget) {
         return QString::number(slider->value());
     if (const auto* list = qobject_cast<const QComboBox*>(widget))
         return QString::number(list->currentIndex()) + list->currentText();
+    if (const auto* tabs = qobject_cast<const QTabBar*>(widget)) return QString::number(tabs->currentIndex());
     return static_cast<const QAbstractSpinBox*>(widget)->text();
+}
+
+QTabBar* WheelTest::twoTabs() {
+    auto* tabs = new QTabBar;
+    tabs->addTab(QStringLiteral("a"));
+    tabs->addTab(QStringLiteral("b"));
+    return tabs;
 }
 
 // As the window system sends it, which may give the focus.
@@ -97,13 +108,14 @@ void WheelTest::whatHasTheFocusChanges() {
     written->setEditable(true);
     auto* slider = new QSlider(Qt::Horizontal);
     auto* box = new QSpinBox;
-    for (QWidget* widget : QList<QWidget*>{list, written, slider, box})
+    auto* tabs = twoTabs();
+    for (QWidget* widget : QList<QWidget*>{list, written, slider, box, tabs})
         layout->addWidget(widget);
     for (QComboBox* both : {list, written})
         both->addItems({QStringLiteral("a"), QStringLiteral("b"), QStringLiteral("c")});
     window.show();
     QVERIFY(QTest::qWaitForWindowActive(&window));
-    for (QWidget* widget : QList<QWidget*>{list, written, slider, box}) {
+    for (QWidget* widget : QList<QWidget*>{list, written, slider, box, tabs}) {
         widget->setFocus();
         const QString before = value(widget);
         turn(widget, widget == slider || widget == box ? 1 : -1);
@@ -120,7 +132,8 @@ void WheelTest::theAreaBehindScrolls() {
     list->addItems({QStringLiteral("a"), QStringLiteral("b")});
     auto* slider = new QSlider(Qt::Horizontal);
     auto* box = new QSpinBox;
-    for (QWidget* widget : QList<QWidget*>{list, slider, box})
+    auto* tabs = twoTabs();
+    for (QWidget* widget : QList<QWidget*>{list, slider, box, tabs})
         layout->addWidget(widget);
     content->setMinimumHeight(2000);
     area.setWidget(content);
@@ -128,7 +141,7 @@ void WheelTest::theAreaBehindScrolls() {
     area.show();
     QVERIFY(QTest::qWaitForWindowExposed(&area));
     area.setFocus();
-    for (QWidget* widget : QList<QWidget*>{list, slider, box}) {
+    for (QWidget* widget : QList<QWidget*>{list, slider, box, tabs}) {
         const QString before = value(widget);
         const int place = area.verticalScrollBar()->value();
         turn(widget, -1);

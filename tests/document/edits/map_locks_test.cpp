@@ -113,7 +113,7 @@ private slots:
         QCOMPARE(system2(turned)->maps.size(), std::size_t(6));
         QCOMPARE(nameAt(turned, 1), QStringLiteral("foot"));
         QVERIFY(isLocked(turned, 4) && isLocked(turned, 5) && !isLocked(turned, 2));
-        QVERIFY(withSuggestion(fractal, {}).mapLabels.isEmpty());
+        QVERIFY(withSuggestion(fractal, {}, {}).mapLabels.isEmpty());
     }
 
     // A branch that becomes a map of its own: the maps that it divides keep the name in their parts.

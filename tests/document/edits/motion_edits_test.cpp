@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "document/edits/timeline/motion_edits.h"
 
+#include "animation/paths/camera_path.h"
 #include "attractor/render/renderer.h"
 #include "attractor/space_systems.h"
+#include "document/edits/timeline/animation_edits.h"
+#include "document/edits/timeline/orbit_edits.h"
 #include "document/fractal/fractal_geometry.h"
 #include "document/fractal/space_geometry.h"
 #include "document/moments/animated_fractal.h"
@@ -17,6 +20,7 @@
 #include <cmath>
 #include <cstdint>
 #include <numbers>
+#include <random>
 #include <stop_token>
 #include <thread>
 
@@ -70,6 +74,9 @@ class MotionEditsTest : public QObject {
 private slots:
     void loopsKeepTheirAttractorAndClose();
     void motionsKeepTheLoopOfKeys();
+    void anOrbitTurnsAboutTheMiddle();
+    void anOrbitLastsFiveSeconds();
+    void axesLean();
     void nothingMovesWithoutMaps();
     void thePaletteIsSeen();
     void windSwaysAboutTheLowestPoint();
@@ -126,6 +133,77 @@ void MotionEditsTest::thePaletteIsSeen() {
                                         {attractor::ColourBy::Address, attractor::ColourBy::Address}}) {
         flat.appearance.colourBy = before;
         QVERIFY(withPaletteCycle(flat)->appearance.colourBy == after);
+    }
+}
+
+// Beside the origin, where the box of the cage has another middle than that of the solid.
+void MotionEditsTest::anOrbitTurnsAboutTheMiddle() {
+    Fractal solid;
+    Shape<3> shape{systems::menger()};
+    const ifs::AffineMap<3> away{2 * ifs::Matrix<3>::Identity(), {5, -3, 2}};
+    shape.system = *ifs::conjugate(away, shape.system);
+    solid.shape = shape;
+    const ifs::Vector<3> middle(6, -2, 3);
+    const Fractal turning = *withOrbit(solid);
+    const auto place = orbitPlace(turning, 0);
+    QVERIFY(place && place->pivot == animation::OrbitPivot::Centre);
+    QVERIFY((place->centre - middle).norm() < 1e-5);
+    QVERIFY(place->axis == ifs::Vector<3>::UnitY());
+    QVERIFY(orbitPlace(*withOrbit(solid, ifs::Vector<3>::UnitZ()), 0)->axis == ifs::Vector<3>::UnitZ());
+    attractor::OrbitCamera camera;
+    camera.size = {640, 480};
+    camera.height = 4;
+    camera.target = {5.5, -1, 4};
+    const auto seen = toScreen(camera, place->centre).pixel;
+    for (const int frame : {1, 17, 60, 119}) {
+        const auto turns = frameAt(turning, animation::moment(frame)).orbit;
+        QVERIFY((toScreen(animation::orbited(camera, turns), place->centre).pixel - seen).norm() < 1e-9);
+    }
+    // As it is displayed: by a cage that moves it.
+    Fractal placed = solid;
+    ifs::ControlCage<3> cage = *spaceCage(solid);
+    for (auto& vertex : cage.current)
+        vertex += ifs::Vector<3>(1, 1, 1);
+    space(placed)->cage = cage;
+    QVERIFY((orbitPlace(*withOrbit(placed), 0)->centre - middle - ifs::Vector<3>(1, 1, 1)).norm() < 1e-5);
+    const OrbitPlace other{ifs::Vector<3>::UnitX(), animation::OrbitPivot::Target, {1, 2, 3}};
+    const Fractal changed = withOrbitPlace(turning, 0, other);
+    QVERIFY(orbitPlace(changed, 0) == other);
+    QVERIFY(!frameAt(changed, animation::moment(7)).orbit.front().pivot);
+    QCOMPARE(withOrbitPlace(turning, 0, {ifs::Vector<3>(1, 1, 0), other.pivot, {}}),
+             turning); // no length of 1
+    QCOMPARE(withOrbitPlace(turning, 1, other), turning);
+    const Fractal flat = *withOrbit(sierpinskiTriangle());
+    const auto flatPlace = orbitPlace(flat, 0);
+    const auto box = displayedBox(flat);
+    QVERIFY((flatPlace->centre.head<2>() - (box->min + box->max) / 2).norm() < 1e-12);
+    QVERIFY(orbitPlace(withOrbitPlace(flat, 0, {{}, {}, {4, 5, 0}}), 0)->centre == ifs::Vector<3>(4, 5, 0));
+}
+
+// Unless the entry has a length already.
+void MotionEditsTest::anOrbitLastsFiveSeconds() {
+    Fractal solid;
+    solid.shape = Shape<3>{systems::menger()};
+    for (const Fractal& fractal : {solid, movingMaple()}) {
+        const Timing timing = timingOf(*withOrbit(fractal));
+        QCOMPARE(timing.length * timing.rate.seconds, 5 * timing.rate.frames);
+        QCOMPARE(timingOf(*withOrbit(*withBreathing(fractal))).length, timingOf(fractal).length);
+        QCOMPARE(timingOf(*withOrbit(withTiming(fractal, {{30, 1}, 33, {}}))).length, 33);
+    }
+}
+
+void MotionEditsTest::axesLean() {
+    QVERIFY(directionOf({1, 0, 77}) == ifs::Vector<3>::UnitY());
+    QVERIFY((directionOf({1, 90, 0}) - ifs::Vector<3>::UnitZ()).norm() < 1e-15); // y, z, x in turn
+    QVERIFY((directionOf({1, 90, 90}) - ifs::Vector<3>::UnitX()).norm() < 1e-15);
+    QVERIFY((directionOf({0, 180, 0}) + ifs::Vector<3>::UnitX()).norm() < 1e-15);
+    std::mt19937_64 random(3);
+    std::normal_distribution<double> number;
+    for (int i = 0; i < 200; ++i) {
+        const auto direction = ifs::Vector<3>(number(random), number(random), number(random)).normalized();
+        const LeaningAxis leaning = leaningAxisOf(direction);
+        QVERIFY((directionOf(leaning) - direction).norm() < 1e-12);
+        QVERIFY(std::min(leaning.lean, 180 - leaning.lean) < 54.8); // the nearest axis
     }
 }
 

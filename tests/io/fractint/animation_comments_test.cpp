@@ -239,6 +239,30 @@ private slots:
     }
 
     // The last number, where there is one; what is not turned is written as before.
+    // Before axes were stored, a camera in space went about its target: such entries still look as they did.
+    void orbitsInSpace() {
+        const QByteArray head = "turning (3D) {\n; barycage: version 1\n; barycage: animation 48 24/1 "
+                                "cycle\n; barycage: motion orbit\n"
+                                "; barycage: count 1\n; barycage: pivot 1 2 3\n";
+        const QByteArray row = "  .5 0 0 0 .5 0 0 0 .5 0 0 0 1\n}\n";
+        const auto orbitOf = [](const FractalFile& file) {
+            const auto& motions = document::space(*file.entries.first().fractal)->animation->motions;
+            return std::get<animation::Orbit<3>>(motions.at(0));
+        };
+        const FractalFile old = fileOf(head + row);
+        QVERIFY(orbitOf(old).pivot == animation::OrbitPivot::Target);
+        QVERIFY(brightened(old).contains("pivot 1 2 3\n"));
+        QVERIFY(!brightened(old).contains("axis"));
+        const FractalFile tilted = fileOf(head + "; barycage: axis 0 0.6 0.8\n" + row);
+        const animation::Orbit<3> orbit = orbitOf(tilted);
+        QVERIFY(orbit.pivot == animation::OrbitPivot::Centre);
+        QVERIFY(orbit.centre == ifs::Vector<3>(1, 2, 3) && orbit.axis == ifs::Vector<3>(0, 0.6, 0.8));
+        QVERIFY(orbitOf(fileOf(brightened(tilted))) == orbit);
+        const FractalFile crooked = fileOf(head + "; barycage: axis 0 0.6 0.9\n" + row);
+        QVERIFY(!document::space(*crooked.entries.first().fractal)->animation); // its length is not 1
+        QVERIFY(brightened(crooked).contains("axis 0 0.6 0.9"));
+    }
+
     void aTurnedCamera() {
         for (const QByteArray value : {"value 0.5 -1 2 1", "value 0.5 -1 2 -1 30"}) {
             const QByteArray text = "plane {\n; barycage: version 1\n; barycage: animation 10 24/1 cycle\n"

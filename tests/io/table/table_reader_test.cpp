@@ -35,6 +35,19 @@ class TableReaderTest : public QObject {
     Q_OBJECT
 
 private slots:
+    // “e” and “phi” are names of columns.
+    void constantsAreNumbers() {
+        const auto rows = [](const char* text) { return summary(io::readTable(QString::fromUtf8(text))); };
+        const QString wanted = QStringLiteral("0.5 0 0 0.5 3.14159 0 1/0.5 0 0 0.5 1 -3.14159 1");
+        QCOMPARE(rows(".5,0,0,.5,pi,0,1\n.5,0,0,.5,1,-pi,1"), wanted);
+        QCOMPARE(rows("a,b,c,d,e,f,p\n.5,0,0,.5,PI,0,1\n.5,0,0,.5,1,-pi,1"), wanted);
+        QCOMPARE(rows(".5 0 0 .5 pi 0 1\n.5 0 0 .5 1 -π 1"), wanted);
+        QCOMPARE(rows(".5\t0\t0\t.5\tπ\t0\t1\n.5\t0\t0\t.5\t1\t-pi\t1"), wanted);
+        QCOMPARE(rows(".5,0,0,.5,sqrt(pi),0,1"), QStringLiteral("0.5 0 0 0.5 1.77245 0 1"));
+        QCOMPARE(rows("pi,0,0,.5,1,0,1"), QStringLiteral("3.14159 0 0 0.5 1 0 1"));
+        QCOMPARE(rows("r,s,theta,phi,e,f\n.5,.5,0,0,pi,0"), QStringLiteral("0.5 0 0 0.5 3.14159 0 -"));
+    }
+
     void whyTextIsNoOrderOfColumns_data() {
         QTest::addColumn<QString>("text");
         QTest::addColumn<QString>("why");

@@ -85,12 +85,19 @@ protected:
             if (auto* found = dynamic_cast<view::CollageLayer*>(item)) return found;
         return nullptr;
     }
+    // What is told of a picture that is 1 unit high, with its middle at the origin, where the target lies.
+    ifs::Vector<2> placed(const ifs::Vector<2>& point) const {
+        return m_panel->target()->traced()->place.map()(point);
+    }
+    ifs::AffineMap<2> placed(const ifs::AffineMap<2>& map) const {
+        return *ifs::conjugate<2>(m_panel->target()->traced()->place.map(), map);
+    }
     // Like the leaf, and in its place: three small copies.
     void takeRoughMaps() {
         document::Fractal fractal = m_document->fractal();
         document::Shape<2> shape;
         for (const double y : {-0.25, 0.0, 0.25})
-            ifs::append<2>(shape.system, ifs::affineMap(0.5, 0.1, -0.1, 0.5, 0.05 * y, y), 0.3);
+            ifs::append<2>(shape.system, placed(ifs::affineMap(0.5, 0.1, -0.1, 0.5, 0.05 * y, y)), 0.3);
         fractal.shape = std::move(shape);
         m_document->edit(QStringLiteral("Prepare"), std::move(fractal));
         m_canvas->selectMaps({});

@@ -11,6 +11,7 @@
 #include <QLocale>
 #include <QSignalSpy>
 #include <QTest>
+#include <QToolTip>
 #include <QWheelEvent>
 #include <QWidget>
 
@@ -27,6 +28,7 @@ private slots:
     void whatWasTypedStaysWhileTheValueIsIts();
     void theNumberIsStatedBesideTheExpression();
     void whatIsUnfinishedChangesNothing();
+    void whatIsNoNumberLeavesTheOneBefore();
     void whatHasNoValueBringsBackTheOneBefore();
     void whatIsTooLargeIsTheLargest();
     void theWheelNeedsTheFocus();
@@ -121,7 +123,42 @@ void NumberBoxTest::whatIsUnfinishedChangesNothing() {
     QCOMPARE(box.text(), QStringLiteral("5.00"));
     type(box, QStringLiteral("4*8")); // 4 is a number, 32 is too large
     QTest::keyClick(&box, Qt::Key_Return);
-    QCOMPARE(box.value(), 4.0);
+    QCOMPARE(box.value(), 5.0);
+}
+
+// 1.234 of 1.234,5 is a thousandth of what was meant.
+void NumberBoxTest::whatIsNoNumberLeavesTheOneBefore() {
+    for (const char* typed : {"1.234,5", "1,234.5", "1.2.3", "12 of them", "7*", "2,3,4"}) {
+        for (const int key : {int(Qt::Key_Return), 0}) {
+            NumberBox box;
+            box.setRange(0, 2000);
+            box.setDecimals(4);
+            box.setValue(5);
+            type(box, QLatin1String(typed));
+            QVERIFY(QTest::qWaitForWindowExposed(&box));
+            QFocusEvent left(QEvent::FocusOut, Qt::TabFocusReason);
+            key != 0 ? QTest::keyClick(&box, Qt::Key(key)) : void(QApplication::sendEvent(&box, &left));
+            QVERIFY2(box.value() == 5, typed);
+            QCOMPARE(box.text(), QStringLiteral("5.0000"));
+            QVERIFY2(!QToolTip::text().isEmpty(), typed);
+            QToolTip::hideText();
+            WholeNumberBox whole;
+            whole.setRange(0, 2000);
+            whole.setValue(7);
+            type(whole, QLatin1String(typed));
+            QVERIFY(QTest::qWaitForWindowExposed(&whole));
+            key != 0 ? QTest::keyClick(&whole, Qt::Key(key)) : void(QApplication::sendEvent(&whole, &left));
+            QVERIFY2(whole.value() == 7, typed);
+        }
+    }
+    NumberBox box;
+    box.setRange(0, 2000);
+    box.setDecimals(4);
+    box.setValue(5);
+    type(box, QStringLiteral("1.234"));
+    QCOMPARE(box.value(), 1.234);
+    QTest::keyClicks(&box, QStringLiteral(","));
+    QCOMPARE(box.value(), 5.0); // at once
 }
 
 // 1 of 1/0 is no value that anybody wanted.
@@ -293,8 +330,8 @@ void NumberBoxTest::otherNumbersAreNotWhole() {
     box.setRange(1, 4000);
     type(box, QStringLiteral("7/2"));
     QTest::keyClick(&box, Qt::Key_Return);
-    QCOMPARE(box.value(), 7); // the last whole number
-    QCOMPARE(box.text(), QStringLiteral("7"));
+    QCOMPARE(box.value(), 1); // as it was
+    QCOMPARE(box.text(), QStringLiteral("1"));
 }
 
 // 10.5 is not 105.

@@ -121,6 +121,7 @@ void AnimationExportDialog::createFormat() {
                             "everything that becomes visible, with a small margin."));
     for (const document::SavedView& view : m_views)
         m_section->addItem(tr("The view “%1”").arg(view.name));
+    if (document::space(m_entry)) setSection(Section::Animation); // a camera that goes round shows it all
     m_form->addRow(tr("Sect&ion:"), m_section);
     m_form->setRowVisible(m_section, !io::hasCameraKeys(m_entry));
     m_width = spinBox(tr("Width"), 16, maxFrameSide, 1920, tr("The width of the frames in pixels."));
@@ -251,6 +252,9 @@ document::Fractal AnimationExportDialog::entryInView() const {
 io::AnimationExport AnimationExportDialog::chosen() const {
     io::AnimationExport what;
     what.entry = entryInView();
+    const auto* solid = std::get_if<attractor::OrbitCamera>(&m_camera);
+    const bool isWhole = Section(m_section->currentIndex()) == Section::Animation;
+    if (solid && isWhole && !io::hasCameraKeys(m_entry)) what.seenFrom = *solid;
     if (m_format->currentIndex() != Pictures) what.format = io::VideoFormat(m_format->currentIndex());
     what.size = {m_width->value(), m_height->value()};
     const int perPixel = m_quality->currentData().toInt();
@@ -361,7 +365,7 @@ void AnimationExportDialog::prepareCluster(const QString& folder) {
     const io::ClusterJob job{chosen(), m_tasks->value()};
     QFuture<io::WrittenJob> work =
         io::inBackground<io::WrittenJob>(io::Lane::Saving, [folder, job](QPromise<io::WrittenJob>& promise) {
-            promise.addResult(writeClusterJob(folder, job));
+            promise.addResult(io::writeClusterJob(folder, {io::withViewKeyed(job.animation), job.tasks}));
         });
     const QPointer self(this);
     const bool isWritten = waitFor(QFuture<void>(work), tr("Writing the job folder…"), this);

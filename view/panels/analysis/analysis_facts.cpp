@@ -119,6 +119,8 @@ double fixedPointError(const Analysis& analysis, std::size_t k) {
     return error;
 }
 
+constexpr double roundOff = 1e-9; // of the size
+
 template <int Dim> double sizeOf(const ifs::Facts<Dim>& facts) {
     if (facts.box) return (facts.box->max - facts.box->min).stableNorm();
     return std::sqrt(std::max(facts.moments->covariance.trace(), 0.0));
@@ -552,8 +554,13 @@ template <int Dim> void Facts::addHull() {
         tr("Vertices of the computed hull; each is a point of the attractor. If the exact hull has "
            "infinitely many, as many are computed as the tolerance requires."),
         isKnown, [](const Analysis& analysis, Format number) {
-            const std::size_t count = factsIn<Dim>(analysis).hull->vertices.size();
-            return number == &shortNumber ? groupedNumber(double(count)) : QString::number(count);
+            const ifs::Facts<Dim>& facts = factsIn<Dim>(analysis);
+            const std::size_t count = facts.hull->vertices.size();
+            const QString text =
+                number == &shortNumber ? groupedNumber(double(count)) : QString::number(count);
+            // Where the hull is not known exactly, neither is the number of its vertices.
+            const bool isExact = facts.isHullExact || facts.hull->error <= roundOff * sizeOf(facts);
+            return isExact ? text : tr("%1 (approximation)").arg(text);
         });
     add(tr("Hull error bound"),
         Dim == 2 ? tr("The attractor extends at most this far beyond the polygon; certified.")

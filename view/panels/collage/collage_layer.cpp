@@ -137,8 +137,10 @@ void CollageLayer::prepareTarget() {
 
 void CollageLayer::paintTarget(QPainter& painter) {
     if (m_target.isNull() || m_targetOnDark != isOnDark()) prepareTarget();
-    const double width = double(m_target.width()) / m_target.height();
-    const QRectF inPlane(-width / 2, -0.5, width, 1);
+    const document::PicturePlace& place = m_traced->place;
+    const double width = place.height * m_target.width() / m_target.height();
+    const QRectF inPlane(place.middle.x() - width / 2, place.middle.y() - place.height / 2, width,
+                         place.height);
     if (isTurned()) return paintTurned(painter, m_target, inPlane);
     const QRectF there = toPixels().mapRect(inPlane);
     const bool isUpright = m_canvas->camera().yAxis == attractor::YAxis::Up;

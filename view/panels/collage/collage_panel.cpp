@@ -4,6 +4,7 @@
 #include "canvas/canvas_view.h"
 #include "document/edits/cage/cage_edits.h"
 #include "document/edits/collage_edits.h"
+#include "document/edits/entries_edits.h"
 #include "document/edits/maps/map_locks.h"
 #include "panels/collage/collage_layer.h"
 #include "panels/collage/suggestion_list.h"
@@ -11,6 +12,7 @@
 #include "widgets/numbers/number_text.h"
 
 #include <QComboBox>
+#include <QFileInfo>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QStringList>
@@ -55,6 +57,16 @@ QString textOf(Task task) {
         break;
     }
     return CollagePanel::tr("Add Map");
+}
+
+// A new entry in the colours of this one, named after the target.
+document::Fractal suggested(const document::Fractal& entry, const QString& target,
+                            const collage::Suggestion& suggestion, const document::PicturePlace& place) {
+    document::Fractal made;
+    made.name = QFileInfo(target).completeBaseName();
+    if (made.name.isEmpty()) made.name = entry.name;
+    made.appearance = entry.appearance;
+    return document::withSuggestion(std::move(made), suggestion, place);
 }
 
 } // namespace
@@ -176,7 +188,7 @@ void CollagePanel::follow(const document::Change& change) {
     using document::Change;
     if (change.parts & (Change::Current | Change::File)) {
         cancel();
-        m_suggestions->forget();
+        if (m_suggestedFor != m_target->traced()) m_suggestions->forget();
     }
     if (change.parts & Change::Name) showLocks();
     if (!(change.parts & (Change::System | Change::Cage | Change::Current | Change::File))) return;
@@ -326,9 +338,11 @@ void CollagePanel::finish(std::optional<Result> result) {
     if (!result) return emit message(tr("There is not enough memory for this."));
     if (done.task == Task::Suggest) {
         std::vector<std::shared_ptr<const document::Fractal>> fractals;
+        m_suggestedFor = m_target->traced();
+        m_suggested = document::EntryId::None;
         for (const collage::Suggestion& one : result->suggestions)
-            fractals.push_back(
-                std::make_shared<const document::Fractal>(document::withSuggestion(*done.before, one)));
+            fractals.push_back(std::make_shared<const document::Fractal>(
+                suggested(*done.before, m_target->name(), one, m_suggestedFor->place)));
         m_suggestions->show(result->suggestions, std::move(fractals));
         return emit message(
             tr("%n suggestions. Click one to use it.", nullptr, int(result->suggestions.size())));
@@ -356,11 +370,24 @@ void CollagePanel::cancel() {
     m_fit->setProgress(std::nullopt);
 }
 
+// In an entry of its own, so that nothing is overwritten and nothing moves; another one takes its place
+// there.
 void CollagePanel::use(int suggestion) {
-    document::Fractal after = m_document->fractal();
-    after.shape = m_suggestions->fractal(suggestion)->shape;
-    after.mapLabels = {};
-    m_document->edit(textOf(Task::Suggest), std::move(after));
+    const std::shared_ptr<const document::Fractal>& chosen = m_suggestions->fractal(suggestion);
+    if (m_suggested != document::EntryId::None && m_document->currentId() == m_suggested) {
+        document::Fractal after = m_document->entryFractal();
+        after.shape = chosen->shape;
+        after.mapLabels = {};
+        m_document->editEntry(textOf(Task::Suggest), std::move(after));
+    } else {
+        document::Entry entry;
+        entry.fractal = chosen;
+        document::Inserted added = document::inserted(m_document->file(), {entry}, m_document->currentId());
+        m_suggested = added.ids.front();
+        m_target->share(m_suggested);
+        m_document->editFile(textOf(Task::Suggest), std::move(added.file), m_suggested);
+    }
+    m_canvas->navigation().fit();
 }
 
 void CollagePanel::lock(bool lock) {

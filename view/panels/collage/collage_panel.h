@@ -84,6 +84,8 @@ private:
     QLabel* m_refined; // what the last refinement has made of the numbers
     QLabel* m_shades;  // what is guaranteed of the weights that were fitted last
     SuggestionList* m_suggestions;
+    std::shared_ptr<const document::TracedPicture> m_suggestedFor; // the target
+    document::EntryId m_suggested = document::EntryId::None;       // the entry that one of them was used in
     std::optional<document::MeasuredFractal> m_measured;
     std::optional<Running> m_running;
     std::shared_ptr<std::atomic<double>> m_progress; // of what runs

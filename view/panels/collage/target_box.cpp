@@ -104,6 +104,7 @@ std::function<QByteArray()> pictureIn(const QMimeData& data) {
 TargetBox::TargetBox(document::Document* document, QWidget* parent)
     : QWidget(parent),
       m_document(document),
+      m_shown(document->currentId()),
       m_reading([this](std::optional<Read> read) { finishReading(std::move(read)); }, io::Lane::Reading),
       m_tracing([this](std::optional<TracedPointer> traced) { show(traced ? *traced : nullptr); }) {
     auto* layout = new QVBoxLayout(this);
@@ -305,6 +306,17 @@ void TargetBox::take(const std::shared_ptr<const document::Fractal>& entry) {
         entry->name);
 }
 
+bool TargetBox::State::isTracedAs(const State& other) const {
+    const auto isAlike = [](const std::optional<document::Box>& a, const std::optional<document::Box>& b) {
+        return a.has_value() == b.has_value() && (!a || (a->min == b->min && a->max == b->max));
+    };
+    return picture && picture == other.picture && options == other.options && isAlike(onto, other.onto);
+}
+
+QString TargetBox::name() const {
+    return m_states.value(m_document->currentId()).name;
+}
+
 bool TargetBox::hasTargets() const {
     return std::any_of(m_states.cbegin(), m_states.cend(),
                        [](const State& state) { return state.picture != nullptr; });
@@ -318,9 +330,11 @@ void TargetBox::remove() {
 
 void TargetBox::submit(const std::function<State(const std::stop_token&)>& reading, const QString& name) {
     m_name->setText(tr("Reading “%1”…").arg(name));
-    m_reading.submit([reading, name, entry = m_document->currentId()](const std::stop_token& stop) {
+    m_reading.submit([reading, name, entry = m_document->currentId(),
+                      fractal = m_document->sharedFractal()](const std::stop_token& stop) {
         Read read{entry, reading(stop)};
         read.state.name = name;
+        read.state.onto = document::displayedBox(*fractal);
         return std::optional(std::move(read));
     });
 }
@@ -342,6 +356,9 @@ void TargetBox::follow(const document::Change& change) {
         m_states.clear();
     }
     if (!(change.parts & (Change::Current | Change::File))) return;
+    const document::EntryId before = std::exchange(m_shown, m_document->currentId());
+    const bool isSame = m_traced && m_states.value(before).isTracedAs(m_states.value(m_shown));
+    if (isSame) return; // with a suggestion in an entry of its own
     m_tracing.cancel(); // it is of another entry,
     m_traced = nullptr; // and so is what it found
     showState();
@@ -382,9 +399,9 @@ void TargetBox::showState() {
 
 void TargetBox::trace() {
     const State& now = state();
-    m_tracing.submit([picture = now.picture,
-                      options = now.options](const std::stop_token&) -> std::optional<TracedPointer> {
-        auto traced = document::tracedPicture(*picture, options);
+    m_tracing.submit([picture = now.picture, options = now.options,
+                      onto = now.onto](const std::stop_token&) -> std::optional<TracedPointer> {
+        auto traced = document::tracedPicture(*picture, options, onto);
         if (!traced) return std::nullopt;
         return std::make_shared<const document::TracedPicture>(*std::move(traced));
     });

@@ -41,6 +41,9 @@ public:
 
     const std::shared_ptr<const document::TracedPicture>& traced() const { return m_traced; } // null: none
     bool hasTargets() const; // for any entry of the file
+    QString name() const;    // of what the current entry has
+    // Another entry has the same target as the current one from now on.
+    void share(document::EntryId with) { m_states[with] = state(); }
     bool isBusy() const { return m_reading.isBusy() || m_tracing.isBusy(); }
 
 signals:
@@ -56,6 +59,9 @@ private:
         QString name;
         QString sentence; // why there is no picture
         document::TraceOptions options;
+        std::optional<document::Box> onto; // what the entry showed when it came: as large is the shape
+
+        bool isTracedAs(const State& other) const;
     };
     struct Read {
         document::EntryId entry = document::EntryId::None;
@@ -82,6 +88,7 @@ private:
 
     document::Document* m_document;
     QHash<document::EntryId, State> m_states;
+    document::EntryId m_shown = document::EntryId::None;
     TracedPointer m_traced;
     QToolButton* m_remove = nullptr;
     QLabel* m_name = nullptr;

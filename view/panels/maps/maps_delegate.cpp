@@ -145,6 +145,7 @@ void MapsDelegate::setEditorData(QWidget* editor, const QModelIndex& index) cons
 void MapsDelegate::setModelData(QWidget* editor, QAbstractItemModel*, const QModelIndex& index) const {
     if (index.column() == MapsModel::Name) return m_model->commitEdit(); // the name is there already
     const auto* field = static_cast<NumberField*>(editor);
+    if (!field->problem().isEmpty()) return; // the cell keeps its value, which is said when the editor goes
     m_model->keepTyped(index, field->value(), field->typedText());
     m_model->commitEdit(); // the value is there already
     if (const QString remark = m_model->remark(index); !remark.isEmpty()) emit refused(remark);

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "panels/timeline/motion_dialog.h"
 
+#include "document/edits/timeline/orbit_edits.h"
 #include "document/moments/animated_fractal.h"
+#include "panels/timeline/orbit_rows.h"
 #include "widgets/numbers/number_box.h"
 #include "widgets/numbers/number_text.h"
 
@@ -12,6 +14,7 @@
 #include <QSpinBox>
 
 #include <algorithm>
+#include <utility>
 
 namespace view {
 
@@ -63,6 +66,10 @@ MotionDialog::MotionDialog(document::Document& document, std::size_t motion, con
         QWidget* box = field(i, cycles);
         form->addRow(box->accessibleName() + u':', box);
     }
+    if (document::orbitPlace(m_entry, motion)) {
+        m_orbit = new OrbitRows(m_entry, motion, form, this);
+        connect(m_orbit, &OrbitRows::changed, this, &MotionDialog::preview);
+    }
     m_note = new QLabel(this);
     m_note->setWordWrap(true);
     m_note->setAccessibleName(tr("Limit of the strength"));
@@ -112,6 +119,10 @@ QWidget* MotionDialog::field(std::size_t index, int ordinal) {
 
 void MotionDialog::take(std::size_t index, double value) {
     m_numbers[index].value = value;
+    preview();
+}
+
+void MotionDialog::preview() {
     m_gesture.previewEntry(changed());
     if (layout()->hasHeightForWidth())
         resize(width(), std::max(height(), layout()->totalHeightForWidth(width())));
@@ -119,6 +130,7 @@ void MotionDialog::take(std::size_t index, double value) {
 
 document::Fractal MotionDialog::changed() const {
     document::Fractal wanted = document::withMotionNumbers(m_entry, m_motion, m_numbers);
+    if (m_orbit) wanted = document::withOrbitPlace(std::move(wanted), m_motion, m_orbit->place());
     m_note->hide();
     const auto strength = std::ranges::find_if(m_numbers, [](const document::MotionNumber& number) {
         return number.kind == document::MotionNumber::Kind::Degrees ||

@@ -12,8 +12,10 @@ class QLabel;
 
 namespace view {
 
-// The numbers of a motion of the current entry: its strength, turns and cycles. What is chosen is seen at
-// once; OK makes it one step of the history, Cancel takes it back.
+class OrbitRows;
+
+// The numbers of a motion of the current entry: its strength, turns and cycles, and where an orbit turns.
+// What is chosen is seen at once; OK makes it one step of the history, Cancel takes it back.
 class MotionDialog : public QDialog {
     Q_OBJECT
 
@@ -26,12 +28,14 @@ private:
     // The number of this index, the `ordinal`-th of those of its kind.
     QWidget* field(std::size_t index, int ordinal);
     void take(std::size_t index, double value);
+    void preview();
     // With these numbers or, so that an attractor is left at all times, a smaller strength, which is said.
     document::Fractal changed() const;
 
     document::Fractal m_entry; // as it was
     std::size_t m_motion;
     std::vector<document::MotionNumber> m_numbers; // exact, where the fields show them rounded
+    OrbitRows* m_orbit = nullptr;                  // of an orbit
     QLabel* m_note = nullptr;
     document::EditGesture m_gesture;
 };

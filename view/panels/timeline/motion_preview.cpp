@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "panels/timeline/motion_preview.h"
 
+#include "animation/paths/camera_path.h"
 #include "attractor/colour/palette.h"
 #include "document/fractal/fractal_geometry.h"
 #include "document/moments/animated_fractal.h"
+#include "ifs/cage/control_cage.h"
 
 #include <QPainter>
 
@@ -22,13 +24,10 @@ constexpr std::size_t maxMaps = 64;
 constexpr double margin = 2;            // pixels
 constexpr double paletteInMiddle = 0.7; // where a point of usual density is in a palette
 
-// From in front and a little from above, turned as far as the camera has gone round.
-QPointF seen(double orbit, const ifs::Vector<3>& point) {
-    constexpr double degree = 3.14159265358979323846 / 180;
-    const double turn = (30 + orbit) * degree, tilt = 20 * degree;
-    const double depth = point.z() * std::cos(turn) + point.x() * std::sin(turn);
-    return {point.x() * std::cos(turn) - point.z() * std::sin(turn),
-            point.y() * std::cos(tilt) - depth * std::sin(tilt)};
+// From in front and a little from above, through a camera that has gone round.
+QPointF seen(const attractor::OrbitCamera& camera, const ifs::Vector<3>& point) {
+    const ifs::Vector<3> at = camera.orientation.conjugate() * (point - camera.target);
+    return {at.x(), at.y()};
 }
 
 // The chaos game with the same random numbers in every frame.
@@ -122,8 +121,13 @@ bool MotionPreview::findNext() {
             return QPointF(shown.x(), shown.y());
         });
     } else if (const auto* solid = document::space(frame.fractal)) {
+        const bool isPlaced = solid->cage && !ifs::bends(*solid->cage);
+        const ifs::AffineMap<3> place = isPlaced ? ifs::displayMap(*solid->cage) : ifs::AffineMap<3>();
+        attractor::OrbitCamera camera;
+        camera.orientation = attractor::orbit(30, 20);
+        camera = animation::orbited(camera, frame.orbit);
         result.points = chaosGame<3>(solid->system,
-                                     [&](const ifs::Vector<3>& point) { return seen(frame.orbit, point); });
+                                     [&](const ifs::Vector<3>& point) { return seen(camera, place(point)); });
     }
     return m_frames.size() < previewFrames;
 }

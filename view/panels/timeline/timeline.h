@@ -56,6 +56,10 @@ public:
     void setCameraSource(std::function<document::SeenCamera()> source) { m_camera = std::move(source); }
     document::SeenCamera camera() const { return m_camera ? m_camera() : std::nullopt; }
 
+    // The axis that is vertical in the view of a system in space.
+    void setVerticalSource(std::function<ifs::Vector<3>()> source) { m_vertical = std::move(source); }
+    ifs::Vector<3> vertical() const { return m_vertical ? m_vertical() : ifs::Vector<3>::UnitY(); }
+
     // Rows: all tracks, then all motions.
     const std::vector<document::TrackKeys>& tracks() const { return m_tracks; }
     const std::vector<QString>& motions() const { return m_motions; } // their names
@@ -98,6 +102,7 @@ private:
     document::Document* m_document;
     Playback m_playback;
     std::function<document::SeenCamera()> m_camera;
+    std::function<ifs::Vector<3>()> m_vertical;
     std::shared_ptr<const document::Fractal> m_read; // the entry that the following is of
     std::vector<ifs::MapId> m_maps;                  // in its order
     std::vector<document::TrackKeys> m_tracks;

@@ -224,10 +224,11 @@ void TimelinePanel::createMotions() {
     apply(wind, tr("Wind: %1").arg(tr(windNames[usualWind])), windOf(usualWind), noMaps);
     apply(addMotion("turn", tr("Turn"), tr("Each map turns once in its place.")), tr("Turn the maps"),
           &document::withTurn, tr("No map can turn without losing the attractor."));
-    apply(
-        addMotion("orbit", tr("Orbit"), tr("The whole picture turns once.")), tr("Orbit"),
-        [](const document::Fractal& entry, const std::stop_token&) { return document::withOrbit(entry); },
-        noMaps);
+    m_makes.push_back([this](const document::Fractal& entry, const std::stop_token&) {
+        return document::withOrbit(entry, m_timeline.vertical());
+    });
+    connect(addMotion("orbit", tr("Orbit"), tr("The whole picture turns once.")), &QAction::triggered, this,
+            &TimelinePanel::orbit);
     apply(addMotion("breathe", tr("Breathe"), tr("The maps swell and shrink.")), tr("Breathe"),
           &document::withBreathing, noMaps);
     apply(
@@ -262,6 +263,16 @@ void TimelinePanel::addWinds() {
         });
         action->setWhatsThis(tr("All branches sway about their roots."));
     }
+}
+
+void TimelinePanel::orbit() {
+    const ifs::Vector<3> axis = m_timeline.vertical();
+    apply(
+        tr("Orbit"),
+        [axis](const document::Fractal& entry, const std::stop_token&) {
+            return document::withOrbit(entry, axis);
+        },
+        tr("There are no maps to move."));
 }
 
 void TimelinePanel::zoomEndlessly() {

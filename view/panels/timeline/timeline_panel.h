@@ -51,6 +51,7 @@ private:
     std::optional<document::Fractal> morphToNext() const;
     std::optional<document::Fractal> zoomOfEntry();
     void apply(const QString& text, const Make& make, const QString& failure);
+    void orbit();
     void zoomEndlessly();
     void takeZoom(std::optional<document::Fractal> zoom);
     void offerZoom();

@@ -2,12 +2,16 @@
 #include "widgets/numbers/number_box.h"
 
 #include "widgets/numbers/number_text.h"
+#include "widgets/text/tooltip_text.h"
 
 #include <QLineEdit>
+#include <QRegularExpression>
+#include <QToolTip>
 #include <QWheelEvent>
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace view {
 
@@ -41,6 +45,12 @@ bool hasDecimals(const QString& typed) {
     return point >= 0 && typed.size() - point != 4 && !isExpression(typed);
 }
 
+// As 1.234.567, which some languages write so.
+bool isInGroups(const QString& typed) {
+    static const QRegularExpression groups(QStringLiteral("^[-+]?[0-9]{1,3}([.,])[0-9]{3}(\\1[0-9]{3})*$"));
+    return groups.match(typed).hasMatch();
+}
+
 // The box has the value again, and goes on showing what is being typed.
 template <class Box, class Value> void bringBack(Box& box, QLineEdit& edit, Value value) {
     const QString text = edit.text();
@@ -48,6 +58,16 @@ template <class Box, class Value> void bringBack(Box& box, QLineEdit& edit, Valu
     box.setValue(value);
     edit.setText(text);
     edit.setCursorPosition(position);
+}
+
+template <class Box> QString refusalOf(const Box& box, const QString& text) {
+    return numberProblem(withoutUnits(box, text), {double(box.minimum()), double(box.maximum())},
+                         unitOf(box));
+}
+
+void sayOnce(QWidget& box, QString& refusal) {
+    if (const QString reason = std::exchange(refusal, {}); !reason.isEmpty() && box.isVisible())
+        QToolTip::showText(box.mapToGlobal(QPoint(0, box.height())), tooltipText(reason), &box);
 }
 
 } // namespace
@@ -71,10 +91,13 @@ NumberBox::NumberBox(QWidget* parent) : QDoubleSpinBox(parent) {
         int position = 0;
         if (validate(text, position) == QValidator::Acceptable)
             m_typed.keep(withoutUnits(*this, text), valueFromText(text), unitOf(*this));
-        else if (isWithoutValue(withoutUnits(*this, text)) && value() != *m_before)
+        else if (isBeyondRepair(withoutUnits(*this, text)) && value() != *m_before)
             bringBack(*this, *lineEdit(), *m_before);
     });
-    connect(this, &QAbstractSpinBox::editingFinished, this, [this] { m_before.reset(); });
+    connect(this, &QAbstractSpinBox::editingFinished, this, [this] {
+        m_before.reset();
+        sayOnce(*this, m_refusal);
+    });
 }
 
 void NumberBox::wheelEvent(QWheelEvent* event) {
@@ -95,6 +118,13 @@ QValidator::State NumberBox::validate(QString& text, int& position) const {
                                                                : QValidator::Intermediate;
 }
 
+// The value from before the first key, where what was typed is no number at the end.
+void NumberBox::fixup(QString& text) const {
+    if (!m_before) return;
+    m_refusal = refusalOf(*this, text);
+    text = prefix() + textFromValue(*m_before) + suffix();
+}
+
 double NumberBox::valueFromText(const QString& text) const {
     const auto value = rounded(typedNumber(withoutUnits(*this, text), unitOf(*this)), decimals());
     return value ? *value : QDoubleSpinBox::valueFromText(text); // a text that stands for the least value
@@ -112,10 +142,13 @@ WholeNumberBox::WholeNumberBox(QWidget* parent) : QSpinBox(parent) {
         int position = 0;
         if (validate(text, position) == QValidator::Acceptable)
             m_typed.keep(withoutUnits(*this, text), valueFromText(text), unitOf(*this));
-        else if (isWithoutValue(withoutUnits(*this, text)) && value() != *m_before)
+        else if (isBeyondRepair(withoutUnits(*this, text)) && value() != *m_before)
             bringBack(*this, *lineEdit(), *m_before);
     });
-    connect(this, &QAbstractSpinBox::editingFinished, this, [this] { m_before.reset(); });
+    connect(this, &QAbstractSpinBox::editingFinished, this, [this] {
+        m_before.reset();
+        sayOnce(*this, m_refusal);
+    });
 }
 
 QValidator::State WholeNumberBox::validate(QString& text, int& position) const {
@@ -125,7 +158,8 @@ QValidator::State WholeNumberBox::validate(QString& text, int& position) const {
     int at = position - int(text.left(position).count(groupSeparator));
     const QValidator::State state = QSpinBox::validate(plain, at);
     const QString typed = withoutUnits(*this, text);
-    if (hasDecimals(typed)) return QValidator::Intermediate; // else the next digit would join those before
+    // Else the next digit would join those before.
+    if (hasDecimals(typed) || (isBeyondRepair(typed) && !isInGroups(typed))) return QValidator::Intermediate;
     if (state == QValidator::Acceptable || !isExpression(typed)) {
         if (!isGrouped) {
             text = plain;
@@ -139,11 +173,17 @@ QValidator::State WholeNumberBox::validate(QString& text, int& position) const {
                                                                           : QValidator::Intermediate;
 }
 
-// The nearest number that the box can have, where a plain number was typed.
+// The nearest number that the box can have, where a plain number was typed; else the value from before the
+// first key.
 void WholeNumberBox::fixup(QString& text) const {
     const QString typed = withoutUnits(*this, text);
     const auto number = isExpression(typed) ? std::nullopt : typedNumber(typed);
-    if (number) text = QString::number(int(std::clamp<double>(std::round(*number), minimum(), maximum())));
+    if (number) {
+        text = QString::number(int(std::clamp<double>(std::round(*number), minimum(), maximum())));
+    } else if (m_before) {
+        m_refusal = refusalOf(*this, text);
+        text = prefix() + textFromValue(*m_before) + suffix();
+    }
 }
 
 void WholeNumberBox::wheelEvent(QWheelEvent* event) {

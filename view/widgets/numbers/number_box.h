@@ -24,7 +24,8 @@ private:
 
 // Spin boxes that take what number fields take: a comma as the decimal point, and expressions such as 1/2 or
 // sqrt(3)/6, which are shown as long as the box has the value that they gave. What is unfinished changes
-// nothing, and Enter takes it back; what has no finite value, such as 1/0, brings back the value before. The
+// nothing; what is no number when the box is left or at Enter, and what cannot become one, such as 1/0 or
+// 1.234,5, brings back the value before, and a tool tip says why. The
 // wheel does nothing without the focus, so that what the box stands in can be scrolled. Where the suffix is
 // °, angles are taken as degrees: io::evaluate().
 class NumberBox : public QDoubleSpinBox {
@@ -32,6 +33,7 @@ public:
     explicit NumberBox(QWidget* parent = nullptr);
 
     QValidator::State validate(QString& text, int& position) const override;
+    void fixup(QString& text) const override;
     double valueFromText(const QString& text) const override; // as many decimals as the box has
     QString textFromValue(double value) const override;
     QString typedText() const { return m_typed.of(value()); } // empty when it was a plain number
@@ -42,6 +44,7 @@ protected:
 private:
     TypedExpression m_typed;
     std::optional<double> m_before; // what is being typed
+    mutable QString m_refusal;      // why that is not taken
 };
 
 // Takes expressions whose value is whole. A number outside the range becomes the nearest in it. Groups of
@@ -62,6 +65,7 @@ protected:
 private:
     TypedExpression m_typed;
     std::optional<int> m_before;
+    mutable QString m_refusal;
 };
 
 } // namespace view

@@ -166,7 +166,8 @@ void NumberField::finish() {
 void NumberField::abandon() {
     if (!m_edited) return;
     m_edited = false;
-    emit cancelled(); // the owner puts the old value back
+    m_value = m_before;
+    emit cancelled(); // the owner puts it back, too
     showValue();
 }
 

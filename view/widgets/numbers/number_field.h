@@ -13,8 +13,8 @@ QColor problemColour(const QPalette& palette);
 // A number typed in the C locale. Shows a few digits at rest and all of them while it has the focus. Each
 // keystroke, wheel step or arrow key that yields a number is reported; text that is no number gets a red
 // frame and its reason, and is never taken. What is unfinished leaves the last number in force; what is
-// finished and cannot be taken, such as 1/0, reports the number before the edit again. The wheel does nothing
-// without the focus.
+// finished and cannot be taken, such as 1/0 or 1.234,5, reports the number before the edit again. The wheel
+// does nothing without the focus.
 class NumberField : public QLineEdit {
     Q_OBJECT
 

@@ -5,6 +5,7 @@
 #include "io/text/number.h"
 
 #include <QCoreApplication>
+#include <QRegularExpression>
 
 #include <algorithm>
 #include <cmath>
@@ -100,8 +101,14 @@ bool isWithoutValue(const QString& text) {
     return io::isWithoutValue(withPoint(text));
 }
 
+bool isBeyondRepair(const QString& text) {
+    static const QRegularExpression twoSigns(QStringLiteral("[.,][0-9]*[.,]"));
+    const bool isList = text.contains(u'('); // as in min(1,2,3)
+    return isWithoutValue(text) || (!isList && twoSigns.match(text).hasMatch());
+}
+
 bool isFinishedNumber(const QString& text, io::NumberUnit unit) {
-    return typedNumber(text, unit) || isTooLarge(text) || isWithoutValue(text);
+    return typedNumber(text, unit) || isTooLarge(text) || isBeyondRepair(text);
 }
 
 QString numberProblem(const QString& text, const NumberRange& range, io::NumberUnit unit) {

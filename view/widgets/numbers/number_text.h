@@ -41,7 +41,9 @@ bool staysAsTyped(const QString& text, io::NumberUnit unit);
 
 // Whether it is a whole expression without a finite value, such as 1/0.
 bool isWithoutValue(const QString& text);
-// Whether nothing needs to be typed any more: a number, also one outside every range, or 1/0.
+// Whether nothing that is typed behind it makes a number of it: 1/0, or two decimal signs as in 1.234,5.
+bool isBeyondRepair(const QString& text);
+// Whether nothing needs to be typed any more: a number, also one outside every range, or one beyond repair.
 bool isFinishedNumber(const QString& text, io::NumberUnit unit = io::NumberUnit::None);
 
 // Why `text` is not a number that can be taken, as a sentence for the user; empty when it is one.

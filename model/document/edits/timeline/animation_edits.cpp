@@ -182,7 +182,7 @@ public:
         if (!seen) return;
         animation::CameraPose<Dim> value = *seen;
         if constexpr (Dim == 3) { // motions come after the keys
-            value = animation::orbited(value, -frameAt(m_entry, animation::moment(m_frame)).orbit);
+            value = animation::orbitedBack(value, frameAt(m_entry, animation::moment(m_frame)).orbit);
             value.size = {};
         }
         addKey(keys, m_frame, value);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "document/edits/timeline/motion_edits.h"
 
+#include "document/edits/timeline/orbit_edits.h"
 #include "document/fractal/fractal_geometry.h"
 #include "document/fractal/space_geometry.h"
 #include "document/moments/animated_fractal.h"
@@ -15,6 +16,7 @@ namespace document {
 namespace {
 
 constexpr double swell = 0.1;
+constexpr int secondsOfOrbit = 5;
 constexpr int directions = 64;      // in which a piece is looked at
 constexpr double viewMargin = 0.98; // of the largest view that sees nothing else
 constexpr double roundOff = 1e-9;   // of a similarity
@@ -173,15 +175,19 @@ std::optional<Fractal> withTurn(const Fractal& entry, const std::stop_token& sto
     });
 }
 
-std::optional<Fractal> withOrbit(const Fractal& entry) {
+std::optional<Fractal> withOrbit(const Fractal& entry, const ifs::Vector<3>& axis) {
     return ofItsDimension(entry, [&]<int Dim>(const Shape<Dim>& shape) {
         animation::Orbit<Dim> orbit;
-        if constexpr (Dim == 2) {
-            const auto box = displayedBox(entry);
-            orbit.centre =
-                box ? ifs::Vector<2>((box->min + box->max) / 2) : displayed<2>(entry, middle<2>(shape));
+        const auto centre = orbitCentre(entry);
+        orbit.centre = centre ? ifs::Vector<Dim>(centre->template head<Dim>())
+                              : displayed<Dim>(entry, middle<Dim>(shape));
+        if (Dim == 3) orbit.axis = axis;
+        Fractal turning = withMotion<Dim>(entry, orbit);
+        if (!shape.animation) {
+            auto& animation = *std::get<Shape<Dim>>(turning.shape).animation;
+            animation.length = secondsOfOrbit * animation.rate.frames / animation.rate.seconds;
         }
-        return withMotion<Dim>(entry, orbit);
+        return turning;
     });
 }
 

@@ -3,7 +3,10 @@
 #include "document/text/text.h"
 
 #include <array>
+#include <cstddef>
+#include <cstdint>
 #include <cstring>
+#include <span>
 #include <vector>
 
 namespace io::libav {
@@ -119,6 +122,39 @@ Pointer<SwsContext> conversion(int width, int height, AVPixelFormat to) {
     return context;
 }
 
+int ticksPerSecond(VideoFormat format) {
+    return format == VideoFormat::Gif ? 100 : 1000;
+}
+
+std::uint32_t littleEndian(std::span<const std::uint8_t> bytes) {
+    std::uint32_t value = 0;
+    for (std::size_t i = bytes.size(); i-- > 0;)
+        value = value << 8U | bytes[i];
+    return value;
+}
+
+// How long the last picture of an animated WebP is shown, so that all of them take `total` milliseconds: its
+// encoder gives it the mean of the others. In a still picture there is nothing to set.
+void setDuration(std::span<std::uint8_t> file, std::int64_t total) {
+    constexpr std::size_t header = 12, chunkHeader = 8, durationAt = 12, durationSize = 3;
+    std::span<std::uint8_t> last;
+    std::int64_t before = 0, present = 0;
+    for (std::size_t at = header; at + chunkHeader <= file.size();) {
+        const std::size_t size = littleEndian(file.subspan(at + 4, 4));
+        const bool isFrame = std::memcmp(&file[at], "ANMF", 4) == 0;
+        if (isFrame && at + chunkHeader + durationAt + durationSize <= file.size()) {
+            last = file.subspan(at + chunkHeader + durationAt, durationSize);
+            before += present;
+            present = littleEndian(last);
+        }
+        at += chunkHeader + size + size % 2;
+    }
+    const std::int64_t duration = total - before;
+    if (duration < 0) return;
+    for (std::size_t i = 0; i < last.size(); ++i)
+        last[i] = std::uint8_t(duration >> (8 * i));
+}
+
 } // namespace
 
 QByteArray commentOf(const QByteArray& systemText) {
@@ -140,7 +176,8 @@ Failure encoderObstacle(VideoFormat format) {
         .arg(QLatin1String(suffixOf(format)), QLatin1String(recipe.encoder));
 }
 
-Encoder::Encoder(QIODevice& device, const VideoSettings& settings) : m_file(device) {
+Encoder::Encoder(QIODevice& device, const VideoSettings& settings)
+    : m_file(device), m_kind(settings.format), m_rate(settings.rate) {
     library().av_log_set_level(AV_LOG_QUIET); // what fails is said by failure()
     open(settings);
 }
@@ -174,6 +211,7 @@ void Encoder::openEncoder(const VideoSettings& settings) {
     m_encoder->height = settings.height;
     m_encoder->pix_fmt = settings.isTransparent ? recipe.transparent : recipe.opaque;
     m_encoder->time_base = {settings.rate.seconds, settings.rate.frames};
+    if (m_kind == VideoFormat::WebP) m_encoder->time_base = {1, ticksPerSecond(m_kind)};
     m_encoder->framerate = {settings.rate.frames, settings.rate.seconds};
     m_encoder->sample_aspect_ratio = {1, 1};
     m_encoder->bit_rate = 0; // the quality is constant
@@ -232,8 +270,14 @@ void Encoder::add(AVFrame& picture) {
     if (m_failure) return;
     const Frame frame = converted(picture);
     if (!isDone(frame ? 0 : AVERROR(ENOMEM))) return;
-    frame->pts = m_pictures++;
+    frame->pts = m_kind == VideoFormat::WebP ? ticksBefore(m_pictures) : m_pictures;
+    ++m_pictures;
     encode(frame.get());
+}
+
+std::int64_t Encoder::ticksBefore(std::int64_t picture) const {
+    const std::int64_t ticks = 2 * picture * m_rate.seconds * ticksPerSecond(m_kind);
+    return (ticks + m_rate.frames) / (2 * std::int64_t(m_rate.frames));
 }
 
 void Encoder::encode(AVFrame* picture) {
@@ -243,6 +287,11 @@ void Encoder::encode(AVFrame* picture) {
         if (result == AVERROR(EAGAIN) || result == AVERROR_EOF) return;
         if (!isDone(result)) return;
         if (m_packet->duration == 0) m_packet->duration = 1;
+        if (m_kind == VideoFormat::WebP) {
+            if (!isDone(library().av_packet_make_writable(m_packet.get()))) return;
+            const std::span bytes(m_packet->data, std::size_t(m_packet->size));
+            setDuration(bytes, ticksBefore(m_pictures));
+        }
         library().av_packet_rescale_ts(m_packet.get(), m_encoder->time_base, m_stream->time_base);
         m_packet->stream_index = m_stream->index;
         isDone(library().av_interleaved_write_frame(m_format.get(), m_packet.get()));
@@ -251,6 +300,10 @@ void Encoder::encode(AVFrame* picture) {
 
 void Encoder::finish() {
     if (!m_failure) encode(nullptr);
+    // Else the last picture would be shown as long as the one before.
+    if (!m_failure && m_kind == VideoFormat::Gif && m_pictures > 0)
+        isDone(library().av_opt_set_int(m_format->priv_data, "final_delay",
+                                        ticksBefore(m_pictures) - ticksBefore(m_pictures - 1), 0));
     if (!m_failure) isDone(library().av_write_trailer(m_format.get()));
     if (m_failure) return;
     library().avio_flush(m_format->pb);

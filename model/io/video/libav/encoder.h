@@ -38,6 +38,8 @@ private:
     Frame converted(AVFrame& picture);
     void encode(AVFrame* picture); // nullptr: what waits
     bool isDone(int result);       // false after a failure, which is remembered
+    // Where a picture begins, in the ticks of a GIF or WebP: rounded each by itself, so that nothing adds up.
+    std::int64_t ticksBefore(std::int64_t picture) const;
 
     File m_file;
     Pointer<AVFormatContext> m_format;
@@ -46,6 +48,8 @@ private:
     Pointer<AVPacket> m_packet;
     AVStream* m_stream = nullptr;
     std::int64_t m_pictures = 0;
+    VideoFormat m_kind;
+    animation::FrameRate m_rate;
     Failure m_failure;
 };
 

@@ -10,6 +10,7 @@ extern "C" {
 #include <libavutil/frame.h>
 #include <libavutil/log.h>
 #include <libavutil/mem.h>
+#include <libavutil/opt.h>
 #include <libswscale/swscale.h>
 }
 
@@ -20,9 +21,10 @@ namespace io::libav {
 #define BARYCAGE_LIBAV_FUNCTIONS(use)                                                                        \
     use(util, av_dict_free) use(util, av_dict_set) use(util, av_frame_alloc) use(util, av_frame_clone)       \
         use(util, av_frame_free) use(util, av_frame_get_buffer) use(util, av_free) use(util, av_freep) use(  \
-            util, av_log_set_level) use(util, av_malloc) use(util, av_strerror) use(codec, av_packet_alloc)  \
-            use(codec, av_packet_free) use(codec, av_packet_rescale_ts) use(codec, avcodec_alloc_context3)   \
-                use(codec, avcodec_find_encoder_by_name) use(codec, avcodec_free_context)                    \
+            util, av_log_set_level) use(util, av_malloc) use(util, av_opt_set_int) use(util, av_strerror)    \
+            use(codec, av_packet_alloc) use(codec, av_packet_free) use(codec, av_packet_make_writable)       \
+                use(codec, av_packet_rescale_ts) use(codec, avcodec_alloc_context3) use(                     \
+                    codec, avcodec_find_encoder_by_name) use(codec, avcodec_free_context)                    \
                     use(codec, avcodec_open2) use(codec, avcodec_parameters_from_context) use(               \
                         codec, avcodec_receive_packet) use(codec, avcodec_send_frame)                        \
                         use(format, av_guess_format) use(format, av_interleaved_write_frame) use(            \

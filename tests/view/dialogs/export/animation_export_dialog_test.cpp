@@ -51,6 +51,7 @@ private slots:
     void videosHoldTheFrames();
     void picturesAreThoseOfTheCommandLine_data();
     void picturesAreThoseOfTheCommandLine();
+    void aSolidIsShownWhole();
     void completePicturesStay();
     void otherPicturesAreAskedAbout();
     void editingGoesOn();
@@ -240,6 +241,19 @@ void AnimationExportDialogTest::picturesAreThoseOfTheCommandLine() {
         QVERIFY(!ours.isEmpty());
         QVERIFY(contents(path(jobs[0] + QStringLiteral("/b.") + QLatin1String(file))) == ours);
     }
+}
+
+// From where it is seen on the canvas; in the plane the view on the canvas is the usual one.
+void AnimationExportDialogTest::aSolidIsShownWhole() {
+    QCOMPARE(named<QComboBox>(QStringLiteral("Section"))->currentIndex(), int(Dialog::Section::View));
+    open(turningSponge());
+    QCOMPARE(named<QComboBox>(QStringLiteral("Section"))->currentIndex(), int(Dialog::Section::Animation));
+    QVERIFY(exported(Dialog::Gif, QStringLiteral("a.gif")));
+    const io::Collection again = io::readCollection(contents(path("a.gif")), path("a.gif"));
+    const auto camera = document::frameAt(*again.file.entries[0].fractal, animation::moment(0)).camera;
+    QVERIFY(camera.has_value());
+    QVERIFY(camera->orientation.angularDistance(attractor::orbit(20, 10)) < 1e-7);
+    QVERIFY((camera->target - ifs::Vector<3>(0.5, 0.5, 0.5)).norm() < 0.05);
 }
 
 void AnimationExportDialogTest::completePicturesStay() {

@@ -48,9 +48,8 @@ private slots:
         const QList<view::Fact> facts = view::analysisFacts(analysis);
         const auto vertices = std::ranges::find(facts, QStringLiteral("Hull vertices"), &view::Fact::name);
         QVERIFY(vertices != facts.end());
-        QCOMPARE(vertices->value, view::groupedNumber(12'345));
-        QVERIFY(vertices->value != QStringLiteral("12345"));
-        QCOMPARE(vertices->exact(), QStringLiteral("12345"));
+        QCOMPARE(vertices->value, view::groupedNumber(12'345) + QStringLiteral(" (approximation)"));
+        QCOMPARE(vertices->exact(), QStringLiteral("12345 (approximation)"));
     }
 
     void knowsThePublishedFactsOfTheMaple() {
@@ -69,7 +68,7 @@ private slots:
             std::abs(valueOf(facts, QStringLiteral("Box-counting dimension")).section(u' ', 0, 0).toDouble() -
                      1.8) < 0.3);
         QVERIFY(valueOf(facts, QStringLiteral("Hull area")).startsWith(QStringLiteral("35.75")));
-        QVERIFY(valueOf(facts, QStringLiteral("Hull vertices")).toInt() > 20);
+        QVERIFY(valueOf(facts, QStringLiteral("Hull vertices")).section(u' ', 0, 0).toInt() > 20);
         QVERIFY(valueOf(facts, QStringLiteral("Hull error bound")).toDouble() > 0);
         QVERIFY(valueOf(facts, QStringLiteral("Hull error bound")).toDouble() < 1e-4);
         QVERIFY(valueOf(facts, QStringLiteral("Fixed points")).contains(QStringLiteral("(0.1795, 5.0725)")));
@@ -87,6 +86,7 @@ private slots:
         QCOMPARE(valueOf(facts, QStringLiteral("Hausdorff dimension")), QStringLiteral("1.585"));
         QCOMPARE(valueOf(facts, QStringLiteral("Affinity dimension")), QStringLiteral("1.585"));
         QCOMPARE(valueOf(facts, QStringLiteral("Connectedness")), QStringLiteral("connected"));
+        QCOMPARE(valueOf(facts, QStringLiteral("Hull vertices")), QStringLiteral("3"));
         QCOMPARE(valueOf(facts, QStringLiteral("Entropy")), QStringLiteral("1.0986"));
         QCOMPARE(valueOf(facts, QStringLiteral("Joint spectral radius")), QStringLiteral("0.5"));
         QVERIFY(
@@ -553,7 +553,7 @@ private slots:
         QCOMPARE(simplex, QStringLiteral("(+, −, −), leg 10.3268, corner (-1.6232, 7.9977, 0)"));
         QVERIFY(std::abs(valueOf(facts, QStringLiteral("Hull volume")).section(u' ', 0, 0).toDouble() -
                          24.9516) < 1e-3);
-        QVERIFY(valueOf(facts, QStringLiteral("Hull vertices")).toInt() > 100);
+        QVERIFY(valueOf(facts, QStringLiteral("Hull vertices")).section(u' ', 0, 0).toInt() > 100);
         QCOMPARE(valueOf(facts, QStringLiteral("Covariance")).count(u','), 5);
         for (const auto& fact : facts) {
             QVERIFY2(fact.definition.size() > 40, qPrintable(fact.name));

@@ -66,7 +66,7 @@ class CollageFitsTest : public CollagePanelFixture {
         document::Fractal fractal = m_document->fractal();
         document::Shape<2> shape;
         for (const auto& map : maps)
-            ifs::append<2>(shape.system, map, 1.0 / double(maps.size()));
+            ifs::append<2>(shape.system, placed(map), 1.0 / double(maps.size()));
         fractal.shape = std::move(shape);
         m_document->edit(QStringLiteral("Prepare"), std::move(fractal));
         settle();

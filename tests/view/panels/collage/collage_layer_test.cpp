@@ -43,7 +43,7 @@ class CollageLayerTest : public CollagePanelFixture {
         document::Fractal fractal = m_document->fractal();
         document::Shape<2> shape;
         for (const auto& map : maps)
-            ifs::append<2>(shape.system, map, 0.3);
+            ifs::append<2>(shape.system, placed(map), 0.3);
         fractal.shape = std::move(shape);
         m_document->edit(QStringLiteral("Prepare"), std::move(fractal));
         m_canvas->selectMaps({});
@@ -69,16 +69,18 @@ class CollageLayerTest : public CollagePanelFixture {
         layer()->paint(&painter, nullptr, nullptr);
         return image;
     }
-    QColor paintedAt(const Vector<2>& place) const {
-        return painted().pixelColor(view::pixelOf(m_canvas->camera(), place).toPoint());
+    QColor paintedAt(const Vector<2>& place) const { return paintedIn(placed(place)); }
+    QColor paintedIn(const Vector<2>& point) const {
+        return painted().pixelColor(view::pixelOf(m_canvas->camera(), point).toPoint());
     }
     document::MeasuredFractal measured() const {
         return *document::measured(m_document->fractal(), *m_panel->target()->traced(),
                                    document::Compared::Collage);
     }
     // Of the picture of the agreement, around a place of the plane.
-    static QRect squareAt(const document::MeasuredFractal& measured, const Vector<2>& place) {
+    QRect squareAt(const document::MeasuredFractal& measured, const Vector<2>& inPicture) const {
         const QRectF& area = measured.area;
+        const Vector<2> place = placed(inPicture);
         QRect square({0, 0}, side);
         square.moveCenter({int((place.x() - area.x()) / area.width() * measured.picture.width()),
                            int((area.y() - place.y()) / area.height() * measured.picture.height())});
@@ -88,11 +90,11 @@ class CollageLayerTest : public CollagePanelFixture {
 private slots:
     void init() {
         openPanel();
-        attractor::Camera camera = m_canvas->camera();
-        camera.centre = {0, 0};
-        camera.pixelsPerUnit = 400;
-        m_canvas->navigation().moveTo(camera);
         traceLeaf();
+        attractor::Camera camera = m_canvas->camera();
+        camera.centre = placed(Vector<2>(0, 0));
+        camera.pixelsPerUnit = 400 / m_panel->target()->traced()->place.height;
+        m_canvas->navigation().moveTo(camera);
     }
     void cleanup() {
         m_panel.reset();
@@ -172,7 +174,7 @@ private slots:
                 const auto& map = system().maps[i];
                 const attractor::Rgba expected =
                     attractor::mapColour(m_document->fractal().appearance, map.id, i);
-                const QColor found = paintedAt(map.map({0, 0.05}));
+                const QColor found = paintedIn(map.map(placed(Vector<2>(0, 0.05))));
                 QVERIFY2(found.alpha() > 40 && found.alpha() < 120,
                          qPrintable(QString::number(found.alpha())));
                 QVERIFY(std::abs(found.red() - expected.red) < 8);

@@ -21,6 +21,7 @@
 #include <QToolButton>
 
 #include <algorithm>
+#include <cmath>
 
 namespace {
 
@@ -212,7 +213,7 @@ private slots:
         named<QComboBox>(QStringLiteral("Agreement"))->setCurrentIndex(2); // not shown
         settle();
         QTRY_VERIFY_WITH_TIMEOUT(m_bridge->isCurrent(), 60'000);
-        const QPointF there = view::pixelOf(m_canvas->camera(), {0.0, 0.24});
+        const QPointF there = view::pixelOf(m_canvas->camera(), placed(ifs::Vector<2>(0.0, 0.24)));
         const QImage without = m_canvas->grab().toImage();
         m_canvas->setTool(CanvasView::Tool::Maps);
         const QImage with = m_canvas->grab().toImage();
@@ -520,7 +521,7 @@ private slots:
             const auto& b = outline[(k + 1) % outline.size()];
             area += a.x() * b.y() - a.y() * b.x();
         }
-        const double pixels = area / 2 * traced.mask.height * traced.mask.height;
+        const double pixels = area / 2 * std::pow(traced.mask.height / traced.place.height, 2);
         QVERIFY(std::abs(pixels / double(collage::area(traced.mask)) - 1) < 0.02);
     }
 

@@ -101,6 +101,31 @@ private slots:
         QVERIFY(m_field->problem().isEmpty());
     }
 
+    // 1.234 of 1.234,5 is a thousandth of what was meant.
+    void twoDecimalSignsLeaveTheNumberBefore() {
+        for (const char* typed : {"1.234,5", "1,234.5", "1.2.3"}) {
+            QSignalSpy edited(m_field, &NumberField::edited);
+            QSignalSpy cancelled(m_field, &NumberField::cancelled);
+            m_field->setValue(2);
+            m_field->setFocus();
+            m_field->selectAll();
+            QTest::keyClicks(m_field, QLatin1String(typed));
+            QCOMPARE(edited.back().front().toDouble(), 2.0);
+            QCOMPARE(m_field->value(), 2.0);
+            QVERIFY(m_field->problem().contains(QLatin1String(typed)));
+            m_other->setFocus();
+            QCOMPARE(cancelled.size(), 1);
+            QCOMPARE(m_field->value(), 2.0);
+        }
+        // Unfinished, as far as one can tell: it is taken back when the field is left.
+        m_field->setFocus();
+        m_field->selectAll();
+        QTest::keyClicks(m_field, QStringLiteral("7*"));
+        QCOMPARE(m_field->value(), 7.0);
+        m_other->setFocus();
+        QCOMPARE(m_field->value(), 2.0);
+    }
+
     void aCommaMayStandForTheDecimalPoint() {
         QSignalSpy edited(m_field, &NumberField::edited);
         m_field->setValue(2);

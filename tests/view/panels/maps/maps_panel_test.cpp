@@ -24,6 +24,7 @@
 #include <QToolButton>
 
 #include <cmath>
+#include <numbers>
 
 using namespace maps_support;
 using view::MapsModel;
@@ -176,6 +177,16 @@ private slots:
         QCOMPARE(systemOf(*m_document).maps[2].map.translation.x(), 3.0);
     }
 
+    void aConstantIsANumber() {
+        m_panel->table()->setCurrentIndex(m_panel->model()->index(2, MapsModel::E));
+        m_panel->table()->setFocus();
+        QTest::keyClicks(m_panel->table(), QStringLiteral("p"));
+        QTest::keyClicks(currentEditor(), QStringLiteral("i"));
+        QTest::keyClick(currentEditor(), Qt::Key_Return);
+        QTRY_COMPARE(m_document->undoStack()->count(), 1);
+        QCOMPARE(systemOf(*m_document).maps[2].map.translation.x(), std::numbers::pi);
+    }
+
     void theWindowDoesNotTakeTheDigits() {
         int stolen = 0;
         QShortcut shortcut(QKeySequence(Qt::Key_1), m_panel.get(), [&] { ++stolen; });
@@ -213,6 +224,20 @@ private slots:
         QTRY_VERIFY(m_document->fractal() == before);
         QCOMPARE(m_document->undoStack()->count(), 0);
         QCOMPARE(messages.size(), 1);
+    }
+
+    // Whichever way the cell is left, 1.234 is not what was meant.
+    void anUnreadableNumberLeavesTheOneBefore() {
+        const document::Fractal before = m_document->fractal();
+        for (const char* typed : {"1.234,5", "3*", "2 apples"}) {
+            QSignalSpy messages(m_panel.get(), &MapsPanel::message);
+            QTest::keyClicks(openEditor(0, MapsModel::B), QLatin1String(typed));
+            m_panel->table()->setFocus();
+            QTRY_VERIFY(m_document->fractal() == before);
+            QCOMPARE(m_document->undoStack()->count(), 0);
+            QCOMPARE(messages.size(), 1);
+            QVERIFY(messages[0][0].toString().contains(QLatin1String(typed)));
+        }
     }
 
     void aNegativeWeightIsTakenAndSaid() {
