@@ -213,11 +213,8 @@ void StatusLine::showVerdict(const document::Fractal& fractal) {
     if (!document::system2(fractal)) m_frame->clear();  // nothing is drawn of it
     if (const auto* plane = document::system2(fractal)) // as displayed, which is what the analysis speaks of
         m_verdict->setText(verdictText(ifs::activeMaps(document::effectiveSystem(fractal).value_or(*plane))));
-    else if (const auto* space = document::system3(fractal)) {
-        ifs::ActiveMaps<3> active = ifs::activeMaps(*space);
-        active.links.clear();
-        m_verdict->setText(verdictText(active));
-    }
+    else if (const auto* space = document::system3(fractal))
+        m_verdict->setText(verdictText(ifs::activeMaps(*space)));
     else
         m_verdict->setText(tr("this entry could not be read"));
 }

@@ -13,6 +13,20 @@
 
 #include <memory>
 
+namespace {
+
+// The second map stretches, but never follows itself.
+template <int Dim> document::Shape<Dim> heldByItsLinks() {
+    document::Shape<Dim> shape;
+    ifs::append<Dim>(shape.system, {0.2 * ifs::Matrix<Dim>::Identity(), ifs::Vector<Dim>::Zero()});
+    ifs::append<Dim>(shape.system, {1.5 * ifs::Matrix<Dim>::Identity(), ifs::Vector<Dim>::Ones()});
+    const ifs::MapId stretching = shape.system.maps[1].id;
+    shape.system.links = {{stretching, stretching, 0}};
+    return shape;
+}
+
+} // namespace
+
 // What has no room ends in dots, and is read in full at the pointer.
 class StatusLineTest : public QObject {
     Q_OBJECT
@@ -76,6 +90,12 @@ private slots:
         const QString word = verdictOn(shape);
         QVERIFY2(word.contains(QStringLiteral("3 4")) || word.contains(QStringLiteral("4 3")),
                  qPrintable(word));
+    }
+
+    void linksCountInPlaneAndSpace() {
+        const QString plane = verdictOn(heldByItsLinks<2>());
+        QVERIFY2(plane.contains(QStringLiteral("maps in a row contract")), qPrintable(plane));
+        QCOMPARE(verdictOn(heldByItsLinks<3>()), plane);
     }
 
 private:
