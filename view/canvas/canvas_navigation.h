@@ -28,6 +28,7 @@ public:
     void setCamera(const attractor::Camera& camera);
     void moveTo(const attractor::Camera& camera); // by the user: it stays so when the window changes its size
     void adoptViewport() override;
+    QPointF middle() const override;
 
     // The attractor into the view, and the cage where that leaves the attractor at least half as large, else
     // those of its corners that lie just outside. That of many maps may come into view a little later. When
@@ -61,7 +62,6 @@ private:
         moveTo(moved(m_held, shift, about, factor));
     }
     void restoreHeld() override { setCamera(m_held); }
-    QPointF middle() const;
     void fitAgain();
     std::shared_ptr<const document::Fractal> fittedFractal() const;
     std::vector<ifs::Vector<2>> fittedCorners() const;

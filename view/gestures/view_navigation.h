@@ -14,6 +14,7 @@ class ViewNavigation : public QObject {
 
 public:
     virtual void adoptViewport() = 0; // its size and pixel ratio
+    virtual QPointF middle() const = 0;
     virtual void fit() = 0;
     virtual bool isFitted() const = 0; // and the user has not moved the view since
     virtual void zoomAt(const QPointF& position, double factor) = 0;

@@ -3,7 +3,9 @@
 
 #include "attractor/request/orbit_navigation.h"
 #include "canvas/geometry/canvas_geometry.h"
+#include "canvas/tools/map_gestures.h"
 #include "document/edits/cage/cage_actions.h"
+#include "document/edits/cage/cage_edits.h"
 #include "document/edits/cage/space_cage_edits.h"
 #include "document/fractal/space_geometry.h"
 #include "space/keypad_views.h"
@@ -125,7 +127,7 @@ SpaceInput::After SpaceInput::afterCage() {
             mode = m_document->cageMode()](const std::vector<ifs::Vector<3>>& vertices) {
         auto moved = cage;
         moved.current = vertices;
-        return document::withSpaceCageMoved(*before, std::move(moved), mode);
+        return document::withCageMoved(*before, std::move(moved), mode);
     };
 }
 
@@ -209,12 +211,11 @@ void SpaceInput::beginSymmetryDrag() {
 }
 
 QString SpaceInput::stepText(SpatialDrag::Mode mode, std::size_t vertex) const {
-    using enum SpatialDrag::Mode;
-    if (m_branch.isActive()) return m_branch.stepText(mode, vertex);
-    if (m_maps.selected()) return m_maps.stepText(mode, vertex);
-    return mode == Rotate  ? tr("Rotate Cage")
-           : mode == Scale ? tr("Scale Cage")
-                           : tr("Move Vertex %1").arg(vertex + 1);
+    const auto corner = vertex == SpaceMaps::middle ? std::nullopt : std::optional(vertex);
+    if (m_branch.isActive()) return m_branch.stepText(mode, corner);
+    if (m_maps.selected()) return m_maps.stepText(mode, corner);
+    if (mode == DragMode::Rotate) return tr("Rotate Cage");
+    return mode == DragMode::Scale ? tr("Scale Cage") : tr("Move Vertex %1").arg(vertex + 1);
 }
 
 void SpaceInput::moved() {
@@ -319,8 +320,8 @@ void SpaceInput::settle() {
     if (!m_branch.isActive()) return;
     if (outcome == DragSession::Outcome::Abandoned)
         m_branch.choice()->cancelDrag();
-    else if (m_branch.choice()->endDrag())
-        emit message(tr("This branch is now map 1. You can change it further in the table."));
+    else if (const QString said = m_branch.choice()->endDrag(); !said.isEmpty())
+        emit message(said);
 }
 
 void SpaceInput::chooseBranch() {
@@ -433,11 +434,11 @@ bool SpaceInput::lockBy(const QKeyEvent& event) {
 }
 
 bool SpaceInput::mapsKeyPress(const QKeyEvent& event) {
-    if (!isIdle()) return false;
-    const SpaceMaps::KeyOutcome outcome = m_maps.keyPress(event, *m_document);
-    if (!outcome.message.isEmpty()) emit message(outcome.message);
-    if (outcome.isSelected) showSelected();
-    return outcome.isTaken;
+    if (!isIdle() || !m_maps.isActive() || m_maps.count() == 0) return false;
+    const MapKey key = pressMapKey(event, *m_document, m_maps.selection());
+    if (!key.message.isEmpty()) emit message(key.message);
+    if (!key.selected.empty() && m_maps.selectIds(key.selected)) showSelected();
+    return key.isTaken;
 }
 
 // One undo step for as long as the key is held.

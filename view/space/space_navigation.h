@@ -28,7 +28,7 @@ public:
 
     const attractor::OrbitCamera& camera() const { return m_camera; } // in device-independent pixels
     double pixelRatio() const { return m_viewport->devicePixelRatioF(); }
-    QPointF middle() const { return {m_camera.size.width / 2.0, m_camera.size.height / 2.0}; }
+    QPointF middle() const override { return {m_camera.size.width / 2.0, m_camera.size.height / 2.0}; }
 
     // By the user: it stays so when the window changes its size. `isMoving`: more of the same is to come.
     void moveTo(const attractor::OrbitCamera& camera, bool isMoving = false);
