@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "document/edits/cage/space_cage_edits.h"
 
-#include "document/edits/cage/cage_edits.h"
 #include "document/fractal/fractal_geometry.h"
 #include "document/fractal/space_geometry.h"
 #include "document/text/text.h"
@@ -10,6 +9,11 @@
 namespace document {
 
 namespace {
+
+bool rests(const Fractal& fractal) {
+    const Shape<3>* shape = space(fractal);
+    return !shape || !shape->cage || shape->cage->rest == shape->cage->current;
+}
 
 // Where the cage of an entry in space puts its code.
 ifs::AffineMap<3> placementOf(const Fractal& fractal) {
@@ -24,8 +28,8 @@ std::optional<Fractal> withCageThrough(const Fractal& fractal, const std::vector
     if (!present) return std::nullopt;
     Fractal after = fractal;
     auto& cage = space(after)->cage;
-    cage = isAtRest(fractal) ? std::optional(ifs::polygonAtRest<3>(vertices))
-                             : ifs::redefine<3>(*present, vertices);
+    cage = rests(fractal) ? std::optional(ifs::polygonAtRest<3>(vertices))
+                          : ifs::redefine<3>(*present, vertices);
     return cage && ifs::isValid(*cage) ? std::optional(after) : std::nullopt;
 }
 
@@ -37,7 +41,7 @@ QString spaceFitObstacle(const Fractal& fractal) {
     if (shape.cage && ifs::bends(*shape.cage))
         return Text::tr("The cage bends the picture, so no other cage would show it. First "
                         "reset the cage or choose “Affine fit”.");
-    if (shape.cage && !isAtRest(fractal) && !ifs::isInvertible(*shape.cage))
+    if (shape.cage && !rests(fractal) && !ifs::isInvertible(*shape.cage))
         return Text::tr("The cage is flat. First open or reset the tetrahedron.");
     if (!spaceSupport(fractal)) return Text::tr("This system has no attractor that can be enclosed.");
     return {};
@@ -47,7 +51,7 @@ std::optional<Fractal> withTetrahedronFitted(const Fractal& fractal,
                                              const std::optional<ifs::Orientation<3>>& orientation) {
     const auto system = system3(fractal);
     if (!system) return std::nullopt;
-    if (!orientation && isAtRest(fractal)) {
+    if (!orientation && rests(fractal)) {
         Fractal after = fractal;
         space(after)->cage.reset(); // it then follows the code
         return spaceSupport(fractal) ? std::optional(std::move(after)) : std::nullopt;
