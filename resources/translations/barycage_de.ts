@@ -2736,32 +2736,12 @@
 <context>
     <name>SpaceBranch</name>
     <message>
-        <source>Click a point of the attractor to select its branch.</source>
-        <translation>Klicken Sie auf einen Punkt des Attraktors, um seinen Ast zu wählen.</translation>
-    </message>
-    <message>
         <source>No branch can be selected here: the address of this point is not known.</source>
         <translation>Hier lässt sich kein Ast wählen: Die Adresse dieses Punktes ist nicht bekannt.</translation>
     </message>
     <message>
         <source>A branch cannot be dragged while it or the cage is flat.</source>
         <translation>Ein Ast lässt sich nicht ziehen, solange er oder der Käfig flach ist.</translation>
-    </message>
-    <message>
-        <source>Rotate branch %1</source>
-        <translation>Ast %1 drehen</translation>
-    </message>
-    <message>
-        <source>Scale branch %1</source>
-        <translation>Ast %1 skalieren</translation>
-    </message>
-    <message>
-        <source>Move branch %1</source>
-        <translation>Ast %1 bewegen</translation>
-    </message>
-    <message>
-        <source>Move corner %1 of branch %2</source>
-        <translation>Ecke %1 des Astes %2 bewegen</translation>
     </message>
 </context>
 <context>
@@ -2795,34 +2775,6 @@
     <message>
         <source>Maps cannot be dragged while the cage is flat. First open or reset the cage.</source>
         <translation>Abbildungen lassen sich nicht ziehen, solange der Käfig flach ist. Öffnen Sie ihn erst oder setzen Sie ihn zurück.</translation>
-    </message>
-    <message>
-        <source>Rotate %1 maps</source>
-        <translation>%1 Abbildungen drehen</translation>
-    </message>
-    <message>
-        <source>Rotate map %1</source>
-        <translation>Abbildung %1 drehen</translation>
-    </message>
-    <message>
-        <source>Scale %1 maps</source>
-        <translation>%1 Abbildungen skalieren</translation>
-    </message>
-    <message>
-        <source>Scale map %1</source>
-        <translation>Abbildung %1 skalieren</translation>
-    </message>
-    <message>
-        <source>Move %1 maps</source>
-        <translation>%1 Abbildungen bewegen</translation>
-    </message>
-    <message>
-        <source>Move map %1</source>
-        <translation>Abbildung %1 bewegen</translation>
-    </message>
-    <message>
-        <source>Move corner %1 of map %2</source>
-        <translation>Ecke %1 der Abbildung %2 bewegen</translation>
     </message>
 </context>
 <context>
@@ -6674,20 +6626,9 @@
         <source>Branch %1</source>
         <translation>Ast %1</translation>
     </message>
-</context>
-<context>
-    <name>view::BranchTool</name>
     <message>
         <source>Click a point of the attractor to select its branch.</source>
         <translation>Klicken Sie auf einen Punkt des Attraktors, um seinen Ast zu wählen.</translation>
-    </message>
-    <message>
-        <source>Move corner %1 of branch %2</source>
-        <translation>Ecke %1 des Astes %2 bewegen</translation>
-    </message>
-    <message>
-        <source>Move branch %1</source>
-        <translation>Ast %1 bewegen</translation>
     </message>
     <message>
         <source>Rotate branch %1</source>
@@ -6698,9 +6639,20 @@
         <translation>Ast %1 skalieren</translation>
     </message>
     <message>
+        <source>Move corner %1 of branch %2</source>
+        <translation>Ecke %1 des Astes %2 bewegen</translation>
+    </message>
+    <message>
+        <source>Move branch %1</source>
+        <translation>Ast %1 bewegen</translation>
+    </message>
+    <message>
         <source>This branch is now map 1. You can change it further in the table.</source>
         <translation>Dieser Ast ist jetzt Abbildung 1. Zahlen in der Tabelle ändern ihn weiter.</translation>
     </message>
+</context>
+<context>
+    <name>view::BranchTool</name>
     <message>
         <source>Stopped: beyond this, the branch would not become smaller inside itself.</source>
         <translation>Angehalten: Darüber hinaus würde der Ast in sich selbst nicht kleiner.</translation>
@@ -12786,10 +12738,6 @@ Tasten: Bild auf und Bild ab wählen eine Marke, die Pfeile bewegen sie, Einfg f
     <message>
         <source>Move the centre of the symmetry</source>
         <translation>Mittelpunkt der Symmetrie verschieben</translation>
-    </message>
-    <message>
-        <source>This branch is now map 1. You can change it further in the table.</source>
-        <translation>Dieser Ast ist jetzt Abbildung 1. Zahlen in der Tabelle ändern ihn weiter.</translation>
     </message>
 </context>
 <context>

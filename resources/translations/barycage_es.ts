@@ -2736,32 +2736,12 @@
 <context>
     <name>SpaceBranch</name>
     <message>
-        <source>Click a point of the attractor to select its branch.</source>
-        <translation>Pulse en un punto del atractor para elegir su rama.</translation>
-    </message>
-    <message>
         <source>No branch can be selected here: the address of this point is not known.</source>
         <translation>Aquí no se puede elegir ninguna rama: no se conoce la dirección de este punto.</translation>
     </message>
     <message>
         <source>A branch cannot be dragged while it or the cage is flat.</source>
         <translation>Una rama no se puede arrastrar mientras ella o la jaula sea plana.</translation>
-    </message>
-    <message>
-        <source>Rotate branch %1</source>
-        <translation>Girar la rama %1</translation>
-    </message>
-    <message>
-        <source>Scale branch %1</source>
-        <translation>Escalar la rama %1</translation>
-    </message>
-    <message>
-        <source>Move branch %1</source>
-        <translation>Mover la rama %1</translation>
-    </message>
-    <message>
-        <source>Move corner %1 of branch %2</source>
-        <translation>Mover la esquina %1 de la rama %2</translation>
     </message>
 </context>
 <context>
@@ -2795,34 +2775,6 @@
     <message>
         <source>Maps cannot be dragged while the cage is flat. First open or reset the cage.</source>
         <translation>No se pueden arrastrar aplicaciones mientras la jaula es plana. Antes abra la jaula o restablézcala.</translation>
-    </message>
-    <message>
-        <source>Rotate %1 maps</source>
-        <translation>Girar %1 aplicaciones</translation>
-    </message>
-    <message>
-        <source>Rotate map %1</source>
-        <translation>Girar la aplicación %1</translation>
-    </message>
-    <message>
-        <source>Scale %1 maps</source>
-        <translation>Escalar %1 aplicaciones</translation>
-    </message>
-    <message>
-        <source>Scale map %1</source>
-        <translation>Escalar la aplicación %1</translation>
-    </message>
-    <message>
-        <source>Move %1 maps</source>
-        <translation>Mover %1 aplicaciones</translation>
-    </message>
-    <message>
-        <source>Move map %1</source>
-        <translation>Mover la aplicación %1</translation>
-    </message>
-    <message>
-        <source>Move corner %1 of map %2</source>
-        <translation>Mover la esquina %1 de la aplicación %2</translation>
     </message>
 </context>
 <context>
@@ -6674,20 +6626,9 @@
         <source>Branch %1</source>
         <translation>Rama %1</translation>
     </message>
-</context>
-<context>
-    <name>view::BranchTool</name>
     <message>
         <source>Click a point of the attractor to select its branch.</source>
         <translation>Pulse en un punto del atractor para elegir su rama.</translation>
-    </message>
-    <message>
-        <source>Move corner %1 of branch %2</source>
-        <translation>Mover la esquina %1 de la rama %2</translation>
-    </message>
-    <message>
-        <source>Move branch %1</source>
-        <translation>Mover la rama %1</translation>
     </message>
     <message>
         <source>Rotate branch %1</source>
@@ -6698,9 +6639,20 @@
         <translation>Escalar la rama %1</translation>
     </message>
     <message>
+        <source>Move corner %1 of branch %2</source>
+        <translation>Mover la esquina %1 de la rama %2</translation>
+    </message>
+    <message>
+        <source>Move branch %1</source>
+        <translation>Mover la rama %1</translation>
+    </message>
+    <message>
         <source>This branch is now map 1. You can change it further in the table.</source>
         <translation>Esta rama es ahora la aplicación 1. Los números de la tabla la siguen cambiando.</translation>
     </message>
+</context>
+<context>
+    <name>view::BranchTool</name>
     <message>
         <source>Stopped: beyond this, the branch would not become smaller inside itself.</source>
         <translation>Detenido: más allá, la rama no se haría más pequeña dentro de sí misma.</translation>
@@ -12786,10 +12738,6 @@ Teclas: Re Pág y Av Pág eligen una parada, las flechas la mueven, Ins añade u
     <message>
         <source>Move the centre of the symmetry</source>
         <translation>Mover el centro de la simetría</translation>
-    </message>
-    <message>
-        <source>This branch is now map 1. You can change it further in the table.</source>
-        <translation>Esta rama es ahora la aplicación 1. Los números de la tabla la siguen cambiando.</translation>
     </message>
 </context>
 <context>

@@ -2736,32 +2736,12 @@
 <context>
     <name>SpaceBranch</name>
     <message>
-        <source>Click a point of the attractor to select its branch.</source>
-        <translation>Cliquez sur un point de l’attracteur pour choisir sa branche.</translation>
-    </message>
-    <message>
         <source>No branch can be selected here: the address of this point is not known.</source>
         <translation>Aucune branche ne peut être choisie ici : l’adresse de ce point n’est pas connue.</translation>
     </message>
     <message>
         <source>A branch cannot be dragged while it or the cage is flat.</source>
         <translation>On ne peut pas faire glisser une branche tant qu’elle ou la cage est plate.</translation>
-    </message>
-    <message>
-        <source>Rotate branch %1</source>
-        <translation>Tourner la branche %1</translation>
-    </message>
-    <message>
-        <source>Scale branch %1</source>
-        <translation>Mettre à l’échelle la branche %1</translation>
-    </message>
-    <message>
-        <source>Move branch %1</source>
-        <translation>Déplacer la branche %1</translation>
-    </message>
-    <message>
-        <source>Move corner %1 of branch %2</source>
-        <translation>Déplacer le coin %1 de la branche %2</translation>
     </message>
 </context>
 <context>
@@ -2795,34 +2775,6 @@
     <message>
         <source>Maps cannot be dragged while the cage is flat. First open or reset the cage.</source>
         <translation>On ne peut pas faire glisser d’applications tant que la cage est plate. Ouvrez ou réinitialisez d’abord la cage.</translation>
-    </message>
-    <message>
-        <source>Rotate %1 maps</source>
-        <translation>Tourner %1 applications</translation>
-    </message>
-    <message>
-        <source>Rotate map %1</source>
-        <translation>Tourner l’application %1</translation>
-    </message>
-    <message>
-        <source>Scale %1 maps</source>
-        <translation>Mettre à l’échelle %1 applications</translation>
-    </message>
-    <message>
-        <source>Scale map %1</source>
-        <translation>Mettre à l’échelle l’application %1</translation>
-    </message>
-    <message>
-        <source>Move %1 maps</source>
-        <translation>Déplacer %1 applications</translation>
-    </message>
-    <message>
-        <source>Move map %1</source>
-        <translation>Déplacer l’application %1</translation>
-    </message>
-    <message>
-        <source>Move corner %1 of map %2</source>
-        <translation>Déplacer le coin %1 de l’application %2</translation>
     </message>
 </context>
 <context>
@@ -6674,20 +6626,9 @@
         <source>Branch %1</source>
         <translation>Branche %1</translation>
     </message>
-</context>
-<context>
-    <name>view::BranchTool</name>
     <message>
         <source>Click a point of the attractor to select its branch.</source>
         <translation>Cliquez sur un point de l’attracteur pour choisir sa branche.</translation>
-    </message>
-    <message>
-        <source>Move corner %1 of branch %2</source>
-        <translation>Déplacer le coin %1 de la branche %2</translation>
-    </message>
-    <message>
-        <source>Move branch %1</source>
-        <translation>Déplacer la branche %1</translation>
     </message>
     <message>
         <source>Rotate branch %1</source>
@@ -6698,9 +6639,20 @@
         <translation>Mettre à l’échelle la branche %1</translation>
     </message>
     <message>
+        <source>Move corner %1 of branch %2</source>
+        <translation>Déplacer le coin %1 de la branche %2</translation>
+    </message>
+    <message>
+        <source>Move branch %1</source>
+        <translation>Déplacer la branche %1</translation>
+    </message>
+    <message>
         <source>This branch is now map 1. You can change it further in the table.</source>
         <translation>Cette branche est maintenant l’application 1. Les nombres du tableau continuent de la modifier.</translation>
     </message>
+</context>
+<context>
+    <name>view::BranchTool</name>
     <message>
         <source>Stopped: beyond this, the branch would not become smaller inside itself.</source>
         <translation>Arrêté&#x202f;: au-delà, la branche ne deviendrait pas plus petite à l’intérieur d’elle-même.</translation>
@@ -12786,10 +12738,6 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
     <message>
         <source>Move the centre of the symmetry</source>
         <translation>Déplacer le centre de la symétrie</translation>
-    </message>
-    <message>
-        <source>This branch is now map 1. You can change it further in the table.</source>
-        <translation>Cette branche est maintenant l’application 1. Les nombres du tableau continuent de la modifier.</translation>
     </message>
 </context>
 <context>

@@ -2742,32 +2742,12 @@
 <context>
     <name>SpaceBranch</name>
     <message>
-        <source>Click a point of the attractor to select its branch.</source>
-        <translation>Кликнете на точка од атракторот за да ја изберете нејзината гранка.</translation>
-    </message>
-    <message>
         <source>No branch can be selected here: the address of this point is not known.</source>
         <translation>Тука не може да се избере гранка: адресата на оваа точка не е позната.</translation>
     </message>
     <message>
         <source>A branch cannot be dragged while it or the cage is flat.</source>
         <translation>Гранката не може да се влече додека таа или кафезот е рамен.</translation>
-    </message>
-    <message>
-        <source>Rotate branch %1</source>
-        <translation>Ротирај ја гранката %1</translation>
-    </message>
-    <message>
-        <source>Scale branch %1</source>
-        <translation>Скалирај ја гранката %1</translation>
-    </message>
-    <message>
-        <source>Move branch %1</source>
-        <translation>Помести ја гранката %1</translation>
-    </message>
-    <message>
-        <source>Move corner %1 of branch %2</source>
-        <translation>Помести го аголот %1 на гранката %2</translation>
     </message>
 </context>
 <context>
@@ -2801,34 +2781,6 @@
     <message>
         <source>Maps cannot be dragged while the cage is flat. First open or reset the cage.</source>
         <translation>Пресликувањата не може да се влечат додека кафезот е рамен. Прво отворете го или вратете го кафезот.</translation>
-    </message>
-    <message>
-        <source>Rotate %1 maps</source>
-        <translation>Ротирај %1 пресликувања</translation>
-    </message>
-    <message>
-        <source>Rotate map %1</source>
-        <translation>Ротирај го пресликувањето %1</translation>
-    </message>
-    <message>
-        <source>Scale %1 maps</source>
-        <translation>Скалирај %1 пресликувања</translation>
-    </message>
-    <message>
-        <source>Scale map %1</source>
-        <translation>Скалирај го пресликувањето %1</translation>
-    </message>
-    <message>
-        <source>Move %1 maps</source>
-        <translation>Помести %1 пресликувања</translation>
-    </message>
-    <message>
-        <source>Move map %1</source>
-        <translation>Помести го пресликувањето %1</translation>
-    </message>
-    <message>
-        <source>Move corner %1 of map %2</source>
-        <translation>Помести го аголот %1 на пресликувањето %2</translation>
     </message>
 </context>
 <context>
@@ -6689,20 +6641,9 @@
         <source>Branch %1</source>
         <translation>Гранка %1</translation>
     </message>
-</context>
-<context>
-    <name>view::BranchTool</name>
     <message>
         <source>Click a point of the attractor to select its branch.</source>
         <translation>Кликнете на точка од атракторот за да ја изберете нејзината гранка.</translation>
-    </message>
-    <message>
-        <source>Move corner %1 of branch %2</source>
-        <translation>Помести го аголот %1 на гранката %2</translation>
-    </message>
-    <message>
-        <source>Move branch %1</source>
-        <translation>Помести ја гранката %1</translation>
     </message>
     <message>
         <source>Rotate branch %1</source>
@@ -6713,9 +6654,20 @@
         <translation>Скалирај ја гранката %1</translation>
     </message>
     <message>
+        <source>Move corner %1 of branch %2</source>
+        <translation>Помести го аголот %1 на гранката %2</translation>
+    </message>
+    <message>
+        <source>Move branch %1</source>
+        <translation>Помести ја гранката %1</translation>
+    </message>
+    <message>
         <source>This branch is now map 1. You can change it further in the table.</source>
         <translation>Оваа гранка сега е пресликување 1. Броевите во табелата ја менуваат понатаму.</translation>
     </message>
+</context>
+<context>
+    <name>view::BranchTool</name>
     <message>
         <source>Stopped: beyond this, the branch would not become smaller inside itself.</source>
         <translation>Запрено: понатаму гранката не би станувала помала внатре во себе.</translation>
@@ -12817,10 +12769,6 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
     <message>
         <source>Move the centre of the symmetry</source>
         <translation>Помести го центарот на симетријата</translation>
-    </message>
-    <message>
-        <source>This branch is now map 1. You can change it further in the table.</source>
-        <translation>Оваа гранка сега е пресликување 1. Броевите во табелата ја менуваат понатаму.</translation>
     </message>
 </context>
 <context>

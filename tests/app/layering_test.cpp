@@ -165,8 +165,9 @@ void LayeringTest::includesPointDownwards_data() {
     const QStringList view = io + QStringList{QStringLiteral("transformation"), QStringLiteral("bars"),
                                               QStringLiteral("bridges"),        QStringLiteral("canvas"),
                                               QStringLiteral("compare"),        QStringLiteral("desktop"),
-                                              QStringLiteral("dialogs"),        QStringLiteral("panels"),
-                                              QStringLiteral("space"),          QStringLiteral("widgets")};
+                                              QStringLiteral("dialogs"),        QStringLiteral("gestures"),
+                                              QStringLiteral("panels"),         QStringLiteral("space"),
+                                              QStringLiteral("widgets")};
     QTest::newRow("model/ifs") << "model/ifs" << ifs << qt;
     QTest::newRow("model/attractor") << "model/attractor" << attractor << qt;
     QTest::newRow("model/animation") << "model/animation" << animation << qt;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "document/edits/cage/cage_edits.h"
 #include "document/fractal/fractal_geometry.h"
-#include "document/maps/map_handles.h"
+#include "document/maps/branch_handles.h"
 #include "ifs/system/map_interpolation.h"
 #include "support/named_test.h"
 

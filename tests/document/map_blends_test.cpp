@@ -3,7 +3,7 @@
 #include "document/edits/maps/maps_edits.h"
 #include "document/edits/maps/symmetry_edits.h"
 #include "document/fractal/fractal_geometry.h"
-#include "document/maps/map_handles.h"
+#include "document/maps/branch_handles.h"
 #include "document/maps/map_solo.h"
 #include "document/variations/chance.h"
 #include "document/variations/varied_colours.h"

@@ -2,7 +2,7 @@
 #include "document/edits/cage/cage_edits.h"
 #include "document/fractal/fractal_geometry.h"
 #include "document/fractal/recurring_branches.h"
-#include "document/maps/map_handles.h"
+#include "document/maps/branch_handles.h"
 #include "document/maps/map_solo.h"
 #include "ifs/system/map_interpolation.h"
 #include "support/named_test.h"

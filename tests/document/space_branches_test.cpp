@@ -2,7 +2,7 @@
 #include "document/branches/shown_branch.h"
 #include "document/fractal/fractal_geometry.h"
 #include "document/fractal/space_geometry.h"
-#include "document/maps/space_map_handles.h"
+#include "document/maps/branch_handles.h"
 #include "ifs/cage/cage_surface.h"
 #include "ifs/system/branch.h"
 #include "ifs/system/links.h"
@@ -45,7 +45,7 @@ const ifs::ControlCage<3>& cageOf(const Fractal& fractal) {
 }
 
 Corners seen(const Fractal& fractal, const ifs::Word& branch) {
-    return *SpaceMapHandles::of(heldInSpace(fractal), cageOf(fractal))->corners(branch);
+    return *SpaceMapHandles(heldInSpace(fractal), cageOf(fractal)).corners(branch);
 }
 
 constexpr std::array edits{BranchEdit::OwnMap, BranchEdit::LastMap, BranchEdit::Display, BranchEdit::Inside};
@@ -83,7 +83,7 @@ private slots:
             const Vector<3> image = placed(maps[2].map(maps[1].map(cageOf(fractal).rest[i])));
             QVERIFY((corners[i] - image).norm() < 1e-13);
         }
-        QVERIFY(!SpaceMapHandles::of(heldInSpace(fractal), cageOf(fractal))->corners(ifs::Word{0, 4}));
+        QVERIFY(!SpaceMapHandles(heldInSpace(fractal), cageOf(fractal)).corners(ifs::Word{0, 4}));
     }
 
     // As a map of its own, a branch is moved alone; its neighbours and the attractor's other points stay.
@@ -91,8 +91,7 @@ private slots:
         Fractal fractal = fourPieces();
         const ifs::MapId third = system3(fractal)->maps[2].id;
         fractal.appearance.mapColours[third] = {1, 2, 3};
-        const auto branch =
-            branchHandlesInSpace(heldInSpace(fractal), cageOf(fractal), {2, 1}, BranchEdit::OwnMap);
+        const auto branch = branchHandles(heldInSpace(fractal), cageOf(fractal), {2, 1}, BranchEdit::OwnMap);
         QVERIFY(branch);
         QCOMPARE(branch->index, std::size_t(0));
         QCOMPARE(branch->handles.count(), std::size_t(7));
@@ -127,7 +126,7 @@ private slots:
     void theLastMapOfAnAddressIsMoved() {
         const Fractal fractal = fourPieces();
         const auto branch =
-            branchHandlesInSpace(heldInSpace(fractal), cageOf(fractal), {2, 0, 1}, BranchEdit::LastMap);
+            branchHandles(heldInSpace(fractal), cageOf(fractal), {2, 0, 1}, BranchEdit::LastMap);
         QVERIFY(branch);
         QCOMPARE(branch->index, std::size_t(1));
         const Corners before = seen(fractal, {2, 0, 1});
@@ -148,8 +147,7 @@ private slots:
         const auto& old = system3(fractal)->maps;
         const ifs::AffineMap<3> change{ifs::Matrix<3>::Identity(), Vector<3>(1, 2, 3)};
         space(fractal)->moved = {{{old[2].id, old[1].id, old[3].id}, change}};
-        const auto branch =
-            branchHandlesInSpace(heldInSpace(fractal), cageOf(fractal), {2, 1}, BranchEdit::OwnMap);
+        const auto branch = branchHandles(heldInSpace(fractal), cageOf(fractal), {2, 1}, BranchEdit::OwnMap);
         const Fractal after = branch->handles.withCornersMoved(
             0, {Vector<3>::Constant(0.01), Vector<3>::Zero(), Vector<3>::Zero(), Vector<3>::Zero()});
         const auto moved = movedBranches(*space(after));
@@ -164,8 +162,7 @@ private slots:
     void aBranchIsShownElsewhere() {
         const Fractal fractal = fourPieces();
         const ifs::Word word{2, 1};
-        const auto branch =
-            branchHandlesInSpace(heldInSpace(fractal), cageOf(fractal), word, BranchEdit::Display);
+        const auto branch = branchHandles(heldInSpace(fractal), cageOf(fractal), word, BranchEdit::Display);
         QVERIFY(branch);
         QCOMPARE(branch->handles.count(), std::size_t(1));
         const Vector<3> by(0.3, -0.2, 0.4);
@@ -179,7 +176,7 @@ private slots:
         // What is in it goes along, what is beside it stays.
         QVERIFY(farthest(seen(once, {2, 1, 0}), seen(fractal, {2, 1, 0})) > 0.01);
         QVERIFY(farthest(seen(once, {2, 0}), seen(fractal, {2, 0})) == 0);
-        const auto again = branchHandlesInSpace(heldInSpace(once), cageOf(once), word, BranchEdit::Display);
+        const auto again = branchHandles(heldInSpace(once), cageOf(once), word, BranchEdit::Display);
         const Fractal twice = again->handles.withCornersMoved(0, {by, by, by, by});
         for (Vector<3>& corner : wanted)
             corner += by;
@@ -189,8 +186,7 @@ private slots:
         QVERIFY(withBranchPutBack(twice, word) == fractal);
         QVERIFY(withBranchPutBack(twice, {2}) == twice);
         // A part of it is pulled where it is shown.
-        const auto part =
-            branchHandlesInSpace(heldInSpace(twice), cageOf(twice), {2, 1, 3}, BranchEdit::LastMap);
+        const auto part = branchHandles(heldInSpace(twice), cageOf(twice), {2, 1, 3}, BranchEdit::LastMap);
         Corners partly = seen(twice, {2, 1, 3});
         const Fractal after = part->handles.withCornersMoved(
             3, {Vector<3>::Zero(), Vector<3>::Zero(), 0.1 * by, Vector<3>::Zero()});
@@ -201,8 +197,7 @@ private slots:
     // Here and inside it: the branch in the branch moves alike.
     void aBranchMovesInsideItself() {
         const Fractal fractal = fourPieces();
-        const auto branch =
-            branchHandlesInSpace(heldInSpace(fractal), cageOf(fractal), {3}, BranchEdit::Inside);
+        const auto branch = branchHandles(heldInSpace(fractal), cageOf(fractal), {3}, BranchEdit::Inside);
         const Vector<3> by(0.1, 0.2, -0.1);
         const Fractal after = branch->handles.withCornersMoved(0, {by, by, by, by});
         const auto& map = system3(fractal)->maps[3].map;
@@ -233,7 +228,7 @@ private slots:
             QVERIFY((before[i] - bend(maps[2].map(maps[1].map(rest[i])))).norm() < 1e-12);
         const Vector<3> by(0.02, -0.03, 0.01);
         for (const BranchEdit edit : edits) {
-            const auto branch = branchHandlesInSpace(heldInSpace(fractal), cageOf(fractal), {2, 1}, edit);
+            const auto branch = branchHandles(heldInSpace(fractal), cageOf(fractal), {2, 1}, edit);
             QVERIFY(branch && branch->handles.canBeMoved());
             const Fractal after = branch->handles.withCornersMoved(
                 branch->index, {Vector<3>::Zero(), Vector<3>::Zero(), by, Vector<3>::Zero()});
@@ -253,9 +248,9 @@ private slots:
         const Extent height = extentAlong(fractal, up);
         const ifs::AffineMap<3> placed = ifs::displayMap(cageOf(fractal));
         QVERIFY(std::abs(placed(*root).y() - height.low) < 1e-6);
-        const auto handles = SpaceMapHandles::of(heldInSpace(fractal), cageOf(fractal));
+        const SpaceMapHandles handles(heldInSpace(fractal), cageOf(fractal));
         const std::vector<std::size_t> second{2};
-        const Fractal swung = handles->withMapsSwung(second, *root, axis, 0.3);
+        const Fractal swung = handles.withMapsSwung(second, *root, axis, 0.3);
         const ifs::AffineMap<3>& was = system3(fractal)->maps[2].map;
         const ifs::AffineMap<3>& is = system3(swung)->maps[2].map;
         QVERIFY((is(*root) - was(*root)).norm() < 1e-12);
@@ -265,14 +260,14 @@ private slots:
         QVERIFY(std::abs((after - before).dot(axis)) < 1e-12);
         const Vector<3> across = before - before.dot(axis) * axis;
         QVERIFY(std::abs(axis.dot(before.cross(after)) - std::sin(0.3) * across.squaredNorm()) < 1e-12);
-        QVERIFY(handles->withMapsSwung(second, *root, axis, 0) == fractal);
+        QVERIFY(handles.withMapsSwung(second, *root, axis, 0) == fractal);
         QVERIFY(system3(swung)->maps[1].map == system3(fractal)->maps[1].map);
         // Of several, each about its own root.
         const std::vector<std::size_t> first{1}, both{1, 2};
-        const Fractal turned = handles->withMapsSwung(both, *root, axis, 0.3);
+        const Fractal turned = handles.withMapsSwung(both, *root, axis, 0.3);
         const auto& together = system3(turned)->maps;
         QVERIFY(together[2].map == is);
-        const Fractal alone = handles->withMapsSwung(first, *root, axis, 0.3);
+        const Fractal alone = handles.withMapsSwung(first, *root, axis, 0.3);
         QVERIFY(together[1].map == system3(alone)->maps[1].map);
         QVERIFY(together[0].map == system3(fractal)->maps[0].map);
     }
@@ -280,7 +275,7 @@ private slots:
     void whatCannotBeMoved() {
         Fractal fractal = fourPieces();
         const auto taken = [&](const ifs::Word& word, BranchEdit edit) {
-            return branchHandlesInSpace(heldInSpace(fractal), cageOf(fractal), word, edit).has_value();
+            return branchHandles(heldInSpace(fractal), cageOf(fractal), word, edit).has_value();
         };
         for (const BranchEdit edit : edits)
             QVERIFY(!taken({}, edit));

@@ -2,6 +2,7 @@
 #include "bars/branch_bar.h"
 
 #include "canvas/geometry/canvas_note.h"
+#include "canvas/tools/map_gestures.h"
 #include "document/branches/addresses.h"
 #include "document/edits/maps/map_locks.h"
 #include "document/fractal/fractal_geometry.h"
@@ -270,7 +271,7 @@ BranchBar::Swung BranchBar::swungInSpace() {
     const auto root = document::rootInSpace(*before, attractor::standing(m_space->navigation().upAxis()) *
                                                          ifs::Vector<3>::UnitY());
     const auto cage = document::knownSpaceCage(*before);
-    const auto handles = cage ? document::SpaceMapHandles::of(before, *cage) : std::nullopt;
+    const auto handles = cage ? std::optional(document::SpaceMapHandles(before, *cage)) : std::nullopt;
     if (indices.empty() || !root || !handles || !handles->canBeMoved()) {
         emit m_canvas->message(
             indices.empty() ? locked
@@ -286,12 +287,10 @@ BranchBar::Swung BranchBar::swungInSpace() {
 double BranchBar::shareToShow(const Swung& shareOf) {
     MapsTool& plane = m_canvas->tools().mapsTool();
     document::Fractal shown;
-    if (document::plane(m_swinging.before()))
-        return plane.shareToShow(
-            [&](double share) -> const document::Fractal& { return shown = shareOf(share); });
+    const auto after = [&](double share) -> const document::Fractal& { return shown = shareOf(share); };
+    if (document::plane(m_swinging.before())) return plane.shareToShow(after);
     if (plane.allowsNoAttractor()) return 1;
-    const auto way = ifs::safeWay<3>(
-        [&](double share) { return ifs::activeMaps(*document::system3(shown = shareOf(share))).maps; });
+    const auto way = wayWithAttractor<3>(after);
     if (way.share < 1) {
         shown = shareOf(way.share);
         emit m_canvas->message(stopNote<3>(*document::system3(shown), way));

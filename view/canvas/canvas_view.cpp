@@ -15,13 +15,7 @@
 #include <QContextMenuEvent>
 #include <QGuiApplication>
 #include <QMessageBox>
-#include <QMouseEvent>
-#include <QNativeGestureEvent>
-#include <QPainter>
 #include <QPushButton>
-#include <QTouchEvent>
-#include <QWheelEvent>
-#include <QWindow>
 
 #include <utility>
 
@@ -35,7 +29,7 @@ constexpr int untilReport = 50; // milliseconds; finding an address takes time t
 } // namespace
 
 CanvasView::CanvasView(document::Document* document, RenderBridge* bridge, QWidget* parent)
-    : QGraphicsView(parent),
+    : Viewport(parent),
       m_document(document),
       m_bridge(bridge),
       m_scene(new CanvasScene(document, this)),
@@ -45,7 +39,7 @@ CanvasView::CanvasView(document::Document* document, RenderBridge* bridge, QWidg
       m_input(*m_scene, m_tools, m_navigation, m_options) {
     setUpWidget();
     connectParts();
-    m_scene->setDesktop(palette(), font());
+    adoptDesktop();
     m_scene->setFrame(bridge->frame());
 }
 
@@ -55,23 +49,10 @@ CanvasView::~CanvasView() {
 
 void CanvasView::setUpWidget() {
     installCanvasAccessibility();
-    setScene(m_scene);
-    setFrameShape(QFrame::NoFrame);
-    setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-    setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-    setAlignment(Qt::AlignLeft | Qt::AlignTop);
-    setTransformationAnchor(QGraphicsView::NoAnchor);
-    setViewportUpdateMode(QGraphicsView::FullViewportUpdate);
-    setFocusPolicy(Qt::StrongFocus);
-    setMinimumSize(160, 120);
-    setAcceptDrops(false); // a file dropped here is the window's business
-    viewport()->setAcceptDrops(false);
+    showScene(m_scene);
     // The picture covers it all, so nothing is to be filled first.
     viewport()->setAutoFillBackground(false);
     viewport()->setAttribute(Qt::WA_OpaquePaintEvent);
-    viewport()->setMouseTracking(true);
-    viewport()->setAttribute(Qt::WA_AcceptTouchEvents);
-    viewport()->setCursor(Qt::CrossCursor);
     setAccessibleName(tr("Canvas"));
     this->setWhatsThis(
         tr("The picture and its cage. Drag a corner, an edge or the inside of the cage; hold Ctrl to rotate, "
@@ -124,10 +105,8 @@ void CanvasView::connectParts() {
     connect(&m_navigation, &CanvasNavigation::cameraChanged, &m_input, &CanvasInput::reportAgain,
             Qt::QueuedConnection); // all else has followed then
     connect(&m_scene->handles(), &HandleModel::addressesFound, &m_input, &CanvasInput::reportAgain);
-    connect(&m_input, &CanvasInput::cursorChanged, this, &CanvasView::refreshCursor);
+    connect(&m_input, &CanvasInput::changed, this, &CanvasView::refreshCursor);
     connect(&m_input, &CanvasInput::pointerMoved, this, &CanvasView::pointerMoved);
-    connect(&m_input, &CanvasInput::pointerLeft, this, &CanvasView::pointerLeft);
-    connect(&m_input, &CanvasInput::message, this, &CanvasView::message);
 }
 
 void CanvasView::offerReset() {
@@ -178,11 +157,11 @@ void CanvasView::followDocument(const document::Change& change) {
     if (!change.live && !m_said.isEmpty()) describeFocus();
     const bool isAnother = change.parts & (Change::Current | Change::File);
     if (isAnother && tool() == Tool::DefineTriangle) setTool(Tool::Cage);
-    if (change.parts & Change::File && m_wasShown && m_navigation.rotation() != 0)
+    if (change.parts & Change::File && wasShown() && m_navigation.rotation() != 0)
         m_navigation.resetRotation(); // it is of what was open before
-    if (isAnother && m_wasShown) fit();
+    if (isAnother && wasShown()) fit();
     if (const auto& view = m_document->view();
-        view && m_wasShown && (isAnother || change.parts & Change::Time))
+        view && wasShown() && (isAnother || change.parts & Change::Time))
         m_navigation.moveTo(attractor::cameraOf(*view, {viewport()->width(), viewport()->height()}));
 }
 
@@ -201,74 +180,8 @@ void CanvasView::paintAgain() {
     viewport()->update();
 }
 
-bool CanvasView::event(QEvent* event) {
-    if (event->type() == QEvent::ShortcutOverride && m_input.needsKey(static_cast<QKeyEvent&>(*event))) {
-        event->accept();
-        return true;
-    }
-    return QGraphicsView::event(event);
-}
-
-bool CanvasView::viewportEvent(QEvent* event) {
-    bool isOurs = false;
-    switch (event->type()) {
-    case QEvent::Leave:
-        m_input.leave();
-        break;
-    case QEvent::TouchBegin:
-    case QEvent::TouchUpdate:
-    case QEvent::TouchEnd:
-    case QEvent::TouchCancel:
-        isOurs = m_input.touch(static_cast<QTouchEvent&>(*event));
-        break;
-    case QEvent::NativeGesture:
-        isOurs = m_input.gesture(static_cast<QNativeGestureEvent&>(*event));
-        break;
-    default:
-        break;
-    }
-    return isOurs || QGraphicsView::viewportEvent(event);
-}
-
-void CanvasView::resizeEvent(QResizeEvent*) {
-    m_navigation.adoptViewport();
-}
-
-void CanvasView::showEvent(QShowEvent* event) {
-    QGraphicsView::showEvent(event);
-    if (QWindow* handle = window()->windowHandle())
-        connect(handle, &QWindow::screenChanged, &m_navigation, &CanvasNavigation::adoptViewport,
-                Qt::UniqueConnection);
-    m_navigation.adoptViewport();
-    if (!std::exchange(m_wasShown, true)) fit();
-}
-
-void CanvasView::changeEvent(QEvent* event) {
-    if (event->type() == QEvent::PaletteChange || event->type() == QEvent::FontChange)
-        m_scene->setDesktop(palette(), font());
-    QGraphicsView::changeEvent(event);
-}
-
-void CanvasView::wheelEvent(QWheelEvent* event) {
-    m_input.turnWheel(*event);
-    event->accept();
-}
-
-void CanvasView::mousePressEvent(QMouseEvent* event) {
-    m_showsFocus = false;
-    m_input.press(*event);
-}
-
-void CanvasView::mouseDoubleClickEvent(QMouseEvent* event) {
-    m_input.handleDoubleClick(*event);
-}
-
-void CanvasView::mouseMoveEvent(QMouseEvent* event) {
-    m_input.move(*event);
-}
-
-void CanvasView::mouseReleaseEvent(QMouseEvent* event) {
-    m_input.release(*event);
+void CanvasView::adoptDesktop() {
+    m_scene->setDesktop(palette(), font());
 }
 
 void CanvasView::contextMenuEvent(QContextMenuEvent* event) {
@@ -296,45 +209,10 @@ void CanvasView::showMenu(const CanvasPart& part, const QPoint& global) {
     popUpCanvasMenu({*this, *m_scene, m_tools, m_navigation, m_options, copyPicture}, part, global);
 }
 
-void CanvasView::keyPressEvent(QKeyEvent* event) {
-    event->setAccepted(m_input.pressKey(*event));
-}
-
-void CanvasView::keyReleaseEvent(QKeyEvent* event) {
-    event->setAccepted(m_input.releaseKey(*event));
-}
-
-// That the keyboard is here is shown to those who use it.
-void CanvasView::focusInEvent(QFocusEvent* event) {
-    m_showsFocus = event->reason() == Qt::TabFocusReason || event->reason() == Qt::BacktabFocusReason;
-    QGraphicsView::focusInEvent(event);
-    viewport()->update();
-}
-
-void CanvasView::drawForeground(QPainter* painter, const QRectF& area) {
-    QGraphicsView::drawForeground(painter, area);
-    if (!m_showsFocus || !hasFocus()) return;
-    painter->setBrush(Qt::NoBrush);
-    painter->setPen(QPen(palette().color(QPalette::Base), 4));
-    painter->drawRect(sceneRect().adjusted(2, 2, -2, -2));
-    painter->setPen(QPen(palette().color(QPalette::Highlight), 2));
-    painter->drawRect(sceneRect().adjusted(1, 1, -1, -1));
-}
-
-void CanvasView::focusOutEvent(QFocusEvent* event) {
-    viewport()->update();
-    m_input.loseFocus();
-    QGraphicsView::focusOutEvent(event);
-}
-
 bool CanvasView::focusNextPrevChild(bool next) {
     PolygonTool* tool = m_tools.polygonTool();
     const bool canWalk = tool && m_scene->handles().cage() && m_scene->overlaysVisible();
-    return (canWalk && tool->walk(next ? 1 : -1)) || QGraphicsView::focusNextPrevChild(next);
-}
-
-void CanvasView::refreshCursor() {
-    viewport()->setCursor(m_input.cursor());
+    return (canWalk && tool->walk(next ? 1 : -1)) || Viewport::focusNextPrevChild(next);
 }
 
 void CanvasView::describeFocus() {

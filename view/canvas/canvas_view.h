@@ -2,8 +2,8 @@
 #pragma once
 
 #include "canvas/canvas_input.h"
+#include "gestures/viewport.h"
 
-#include <QGraphicsView>
 #include <QImage>
 #include <QTimer>
 
@@ -13,9 +13,8 @@ namespace view {
 
 class RenderBridge;
 
-// The window onto the plane. The scene is in device-independent pixels of the viewport and the view's own
-// transform stays the identity; a camera leads from the plane to the pixels.
-class CanvasView : public QGraphicsView {
+// The window onto the plane.
+class CanvasView : public Viewport {
     Q_OBJECT
 
 public:
@@ -28,7 +27,6 @@ public:
     void setTool(Tool tool) { m_tools.setTool(tool); }
     Tool tool() const { return m_tools.tool(); }
     Toolbox& tools() { return m_tools; }
-    bool cancelGesture() { return m_input.cancelGesture(); } // false when none was under way
 
     // The maps that are selected, in the order of the system.
     const std::vector<ifs::MapId>& selectedMaps() const { return m_scene->selection().maps(); }
@@ -60,27 +58,14 @@ signals:
     void toolChanged(view::CanvasView::Tool tool);
     void selectedMapsChanged();
     void pointerMoved(const view::PointerPosition& position);
-    void pointerLeft();
-    void message(const QString& sentence); // for the status bar
     void hintDismissed();
 
 protected:
-    bool event(QEvent* event) override;
-    bool viewportEvent(QEvent* event) override;
-    void resizeEvent(QResizeEvent* event) override;
-    void showEvent(QShowEvent* event) override;
-    void changeEvent(QEvent* event) override;
-    void wheelEvent(QWheelEvent* event) override;
-    void mousePressEvent(QMouseEvent* event) override;
-    void mouseMoveEvent(QMouseEvent* event) override;
-    void mouseReleaseEvent(QMouseEvent* event) override;
-    void mouseDoubleClickEvent(QMouseEvent* event) override;
+    ViewportInput& input() override { return m_input; }
+    ViewNavigation& navigated() override { return m_navigation; }
+    void adoptDesktop() override;
+    void begin() override { fit(); }
     void contextMenuEvent(QContextMenuEvent* event) override;
-    void keyPressEvent(QKeyEvent* event) override;
-    void keyReleaseEvent(QKeyEvent* event) override;
-    void focusInEvent(QFocusEvent* event) override;
-    void focusOutEvent(QFocusEvent* event) override;
-    void drawForeground(QPainter* painter, const QRectF& area) override;
     bool focusNextPrevChild(bool next) override;
 
 private:
@@ -89,7 +74,6 @@ private:
     void followDocument(const document::Change& change);
     void holdPainting();
     void paintAgain();
-    void refreshCursor();
     void offerReset();
     void showMenu(const CanvasPart& part, const QPoint& global);
     void describeFocus();
@@ -101,9 +85,7 @@ private:
     CanvasNavigation m_navigation;
     Toolbox m_tools;
     CanvasInput m_input;
-    QTimer m_hold; // runs while painting waits for a frame
-    bool m_wasShown = false;
-    bool m_showsFocus = false;
+    QTimer m_hold;  // runs while painting waits for a frame
     QString m_said; // of the part in focus, while the status bar shows it
 };
 

@@ -3,6 +3,7 @@
 
 #include "document/branches/addresses.h"
 #include "document/fractal/space_geometry.h"
+#include "document/maps/branch_handles.h"
 
 #include <utility>
 #include <vector>
@@ -16,18 +17,13 @@ void SpaceBranch::setActive(bool active) {
     if (!active) m_held.setFill({});
 }
 
-QString SpaceBranch::prompt() const {
-    return isActive() && m_choice->address().empty()
-               ? tr("Click a point of the attractor to select its branch.")
-               : QString();
-}
-
 void SpaceBranch::layOut(const attractor::OrbitCamera& camera, const std::optional<ifs::ControlCage<3>>& cage,
                          const SpaceCageItem::Hidden& isHidden) {
     if (!isActive()) return;
     const document::Fractal& fractal = m_document->fractal();
     const ifs::Word branch = m_choice->branch();
-    const auto handles = cage ? SpaceMapHandles::of(m_document->sharedFractal(), *cage) : std::nullopt;
+    const auto handles =
+        cage ? std::optional(SpaceMapHandles(m_document->sharedFractal(), *cage)) : std::nullopt;
     std::vector<document::SpaceOutline> walk;
     std::vector<ifs::Vector<3>> held;
     for (std::size_t length = 1; handles && length <= branch.size(); ++length) {
@@ -61,7 +57,7 @@ std::optional<SpaceMapDrag> SpaceBranch::drag(QString& obstacle) {
     obstacle = m_choice->obstacle();
     if (!obstacle.isEmpty()) return std::nullopt;
     const document::BranchEdit edit = m_choice->edit();
-    auto held = document::branchHandlesInSpace(m_document->sharedFractal(), *cage, branch, edit);
+    auto held = document::branchHandles(m_document->sharedFractal(), *cage, branch, edit);
     auto drag = held ? SpaceMapDrag::of(std::move(held->handles), {held->index},
                                         edit == document::BranchEdit::Inside ? branch : ifs::Word())
                      : std::nullopt;
@@ -72,24 +68,12 @@ std::optional<SpaceMapDrag> SpaceBranch::drag(QString& obstacle) {
     return drag;
 }
 
-QString SpaceBranch::stepText(SpatialDrag::Mode mode, std::size_t handle) const {
-    using enum SpatialDrag::Mode;
-    const QString name = document::addressText(m_choice->branch(), BranchChoice::maxDepth);
-    if (mode == Rotate) return tr("Rotate branch %1").arg(name);
-    if (mode == Scale) return tr("Scale branch %1").arg(name);
-    if (handle == SpaceMaps::middle) return tr("Move branch %1").arg(name);
-    return tr("Move corner %1 of branch %2").arg(handle + 1).arg(name);
-}
-
 bool SpaceBranch::keyPress(const QKeyEvent& event) {
     if (isActive() && event.key() == Qt::Key_Escape && !m_choice->address().empty()) {
         m_choice->choose({});
         return true;
     }
-    const bool deeper = event.key() == Qt::Key_PageDown;
-    if (!isActive() || !(deeper || event.key() == Qt::Key_PageUp)) return false;
-    m_choice->setDepth(m_choice->depth() + (deeper ? 1 : -1));
-    return true;
+    return isActive() && m_choice->pressDepthKey(event.key());
 }
 
 } // namespace view

@@ -27,8 +27,7 @@ public:
 
     bool isActive() const { return m_isActive && m_choice; }
     void setActive(bool active);
-    // What a click would do while nothing is chosen; empty: something is.
-    QString prompt() const;
+    QString prompt() const { return isActive() ? m_choice->prompt() : QString(); }
 
     // While it is active; after the maps, which have the same items.
     void layOut(const attractor::OrbitCamera& camera, const std::optional<ifs::ControlCage<3>>& cage,
@@ -38,7 +37,9 @@ public:
     QString chooseAt(const ifs::Vector<3>& displayed, double precision);
     // A drag of the branch, which has begun then; nullopt where there can be none, and why.
     std::optional<SpaceMapDrag> drag(QString& obstacle);
-    QString stepText(SpatialDrag::Mode mode, std::size_t handle) const;
+    QString stepText(DragMode mode, std::optional<std::size_t> corner) const {
+        return m_choice->stepText(mode, corner);
+    }
 
     // Page Down and Page Up change its depth, Esc lets it go; false: no key of ours.
     bool keyPress(const QKeyEvent& event);

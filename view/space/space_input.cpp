@@ -3,14 +3,18 @@
 
 #include "attractor/request/orbit_navigation.h"
 #include "canvas/geometry/canvas_geometry.h"
+#include "canvas/tools/map_gestures.h"
 #include "document/edits/cage/cage_actions.h"
+#include "document/edits/cage/cage_edits.h"
 #include "document/edits/cage/space_cage_edits.h"
 #include "document/fractal/space_geometry.h"
 #include "space/keypad_views.h"
 #include "space/space_symmetry.h"
 #include "widgets/arrow_keys.h"
 
+#include <QKeyEvent>
 #include <QLineF>
+#include <QWheelEvent>
 
 #include <algorithm>
 #include <cmath>
@@ -33,14 +37,11 @@ bool isAxisKey(const QKeyEvent& event) {
     return !isShortcut && event.key() >= Qt::Key_X && event.key() <= Qt::Key_Z;
 }
 
-double notches(const QWheelEvent& event) {
-    return event.angleDelta().y() / 120.0;
-}
-
 } // namespace
 
 SpaceInput::SpaceInput(document::Document* document, SpaceNavigation& navigation, const Items& items)
-    : m_document(document),
+    : ViewportInput(navigation),
+      m_document(document),
       m_navigation(navigation),
       m_cage(items.cage),
       m_maps(items.maps),
@@ -50,44 +51,39 @@ SpaceInput::SpaceInput(document::Document* document, SpaceNavigation& navigation
       m_slice(items.slice),
       m_symmetry(items.symmetry),
       m_ball(items.ball),
-      m_ballFocus(m_ball, navigation) {}
-
-void SpaceInput::press(const QMouseEvent& event) {
-    if (!isIdle()) {
-        cancelGesture();
-        return;
-    }
-    m_pointer = event.position();
-    if (!m_ball.covers(m_pointer)) m_ballFocus.leave();
-    const bool pans =
-        event.button() == Qt::MiddleButton || (event.button() == Qt::LeftButton && m_isSpaceHeld);
-    if (pans) {
-        m_gesture.emplace<Panning>(Panning{m_navigation.camera(), m_pointer});
-    } else if (event.button() == Qt::RightButton) {
-        beginOrbit(event, std::nullopt);
-    } else if (event.button() == Qt::LeftButton && m_isEnabled && !m_isFixed && m_ball.covers(m_pointer)) {
-        beginOrbit(event, m_ball.endAt(m_pointer));
-    } else if (event.button() == Qt::LeftButton && m_isEnabled && m_definition.isActive()) {
-        defineAt(m_pointer);
-    } else if (event.button() == Qt::LeftButton && m_isEnabled && pressHandle(m_pointer, event)) {
-        // it is held now
-    } else if (event.button() == Qt::LeftButton && isOnSymmetry(m_pointer)) {
-        beginSymmetryDrag();
-    } else if (event.button() == Qt::LeftButton && isOnSlice(m_pointer)) {
-        m_gesture.emplace<Slicing>(Slicing{m_document->beginGesture(tr("Move the Slice")),
-                                           m_navigation.camera(), *m_slice.plane(), toVector(m_pointer)});
-    } else if (event.button() == Qt::LeftButton) {
-        const auto face = m_isEnabled ? held().faceAt(m_pointer) : std::nullopt;
-        if (face)
-            beginFaceDrag(*face, event);
-        else
-            beginOrbit(event, std::nullopt);
-    }
-    emit changed();
+      m_ballFocus(m_ball, navigation),
+      m_session(*document) {
+    connect(&m_session, &DragSession::runEnded, this, &SpaceInput::settle);
 }
 
-void SpaceInput::defineAt(const QPointF& position) {
-    const auto vertices = m_definition.click(m_navigation.camera(), toVector(position));
+bool SpaceInput::pressed(Qt::MouseButton button) {
+    const QPointF position = pointer().position;
+    m_session.endRun();
+    m_session.press(position);
+    if (!m_ball.covers(position)) m_ballFocus.leave();
+    if (button == Qt::RightButton || (button == Qt::LeftButton && isOnBall())) {
+        beginOrbit(button);
+    } else if (button != Qt::LeftButton) {
+        return false;
+    } else if (m_isEnabled && m_definition.isActive()) {
+        define();
+    } else if (m_isEnabled && pressHandle()) {
+        // it is held now
+    } else if (isOnSymmetry()) {
+        beginSymmetryDrag();
+    } else if (isOnSlice()) {
+        m_gesture.emplace<Slicing>(Slicing{m_navigation.camera(), *m_slice.plane()});
+        m_session.open(tr("Move the Slice"));
+    } else if (const auto face = m_isEnabled ? held().faceAt(position) : std::nullopt) {
+        beginFaceDrag(*face);
+    } else {
+        beginOrbit(button);
+    }
+    return !isIdle();
+}
+
+void SpaceInput::define() {
+    const auto vertices = m_definition.click(m_navigation.camera(), toVector(pointer().position));
     if (!vertices) {
         emit prompted();
     } else if (const auto failure = document::defineTetrahedron(*m_document, *vertices)) {
@@ -97,10 +93,11 @@ void SpaceInput::defineAt(const QPointF& position) {
     }
 }
 
-bool SpaceInput::pressHandle(const QPointF& position, const QMouseEvent& event) {
+bool SpaceInput::pressHandle() {
+    const QPointF position = pointer().position;
     auto handles = held().handlesAt(position);
     if (const auto map = m_maps.mapAt(position); handles.empty() && m_maps.isActive() && map) {
-        const bool adds = event.modifiers() == Qt::ShiftModifier;
+        const bool adds = pointer().modifiers == Qt::ShiftModifier;
         m_maps.pick(*map, adds);
         showSelected();
         if (adds) return true;
@@ -109,7 +106,7 @@ bool SpaceInput::pressHandle(const QPointF& position, const QMouseEvent& event) 
     if (handles.empty()) return false;
     // Of two, the one that Tab has chosen.
     const bool isChosen = m_focused && std::ranges::find(handles, *m_focused) != handles.end();
-    beginDrag(isChosen ? *m_focused : handles.front(), event);
+    beginDrag(isChosen ? *m_focused : handles.front());
     return true;
 }
 
@@ -130,7 +127,7 @@ SpaceInput::After SpaceInput::afterCage() {
             mode = m_document->cageMode()](const std::vector<ifs::Vector<3>>& vertices) {
         auto moved = cage;
         moved.current = vertices;
-        return document::withSpaceCageMoved(*before, std::move(moved), mode);
+        return document::withCageMoved(*before, std::move(moved), mode);
     };
 }
 
@@ -155,60 +152,54 @@ std::optional<SpaceInput::Subject> SpaceInput::subject() {
     return Subject{drag->vertices(), after};
 }
 
-void SpaceInput::beginOrbit(const QMouseEvent& event, std::optional<AxisBall::End> end) {
-    Orbiting orbiting;
-    orbiting.before = m_navigation.camera();
-    const bool onBall = m_isEnabled && !m_isFixed && m_ball.covers(event.position());
-    const auto point = onBall ? std::nullopt : m_navigation.pointUnder(event.position());
-    orbiting.pivot = onBall ? m_navigation.camera().target : point.value_or(m_navigation.pivotBeside());
-    orbiting.press = event.position();
-    orbiting.end = end;
-    orbiting.button = event.button();
-    m_gesture.emplace<Orbiting>(orbiting);
+void SpaceInput::beginOrbit(Qt::MouseButton button) {
+    const bool turnsBall = isOnBall() && button == Qt::LeftButton;
+    const auto point = isOnBall() ? std::nullopt : m_navigation.pointUnder(pointer().position);
+    const ifs::Vector<3> pivot =
+        isOnBall() ? m_navigation.camera().target : point.value_or(m_navigation.pivotBeside());
+    m_gesture.emplace<Orbiting>(Orbiting{m_navigation.camera(), pivot,
+                                         turnsBall ? m_ball.endAt(pointer().position) : std::nullopt,
+                                         button});
 }
 
-void SpaceInput::beginDrag(std::size_t vertex, const QMouseEvent& event) {
+void SpaceInput::begin(Dragging dragging, const QString& step) {
+    dragging.drag.camera = m_navigation.camera();
+    dragging.drag.press = toVector(m_session.pressedAt());
+    dragging.pull.pointer = dragging.drag.press;
+    m_gesture.emplace<Dragging>(std::move(dragging));
+    m_session.open(step);
+}
+
+void SpaceInput::beginDrag(std::size_t vertex) {
     if (vertex >= held().vertices().size()) return;
     std::optional<Subject> moved = subject();
     if (!moved) return;
     SpatialDrag drag;
-    drag.camera = m_navigation.camera();
     drag.vertices = std::move(moved->vertices);
     drag.held = vertex;
-    drag.press = toVector(event.position());
-    if (event.modifiers().testFlag(Qt::ControlModifier)) drag.mode = SpatialDrag::Mode::Rotate;
-    if (event.modifiers().testFlag(Qt::AltModifier)) drag.mode = SpatialDrag::Mode::Scale;
-    const QString text = stepText(drag.mode, vertex);
-    const Pull pull{drag.press, 0};
+    drag.mode = dragMode(pointer().modifiers);
     m_focused = vertex;
-    m_gesture.emplace<Dragging>(
-        Dragging{m_document->beginGesture(text), std::move(moved->after), std::move(drag), pull, {}, false});
+    const QString step = stepText(drag.mode, vertex);
+    begin({std::move(moved->after), std::move(drag)}, step);
 }
 
 // Its corners follow its middle, which is held in place of a vertex.
-void SpaceInput::beginFaceDrag(std::size_t face, const QMouseEvent& event) {
+void SpaceInput::beginFaceDrag(std::size_t face) {
     const After after = afterCage();
     if (!after) return;
-    SpatialDrag drag = faceDrag(m_navigation.camera(), m_cage.vertices(), m_cage.face(face));
-    drag.press = toVector(event.position());
     const After cageAfter = [after](std::vector<ifs::Vector<3>> vertices) {
         vertices.pop_back();
         return after(vertices);
     };
-    const Pull pull{drag.press, 0};
     m_focused.reset();
     m_face = face;
-    m_gesture.emplace<Dragging>(Dragging{m_document->beginGesture(tr("Move Face %1").arg(face + 1)),
-                                         cageAfter,
-                                         std::move(drag),
-                                         pull,
-                                         {},
-                                         false});
+    begin({cageAfter, faceDrag(m_cage.vertices(), m_cage.face(face)), Part::Face},
+          tr("Move Face %1").arg(face + 1));
 }
 
-bool SpaceInput::isOnSymmetry(const QPointF& position) const {
+bool SpaceInput::isOnSymmetry() const {
     const auto knob = m_isEnabled ? m_symmetry.knob() : std::nullopt;
-    return knob && QLineF(*knob, position).length() <= knobReach;
+    return knob && QLineF(*knob, pointer().position).length() <= knobReach;
 }
 
 // Its centre is held in place of a vertex.
@@ -217,58 +208,50 @@ void SpaceInput::beginSymmetryDrag() {
     After after = afterCentreMoved(m_document->sharedFractal());
     if (!centre || !after) return;
     SpatialDrag drag;
-    drag.camera = m_navigation.camera();
     drag.vertices = {*centre};
-    drag.press = toVector(m_pointer);
-    const Pull pull{drag.press, 0};
-    m_gesture.emplace<Dragging>(Dragging{m_document->beginGesture(tr("Move the centre of the symmetry")),
-                                         std::move(after),
-                                         std::move(drag),
-                                         pull,
-                                         {},
-                                         false,
-                                         true});
+    begin({std::move(after), std::move(drag), Part::Symmetry}, tr("Move the centre of the symmetry"));
 }
 
 QString SpaceInput::stepText(SpatialDrag::Mode mode, std::size_t vertex) const {
-    using enum SpatialDrag::Mode;
-    if (m_branch.isActive()) return m_branch.stepText(mode, vertex);
-    if (m_maps.selected()) return m_maps.stepText(mode, vertex);
-    return mode == Rotate  ? tr("Rotate Cage")
-           : mode == Scale ? tr("Scale Cage")
-                           : tr("Move Vertex %1").arg(vertex + 1);
+    const auto corner = vertex == SpaceMaps::middle ? std::nullopt : std::optional(vertex);
+    if (m_branch.isActive()) return m_branch.stepText(mode, corner);
+    if (m_maps.selected()) return m_maps.stepText(mode, corner);
+    if (mode == DragMode::Rotate) return tr("Rotate Cage");
+    return mode == DragMode::Scale ? tr("Scale Cage") : tr("Move Vertex %1").arg(vertex + 1);
 }
 
-void SpaceInput::move(const QMouseEvent& event) {
-    m_pointer = event.position();
+void SpaceInput::moved() {
     if (auto* orbiting = std::get_if<Orbiting>(&m_gesture)) {
-        follow(*orbiting, m_pointer);
-    } else if (auto* panning = std::get_if<Panning>(&m_gesture)) {
-        m_navigation.moveTo(attractor::panned(panning->before, toVector(m_pointer - panning->press)), true);
+        follow(*orbiting);
+    } else if (!isIdle() && !m_session.isOpen()) {
+        cancelDrag(); // undo has ended it
     } else if (auto* dragging = std::get_if<Dragging>(&m_gesture)) {
-        dragging->gesture.isOpen() ? follow(*dragging, event) : void(cancelDrag()); // undo may have ended it
-    } else if (auto* slicing = std::get_if<Slicing>(&m_gesture)) {
-        follow(*slicing, m_pointer);
-    } else if (m_definition.isActive()) {
-        m_hovered.reset();
-        m_face.reset();
-        m_definition.follow(m_navigation.camera(), toVector(m_pointer));
-        report(m_pointer);
+        follow(*dragging);
+    } else if (const auto* slicing = std::get_if<Slicing>(&m_gesture)) {
+        follow(*slicing);
     } else {
-        const auto handles = m_isEnabled ? held().handlesAt(m_pointer) : std::vector<std::size_t>();
-        m_hovered = handles.empty() ? std::nullopt : std::optional(handles.front());
-        m_face = m_isEnabled && !m_hovered && !isOnSlice(m_pointer) && !isOnSymmetry(m_pointer)
-                     ? held().faceAt(m_pointer)
-                     : std::nullopt;
-        report(m_pointer);
+        hover();
     }
-    emit changed();
 }
 
-void SpaceInput::follow(Orbiting& orbiting, const QPointF& position) {
-    const QPointF delta = position - orbiting.press;
+void SpaceInput::hover() {
+    const QPointF position = pointer().position;
+    m_hovered.reset();
+    m_face.reset();
+    if (m_definition.isActive()) {
+        m_definition.follow(m_navigation.camera(), toVector(position));
+    } else if (m_isEnabled) {
+        const auto handles = held().handlesAt(position);
+        if (!handles.empty()) m_hovered = handles.front();
+        if (!m_hovered && !isOnSlice() && !isOnSymmetry()) m_face = held().faceAt(position);
+    }
+    report(position);
+}
+
+void SpaceInput::follow(Orbiting& orbiting) {
+    const QPointF delta = pointer().position - m_session.pressedAt();
     if (!orbiting.hasMoved && std::hypot(delta.x(), delta.y()) < clickReach) return;
-    if (m_isFixed) {
+    if (m_navigation.isFixed()) {
         orbiting.hasMoved = true;
         return m_navigation.moveTo(attractor::panned(orbiting.before, toVector(delta)), true);
     }
@@ -282,30 +265,35 @@ void SpaceInput::follow(Orbiting& orbiting, const QPointF& position) {
     reportDirection();
 }
 
-bool SpaceInput::isOnSlice(const QPointF& position) const {
-    return m_isEnabled && m_slice.isHandleAt(position);
+void SpaceInput::follow(const Slicing& slicing) {
+    document::Fractal moved = m_session.gesture().before();
+    if (!moved.inSpace.clip || !m_session.isDrag(pointer().position)) return;
+    moved.inSpace.clip =
+        slid(*moved.inSpace.clip, slideBetween(slicing.camera, slicing.plane, toVector(m_session.pressedAt()),
+                                               toVector(pointer().position)));
+    if (isUsable(*moved.inSpace.clip)) m_session.gesture().preview(moved);
 }
 
-void SpaceInput::follow(Slicing& slicing, const QPointF& position) {
-    document::Fractal moved = slicing.gesture.before();
-    if (!moved.inSpace.clip) return;
-    moved.inSpace.clip = slid(*moved.inSpace.clip,
-                              slideBetween(slicing.camera, slicing.plane, slicing.press, toVector(position)));
-    if (isUsable(*moved.inSpace.clip)) slicing.gesture.preview(moved);
-}
-
-void SpaceInput::follow(Dragging& dragging, const QMouseEvent& event) {
-    dragging.pull.pointer = toVector(event.position());
-    const bool shift = event.modifiers().testFlag(Qt::ShiftModifier);
-    const ifs::Vector<2> motion = dragging.pull.pointer - dragging.drag.press;
-    const bool isFace = !dragging.drag.together.empty();
-    if (isFace && shift && dragging.lock.kind == AxisLock::Kind::View) {
+void SpaceInput::follow(Dragging& dragging) {
+    if (!m_session.isDrag(pointer().position)) return;
+    SpatialDrag& drag = dragging.drag;
+    // An axis that was chosen by its key stays: Ctrl may belong to a shortcut.
+    const bool canTurn = dragging.part == Part::Vertex &&
+                         (dragging.isLockedByShift || dragging.lock.kind == AxisLock::Kind::View);
+    if (const auto mode = m_session.turnedInto(dragMode(pointer().modifiers), drag.mode); mode && canTurn) {
+        if (m_branch.isActive()) m_branch.choice()->showDragged(false);
+        drag.mode = *mode;
+        m_session.describe(stepText(drag.mode, drag.held), drag.held);
+    }
+    dragging.pull.pointer = toVector(pointer().position);
+    const bool shift = pointer().modifiers.testFlag(Qt::ShiftModifier);
+    const ifs::Vector<2> motion = dragging.pull.pointer - drag.press;
+    if (dragging.part == Part::Face && shift && dragging.lock.kind == AxisLock::Kind::View) {
         dragging.lock = {AxisLock::Kind::Normal, 0};
         dragging.isLockedByShift = true;
     } else if (shift && !dragging.isLockedByShift && dragging.lock.kind == AxisLock::Kind::View &&
                motion.norm() >= shiftReach) {
-        const auto& vertex = dragging.drag.vertices[dragging.drag.held];
-        if (const auto axis = nearestAxis(dragging.drag.camera, vertex, motion)) {
+        if (const auto axis = nearestAxis(drag.camera, drag.vertices[drag.held], motion)) {
             dragging.lock = {AxisLock::Kind::Axis, *axis};
             dragging.isLockedByShift = true;
         }
@@ -318,103 +306,94 @@ void SpaceInput::follow(Dragging& dragging, const QMouseEvent& event) {
 
 void SpaceInput::preview(Dragging& dragging) {
     const auto vertices = dragged(dragging.drag, dragging.pull, dragging.lock);
-    if (vertices == dragging.drag.vertices) {
-        dragging.gesture.preview(dragging.gesture.before()); // where it began, to the bit
-        emit stopped({});
-    } else {
-        dragging.gesture.preview(dragging.after(vertices));
-    }
-    if (m_branch.isActive()) m_branch.choice()->showDragged(vertices != dragging.drag.vertices);
-    report(dragging);
+    const bool hasMoved = vertices != dragging.drag.vertices;
+    if (!hasMoved) emit stopped({});
+    m_session.gesture().preview(hasMoved ? dragging.after(vertices)
+                                         : m_session.gesture().before()); // where it began, to the bit
+    if (m_branch.isActive()) m_branch.choice()->showDragged(hasMoved);
+    if (!m_session.isRunning()) report(dragging);
 }
 
 // A branch may have become a map of its own, which the handles now hold.
-void SpaceInput::endDrag() {
+void SpaceInput::settle() {
+    const DragSession::Outcome outcome = m_session.finish();
+    if (outcome == DragSession::Outcome::None) return;
     emit stopped({});
-    if (m_branch.isActive() && m_branch.choice()->endDrag())
-        emit message(tr("This branch is now map 1. You can change it further in the table."));
+    if (!m_branch.isActive()) return;
+    if (outcome == DragSession::Outcome::Abandoned)
+        m_branch.choice()->cancelDrag();
+    else if (const QString said = m_branch.choice()->endDrag(); !said.isEmpty())
+        emit message(said);
 }
 
-void SpaceInput::chooseBranchAt(const QPointF& position) {
-    const auto point = m_navigation.pointNear(position);
+void SpaceInput::chooseBranch() {
+    const auto point = m_navigation.pointNear(pointer().position);
     if (!point) return m_branch.choice()->choose({});
     m_focused.reset();
     emit message(m_branch.chooseAt(*point, 1 / pixelsPerUnit(m_navigation.camera())));
 }
 
-void SpaceInput::release(const QMouseEvent& event) {
-    if (auto* dragging = std::get_if<Dragging>(&m_gesture)) {
-        if (event.button() != Qt::LeftButton) return;
-        if (!dragging->gesture.isOpen()) return void(cancelDrag());
-        dragging->gesture.commit();
-        endDrag();
-    } else if (auto* slicing = std::get_if<Slicing>(&m_gesture)) {
-        if (event.button() != Qt::LeftButton) return;
-        slicing->gesture.commit();
-    } else if (const auto* orbiting = std::get_if<Orbiting>(&m_gesture)) {
-        if (event.button() != orbiting->button) return;
-        const Orbiting done = *orbiting;
-        m_gesture.emplace<std::monostate>();
-        if (done.hasMoved) {
-            m_navigation.moveTo(m_navigation.camera());
-        } else if (done.end) {
-            m_navigation.lookAlong(*done.end);
-        } else if (done.button == Qt::RightButton) {
-            emit menuRequested(event.globalPosition().toPoint());
-        } else if (m_branch.isActive()) {
-            chooseBranchAt(event.position());
-        }
-    }
+void SpaceInput::released() {
+    settle();
+    const auto* orbiting = std::get_if<Orbiting>(&m_gesture);
+    const auto done = orbiting ? std::optional(*orbiting) : std::nullopt;
     m_gesture.emplace<std::monostate>();
-    move(event);
+    if (done && done->hasMoved) {
+        m_navigation.moveTo(m_navigation.camera());
+    } else if (done && done->end) {
+        m_navigation.lookAlong(*done->end);
+    } else if (done && done->button == Qt::RightButton) {
+        emit menuRequested(pointer().position);
+    } else if (done && m_branch.isActive()) {
+        chooseBranch();
+    }
+    hover();
 }
 
-void SpaceInput::handleDoubleClick(const QMouseEvent& event) {
-    if (m_definition.isActive()) return press(event);
-    const bool onHandle = m_isEnabled && !held().handlesAt(event.position()).empty();
-    const auto point = m_navigation.pointUnder(event.position());
-    if (event.button() == Qt::LeftButton && point && !onHandle)
-        m_navigation.glideTo(attractor::centredOn(m_navigation.camera(), *point));
-    else
-        press(event);
+bool SpaceInput::doubleClicked() {
+    if (m_definition.isActive()) return false;
+    const bool onHandle = m_isEnabled && !held().handlesAt(pointer().position).empty();
+    const auto point = m_navigation.pointUnder(pointer().position);
+    if (!point || onHandle) return false;
+    m_navigation.glideTo(attractor::centredOn(m_navigation.camera(), *point));
+    return true;
 }
 
-void SpaceInput::wheel(const QWheelEvent& event) {
+bool SpaceInput::wheelTurned(const QWheelEvent& event) {
     if (auto* dragging = std::get_if<Dragging>(&m_gesture)) {
         dragging->pull.away += notches(event) * pushPixels / pixelsPerUnit(dragging->drag.camera);
         preview(*dragging);
-        return;
+        return true;
     }
-    if (isIdle() && m_definition.isActive() && m_definition.isLifting()) {
+    if (!isIdle()) return true;
+    if (m_definition.isActive() && m_definition.isLifting()) {
         constexpr double share = 0.1;
         m_definition.lift(-share * notches(event));
         m_definition.follow(m_navigation.camera(), toVector(event.position()));
-        return;
+        return true;
     }
-    if (isIdle() && m_branch.isActive() && event.modifiers().testFlag(Qt::ShiftModifier))
-        m_branch.choice()->turnDepth(event.angleDelta().x() + event.angleDelta().y());
-    else if (isIdle())
-        m_navigation.zoomAt(event.position(), std::pow(1.0015, event.angleDelta().y()));
+    const bool chooses = m_branch.isActive() && event.modifiers().testFlag(Qt::ShiftModifier);
+    if (chooses) m_branch.choice()->turnDepth(event.angleDelta().x() + event.angleDelta().y());
+    return chooses;
 }
 
-void SpaceInput::leave() {
+void SpaceInput::left() {
     m_hovered.reset();
-    m_pointer = {-1, -1};
+    forgetPointer();
     m_isPointRead = false;
-    emit pointerLeft();
-    emit changed();
 }
 
 bool SpaceInput::needsKey(const QKeyEvent& event) const {
     if (!isIdle()) return isAxisKey(event) || event.key() == Qt::Key_Escape;
     if (m_definition.isActive() && (event.key() == Qt::Key_Escape || event.key() == Qt::Key_Backspace))
         return true;
-    return m_ballFocus.needsKey(event) || event.key() == Qt::Key_Space ||
-           !arrowDirection(event.key()).isNull() ||
+    return ViewportInput::needsKey(event) || m_ballFocus.needsKey(event) ||
            (isOnKeypad(event) && event.key() >= Qt::Key_0 && event.key() <= Qt::Key_9);
 }
 
-bool SpaceInput::keyPress(const QKeyEvent& event) {
+bool SpaceInput::keyPressed(const QKeyEvent& event) {
+    const QPointF way = arrowDirection(event.key());
+    if (way.isNull() && event.key() != Qt::Key_Escape) m_session.endRun();
     if (isIdle() && m_ballFocus.keyPress(event)) {
         emit changed();
         return true;
@@ -425,34 +404,23 @@ bool SpaceInput::keyPress(const QKeyEvent& event) {
         emit prompted();
         return true;
     }
-    if (isIdle() && !m_isFixed && lookBy(m_navigation, event)) return true;
+    if (isIdle() && !m_navigation.isFixed() && lookBy(m_navigation, event)) return true;
     if (lockBy(event) || mapsKeyPress(event) || (isIdle() && m_branch.keyPress(event))) return true;
-    if (event.key() == Qt::Key_Space) {
-        m_isSpaceHeld = true;
-        emit changed();
-        return true;
-    }
-    const QPointF way = arrowDirection(event.key());
     if (way.isNull() || !isIdle()) return false;
-    const bool isFast = event.modifiers().testFlag(Qt::ShiftModifier) && !m_ballFocus.isHere();
-    const double factor = isFast ? 10 : 1; // on the ball, Shift alone makes the keys turn the view
+    m_session.keepRun(event);
+    // On the ball, Shift alone makes the keys turn the view.
+    const QPointF by = way * (m_ballFocus.isHere() ? 1 : nudgePace(event.modifiers()));
     if (m_focused && *m_focused < held().vertices().size()) { // a branch that was let go has none
-        nudge(factor * way);
-    } else if (m_isFixed) {
-        m_navigation.moveTo(attractor::panned(m_navigation.camera(), -pixelsPerKey * factor * toVector(way)));
+        nudge(by);
+    } else if (m_navigation.isFixed()) {
+        m_navigation.moveTo(attractor::panned(m_navigation.camera(), -pixelsPerKey * toVector(by)));
     } else {
         m_navigation.leaveAxisView();
         const attractor::OrbitCamera& camera = m_navigation.camera();
-        m_navigation.orbit(camera, camera.target, degreesPerKey * way.x(), -degreesPerKey * way.y());
+        m_navigation.orbit(camera, camera.target, degreesPerKey * by.x(), -degreesPerKey * by.y());
         reportDirection();
     }
     return true;
-}
-
-void SpaceInput::keyRelease(const QKeyEvent& event) {
-    if (event.key() != Qt::Key_Space || event.isAutoRepeat()) return;
-    m_isSpaceHeld = false;
-    emit changed();
 }
 
 bool SpaceInput::lockBy(const QKeyEvent& event) {
@@ -468,45 +436,55 @@ bool SpaceInput::lockBy(const QKeyEvent& event) {
 }
 
 bool SpaceInput::mapsKeyPress(const QKeyEvent& event) {
-    if (!isIdle()) return false;
-    const SpaceMaps::KeyOutcome outcome = m_maps.keyPress(event, *m_document);
-    if (!outcome.message.isEmpty()) emit message(outcome.message);
-    if (outcome.isSelected) showSelected();
-    return outcome.isTaken;
+    if (!isIdle() || !m_maps.isActive() || m_maps.count() == 0) return false;
+    const MapKey key = pressMapKey(event, *m_document, m_maps.selection());
+    if (!key.message.isEmpty()) emit message(key.message);
+    if (!key.selected.empty() && m_maps.selectIds(key.selected)) showSelected();
+    return key.isTaken;
 }
 
+// One undo step for as long as the key is held.
 void SpaceInput::nudge(const QPointF& pixels) {
-    std::optional<Subject> moved = subject();
-    if (!moved) return;
-    SpatialDrag drag;
-    drag.camera = m_navigation.camera();
-    drag.vertices = std::move(moved->vertices);
-    drag.held = *m_focused;
-    m_document->edit(stepText(drag.mode, drag.held), moved->after(dragged(drag, {toVector(pixels), 0}, {})));
-    if (m_branch.isActive()) m_branch.choice()->showDragged(true);
-    endDrag();
+    if (!m_session.isRunning()) {
+        std::optional<Subject> moved = subject();
+        if (!moved) return;
+        SpatialDrag drag;
+        drag.camera = m_navigation.camera();
+        drag.vertices = std::move(moved->vertices);
+        drag.held = *m_focused;
+        m_nudging = {std::move(moved->after), std::move(drag)};
+        m_session.open(stepText(DragMode::Move, *m_focused));
+        m_session.beginRun();
+    }
+    if (!m_session.isOpen()) return m_session.endRun();
+    m_nudging.pull.pointer += toVector(pixels);
+    preview(m_nudging);
+    m_session.describe(m_session.text(), *m_focused);
 }
 
-bool SpaceInput::cancelGesture() {
+bool SpaceInput::cancelled() {
     if (isIdle() && m_definition.isActive()) {
         emit defined();
         return true;
     }
-    return cancelDrag();
-}
-
-bool SpaceInput::cancelDrag() {
-    if (isIdle()) return false;
-    if (auto* orbiting = std::get_if<Orbiting>(&m_gesture)) m_navigation.moveTo(orbiting->before);
-    if (auto* panning = std::get_if<Panning>(&m_gesture)) m_navigation.moveTo(panning->before);
-    m_gesture.emplace<std::monostate>(); // an edit is cancelled as it goes
-    if (m_branch.isActive()) m_branch.choice()->cancelDrag();
-    emit stopped({});
-    emit changed();
+    if (isIdle() && !m_session.isRunning()) return false;
+    cancelDrag();
     return true;
 }
 
+void SpaceInput::cancelDrag() {
+    if (isIdle() && !m_session.isRunning()) return;
+    if (const auto* orbiting = std::get_if<Orbiting>(&m_gesture)) m_navigation.moveTo(orbiting->before);
+    m_gesture.emplace<std::monostate>();
+    letGo();
+    m_session.cancel();
+    if (m_branch.isActive()) m_branch.choice()->cancelDrag();
+    emit stopped({});
+    emit changed();
+}
+
 bool SpaceInput::moveFocus(bool next) {
+    m_session.endRun();
     const std::size_t count = m_isEnabled ? held().count() : 0;
     const auto map = m_maps.selected();
     if (next && map && m_focused && *m_focused + 1 == count && *map + 1 < m_maps.count()) {
@@ -531,10 +509,6 @@ void SpaceInput::forgetFocus() {
     m_face.reset();
 }
 
-void SpaceInput::fixDirection() {
-    m_isFixed = true;
-}
-
 void SpaceInput::setEnabled(bool enabled) {
     cancelGesture();
     m_isEnabled = enabled;
@@ -543,24 +517,21 @@ void SpaceInput::setEnabled(bool enabled) {
 void SpaceInput::showMarks(bool hasFocus) {
     std::optional<std::size_t> pressed;
     const auto* dragging = std::get_if<Dragging>(&m_gesture);
-    if (dragging && !dragging->isOfSymmetry) pressed = dragging->drag.held;
-    m_symmetry.setHeld(dragging && dragging->isOfSymmetry);
+    if (dragging && dragging->part != Part::Symmetry) pressed = dragging->drag.held;
+    m_symmetry.setHeld(dragging && dragging->part == Part::Symmetry);
     const bool isSlicing = std::holds_alternative<Slicing>(m_gesture);
-    m_slice.setHeld(isIdle() && !m_hovered && isOnSlice(m_pointer), isSlicing);
+    m_slice.setHeld(isIdle() && !m_hovered && isOnSlice(), isSlicing);
     m_cage.setFaceMark(m_face);
     held().setMarks(m_hovered, pressed, hasFocus ? m_focused : std::nullopt);
     m_ball.setFocused(hasFocus ? m_ballFocus.end() : std::nullopt);
-    m_ball.setHovered(isIdle() && !m_isFixed ? m_ball.endAt(m_pointer) : std::nullopt);
+    m_ball.setHovered(isIdle() && !m_navigation.isFixed() ? m_ball.endAt(pointer().position) : std::nullopt);
 }
 
-Qt::CursorShape SpaceInput::cursor() const {
-    if (std::holds_alternative<Dragging>(m_gesture) || std::holds_alternative<Panning>(m_gesture) ||
-        std::holds_alternative<Slicing>(m_gesture))
-        return Qt::ClosedHandCursor;
-    if (isIdle() && (m_hovered || m_face || m_isSpaceHeld || isOnSlice(m_pointer) || isOnSymmetry(m_pointer)))
-        return Qt::OpenHandCursor;
-    if (isIdle() && m_isEnabled && !m_isFixed && m_ball.covers(m_pointer)) return Qt::PointingHandCursor;
-    return Qt::CrossCursor;
+QCursor SpaceInput::cursorOver() const {
+    const bool isDragging = !isIdle() && !std::holds_alternative<Orbiting>(m_gesture);
+    if (isDragging) return Qt::ClosedHandCursor;
+    if (isIdle() && (m_hovered || m_face || isOnSlice() || isOnSymmetry())) return Qt::OpenHandCursor;
+    return isIdle() && isOnBall() ? Qt::PointingHandCursor : Qt::CrossCursor;
 }
 
 void SpaceInput::report(const QPointF& position) {
@@ -584,7 +555,7 @@ void SpaceInput::report(const Dragging& dragging) {
     SpacePosition at;
     at.world = ifs::Vector<3>::Zero(); // of a face, its middle
     const std::vector<int>& together = dragging.drag.together;
-    if (dragging.isOfSymmetry)
+    if (dragging.part == Part::Symmetry)
         at.world = displayedCentre(m_document->fractal()).value_or(at.world);
     else if (together.empty() && dragging.drag.held < held().vertices().size())
         at.world = held().vertices()[dragging.drag.held];

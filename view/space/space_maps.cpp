@@ -3,12 +3,11 @@
 
 #include "canvas/geometry/canvas_geometry.h"
 #include "canvas/geometry/canvas_note.h"
+#include "canvas/tools/map_gestures.h"
 #include "document/branches/shown_branch.h"
 #include "document/edits/maps/map_locks.h"
-#include "document/edits/maps/maps_edits.h"
 #include "document/fractal/space_geometry.h"
 
-#include <QKeyEvent>
 #include <QLineF>
 
 #include <algorithm>
@@ -87,10 +86,12 @@ std::vector<ifs::MapId> SpaceMaps::selectedIds() const {
     return ids;
 }
 
-void SpaceMaps::selectIds(const std::vector<ifs::MapId>& ids) {
+bool SpaceMaps::selectIds(const std::vector<ifs::MapId>& ids) {
     const auto& maps = document::system3(m_document->fractal())->maps;
+    const auto held = selected();
+    if (held && std::ranges::find(ids, maps[*held].id) != ids.end()) return select(held, ids);
     const auto first = std::ranges::find(maps, ids.front(), &ifs::WeightedMap<3>::id);
-    select(std::size_t(first - maps.begin()), ids);
+    return select(std::size_t(first - maps.begin()), ids);
 }
 
 void SpaceMaps::pick(std::size_t index, bool adds) {
@@ -103,40 +104,14 @@ void SpaceMaps::pick(std::size_t index, bool adds) {
     select(index, std::move(ids));
 }
 
-SpaceMaps::KeyOutcome SpaceMaps::keyPress(const QKeyEvent& event, document::Document& document) {
-    if (!m_isActive || count() == 0) return {};
-    const Qt::KeyboardModifiers modifiers = event.modifiers() & ~Qt::KeypadModifier;
-    const int digit = event.key() - Qt::Key_1;
-    if (modifiers == Qt::AltModifier && digit >= 0 && digit < 9) {
-        const bool isThere = std::size_t(digit) < count();
-        if (isThere) select(std::size_t(digit));
-        return {true, isThere, {}};
-    }
-    if (modifiers == Qt::ControlModifier && event.key() == Qt::Key_A) {
-        std::vector<ifs::MapId> all;
-        for (const auto& map : document::system3(document.fractal())->maps)
-            all.push_back(map.id);
-        return {true, select(selected().value_or(0), std::move(all)), {}};
-    }
-    const bool deletes = event.key() == Qt::Key_Delete;
-    if (modifiers != Qt::NoModifier || (!deletes && event.key() != Qt::Key_Insert)) return {};
-    const std::vector<std::size_t> indices = selection();
-    if (indices.empty()) return {};
-    const document::Rows rows(indices.begin(), indices.end());
-    const QString locked = deletes ? document::lockObstacle(document.fractal(), indices) : QString();
-    const auto next =
-        deletes ? document::deleteMaps(document, rows) : document::duplicateMaps(document, rows);
-    if (!next.empty()) selectIds(next);
-    return {true, !next.empty(), locked};
-}
-
 void SpaceMaps::layOut(const attractor::OrbitCamera& camera, const std::optional<ifs::ControlCage<3>>& cage,
                        const SpaceCageItem::Hidden& isHidden) {
     m_dots.clear();
     std::vector<document::SpaceOutline> shapes;
     std::vector<ifs::Vector<3>> held;
-    const auto handles =
-        m_isActive && cage ? SpaceMapHandles::of(m_document->sharedFractal(), *cage) : std::nullopt;
+    const auto handles = m_isActive && cage
+                             ? std::optional(SpaceMapHandles(m_document->sharedFractal(), *cage))
+                             : std::nullopt;
     const document::Fractal& fractal = m_document->fractal();
     const std::vector<std::size_t> chosen = selection();
     for (std::size_t i = 0; handles && i < handles->count(); ++i) {
@@ -174,8 +149,7 @@ std::optional<SpaceMapDrag> SpaceMaps::drag(QString& obstacle) const {
     if (map) obstacle = document::lockObstacle(*before, std::vector{*map});
     if (!obstacle.isEmpty()) return std::nullopt;
     const auto cage = map ? document::knownSpaceCage(*before) : std::nullopt;
-    auto handles = cage ? SpaceMapHandles::of(before, *cage) : std::nullopt;
-    auto drag = handles ? SpaceMapDrag::of(*std::move(handles), moving()) : std::nullopt;
+    auto drag = cage ? SpaceMapDrag::of({before, *cage}, moving()) : std::nullopt;
     if (!drag) obstacle = tr("Maps cannot be dragged while the cage is flat. First open or reset the cage.");
     return drag;
 }
@@ -189,13 +163,8 @@ std::vector<std::size_t> SpaceMaps::moving() const {
     return maps;
 }
 
-QString SpaceMaps::stepText(SpatialDrag::Mode mode, std::size_t handle) const {
-    using enum SpatialDrag::Mode;
-    const std::size_t count = moving().size(), number = count > 1 ? count : *selected() + 1;
-    if (mode == Rotate) return (count > 1 ? tr("Rotate %1 maps") : tr("Rotate map %1")).arg(number);
-    if (mode == Scale) return (count > 1 ? tr("Scale %1 maps") : tr("Scale map %1")).arg(number);
-    if (handle == middle) return (count > 1 ? tr("Move %1 maps") : tr("Move map %1")).arg(number);
-    return tr("Move corner %1 of map %2").arg(handle + 1).arg(*selected() + 1);
+QString SpaceMaps::stepText(DragMode mode, std::optional<std::size_t> corner) const {
+    return mapsStepText(mode, moving().size(), *selected() + 1, corner);
 }
 
 SpaceMapDrag::SpaceMapDrag(SpaceMapHandles handles, std::vector<std::size_t> maps, ifs::Word inside)
@@ -236,25 +205,26 @@ SpaceMapDrag::offsets(const std::vector<ifs::Vector<3>>& vertices) const {
 
 SpaceMapDrag::Moved SpaceMapDrag::at(const std::vector<ifs::Vector<3>>& vertices, Safety safety) const {
     const std::vector<SpaceMapHandles::Corners> whole = offsets(vertices);
-    const auto after = [&](double share) {
+    document::Fractal fractal;
+    const auto after = [&](double share) -> const document::Fractal& {
         std::vector<SpaceMapHandles::Corners> part = whole;
         for (SpaceMapHandles::Corners& offsets : part)
             for (ifs::Vector<3>& offset : offsets)
                 offset *= share;
-        return m_handles.withCornersMoved(m_maps, part);
+        return fractal = m_handles.withCornersMoved(m_maps, part);
     };
-    const auto mapsAt = [&](double share) {
-        const document::Fractal fractal = after(share);
-        return m_inside.empty() ? ifs::activeMaps(*document::system3(fractal)).maps
-                                : std::vector{document::recurringMap(*document::space(fractal), m_inside)};
+    const auto inside = [&](double share) {
+        return std::vector{document::recurringMap(*document::space(after(share)), m_inside)};
     };
-    const ifs::SafeWay<3> way =
-        safety == Safety::StopAtAttractor ? ifs::safeWay<3>(mapsAt) : ifs::SafeWay<3>{};
-    if (way.share == 1) return {after(1), {}};
-    if (!m_inside.empty())
-        return {after(way.share),
-                tr("Stopped: beyond this, the branch would not become smaller inside itself.")};
-    return {after(way.share), stopNote<3>(*document::system3(after(way.share)), way)};
+    ifs::SafeWay<3> way;
+    if (safety == Safety::StopAtAttractor)
+        way = m_inside.empty() ? wayWithAttractor<3>(after) : ifs::safeWay<3>(inside);
+    after(way.share);
+    if (way.share == 1) return {std::move(fractal), {}};
+    const QString stop = m_inside.empty()
+                             ? stopNote<3>(*document::system3(fractal), way)
+                             : tr("Stopped: beyond this, the branch would not become smaller inside itself.");
+    return {std::move(fractal), stop};
 }
 
 } // namespace view

@@ -15,8 +15,6 @@
 #include <optional>
 #include <vector>
 
-class QKeyEvent;
-
 namespace view {
 
 // The edges of a tetrahedron that a map makes of the cage's.
@@ -53,13 +51,7 @@ public:
     // A click on a map that is not held. It holds one of several selected maps without giving up the others;
     // `adds` selects and holds one more, or gives one up.
     void pick(std::size_t index, bool adds);
-    // Delete and Insert, Ctrl+A, and Alt with a digit, as in the plane.
-    struct KeyOutcome {
-        bool isTaken = false;
-        bool isSelected = false; // others than before
-        QString message;
-    };
-    KeyOutcome keyPress(const QKeyEvent& event, document::Document& document);
+    bool selectIds(const std::vector<ifs::MapId>& ids); // and hold one of them; false: as before
     // Of the maps that are not held, the one that has a corner there; of several the nearest to the eye.
     std::optional<std::size_t> mapAt(const QPointF& position) const;
 
@@ -69,12 +61,11 @@ public:
     // A drag of the held map, and of the others that are selected and not locked; nullopt where there can be
     // none, and why.
     std::optional<SpaceMapDrag> drag(QString& obstacle) const;
-    // The name of that step for one handle of the held map.
-    QString stepText(SpatialDrag::Mode mode, std::size_t handle) const;
+    // The name of that step for one corner of the held map, or for all of it.
+    QString stepText(DragMode mode, std::optional<std::size_t> corner) const;
 
 private:
-    std::vector<std::size_t> moving() const;            // what a drag moves, the held map first
-    void selectIds(const std::vector<ifs::MapId>& ids); // and hold the first of them
+    std::vector<std::size_t> moving() const; // what a drag moves, the held map first
 
     struct Dot {
         QPointF pixel;

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "space/space_navigation.h"
 
-#include "attractor/request/orbit_navigation.h"
 #include "canvas/geometry/canvas_geometry.h"
 #include "document/fractal/space_geometry.h"
 #include "document/moments/animated_fractal.h"
@@ -120,6 +119,14 @@ void SpaceNavigation::orbit(const attractor::OrbitCamera& before, const ifs::Vec
            isMoving);
 }
 
+// What is under the fingers turns with them, as it is seen from above; from below, the other way.
+void SpaceNavigation::twistAt(const QPointF& position, double degrees) {
+    if (m_isFixed) return;
+    leaveAxisView();
+    const bool isFromBelow = attractor::directionOf(m_camera, m_up).elevation < 0;
+    orbit(m_camera, pointUnder(position).value_or(pivotBeside()), isFromBelow ? -degrees : degrees, 0);
+}
+
 void SpaceNavigation::setStereo(attractor::Stereo stereo) {
     if (stereo == m_stereo) return;
     m_glide.stop();
@@ -164,6 +171,7 @@ AxisBall::End SpaceNavigation::lookAlong(AxisBall::End end) {
 
 void SpaceNavigation::fixDirection(const attractor::Direction& direction) {
     m_glide.stop();
+    m_isFixed = true;
     attractor::OrbitCamera turned =
         attractor::turnedTo(m_camera, direction.azimuth, direction.elevation, m_up);
     turned.projection = attractor::OrbitCamera::Projection::Orthographic;

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "attractor/request/orbit_navigation.h"
 #include "bridges/solid_bridge.h"
 #include "document/document.h"
+#include "gestures/view_navigation.h"
 #include "space/axis_ball.h"
 
 #include <QVariantAnimation>
@@ -18,7 +20,7 @@ constexpr attractor::Direction isometric{45, 35.26438968275466}; // the diagonal
 } // namespace directions
 
 // Where the window into space looks.
-class SpaceNavigation : public QObject {
+class SpaceNavigation : public ViewNavigation {
     Q_OBJECT
 
 public:
@@ -26,17 +28,17 @@ public:
 
     const attractor::OrbitCamera& camera() const { return m_camera; } // in device-independent pixels
     double pixelRatio() const { return m_viewport->devicePixelRatioF(); }
-    QPointF middle() const { return {m_camera.size.width / 2.0, m_camera.size.height / 2.0}; }
+    QPointF middle() const override { return {m_camera.size.width / 2.0, m_camera.size.height / 2.0}; }
 
     // By the user: it stays so when the window changes its size. `isMoving`: more of the same is to come.
     void moveTo(const attractor::OrbitCamera& camera, bool isMoving = false);
     void followKeys(attractor::OrbitCamera camera, bool isMoving); // whatever its size
     void glideTo(const attractor::OrbitCamera& camera);            // within a moment
-    void adoptViewport();                                          // its size and pixel ratio
-    void fit();                                                    // picture and cage into the view
-    bool isFitted() const { return m_isFitted; } // and the user has not moved the view since
-    void zoomAt(const QPointF& position, double factor);
-    void resetZoom(); // 100 %: one unit at the target is a hundred pixels
+    void adoptViewport() override;
+    void fit() override; // picture and cage into the view
+    bool isFitted() const override { return m_isFitted; }
+    void zoomAt(const QPointF& position, double factor) override;
+    void resetZoom() override; // of a unit at the target
     void lookFrom(const attractor::Direction& direction);
     // From that end of an axis, or from the other one where that is so already; returns the one it is.
     AxisBall::End lookAlong(AxisBall::End end);
@@ -51,8 +53,9 @@ public:
     void setUpAxis(attractor::UpAxis up);
     attractor::UpAxis upAxis() const { return m_up; }
 
-    void
-    fixDirection(const attractor::Direction& direction); // at once; the user's views are not for this one
+    // At once; nothing turns the view from then on, and the user's views are not for this one.
+    void fixDirection(const attractor::Direction& direction);
+    bool isFixed() const { return m_isFixed; }
 
     // A view along an axis is orthographic until one orbits.
     bool isPerspective() const;
@@ -75,6 +78,12 @@ signals:
     void stereoChanged();
 
 private:
+    void twistAt(const QPointF& position, double degrees) override;
+    void hold() override { m_held = m_camera; }
+    void moveHeld(const QPointF& shift, const QPointF& about = {}, double factor = 1) override {
+        moveTo(moved(m_held, shift, inEye(about), factor), true);
+    }
+    void restoreHeld() override { moveTo(m_held); }
     void set(const attractor::OrbitCamera& camera, bool isMoving);
     void fitAgain();
     void choosePerspective(bool on);
@@ -83,11 +92,12 @@ private:
     document::Document* m_document;
     SolidBridge* m_bridge;
     const QWidget* m_viewport;
-    attractor::OrbitCamera m_camera;
+    attractor::OrbitCamera m_camera, m_held;
     QVariantAnimation m_glide;
     attractor::UpAxis m_up = attractor::UpAxis::Y;
     attractor::Stereo m_stereo = attractor::Stereo::None;
     bool m_isTrackball = false;
+    bool m_isFixed = false;
     bool m_isPerspectiveChosen = false;
     bool m_isPerspectiveLent = false;
     bool m_isAlongAxis = false; // and orthographic for as long

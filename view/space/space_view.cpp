@@ -11,7 +11,6 @@
 #include <QContextMenuEvent>
 #include <QGraphicsScene>
 #include <QMenu>
-#include <QWindow>
 
 #include <algorithm>
 #include <utility>
@@ -38,7 +37,7 @@ std::vector<ifs::Vector<3>> cornersOfCut(const document::Fractal& fractal) {
 } // namespace
 
 SpaceView::SpaceView(document::Document* document, SolidBridge* bridge, QWidget* parent)
-    : QGraphicsView(parent),
+    : Viewport(parent),
       m_document(document),
       m_bridge(bridge),
       m_solid(new SolidItem),
@@ -60,7 +59,7 @@ SpaceView::SpaceView(document::Document* document, SolidBridge* bridge, QWidget*
               {*m_cageItem, m_maps, m_branch, *m_mapItem, m_definition, *m_slice, *m_symmetry, *m_ball}),
       m_around(cornersOfCut(document->fractal())),
       m_orbit(document->orbit()) {
-    setScene(new QGraphicsScene(this)); // owns the items
+    showScene(new QGraphicsScene(this)); // owns the items
     setCage(document::knownSpaceCage(document->fractal()));
     m_isExtentKnown = document::isSpaceExtentKnown(document->fractal());
     for (OverlayItem* item :
@@ -83,7 +82,7 @@ SpaceView::SpaceView(document::Document* document, SolidBridge* bridge, QWidget*
     followInput();
     m_cageItem->setFacesHeld(true);
     setTarget(Target::Cage);
-    applyStyle();
+    adoptDesktop();
 }
 
 void SpaceView::followInput() {
@@ -98,10 +97,9 @@ void SpaceView::followInput() {
     });
     connect(&m_input, &SpaceInput::defined, this, &SpaceView::defined);
     connect(&m_input, &SpaceInput::prompted, this, &SpaceView::showNote);
-    connect(&m_input, &SpaceInput::message, this, &SpaceView::message);
     connect(&m_input, &SpaceInput::pointerMoved, this, &SpaceView::pointerMoved);
-    connect(&m_input, &SpaceInput::pointerLeft, this, &SpaceView::pointerLeft);
-    connect(&m_input, &SpaceInput::menuRequested, this, &SpaceView::showMenu);
+    connect(&m_input, &SpaceInput::menuRequested, this,
+            [this](const QPointF& position) { showMenu(viewport()->mapToGlobal(position.toPoint())); });
 }
 
 void SpaceView::setCage(const std::optional<ifs::ControlCage<3>>& cage) {
@@ -112,10 +110,10 @@ void SpaceView::setCage(const std::optional<ifs::ControlCage<3>>& cage) {
 
 void SpaceView::showNote() {
     // One of several views says only what happens in it: the others would say the same.
-    const bool isSpokenFor = m_isFixed && !m_definition.hasBegun();
+    const bool isSpokenFor = isFixed() && !m_definition.hasBegun();
     const auto frame = m_bridge->frame();
     const auto note = [&] {
-        return m_isFixed
+        return isFixed()
                    ? QString()
                    : noteInSpace(m_document->fractal(), frame ? frame->note : attractor::RenderNote::None,
                                  frame && frame->isCoarse);
@@ -157,32 +155,18 @@ void SpaceView::holdMap(std::optional<std::size_t> index, std::vector<ifs::MapId
 }
 
 void SpaceView::fixDirection(const attractor::Direction& direction, const QString& title) {
-    m_isFixed = true;
     m_title->setText(title);
     setAccessibleName(tr("Canvas in space: %1").arg(title));
     m_navigation.fixDirection(direction);
-    m_input.fixDirection();
-    m_touch.fixDirection();
     showNote();
     layOut();
 }
 
-SpaceView::~SpaceView() = default; // it was hidden first, and let go of what it held
+SpaceView::~SpaceView() {
+    m_input.cancelDrag(); // while there is something to show it
+}
 
 void SpaceView::setUpWidget() {
-    setFrameShape(QFrame::NoFrame);
-    setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-    setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-    setAlignment(Qt::AlignLeft | Qt::AlignTop);
-    setTransformationAnchor(QGraphicsView::NoAnchor);
-    setViewportUpdateMode(QGraphicsView::FullViewportUpdate);
-    setFocusPolicy(Qt::StrongFocus);
-    setMinimumSize(160, 120);
-    setAcceptDrops(false); // a file dropped here is the window's business
-    viewport()->setAcceptDrops(false);
-    viewport()->setMouseTracking(true);
-    viewport()->setAttribute(Qt::WA_AcceptTouchEvents);
-    viewport()->setCursor(Qt::CrossCursor);
     setAccessibleName(tr("Canvas in space"));
     setWhatsThis(
         tr("The solid and its tetrahedron. Drag a corner: X, Y or Z keeps it on an axis, with Shift in "
@@ -246,8 +230,8 @@ void SpaceView::followFractal(const document::Change& change) {
     if (cage || isAnother || !document::space(m_document->fractal())) setCage(cage);
     if (!change.live) m_around = cornersOfCut(m_document->fractal());
     if (isAnother) m_input.forgetFocus();
-    if (isAnother || change.parts & Change::Appearance) applyStyle();
-    if (isAnother && m_wasShown) m_navigation.fit();
+    if (isAnother || change.parts & Change::Appearance) adoptDesktop();
+    if (isAnother && wasShown()) m_navigation.fit();
     if (isFound && m_navigation.isFitted()) m_navigation.fit();
     layOut();
 }
@@ -261,7 +245,7 @@ void SpaceView::followCamera(const document::Change& change) {
     const bool isLater = !isAnother && change.parts & Change::Time;
     if (m_document->camera()) {
         if (isAnother || isLater) lookAsKeyed(change.live);
-    } else if (!isAnother && m_orbit != before && !m_isFixed && document::space(m_document->fractal())) {
+    } else if (!isAnother && m_orbit != before && !isFixed() && document::space(m_document->fractal())) {
         const attractor::OrbitCamera still = animation::orbitedBack(m_navigation.camera(), before);
         m_navigation.moveTo(animation::orbited(still, m_orbit), change.live);
     }
@@ -269,7 +253,7 @@ void SpaceView::followCamera(const document::Change& change) {
 
 void SpaceView::lookAsKeyed(bool isMoving) {
     const auto& camera = m_document->camera();
-    if (!camera || m_isFixed) return;
+    if (!camera || isFixed()) return;
     m_navigation.followKeys(animation::orbited(*camera, m_document->orbit()), isMoving);
 }
 
@@ -313,7 +297,7 @@ void SpaceView::layOut() {
     m_slice->setVisible(isShown);
     m_symmetry->setVisible(isShown);
     m_ball->layOut(camera);
-    m_ball->setVisible(isShown && !m_isFixed);
+    m_ball->setVisible(isShown && !isFixed());
     m_note->avoid({}, m_ball->isVisible() ? m_ball->boundingRect() : QRectF());
     m_mapOutlines->setVisible(isShown && holdsMap());
     m_mapItem->setVisible(isShown && holdsMap());
@@ -338,7 +322,7 @@ void SpaceView::layOutSlice() {
     m_slice->layOut(m_navigation.camera(), isCut ? std::optional(slicePlane(*clip, m_around)) : std::nullopt);
 }
 
-void SpaceView::applyStyle() {
+void SpaceView::adoptDesktop() {
     const OverlayStyle style = overlayStyle(document::backgroundInSpace(m_document->fractal()), palette());
     for (OverlayItem* item :
          std::initializer_list<OverlayItem*>{m_solid, m_outlines, m_cageItem, m_mapOutlines, m_mapItem,
@@ -350,7 +334,7 @@ void SpaceView::applyStyle() {
 
 void SpaceView::refreshMarks() {
     m_input.showMarks(hasFocus());
-    viewport()->setCursor(m_input.cursor());
+    refreshCursor();
     describeFocus();
 }
 
@@ -358,7 +342,7 @@ void SpaceView::showMenu(const QPoint& global) {
     auto* menu = new QMenu(this);
     menu->setAttribute(Qt::WA_DeleteOnClose);
     menu->addAction(tr("&Fit"), &m_navigation, &SpaceNavigation::fit);
-    if (m_isFixed) return menu->popup(global);
+    if (isFixed()) return menu->popup(global);
     QAction* perspective = menu->addAction(tr("&Perspective"));
     perspective->setCheckable(true);
     perspective->setChecked(m_navigation.isPerspective());
@@ -374,75 +358,9 @@ void SpaceView::showMenu(const QPoint& global) {
     menu->popup(global);
 }
 
-bool SpaceView::event(QEvent* event) {
-    if (event->type() == QEvent::ShortcutOverride && m_input.needsKey(static_cast<QKeyEvent&>(*event))) {
-        event->accept();
-        return true;
-    }
-    return QGraphicsView::event(event);
-}
-
-bool SpaceView::viewportEvent(QEvent* event) {
-    bool isOurs = false;
-    switch (event->type()) {
-    case QEvent::Leave:
-        m_input.leave();
-        break;
-    case QEvent::TouchBegin:
-    case QEvent::TouchUpdate:
-    case QEvent::TouchEnd:
-    case QEvent::TouchCancel:
-        isOurs = m_touch.touch(static_cast<QTouchEvent&>(*event));
-        break;
-    case QEvent::NativeGesture:
-        isOurs = m_touch.gesture(static_cast<QNativeGestureEvent&>(*event));
-        break;
-    default:
-        break;
-    }
-    return isOurs || QGraphicsView::viewportEvent(event);
-}
-
-void SpaceView::resizeEvent(QResizeEvent*) {
-    scene()->setSceneRect(viewport()->rect());
-    m_navigation.adoptViewport();
-}
-
-void SpaceView::showEvent(QShowEvent* event) {
-    QGraphicsView::showEvent(event);
-    if (QWindow* handle = window()->windowHandle())
-        connect(handle, &QWindow::screenChanged, &m_navigation, &SpaceNavigation::adoptViewport,
-                Qt::UniqueConnection);
-    m_navigation.adoptViewport();
-    if (std::exchange(m_wasShown, true)) return;
+void SpaceView::begin() {
     m_navigation.fit();
     lookAsKeyed(false);
-}
-
-void SpaceView::changeEvent(QEvent* event) {
-    QGraphicsView::changeEvent(event);
-    if (event->type() == QEvent::PaletteChange || event->type() == QEvent::FontChange) applyStyle();
-}
-
-void SpaceView::wheelEvent(QWheelEvent* event) {
-    m_input.wheel(*event);
-    event->accept();
-}
-
-void SpaceView::mousePressEvent(QMouseEvent* event) {
-    m_input.press(*event);
-}
-
-void SpaceView::mouseMoveEvent(QMouseEvent* event) {
-    m_input.move(*event);
-}
-
-void SpaceView::mouseReleaseEvent(QMouseEvent* event) {
-    m_input.release(*event);
-}
-
-void SpaceView::mouseDoubleClickEvent(QMouseEvent* event) {
-    m_input.handleDoubleClick(*event);
 }
 
 void SpaceView::contextMenuEvent(QContextMenuEvent* event) {
@@ -451,31 +369,8 @@ void SpaceView::contextMenuEvent(QContextMenuEvent* event) {
     event->accept();
 }
 
-void SpaceView::keyPressEvent(QKeyEvent* event) {
-    if (!m_input.keyPress(*event)) event->ignore();
-}
-
-void SpaceView::hideEvent(QHideEvent* event) {
-    m_input.cancelDrag();
-    QGraphicsView::hideEvent(event);
-}
-
-void SpaceView::keyReleaseEvent(QKeyEvent* event) {
-    m_input.keyRelease(*event);
-}
-
-void SpaceView::focusInEvent(QFocusEvent* event) {
-    QGraphicsView::focusInEvent(event);
-    refreshMarks();
-}
-
-void SpaceView::focusOutEvent(QFocusEvent* event) {
-    QGraphicsView::focusOutEvent(event);
-    refreshMarks();
-}
-
 bool SpaceView::focusNextPrevChild(bool next) {
-    return m_input.moveFocus(next) || QGraphicsView::focusNextPrevChild(next);
+    return m_input.moveFocus(next) || Viewport::focusNextPrevChild(next);
 }
 
 } // namespace view

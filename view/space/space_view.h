@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "gestures/viewport.h"
 #include "space/solid_item.h"
 #include "space/space_input.h"
 #include "space/space_outlines_item.h"
-#include "space/space_touch.h"
-
-#include <QGraphicsView>
 
 #include <optional>
 
@@ -16,7 +14,7 @@ class NoteItem;
 
 // The window into space: the solid, its tetrahedron held by four handles, and the ball of axes. Orbits where
 // the canvas of the plane would do nothing.
-class SpaceView : public QGraphicsView {
+class SpaceView : public Viewport {
     Q_OBJECT
 
 public:
@@ -41,7 +39,6 @@ public:
     // Always looks from there, under that title; a drag where nothing is held pans.
     void fixDirection(const attractor::Direction& direction, const QString& title);
     const SpaceCageItem& mapItem() const { return *m_mapItem; } // the map, or the branch, that is held
-    bool cancelGesture() { return m_input.cancelGesture(); }    // false when none was under way
     QImage picture() const { return m_solid->picture(); }       // in device pixels; null before one
     void showOutlines(std::vector<document::SpaceOutline> shapes);
     const SpaceCageItem& cageItem() const { return *m_cageItem; }
@@ -52,29 +49,16 @@ public:
 
 signals:
     void pointerMoved(const view::SpacePosition& position);
-    void pointerLeft();
-    void message(const QString& sentence); // for the status bar
-    void defined();                        // a tetrahedron, or given up
-    void mapHeld(std::size_t index);       // by the user, perhaps among others
-    void mapsSelected();                   // elsewhere
+    void defined();                  // a tetrahedron, or given up
+    void mapHeld(std::size_t index); // by the user, perhaps among others
+    void mapsSelected();             // elsewhere
 
 protected:
-    bool event(QEvent* event) override;
-    bool viewportEvent(QEvent* event) override;
-    void resizeEvent(QResizeEvent* event) override;
-    void showEvent(QShowEvent* event) override;
-    void hideEvent(QHideEvent* event) override;
-    void changeEvent(QEvent* event) override;
-    void wheelEvent(QWheelEvent* event) override;
-    void mousePressEvent(QMouseEvent* event) override;
-    void mouseMoveEvent(QMouseEvent* event) override;
-    void mouseReleaseEvent(QMouseEvent* event) override;
-    void mouseDoubleClickEvent(QMouseEvent* event) override;
+    ViewportInput& input() override { return m_input; }
+    ViewNavigation& navigated() override { return m_navigation; }
+    void adoptDesktop() override;
+    void begin() override;
     void contextMenuEvent(QContextMenuEvent* event) override;
-    void keyPressEvent(QKeyEvent* event) override;
-    void keyReleaseEvent(QKeyEvent* event) override;
-    void focusInEvent(QFocusEvent* event) override;
-    void focusOutEvent(QFocusEvent* event) override;
     bool focusNextPrevChild(bool next) override;
 
 private:
@@ -90,11 +74,11 @@ private:
     bool holdsMap() const { return m_maps.isActive() || m_branch.isActive(); } // or a branch
     void showNote();
     void setCage(const std::optional<ifs::ControlCage<3>>& cage);
-    void applyStyle();
     void refreshMarks();
     void describeFocus();
     QString focusText() const;
     QString ballText(const AxisBall::End& end) const;
+    bool isFixed() const { return m_navigation.isFixed(); }
     void showMenu(const QPoint& global);
 
     document::Document* m_document;
@@ -122,9 +106,6 @@ private:
     std::vector<animation::CameraTurn> m_orbit; // of the document's camera
     bool m_overlays = true;
     bool m_isExtentKnown = false;
-    bool m_isFixed = false;
-    bool m_wasShown = false;
-    SpaceTouch m_touch{m_input, m_navigation};
 };
 
 } // namespace view

@@ -113,10 +113,8 @@ Vector<3> middleOf(const std::vector<Vector<3>>& points) {
 
 } // namespace
 
-SpatialDrag faceDrag(const OrbitCamera& camera, std::vector<Vector<3>> vertices,
-                     const std::vector<int>& corners) {
+SpatialDrag faceDrag(std::vector<Vector<3>> vertices, const std::vector<int>& corners) {
     SpatialDrag drag;
-    drag.camera = camera;
     drag.vertices = std::move(vertices);
     drag.together = corners;
     drag.held = drag.vertices.size();

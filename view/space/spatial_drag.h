@@ -2,6 +2,7 @@
 #pragma once
 
 #include "attractor/request/orbit_camera.h"
+#include "gestures/pointer.h"
 
 #include <optional>
 #include <vector>
@@ -25,11 +26,8 @@ struct AxisLock {
 // One drag of a vertex of a cage in space, as it was when it began. Every position of the pointer is answered
 // from here, so nothing accumulates and the way back is exact.
 struct SpatialDrag {
-    enum class Mode {
-        Move,   // the vertex
-        Rotate, // all vertices, about the view axis through their middle
-        Scale,  // all vertices, from their middle
-    };
+    // Move: the vertex; Rotate and Scale: all vertices, about the view axis through their middle or from it.
+    using Mode = DragMode;
 
     attractor::OrbitCamera camera;
     std::vector<ifs::Vector<3>> vertices;
@@ -41,8 +39,7 @@ struct SpatialDrag {
 };
 
 // Of a face: its corners follow its middle, which is held as one more vertex, the last.
-SpatialDrag faceDrag(const attractor::OrbitCamera& camera, std::vector<ifs::Vector<3>> vertices,
-                     const std::vector<int>& corners);
+SpatialDrag faceDrag(std::vector<ifs::Vector<3>> vertices, const std::vector<int>& corners);
 
 struct Pull {
     ifs::Vector<2> pointer = ifs::Vector<2>::Zero(); // pixel

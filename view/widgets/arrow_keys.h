@@ -22,4 +22,10 @@ inline QPointF arrowDirection(int key) {
     }
 }
 
+// How many pixels, degrees or percent an arrow key moves what it nudges.
+inline double nudgePace(Qt::KeyboardModifiers modifiers) {
+    if (modifiers.testFlag(Qt::ShiftModifier)) return 10;
+    return modifiers.testFlag(Qt::AltModifier) ? 0.1 : 1;
+}
+
 } // namespace view

@@ -66,10 +66,7 @@ std::optional<document::Fractal> withCage(const document::Fractal& fractal, cons
         if (!present || present->current.size() != corners.size()) return std::nullopt;
         if (present->current == corners) return fractal;
         present->current = corners;
-        if constexpr (std::is_same_v<decltype(present), std::optional<ifs::ControlCage<2>>>)
-            return document::withCageMoved(fractal, *std::move(present), document::CageMode::Place);
-        else
-            return document::withSpaceCageMoved(fractal, *std::move(present));
+        return document::withCageMoved(fractal, *std::move(present), document::CageMode::Place);
     };
     if (std::holds_alternative<LessonAtRest>(cage))
         return document::isAtRest(fractal) ? fractal : document::withCageAtRest(fractal);

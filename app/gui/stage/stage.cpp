@@ -63,26 +63,13 @@ void Stage::fit() {
         m_plane->fit();
 }
 
-void Stage::keepFitted() {
-    if (showsSpace())
-        m_space->main()->navigation().adoptViewport();
-    else
-        m_plane->navigation().adoptViewport();
+view::ViewNavigation& Stage::navigation() {
+    if (showsSpace()) return m_space->main()->navigation();
+    return m_plane->navigation();
 }
 
 void Stage::zoomBy(double factor) {
-    view::SpaceNavigation& space = m_space->main()->navigation();
-    if (showsSpace())
-        space.zoomAt(space.middle(), factor);
-    else
-        m_plane->navigation().zoomBy(factor);
-}
-
-void Stage::resetZoom() {
-    if (showsSpace())
-        m_space->main()->navigation().resetZoom();
-    else
-        m_plane->navigation().resetZoom();
+    navigation().zoomAt(navigation().middle(), factor);
 }
 
 QImage Stage::picture() const {

@@ -31,9 +31,11 @@ public:
 
     // Of the one that is shown:
     void fit();
-    void keepFitted(); // fits again, unless the user has moved the view since the last fit
+    void keepFitted() {
+        navigation().adoptViewport();
+    } // unless the user has moved the view since the last fit
     void zoomBy(double factor);
-    void resetZoom();
+    void resetZoom() { navigation().resetZoom(); }
     QImage picture() const;
     document::SavedView::Camera camera() const;
     void lookAt(const document::SavedView::Camera& camera); // nothing happens if it is the other one's
@@ -45,6 +47,7 @@ signals:
 
 private:
     void follow(const document::Document& document);
+    view::ViewNavigation& navigation();
 
     view::ExtentFinder m_extentFinder;
     QStackedWidget* m_views;

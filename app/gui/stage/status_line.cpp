@@ -5,6 +5,7 @@
 #include "document/branches/addresses.h"
 #include "document/fractal/fractal_geometry.h"
 #include "ifs/links/linked_existence.h"
+#include "panels/analysis/existence_sentence.h"
 #include "widgets/numbers/number_text.h"
 #include "widgets/text/elided_label.h"
 #include "widgets/text/tooltip_text.h"
@@ -52,7 +53,8 @@ QString count(std::uint64_t samples) {
     return StatusLine::tr("%1 points").arg(view::groupedNumber(double(samples)));
 }
 
-QString verdictText(const ifs::Existence& existence) {
+template <int Dim> QString verdictText(const ifs::ActiveMaps<Dim>& active) {
+    const ifs::Existence existence = ifs::classifyLinked<Dim>(active);
     const QString factor = QString::number(existence.contractivity, 'f', 4);
     if (existence.exists() && !existence.hasFactor())
         return existence.verdict == ifs::Verdict::Hyperbolic
@@ -68,12 +70,10 @@ QString verdictText(const ifs::Existence& existence) {
             return StatusLine::tr("contractive in a polytope norm, γ = %1").arg(factor);
         return StatusLine::tr("any %1 maps in a row contract, γ = %2").arg(existence.wordLength).arg(factor);
     case ifs::Verdict::None: {
-        QStringList word;
-        for (int symbol : existence.witness)
-            word << QString::number(symbol + 1);
-        if (word.size() == 1)
-            return StatusLine::tr("no attractor: map %1 does not contract").arg(word.first());
-        return StatusLine::tr("no attractor: the word %1 does not contract").arg(word.join(u' '));
+        const QString word = view::rowsOf(existence.witness, active.index);
+        if (existence.witness.size() == 1)
+            return StatusLine::tr("no attractor: map %1 does not contract").arg(word);
+        return StatusLine::tr("no attractor: the word %1 does not contract").arg(word);
     }
     case ifs::Verdict::Undecided:
         return StatusLine::tr("existence of an attractor undecided");
@@ -231,10 +231,9 @@ void StatusLine::clearPointer() {
 void StatusLine::showVerdict(const document::Fractal& fractal) {
     if (!document::system2(fractal)) m_frame->clear();  // nothing is drawn of it
     if (const auto* plane = document::system2(fractal)) // as displayed, which is what the analysis speaks of
-        m_verdict->setText(verdictText(
-            ifs::classifyLinked<2>(ifs::activeMaps(document::effectiveSystem(fractal).value_or(*plane)))));
+        m_verdict->setText(verdictText(ifs::activeMaps(document::effectiveSystem(fractal).value_or(*plane))));
     else if (const auto* space = document::system3(fractal))
-        m_verdict->setText(verdictText(ifs::classify<3>(ifs::activeMaps(*space).maps)));
+        m_verdict->setText(verdictText(ifs::activeMaps(*space)));
     else
         m_verdict->setText(tr("this entry could not be read"));
 }

@@ -157,14 +157,22 @@ ifs::ControlCage<2> effectiveCage(const Fractal& fractal) {
     return stored ? *stored : canonicalCage(fractal);
 }
 
-std::optional<System2> effectiveSystem(const Fractal& fractal) {
-    const System2* system = system2(fractal);
-    if (system == nullptr) return std::nullopt;
-    const ifs::ControlCage<2>* cage = cage2(fractal);
-    if (!cage || cage->rest == cage->current) return *system;
-    if (ifs::bends(*cage)) return std::nullopt;
-    return ifs::conjugate(ifs::displayMap(*cage), *system);
+template <int Dim> std::optional<ifs::IteratedFunctionSystem<Dim>> effectiveSystem(const Fractal& fractal) {
+    const auto* shape = std::get_if<Shape<Dim>>(&fractal.shape);
+    if (!shape) return std::nullopt;
+    if (!shape->cage || shape->cage->rest == shape->cage->current) return shape->system;
+    if (ifs::bends(*shape->cage)) return std::nullopt;
+    return ifs::conjugate(ifs::displayMap(*shape->cage), shape->system);
 }
+template std::optional<System2> effectiveSystem<2>(const Fractal&);
+template std::optional<System3> effectiveSystem<3>(const Fractal&);
+
+template <int Dim> std::optional<ifs::SupportFunction<Dim>> displayedSupport(const Fractal& fractal) {
+    const auto system = effectiveSystem<Dim>(fractal);
+    return system ? ifs::SupportFunction<Dim>::of(ifs::activeMaps(*system).maps) : std::nullopt;
+}
+template std::optional<ifs::SupportFunction<2>> displayedSupport<2>(const Fractal&);
+template std::optional<ifs::SupportFunction<3>> displayedSupport<3>(const Fractal&);
 
 attractor::RenderRequest renderRequest(const Fractal& fractal, const attractor::Camera& camera) {
     attractor::RenderRequest request;

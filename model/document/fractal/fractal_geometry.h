@@ -49,8 +49,11 @@ template <int Dim>
 std::optional<Fractal> conjugated(const Fractal& fractal, const ifs::AffineMap<Dim>& transformation);
 
 // The maps of the code as they act on the displayed picture, M_c∘w∘M_c⁻¹; nullopt while the placement is flat
-// or bent.
-std::optional<System2> effectiveSystem(const Fractal& fractal);
+// or bent, and for an entry of another dimension.
+template <int Dim = 2>
+std::optional<ifs::IteratedFunctionSystem<Dim>> effectiveSystem(const Fractal& fractal);
+// The extent of its attractor, without the branches that are moved; nullopt where it has none.
+template <int Dim> std::optional<ifs::SupportFunction<Dim>> displayedSupport(const Fractal& fractal);
 
 // The request that draws the fractal through the camera with default quality.
 attractor::RenderRequest renderRequest(const Fractal& fractal, const attractor::Camera& camera);

@@ -149,14 +149,6 @@ std::optional<ifs::Vector<3>> centreOfPicture(const Fractal& fractal) {
     return centre;
 }
 
-std::optional<System3> effectiveSpaceSystem(const Fractal& fractal) {
-    const Shape<3>* shape = space(fractal);
-    if (!shape) return std::nullopt;
-    if (!shape->cage || shape->cage->rest == shape->cage->current) return shape->system;
-    if (ifs::bends(*shape->cage)) return std::nullopt;
-    return ifs::conjugate(ifs::displayMap(*shape->cage), shape->system);
-}
-
 std::function<double(const ifs::Vector<3>&)> reachOfVertices(std::vector<ifs::Vector<3>> vertices) {
     return [points = std::move(vertices)](const ifs::Vector<3>& u) { return farthest(points, u); };
 }
@@ -222,11 +214,6 @@ attractor::SolidAppearance solidAppearance(const Fractal& fractal) {
 attractor::Rgba backgroundInSpace(const Fractal& fractal) {
     const bool isCloud = attractor::showsCloud(fractal.inSpace.look);
     return isCloud ? fractal.appearance.background : solidAppearance(fractal).background;
-}
-
-Fractal withSpaceCageMoved(Fractal fractal, ifs::ControlCage<3> cage) {
-    if (Shape<3>* shape = space(fractal)) shape->cage = std::move(cage);
-    return fractal;
 }
 
 } // namespace document

@@ -31,9 +31,6 @@ bool isSpaceExtentKnown(const Fractal& fractal);
 // The cage in force if it is stored, lasts or its extent is known.
 std::optional<ifs::ControlCage<3>> knownSpaceCage(const Fractal& fractal);
 
-// The maps of the code as they act on the displayed picture; nullopt while the placement is flat or bent.
-std::optional<System3> effectiveSpaceSystem(const Fractal& fractal);
-
 // max ⟨u, x⟩ over the vertices: what a cage that bends displays is within their hull.
 std::function<double(const ifs::Vector<3>&)> reachOfVertices(std::vector<ifs::Vector<3>> vertices);
 
@@ -66,8 +63,5 @@ attractor::SolidAppearance solidAppearance(const Fractal& fractal);
 
 // What is around the picture.
 attractor::Rgba backgroundInSpace(const Fractal& fractal);
-
-// A fractal in space with the current vertices of its cage there; the cage is stored from then on.
-Fractal withSpaceCageMoved(Fractal fractal, ifs::ControlCage<3> cage);
 
 } // namespace document

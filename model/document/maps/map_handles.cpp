@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 #include "document/maps/map_handles.h"
-#include "document/branches/branch_as_map.h"
 #include "document/branches/shown_branch.h"
 #include "document/fractal/fractal_geometry.h"
 
@@ -155,27 +154,6 @@ Fractal MapHandles::withMapsSwung(std::span<const std::size_t> indices, const Ve
         changeDisplayed(fractal, index,
                         ifs::swung({}, m_placement(m_within(maps()[index].map(root))), angle));
     return fractal;
-}
-
-std::optional<BranchHandles> branchHandles(const std::shared_ptr<const Fractal>& fractal,
-                                           const ifs::ControlCage<2>& cage, const ifs::Word& branch,
-                                           BranchEdit edit) {
-    if (branch.empty() || system2(*fractal) == nullptr) return std::nullopt;
-    const ifs::ActiveMaps<2> active = ifs::activeMaps(*system2(*fractal));
-    auto letters = ifs::overMaps(branch, active.index);
-    if (!letters) return std::nullopt;
-    if (keepsCode(edit))
-        return BranchHandles{MapHandles::ofBranch(fractal, cage, branch, edit == BranchEdit::Inside), 0};
-    const AffineMap<2> moved = movedBy(*plane(*fractal), branch);
-    if (branch.size() == 1) return BranchHandles{{fractal, cage, moved}, std::size_t(branch.front())};
-    if (edit == BranchEdit::OwnMap && active.isLinked())
-        return std::nullopt; // the maps that divide the others would have links of their own
-    if (edit == BranchEdit::OwnMap)
-        return BranchHandles{
-            {std::make_shared<const Fractal>(withBranchAsMap<2>(*fractal, *letters)), cage, moved}, 0};
-    letters->pop_back();
-    return BranchHandles{{fractal, cage, moved * ifs::composed<2>(active.maps, *letters)},
-                         std::size_t(branch.back())};
 }
 
 bool isMoved(const Fractal& fractal, const ifs::Word& branch) {

@@ -79,16 +79,6 @@ inline bool keepsCode(BranchEdit edit) {
     return edit == BranchEdit::Display || edit == BranchEdit::Inside;
 }
 
-// A branch σ, a word of indices in the system, as a map that can be moved.
-struct BranchHandles {
-    MapHandles handles;
-    std::size_t index = 0;
-};
-// nullopt when the word is empty or names a map that takes no part.
-std::optional<BranchHandles> branchHandles(const std::shared_ptr<const Fractal>& fractal,
-                                           const ifs::ControlCage<2>& cage, const ifs::Word& branch,
-                                           BranchEdit edit);
-
 // The same with the branch, a word of indices, where its maps put it; as it is when there is no such branch.
 Fractal withBranchPutBack(Fractal fractal, const ifs::Word& branch);
 bool isMoved(const Fractal& fractal, const ifs::Word& branch);

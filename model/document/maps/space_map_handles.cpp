@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 #include "document/maps/space_map_handles.h"
-#include "document/branches/branch_as_map.h"
 #include "document/branches/shown_branch.h"
 #include "document/fractal/space_geometry.h"
 
@@ -40,40 +39,33 @@ std::optional<ifs::Simplex<3>> largestTetrahedron(const std::vector<ifs::Vector<
 
 } // namespace
 
-std::optional<SpaceMapHandles> SpaceMapHandles::of(std::shared_ptr<const Fractal> fractal,
-                                                   const ifs::ControlCage<3>& cage,
-                                                   const ifs::AffineMap<3>& within) {
-    const System3* system = system3(*fractal);
-    if (!system) return std::nullopt;
-    SpaceMapHandles handles;
-    if (cage.rest.size() == handles.m_rest.size())
-        std::ranges::copy(cage.rest, handles.m_rest.begin());
+SpaceMapHandles::SpaceMapHandles(std::shared_ptr<const Fractal> fractal, const ifs::ControlCage<3>& cage,
+                                 const ifs::AffineMap<3>& within)
+    : m_fractal(std::move(fractal)),
+      m_cage(cage),
+      m_placed(ifs::displayMap(cage) * within),
+      m_within(within) {
+    if (cage.rest.size() == m_rest.size())
+        std::ranges::copy(cage.rest, m_rest.begin());
     else if (const auto inCage = largestTetrahedron(cage.rest))
-        handles.m_rest = *inCage;
+        m_rest = *inCage;
     else
-        std::ranges::copy(fractal->supports.simplexInSpace(*system).rest, handles.m_rest.begin());
-    handles.m_cage = cage;
-    handles.m_within = within;
-    handles.m_placed = ifs::displayMap(cage) * within;
+        std::ranges::copy(m_fractal->supports.simplexInSpace(*system3(*m_fractal)).rest, m_rest.begin());
     if (ifs::isValid(cage) && ifs::bends(cage)) {
-        handles.m_bend = std::make_shared<const ifs::CageDeformation>(cage.rest, cage.current);
-        handles.m_back = ifs::inverse(within);
+        m_bend = std::make_shared<const ifs::CageDeformation>(cage.rest, cage.current);
+        m_back = ifs::inverse(within);
     } else if (ifs::isInvertible(cage)) {
-        handles.m_back = ifs::inverse(handles.m_placed);
+        m_back = ifs::inverse(m_placed);
     }
-    handles.m_fractal = std::move(fractal);
-    return handles;
 }
 
-std::optional<SpaceMapHandles> SpaceMapHandles::ofBranch(const std::shared_ptr<const Fractal>& fractal,
-                                                         const ifs::ControlCage<3>& cage,
-                                                         const ifs::Word& branch, bool recurs) {
-    const Shape<3>* shape = space(*fractal);
-    if (!shape || branch.empty()) return std::nullopt;
-    ShownBranch<3> branchShown = shownBranch(*shape, branch, recurs);
-    auto handles = of(fractal, cage, branchShown.within);
-    handles->m_branch = std::move(branchShown.word);
-    handles->m_branchMap = branchShown.map;
+SpaceMapHandles SpaceMapHandles::ofBranch(const std::shared_ptr<const Fractal>& fractal,
+                                          const ifs::ControlCage<3>& cage, const ifs::Word& branch,
+                                          bool recurs) {
+    ShownBranch<3> shown = shownBranch(*space(*fractal), branch, recurs);
+    SpaceMapHandles handles(fractal, cage, shown.within);
+    handles.m_branch = std::move(shown.word);
+    handles.m_branchMap = shown.map;
     return handles;
 }
 
@@ -186,34 +178,6 @@ std::optional<ifs::Vector<3>> rootInSpace(const Fractal& fractal, const ifs::Vec
     if (!attractor) return std::nullopt;
     const ifs::Vector<3> down = -(ifs::displayMap(*cage).linear.transpose() * up);
     return (*attractor)(down, 1e-9 * attractor->radius() * down.norm()).point;
-}
-
-std::optional<SpaceBranchHandles> branchHandlesInSpace(const std::shared_ptr<const Fractal>& fractal,
-                                                       const ifs::ControlCage<3>& cage,
-                                                       const ifs::Word& branch, BranchEdit edit) {
-    const System3* system = system3(*fractal);
-    if (!system || branch.empty()) return std::nullopt;
-    const ifs::ActiveMaps<3> active = ifs::activeMaps(*system);
-    auto letters = ifs::overMaps(branch, active.index);
-    const bool divides = edit == BranchEdit::OwnMap && branch.size() > 1;
-    if (!letters || (divides && active.isLinked())) return std::nullopt;
-    if (keepsCode(edit)) {
-        auto shown = SpaceMapHandles::ofBranch(fractal, cage, branch, edit == BranchEdit::Inside);
-        return shown ? std::optional(SpaceBranchHandles{*std::move(shown), 0}) : std::nullopt;
-    }
-    std::size_t index = 0;
-    std::shared_ptr<const Fractal> code = fractal;
-    ifs::AffineMap<3> within = movedBy(*space(*fractal), branch);
-    if (divides) {
-        code = std::make_shared<const Fractal>(withBranchAsMap<3>(*fractal, *letters));
-    } else {
-        letters->pop_back();
-        within = within * ifs::composed<3>(active.maps, *letters);
-        index = std::size_t(branch.back());
-    }
-    auto handles = SpaceMapHandles::of(std::move(code), cage, within);
-    if (!handles) return std::nullopt;
-    return SpaceBranchHandles{*std::move(handles), index};
 }
 
 } // namespace document

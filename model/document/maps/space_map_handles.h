@@ -22,18 +22,16 @@ class SpaceMapHandles {
 public:
     using Corners = std::array<ifs::Vector<3>, 4>;
 
-    // nullopt unless the fractal is a system in space. `cage` is the one in force; of one of more than
-    // four vertices, four make the largest tetrahedron, bent as the cage says. The maps are shown
-    // and moved as they are seen inside the piece that `within` makes of the attractor.
-    static std::optional<SpaceMapHandles> of(std::shared_ptr<const Fractal> fractal,
-                                             const ifs::ControlCage<3>& cage,
-                                             const ifs::AffineMap<3>& within = {});
+    // The fractal must be a system in space, and `cage` the one in force; of one of more than four vertices,
+    // four make the largest tetrahedron, bent as the cage says. The maps are shown and moved as they are seen
+    // inside the piece that `within` makes of the attractor.
+    SpaceMapHandles(std::shared_ptr<const Fractal> fractal, const ifs::ControlCage<3>& cage,
+                    const ifs::AffineMap<3>& within = {});
     // The map of one branch as the only one, at index 0; moving it moves what is shown of the branch
     // (Shape::moved) and leaves the code alone. With `recurs` the same branch moves inside it too, and so on.
     // The word has indices of maps.
-    static std::optional<SpaceMapHandles> ofBranch(const std::shared_ptr<const Fractal>& fractal,
-                                                   const ifs::ControlCage<3>& cage, const ifs::Word& branch,
-                                                   bool recurs);
+    static SpaceMapHandles ofBranch(const std::shared_ptr<const Fractal>& fractal,
+                                    const ifs::ControlCage<3>& cage, const ifs::Word& branch, bool recurs);
 
     std::size_t count() const { return m_branch.empty() ? system3(*m_fractal)->maps.size() : 1; }
     Corners corners(std::size_t index) const; // images of the tetrahedron's vertices
@@ -54,7 +52,6 @@ public:
                           const ifs::Vector<3>& axis, double angle) const;
 
 private:
-    SpaceMapHandles() = default;
     ifs::AffineMap<3> mapAt(std::size_t index) const;
     // nullopt where the cage is flat.
     std::optional<ifs::AffineMap<3>> swung(const ifs::AffineMap<3>& map, const ifs::Vector<3>& root,
@@ -78,16 +75,5 @@ private:
 // The lowest point of what is displayed in space, in coordinates of the code: where a plant stands. nullopt
 // without an attractor, and where it or the cage is not known.
 std::optional<ifs::Vector<3>> rootInSpace(const Fractal& fractal, const ifs::Vector<3>& up);
-
-// A branch in space, a word of indices in the system, as a map that can be moved.
-struct SpaceBranchHandles {
-    SpaceMapHandles handles;
-    std::size_t index = 0;
-};
-// nullopt when the word is empty or names a map that takes no part, and for BranchEdit::OwnMap of more than
-// one symbol where maps are linked.
-std::optional<SpaceBranchHandles> branchHandlesInSpace(const std::shared_ptr<const Fractal>& fractal,
-                                                       const ifs::ControlCage<3>& cage,
-                                                       const ifs::Word& branch, BranchEdit edit);
 
 } // namespace document

@@ -2,6 +2,7 @@
 #include "io/overlay/space_overlay.h"
 
 #include "document/analysis/space_outlines.h"
+#include "document/fractal/fractal_geometry.h"
 #include "document/fractal/space_geometry.h"
 #include "document/maps/space_map_handles.h"
 #include "ifs/cage/cage_surface.h"
@@ -28,8 +29,8 @@ std::vector<std::array<int, 2>> edgesOf(const std::vector<ifs::Vector<3>>& rest)
 
 std::optional<SpaceMapHandles> handlesOf(const document::Fractal& fractal,
                                          const std::optional<ifs::ControlCage<3>>& cage) {
-    return cage ? SpaceMapHandles::of(std::make_shared<const document::Fractal>(fractal), *cage)
-                : std::nullopt;
+    if (!cage) return std::nullopt;
+    return SpaceMapHandles(std::make_shared<const document::Fractal>(fractal), *cage);
 }
 
 class Marks {
@@ -112,7 +113,7 @@ void addMaps(Marks& marks, const document::Fractal& fractal, const ifs::ControlC
     const std::size_t count = handles ? handles->count() : 0;
     for (std::size_t i = 0; i < count; ++i)
         if (overlay.maps && shares[i] > 0) marks.addLines(handles->corners(i), tetrahedron, colourOf(i));
-    const auto system = document::effectiveSpaceSystem(fractal);
+    const auto system = document::effectiveSystem<3>(fractal);
     for (std::size_t i = 0; i < count; ++i) {
         const auto fixed =
             system && overlay.fixedPoints ? ifs::fixedPoint(system->maps[i].map) : std::nullopt;

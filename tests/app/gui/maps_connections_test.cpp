@@ -163,7 +163,7 @@ void MapsConnectionsTest::clicksSelectMoreMaps() {
     QTRY_COMPARE(space->mapItem().count(), std::size_t(5)); // laid out
     const auto click = [&](std::size_t map, Qt::KeyboardModifiers modifiers) {
         const auto cage = *document::knownSpaceCage(document().fractal());
-        const auto handles = *document::SpaceMapHandles::of(document().sharedFractal(), cage);
+        const auto handles = document::SpaceMapHandles(document().sharedFractal(), cage);
         // The corner that no other map has nearby.
         const auto at = [&](std::size_t k, std::size_t corner) {
             return view::toPoint(
@@ -226,7 +226,7 @@ void MapsConnectionsTest::selectedMapsMoveTogether() {
     const auto map = [this](std::size_t k) { return document::system3(document().fractal())->maps[k].map; };
     const auto drag = [&](std::size_t handle, Qt::KeyboardModifiers modifiers) {
         const auto cage = *document::knownSpaceCage(document().fractal());
-        const auto handles = *document::SpaceMapHandles::of(document().sharedFractal(), cage);
+        const auto handles = document::SpaceMapHandles(document().sharedFractal(), cage);
         const ifs::Vector<3> vertex = view::handlesOf(handles.corners(free))[handle];
         const QPoint from =
             view::toPoint(attractor::toScreen(space->navigation().camera(), vertex).pixel).toPoint();

@@ -7,6 +7,7 @@
 
 #include <QHelpEvent>
 #include <QImage>
+#include <QLabel>
 #include <QLineEdit>
 #include <QShortcut>
 #include <QTest>
@@ -14,6 +15,20 @@
 #include <QVBoxLayout>
 
 #include <memory>
+
+namespace {
+
+// The second map stretches, but never follows itself.
+template <int Dim> document::Shape<Dim> heldByItsLinks() {
+    document::Shape<Dim> shape;
+    ifs::append<Dim>(shape.system, {0.2 * ifs::Matrix<Dim>::Identity(), ifs::Vector<Dim>::Zero()});
+    ifs::append<Dim>(shape.system, {1.5 * ifs::Matrix<Dim>::Identity(), ifs::Vector<Dim>::Ones()});
+    const ifs::MapId stretching = shape.system.maps[1].id;
+    shape.system.links = {{stretching, stretching, 0}};
+    return shape;
+}
+
+} // namespace
 
 // What has no room ends in dots, and is read in full at the pointer.
 class StatusLineTest : public QObject {
@@ -91,7 +106,38 @@ private slots:
         QVERIFY(view::composedTip(*label).contains(QStringLiteral("barycentric"))); // what it is
     }
 
+    // As the table, Analysis and `info` do.
+    void theMapThatDoesNotContractIsNumberedAsListed() {
+        document::Shape<2> shape;
+        for (const double factor : {0.5, 2.0, 0.5, 0.5})
+            ifs::append<2>(shape.system, {factor * ifs::Matrix<2>::Identity(), {1, 0}});
+        shape.system.maps[0].enabled = false;
+        QVERIFY2(verdictOn(shape).contains(QStringLiteral("map 2")), qPrintable(verdictOn(shape)));
+        // A word of the last two.
+        shape.system.maps[1].enabled = false;
+        shape.system.maps[2].map.linear << 0, 4, 0, 0;
+        shape.system.maps[3].map.linear << 0, 0, 4, 0;
+        const QString word = verdictOn(shape);
+        QVERIFY2(word.contains(QStringLiteral("3 4")) || word.contains(QStringLiteral("4 3")),
+                 qPrintable(word));
+    }
+
+    void linksCountInPlaneAndSpace() {
+        const QString plane = verdictOn(heldByItsLinks<2>());
+        QVERIFY2(plane.contains(QStringLiteral("maps in a row contract")), qPrintable(plane));
+        QCOMPARE(verdictOn(heldByItsLinks<3>()), plane);
+    }
+
 private:
+    template <int Dim> QString verdictOn(const document::Shape<Dim>& shape) {
+        document::Fractal fractal;
+        fractal.shape = shape;
+        m_line->showVerdict(fractal);
+        for (const QLabel* label : m_line->findChildren<QLabel*>())
+            if (label->accessibleName() == QStringLiteral("Existence of an attractor")) return label->text();
+        return {};
+    }
+
     static QString tipAt(QWidget* widget) {
         QToolTip::hideText();
         const QPoint middle(40, widget->height() / 2);

@@ -6,7 +6,7 @@
 #include "document/edits/maps/symmetry_edits.h"
 #include "document/edits/timeline/animation_edits.h"
 #include "document/edits/timeline/motion_edits.h"
-#include "document/maps/map_handles.h"
+#include "document/maps/branch_handles.h"
 #include "document/maps/map_names.h"
 #include "support/named_test.h"
 

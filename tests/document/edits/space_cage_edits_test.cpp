@@ -98,8 +98,8 @@ private slots:
     void rewritingKeepsTheCageAtRest() {
         auto cage = *document::spaceCage(menger());
         cage.current[1].x() += 0.5;
-        const Fractal rewritten = document::withSpaceCageMoved(menger(), cage, document::CageMode::Rewrite);
-        const Fractal there = document::withSpaceCageMoved(menger(), cage, document::CageMode::Place);
+        const Fractal rewritten = document::withCageMoved(menger(), cage, document::CageMode::Rewrite);
+        const Fractal there = document::withCageMoved(menger(), cage, document::CageMode::Place);
         QVERIFY(document::isAtRest(rewritten));
         QVERIFY(!document::isAtRest(there));
         QVERIFY(isSamePicture(rewritten, there));

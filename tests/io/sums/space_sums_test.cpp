@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "io/sums/space_sums.h"
 
+#include "document/edits/cage/cage_edits.h"
 #include "document/fractal/space_geometry.h"
 #include "io/fractint/fractint_reader.h"
 #include "io/sums/picture_request.h"
@@ -71,7 +72,7 @@ document::Fractal sponge(LookInSpace look) {
     found.inSpace.clip->highest = 1.1;
     ifs::ControlCage<3> cage = *document::spaceCage(found);
     cage.current[1] += ifs::Vector<3>(0.1, 0.2, 1.0 / 3);
-    return document::withSpaceCageMoved(found, cage);
+    return document::withCageMoved(found, cage, document::CageMode::Place);
 }
 
 SpaceExport pictureOf(document::Fractal fractal) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "bars/branch_bar.h"
 #include "bridges/render_bridge.h"
+#include "document/edits/cage/cage_edits.h"
 #include "document/edits/cage/space_cage_edits.h"
 #include "document/maps/space_map_handles.h"
 #include "ifs/cage/cage_surface.h"
@@ -221,7 +222,7 @@ private slots:
         auto cage = *document::spaceCage(flat);
         for (ifs::Vector<3>& vertex : cage.current)
             vertex.z() = 0;
-        flat = document::withSpaceCageMoved(flat, cage);
+        flat = document::withCageMoved(flat, cage, document::CageMode::Place);
         window.document.edit(QStringLiteral("Squeeze"), flat);
         QSignalSpy said(&window.canvas, &view::CanvasView::message);
         window.pull(10);

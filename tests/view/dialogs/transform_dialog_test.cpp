@@ -188,8 +188,8 @@ private slots:
             const auto rewritten = document::rewritten(before, map);
             QVERIFY(rewritten);
             QVERIFY(*document::system3(placed) == *document::system3(before));
-            const auto one = document::effectiveSpaceSystem(placed);
-            const auto other = document::effectiveSpaceSystem(*rewritten);
+            const auto one = document::effectiveSystem<3>(placed);
+            const auto other = document::effectiveSystem<3>(*rewritten);
             QVERIFY(one && other && one->maps.size() == 4);
             for (std::size_t i = 0; i < one->maps.size(); ++i) {
                 QVERIFY((one->maps[i].map.linear - other->maps[i].map.linear).norm() < 1e-9);

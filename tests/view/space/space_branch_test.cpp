@@ -28,7 +28,7 @@ using Corners = document::SpaceMapHandles::Corners;
 
 Corners cornersOf(const document::Document& document, const Word& branch) {
     const auto cage = *document::spaceCage(document.fractal());
-    return *document::SpaceMapHandles::of(document.sharedFractal(), cage)->corners(branch);
+    return *document::SpaceMapHandles(document.sharedFractal(), cage).corners(branch);
 }
 
 double farthest(const Corners& corners, const std::vector<ifs::Vector<3>>& vertices) {

@@ -28,6 +28,7 @@ private slots:
     void aCornerOfAMapIsDraggedInOneStep();
     void theMiddleOfAMapMovesItAsAWhole();
     void aMapIsDraggedNoFartherThanItsAttractor();
+    void linkedMapsAreDraggedFreely();
     void keysSelectAndDeleteMaps();
     void fourViewsShowTheSameDrag();
     void aCornerOfABoxBendsTheSolid();
@@ -163,6 +164,21 @@ void SpaceHandlesTest::aMapIsDraggedNoFartherThanItsAttractor() {
     window.view->setAllowsNoAttractor(true);
     window.drag(corner, far);
     QVERIFY(!ifs::hasAttractor(ifs::classify<3>(maps())));
+}
+
+// As in the plane: the first map may stretch, since it never follows itself.
+void SpaceHandlesTest::linkedMapsAreDraggedFreely() {
+    document::Fractal linked = cubeOfEight();
+    document::System3& system = *document::system3(linked);
+    system.links = {{system.maps[0].id, system.maps[0].id, 0}};
+    Window window(linked);
+    window.view->setTarget(SpaceView::Target::Maps);
+    const QPointF middle = window.view->mapItem().handle(view::SpaceMaps::middle);
+    const QPointF corner = window.view->mapItem().handle(1);
+    window.drag(corner, middle + 3 * (corner - middle), Qt::LeftButton,
+                Qt::AltModifier); // to three times the size
+    const auto& map = document::system3(window.document.fractal())->maps[0].map;
+    QVERIFY(std::abs(ifs::spectralNorm<3>(map.linear) - 1.5) < 0.1);
 }
 
 void SpaceHandlesTest::keysSelectAndDeleteMaps() {

@@ -4,6 +4,7 @@
 #include "attractor/request/orbit_navigation.h"
 #include "canvas/geometry/canvas_geometry.h"
 #include "canvas/items/note_item.h"
+#include "document/edits/cage/cage_edits.h"
 #include "document/fractal/space_geometry.h"
 #include "support/named_test.h"
 #include "support/patient_tries.h"
@@ -563,11 +564,11 @@ void SpaceViewTest::squeezedFlatAndOpenedItIsTheSame() {
     for (ifs::Vector<3>& vertex : flat.current)
         vertex.z() = 0;
     window.document.edit(QStringLiteral("Squeeze"),
-                         document::withSpaceCageMoved(window.document.fractal(), flat));
+                         document::withCageMoved(window.document.fractal(), flat, document::CageMode::Place));
     QVERIFY(window.rests());
     QVERIFY(!window.view->note().isEmpty()); // and it says so
     window.document.edit(QStringLiteral("Open"),
-                         document::withSpaceCageMoved(window.document.fractal(), cage));
+                         document::withCageMoved(window.document.fractal(), cage, document::CageMode::Place));
     QVERIFY(window.rests());
     QVERIFY(window.view->picture() == before); // to the bit
     QCOMPARE(window.view->note(), QString());

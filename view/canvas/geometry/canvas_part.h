@@ -14,6 +14,4 @@ struct CanvasPart {
     friend bool operator==(const CanvasPart&, const CanvasPart&) = default;
 };
 
-enum class Reach { Mouse, Touch }; // how near a press must be
-
 } // namespace view

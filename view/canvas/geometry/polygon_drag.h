@@ -3,6 +3,7 @@
 
 #include "attractor/request/camera.h"
 #include "canvas/geometry/snapping.h"
+#include "gestures/pointer.h"
 #include "ifs/system/affine_map.h"
 
 #include <QPointF>
@@ -14,7 +15,7 @@ namespace view {
 // One gesture on the vertices of polygons, as it was when it began. Every position of the pointer is answered
 // from here, so nothing accumulates and the way back is exact.
 struct PolygonDrag {
-    enum class Mode { Move, Rotate, Scale };
+    using Mode = DragMode;
 
     Mode mode = Mode::Move;
     std::vector<ifs::Vector<2>> points;

@@ -11,6 +11,7 @@
 #include "canvas/scene/hit_tester.h"
 #include "canvas/scene/transient_marks.h"
 #include "document/moments/motion_paths.h"
+#include "gestures/pointer.h"
 
 #include <QGraphicsScene>
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "canvas/scene/handle_model.h"
 #include "document/fractal/fractal_geometry.h"
+#include "document/maps/branch_handles.h"
 #include "io/file/background.h"
 
 #include <algorithm>

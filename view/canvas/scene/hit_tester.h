@@ -5,6 +5,7 @@
 #include "canvas/items/gizmo_item.h"
 #include "canvas/items/map_frames_item.h"
 #include "canvas/scene/handle_model.h"
+#include "gestures/pointer.h"
 
 namespace view {
 

@@ -69,6 +69,25 @@ void BranchChoice::turnDepth(int angle) {
     m_turned %= notch;
 }
 
+bool BranchChoice::pressDepthKey(int key) {
+    const bool deeper = key == Qt::Key_PageDown;
+    if (!deeper && key != Qt::Key_PageUp) return false;
+    setDepth(m_depth + (deeper ? 1 : -1));
+    return true;
+}
+
+QString BranchChoice::prompt() const {
+    return m_address.empty() ? tr("Click a point of the attractor to select its branch.") : QString();
+}
+
+QString BranchChoice::stepText(DragMode mode, std::optional<std::size_t> corner) const {
+    const QString name = document::addressText(branch(), maxDepth);
+    if (mode == DragMode::Rotate) return tr("Rotate branch %1").arg(name);
+    if (mode == DragMode::Scale) return tr("Scale branch %1").arg(name);
+    return corner ? tr("Move corner %1 of branch %2").arg(*corner + 1).arg(name)
+                  : tr("Move branch %1").arg(name);
+}
+
 QString BranchChoice::text() const {
     return m_address.empty() ? QString() : tr("Branch %1").arg(document::addressText(branch(), maxDepth));
 }
@@ -106,16 +125,17 @@ void BranchChoice::cancelDrag() {
     choose(*now == *before ? m_addressAtPress : knownIn(m_chosen, now)); // undo may have ended it
 }
 
-bool BranchChoice::endDrag() {
+QString BranchChoice::endDrag() {
     if (!m_before || m_document.fractal() == *m_before) {
         cancelDrag();
-        return false;
+        return {};
     }
     const auto before = std::exchange(m_before, nullptr);
     m_chosen.push_front({m_document.sharedFractal(), m_address});
     m_chosen.push_front({before, m_addressAtPress});
     if (m_chosen.size() > maxChosen) m_chosen.resize(maxChosen);
-    return m_address != m_addressAtPress;
+    if (m_address == m_addressAtPress) return {};
+    return tr("This branch is now map 1. You can change it further in the table.");
 }
 
 } // namespace view

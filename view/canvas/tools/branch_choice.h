@@ -3,12 +3,15 @@
 
 #include "document/document.h"
 #include "document/maps/map_handles.h"
+#include "gestures/pointer.h"
 #include "ifs/system/branch.h"
 
 #include <QObject>
 
+#include <cstddef>
 #include <deque>
 #include <memory>
+#include <optional>
 
 namespace view {
 
@@ -25,6 +28,7 @@ public:
     int depth() const { return m_depth; } // symbols of the branch's address
     void setDepth(int depth);
     void turnDepth(int angle);                           // by a wheel, in eighths of a degree
+    bool pressDepthKey(int key);                         // Page Down and Page Up; false: another key
     document::BranchEdit edit() const { return m_edit; } // what drags to come change
     void setEdit(document::BranchEdit edit);
     // The whole address of the point that was clicked, of which the branch is the beginning.
@@ -33,6 +37,9 @@ public:
     void choose(const ifs::Word& address);
     // "Branch 3 2", for the status bar; empty without one.
     QString text() const;
+    QString prompt() const; // what a click would do while nothing is chosen; empty: something is
+    QString stepText(DragMode mode,
+                     std::optional<std::size_t> corner) const; // of a drag of it, or of a corner
     // Why it cannot be dragged, as a sentence: the map that would change, or be divided, is locked, or a map
     // that would be divided has keys. Empty: it can.
     QString obstacle() const;
@@ -41,7 +48,7 @@ public:
     // the one of the beginning.
     void beginDrag();
     void showDragged(bool hasMoved); // by a preview
-    bool endDrag();                  // whether the branch is now map 1
+    QString endDrag();               // what to say if the branch is now map 1; else empty
     void cancelDrag();
     const std::shared_ptr<const document::Fractal>& before() const { return m_before; } // null: no drag
 

@@ -2,7 +2,7 @@
 #include "canvas/tools/branch_tool.h"
 
 #include "canvas/geometry/canvas_geometry.h"
-#include "document/branches/addresses.h"
+#include "document/maps/branch_handles.h"
 #include "ifs/cage/map_handles.h"
 
 #include <QKeyEvent>
@@ -13,7 +13,6 @@
 namespace view {
 
 using Kind = CanvasPart::Kind;
-using Mode = PolygonDrag::Mode;
 
 BranchTool::BranchTool(CanvasScene& scene) : MapsTool(scene), m_choice(scene.document()) {
     connect(&m_choice, &BranchChoice::changed, this, &BranchTool::showChoice);
@@ -36,8 +35,7 @@ void BranchTool::showChoice() {
 
 void BranchTool::ask() {
     if (handles().target() != HandleTarget::Branch || isBusy()) return;
-    scene().notes().setPrompt(
-        m_choice.address().empty() ? tr("Click a point of the attractor to select its branch.") : QString());
+    scene().notes().setPrompt(m_choice.prompt());
 }
 
 void BranchTool::stop() {
@@ -81,10 +79,7 @@ bool BranchTool::walk(int step) {
 }
 
 bool BranchTool::keyPress(const QKeyEvent& event) {
-    if (event.key() == Qt::Key_PageDown || event.key() == Qt::Key_PageUp) {
-        m_choice.setDepth(m_choice.depth() + (event.key() == Qt::Key_PageDown ? 1 : -1));
-        return true;
-    }
+    if (m_choice.pressDepthKey(event.key())) return true;
     const bool isCornerFocused = selection().focused().kind != Kind::None;
     if (isBareKey(event, Qt::Key_Escape) && !isCornerFocused && !m_choice.address().empty()) {
         m_choice.choose({});
@@ -106,13 +101,6 @@ MapsTool::HeldMaps BranchTool::hold(const CanvasPart&) {
     return {std::move(branch->handles), {branch->index}};
 }
 
-QString BranchTool::stepText(Mode mode, std::optional<std::size_t> corner) const {
-    const QString name = document::addressText(m_choice.branch(), BranchChoice::maxDepth);
-    if (corner) return tr("Move corner %1 of branch %2").arg(*corner + 1).arg(name);
-    if (mode == Mode::Move) return tr("Move branch %1").arg(name);
-    return (mode == Mode::Rotate ? tr("Rotate branch %1") : tr("Scale branch %1")).arg(name);
-}
-
 PolygonTool::Shown BranchTool::preview(const std::function<DragResult(double)>& resultAt) {
     Shown shown = MapsTool::preview(resultAt);
     m_choice.showDragged(shown.result.points != drag().points);
@@ -125,9 +113,9 @@ void BranchTool::abandoned() {
 
 void BranchTool::ended() {
     MapsTool::ended();
-    if (m_choice.endDrag()) { // the table shows the map that it is now
+    if (const QString said = m_choice.endDrag(); !said.isEmpty()) { // the table shows the map that it is now
         selection().setMapIndices({0});
-        emit message(tr("This branch is now map 1. You can change it further in the table."));
+        emit message(said);
     }
     ask();
 }

@@ -25,7 +25,9 @@ public:
 
 protected:
     HeldMaps hold(const CanvasPart& part) override;
-    QString stepText(PolygonDrag::Mode mode, std::optional<std::size_t> corner) const override;
+    QString stepText(DragMode mode, std::optional<std::size_t> corner) const override {
+        return m_choice.stepText(mode, corner);
+    }
     Shown preview(const std::function<DragResult(double)>& resultAt) override;
     void pressed(const CanvasPart&, Qt::KeyboardModifiers) override {}
     void clicked(const CanvasPart& part, const Pointer& pointer) override;

@@ -1,22 +1,14 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "canvas/geometry/canvas_part.h"
+#include "gestures/pointer.h"
 
 #include <QCursor>
 #include <QObject>
-#include <QPointF>
 
 class QKeyEvent;
 
 namespace view {
-
-// The pointer as a tool sees it.
-struct Pointer {
-    QPointF position; // pixels of the view
-    Qt::KeyboardModifiers modifiers;
-    Reach reach = Reach::Mouse;
-};
 
 // One way of using the left button. A tool decides what a gesture means and tells the document.
 class CanvasTool : public QObject {

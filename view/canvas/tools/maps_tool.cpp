@@ -2,8 +2,8 @@
 #include "canvas/tools/maps_tool.h"
 
 #include "canvas/geometry/canvas_note.h"
+#include "canvas/tools/map_gestures.h"
 #include "document/edits/maps/map_locks.h"
-#include "document/edits/maps/maps_edits.h"
 #include "ifs/cage/map_handles.h"
 
 #include <QKeyEvent>
@@ -17,11 +17,6 @@ namespace view {
 namespace {
 
 using Kind = CanvasPart::Kind;
-using Mode = PolygonDrag::Mode;
-
-std::vector<ifs::AffineMap<2>> activeMaps(const document::Fractal& fractal) {
-    return ifs::activeMaps(*document::system2(fractal)).maps;
-}
 
 } // namespace
 
@@ -79,16 +74,11 @@ MapsTool::HeldMaps MapsTool::hold(const CanvasPart& part) {
     return {document::MapHandles(fractal, *handles().cage()), std::move(indices)};
 }
 
-QString MapsTool::stepText(Mode mode, std::optional<std::size_t> corner) const {
-    const bool one = m_held.indices.size() == 1;
-    const auto number = one ? m_held.indices.front() + 1 : m_held.indices.size();
-    if (corner) return tr("Move corner %1 of map %2").arg(*corner + 1).arg(number);
-    if (mode == Mode::Move) return (one ? tr("Move map %1") : tr("Move %1 maps")).arg(number);
-    if (mode == Mode::Rotate) return (one ? tr("Rotate map %1") : tr("Rotate %1 maps")).arg(number);
-    return (one ? tr("Scale map %1") : tr("Scale %1 maps")).arg(number);
+QString MapsTool::stepText(DragMode mode, std::optional<std::size_t> corner) const {
+    return mapsStepText(mode, m_held.indices.size(), m_held.indices.front() + 1, corner);
 }
 
-std::optional<PolygonTool::DragSubject> MapsTool::dragSubject(const CanvasPart& part, Mode mode) {
+std::optional<PolygonTool::DragSubject> MapsTool::dragSubject(const CanvasPart& part, DragMode mode) {
     HeldMaps held = hold(part);
     if (!held.maps || held.indices.empty()) return std::nullopt;
     m_held = std::move(held);
@@ -98,7 +88,7 @@ std::optional<PolygonTool::DragSubject> MapsTool::dragSubject(const CanvasPart& 
         return std::nullopt;
     }
     m_corner.reset();
-    if (part.kind == Kind::Vertex && mode == Mode::Move) {
+    if (part.kind == Kind::Vertex && mode == DragMode::Move) {
         m_corner = std::size_t(part.index);
         if (m_held.indices.size() > 1) m_held.indices = {std::size_t(part.map)};
         return DragSubject{
@@ -119,17 +109,13 @@ document::Fractal MapsTool::after(const DragResult& result) const {
     if (m_corner)
         return m_held.maps->withCornerMoved(m_held.indices.front(), *m_corner,
                                             result.points[*m_corner] - drag().points[*m_corner]);
-    if (drag().mode == Mode::Move)
+    if (drag().mode == DragMode::Move)
         return m_held.maps->withMapsMoved(m_held.indices, result.change.translation);
     return m_held.maps->withMapsChanged(m_held.indices, result.change);
 }
 
 double MapsTool::shareToShow(const std::function<const document::Fractal&(double)>& after) {
-    ifs::SafeWay<2> way;
-    // Of linked maps, only some words count; the picture tells when they no longer contract.
-    const bool isLinked = !document::system2(scene().document().fractal())->links.empty();
-    if (!m_allowsNoAttractor && !isLinked)
-        way = ifs::safeWay<2>([&](double share) { return activeMaps(after(share)); });
+    const ifs::SafeWay<2> way = m_allowsNoAttractor ? ifs::SafeWay<2>() : wayWithAttractor<2>(after);
     scene().notes().setPrompt(way.share < 1 ? stopNote(*document::system2(after(way.share)), way)
                                             : QString());
     return way.share;
@@ -167,35 +153,12 @@ bool MapsTool::walk(int step) {
 }
 
 bool MapsTool::keyPress(const QKeyEvent& event) {
-    if (isBareKey(event, Qt::Key_Delete) || isBareKey(event, Qt::Key_Insert)) {
-        const std::vector<std::size_t> indices = selection().mapIndices();
-        const document::Rows rows(indices.begin(), indices.end());
-        document::Document& document = scene().document();
-        const QString locked = document::lockObstacle(document.fractal(), rows);
-        if (rows.empty())
-            emit message(tr("Select a map first."));
-        else if (event.key() == Qt::Key_Insert)
-            selection().setMaps(duplicateMaps(document, rows));
-        else if (!locked.isEmpty())
-            emit message(locked);
-        else
-            selection().setMaps(deleteMaps(document, rows));
-        return true;
-    }
-    const int digit = event.key() - Qt::Key_1;
-    if (event.modifiers() == Qt::AltModifier && digit >= 0 && digit < 9) {
-        if (digit < selection().mapCount()) {
-            selectOnly(digit);
-            selection().setFocused({Kind::Inside, 0, digit});
-        }
-        return true;
-    }
-    if (event.modifiers() == Qt::ControlModifier && event.key() == Qt::Key_A) {
-        std::vector<std::size_t> all(std::size_t(selection().mapCount()));
-        std::iota(all.begin(), all.end(), std::size_t(0));
-        selection().setMapIndices(all);
-        return true;
-    }
+    const MapKey key = isBusy() ? MapKey() : pressMapKey(event, scene().document(), selection().mapIndices());
+    if (!key.message.isEmpty()) emit message(key.message);
+    if (!key.selected.empty()) selection().setMaps(key.selected);
+    if (event.modifiers() == Qt::AltModifier && !key.selected.empty())
+        selection().setFocused({Kind::Inside, 0, int(selection().mapIndices().front())});
+    if (key.isTaken) return true;
     return PolygonTool::keyPress(event);
 }
 

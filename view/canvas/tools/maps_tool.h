@@ -28,7 +28,7 @@ public:
     void stop() override;
 
 protected:
-    std::optional<DragSubject> dragSubject(const CanvasPart& part, PolygonDrag::Mode mode) override;
+    std::optional<DragSubject> dragSubject(const CanvasPart& part, DragMode mode) override;
     Shown preview(const std::function<DragResult(double)>& resultAt) override;
     void pressed(const CanvasPart& part, Qt::KeyboardModifiers modifiers) override;
     void clicked(const CanvasPart& part, const Pointer& pointer) override;
@@ -44,7 +44,7 @@ protected:
         std::vector<std::size_t> indices;
     };
     virtual HeldMaps hold(const CanvasPart& part);
-    virtual QString stepText(PolygonDrag::Mode mode, std::optional<std::size_t> corner) const;
+    virtual QString stepText(DragMode mode, std::optional<std::size_t> corner) const;
 
 private:
     document::Fractal after(const DragResult& result) const;

@@ -20,13 +20,10 @@ namespace {
 
 using Kind = CanvasPart::Kind;
 
-constexpr double slack = 2; // pixels a click may shake without becoming a drag
-
 PolygonDrag::Mode modeOf(const CanvasPart& part, Qt::KeyboardModifiers modifiers) {
     if (part.kind == Kind::Rotate) return PolygonDrag::Mode::Rotate;
     if (part.kind == Kind::Scale) return PolygonDrag::Mode::Scale;
-    if (modifiers.testFlag(Qt::ControlModifier)) return PolygonDrag::Mode::Rotate;
-    return modifiers.testFlag(Qt::AltModifier) ? PolygonDrag::Mode::Scale : PolygonDrag::Mode::Move;
+    return dragMode(modifiers);
 }
 
 int nearestVertex(const PolygonDrag& drag) {
@@ -35,21 +32,14 @@ int nearestVertex(const PolygonDrag& drag) {
     });
 }
 
-double pace(Qt::KeyboardModifiers modifiers) {
-    if (modifiers.testFlag(Qt::ShiftModifier)) return 10;
-    return modifiers.testFlag(Qt::AltModifier) ? 0.1 : 1;
-}
-
 Constraint constraintOf(Qt::KeyboardModifiers modifiers) {
     return modifiers.testFlag(Qt::ShiftModifier) ? Constraint::Constrained : Constraint::Free;
 }
 
 } // namespace
 
-PolygonTool::PolygonTool(CanvasScene& scene) : m_scene(scene) {
-    m_released.setSingleShot(true);
-    m_released.setInterval(40);
-    connect(&m_released, &QTimer::timeout, this, &PolygonTool::end);
+PolygonTool::PolygonTool(CanvasScene& scene) : m_scene(scene), m_session(scene.document()) {
+    connect(&m_session, &DragSession::runEnded, this, &PolygonTool::end);
 }
 
 PolygonTool::~PolygonTool() = default;
@@ -62,7 +52,7 @@ void PolygonTool::press(const Pointer& pointer) {
     m_part = key ? key->part : m_scene.partAt(pointer.position, pointer.reach);
     selection().setFocused(m_part);
     if (!handles().cage() || !m_scene.overlaysVisible()) return;
-    m_press = pointer.position;
+    m_session.press(pointer.position);
     m_camera = m_scene.camera();
     m_pivotAtPress = handles().pivot();
     m_ownPivotAtPress = handles().hasOwnPivot();
@@ -97,10 +87,10 @@ void PolygonTool::move(const Pointer& pointer) {
         selectWithin(pointer);
         return;
     case State::Pressed:
-        if ((pointer.position - m_press).manhattanLength() <= slack) return;
+        if (!m_session.isDrag(pointer.position)) return;
         if (m_part.kind == Kind::Pivot && m_drag.mode == PolygonDrag::Mode::Move) {
             m_state = State::MovingPivot;
-        } else if (open(m_part, m_drag.mode, m_press)) {
+        } else if (open(m_part, m_drag.mode, m_session.pressedAt())) {
             m_state = State::Dragging;
         } else {
             end();
@@ -110,7 +100,8 @@ void PolygonTool::move(const Pointer& pointer) {
         emit dragStarted();
         break;
     case State::Dragging:
-        turnInto(modeOf(m_part, pointer.modifiers));
+        if (const auto mode = m_session.turnedInto(modeOf(m_part, pointer.modifiers), m_drag.mode))
+            turnInto(*mode);
         break;
     case State::MovingPivot:
         break;
@@ -128,23 +119,19 @@ bool PolygonTool::open(const CanvasPart& part, PolygonDrag::Mode mode, const QPo
     m_drag.pivot = handles().pivot();
     m_drag.press = worldAt(m_scene.camera(), press);
     m_drag.snapVertex = nearestVertex(m_drag);
-    m_stepText = subject->text;
-    m_gesture = std::make_unique<document::EditGesture>(m_scene.document().beginGesture(subject->text));
+    m_session.open(subject->text);
     return true;
 }
 
-// Ctrl and Alt may be pressed after the button: some window managers keep a press that comes with one of them
-// for themselves. Letting go of the key changes nothing.
 void PolygonTool::turnInto(PolygonDrag::Mode mode) {
-    if (mode == PolygonDrag::Mode::Move || mode == m_drag.mode || !m_gesture || !m_gesture->isOpen()) return;
-    m_gesture.reset();
+    m_session.cancel();
     restorePivot();
     const ifs::Vector<2> press = m_drag.press;
-    if (open(m_part, mode, m_press)) m_drag.press = press; // whatever the view has become since
+    if (open(m_part, mode, m_session.pressedAt())) m_drag.press = press; // whatever the view has become since
 }
 
 void PolygonTool::dragTo(const Pointer& pointer) {
-    if (!m_gesture || !m_gesture->isOpen()) { // the document has moved on without us
+    if (!m_session.isOpen()) { // the document has moved on without us
         settle();
         end();
         m_state = State::Cancelled;
@@ -155,7 +142,7 @@ void PolygonTool::dragTo(const Pointer& pointer) {
     // Zooming in the middle of a drag changes what a pixel means: then the plane is the reference.
     const ifs::Vector<2> offset =
         m_camera == m_scene.camera()
-            ? worldOffset(m_camera, pointer.position - m_press)
+            ? worldOffset(m_camera, pointer.position - m_session.pressedAt())
             : ifs::Vector<2>(worldAt(m_scene.camera(), pointer.position) - m_drag.press);
     if (m_part.kind == Kind::Rotate || m_part.kind == Kind::Scale) m_scene.holdKnobAt(pointer.position);
     const Constraint constraint = constraintOf(pointer.modifiers);
@@ -179,30 +166,25 @@ double PolygonTool::show(const std::function<DragResult(double)>& resultAt) {
     return shown.share;
 }
 
-// What has been done, and to what value. Nudges of one handle that follow each other closely are one step.
+// What has been done, and to what value.
 void PolygonTool::describe(const DragResult& result) {
-    const QString text = withValue(m_stepText, m_drag, result);
-    const int kind =
-        m_state == State::Nudging
-            ? int(qHashMulti(0, int(handles().target()), int(m_part.kind), m_part.index, m_part.map) &
-                  0x7fffffff)
-            : -1;
-    m_gesture->describe(text, kind);
+    m_session.describe(withValue(m_session.text(), m_drag, result),
+                       qHashMulti(0, int(m_part.kind), m_part.index, m_part.map));
 }
 
 // The pivot is no part of the document. It is always drawn to the vertices: turning about one is common.
 void PolygonTool::movePivot(const Pointer& pointer) {
     SnapTargets targets = m_scene.snapTargets({}, {});
     targets.snapping |= SnapTo::Vertices;
-    const Snapped snap =
-        snapped(targets, m_pivotAtPress + worldOffset(m_scene.camera(), pointer.position - m_press));
+    const Snapped snap = snapped(
+        targets, m_pivotAtPress + worldOffset(m_scene.camera(), pointer.position - m_session.pressedAt()));
     handles().setPivot(snap.point);
     m_scene.marks().showSnap(snap);
 }
 
 // At once, so that one sees it; a press on the empty canvas selects nothing.
 void PolygonTool::selectWithin(const Pointer& pointer) {
-    const QRectF band = QRectF(m_press, pointer.position).normalized();
+    const QRectF band = QRectF(m_session.pressedAt(), pointer.position).normalized();
     std::vector<std::size_t> items = enclosedBy(band);
     if (pointer.modifiers & adding) {
         items.insert(items.end(), m_selectionAtPress.begin(), m_selectionAtPress.end());
@@ -232,19 +214,14 @@ void PolygonTool::release(const Pointer& pointer) {
 
 // Undo may have ended the gesture in the middle.
 void PolygonTool::settle() {
-    if (!m_gesture) return;
-    if (m_gesture->isOpen())
-        m_gesture->commit();
-    else
-        abandoned();
+    if (m_session.finish() == DragSession::Outcome::Abandoned) abandoned();
 }
 
 // Leaves nothing of a gesture behind; what has been previewed and not committed goes.
 void PolygonTool::end() {
     const CanvasScene::Batch batch(m_scene);
     if (m_state == State::Nudging) settle();
-    m_gesture.reset();
-    m_released.stop();
+    m_session.cancel();
     m_state = State::Idle;
     selection().setPressed({});
     m_scene.holdKnobAt(std::nullopt);
@@ -261,7 +238,7 @@ void PolygonTool::leave() {
 bool PolygonTool::cancel() {
     if (m_state == State::Idle || m_state == State::Cancelled) return false;
     const State state = m_state;
-    if (m_gesture) m_gesture->cancel();
+    m_session.cancel();
     if (state == State::Selecting) selectItems(m_selectionAtPress);
     if (state != State::Nudging) restorePivot();
     end();
@@ -321,34 +298,15 @@ bool PolygonTool::keyPress(const QKeyEvent& event) {
     const QPointF way = arrowDirection(event.key());
     const CanvasPart part = selection().focused();
     if (way.isNull() || part.kind == Kind::None || !handles().cage()) return false;
-    keepNudging(event.timestamp());
+    m_session.keepRun(event);
     if (m_state == State::Idle || m_state == State::Nudging) nudge(part, way, event.modifiers());
     return true;
-}
-
-bool PolygonTool::keyRelease(const QKeyEvent& event) {
-    if (arrowDirection(event.key()).isNull() || m_state != State::Nudging) return false;
-    if (event.isAutoRepeat()) return true;
-    m_releaseStamp = event.timestamp();
-    if (m_releaseStamp == 0)
-        end();
-    else
-        m_released.start();
-    return true;
-}
-
-// An X server reports a key that repeats as going up and down at the same time, and Qt sees through that only
-// when both reports have arrived.
-void PolygonTool::keepNudging(quint64 stamp) {
-    if (!m_released.isActive()) return;
-    m_released.stop();
-    if (stamp != m_releaseStamp) end();
 }
 
 // One undo step for as long as the key is held.
 void PolygonTool::nudge(const CanvasPart& part, const QPointF& way, Qt::KeyboardModifiers modifiers) {
     if (part.kind == Kind::Pivot) {
-        handles().setPivot(handles().pivot() + worldOffset(m_scene.camera(), way * pace(modifiers)));
+        handles().setPivot(handles().pivot() + worldOffset(m_scene.camera(), way * nudgePace(modifiers)));
         emit selection().focusMoved();
         return;
     }
@@ -358,14 +316,12 @@ void PolygonTool::nudge(const CanvasPart& part, const QPointF& way, Qt::Keyboard
         m_pivotAtPress = handles().pivot();
         if (!open(part, modeOf(part, Qt::NoModifier), m_scene.positionOf(part))) return;
         m_nudge = {};
+        m_session.beginRun();
         m_state = State::Nudging;
         emit dragStarted();
     }
-    if (!m_gesture->isOpen()) {
-        end();
-        return;
-    }
-    m_nudge += way * pace(modifiers);
+    if (!m_session.isOpen()) return end();
+    m_nudge += way * nudgePace(modifiers);
     m_nudge *= show([this](double share) { return nudged(m_nudge * share); });
     emit selection().focusMoved();
 }

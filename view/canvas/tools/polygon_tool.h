@@ -4,12 +4,9 @@
 #include "canvas/geometry/polygon_drag.h"
 #include "canvas/scene/canvas_scene.h"
 #include "canvas/tools/canvas_tool.h"
-#include "document/edit_gesture.h"
-
-#include <QTimer>
+#include "gestures/drag_session.h"
 
 #include <functional>
-#include <memory>
 #include <optional>
 
 namespace view {
@@ -28,7 +25,7 @@ public:
     void release(const Pointer& pointer) override;
     void leave() override;
     bool keyPress(const QKeyEvent& event) override;
-    bool keyRelease(const QKeyEvent& event) override;
+    bool keyRelease(const QKeyEvent& event) override { return m_session.releaseRun(event); }
     bool cancel() override;
     bool isBusy() const override { return m_state != State::Idle; }
     void stop() override;
@@ -76,7 +73,8 @@ protected:
     CanvasScene& scene() const { return m_scene; }
     CanvasSelection& selection() const { return m_scene.selection(); }
     HandleModel& handles() const { return m_scene.handles(); }
-    document::EditGesture& gesture() const { return *m_gesture; }
+    document::EditGesture& gesture() { return m_session.gesture(); }
+    const document::EditGesture& gesture() const { return m_session.gesture(); }
     const PolygonDrag& drag() const { return m_drag; }
 
 private:
@@ -102,24 +100,19 @@ private:
     void settle();
     void end();
     void nudge(const CanvasPart& part, const QPointF& direction, Qt::KeyboardModifiers modifiers);
-    void keepNudging(quint64 stamp);
     DragResult nudged(const QPointF& by) const;
 
     CanvasScene& m_scene;
     State m_state = State::Idle;
     CanvasPart m_part;
     PolygonDrag m_drag;
-    QPointF m_press;            // pixels
     QPointF m_pointer;          // pixels, of a drag
     attractor::Camera m_camera; // at the press
     ifs::Vector<2> m_pivotAtPress = ifs::Vector<2>::Zero();
     bool m_ownPivotAtPress = false;
     std::vector<std::size_t> m_selectionAtPress;
-    QPointF m_nudge;            // pixels, degrees or percent so far
-    QTimer m_released;          // an arrow key has gone up, unless it only repeats
-    quint64 m_releaseStamp = 0; // of that event
-    std::unique_ptr<document::EditGesture> m_gesture;
-    QString m_stepText; // without values
+    QPointF m_nudge; // pixels, degrees or percent so far
+    DragSession m_session;
 };
 
 } // namespace view

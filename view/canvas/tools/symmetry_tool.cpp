@@ -18,46 +18,42 @@ bool SymmetryTool::isAt(const Pointer& pointer) const {
 }
 
 void SymmetryTool::press(const Pointer& pointer) {
-    document::Document& document = m_scene.document();
-    const document::Fractal& fractal = document.fractal();
-    const ifs::Vector<2> centre = document::system2(fractal)->symmetry.centre;
-    m_drag.emplace(Drag{document.beginGesture(tr("Move the centre of the symmetry")), pointer.position,
-                        document::placement(fractal)(centre)});
+    const document::Fractal& fractal = m_scene.document().fractal();
+    m_displayed = document::placement(fractal)(document::system2(fractal)->symmetry.centre);
+    m_session.press(pointer.position);
+    m_session.open(tr("Move the centre of the symmetry"));
     m_scene.symmetry().setHeld(true);
     emit cursorChanged();
 }
 
 void SymmetryTool::move(const Pointer& pointer) {
-    constexpr double still = 3; // pixels
-    if (!m_drag || !m_drag->gesture.isOpen()) return;
-    m_drag->hasMoved = m_drag->hasMoved || QLineF(m_drag->press, pointer.position).length() > still;
-    if (!m_drag->hasMoved) return;
-    document::Fractal fractal = m_drag->gesture.before();
+    if (!m_session.isOpen() || !m_session.isDrag(pointer.position)) return;
+    document::Fractal fractal = m_session.gesture().before();
     ifs::Symmetry<2> symmetry = document::system2(fractal)->symmetry;
     const ifs::Vector<2> asked =
-        m_drag->displayed + worldOffset(m_scene.camera(), pointer.position - m_drag->press);
+        *m_displayed + worldOffset(m_scene.camera(), pointer.position - m_session.pressedAt());
     const Snapped point = snapped(m_scene.snapTargets(), asked);
     const auto centre = ifs::preimage(document::placement(fractal), point.point, symmetry.centre);
     if (!centre) return; // under a cage that takes nothing there
     m_scene.marks().showSnap(point);
     symmetry.centre = *centre;
-    m_drag->gesture.preview(document::withSymmetry(std::move(fractal), symmetry));
+    m_session.gesture().preview(document::withSymmetry(std::move(fractal), symmetry));
 }
 
 void SymmetryTool::release(const Pointer&) {
-    if (m_drag) m_drag->gesture.commit();
+    m_session.finish();
     end();
 }
 
 bool SymmetryTool::cancel() {
-    if (!m_drag) return false;
-    m_drag->gesture.cancel();
+    if (!isBusy()) return false;
+    m_session.cancel();
     end();
     return true;
 }
 
 void SymmetryTool::end() {
-    m_drag.reset();
+    m_displayed.reset();
     m_scene.marks().showSnap(std::nullopt);
     m_scene.symmetry().setHeld(false);
     emit cursorChanged();

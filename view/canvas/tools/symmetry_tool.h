@@ -3,7 +3,7 @@
 
 #include "canvas/scene/canvas_scene.h"
 #include "canvas/tools/canvas_tool.h"
-#include "document/edit_gesture.h"
+#include "gestures/drag_session.h"
 
 #include <optional>
 
@@ -14,7 +14,7 @@ class SymmetryTool : public CanvasTool {
     Q_OBJECT
 
 public:
-    explicit SymmetryTool(CanvasScene& scene) : m_scene(scene) {}
+    explicit SymmetryTool(CanvasScene& scene) : m_scene(scene), m_session(scene.document()) {}
 
     bool isAt(const Pointer& pointer) const; // a press there would take the handle
 
@@ -22,21 +22,16 @@ public:
     void move(const Pointer& pointer) override;
     void release(const Pointer& pointer) override;
     bool cancel() override;
-    bool isBusy() const override { return m_drag.has_value(); }
+    bool isBusy() const override { return m_displayed.has_value(); }
     void stop() override { cancel(); }
     QCursor cursor(const Pointer&) const override;
 
 private:
-    struct Drag {
-        document::EditGesture gesture;
-        QPointF press;            // pixels
-        ifs::Vector<2> displayed; // the centre, at the press
-        bool hasMoved = false;    // far enough to mean a drag
-    };
     void end();
 
     CanvasScene& m_scene;
-    std::optional<Drag> m_drag;
+    DragSession m_session;
+    std::optional<ifs::Vector<2>> m_displayed; // the centre, at the press
 };
 
 } // namespace view

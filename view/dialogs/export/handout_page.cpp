@@ -136,7 +136,7 @@ private:
     void paintFormulas(const QRectF& room, const document::Fractal& fractal) {
         QStringList lines;
         if (const document::System3* system = document::system3(fractal)) {
-            const auto displayed = document::effectiveSpaceSystem(fractal);
+            const auto displayed = document::effectiveSystem<3>(fractal);
             const QStringList corners = m_options.showsMaps ? cornersOf(fractal) : QStringList();
             QRectF rest = room;
             if (!corners.isEmpty())

@@ -81,7 +81,7 @@ std::pair<std::vector<PrintedTable>, bool> tablesOf(const document::Fractal& fra
     }
     const auto* system = document::system3(fractal);
     if (!system) return {};
-    const auto displayed = document::effectiveSpaceSystem(fractal);
+    const auto displayed = document::effectiveSystem<3>(fractal);
     std::vector<PrintedTable> tables{coefficientTable<3>(displayed ? *displayed : *system)};
     if (const auto cage = document::spaceCage(fractal)) tables.push_back(cornerTable(*cage));
     return {tables, !displayed};

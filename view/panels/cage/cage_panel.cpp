@@ -405,23 +405,20 @@ void CagePanel::editCurrent(std::size_t vertex, int axis, double value) {
         emit message(obstacle);
         return showCage();
     }
-    if (auto cage = document::spaceCage(m_edit.before())) {
-        ifs::Vector<3>& position = cage->current.at(vertex);
-        position[axis] = value;
-        m_edit.preview(stepText<3>(tr("Move vertex %1 to (%2, %3, %4)"), vertex, position),
-                       [&](document::Fractal& fractal) {
-                           fractal = withSpaceCageMoved(std::move(fractal), *cage, m_document->cageMode());
-                       });
-        return;
-    }
-    ifs::Vector<2> position = document::effectiveCage(m_edit.before()).current.at(vertex);
-    position[axis] = value;
-    m_edit.preview(stepText<2>(tr("Move vertex %1 to (%2, %3)"), vertex, position),
-                   [&](document::Fractal& fractal) {
-                       auto cage = document::effectiveCage(fractal);
-                       cage.current.at(vertex) = position;
-                       fractal = withCageMoved(std::move(fractal), std::move(cage), m_document->cageMode());
-                   });
+    if (auto cage = document::spaceCage(m_edit.before()))
+        editCurrent<3>(*std::move(cage), vertex, axis, value);
+    else
+        editCurrent<2>(document::effectiveCage(m_edit.before()), vertex, axis, value);
+}
+
+template <int Dim>
+void CagePanel::editCurrent(ifs::ControlCage<Dim> cage, std::size_t vertex, int axis, double value) {
+    cage.current.at(vertex)[axis] = value;
+    const QString pattern =
+        Dim == 3 ? tr("Move vertex %1 to (%2, %3, %4)") : tr("Move vertex %1 to (%2, %3)");
+    m_edit.preview(stepText<Dim>(pattern, vertex, cage.current[vertex]), [&](document::Fractal& fractal) {
+        fractal = withCageMoved(std::move(fractal), cage, m_document->cageMode());
+    });
 }
 
 void CagePanel::editRest(std::size_t vertex, int axis, double value) {

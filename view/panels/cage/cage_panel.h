@@ -91,6 +91,8 @@ private:
     template <int Dim> void showVertices(const ifs::ControlCage<Dim>& cage);
     NumberField* vertexField(Vertices vertices, std::size_t vertex, int axis);
     void editCurrent(std::size_t vertex, int axis, double value);
+    template <int Dim>
+    void editCurrent(ifs::ControlCage<Dim> cage, std::size_t vertex, int axis, double value);
     void editRest(std::size_t vertex, int axis, double value);
     template <int Dim> void editRest(ifs::ControlCage<Dim> cage, std::size_t vertex, int axis, double value);
     void follow(const document::Change& change);

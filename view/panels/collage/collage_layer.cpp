@@ -4,6 +4,7 @@
 #include "canvas/canvas_view.h"
 #include "canvas/geometry/canvas_geometry.h"
 #include "canvas/items/overlay_style.h"
+#include "gestures/pointer.h"
 
 #include <QGraphicsScene>
 #include <QLineF>

@@ -4,6 +4,7 @@
 #include "document/edits/cage/rounding.h"
 #include "document/edits/cage/space_cage_edits.h"
 #include "document/fractal/fractal_geometry.h"
+#include "document/fractal/space_geometry.h"
 
 #include "document/text/text.h"
 #include "ifs/cage/hull_cage.h"
@@ -22,14 +23,6 @@ ifs::Orientation<2> orientationOf(SimplexChoice choice) {
     return {left ? -1 : 1, down ? -1 : 1};
 }
 
-// The maps that act on the displayed picture and take part in it.
-std::vector<ifs::AffineMap<2>> displayedMaps(const Fractal& fractal) {
-    const System2* code = system2(fractal);
-    if (!code) return {};
-    const auto system = isAtRest(fractal) ? std::optional(*code) : effectiveSystem(fractal);
-    return system ? ifs::activeMaps(*system).maps : std::vector<ifs::AffineMap<2>>{};
-}
-
 // The same picture held by other vertices.
 std::optional<Fractal> withPolygonThrough(const Fractal& fractal,
                                           const std::vector<ifs::Vector<2>>& vertices) {
@@ -39,21 +32,31 @@ std::optional<Fractal> withPolygonThrough(const Fractal& fractal,
 }
 
 // The code takes up its cage (ifs::bake); nullopt where that cannot be.
-std::optional<Fractal> withCageBaked(const Fractal& fractal) {
-    const Shape<2>* shape = plane(fractal);
+template <int Dim> std::optional<Fractal> withCageBaked(const Fractal& fractal) {
+    const auto* shape = std::get_if<Shape<Dim>>(&fractal.shape);
     if (!shape || !shape->cage) return std::nullopt;
     auto baked = ifs::bake(shape->system, *shape->cage);
     auto result = baked ? conjugated(fractal, ifs::displayMap(*shape->cage)) : std::nullopt;
     if (!result) return std::nullopt;
     dropRounding(baked->system);
-    plane(*result)->system = std::move(baked->system);
-    plane(*result)->cage = std::move(baked->cage);
+    auto& after = std::get<Shape<Dim>>(result->shape);
+    after.system = std::move(baked->system);
+    after.cage = std::move(baked->cage);
     return result;
 }
 
-} // namespace
-
-namespace {
+// The code that is shown where `cage` is, for the corners 0, e₁, …
+template <int Dim>
+std::optional<Fractal> withCageUnbaked(const Fractal& fractal, const ifs::ControlCage<Dim>& cage) {
+    std::vector<ifs::Vector<Dim>> unit{ifs::Vector<Dim>::Zero()};
+    for (int axis = 0; axis < Dim; ++axis)
+        unit.push_back(ifs::Vector<Dim>::Unit(axis));
+    Fractal after = fractal;
+    std::get<Shape<Dim>>(after.shape).cage = ifs::ControlCage<Dim>{cage.rest, unit};
+    auto result = withCageBaked<Dim>(after);
+    if (result) std::get<Shape<Dim>>(result->shape).cage = ifs::ControlCage<Dim>{unit, cage.current};
+    return result;
+}
 
 template <int Dim> bool areAlike(const ifs::ControlCage<Dim>* p, const ifs::ControlCage<Dim>* q) {
     if (!p || !q) return !p && !q;
@@ -75,6 +78,13 @@ const ifs::ControlCage<3>* cage3(const Fractal& fractal) {
     return shape && shape->cage ? &*shape->cage : nullptr;
 }
 
+// What is asked of the cage that is stored; false without one.
+template <class Ask> bool storedCage(const Fractal& fractal, Ask ask) {
+    if (const auto* cage = cage3(fractal)) return ask(*cage);
+    const auto* cage = cage2(fractal);
+    return cage && ask(*cage);
+}
+
 } // namespace
 
 bool isCageAlike(const Fractal& a, const Fractal& b) {
@@ -82,10 +92,7 @@ bool isCageAlike(const Fractal& a, const Fractal& b) {
 }
 
 bool isAtRest(const Fractal& fractal) {
-    if (const Shape<3>* shape = space(fractal))
-        return !shape->cage || shape->cage->rest == shape->cage->current;
-    const ifs::ControlCage<2>* cage = cage2(fractal);
-    return !cage || cage->rest == cage->current;
+    return !storedCage(fractal, [](const auto& cage) { return cage.rest != cage.current; });
 }
 
 QString planeObstacle(const Fractal& fractal) {
@@ -98,21 +105,20 @@ QString cageObstacle(const Fractal& fractal) {
 }
 
 QString bakeObstacle(const Fractal& fractal) {
-    if (space(fractal)) return spaceBakeObstacle(fractal);
-    if (const QString obstacle = planeObstacle(fractal); !obstacle.isEmpty()) return obstacle;
+    if (const QString obstacle = cageObstacle(fractal); !obstacle.isEmpty()) return obstacle;
     if (isAtRest(fractal)) return Text::tr("The cage is at rest: the picture shows the code.");
-    if (ifs::bends(*cage2(fractal)))
+    if (storedCage(fractal, [](const auto& cage) { return ifs::bends(cage); }))
         return Text::tr("The cage bends the picture, and no affine code produces a bent picture. Choose "
                         "“Affine fit” to bake the closest affine placement.");
-    if (!ifs::isInvertible(*cage2(fractal)))
+    if (!storedCage(fractal, [](const auto& cage) { return ifs::isInvertible(cage); }))
         return Text::tr(
             "The cage is flat, so its placement cannot be baked into the code. Open the cage first.");
     return {};
 }
 
 std::optional<Fractal> baked(const Fractal& fractal) {
-    if (space(fractal)) return spaceBaked(fractal);
-    return bakeObstacle(fractal).isEmpty() ? withCageBaked(fractal) : std::nullopt;
+    if (!bakeObstacle(fractal).isEmpty()) return std::nullopt;
+    return space(fractal) ? withCageBaked<3>(fractal) : withCageBaked<2>(fractal);
 }
 
 QString resetObstacle(const Fractal& fractal) {
@@ -127,12 +133,14 @@ Fractal withCageAtRest(Fractal fractal) {
     return fractal;
 }
 
-Fractal withCageMoved(Fractal fractal, ifs::ControlCage<2> cage, CageMode mode) {
-    if (Shape<2>* shape = plane(fractal)) shape->cage = std::move(cage);
+template <int Dim> Fractal withCageMoved(Fractal fractal, ifs::ControlCage<Dim> cage, CageMode mode) {
+    if (auto* shape = std::get_if<Shape<Dim>>(&fractal.shape)) shape->cage = std::move(cage);
     if (mode == CageMode::Rewrite)
         if (auto rewritten = baked(fractal)) return *std::move(rewritten);
     return fractal;
 }
+template Fractal withCageMoved(Fractal, ifs::ControlCage<2>, CageMode);
+template Fractal withCageMoved(Fractal, ifs::ControlCage<3>, CageMode);
 
 QString modeText(const Fractal& fractal, CageMode mode) {
     const ifs::ControlCage<2>* cage = cage2(fractal);
@@ -147,24 +155,21 @@ QString modeText(const Fractal& fractal, CageMode mode) {
 }
 
 QString unbakeObstacle(const Fractal& fractal) {
-    if (space(fractal)) return spaceUnbakeObstacle(fractal);
-    if (const QString obstacle = planeObstacle(fractal); !obstacle.isEmpty()) return obstacle;
+    if (const QString obstacle = cageObstacle(fractal); !obstacle.isEmpty()) return obstacle;
+    if (const Shape<3>* shape = space(fractal); shape && shape->system.maps.empty())
+        return Text::tr("No map is active, so there is nothing to enclose.");
     if (!isAtRest(fractal)) return Text::tr("The cage is not at rest: it already holds a placement.");
-    if (const ifs::ControlCage<2>* cage = cage2(fractal); cage && cage->rest.size() != 3)
-        return Text::tr("Only a cage with three vertices can be unbaked.");
+    const std::size_t corners = dimension(fractal) + 1U;
+    if (storedCage(fractal, [=](const auto& cage) { return cage.rest.size() != corners; }))
+        return space(fractal) ? Text::tr("Only a cage with four vertices can be unbaked.")
+                              : Text::tr("Only a cage with three vertices can be unbaked.");
     return {};
 }
 
 std::optional<Fractal> unbaked(const Fractal& fractal) {
-    if (space(fractal)) return spaceUnbaked(fractal);
     if (!unbakeObstacle(fractal).isEmpty()) return std::nullopt;
-    const ifs::ControlCage<2> cage = effectiveCage(fractal);
-    const std::vector<ifs::Vector<2>> unit{{0, 0}, {1, 0}, {0, 1}};
-    Fractal after = fractal;
-    plane(after)->cage = {cage.rest, unit};
-    auto result = withCageBaked(after);
-    if (result) plane(*result)->cage = {unit, cage.current};
-    return result;
+    return space(fractal) ? withCageUnbaked(fractal, *spaceCage(fractal))
+                          : withCageUnbaked(fractal, effectiveCage(fractal));
 }
 
 QString cageWarning(const Fractal& fractal) {
@@ -186,7 +191,7 @@ QString cageWarning(const Fractal& fractal) {
 }
 
 std::optional<ifs::CanonicalSimplex<2>> displayedSimplex(const Fractal& fractal, SimplexChoice choice) {
-    const auto support = ifs::SupportFunction<2>::of(displayedMaps(fractal));
+    const auto support = displayedSupport<2>(fractal);
     if (!support) return std::nullopt;
     const double tolerance = relativeTolerance * support->radius();
     return choice == SimplexChoice::Minimal
@@ -213,7 +218,7 @@ std::optional<Fractal> withCageFitted(const Fractal& fractal, SimplexChoice choi
 
 std::optional<std::vector<ifs::Vector<2>>> verticesAround(const Fractal& fractal, PolygonChoice choice,
                                                           int corners) {
-    const auto support = ifs::SupportFunction<2>::of(displayedMaps(fractal));
+    const auto support = displayedSupport<2>(fractal);
     if (!support) return std::nullopt;
     if (choice == PolygonChoice::Box) {
         const auto box = ifs::boundingBox(*support);
@@ -244,8 +249,7 @@ QString fitObstacle(const Fractal& fractal) {
             "A bent picture cannot be given another cage. First reset the cage or choose “Affine fit”.");
     if (!isAtRest(fractal) && !ifs::isInvertible(*cage))
         return Text::tr("The cage is flat. First open or reset the triangle.");
-    if (!ifs::SupportFunction<2>::of(displayedMaps(fractal)))
-        return Text::tr("This system has no attractor that can be enclosed.");
+    if (!displayedSupport<2>(fractal)) return Text::tr("This system has no attractor that can be enclosed.");
     return {};
 }
 

@@ -36,12 +36,12 @@ Fractal withCageAtRest(Fractal fractal);
 
 // The fractal with its cage moved there. In the mode Rewrite the code follows and the cage rests; where no
 // affine code does (the cage is flat or bends), it is placed.
-Fractal withCageMoved(Fractal fractal, ifs::ControlCage<2> cage, CageMode mode);
+template <int Dim> Fractal withCageMoved(Fractal fractal, ifs::ControlCage<Dim> cage, CageMode mode);
 // What moving the cage will do to the code, as a sentence.
 QString modeText(const Fractal& fractal, CageMode mode);
 
-// The opposite of baking for a triangle: the code becomes that of the triangle (0, 0), (1, 0), (0, 1), and
-// the cage places it where the picture is.
+// The opposite of baking for a triangle or a tetrahedron: the code becomes that of the corners 0, e₁, e₂ and,
+// in space, e₃, and the cage places it where the picture is.
 QString unbakeObstacle(const Fractal& fractal);
 std::optional<Fractal> unbaked(const Fractal& fractal);
 

@@ -10,21 +10,9 @@
 #include <optional>
 #include <vector>
 
-// Edits of the cage in space as functions from fractal to fractal; cage_edits.h has those of both dimensions,
-// which call these for an entry in space.
+// Cages fitted to an entry in space as functions from fractal to fractal; cage_edits.h has what is common to
+// both dimensions, and calls these for an entry in space.
 namespace document {
-
-// The fractal with its cage moved there. In the mode Rewrite the code follows and the cage rests; where no
-// code does, because the cage is flat, it is placed.
-Fractal withSpaceCageMoved(Fractal fractal, ifs::ControlCage<3> cage, CageMode mode);
-
-// Why the placement cannot become the code of an entry in space, or be taken out of it; empty when it can.
-QString spaceBakeObstacle(const Fractal& fractal);
-QString spaceUnbakeObstacle(const Fractal& fractal);
-// The same picture with the cage at rest; and with the code of the tetrahedron 0, e₁, e₂, e₃ and the cage
-// where the picture is. nullopt when there is an obstacle.
-std::optional<Fractal> spaceBaked(const Fractal& fractal);
-std::optional<Fractal> spaceUnbaked(const Fractal& fractal);
 
 // Why no cage can be fitted around the picture of an entry in space; empty when one can.
 QString spaceFitObstacle(const Fractal& fractal);

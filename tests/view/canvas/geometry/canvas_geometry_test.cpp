@@ -4,7 +4,6 @@
 #include "canvas/geometry/polygon_drag.h"
 #include "canvas/geometry/snapping.h"
 #include "canvas/items/gizmo_item.h"
-#include "canvas/tools/pinch_gesture.h"
 #include "support/named_test.h"
 #include "support/near.h"
 
@@ -174,16 +173,6 @@ private slots:
         const auto moved = dragged(start, {0.3, 0.1}, Constraint::Constrained, targets);
         QCOMPARE(moved.points[1], Vector<2>(1.3 + 0.3, 0.1));
         QCOMPARE(moved.points[0], start.points[0]);
-    }
-
-    void twoFingersHoldThePlane() {
-        const attractor::Camera start = camera(80, {0.4, 0.2});
-        PinchGesture pinch;
-        pinch.press(start, {100, 100}, {300, 200});
-        const attractor::Camera now = pinch.cameraAt({150, 120}, {550, 320});
-        QVERIFY(std::abs(now.pixelsPerUnit - 160) < 1e-9);
-        QVERIFY(near<2>(worldAt(now, {150, 120}), worldAt(start, {100, 100}), 1e-9));
-        QVERIFY(near<2>(worldAt(now, {550, 320}), worldAt(start, {300, 200}), 1e-9));
     }
 
     // The area that a clipped polygon covers is that of the polygon inside: no more, and no less.

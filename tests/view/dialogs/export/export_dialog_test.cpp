@@ -448,7 +448,7 @@ void ExportDialogTest::pageOfASolidHoldsItsNumbers() {
     for (ifs::Vector<3>& corner : document::space(moved)->cage->current)
         corner = 2 * corner + ifs::Vector<3>(0, 1, 0);
     document::Fractal rewritten = moved;
-    *document::system3(rewritten) = *document::effectiveSpaceSystem(moved);
+    *document::system3(rewritten) = *document::effectiveSystem<3>(moved);
     document::space(rewritten)->cage->rest = document::space(moved)->cage->current;
     QVERIFY(page(moved) == page(rewritten));
     QVERIFY(page(moved) != page(rests));

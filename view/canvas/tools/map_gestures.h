@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "document/document.h"
+#include "gestures/pointer.h"
+#include "ifs/cage/map_handles.h"
+
+#include <QString>
+
+#include <cstddef>
+#include <functional>
+#include <optional>
+#include <variant>
+#include <vector>
+
+class QKeyEvent;
+
+// What gestures on maps have in common in plane and space.
+namespace view {
+
+// The name of the undo step that drags so many maps, of which the one held has that number; or one corner.
+QString mapsStepText(DragMode mode, std::size_t count, std::size_t number, std::optional<std::size_t> corner);
+
+// Delete and Insert, Ctrl+A, and Alt with a digit, on the maps that are selected.
+struct MapKey {
+    bool isTaken = false;
+    std::vector<ifs::MapId> selected{}; // from now on; empty: the same as before
+    QString message{};
+};
+MapKey pressMapKey(const QKeyEvent& event, document::Document& document,
+                   const std::vector<std::size_t>& selected);
+
+// How much of a change, after(0) to after(1), leaves an attractor. Of linked maps, all: only some words
+// count, and the picture tells when they no longer contract. What `after` returns must live until it is
+// called again.
+template <int Dim>
+ifs::SafeWay<Dim> wayWithAttractor(const std::function<const document::Fractal&(double)>& after) {
+    const auto system = [&](double share) -> const auto& {
+        return std::get<document::Shape<Dim>>(after(share).shape).system;
+    };
+    if (!system(1).links.empty()) return {};
+    return ifs::safeWay<Dim>([&](double share) { return ifs::activeMaps(system(share)).maps; });
+}
+
+} // namespace view

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "document/document.h"
+#include "document/edit_gesture.h"
+#include "gestures/pointer.h"
+
+#include <QObject>
+#include <QPointF>
+#include <QTimer>
+
+#include <cstddef>
+#include <optional>
+
+class QKeyEvent;
+
+namespace view {
+
+// One drag of what a canvas holds, by the pointer or by an arrow key for as long as it is held down: an edit
+// that is shown live and leaves one undo step, or none.
+class DragSession : public QObject {
+    Q_OBJECT
+
+public:
+    explicit DragSession(document::Document& document);
+
+    void press(const QPointF& position); // in pixels; nothing has moved yet
+    const QPointF& pressedAt() const { return m_press; }
+    bool isDrag(const QPointF& position); // false while a click might only have shaken
+
+    // Begins the edit, or begins it again as it was before.
+    void open(const QString& text);
+    bool isOpen() const { return m_gesture && m_gesture->isOpen(); } // false once undo has ended it
+    document::EditGesture& gesture() { return *m_gesture; }
+    const document::EditGesture& gesture() const { return *m_gesture; }
+    const QString& text() const { return m_text; } // as it was opened
+    // The text of the step, now that its values are known. Runs of one handle, however it is numbered, that
+    // follow each other closely become one step.
+    void describe(const QString& text, std::size_t handle);
+    enum class Outcome {
+        None,      // nothing was open
+        Committed, // perhaps without a step
+        Abandoned, // the document had moved on
+    };
+    Outcome finish();
+    void cancel(); // back to the beginning
+
+    // The mode that keys pressed after the button ask for; nullopt where the mode stays. Some window managers
+    // keep a press with Ctrl or Alt for themselves. Letting go of the key changes nothing.
+    std::optional<DragMode> turnedInto(DragMode asked, DragMode mode) const;
+
+    // The run of an arrow key. It goes on when the key repeats, which an X server reports as going up and
+    // down at the same time; runEnded() is sent when the key has really gone up.
+    bool isRunning() const { return m_isRunning; }
+    void beginRun() { m_isRunning = true; }
+    void endRun(); // at once
+    void keepRun(const QKeyEvent& press);
+    bool releaseRun(const QKeyEvent& release); // false: the key is none of the run
+
+signals:
+    void runEnded(); // before the edit is finished
+
+private:
+    std::optional<document::EditGesture> m_gesture;
+    document::Document& m_document;
+    QPointF m_press;
+    QString m_text;
+    bool m_hasMoved = false;
+    bool m_isRunning = false;
+    QTimer m_released;          // an arrow key has gone up, unless it only repeats
+    quint64 m_releaseStamp = 0; // of that event
+};
+
+} // namespace view

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <QPointF>
+#include <Qt>
+
+#include <optional>
+
+namespace view {
+
+enum class Reach { Mouse, Touch }; // how near a press must be
+
+// The pointer as what lies under it sees it.
+struct Pointer {
+    QPointF position; // pixels of the view
+    Qt::KeyboardModifiers modifiers;
+    Reach reach = Reach::Mouse;
+};
+
+// What a drag does to what it holds.
+enum class DragMode { Move, Rotate, Scale };
+
+inline DragMode dragMode(Qt::KeyboardModifiers modifiers) {
+    if (modifiers.testFlag(Qt::ControlModifier)) return DragMode::Rotate;
+    return modifiers.testFlag(Qt::AltModifier) ? DragMode::Scale : DragMode::Move;
+}
+
+} // namespace view
