@@ -529,6 +529,10 @@
         <source>(the open set condition holds, within rounding error)</source>
         <translation>(die Offene-Mengen-Bedingung gilt, soweit die Rundung es erkennen lässt)</translation>
     </message>
+    <message>
+        <source>%1 (approximation)</source>
+        <translation>%1 (Näherung)</translation>
+    </message>
 </context>
 <context>
     <name>Application</name>
@@ -11280,6 +11284,65 @@ Tasten: Bild auf und Bild ab wählen eine Marke, die Pfeile bewegen sie, Einfg f
     <message>
         <source>An angle in degrees, with or without °, or an expression such as 360/7. An expression with pi, or with asin, acos, atan or atan2, is in radians and becomes degrees: pi/2 is 90. The arrow keys and the wheel change it: ten times as fast with Shift, a tenth as fast with Alt. Esc restores the previous number.</source>
         <translation>Ein Winkel in Grad, mit oder ohne °, oder ein Ausdruck wie 360/7. Ein Ausdruck mit pi oder mit asin, acos, atan oder atan2 steht im Bogenmaß und wird in Grad umgerechnet: pi/2 ist 90. Die Pfeiltasten und das Mausrad ändern ihn: mit Umschalt zehnmal so schnell, mit Alt ein Zehntel so schnell. Esc stellt die vorherige Zahl wieder her.</translation>
+    </message>
+</context>
+<context>
+    <name>view::OrbitRows</name>
+    <message>
+        <source>Axis</source>
+        <translation>Achse</translation>
+    </message>
+    <message>
+        <source>The axis that the camera goes round.</source>
+        <translation>Die Achse, um die die Kamera geht.</translation>
+    </message>
+    <message>
+        <source>Tilt</source>
+        <translation>Neigung</translation>
+    </message>
+    <message>
+        <source>How far the axis is tilted, like that of a globe. With 180° the camera goes round the other way.</source>
+        <translation>Wie weit die Achse geneigt ist, wie die eines Globus. Bei 180° geht die Kamera andersherum.</translation>
+    </message>
+    <message>
+        <source>Direction of the tilt</source>
+        <translation>Richtung der Neigung</translation>
+    </message>
+    <message>
+        <source>Where the axis is tilted to: at 0° to the next one, X to Y, Y to Z and Z to X, and at 90° to the one after that.</source>
+        <translation>Wohin die Achse geneigt ist: bei 0° zur nächsten, X zu Y, Y zu Z und Z zu X, und bei 90° zur übernächsten.</translation>
+    </message>
+    <message>
+        <source>Centre of the fractal</source>
+        <translation>Mitte des Fraktals</translation>
+    </message>
+    <message>
+        <source>A point</source>
+        <translation>Ein Punkt</translation>
+    </message>
+    <message>
+        <source>Middle of the view</source>
+        <translation>Mitte der Ansicht</translation>
+    </message>
+    <message>
+        <source>Pivot</source>
+        <translation>Drehpunkt</translation>
+    </message>
+    <message>
+        <source>What stays in its place while everything turns.</source>
+        <translation>Was an seinem Platz bleibt, während sich alles dreht.</translation>
+    </message>
+    <message>
+        <source>%1 of the pivot</source>
+        <translation>%1 des Drehpunkts</translation>
+    </message>
+    <message>
+        <source>The point that stays in its place.</source>
+        <translation>Der Punkt, der an seinem Platz bleibt.</translation>
+    </message>
+    <message>
+        <source>Point</source>
+        <translation>Punkt</translation>
     </message>
 </context>
 <context>

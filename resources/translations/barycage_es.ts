@@ -529,6 +529,10 @@
         <source>(the open set condition holds, within rounding error)</source>
         <translation>(se cumple la condición del conjunto abierto, hasta donde deja ver el redondeo)</translation>
     </message>
+    <message>
+        <source>%1 (approximation)</source>
+        <translation>%1 (aproximación)</translation>
+    </message>
 </context>
 <context>
     <name>Application</name>
@@ -11280,6 +11284,65 @@ Teclas: Re Pág y Av Pág eligen una parada, las flechas la mueven, Ins añade u
     <message>
         <source>An angle in degrees, with or without °, or an expression such as 360/7. An expression with pi, or with asin, acos, atan or atan2, is in radians and becomes degrees: pi/2 is 90. The arrow keys and the wheel change it: ten times as fast with Shift, a tenth as fast with Alt. Esc restores the previous number.</source>
         <translation>Un ángulo en grados, con o sin °, o una expresión como 360/7. Una expresión con pi, o con asin, acos, atan o atan2, está en radianes y se convierte en grados: pi/2 es 90. Las teclas de flecha y la rueda lo cambian: diez veces más rápido con Mayús, diez veces más lento con Alt. Esc restaura el número anterior.</translation>
+    </message>
+</context>
+<context>
+    <name>view::OrbitRows</name>
+    <message>
+        <source>Axis</source>
+        <translation>Eje</translation>
+    </message>
+    <message>
+        <source>The axis that the camera goes round.</source>
+        <translation>El eje alrededor del cual gira la cámara.</translation>
+    </message>
+    <message>
+        <source>Tilt</source>
+        <translation>Inclinación</translation>
+    </message>
+    <message>
+        <source>How far the axis is tilted, like that of a globe. With 180° the camera goes round the other way.</source>
+        <translation>Cuánto se inclina el eje, como el de un globo terráqueo. Con 180° la cámara gira al revés.</translation>
+    </message>
+    <message>
+        <source>Direction of the tilt</source>
+        <translation>Dirección de la inclinación</translation>
+    </message>
+    <message>
+        <source>Where the axis is tilted to: at 0° to the next one, X to Y, Y to Z and Z to X, and at 90° to the one after that.</source>
+        <translation>Hacia dónde se inclina el eje: con 0° hacia el siguiente, X hacia Y, Y hacia Z y Z hacia X, y con 90° hacia el que viene después.</translation>
+    </message>
+    <message>
+        <source>Centre of the fractal</source>
+        <translation>Centro del fractal</translation>
+    </message>
+    <message>
+        <source>A point</source>
+        <translation>Un punto</translation>
+    </message>
+    <message>
+        <source>Middle of the view</source>
+        <translation>Centro de la vista</translation>
+    </message>
+    <message>
+        <source>Pivot</source>
+        <translation>Pivote</translation>
+    </message>
+    <message>
+        <source>What stays in its place while everything turns.</source>
+        <translation>Lo que se queda en su sitio mientras todo gira.</translation>
+    </message>
+    <message>
+        <source>%1 of the pivot</source>
+        <translation>%1 del pivote</translation>
+    </message>
+    <message>
+        <source>The point that stays in its place.</source>
+        <translation>El punto que se queda en su sitio.</translation>
+    </message>
+    <message>
+        <source>Point</source>
+        <translation>Punto</translation>
     </message>
 </context>
 <context>

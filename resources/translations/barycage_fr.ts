@@ -479,19 +479,19 @@
     </message>
     <message>
         <source>Dimension of the attractor, where it is proved: the similarity dimension under the open set condition; or, where pieces coincide and there are finitely many neighbours, by the growth of the number of different maps.</source>
-        <translation>Dimension de l’attracteur, là où elle est prouvée : la dimension de similitude sous la condition de l’ensemble ouvert ; ou, si des morceaux coïncident et que les voisins sont en nombre fini, d’après la croissance du nombre d’applications différentes.</translation>
+        <translation>Dimension de l’attracteur, là où elle est prouvée&#x202f;: la dimension de similitude sous la condition de l’ensemble ouvert&#x202f;; ou, si des morceaux coïncident et que les voisins sont en nombre fini, d’après la croissance du nombre d’applications différentes.</translation>
     </message>
     <message>
         <source>There is no value: it is not known how much the pieces overlap, or the maps are no similarities.</source>
-        <translation>Il n’y a pas de valeur : on ignore dans quelle mesure les morceaux se chevauchent, ou les applications ne sont pas des similitudes.</translation>
+        <translation>Il n’y a pas de valeur&#x202f;: on ignore dans quelle mesure les morceaux se chevauchent, ou les applications ne sont pas des similitudes.</translation>
     </message>
     <message>
         <source>Area of the attractor, if its copies, moved by a lattice and turned by a few turns, cover the plane equally often; proved by the contacts of the copies, or by counting those that hold a point.</source>
-        <translation>Aire de l’attracteur si ses copies, translatées suivant un réseau et tournées de quelques angles, recouvrent partout le plan le même nombre de fois ; prouvée par les contacts des copies ou en comptant celles qui contiennent un point.</translation>
+        <translation>Aire de l’attracteur si ses copies, translatées suivant un réseau et tournées de quelques angles, recouvrent partout le plan le même nombre de fois&#x202f;; prouvée par les contacts des copies ou en comptant celles qui contiennent un point.</translation>
     </message>
     <message>
         <source>There is no value: it is not proved that copies of the attractor cover the plane in this way.</source>
-        <translation>Il n’y a pas de valeur : il n’est pas prouvé que des copies de l’attracteur recouvrent le plan de cette façon.</translation>
+        <translation>Il n’y a pas de valeur&#x202f;: il n’est pas prouvé que des copies de l’attracteur recouvrent le plan de cette façon.</translation>
     </message>
     <message>
         <source>at most %1</source>
@@ -499,7 +499,7 @@
     </message>
     <message>
         <source>Yes: the maps contract in some norm, but by too little to bound anything else.</source>
-        <translation>Oui : les applications contractent dans une certaine norme, mais trop peu pour borner quoi que ce soit d’autre.</translation>
+        <translation>Oui&#x202f;: les applications contractent dans une certaine norme, mais trop peu pour borner quoi que ce soit d’autre.</translation>
     </message>
     <message>
         <source>pieces may touch, but do not overlap</source>
@@ -528,6 +528,10 @@
     <message>
         <source>(the open set condition holds, within rounding error)</source>
         <translation>(la condition de l’ensemble ouvert est remplie, autant que l’arrondi permet d’en juger)</translation>
+    </message>
+    <message>
+        <source>%1 (approximation)</source>
+        <translation>%1 (approximation)</translation>
     </message>
 </context>
 <context>
@@ -8984,7 +8988,7 @@
     </message>
     <message>
         <source>Export stopped; nothing was written.</source>
-        <translation>L’exportation a été arrêtée ; rien n’a été écrit.</translation>
+        <translation>L’exportation a été arrêtée&#x202f;; rien n’a été écrit.</translation>
     </message>
     <message>
         <source>Written to %1.</source>
@@ -11280,6 +11284,65 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
     <message>
         <source>An angle in degrees, with or without °, or an expression such as 360/7. An expression with pi, or with asin, acos, atan or atan2, is in radians and becomes degrees: pi/2 is 90. The arrow keys and the wheel change it: ten times as fast with Shift, a tenth as fast with Alt. Esc restores the previous number.</source>
         <translation>Un angle en degrés, avec ou sans °, ou une expression comme 360/7. Une expression avec pi, ou avec asin, acos, atan ou atan2, est en radians et devient des degrés : pi/2 est 90. Les touches fléchées et la molette le modifient : dix fois plus vite avec Maj, dix fois moins vite avec Alt. Échap rétablit le nombre précédent.</translation>
+    </message>
+</context>
+<context>
+    <name>view::OrbitRows</name>
+    <message>
+        <source>Axis</source>
+        <translation>Axe</translation>
+    </message>
+    <message>
+        <source>The axis that the camera goes round.</source>
+        <translation>L’axe autour duquel tourne la caméra.</translation>
+    </message>
+    <message>
+        <source>Tilt</source>
+        <translation>Inclinaison</translation>
+    </message>
+    <message>
+        <source>How far the axis is tilted, like that of a globe. With 180° the camera goes round the other way.</source>
+        <translation>De combien l’axe est incliné, comme celui d’un globe. À 180°, la caméra tourne dans l’autre sens.</translation>
+    </message>
+    <message>
+        <source>Direction of the tilt</source>
+        <translation>Direction de l’inclinaison</translation>
+    </message>
+    <message>
+        <source>Where the axis is tilted to: at 0° to the next one, X to Y, Y to Z and Z to X, and at 90° to the one after that.</source>
+        <translation>Vers où l’axe est incliné : à 0°, vers le suivant, X vers Y, Y vers Z et Z vers X, et à 90°, vers celui d’après.</translation>
+    </message>
+    <message>
+        <source>Centre of the fractal</source>
+        <translation>Centre de la fractale</translation>
+    </message>
+    <message>
+        <source>A point</source>
+        <translation>Un point</translation>
+    </message>
+    <message>
+        <source>Middle of the view</source>
+        <translation>Milieu de la vue</translation>
+    </message>
+    <message>
+        <source>Pivot</source>
+        <translation>Pivot</translation>
+    </message>
+    <message>
+        <source>What stays in its place while everything turns.</source>
+        <translation>Ce qui reste en place pendant que tout tourne.</translation>
+    </message>
+    <message>
+        <source>%1 of the pivot</source>
+        <translation>%1 du pivot</translation>
+    </message>
+    <message>
+        <source>The point that stays in its place.</source>
+        <translation>Le point qui reste en place.</translation>
+    </message>
+    <message>
+        <source>Point</source>
+        <translation>Point</translation>
     </message>
 </context>
 <context>

@@ -530,6 +530,10 @@
         <source>(the open set condition holds, within rounding error)</source>
         <translation>(условот на отворено множество важи, колку што се гледа од заокружувањето)</translation>
     </message>
+    <message>
+        <source>%1 (approximation)</source>
+        <translation>%1 (приближно)</translation>
+    </message>
 </context>
 <context>
     <name>Application</name>
@@ -11310,6 +11314,65 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
     <message>
         <source>An angle in degrees, with or without °, or an expression such as 360/7. An expression with pi, or with asin, acos, atan or atan2, is in radians and becomes degrees: pi/2 is 90. The arrow keys and the wheel change it: ten times as fast with Shift, a tenth as fast with Alt. Esc restores the previous number.</source>
         <translation>Агол во степени, со или без °, или израз како 360/7. Израз со pi, или со asin, acos, atan или atan2, е во радијани и се претвора во степени: pi/2 е 90. Стрелките и тркалцето го менуваат: десет пати побрзо со Shift, десет пати побавно со Alt. Esc го враќа претходниот број.</translation>
+    </message>
+</context>
+<context>
+    <name>view::OrbitRows</name>
+    <message>
+        <source>Axis</source>
+        <translation>Оска</translation>
+    </message>
+    <message>
+        <source>The axis that the camera goes round.</source>
+        <translation>Оската околу која обиколува камерата.</translation>
+    </message>
+    <message>
+        <source>Tilt</source>
+        <translation>Наклон</translation>
+    </message>
+    <message>
+        <source>How far the axis is tilted, like that of a globe. With 180° the camera goes round the other way.</source>
+        <translation>Колку е наклонета оската, како кај глобус. Со 180° камерата обиколува во обратна насока.</translation>
+    </message>
+    <message>
+        <source>Direction of the tilt</source>
+        <translation>Насока на наклонот</translation>
+    </message>
+    <message>
+        <source>Where the axis is tilted to: at 0° to the next one, X to Y, Y to Z and Z to X, and at 90° to the one after that.</source>
+        <translation>Накаде е наклонета оската: на 0° кон следната, X кон Y, Y кон Z и Z кон X, а на 90° кон онаа по неа.</translation>
+    </message>
+    <message>
+        <source>Centre of the fractal</source>
+        <translation>Средина на фракталот</translation>
+    </message>
+    <message>
+        <source>A point</source>
+        <translation>Точка</translation>
+    </message>
+    <message>
+        <source>Middle of the view</source>
+        <translation>Средина на погледот</translation>
+    </message>
+    <message>
+        <source>Pivot</source>
+        <translation>Стожер</translation>
+    </message>
+    <message>
+        <source>What stays in its place while everything turns.</source>
+        <translation>Она што останува на место додека сè се врти.</translation>
+    </message>
+    <message>
+        <source>%1 of the pivot</source>
+        <translation>%1 на стожерот</translation>
+    </message>
+    <message>
+        <source>The point that stays in its place.</source>
+        <translation>Точката што останува на место.</translation>
+    </message>
+    <message>
+        <source>Point</source>
+        <translation>Точка</translation>
     </message>
 </context>
 <context>

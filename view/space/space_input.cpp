@@ -157,9 +157,8 @@ void SpaceInput::beginOrbit(Qt::MouseButton button) {
     const auto point = isOnBall() ? std::nullopt : m_navigation.pointUnder(pointer().position);
     const ifs::Vector<3> pivot =
         isOnBall() ? m_navigation.camera().target : point.value_or(m_navigation.pivotBeside());
-    m_gesture.emplace<Orbiting>(Orbiting{m_navigation.camera(), pivot,
-                                         turnsBall ? m_ball.endAt(pointer().position) : std::nullopt,
-                                         button});
+    m_gesture.emplace<Orbiting>(Orbiting{
+        m_navigation.camera(), pivot, turnsBall ? m_ball.endAt(pointer().position) : std::nullopt, button});
 }
 
 void SpaceInput::begin(Dragging dragging, const QString& step) {
