@@ -2294,6 +2294,34 @@
         <source>&amp;Open It</source>
         <translation>&amp;Abrir</translation>
     </message>
+    <message>
+        <source>Save a Copy for Other Programs</source>
+        <translation>Guardar una copia para otros programas</translation>
+    </message>
+    <message>
+        <source>A copy needs another name than the file itself.</source>
+        <translation>Una copia necesita un nombre distinto del del propio archivo.</translation>
+    </message>
+    <message>
+        <source>Saving “%1”…</source>
+        <translation>Guardando «%1»…</translation>
+    </message>
+    <message>
+        <source>Saved the copy %1.</source>
+        <translation>Se ha guardado la copia %1.</translation>
+    </message>
+    <message>
+        <source>Other programs still draw these entries differently: %1.</source>
+        <translation>Otros programas siguen dibujando de otro modo estas entradas: %1.</translation>
+    </message>
+    <message>
+        <source>Save a Copy &amp;for Other Programs…</source>
+        <translation>G&amp;uardar una copia para otros programas…</translation>
+    </message>
+    <message>
+        <source>Save a copy with the placements written into the code and every map listed, so that other programs draw what you see</source>
+        <translation>Guardar una copia con las colocaciones incorporadas al código y todas las aplicaciones en la lista, para que otros programas dibujen lo que usted ve</translation>
+    </message>
 </context>
 <context>
     <name>NumberField</name>
@@ -2554,6 +2582,44 @@
     <message>
         <source>Fuchsia</source>
         <translation>Fucsia</translation>
+    </message>
+</context>
+<context>
+    <name>PlacementBanner</name>
+    <message>
+        <source>Saved with a placement</source>
+        <translation>Guardado con una colocación</translation>
+    </message>
+    <message>
+        <source>Other programs will draw “%1” where its code puts it, without your placement, which is stored in comments. Bake writes it into the code.</source>
+        <translation>Otros programas dibujarán «%1» donde lo pone su código, sin la colocación que usted le dio, que se guarda en comentarios. Incorporar la escribe en el código.</translation>
+    </message>
+    <message numerus="yes">
+        <source>Other programs will draw %n entries where their code puts them, without your placements, which are stored in comments. Bake writes them into the code.</source>
+        <translation>
+            <numerusform>Otros programas dibujarán %n entrada donde la pone su código, sin la colocación que usted le dio, que se guarda en comentarios. Incorporar la escribe en el código.</numerusform>
+            <numerusform>Otros programas dibujarán %n entradas donde las pone su código, sin las colocaciones que usted les dio, que se guardan en comentarios. Incorporar las escribe en el código.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>&amp;Bake</source>
+        <translation>&amp;Incorporar</translation>
+    </message>
+    <message>
+        <source>Writes the placements into the code, as one step of the history.</source>
+        <translation>Escribe las colocaciones en el código: un paso del historial.</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Cerrar</translation>
+    </message>
+    <message>
+        <source>Bake the placements into the code</source>
+        <translation>Incorporar las colocaciones al código</translation>
+    </message>
+    <message>
+        <source>Not baked, because no code has this picture or keys move it: %1.</source>
+        <translation>No se ha incorporado, porque ningún código da esta imagen o la mueven fotogramas clave: %1.</translation>
     </message>
 </context>
 <context>
@@ -8234,6 +8300,10 @@
         <source>%1 in space</source>
         <translation>%1 en el espacio</translation>
     </message>
+    <message>
+        <source>%1, placed</source>
+        <translation>%1, colocado</translation>
+    </message>
 </context>
 <context>
     <name>view::EntriesPanel</name>
@@ -11244,6 +11314,65 @@ Teclas: Re Pág y Av Pág eligen una parada, las flechas la mueven, Ins añade u
     </message>
 </context>
 <context>
+    <name>view::OrbitRows</name>
+    <message>
+        <source>Axis</source>
+        <translation>Eje</translation>
+    </message>
+    <message>
+        <source>The axis that the camera goes round.</source>
+        <translation>El eje alrededor del cual gira la cámara.</translation>
+    </message>
+    <message>
+        <source>Tilt</source>
+        <translation>Inclinación</translation>
+    </message>
+    <message>
+        <source>How far the axis is tilted, like that of a globe. With 180° the camera goes round the other way.</source>
+        <translation>Cuánto se inclina el eje, como el de un globo terráqueo. Con 180° la cámara gira al revés.</translation>
+    </message>
+    <message>
+        <source>Direction of the tilt</source>
+        <translation>Dirección de la inclinación</translation>
+    </message>
+    <message>
+        <source>Where the axis is tilted to: at 0° to the next one, X to Y, Y to Z and Z to X, and at 90° to the one after that.</source>
+        <translation>Hacia dónde se inclina el eje: con 0° hacia el siguiente, X hacia Y, Y hacia Z y Z hacia X, y con 90° hacia el que viene después.</translation>
+    </message>
+    <message>
+        <source>Centre of the fractal</source>
+        <translation>Centro del fractal</translation>
+    </message>
+    <message>
+        <source>A point</source>
+        <translation>Un punto</translation>
+    </message>
+    <message>
+        <source>Middle of the view</source>
+        <translation>Centro de la vista</translation>
+    </message>
+    <message>
+        <source>Pivot</source>
+        <translation>Pivote</translation>
+    </message>
+    <message>
+        <source>What stays in its place while everything turns.</source>
+        <translation>Lo que se queda en su sitio mientras todo gira.</translation>
+    </message>
+    <message>
+        <source>%1 of the pivot</source>
+        <translation>%1 del pivote</translation>
+    </message>
+    <message>
+        <source>The point that stays in its place.</source>
+        <translation>El punto que se queda en su sitio.</translation>
+    </message>
+    <message>
+        <source>Point</source>
+        <translation>Punto</translation>
+    </message>
+</context>
+<context>
     <name>view::PaletteBrowser</name>
     <message>
         <source>Palettes</source>
@@ -11317,65 +11446,6 @@ Teclas: Re Pág y Av Pág eligen una parada, las flechas la mueven, Ins añade u
         <source>All palettes: search them, mark favourites, and adjust the one that is selected.</source>
         <translation>Todas las paletas: búsquelas, marque favoritas y ajuste la que está seleccionada.</translation>
     </message>
-<context>
-    <name>view::OrbitRows</name>
-    <message>
-        <source>Axis</source>
-        <translation>Eje</translation>
-    </message>
-    <message>
-        <source>The axis that the camera goes round.</source>
-        <translation>El eje alrededor del cual gira la cámara.</translation>
-    </message>
-    <message>
-        <source>Tilt</source>
-        <translation>Inclinación</translation>
-    </message>
-    <message>
-        <source>How far the axis is tilted, like that of a globe. With 180° the camera goes round the other way.</source>
-        <translation>Cuánto se inclina el eje, como el de un globo terráqueo. Con 180° la cámara gira al revés.</translation>
-    </message>
-    <message>
-        <source>Direction of the tilt</source>
-        <translation>Dirección de la inclinación</translation>
-    </message>
-    <message>
-        <source>Where the axis is tilted to: at 0° to the next one, X to Y, Y to Z and Z to X, and at 90° to the one after that.</source>
-        <translation>Hacia dónde se inclina el eje: con 0° hacia el siguiente, X hacia Y, Y hacia Z y Z hacia X, y con 90° hacia el que viene después.</translation>
-    </message>
-    <message>
-        <source>Centre of the fractal</source>
-        <translation>Centro del fractal</translation>
-    </message>
-    <message>
-        <source>A point</source>
-        <translation>Un punto</translation>
-    </message>
-    <message>
-        <source>Middle of the view</source>
-        <translation>Centro de la vista</translation>
-    </message>
-    <message>
-        <source>Pivot</source>
-        <translation>Pivote</translation>
-    </message>
-    <message>
-        <source>What stays in its place while everything turns.</source>
-        <translation>Lo que se queda en su sitio mientras todo gira.</translation>
-    </message>
-    <message>
-        <source>%1 of the pivot</source>
-        <translation>%1 del pivote</translation>
-    </message>
-    <message>
-        <source>The point that stays in its place.</source>
-        <translation>El punto que se queda en su sitio.</translation>
-    </message>
-    <message>
-        <source>Point</source>
-        <translation>Punto</translation>
-    </message>
-</context>
 </context>
 <context>
     <name>view::PasteTableDialog</name>

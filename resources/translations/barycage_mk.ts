@@ -2299,6 +2299,34 @@
         <source>&amp;Open It</source>
         <translation>&amp;Отвори</translation>
     </message>
+    <message>
+        <source>Save a Copy for Other Programs</source>
+        <translation>Зачувај копија за други програми</translation>
+    </message>
+    <message>
+        <source>A copy needs another name than the file itself.</source>
+        <translation>Копијата мора да има друго име од самата датотека.</translation>
+    </message>
+    <message>
+        <source>Saving “%1”…</source>
+        <translation>Се зачувува „%1“…</translation>
+    </message>
+    <message>
+        <source>Saved the copy %1.</source>
+        <translation>Зачувана е копијата %1.</translation>
+    </message>
+    <message>
+        <source>Other programs still draw these entries differently: %1.</source>
+        <translation>Другите програми сè уште поинаку ги цртаат овие записи: %1.</translation>
+    </message>
+    <message>
+        <source>Save a Copy &amp;for Other Programs…</source>
+        <translation>Зачувај копија за дру&amp;ги програми…</translation>
+    </message>
+    <message>
+        <source>Save a copy with the placements written into the code and every map listed, so that other programs draw what you see</source>
+        <translation>Зачувај копија со поставеностите впишани во кодот и со сите пресликувања наведени, за другите програми да го нацртаат она што го гледате</translation>
+    </message>
 </context>
 <context>
     <name>NumberField</name>
@@ -2559,6 +2587,45 @@
     <message>
         <source>Fuchsia</source>
         <translation>фуксија</translation>
+    </message>
+</context>
+<context>
+    <name>PlacementBanner</name>
+    <message>
+        <source>Saved with a placement</source>
+        <translation>Зачувано со поставеност</translation>
+    </message>
+    <message>
+        <source>Other programs will draw “%1” where its code puts it, without your placement, which is stored in comments. Bake writes it into the code.</source>
+        <translation>Другите програми ќе го нацртаат „%1“ онаму каде што го става неговиот код, без вашата поставеност, која е запишана во коментари. „Впиши во кодот“ ја внесува таму.</translation>
+    </message>
+    <message numerus="yes">
+        <source>Other programs will draw %n entries where their code puts them, without your placements, which are stored in comments. Bake writes them into the code.</source>
+        <translation>
+            <numerusform>Другите програми ќе нацртаат %n запис онаму каде што го става неговиот код, без вашата поставеност, која е запишана во коментари. „Впиши во кодот“ ја внесува таму.</numerusform>
+            <numerusform>Другите програми ќе нацртаат %n записи онаму каде што ги става нивниот код, без вашите поставености, кои се запишани во коментари. „Впиши во кодот“ ги внесува таму.</numerusform>
+            <numerusform>Другите програми ќе нацртаат %n записи онаму каде што ги става нивниот код, без вашите поставености, кои се запишани во коментари. „Впиши во кодот“ ги внесува таму.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>&amp;Bake</source>
+        <translation>&amp;Впиши во кодот</translation>
+    </message>
+    <message>
+        <source>Writes the placements into the code, as one step of the history.</source>
+        <translation>Ги внесува поставеностите во кодот: еден чекор во историјата.</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Затвори</translation>
+    </message>
+    <message>
+        <source>Bake the placements into the code</source>
+        <translation>Впишување на поставеностите во кодот</translation>
+    </message>
+    <message>
+        <source>Not baked, because no code has this picture or keys move it: %1.</source>
+        <translation>Не е впишано, бидејќи ниеден код не ја дава оваа слика или ја движат клучеви: %1.</translation>
     </message>
 </context>
 <context>
@@ -8251,6 +8318,10 @@
         <source>%1 in space</source>
         <translation>%1 во просторот</translation>
     </message>
+    <message>
+        <source>%1, placed</source>
+        <translation>%1, поставен</translation>
+    </message>
 </context>
 <context>
     <name>view::EntriesPanel</name>
@@ -11274,6 +11345,65 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
     </message>
 </context>
 <context>
+    <name>view::OrbitRows</name>
+    <message>
+        <source>Axis</source>
+        <translation>Оска</translation>
+    </message>
+    <message>
+        <source>The axis that the camera goes round.</source>
+        <translation>Оската околу која обиколува камерата.</translation>
+    </message>
+    <message>
+        <source>Tilt</source>
+        <translation>Наклон</translation>
+    </message>
+    <message>
+        <source>How far the axis is tilted, like that of a globe. With 180° the camera goes round the other way.</source>
+        <translation>Колку е наклонета оската, како кај глобус. Со 180° камерата обиколува во обратна насока.</translation>
+    </message>
+    <message>
+        <source>Direction of the tilt</source>
+        <translation>Насока на наклонот</translation>
+    </message>
+    <message>
+        <source>Where the axis is tilted to: at 0° to the next one, X to Y, Y to Z and Z to X, and at 90° to the one after that.</source>
+        <translation>Накаде е наклонета оската: на 0° кон следната, X кон Y, Y кон Z и Z кон X, а на 90° кон онаа по неа.</translation>
+    </message>
+    <message>
+        <source>Centre of the fractal</source>
+        <translation>Средина на фракталот</translation>
+    </message>
+    <message>
+        <source>A point</source>
+        <translation>Точка</translation>
+    </message>
+    <message>
+        <source>Middle of the view</source>
+        <translation>Средина на погледот</translation>
+    </message>
+    <message>
+        <source>Pivot</source>
+        <translation>Стожер</translation>
+    </message>
+    <message>
+        <source>What stays in its place while everything turns.</source>
+        <translation>Она што останува на место додека сè се врти.</translation>
+    </message>
+    <message>
+        <source>%1 of the pivot</source>
+        <translation>%1 на стожерот</translation>
+    </message>
+    <message>
+        <source>The point that stays in its place.</source>
+        <translation>Точката што останува на место.</translation>
+    </message>
+    <message>
+        <source>Point</source>
+        <translation>Точка</translation>
+    </message>
+</context>
+<context>
     <name>view::PaletteBrowser</name>
     <message>
         <source>Palettes</source>
@@ -11346,65 +11476,6 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
     <message>
         <source>All palettes: search them, mark favourites, and adjust the one that is selected.</source>
         <translation>Сите палети: пребарувајте, означувајте омилени и приспособете ја избраната.</translation>
-    </message>
-</context>
-<context>
-    <name>view::OrbitRows</name>
-    <message>
-        <source>Axis</source>
-        <translation>Оска</translation>
-    </message>
-    <message>
-        <source>The axis that the camera goes round.</source>
-        <translation>Оската околу која обиколува камерата.</translation>
-    </message>
-    <message>
-        <source>Tilt</source>
-        <translation>Наклон</translation>
-    </message>
-    <message>
-        <source>How far the axis is tilted, like that of a globe. With 180° the camera goes round the other way.</source>
-        <translation>Колку е наклонета оската, како кај глобус. Со 180° камерата обиколува во обратна насока.</translation>
-    </message>
-    <message>
-        <source>Direction of the tilt</source>
-        <translation>Насока на наклонот</translation>
-    </message>
-    <message>
-        <source>Where the axis is tilted to: at 0° to the next one, X to Y, Y to Z and Z to X, and at 90° to the one after that.</source>
-        <translation>Накаде е наклонета оската: на 0° кон следната, X кон Y, Y кон Z и Z кон X, а на 90° кон онаа по неа.</translation>
-    </message>
-    <message>
-        <source>Centre of the fractal</source>
-        <translation>Средина на фракталот</translation>
-    </message>
-    <message>
-        <source>A point</source>
-        <translation>Точка</translation>
-    </message>
-    <message>
-        <source>Middle of the view</source>
-        <translation>Средина на погледот</translation>
-    </message>
-    <message>
-        <source>Pivot</source>
-        <translation>Стожер</translation>
-    </message>
-    <message>
-        <source>What stays in its place while everything turns.</source>
-        <translation>Она што останува на место додека сè се врти.</translation>
-    </message>
-    <message>
-        <source>%1 of the pivot</source>
-        <translation>%1 на стожерот</translation>
-    </message>
-    <message>
-        <source>The point that stays in its place.</source>
-        <translation>Точката што останува на место.</translation>
-    </message>
-    <message>
-        <source>Point</source>
-        <translation>Точка</translation>
     </message>
 </context>
 <context>
