@@ -2358,6 +2358,34 @@
         <source>&amp;Open It</source>
         <translation>&amp;Öffnen</translation>
     </message>
+    <message>
+        <source>Save a Copy for Other Programs</source>
+        <translation>Kopie für andere Programme speichern</translation>
+    </message>
+    <message>
+        <source>A copy needs another name than the file itself.</source>
+        <translation>Eine Kopie braucht einen anderen Namen als die Datei selbst.</translation>
+    </message>
+    <message>
+        <source>Saving “%1”…</source>
+        <translation>„%1“ wird gespeichert …</translation>
+    </message>
+    <message>
+        <source>Saved the copy %1.</source>
+        <translation>Die Kopie %1 ist gespeichert.</translation>
+    </message>
+    <message>
+        <source>Other programs still draw these entries differently: %1.</source>
+        <translation>Andere Programme zeichnen diese Einträge weiterhin anders: %1.</translation>
+    </message>
+    <message>
+        <source>Save a Copy &amp;for Other Programs…</source>
+        <translation>Kop&amp;ie für andere Programme speichern…</translation>
+    </message>
+    <message>
+        <source>Save a copy with the placements written into the code and every map listed, so that other programs draw what you see</source>
+        <translation>Eine Kopie speichern, in deren Code jede Lage eingerechnet und jede Abbildung aufgeführt ist, damit andere Programme zeichnen, was Sie sehen</translation>
+    </message>
 </context>
 <context>
     <name>NumberField</name>
@@ -2618,6 +2646,44 @@
     <message>
         <source>Fuchsia</source>
         <translation>Fuchsie</translation>
+    </message>
+</context>
+<context>
+    <name>PlacementBanner</name>
+    <message>
+        <source>Saved with a placement</source>
+        <translation>Mit einer Lage gespeichert</translation>
+    </message>
+    <message>
+        <source>Other programs will draw “%1” where its code puts it, without your placement, which is stored in comments. Bake writes it into the code.</source>
+        <translation>Andere Programme zeichnen „%1“ dort, wo der Code es hinlegt, ohne Ihre Lage: Sie steht nur in Kommentaren. Einrechnen schreibt sie in den Code.</translation>
+    </message>
+    <message numerus="yes">
+        <source>Other programs will draw %n entries where their code puts them, without your placements, which are stored in comments. Bake writes them into the code.</source>
+        <translation>
+            <numerusform>Andere Programme zeichnen %n Eintrag dort, wo der Code ihn hinlegt, ohne Ihre Lage: Sie steht nur in Kommentaren. Einrechnen schreibt sie in den Code.</numerusform>
+            <numerusform>Andere Programme zeichnen %n Einträge dort, wo der Code sie hinlegt, ohne Ihre Lagen: Sie stehen nur in Kommentaren. Einrechnen schreibt sie in den Code.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>&amp;Bake</source>
+        <translation>&amp;Einrechnen</translation>
+    </message>
+    <message>
+        <source>Writes the placements into the code, as one step of the history.</source>
+        <translation>Schreibt die Lagen in den Code: ein Schritt im Verlauf.</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Schließen</translation>
+    </message>
+    <message>
+        <source>Bake the placements into the code</source>
+        <translation>Die Lagen in den Code einrechnen</translation>
+    </message>
+    <message>
+        <source>Not baked, because no code has this picture or keys move it: %1.</source>
+        <translation>Nicht eingerechnet, weil kein Code dieses Bild hat oder Schlüsselbilder es bewegen: %1.</translation>
     </message>
 </context>
 <context>
@@ -8297,6 +8363,10 @@
     <message>
         <source>%1 in space</source>
         <translation>%1 im Raum</translation>
+    </message>
+    <message>
+        <source>%1, placed</source>
+        <translation>%1, in anderer Lage</translation>
     </message>
 </context>
 <context>

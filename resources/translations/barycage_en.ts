@@ -46,6 +46,16 @@
     </message>
 </context>
 <context>
+    <name>PlacementBanner</name>
+    <message numerus="yes">
+        <source>Other programs will draw %n entries where their code puts them, without your placements, which are stored in comments. Bake writes them into the code.</source>
+        <translation>
+            <numerusform>Other programs will draw %n entry where its code puts it, without your placement, which is stored in comments. Bake writes it into the code.</numerusform>
+            <numerusform>Other programs will draw %n entries where their code puts them, without your placements, which are stored in comments. Bake writes them into the code.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>Recovery</name>
     <message numerus="yes">
         <source>(%n windows)</source>

@@ -2358,6 +2358,34 @@
         <source>&amp;Open It</source>
         <translation>&amp;Abrir</translation>
     </message>
+    <message>
+        <source>Save a Copy for Other Programs</source>
+        <translation>Guardar una copia para otros programas</translation>
+    </message>
+    <message>
+        <source>A copy needs another name than the file itself.</source>
+        <translation>Una copia necesita un nombre distinto del del propio archivo.</translation>
+    </message>
+    <message>
+        <source>Saving “%1”…</source>
+        <translation>Guardando «%1»…</translation>
+    </message>
+    <message>
+        <source>Saved the copy %1.</source>
+        <translation>Se ha guardado la copia %1.</translation>
+    </message>
+    <message>
+        <source>Other programs still draw these entries differently: %1.</source>
+        <translation>Otros programas siguen dibujando de otro modo estas entradas: %1.</translation>
+    </message>
+    <message>
+        <source>Save a Copy &amp;for Other Programs…</source>
+        <translation>G&amp;uardar una copia para otros programas…</translation>
+    </message>
+    <message>
+        <source>Save a copy with the placements written into the code and every map listed, so that other programs draw what you see</source>
+        <translation>Guardar una copia con las colocaciones incorporadas al código y todas las aplicaciones en la lista, para que otros programas dibujen lo que usted ve</translation>
+    </message>
 </context>
 <context>
     <name>NumberField</name>
@@ -2618,6 +2646,44 @@
     <message>
         <source>Fuchsia</source>
         <translation>Fucsia</translation>
+    </message>
+</context>
+<context>
+    <name>PlacementBanner</name>
+    <message>
+        <source>Saved with a placement</source>
+        <translation>Guardado con una colocación</translation>
+    </message>
+    <message>
+        <source>Other programs will draw “%1” where its code puts it, without your placement, which is stored in comments. Bake writes it into the code.</source>
+        <translation>Otros programas dibujarán «%1» donde lo pone su código, sin la colocación que usted le dio, que se guarda en comentarios. Incorporar la escribe en el código.</translation>
+    </message>
+    <message numerus="yes">
+        <source>Other programs will draw %n entries where their code puts them, without your placements, which are stored in comments. Bake writes them into the code.</source>
+        <translation>
+            <numerusform>Otros programas dibujarán %n entrada donde la pone su código, sin la colocación que usted le dio, que se guarda en comentarios. Incorporar la escribe en el código.</numerusform>
+            <numerusform>Otros programas dibujarán %n entradas donde las pone su código, sin las colocaciones que usted les dio, que se guardan en comentarios. Incorporar las escribe en el código.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>&amp;Bake</source>
+        <translation>&amp;Incorporar</translation>
+    </message>
+    <message>
+        <source>Writes the placements into the code, as one step of the history.</source>
+        <translation>Escribe las colocaciones en el código: un paso del historial.</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Cerrar</translation>
+    </message>
+    <message>
+        <source>Bake the placements into the code</source>
+        <translation>Incorporar las colocaciones al código</translation>
+    </message>
+    <message>
+        <source>Not baked, because no code has this picture or keys move it: %1.</source>
+        <translation>No se ha incorporado, porque ningún código da esta imagen o la mueven fotogramas clave: %1.</translation>
     </message>
 </context>
 <context>
@@ -8297,6 +8363,10 @@
     <message>
         <source>%1 in space</source>
         <translation>%1 en el espacio</translation>
+    </message>
+    <message>
+        <source>%1, placed</source>
+        <translation>%1, colocado</translation>
     </message>
 </context>
 <context>

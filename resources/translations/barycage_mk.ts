@@ -2363,6 +2363,34 @@
         <source>&amp;Open It</source>
         <translation>&amp;Отвори</translation>
     </message>
+    <message>
+        <source>Save a Copy for Other Programs</source>
+        <translation>Зачувај копија за други програми</translation>
+    </message>
+    <message>
+        <source>A copy needs another name than the file itself.</source>
+        <translation>Копијата мора да има друго име од самата датотека.</translation>
+    </message>
+    <message>
+        <source>Saving “%1”…</source>
+        <translation>Се зачувува „%1“…</translation>
+    </message>
+    <message>
+        <source>Saved the copy %1.</source>
+        <translation>Зачувана е копијата %1.</translation>
+    </message>
+    <message>
+        <source>Other programs still draw these entries differently: %1.</source>
+        <translation>Другите програми сè уште поинаку ги цртаат овие записи: %1.</translation>
+    </message>
+    <message>
+        <source>Save a Copy &amp;for Other Programs…</source>
+        <translation>Зачувај копија за дру&amp;ги програми…</translation>
+    </message>
+    <message>
+        <source>Save a copy with the placements written into the code and every map listed, so that other programs draw what you see</source>
+        <translation>Зачувај копија со поставеностите впишани во кодот и со сите пресликувања наведени, за другите програми да го нацртаат она што го гледате</translation>
+    </message>
 </context>
 <context>
     <name>NumberField</name>
@@ -2623,6 +2651,45 @@
     <message>
         <source>Fuchsia</source>
         <translation>фуксија</translation>
+    </message>
+</context>
+<context>
+    <name>PlacementBanner</name>
+    <message>
+        <source>Saved with a placement</source>
+        <translation>Зачувано со поставеност</translation>
+    </message>
+    <message>
+        <source>Other programs will draw “%1” where its code puts it, without your placement, which is stored in comments. Bake writes it into the code.</source>
+        <translation>Другите програми ќе го нацртаат „%1“ онаму каде што го става неговиот код, без вашата поставеност, која е запишана во коментари. „Впиши во кодот“ ја внесува таму.</translation>
+    </message>
+    <message numerus="yes">
+        <source>Other programs will draw %n entries where their code puts them, without your placements, which are stored in comments. Bake writes them into the code.</source>
+        <translation>
+            <numerusform>Другите програми ќе нацртаат %n запис онаму каде што го става неговиот код, без вашата поставеност, која е запишана во коментари. „Впиши во кодот“ ја внесува таму.</numerusform>
+            <numerusform>Другите програми ќе нацртаат %n записи онаму каде што ги става нивниот код, без вашите поставености, кои се запишани во коментари. „Впиши во кодот“ ги внесува таму.</numerusform>
+            <numerusform>Другите програми ќе нацртаат %n записи онаму каде што ги става нивниот код, без вашите поставености, кои се запишани во коментари. „Впиши во кодот“ ги внесува таму.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>&amp;Bake</source>
+        <translation>&amp;Впиши во кодот</translation>
+    </message>
+    <message>
+        <source>Writes the placements into the code, as one step of the history.</source>
+        <translation>Ги внесува поставеностите во кодот: еден чекор во историјата.</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Затвори</translation>
+    </message>
+    <message>
+        <source>Bake the placements into the code</source>
+        <translation>Впишување на поставеностите во кодот</translation>
+    </message>
+    <message>
+        <source>Not baked, because no code has this picture or keys move it: %1.</source>
+        <translation>Не е впишано, бидејќи ниеден код не ја дава оваа слика или ја движат клучеви: %1.</translation>
     </message>
 </context>
 <context>
@@ -8314,6 +8381,10 @@
     <message>
         <source>%1 in space</source>
         <translation>%1 во просторот</translation>
+    </message>
+    <message>
+        <source>%1, placed</source>
+        <translation>%1, поставен</translation>
     </message>
 </context>
 <context>

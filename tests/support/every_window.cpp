@@ -43,7 +43,8 @@ bool isLeftOut(const QAction* action) {
     for (const auto standard : {QKeySequence::Open, QKeySequence::Print, QKeySequence::Close,
                                 QKeySequence::Quit, QKeySequence::WhatsThis})
         if (QKeySequence::keyBindings(standard).contains(key)) return true;
-    return key == QKeySequence(QStringLiteral("Ctrl+Shift+S"));
+    return key == QKeySequence(QStringLiteral("Ctrl+Shift+S")) ||
+           action->objectName() == QStringLiteral("save-for-other-programs");
 }
 
 } // namespace

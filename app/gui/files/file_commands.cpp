@@ -1,16 +1,25 @@
 // SPDX-License-Identifier: MIT
 #include "files/file_commands.h"
 
+#include "document/edits/cage/placements.h"
+#include "document/tops/picture_paths.h"
+#include "io/file/background.h"
+#include "io/fractint/fractint_writer.h"
+#include "messages/placement_banner.h"
 #include "messages/save_question.h"
 #include "panels/collage/collage_panel.h"
 #include "panels/collage/target_box.h"
 #include "panels/snapshots/snapshots.h"
 #include "session/session.h"
+#include "widgets/background/save_beside.h"
+#include "widgets/background/wait_for.h"
 #include "widgets/file_dialogs.h"
 
 #include <QAbstractButton>
 #include <QFileInfo>
+#include <QMainWindow>
 #include <QMessageBox>
+#include <QPointer>
 #include <QPushButton>
 
 namespace {
@@ -165,6 +174,9 @@ void FileCommands::reportSaved() {
         m_hasRemarkedOnTarget = true;
     }
     m_context.messages->say(sentence);
+    if (!m_hasRemarkedOnPlacement)
+        m_hasRemarkedOnPlacement =
+            PlacementBanner::offer(m_context.window, *m_context.document, *m_context.messages);
 }
 
 bool FileCommands::saveAs() {
@@ -182,6 +194,45 @@ bool FileCommands::saveAs() {
     }
     reportSaved();
     return true;
+}
+
+void FileCommands::saveForOtherPrograms() {
+    if (m_lessons.refusesSaving && m_lessons.refusesSaving()) return;
+    const QFileInfo own(m_file->path());
+    const QString base = m_file->path().isEmpty()
+                             ? document::uniqueName({}, m_context.document->fractal().name)
+                             : own.path() + u'/' + own.completeBaseName();
+    const QString path = view::chooseFileToSave(m_context.window, tr("Save a Copy for Other Programs"),
+                                                base + QStringLiteral("-copy.ifs"),
+                                                tr("Fractint collections (*.ifs)"), QStringLiteral("ifs"));
+    if (path.isEmpty()) return;
+    const QString name = QFileInfo(path).fileName();
+    if (!m_file->path().isEmpty() && QFileInfo(path).absoluteFilePath() == own.absoluteFilePath())
+        return m_context.messages->fail(tr("%1 was not saved").arg(name),
+                                        tr("A copy needs another name than the file itself."));
+    struct Copy {
+        QByteArray bytes;
+        QStringList left;
+    };
+    const QString folder = m_file->path().isEmpty() ? QString() : own.path();
+    QFuture<Copy> work =
+        io::inBackground<Copy>([file = m_context.document->file(), folder,
+                                target = QFileInfo(path).absolutePath()](QPromise<Copy>& promise) {
+            document::BakedFile copy =
+                document::forOtherPrograms(document::withPicturesFoundFrom(file, folder, target));
+            promise.addResult(Copy{io::writeFractint(copy.file), copy.left});
+        });
+    const QPointer<QMainWindow> window(m_context.window);
+    if (!view::waitFor(QFuture<void>(work), tr("Saving “%1”…").arg(name), window) || !window) return;
+    const Copy copy = work.takeResult();
+    const auto [isCancelled, failure] = view::saveBeside(path, copy.bytes, window);
+    if (isCancelled || !window) return;
+    if (failure) return m_context.messages->fail(tr("%1 was not saved").arg(name), *failure);
+    QString sentence = tr("Saved the copy %1.").arg(name);
+    if (!copy.left.isEmpty())
+        sentence +=
+            u' ' + tr("Other programs still draw these entries differently: %1.").arg(list(copy.left));
+    m_context.messages->say(sentence);
 }
 
 void FileCommands::revert() {

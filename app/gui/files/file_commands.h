@@ -27,6 +27,8 @@ public:
 
     bool save();
     bool saveAs();
+    // With the placements written into the code and all maps listed; the file of the window stays as it is.
+    void saveForOtherPrograms();
     void revert();
 
     // A lesson goes with the file: how one is opened, whether what is written may be given up, and whether
@@ -52,5 +54,6 @@ private:
     OpenFile* m_file;
     Lessons m_lessons;
     bool m_hasRemarkedOnTarget = false; // since the window is open
+    bool m_hasRemarkedOnPlacement = false;
     const view::Snapshots* m_snapshots = nullptr;
 };

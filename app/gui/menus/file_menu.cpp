@@ -62,6 +62,14 @@ void FileMenu::addSaving() {
     add({"save-as", tr("Save &As…"), QKeySequence(tr("Ctrl+Shift+S")),
          tr("Save the file under another name")},
         [this] { m_commands->saveAs(); });
+    QAction* copy =
+        add({nullptr,
+             tr("Save a Copy &for Other Programs…"),
+             {},
+             tr("Save a copy with the placements written into the code and every map listed, so that other "
+                "programs draw what you see")},
+            [this] { m_commands->saveForOtherPrograms(); });
+    copy->setObjectName(QStringLiteral("save-for-other-programs"));
     QAction* revert =
         add({nullptr, tr("Re&vert"), {}, tr("Discard your changes and reload the file from disk")},
             [this] { m_commands->revert(); });

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "panels/entries/entries_model.h"
 
+#include "document/edits/cage/placements.h"
 #include "document/edits/entries_edits.h"
 #include "document/tops/partner_names.h"
 #include "io/file/background.h"
@@ -252,7 +253,8 @@ QString EntriesModel::subtitle(const Entry& entry) const {
     const QString count = dimension == 3 ? tr("%1 in space").arg(number) : number;
     const auto key = static_cast<Thumbnails::Key>(entry.id);
     const bool nothing = m_thumbnails->thumbnail(key, entry.fractal).state == Thumbnail::State::NoAttractor;
-    return nothing ? tr("%1, no attractor").arg(count) : count;
+    if (nothing) return tr("%1, no attractor").arg(count);
+    return document::isPlaced(*entry.fractal) ? tr("%1, placed").arg(count) : count;
 }
 
 QString EntriesModel::toolTip(const Entry& entry) const {

@@ -21,7 +21,7 @@ public:
     enum Role {
         IdRole = Qt::UserRole, // document::EntryId as uint
         ThumbnailStateRole,    // int of Thumbnail::State
-        SubtitleRole,          // QString: how many maps, or why nothing is shown
+        SubtitleRole,          // QString: how many maps, whether they are placed, or why nothing is shown
         ModifiedRole,          // bool: changed since it was read or saved
         SeverityRole,          // int of document::Problem::Severity; invalid without problems
     };
