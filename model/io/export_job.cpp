@@ -29,14 +29,6 @@ ExportOutcome exportSvg(const SvgExport& what, const QString& path, const Progre
     return outcome;
 }
 
-ExportOutcome exportSpace(const SpaceExport& what, const QString& path, const Progress& progress,
-                          const std::stop_token& stop) {
-    QByteArray png;
-    ExportOutcome outcome = drawSpaceFile(what, png, progress, stop);
-    if (!outcome.failure && !outcome.stopped) outcome.failure = saveFile(path, png);
-    return outcome;
-}
-
 QFuture<QImage> drawnBeside(const std::function<QImage(const Progress&, const std::stop_token&)>& draw) {
     return inBackground<QImage>([draw](QPromise<QImage>& promise) {
         constexpr int whole = 100;

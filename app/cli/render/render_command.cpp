@@ -221,13 +221,9 @@ private:
             reportWarning(task.input->name, tr("A solid has no shapes: the file contains its picture in "
                                                "pixels."));
         if (m_arguments.dryRun) return ExitStatus::Done;
-        QByteArray png;
-        const auto outcome = io::drawSpaceFile(
-            picture, png, [&](double fraction) { m_bar.show((before + fraction) / all); },
+        const auto outcome = exportOutput(
+            picture, task.output, [&](double fraction) { m_bar.show((before + fraction) / all); },
             m_interrupt.token());
-        if (!outcome.failure && !outcome.stopped)
-            if (const ExitStatus written = writeOutput(task.output, png); written != ExitStatus::Done)
-                return written;
         return finish(outcome, task);
     }
 

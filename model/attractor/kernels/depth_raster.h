@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -13,9 +14,19 @@ namespace attractor {
 struct DepthRaster {
     int width = 0;
     int height = 0;
-    std::vector<std::uint32_t> keys;
+    std::vector<std::uint32_t> keys; // of some or all rows
     double near = 0;
     double far = 0;
+    int firstRow = 0; // of those that are kept
+
+    bool holds(int y) const { return y >= firstRow && y < height && offset(y) < keys.size(); }
+    const std::uint32_t* row(int y) const { return keys.data() + offset(y); }
+    std::uint32_t* row(int y) { return keys.data() + offset(y); }
+
+private:
+    std::size_t offset(int y) const {
+        return static_cast<std::size_t>(y - firstRow) * static_cast<std::size_t>(width);
+    }
 };
 
 constexpr std::uint32_t emptyKey = 0xFFFFFFFF; // nothing there

@@ -139,8 +139,7 @@ void SolidLight::heightTints(const DepthRaster& raster, const SurfaceRow& row, i
 
 void SolidLight::tints(const DepthRaster& raster, const SurfaceRow& row, int y,
                        std::vector<std::int32_t>& tints) const {
-    const std::uint32_t* keys =
-        raster.keys.data() + static_cast<std::size_t>(y) * static_cast<std::size_t>(raster.width) + row.first;
+    const std::uint32_t* keys = raster.row(y) + row.first;
     const auto count = static_cast<std::size_t>(row.end - row.first);
     switch (m_appearance.colourBy) {
     case SolidColour::Plain:
@@ -239,15 +238,12 @@ std::vector<std::uint32_t> lit(const DepthRaster& raster, const SolidAppearance&
 
 void depthValues(const DepthRaster& raster, int firstRow, int endRow, std::span<std::uint16_t> values) {
     const auto width = static_cast<std::size_t>(raster.width);
-    const std::size_t first = static_cast<std::size_t>(firstRow) * width;
-    const std::size_t end = static_cast<std::size_t>(endRow) * width;
-    for (std::size_t k = first; k < end; ++k) {
-        const std::uint64_t code = std::min(depthCode(raster.keys[k]), maxDepthCode);
-        values[k - first] =
-            raster.keys[k] == emptyKey
-                ? std::uint16_t{65535}
-                : static_cast<std::uint16_t>((code * 65534 + maxDepthCode / 2) / maxDepthCode);
-    }
+    const std::span keys(raster.row(firstRow), static_cast<std::size_t>(endRow - firstRow) * width);
+    std::ranges::transform(keys, values.begin(), [](std::uint32_t key) {
+        const std::uint64_t code = std::min(depthCode(key), maxDepthCode);
+        return key == emptyKey ? std::uint16_t{65535}
+                               : static_cast<std::uint16_t>((code * 65534 + maxDepthCode / 2) / maxDepthCode);
+    });
 }
 
 } // namespace attractor

@@ -50,8 +50,8 @@ SurfaceRows::SurfaceRows(const DepthRaster& raster, double unitsPerPixel, const 
 // Outside the columns that rows so far have reached, all minima are empty and have never been written.
 void SurfaceRows::load(int y) {
     const auto width = static_cast<std::size_t>(m_raster.width);
-    const bool inside = y >= 0 && y < m_raster.height;
-    const std::uint32_t* keys = inside ? m_raster.keys.data() + static_cast<std::size_t>(y) * width : nullptr;
+    const bool inside = m_raster.holds(y);
+    const std::uint32_t* keys = inside ? m_raster.row(y) : nullptr;
     if (inside) {
         const kernels::Margins empty = kernels::emptyMargins(keys, width);
         m_margins[static_cast<std::size_t>(y) % m_margins.size()] = empty;

@@ -28,12 +28,13 @@ RenderNote noteOf(const SolidScene& scene, const ifs::AffineMap<3>& cage) {
 
 // In pieces: memory that is touched for the first time takes a second for every few gigabytes, in which
 // somebody may stop. Then there is none.
-bool makeRoom(DepthRaster& raster, const RasterSize& size, const std::stop_token& stop) {
+bool makeRoom(DepthRaster& raster, const RasterSize& size, int firstRow, int rows,
+              const std::stop_token& stop) {
     constexpr std::size_t piece = 1U << 22;
     raster.width = std::max(0, size.width);
     raster.height = std::max(0, size.height);
-    const std::size_t wanted =
-        static_cast<std::size_t>(raster.width) * static_cast<std::size_t>(raster.height);
+    raster.firstRow = firstRow;
+    const std::size_t wanted = static_cast<std::size_t>(raster.width) * static_cast<std::size_t>(rows);
     raster.keys.resize(std::min(raster.keys.size(), wanted));
     raster.keys.reserve(wanted);
     while (raster.keys.size() < wanted && !stop.stop_requested())
@@ -62,8 +63,11 @@ struct SolidRendering::State {
 bool SolidRendering::State::draw(int firstRow, int endRow, const std::stop_token& stop) {
     constexpr int rows = kernels::KeyBand::maxRows;
     const RasterSize size = request.camera.size;
+    const int firstBand = std::max(0, firstRow) / rows;
+    const int endBand = std::max(firstBand, (std::min(size.height, endRow) + rows - 1) / rows);
+    const int kept = std::max(0, std::min(size.height, endBand * rows) - firstBand * rows);
     work = {};
-    if (!makeRoom(raster, size, stop)) return false;
+    if (!makeRoom(raster, size, firstBand * rows, kept, stop)) return false;
     raster.near = 0;
     raster.far = 1;
     const bool drawable = !scene.system.maps.empty() && isUsable(request.camera);
@@ -76,10 +80,8 @@ bool SolidRendering::State::draw(int firstRow, int endRow, const std::stop_token
     const double unit = 1 / pixelsPerUnit(request.camera);
     raster.near = scene.range.near * unit;
     raster.far = scene.range.far * unit;
-    const int firstBand = std::max(0, firstRow) / rows;
-    const int endBand = (std::min(size.height, endRow) + rows - 1) / rows;
     JobShares shares;
-    shares.reset(static_cast<std::size_t>(std::max(0, endBand - firstBand)), *workers);
+    shares.reset(static_cast<std::size_t>(endBand - firstBand), *workers);
     bands.resize(workers->size());
     shares.run(*workers, stop, [&](std::size_t job, std::size_t thread) {
         const int first = (firstBand + static_cast<int>(job)) * rows;

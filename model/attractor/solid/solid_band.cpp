@@ -133,9 +133,7 @@ void SolidBand::draw(const SolidScene& scene, int firstRow, int rows, DepthRaste
     m_isCoarse = m_isCoarse || m_job.coarse > 0;
     const auto width = static_cast<std::size_t>(raster.width);
     for (int y = 0; y < rows; ++y)
-        std::copy_n(m_keys.row(y), width,
-                    raster.keys.begin() +
-                        static_cast<std::ptrdiff_t>(static_cast<std::size_t>(firstRow + y) * width));
+        std::copy_n(m_keys.row(y), width, raster.row(firstRow + y));
 }
 
 SolidBand::Work SolidBand::takeWork() {

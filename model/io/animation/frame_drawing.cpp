@@ -172,10 +172,7 @@ ExportOutcome FrameDrawing::writePng(int frame, const QString& path, const Frame
     ExportOutcome outcome;
     outcome.failure = startOf(path);
     if (outcome.failure) return outcome;
-    QByteArray png;
-    outcome = drawSpaceFile(picture, png, progress, stop);
-    if (!outcome.failure && !outcome.stopped) outcome.failure = saveFile(path, png);
-    return outcome;
+    return exportSpace(picture, path, progress, stop);
 }
 
 Failure FrameDrawing::finish() {

@@ -77,30 +77,42 @@ Rows allRows(const SolidPicture& picture) {
     return {0, picture.request.camera.size.height, sideOf(picture)};
 }
 
+// The progress of some rows as that of all.
+Progress partOf(const Progress& progress, const Rows& rows, int first, int end) {
+    if (!progress) return {};
+    return [=](double fraction) {
+        progress((first - rows.first + fraction * (end - first)) / (rows.end - rows.first));
+    };
+}
+
 template <class Pixel, class Take>
 ExportOutcome drawRows(const SolidPicture& picture, const Rows& rows, Take take, const Progress& progress,
                        const std::stop_token& stop) {
-    const int side = rows.side;
+    const int side = rows.side, together = rowsTogether(picture);
     attractor::SpaceRequest request = picture.request;
     request.camera.size.width *= side;
     request.camera.size.height *= side;
-    attractor::SolidRendering rendering(request);
-    ExportOutcome outcome;
-    if (!rendering.drawRows(rows.first * side - rowsOfLight, rows.end * side + rowsOfLight, stop)) {
-        outcome.stopped = true;
-        return outcome;
-    }
-    if (progress) progress(shareOfDrawing);
-    const attractor::RenderNote note = rendering.note();
-    const bool isCoarse = rendering.work().isCoarse;
-    const attractor::DepthRaster raster = rendering.takeRaster();
     const auto [lowest, highest] = heights(request);
     attractor::SolidView view = attractor::solidView(request.camera, lowest, highest);
     view.eyeShift = request.eyeShift;
     const attractor::SolidLight light(picture.appearance, view);
-    outcome = lightRows<Pixel>(raster, light, rows, take, progress, stop);
-    outcome.note = note;
-    outcome.isCoarse = isCoarse;
+    attractor::SolidRendering rendering(std::move(request));
+    ExportOutcome outcome;
+    bool isCoarse = false;
+    for (int first = rows.first; first < rows.end && !outcome.failure; first += together) {
+        const int end = std::min(first + together, rows.end);
+        const Progress part = partOf(progress, rows, first, end);
+        if (!rendering.drawRows(first * side - rowsOfLight, end * side + rowsOfLight, stop)) {
+            outcome.stopped = true;
+            return outcome;
+        }
+        if (part) part(shareOfDrawing);
+        outcome = lightRows<Pixel>(rendering.raster(), light, {first, end, side}, take, part, stop);
+        isCoarse = isCoarse || rendering.work().isCoarse;
+        outcome.note = rendering.note();
+        outcome.isCoarse = isCoarse;
+        if (outcome.stopped) return outcome;
+    }
     return outcome;
 }
 
@@ -117,12 +129,21 @@ ExportOutcome drawInto(const SolidPicture& picture, const Rows& rows, std::span<
 
 } // namespace
 
+int rowsTogether(const SolidPicture& picture) {
+    const attractor::RasterSize& size = picture.request.camera.size;
+    const auto side = static_cast<std::uint64_t>(sideOf(picture));
+    const std::uint64_t row =
+        side * side * static_cast<std::uint64_t>(std::max(1, size.width)) * sizeof(std::uint32_t);
+    const auto most = static_cast<std::uint64_t>(std::max(1, size.height));
+    return static_cast<int>(
+        std::clamp<std::uint64_t>(picture.bandBytes / row, std::min<std::uint64_t>(bandRows, most), most));
+}
+
 std::uint64_t memoryFor(const SolidPicture& picture) {
     const auto side = static_cast<std::uint64_t>(sideOf(picture));
-    const attractor::RasterSize& size = picture.request.camera.size;
-    const auto width = side * static_cast<std::uint64_t>(std::max(1, size.width));
-    const auto height = side * static_cast<std::uint64_t>(std::max(1, size.height));
-    return width * height * sizeof(std::uint32_t) + 2 * width * side * bandRows * sizeof(Rgba16);
+    const auto width = side * static_cast<std::uint64_t>(std::max(1, picture.request.camera.size.width));
+    const auto rows = side * static_cast<std::uint64_t>(rowsTogether(picture)) + 2 * rowsOfLight;
+    return width * rows * sizeof(std::uint32_t) + 2 * width * side * bandRows * sizeof(Rgba16);
 }
 
 ExportOutcome writeSolid(const SolidPicture& picture, PictureWriter& writer, const Progress& progress,
@@ -133,16 +154,6 @@ ExportOutcome writeSolid(const SolidPicture& picture, PictureWriter& writer, con
                                 : drawRows<std::uint32_t>(picture, allRows(picture), take, progress, stop);
     if (!outcome.failure && !outcome.stopped) outcome.failure = writer.finish();
     return outcome;
-}
-
-ExportOutcome drawSolid(const SolidPicture& picture, std::span<std::uint32_t> pixels,
-                        const Progress& progress, const std::stop_token& stop) {
-    return drawInto(picture, allRows(picture), pixels, progress, stop);
-}
-
-ExportOutcome drawSolid(const SolidPicture& picture, std::span<Rgba16> pixels, const Progress& progress,
-                        const std::stop_token& stop) {
-    return drawInto(picture, allRows(picture), pixels, progress, stop);
 }
 
 ExportOutcome drawSolidRows(const SolidPicture& picture, int firstRow, int endRow,

@@ -17,20 +17,18 @@ struct SolidPicture {
     attractor::SolidAppearance appearance;
     PngFormat::Depth depth = PngFormat::Depth::Bits8;
     int supersample = 1; // 1 … 4; the looks that are numbers, Depth and Normals, have none
+    std::uint64_t bandBytes = std::uint64_t{1} << 28; // of depths that are kept at a time, about
 };
 
+// Rows of the picture that are drawn together.
+int rowsTogether(const SolidPicture& picture);
 // Memory that writeSolid() takes, in bytes, about.
 std::uint64_t memoryFor(const SolidPicture& picture);
 
 // Draws all rows into a writer of that size and depth, and finishes it.
 ExportOutcome writeSolid(const SolidPicture& picture, PictureWriter& writer, const Progress& progress = {},
                          const std::stop_token& stop = {});
-// Draws it into memory: width × height pixels, of 8 or 16 bits per channel, whatever its depth.
-ExportOutcome drawSolid(const SolidPicture& picture, std::span<std::uint32_t> pixels,
-                        const Progress& progress = {}, const std::stop_token& stop = {});
-ExportOutcome drawSolid(const SolidPicture& picture, std::span<attractor::Rgba16> pixels,
-                        const Progress& progress = {}, const std::stop_token& stop = {});
-// The same with rows [firstRow, endRow) alone.
+// Draws rows [firstRow, endRow) into memory, of 8 or 16 bits per channel, whatever the depth of the picture.
 ExportOutcome drawSolidRows(const SolidPicture& picture, int firstRow, int endRow,
                             std::span<std::uint32_t> pixels, const Progress& progress = {},
                             const std::stop_token& stop = {});

@@ -3,6 +3,7 @@
 
 #include "attractor/light/pixel_average.h"
 #include "attractor/render/solid_rendering.h"
+#include "io/file/save_file.h"
 #include "io/fractint/entry_writer.h"
 #include "io/overlay/picture_overlay.h"
 #include "io/picture/legend_rows.h"
@@ -24,12 +25,12 @@ namespace {
 
 using attractor::LookInSpace;
 
-constexpr std::size_t rowsTogether = 16; // between two looks at the stop token
+constexpr std::size_t fewRows = 16; // between two looks at the stop token
 
 template <class Writer, class Pixel>
 void write(Writer& writer, std::span<const Pixel> pixels, int width, ExportOutcome& outcome,
            const Progress& progress, const std::stop_token& stop) {
-    const std::size_t together = rowsTogether * std::size_t(width);
+    const std::size_t together = fewRows * std::size_t(width);
     for (std::size_t at = 0; at < pixels.size() && !outcome.failure; at += together) {
         if (stop.stop_requested()) {
             outcome.stopped = true;
@@ -38,35 +39,73 @@ void write(Writer& writer, std::span<const Pixel> pixels, int width, ExportOutco
         if (progress) progress(shareOfDrawing + (1 - shareOfDrawing) * double(at) / double(pixels.size()));
         outcome.failure = writer.writeRows(pixels.subspan(at, std::min(together, pixels.size() - at)));
     }
-    if (!outcome.failure) outcome.failure = writer.finish();
+}
+
+// The progress of one pass, moment or band of many as that of the whole.
+Progress partOf(const Progress& progress, std::size_t index, std::size_t count) {
+    return [=](double fraction) {
+        if (progress) progress((double(index) + fraction) / double(count));
+    };
+}
+
+// RowRange of the picture, from 0.
+struct RowRange {
+    int first = 0;
+    int end = 0;
+};
+
+SolidPicture solidOf(const SpaceExport& picture) {
+    return {picture.request, picture.solid, picture.depth, picture.supersample, picture.bandBytes};
+}
+
+// Rows that are drawn together: all of a cloud.
+int rowsTogether(const SpaceExport& picture) {
+    const int height = std::max(1, picture.request.camera.size.height);
+    return attractor::showsCloud(picture.look) ? height : rowsTogether(solidOf(picture));
+}
+
+// All rows of the picture in bands: all together of a cloud. draw(rows) returns how that ended.
+template <class Draw> ExportOutcome inBands(const SpaceExport& picture, const Progress& progress, Draw draw) {
+    const int height = picture.request.camera.size.height;
+    const int together = std::max(1, rowsTogether(picture));
+    const auto count = std::size_t((height + together - 1) / together);
+    ExportOutcome all;
+    for (std::size_t band = 0; band < count && !all.failure && !all.stopped; ++band) {
+        const int first = int(band) * together;
+        const bool wasCoarse = all.isCoarse;
+        all = draw(RowRange{first, std::min(first + together, height)}, partOf(progress, band, count));
+        all.isCoarse = all.isCoarse || wasCoarse;
+    }
+    return all;
 }
 
 ExportOutcome drawDepths(const SpaceExport& picture, QIODevice& device, const Progress& progress,
                          const std::stop_token& stop) {
     attractor::SolidRendering rendering(picture.request);
     ExportOutcome outcome;
-    outcome.stopped = !rendering.draw(stop);
-    outcome.note = rendering.note();
-    outcome.isCoarse = rendering.work().isCoarse;
+    outcome.stopped = !rendering.drawRows(0, 0, stop); // how far the depths reach
     if (outcome.stopped) return outcome;
-    const attractor::DepthRaster& raster = rendering.raster();
-    std::vector<std::uint16_t> values(raster.keys.size());
-    std::ranges::transform(raster.keys, values.begin(), depthValue);
-    const PictureFormat format = formatOfDepths(picture, raster);
-    PngWriter writer(device, format);
-    write(writer, std::span<const std::uint16_t>(values), format.width, outcome, progress, stop);
+    PngWriter writer(device, formatOfDepths(picture, rendering.raster()));
+    const auto width = std::size_t(picture.request.camera.size.width);
+    std::vector<std::uint16_t> values;
+    outcome = inBands(picture, progress, [&](const RowRange& rows, const Progress& part) {
+        ExportOutcome drawn;
+        drawn.stopped = !rendering.drawRows(rows.first, rows.end, stop);
+        drawn.note = rendering.note();
+        drawn.isCoarse = rendering.work().isCoarse;
+        if (drawn.stopped) return drawn;
+        values.resize(width * std::size_t(rows.end - rows.first));
+        const std::span keys(rendering.raster().row(rows.first), values.size());
+        std::ranges::transform(keys, values.begin(), depthValue);
+        write(writer, std::span<const std::uint16_t>(values), int(width), drawn, part, stop);
+        return drawn;
+    });
+    if (!outcome.failure && !outcome.stopped) outcome.failure = writer.finish();
     return outcome;
 }
 
 constexpr std::uint64_t slice = std::uint64_t{1}
                                 << 26; // whole sample sets, between two looks at the progress
-
-// The progress of one pass or moment of many as that of the whole.
-Progress partOf(const Progress& progress, std::size_t index, std::size_t count) {
-    return [=](double fraction) {
-        if (progress) progress((double(index) + fraction) / double(count));
-    };
-}
 
 // The samples of one moment.
 bool refineAll(attractor::CloudRendering& rendering, std::uint64_t samples, const Progress& progress,
@@ -102,20 +141,17 @@ ExportOutcome cloudPixels(const SpaceExport& picture, std::span<Pixel> pixels, c
     return outcome;
 }
 
-SolidPicture solidOf(const SpaceExport& picture) {
-    return {picture.request, picture.solid, picture.depth, picture.supersample};
-}
-
 template <class Pixel>
-ExportOutcome solidPixels(const SpaceExport& picture, std::span<Pixel> pixels, const Progress& progress,
-                          const std::stop_token& stop) {
+ExportOutcome solidPixels(const SpaceExport& picture, const RowRange& rows, std::span<Pixel> pixels,
+                          const Progress& progress, const std::stop_token& stop) {
     SolidPicture solid = solidOf(picture);
-    if (picture.moments.empty()) return drawSolid(solid, pixels, progress, stop);
+    if (picture.moments.empty()) return drawSolidRows(solid, rows.first, rows.end, pixels, progress, stop);
     ExportOutcome outcome;
     attractor::PictureAverage<Pixel> average;
     for (std::size_t k = 0; k < picture.moments.size() && !outcome.stopped; ++k) {
         solid.request = picture.moments[k];
-        outcome = drawSolid(solid, pixels, partOf(progress, k, picture.moments.size()), stop);
+        outcome = drawSolidRows(solid, rows.first, rows.end, pixels,
+                                partOf(progress, k, picture.moments.size()), stop);
         average.add(pixels);
     }
     average.mean(pixels);
@@ -130,43 +166,44 @@ bool paintsMarks(const SpaceExport& picture) {
 
 // What one eye sees.
 template <class Pixel>
-ExportOutcome eyePixels(const SpaceExport& picture, std::span<Pixel> pixels, const Progress& progress,
-                        const std::stop_token& stop) {
+ExportOutcome eyePixels(const SpaceExport& picture, const RowRange& rows, std::span<Pixel> pixels,
+                        const Progress& progress, const std::stop_token& stop) {
     return attractor::showsCloud(picture.look) ? cloudPixels(picture, pixels, progress, stop)
-                                               : solidPixels(picture, pixels, progress, stop);
+                                               : solidPixels(picture, rows, pixels, progress, stop);
 }
 
 template <class Pixel>
-ExportOutcome eyePixels(const SpaceExport& picture, double eyeShift, std::span<Pixel> pixels,
-                        const Progress& progress, const std::stop_token& stop) {
+ExportOutcome eyePixels(const SpaceExport& picture, double eyeShift, const RowRange& rows,
+                        std::span<Pixel> pixels, const Progress& progress, const std::stop_token& stop) {
     SpaceExport eye = picture;
     eye.request.eyeShift = eyeShift;
     for (attractor::SpaceRequest& moment : eye.moments)
         moment.eyeShift = eyeShift;
-    return eyePixels(eye, pixels, progress, stop);
+    return eyePixels(eye, rows, pixels, progress, stop);
 }
 
 template <class Pixel>
-ExportOutcome pixelsOf(const SpaceExport& picture, std::span<Pixel> pixels, const Progress& progress,
-                       const std::stop_token& stop) {
+ExportOutcome pixelsOf(const SpaceExport& picture, const RowRange& rows, std::span<Pixel> pixels,
+                       const Progress& progress, const std::stop_token& stop) {
     if (picture.stereo == Stereo::None) {
-        const ExportOutcome outcome = eyePixels(picture, pixels, progress, stop);
+        const ExportOutcome outcome = eyePixels(picture, rows, pixels, progress, stop);
         if (paintsMarks(picture)) {
             QImage image = imageOver(pixels, picture.request.camera.size.width);
-            paintOverlay(image, picture.marks, 0);
+            paintOverlay(image, picture.marks, rows.first);
         }
         return outcome;
     }
     const attractor::RasterSize& size = picture.request.camera.size;
-    std::vector<Pixel> left(std::size_t(size.width) * std::size_t(size.height)), right(left.size());
+    std::vector<Pixel> left(std::size_t(size.width) * std::size_t(rows.end - rows.first)), right(left.size());
     const auto half = [&](double done) {
         return [&progress, done](double fraction) {
             if (progress) progress(done + fraction / 2);
         };
     };
-    ExportOutcome outcome = eyePixels(picture, -attractor::stereoEye, std::span<Pixel>(left), half(0), stop);
+    ExportOutcome outcome =
+        eyePixels(picture, -attractor::stereoEye, rows, std::span<Pixel>(left), half(0), stop);
     if (outcome.failure || outcome.stopped) return outcome;
-    outcome = eyePixels(picture, attractor::stereoEye, std::span<Pixel>(right), half(0.5), stop);
+    outcome = eyePixels(picture, attractor::stereoEye, rows, std::span<Pixel>(right), half(0.5), stop);
     if (outcome.failure || outcome.stopped) return outcome;
     std::ranges::copy(joined(picture.stereo, left, right, size.width), pixels.begin());
     return outcome;
@@ -176,22 +213,25 @@ template <class Pixel>
 ExportOutcome drawPixels(const SpaceExport& picture, const MakeWriter& makeWriter, const Progress& progress,
                          const std::stop_token& stop) {
     PictureFormat format = formatOf(picture);
-    std::vector<Pixel> pixels(std::size_t(format.width) * std::size_t(format.height));
-    const auto drawing = [&](double fraction) {
-        if (progress) progress(shareOfDrawing * fraction);
-    };
-    ExportOutcome outcome = pixelsOf(picture, std::span<Pixel>(pixels), drawing, stop);
-    if (outcome.failure || outcome.stopped) return outcome;
+    const auto width = std::size_t(format.width);
     const QImage legend = picture.legend.convertToFormat(imageFormat<Pixel>);
-    std::vector<Pixel> memory;
-    const auto rows = withLegend<Pixel>(pixels, std::size_t(format.width), legend, 0, memory);
     format.width += legend.width();
     const std::unique_ptr<PictureWriter> writer = makeWriter(format);
-    write(*writer, rows, format.width, outcome, progress, stop);
+    std::vector<Pixel> pixels, memory;
+    ExportOutcome outcome = inBands(picture, progress, [&](const RowRange& rows, const Progress& part) {
+        pixels.resize(width * std::size_t(rows.end - rows.first));
+        const auto drawing = [&](double fraction) { part(shareOfDrawing * fraction); };
+        ExportOutcome drawn = pixelsOf(picture, rows, std::span<Pixel>(pixels), drawing, stop);
+        if (drawn.failure || drawn.stopped) return drawn;
+        const auto all = withLegend<Pixel>(pixels, width, legend, rows.first, memory);
+        write(*writer, all, format.width, drawn, part, stop);
+        return drawn;
+    });
+    if (!outcome.failure && !outcome.stopped) outcome.failure = writer->finish();
     return outcome;
 }
 
-// A single moment of a solid is written band by band.
+// A single moment of a solid is lit as it is written.
 ExportOutcome writeSolidRows(const SpaceExport& picture, const MakeWriter& makeWriter,
                              const Progress& progress, const std::stop_token& stop) {
     return writeSolid(solidOf(picture), *makeWriter(formatOf(picture)), progress, stop);
@@ -266,10 +306,9 @@ bool drawSamples(const SpaceExport& picture, attractor::CloudRendering& renderin
 }
 
 std::uint64_t memoryFor(const SpaceExport& picture) {
-    const auto pixels = std::uint64_t(std::max(1, picture.request.camera.size.width)) *
-                        std::uint64_t(std::max(1, picture.request.camera.size.height));
-    if (picture.look == LookInSpace::Depth)
-        return pixels * (sizeof(std::uint32_t) + 2 * sizeof(std::uint16_t));
+    const auto width = std::uint64_t(std::max(1, picture.request.camera.size.width));
+    const std::uint64_t pixels = width * std::uint64_t(rowsTogether(picture));
+    if (picture.look == LookInSpace::Depth) return pixels * (sizeof(std::uint32_t) + sizeof(std::uint16_t));
     const std::uint64_t stereo = picture.stereo == Stereo::None ? 0 : 4 * pixels * sizeof(attractor::Rgba16);
     const bool isWhole = paintsMarks(picture) || !picture.legend.isNull(); // before it is written
     const std::uint64_t marked = isWhole ? pixels * sizeof(attractor::Rgba16) : 0;
@@ -283,19 +322,40 @@ std::uint64_t memoryFor(const SpaceExport& picture) {
                               2 * sizeof(attractor::Rgba16));
 }
 
-ExportOutcome drawSpaceFile(const SpaceExport& picture, QByteArray& bytes, const Progress& progress,
+ExportOutcome drawSpaceFile(const SpaceExport& picture, QIODevice& file, const Progress& progress,
                             std::stop_token stop) {
     ExportOutcome refused;
     refused.failure = whyImpossible(picture);
     if (refused.failure) return refused;
-    QBuffer buffer(&bytes);
-    buffer.open(QIODevice::WriteOnly);
-    if (picture.look == LookInSpace::Depth) return drawDepths(picture, buffer, progress, stop);
+    if (picture.look == LookInSpace::Depth) return drawDepths(picture, file, progress, stop);
     const auto writer = [&](const PictureFormat& format) {
-        return picture.page ? pageWriter({*picture.page, picture.fractal.name, picture.marks}, buffer, format)
-                            : pictureWriter(picture.file, buffer, format);
+        return picture.page ? pageWriter({*picture.page, picture.fractal.name, picture.marks}, file, format)
+                            : pictureWriter(picture.file, file, format);
     };
     return drawRows(picture, writer, progress, stop);
+}
+
+ExportOutcome drawSpaceFile(const SpaceExport& picture, QByteArray& bytes, const Progress& progress,
+                            std::stop_token stop) {
+    QBuffer buffer(&bytes);
+    buffer.open(QIODevice::WriteOnly);
+    return drawSpaceFile(picture, buffer, progress, stop);
+}
+
+ExportOutcome exportSpace(const SpaceExport& picture, const QString& path, const Progress& progress,
+                          std::stop_token stop) {
+    ExportOutcome outcome;
+    outcome.failure = whyImpossible(picture);
+    if (outcome.failure) return outcome;
+    NewFile file(path);
+    outcome.failure = file.failure();
+    if (outcome.failure) return outcome;
+    outcome = drawSpaceFile(picture, file, progress, stop);
+    if (file.failure())
+        outcome.failure = file.failure();
+    else if (!outcome.failure && !outcome.stopped)
+        outcome.failure = file.commit();
+    return outcome;
 }
 
 ExportOutcome drawSpacePage(const SpaceExport& picture, PdfFile& file, const Progress& progress,
@@ -312,7 +372,8 @@ Picture drawSpacePicture(const SpaceExport& picture, const Progress& progress, s
     if (drawn.image.isNull()) return drawn;
     const std::span<std::uint32_t> pixels(reinterpret_cast<std::uint32_t*>(drawn.image.bits()),
                                           std::size_t(format.width) * std::size_t(format.height));
-    const ExportOutcome outcome = pixelsOf(picture, pixels, progress, stop);
+    const ExportOutcome outcome =
+        pixelsOf(picture, {0, picture.request.camera.size.height}, pixels, progress, stop);
     drawn.note = outcome.note;
     if (outcome.stopped) drawn.image = {};
     return drawn;

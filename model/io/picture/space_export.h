@@ -12,6 +12,8 @@
 #include "io/picture/vector/picture_page.h"
 
 #include <QByteArray>
+#include <QIODevice>
+#include <QString>
 
 #include <cstdint>
 #include <optional>
@@ -43,6 +45,7 @@ struct SpaceExport {
     QImage legend{}; // as high as the picture, to its right in the file, but not beside Depth
     // What of a cloud is drawn here, and what elsewhere. Not in stereo, nor with moments.
     std::optional<attractor::DividedPicture> divided{};
+    std::uint64_t bandBytes = std::uint64_t{1} << 28; // of a solid, as in SolidPicture
 };
 
 // How its file is written.
@@ -53,14 +56,19 @@ std::uint16_t depthValue(std::uint32_t key);
 // Why the kind of file cannot hold the picture, before it is drawn.
 Failure whyImpossible(const SpaceExport& picture);
 
-// Memory that drawSpaceFile() takes, in bytes, about.
+// Memory that exportSpace() takes, in bytes, about.
 std::uint64_t memoryFor(const SpaceExport& picture);
 
-// Draws the picture and encodes it. A picture of depths has two texts, barycage:near and barycage:far: depths
-// along the view from the plane of the target, away from the eye, in units of the system; a pixel v shows
-// depth near + (far − near)·v/65534, and 65535 shows nothing.
+// Draws the picture and encodes it; a solid some rows at a time. A picture of depths has two texts,
+// barycage:near and barycage:far: depths along the view from the plane of the target, away from the eye, in
+// units of the system; a pixel v shows depth near + (far − near)·v/65534, and 65535 shows nothing.
+ExportOutcome drawSpaceFile(const SpaceExport& picture, QIODevice& file, const Progress& progress = {},
+                            std::stop_token stop = {});
 ExportOutcome drawSpaceFile(const SpaceExport& picture, QByteArray& bytes, const Progress& progress = {},
                             std::stop_token stop = {});
+// To a file that appears whole or not at all.
+ExportOutcome exportSpace(const SpaceExport& picture, const QString& path, const Progress& progress = {},
+                          std::stop_token stop = {});
 
 // The same as one more page of a file, of 8 bits per channel and not of depths.
 ExportOutcome drawSpacePage(const SpaceExport& picture, PdfFile& file, const Progress& progress = {},

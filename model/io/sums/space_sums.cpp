@@ -106,7 +106,7 @@ bool depthSums(attractor::SolidRendering& rendering, int firstRow, int endRow, C
     const auto width = std::size_t(raster.width);
     std::vector<std::uint64_t> row(width);
     for (int y = firstRow; y < endRow; ++y) {
-        const auto keys = std::span(raster.keys).subspan(std::size_t(y) * width, width);
+        const std::span keys(raster.row(y), width);
         std::ranges::transform(keys, row.begin(),
                                [](std::uint32_t key) { return emptyDepth - depthValue(key); });
         cells.addSamples(y - firstRow, 0, row);
@@ -258,9 +258,7 @@ ExportOutcome exportPicture(const SpaceSums& sums, const QString& path, const Pr
     if (isCloud(sums)) {
         SpaceExport picture = sums.picture;
         picture.divided = dividedPicture(sums.passes, sums.drawn, sums.files);
-        QByteArray bytes;
-        outcome = drawSpaceFile(picture, bytes, progress, stop);
-        if (!outcome.failure && !outcome.stopped) file.write(bytes);
+        outcome = drawSpaceFile(picture, file, progress, stop);
     } else {
         outcome = writeSolid(sums, file, progress, stop);
     }

@@ -181,7 +181,7 @@ void CliSolidTest::optionsThatMakeNoSenseAreRefused_data() {
     QTest::newRow("ink") << QByteArray("--look ink --light 0,0") << QByteArray("--light");
     QTest::newRow("normals") << QByteArray("--look normals --fog 1") << QByteArray("--fog");
     QTest::newRow("cloud") << QByteArray("--look cloud --light 0,0") << QByteArray("only to solids");
-    QTest::newRow("large") << QByteArray("--size 60000x60000") << QByteArray("4 GB");
+    QTest::newRow("large") << QByteArray("--look cloud --size 60000x60000") << QByteArray("4 GB");
 }
 
 void CliSolidTest::optionsThatMakeNoSenseAreRefused() {

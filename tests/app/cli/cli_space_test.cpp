@@ -414,7 +414,8 @@ void CliSpaceTest::optionsThatMakeNoSenseAreRefused_data() {
     QTest::newRow("hull") << QByteArray("cube.ifs -o a.png --rest-cage hull:7") << QByteArray("8 to 24");
     QTest::newRow("hull text") << QByteArray("cube.ifs -o a.png --rest-cage hull:many")
                                << QByteArray("8 to 24");
-    QTest::newRow("large") << QByteArray("cube.ifs -o a.png --size 100000x100000") << QByteArray("4 GB");
+    QTest::newRow("large") << QByteArray("cube.ifs -o a.png --look cloud --size 100000x100000")
+                           << QByteArray("4 GB");
     QTest::newRow("plane") << QByteArray("systems.ifs -o a.png --orbit 30,20") << QByteArray("in space");
     QTest::newRow("plane look") << QByteArray("systems.ifs -o a.png --look depth") << QByteArray("in space");
 }

@@ -50,8 +50,8 @@ Written written(const SolidPicture& picture, const std::stop_token& stop = {}) {
     QBuffer buffer(&result.bytes);
     buffer.open(QIODevice::WriteOnly);
     PngFormat format;
-    format.width = width;
-    format.height = height;
+    format.width = picture.request.camera.size.width;
+    format.height = picture.request.camera.size.height;
     format.depth = picture.depth;
     format.pixels = picture.appearance.background.alpha == 255 ? PngFormat::Pixels::Opaque
                                                                : PngFormat::Pixels::Transparent;
@@ -113,6 +113,31 @@ private slots:
         const QSet<QRgb> smooth = colours(written(picture).image);
         QVERIFY(smooth.size() > 2);
         QVERIFY(smooth.contains(rough));
+    }
+
+    void aHugePictureNeedsLittleMemory() {
+        SolidPicture picture = menger(attractor::Look::Stone);
+        picture.request.camera.size = {60'000, 60'000};
+        picture.supersample = 2;
+        QVERIFY(memoryFor(picture) < 1ULL << 30);
+    }
+
+    void bandsMakeNoDifference() {
+        for (const attractor::Look look :
+             {attractor::Look::Stone, attractor::Look::Ink, attractor::Look::Normals})
+            for (const auto depth : {PngFormat::Depth::Bits8, PngFormat::Depth::Bits16}) {
+                SolidPicture picture = menger(look);
+                picture.request.camera.size = {90, 300};
+                picture.request.camera.height *= 6;
+                picture.supersample = 2;
+                picture.depth = depth;
+                QCOMPARE(rowsTogether(picture), 300);
+                const QByteArray whole = written(picture).bytes;
+                picture.bandBytes = 1;
+                QCOMPARE(rowsTogether(picture), 64);
+                QVERIFY(!whole.isEmpty());
+                QVERIFY(written(picture).bytes == whole);
+            }
     }
 
     void normalsAreNotAveraged() {
