@@ -2358,6 +2358,34 @@
         <source>&amp;Open It</source>
         <translation>&amp;Ouvrir</translation>
     </message>
+    <message>
+        <source>Save a Copy for Other Programs</source>
+        <translation>Enregistrer une copie pour d’autres programmes</translation>
+    </message>
+    <message>
+        <source>A copy needs another name than the file itself.</source>
+        <translation>Une copie doit porter un autre nom que le fichier lui-même.</translation>
+    </message>
+    <message>
+        <source>Saving “%1”…</source>
+        <translation>Enregistrement de « %1 »…</translation>
+    </message>
+    <message>
+        <source>Saved the copy %1.</source>
+        <translation>La copie %1 est enregistrée.</translation>
+    </message>
+    <message>
+        <source>Other programs still draw these entries differently: %1.</source>
+        <translation>D’autres programmes dessinent toujours autrement ces entrées : %1.</translation>
+    </message>
+    <message>
+        <source>Save a Copy &amp;for Other Programs…</source>
+        <translation>Enregistrer une copie &amp;pour d’autres programmes…</translation>
+    </message>
+    <message>
+        <source>Save a copy with the placements written into the code and every map listed, so that other programs draw what you see</source>
+        <translation>Enregistrer une copie où les placements sont intégrés au code et toutes les applications énumérées, pour que d’autres programmes dessinent ce que vous voyez</translation>
+    </message>
 </context>
 <context>
     <name>NumberField</name>
@@ -2618,6 +2646,44 @@
     <message>
         <source>Fuchsia</source>
         <translation>Fuchsia</translation>
+    </message>
+</context>
+<context>
+    <name>PlacementBanner</name>
+    <message>
+        <source>Saved with a placement</source>
+        <translation>Enregistré avec un placement</translation>
+    </message>
+    <message>
+        <source>Other programs will draw “%1” where its code puts it, without your placement, which is stored in comments. Bake writes it into the code.</source>
+        <translation>D’autres programmes dessineront « %1 » là où son code la met, sans votre placement, conservé dans des commentaires. Intégrer au code l’y écrit.</translation>
+    </message>
+    <message numerus="yes">
+        <source>Other programs will draw %n entries where their code puts them, without your placements, which are stored in comments. Bake writes them into the code.</source>
+        <translation type="unfinished">
+            <numerusform></numerusform>
+            <numerusform></numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>&amp;Bake</source>
+        <translation>&amp;Intégrer au code</translation>
+    </message>
+    <message>
+        <source>Writes the placements into the code, as one step of the history.</source>
+        <translation>Écrit les placements dans le code : une étape de l’historique.</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Fermer</translation>
+    </message>
+    <message>
+        <source>Bake the placements into the code</source>
+        <translation>Intégrer les placements au code</translation>
+    </message>
+    <message>
+        <source>Not baked, because no code has this picture or keys move it: %1.</source>
+        <translation>Non intégré, parce qu’aucun code ne donne cette image ou que des images clés la déplacent : %1.</translation>
     </message>
 </context>
 <context>
@@ -8298,6 +8364,10 @@
         <source>%1 in space</source>
         <translation>%1 dans l’espace</translation>
     </message>
+    <message>
+        <source>%1, placed</source>
+        <translation>%1, placé</translation>
+    </message>
 </context>
 <context>
     <name>view::EntriesPanel</name>
@@ -11310,7 +11380,7 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
     </message>
     <message>
         <source>Where the axis is tilted to: at 0° to the next one, X to Y, Y to Z and Z to X, and at 90° to the one after that.</source>
-        <translation>Vers où l’axe est incliné : à 0°, vers le suivant, X vers Y, Y vers Z et Z vers X, et à 90°, vers celui d’après.</translation>
+        <translation>Vers où l’axe est incliné&#x202f;: à 0°, vers le suivant, X vers Y, Y vers Z et Z vers X, et à 90°, vers celui d’après.</translation>
     </message>
     <message>
         <source>Centre of the fractal</source>
