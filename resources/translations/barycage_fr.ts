@@ -2660,9 +2660,9 @@
     </message>
     <message numerus="yes">
         <source>Other programs will draw %n entries where their code puts them, without your placements, which are stored in comments. Bake writes them into the code.</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>D’autres programmes dessineront %n entrée là où son code la met, sans votre placement, conservé dans des commentaires. Intégrer au code l’y écrit.</numerusform>
+            <numerusform>D’autres programmes dessineront %n entrées là où leur code les met, sans vos placements, conservés dans des commentaires. Intégrer au code les y écrit.</numerusform>
         </translation>
     </message>
     <message>
