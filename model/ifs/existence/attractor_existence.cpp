@@ -458,7 +458,11 @@ JointSpectralRadius jointSpectralRadius(std::span<const AffineMap<Dim>> maps, co
     constexpr int maxLength = 16;
     JointSpectralRadius result{0, std::numeric_limits<double>::infinity()};
     if (maps.empty() || !std::ranges::all_of(maps, isFinite<Dim>)) return result;
-    if (const auto squares = squaredRatios<Dim>(maps)) return radiusOfSimilarities(*squares);
+    if (const auto squares = squaredRatios<Dim>(maps)) {
+        result = radiusOfSimilarities(*squares);
+        if (existence.exists()) result.most = std::min(result.most, 1.0);
+        return result;
+    }
     if (existence.exists()) result.most = std::min(existence.contractivity * (1 + 1e-15), 1.0);
     const Matrices<Dim> generators = linearParts<Dim>(maps);
     for (WordLevel<Dim> level{generators}; allFinite<Dim>(level.products); extend(level, generators)) {

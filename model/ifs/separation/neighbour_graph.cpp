@@ -116,26 +116,6 @@ template <int Dim> Vector<Dim> sizeOf(const BoundingBox<Dim>& box) {
     return box.max - box.min + Vector<Dim>::Constant(2 * box.error);
 }
 
-// The sum of the sizes of the products that the determinant is made of.
-double terms(const Matrix<2>& m) {
-    const Matrix<2> size = m.cwiseAbs();
-    return size(0, 0) * size(1, 1) + size(0, 1) * size(1, 0);
-}
-
-double terms(const Matrix<3>& m) {
-    const Matrix<3> size = m.cwiseAbs();
-    double result = 0;
-    for (int k = 0; k < 3; ++k)
-        result += size(0, k) *
-                  (size(1, (k + 1) % 3) * size(2, (k + 2) % 3) + size(1, (k + 2) % 3) * size(2, (k + 1) % 3));
-    return result;
-}
-
-// What the determinant may be off by, as far as the coefficients are off by their rounding.
-template <int Dim> double offDeterminant(const Matrix<Dim>& linear) {
-    return Dim * (StoredRounding<Dim>::share + roundingUnit) * terms(linear);
-}
-
 // The U with P = UᵀU for which all AᵀPA = s²P with the same s, to rounding error.
 template <int Dim>
 std::optional<Matrix<Dim>> rootOfOneRatio(std::span<const AffineMap<Dim>> maps, double& ratio) {

@@ -5,6 +5,7 @@
 #include "ifs/existence/exact_matrix.h"
 #include "ifs/existence/exact_similarity.h"
 #include "ifs/linear/rounding.h"
+#include "ifs/separation/stored_rounding.h"
 
 #include <algorithm>
 #include <cmath>
@@ -23,6 +24,14 @@ template <int Dim> Dyadic excessOfDeterminants(std::span<const AffineMap<Dim>> m
     return result;
 }
 
+// What it may be off by, as far as the coefficients are off by their rounding: tiles exceed 1 by that.
+template <int Dim> double roundingOfDeterminants(std::span<const AffineMap<Dim>> maps) {
+    double result = 0;
+    for (const auto& map : maps)
+        result += offDeterminant<Dim>(map.linear);
+    return result;
+}
+
 struct Condition {
     OpenSetCondition condition = OpenSetCondition::Unknown;
     Certainty certainty = Certainty::Exact;
@@ -35,7 +44,7 @@ Condition conditionOf(std::span<const AffineMap<Dim>> maps, const PieceContacts&
     const auto& overlaps = contacts.overlaps;
     if (std::ranges::any_of(overlaps, &Overlap::isExact)) return {Fails};
     if (contacts.separation == Separation::Strong) return {Holds};
-    if (excessOfDeterminants<Dim>(maps).sign() > 0) return {Fails};
+    if (excessOfDeterminants<Dim>(maps).rounded() > roundingOfDeterminants<Dim>(maps)) return {Fails};
     if (graph) return {graph->overlap() ? Fails : Holds, graph->certainty()};
     if (!overlaps.empty()) return {Fails, Certainty::ToRounding};
     return {};

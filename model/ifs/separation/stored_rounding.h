@@ -33,4 +33,25 @@ template <int Dim> struct StoredRounding {
     }
 };
 
+// The sum of the sizes of the products that the determinant is made of.
+inline double determinantTerms(const Matrix<2>& m) {
+    const Matrix<2> size = m.cwiseAbs();
+    return size(0, 0) * size(1, 1) + size(0, 1) * size(1, 0);
+}
+
+inline double determinantTerms(const Matrix<3>& m) {
+    const Matrix<3> size = m.cwiseAbs();
+    double result = 0;
+    for (int k = 0; k < 3; ++k)
+        result += size(0, k) *
+                  (size(1, (k + 1) % 3) * size(2, (k + 2) % 3) + size(1, (k + 2) % 3) * size(2, (k + 1) % 3));
+    return result;
+}
+
+// What a determinant may be off by, as far as the coefficients are off by their rounding.
+template <int Dim> double offDeterminant(const Matrix<Dim>& linear) {
+    constexpr double ofProducts = 0x1p-53;
+    return Dim * (StoredRounding<Dim>::share + ofProducts) * determinantTerms(linear);
+}
+
 } // namespace ifs

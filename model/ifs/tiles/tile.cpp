@@ -13,19 +13,11 @@ namespace ifs {
 namespace {
 
 constexpr double roundingUnit = 0x1p-53;
-using Rounding = StoredRounding<2>;
 constexpr std::size_t maxMaps = 64;
 
 struct Figure {
     double value = 0, error = 0;
 };
-
-// What a determinant may be off by, as far as the coefficients are off by their rounding.
-double roundingOfDeterminant(const Matrix<2>& linear) {
-    const Matrix<2> size = linear.cwiseAbs();
-    const double terms = size(0, 0) * size(1, 1) + size(0, 1) * size(1, 0);
-    return 2 * (Rounding::share + roundingUnit) * terms;
-}
 
 // N similarities of one ratio s with Ns² = 1, whose neighbours are finitely many and none of them the tile
 // itself: the open set condition holds, and the attractor has inner points (Bandt; Schief).
@@ -34,7 +26,7 @@ std::optional<Figure> boundaryDimension(std::span<const AffineMap<2>> maps,
     const double share = 1 / double(maps.size());
     for (const auto& map : maps)
         if (std::abs(std::abs(determinant<2>(map.linear)) - share) >
-            roundingOfDeterminant(map.linear) + roundingUnit * share)
+            offDeterminant<2>(map.linear) + roundingUnit * share)
             return std::nullopt;
     if (neighbours.overlap()) return std::nullopt;
     const auto radius = neighbours.contacts().spectralRadius();
@@ -59,7 +51,7 @@ std::optional<Tile> tile(std::span<const AffineMap<2>> maps, const BoundingBox<2
         const auto m = exactMatrix<2>(map.linear);
         const Dyadic determinant = m[0][0] * m[1][1] - m[0][1] * m[1][0];
         excess = determinant.sign() < 0 ? excess - determinant : excess + determinant;
-        rounding += roundingOfDeterminant(map.linear);
+        rounding += offDeterminant<2>(map.linear);
     }
     if (!(std::abs(excess.rounded()) <= rounding)) return std::nullopt;
     bool isAreaExact = true, isDimensionExact = true;

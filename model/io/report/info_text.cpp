@@ -346,8 +346,10 @@ void addOpenSet(Lines& lines, const ifs::Invariants& invariants) {
 
 // One number where that is all that the digits show of the interval.
 QString radiusText(const ifs::JointSpectralRadius& radius) {
-    constexpr double rounding = 1e-15; // of exact radii
-    if (radius.most - radius.least <= rounding * radius.most && digits(radius.least) == digits(radius.most))
+    constexpr double rounding = 1e-15;                       // of exact radii
+    const bool isOne = radius.least < 1 && radius.most >= 1; // one side or the other matters
+    if (!isOne && radius.most - radius.least <= rounding * radius.most &&
+        digits(radius.least) == digits(radius.most))
         return digits(radius.most);
     return Text::tr("between %1 and %2").arg(lowerDigits(radius.least), upperDigits(radius.most));
 }

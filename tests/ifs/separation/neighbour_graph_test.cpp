@@ -188,6 +188,24 @@ private slots:
         QVERIFY(near(found->dimension->value, .5, 1e-12));
     }
 
+    // Coefficients that are rounded up make Σ|det| exceed 1 by nothing that tells.
+    void tilesByRounding() {
+        const double third = .5, rise = std::sqrt(3.0) / 6;
+        const auto turned = [](double a, double b, double e, double f) {
+            return affineMap(a, -b, b, a, e, f);
+        };
+        const Maps2 terdragon{turned(third, rise, 0, 0), turned(0, -2 * rise, third, rise),
+                              turned(third, rise, third, -rise)};
+        for (const double scale : {1 - 0x1p-52, 1.0, 1 + 0x1p-52}) {
+            Maps2 maps = terdragon;
+            for (auto& map : maps)
+                map.linear *= scale;
+            const auto found = invariantsFor<2>(maps).openSet;
+            QVERIFY(found && found->condition == OpenSetCondition::Holds);
+            QCOMPARE(found->certainty, Certainty::ToRounding);
+        }
+    }
+
     void notOfFiniteType() {
         QVERIFY(!graphOf<2>(onALine(.4, {0, 1, std::numbers::e})));
         QVERIFY(!graphOf<2>(fern()));   // no similarities
