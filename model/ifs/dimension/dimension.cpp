@@ -6,6 +6,7 @@
 #include "ifs/dimension/transfer_operator.h"
 #include "ifs/existence/attractor_existence.h"
 #include "ifs/existence/invariant_form.h"
+#include "ifs/linear/rounding.h"
 #include "ifs/system/iterated_function_system.h"
 
 #include <algorithm>
@@ -48,7 +49,7 @@ template <int Dim> double firstBound(std::span<const AffineMap<Dim>> maps) {
 
 // Whether rounding leaves so little of the determinant that nothing is known of the eigenvalues.
 bool isLostToRounding(const AffineMap<2>& map) {
-    constexpr double roundingUnit = 0x1p-53, telling = 1e-10;
+    constexpr double telling = 1e-10;
     const Matrix<2>& m = map.linear;
     return !(roundingUnit * (std::abs(m(0, 0) * m(1, 1)) + std::abs(m(0, 1) * m(1, 0))) <= telling);
 }

@@ -24,7 +24,6 @@ namespace ifs {
 
 namespace {
 
-constexpr double underflow = 0x1p-1060;   // of all that underflows in a product of two matrices
 constexpr double minContractivity = 1e-3; // keeps γ^(−k) finite where products vanish
 
 // A norm below this is below 1 in spite of its rounding. Jacobi's rotations round more often.

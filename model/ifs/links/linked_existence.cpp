@@ -4,6 +4,7 @@
 #include "ifs/existence/common_matrix.h"
 #include "ifs/existence/exact_matrix.h"
 #include "ifs/existence/expansion.h"
+#include "ifs/linear/rounding.h"
 #include "ifs/system/link_graph.h"
 
 #include <algorithm>
@@ -62,7 +63,6 @@ private:
     static constexpr int maxLength = 64;
     static constexpr double margin = 1 - 1e-9;
     static constexpr double negligible = 0x1p-40; // of a product: far below the margin
-    static constexpr double roundingUnit = 0x1p-53, underflow = 0x1p-1060;
 
     bool follows(int before, int after) const { // in the order in which they are applied
         return m_active.links[std::size_t(before) * m_active.maps.size() + std::size_t(after)] > 0;

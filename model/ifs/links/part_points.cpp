@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "ifs/links/part_points.h"
 
+#include "ifs/linear/rounding.h"
 #include "ifs/separation/exact_map.h"
 
 #include <Eigen/LU>
@@ -14,7 +15,6 @@ namespace ifs {
 
 namespace {
 
-constexpr double roundingUnit = 0x1p-53;
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
 // The composition of some maps, with what rounding may have cost it.

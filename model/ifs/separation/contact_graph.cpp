@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "ifs/separation/contact_graph.h"
+#include "ifs/linear/rounding.h"
 
 #include <algorithm>
 #include <bitset>
@@ -61,7 +62,7 @@ std::vector<std::vector<std::size_t>> ContactGraph::strongParts() const {
 // Adding the identity keeps the iteration from going round and round.
 std::optional<ContactGraph::Radius> ContactGraph::radiusOf(const std::vector<std::size_t>& part) const {
     constexpr int maxRounds = 20'000;
-    constexpr double tight = 1e-11, tightest = 1e-14, roundingUnit = 0x1p-53;
+    constexpr double tight = 1e-11, tightest = 1e-14;
     std::optional<Radius> best;
     int last = maxRounds; // to be still tighter is worth as long again, and no longer
     std::vector<std::size_t> index(m_edges.size(), part.size());

@@ -2,6 +2,7 @@
 #include "ifs/tiles/tile.h"
 
 #include "ifs/existence/exact_matrix.h"
+#include "ifs/linear/rounding.h"
 #include "ifs/separation/stored_rounding.h"
 #include "ifs/tiles/tile_area.h"
 
@@ -12,7 +13,6 @@ namespace ifs {
 
 namespace {
 
-constexpr double roundingUnit = 0x1p-53;
 constexpr std::size_t maxMaps = 64;
 
 struct Figure {
