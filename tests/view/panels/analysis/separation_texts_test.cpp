@@ -1,11 +1,16 @@
 // SPDX-License-Identifier: MIT
 #include "panels/analysis/separation_texts.h"
 
+#include "document/analysis/analysis.h"
 #include "panels/analysis/analysis_facts.h"
 #include "support/named_test.h"
 #include "view/panels/maps_support.h"
 
+#include <QApplication>
 #include <QtTest>
+
+#include <algorithm>
+#include <memory>
 
 using namespace maps_support;
 
@@ -44,7 +49,21 @@ private slots:
         QVERIFY(valueOf(segment, QStringLiteral("Dimension of the measure"))
                     .startsWith(QStringLiteral("at most 1 ")));
     }
+
+private:
+    static QList<view::Fact> factsOf(const document::Fractal& fractal) {
+        document::Analyser analyser;
+        const auto analysis = analyser.completed(
+            analyser.begun({.fractal = std::make_shared<const document::Fractal>(fractal), .outlines = {}}),
+            {});
+        return view::analysisFacts(std::make_shared<const document::Analysis>(*analysis));
+    }
+    static QString valueOf(const QList<view::Fact>& facts, const QString& name) {
+        for (const auto& fact : facts)
+            if (fact.name == name) return fact.value;
+        return {};
+    }
 };
 
-BARYCAGE_TEST(SeparationTextsTest);
+BARYCAGE_TEST(SeparationTextsTest, QApplication);
 #include "separation_texts_test.moc"
