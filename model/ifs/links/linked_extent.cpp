@@ -41,6 +41,16 @@ double reach(const std::vector<Vector<2>>& points) {
     return result;
 }
 
+// The maps i with P_ij > 0, for each j.
+std::vector<std::vector<std::size_t>> mapsBefore(const ActiveMaps<2>& active) {
+    const std::size_t n = active.maps.size();
+    std::vector<std::vector<std::size_t>> result(n);
+    for (std::size_t j = 0; j < n; ++j)
+        for (std::size_t i = 0; i < n; ++i)
+            if (!active.isLinked() || active.links[i * n + j] > 0) result[j].push_back(i);
+    return result;
+}
+
 ExactMap<2> composed(const ExactMap<2>& outer, const AffineMap<2>& inner) {
     const ExactPoint<2> shift{{Dyadic(inner.translation.x()), Dyadic(inner.translation.y())}, Dyadic(1)};
     return {outer.linear * exactMatrix<2>(inner.linear), image(outer, shift).numerator};
@@ -62,10 +72,7 @@ std::optional<LinkedExtent> LinkedExtent::of(const ActiveMaps<2>& active, const 
     LinkedExtent result;
     result.m_active = active;
     const std::size_t n = active.maps.size();
-    result.m_before.resize(n);
-    for (std::size_t j = 0; j < n; ++j)
-        for (std::size_t i = 0; i < n; ++i)
-            if (!active.isLinked() || active.links[i * n + j] > 0) result.m_before[j].push_back(i);
+    result.m_before = mapsBefore(active);
     result.m_maps = active.maps;
     std::vector<std::size_t> before;
     for (const auto& maps : result.m_before)
@@ -111,11 +118,8 @@ std::optional<LinkedExtent> LinkedExtent::of(const ActiveMaps<2>& active, const 
     const Vector<2> high(sides[0], sides[1]), low(-sides[2], -sides[3]);
     const double radius = seenFrom((low + high) / 2);
     result.m_radius = std::min(radius, (high - low).norm() / 2 * (1 + 8 * unit));
-    const bool isWide = std::ranges::any_of(axes, [&result](const Vector<2>& axis) {
-        constexpr double wide = 1e-6; // of the radius
-        return result(axis).error > wide * result.m_radius;
-    });
-    if (isWide) result.boundParts();
+    if (std::ranges::any_of(axes, [&result](const auto& axis) { return result.isWide(axis); }))
+        result.boundParts();
     return result;
 }
 
@@ -149,6 +153,12 @@ double between(const std::vector<double>& bounds, const Vector<2>& v) {
 }
 
 } // namespace
+
+// Whether the ball leaves so much of an error.
+bool LinkedExtent::isWide(const Vector<2>& u) const {
+    constexpr double wide = 1e-6; // of the radius
+    return (*this)(u).error > wide * m_radius;
+}
 
 // From the ball, h_j(u) ≤ max over the maps i before j of h_i(A_jᵀu) + ⟨u,t_j⟩, again and again. Every one of
 // these numbers is a bound, wherever the iteration ends.

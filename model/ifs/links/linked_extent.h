@@ -46,6 +46,7 @@ private:
     std::vector<Node> lengthened(const std::vector<Node>& open, const Vector<2>& u, double& apart,
                                  int& exactLeft) const;
     Node child(const Node& node, std::size_t map, const Vector<2>& u, int& exactLeft) const;
+    bool isWide(const Vector<2>& u) const;
     void boundParts();
     double boundOfRest(const Node& node) const; // of ⟨v,x⟩ over the x that may follow a word
     Height ofPoint(std::size_t part, const Vector<2>& u) const;

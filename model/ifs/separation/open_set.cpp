@@ -5,6 +5,7 @@
 #include "ifs/existence/exact_matrix.h"
 #include "ifs/existence/exact_similarity.h"
 #include "ifs/linear/rounding.h"
+#include "ifs/separation/determinant_sum.h"
 #include "ifs/separation/stored_rounding.h"
 
 #include <algorithm>
@@ -13,16 +14,6 @@
 namespace ifs {
 
 namespace {
-
-// Σ|det A_i| − 1
-template <int Dim> Dyadic excessOfDeterminants(std::span<const AffineMap<Dim>> maps) {
-    Dyadic result(-1);
-    for (const auto& map : maps) {
-        const Dyadic det = determinant(exactMatrix<Dim>(map.linear));
-        result = det.sign() < 0 ? result - det : result + det;
-    }
-    return result;
-}
 
 // What it may be off by, as far as the coefficients are off by their rounding: tiles exceed 1 by that.
 template <int Dim> double roundingOfDeterminants(std::span<const AffineMap<Dim>> maps) {
@@ -76,10 +67,6 @@ std::optional<HausdorffDimension> dimensionByType(const NeighbourGraph& graph) {
 
 } // namespace
 
-template <int Dim> bool fillSpace(std::span<const AffineMap<Dim>> maps) {
-    return excessOfDeterminants<Dim>(maps).sign() >= 0;
-}
-
 template <int Dim>
 OpenSetFacts openSetFacts(std::span<const AffineMap<Dim>> maps, const PieceContacts& contacts,
                           const NeighbourGraph* graph) {
@@ -110,8 +97,7 @@ void settleByArea(OpenSetFacts& facts, std::span<const AffineMap<Dim>> maps, Cer
 #define BARYCAGE_INSTANTIATE(Dim)                                                                            \
     template OpenSetFacts openSetFacts<Dim>(std::span<const AffineMap<Dim>>, const PieceContacts&,           \
                                             const NeighbourGraph*);                                          \
-    template void settleByArea<Dim>(OpenSetFacts&, std::span<const AffineMap<Dim>>, Certainty);              \
-    template bool fillSpace<Dim>(std::span<const AffineMap<Dim>>);
+    template void settleByArea<Dim>(OpenSetFacts&, std::span<const AffineMap<Dim>>, Certainty);
 BARYCAGE_INSTANTIATE(2)
 BARYCAGE_INSTANTIATE(3)
 #undef BARYCAGE_INSTANTIATE

@@ -40,8 +40,4 @@ OpenSetFacts openSetFacts(std::span<const AffineMap<Dim>> maps, const PieceConta
 template <int Dim>
 void settleByArea(OpenSetFacts& facts, std::span<const AffineMap<Dim>> maps, Certainty certainty);
 
-// Whether Σ|det A_i| ≥ 1, without rounding: then pieces that are all disjoint are impossible, for those of a
-// neighbourhood would be, too.
-template <int Dim> bool fillSpace(std::span<const AffineMap<Dim>> maps);
-
 } // namespace ifs

@@ -2,8 +2,8 @@
 #include "ifs/separation/piece_contacts.h"
 
 #include "ifs/linear/rounding.h"
+#include "ifs/separation/determinant_sum.h"
 #include "ifs/separation/exact_map.h"
-#include "ifs/separation/open_set.h"
 #include "ifs/separation/stored_rounding.h"
 
 #include <Eigen/LU>

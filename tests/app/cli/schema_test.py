@@ -133,7 +133,8 @@ def main():
         hopeless = Path(folder) / "late.ifs"
         rows = "".join(f" .3 {i / 100} -.2 .4 {i} {i * i % 7} 1\n" for i in range(59))
         twice = "twice {\n .5 0 0 .5 0 0 .3\n .5 0 0 .5 0 0 .3\n .5 0 0 .5 1 0 .4\n}\n"
-        hopeless.write_text("late {\n" + rows + "}\n" + twice, encoding="utf-8")
+        thirds = "thirds {\n" + "".join(f" {1 / 3} 0 0 {1 / 3} {k / 3} 0 1\n" for k in range(3)) + "}\n"
+        hopeless.write_text("late {\n" + rows + "}\n" + twice + thirds, encoding="utf-8")
         entries, described, late = 0, set(), set()
         calls = [(file, []) for file in [odd, table, alien, flame, hopeless, *files]]
         for file in (odd, hopeless, files[0]):

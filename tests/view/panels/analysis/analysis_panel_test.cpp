@@ -80,12 +80,6 @@ private slots:
         const auto facts = factsOf(document::sierpinskiTriangle());
         QCOMPARE(valueOf(facts, QStringLiteral("Similarity dimension")),
                  QStringLiteral("1.585 (the open set condition holds, within rounding error)"));
-        QCOMPARE(valueOf(facts, QStringLiteral("Separation")),
-                 QStringLiteral("pieces may touch, but do not overlap"));
-        QCOMPARE(valueOf(facts, QStringLiteral("Open set condition")),
-                 QStringLiteral("holds, within rounding error"));
-        QCOMPARE(valueOf(facts, QStringLiteral("Hausdorff dimension")),
-                 QStringLiteral("1.585 (within rounding error)"));
         QCOMPARE(valueOf(facts, QStringLiteral("Affinity dimension")), QStringLiteral("1.585"));
         QCOMPARE(valueOf(facts, QStringLiteral("Connectedness")), QStringLiteral("connected"));
         QCOMPARE(valueOf(facts, QStringLiteral("Hull vertices")), QStringLiteral("3"));
@@ -94,28 +88,6 @@ private slots:
         QVERIFY(
             std::abs(valueOf(facts, QStringLiteral("Box-counting dimension")).section(u' ', 0, 0).toDouble() -
                      1.585) < 0.1);
-    }
-
-    void saysUnknownOnlyWhereItIs() {
-        const double third = 1.0 / 3;
-        const auto koch = factsOf(fractalOf({{third, 0, 0, third, 0, 0, 1},
-                                             {third, 0, 0, third, third, 0, 1},
-                                             {third, 0, 0, third, 2 * third, 0, 1}}));
-        QVERIFY(valueOf(koch, QStringLiteral("Similarity dimension"))
-                    .endsWith(QStringLiteral("(the open set condition holds, within rounding error)")));
-        const auto digits = factsOf(fractalOf({{third, 0, 0, third, 0, 0, 1},
-                                               {third, 0, 0, third, third, 0, 1},
-                                               {third, 0, 0, third, 1, 0, 1}}));
-        QCOMPARE(valueOf(digits, QStringLiteral("Hausdorff dimension")),
-                 QStringLiteral("0.876 (within rounding error)"));
-        QCOMPARE(valueOf(digits, QStringLiteral("Open set condition")),
-                 QStringLiteral("fails")); // 03 = 10, as stored
-        const auto two = factsOf(
-            fractalOf({{.5, 0, 0, .5, 0, 0, 1}, {.5, 0, 0, .5, .5, 0, 1}, {.25, 0, 0, .25, 0, .5, 1}}));
-        QCOMPARE(valueOf(two, QStringLiteral("Open set condition")), QStringLiteral("unknown"));
-        const auto segment = factsOf(fractalOf({{.9, 0, 0, .9, 0, 0, 1}, {.9, 0, 0, .9, 1, 0, 1}}));
-        QVERIFY(valueOf(segment, QStringLiteral("Dimension of the measure"))
-                    .startsWith(QStringLiteral("at most 1 ")));
     }
 
     void writesTheMoranEquationInNumbers() {

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: MIT
+#include "panels/analysis/separation_texts.h"
+
+#include "document/analysis/analysis.h"
+#include "panels/analysis/analysis_facts.h"
+#include "support/named_test.h"
+#include "view/panels/maps_support.h"
+
+#include <QApplication>
+#include <QtTest>
+
+#include <algorithm>
+#include <memory>
+
+using namespace maps_support;
+
+class SeparationTextsTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void saysWhatIsProvedOfTheSierpinskiTriangle() {
+        const auto facts = factsOf(document::sierpinskiTriangle());
+        QCOMPARE(valueOf(facts, QStringLiteral("Separation")),
+                 QStringLiteral("pieces may touch, but do not overlap"));
+        QCOMPARE(valueOf(facts, QStringLiteral("Open set condition")),
+                 QStringLiteral("holds, within rounding error"));
+        QCOMPARE(valueOf(facts, QStringLiteral("Hausdorff dimension")),
+                 QStringLiteral("1.585 (within rounding error)"));
+    }
+
+    void saysUnknownOnlyWhereItIs() {
+        const double third = 1.0 / 3;
+        const auto koch = factsOf(fractalOf({{third, 0, 0, third, 0, 0, 1},
+                                             {third, 0, 0, third, third, 0, 1},
+                                             {third, 0, 0, third, 2 * third, 0, 1}}));
+        QVERIFY(valueOf(koch, QStringLiteral("Similarity dimension"))
+                    .endsWith(QStringLiteral("(the open set condition holds, within rounding error)")));
+        const auto digits = factsOf(fractalOf({{third, 0, 0, third, 0, 0, 1},
+                                               {third, 0, 0, third, third, 0, 1},
+                                               {third, 0, 0, third, 1, 0, 1}}));
+        QCOMPARE(valueOf(digits, QStringLiteral("Hausdorff dimension")),
+                 QStringLiteral("0.876 (within rounding error)"));
+        QCOMPARE(valueOf(digits, QStringLiteral("Open set condition")),
+                 QStringLiteral("fails")); // 03 = 10, as stored
+        const auto two = factsOf(
+            fractalOf({{.5, 0, 0, .5, 0, 0, 1}, {.5, 0, 0, .5, .5, 0, 1}, {.25, 0, 0, .25, 0, .5, 1}}));
+        QCOMPARE(valueOf(two, QStringLiteral("Open set condition")), QStringLiteral("unknown"));
+        const auto segment = factsOf(fractalOf({{.9, 0, 0, .9, 0, 0, 1}, {.9, 0, 0, .9, 1, 0, 1}}));
+        QVERIFY(valueOf(segment, QStringLiteral("Dimension of the measure"))
+                    .startsWith(QStringLiteral("at most 1 ")));
+    }
+
+private:
+    static QList<view::Fact> factsOf(const document::Fractal& fractal) {
+        document::Analyser analyser;
+        const auto analysis = analyser.completed(
+            analyser.begun({.fractal = std::make_shared<const document::Fractal>(fractal), .outlines = {}}),
+            {});
+        return view::analysisFacts(std::make_shared<const document::Analysis>(*analysis));
+    }
+    static QString valueOf(const QList<view::Fact>& facts, const QString& name) {
+        for (const auto& fact : facts)
+            if (fact.name == name) return fact.value;
+        return {};
+    }
+};
+
+BARYCAGE_TEST(SeparationTextsTest, QApplication);
+#include "separation_texts_test.moc"
