@@ -27,15 +27,15 @@ WheelNeedsFocus::WheelNeedsFocus(QCoreApplication* application) : QObject(applic
 }
 
 bool WheelNeedsFocus::eventFilter(QObject* watched, QEvent* event) {
-    if (event->type() != QEvent::Polish && event->type() != QEvent::Wheel) return false;
-    QWidget* widget = valueWidget(watched);
-    if (!widget) return false;
-    if (event->type() == QEvent::Polish) {
-        // Qt gives the focus before it sends the wheel.
-        if (widget->focusPolicy() == Qt::WheelFocus) widget->setFocusPolicy(Qt::StrongFocus);
+    if (event->type() == QEvent::Polish && watched->isWidgetType()) {
+        // Qt gives the focus before it sends the wheel, also to a table, whose current number then follows.
+        auto* polished = static_cast<QWidget*>(watched);
+        if (polished->focusPolicy() == Qt::WheelFocus) polished->setFocusPolicy(Qt::StrongFocus);
         return false;
     }
-    if (widget->hasFocus()) return false;
+    if (event->type() != QEvent::Wheel) return false;
+    const QWidget* widget = valueWidget(watched);
+    if (!widget || widget->hasFocus()) return false;
     event->ignore(); // the parent gets it
     return true;
 }

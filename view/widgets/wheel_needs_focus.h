@@ -8,7 +8,7 @@ class QCoreApplication;
 namespace view {
 
 // The wheel changes sliders, spin boxes, combo boxes and tab bars only while they have the focus, which it
-// does not give them. Over any other one it scrolls what the widget stands in. For all widgets of the
+// gives to no widget at all. Over any other one it scrolls what the widget stands in. For all widgets of the
 // application, as long as this lives.
 class WheelNeedsFocus : public QObject {
 public:

@@ -1,4 +1,8 @@
 // SPDX-License-Identifier: MIT
+#include "canvas/canvas_view.h"
+#include "main_window.h"
+#include "panels/maps/maps_model.h"
+#include "panels/maps/maps_table.h"
 #include "support/every_window.h"
 #include "support/named_test.h"
 #include "support/own_settings.h"
@@ -12,6 +16,7 @@
 #include <QScrollBar>
 #include <QTabBar>
 #include <QTest>
+#include <QUndoStack>
 #include <QVBoxLayout>
 #include <QWheelEvent>
 #include <QtTest/qtestspontaneevent.h>
@@ -28,6 +33,7 @@ private slots:
         QApplication::setQuitOnLastWindowClosed(false);
     }
     void nothingChangesWithoutTheFocus();
+    void aTableKeepsItsNumbers();
     void whatHasTheFocusChanges();
     void theAreaBehindScrolls();
 
@@ -97,6 +103,38 @@ void WheelTest::nothingChangesWithoutTheFocus() {
     }
     QVERIFY2(changed.isEmpty(), qPrintable(changed.join(u'\n')));
     QVERIFY(tried > 50);
+}
+
+// The current cell of the maps follows the wheel, too, but only in the table that has the focus.
+void WheelTest::aTableKeepsItsNumbers() {
+    const view::WheelNeedsFocus filter(qApp);
+    MainWindow window;
+    window.setAttribute(Qt::WA_DeleteOnClose, false);
+    window.resize(1400, 900);
+    window.openFirstPicture();
+    window.show();
+    QVERIFY(QTest::qWaitForWindowActive(&window));
+    auto* table = window.findChild<view::MapsTable*>();
+    QVERIFY(table && table->isVisible());
+    const QModelIndex cell = table->model()->index(1, view::MapsModel::A);
+    table->setCurrentIndex(cell);
+    window.findChild<view::CanvasView*>()->setFocus();
+    QVERIFY(!table->hasFocus());
+    const QPointF middle = QRectF(table->visualRect(cell)).center();
+    const auto turnThere = [&] {
+        QWheelEvent event(middle, table->viewport()->mapToGlobal(middle), {}, {0, 120}, Qt::NoButton,
+                          Qt::NoModifier, Qt::NoScrollPhase, false);
+        QSpontaneKeyEvent::setSpontaneous(&event);
+        qApp->notify(table->viewport(), &event);
+    };
+    const QVariant before = cell.data(Qt::EditRole);
+    turnThere();
+    QCOMPARE(cell.data(Qt::EditRole), before);
+    QVERIFY(!table->hasFocus());
+    table->setFocus();
+    turnThere();
+    QVERIFY(cell.data(Qt::EditRole) != before);
+    window.document().undoStack()->setClean();
 }
 
 void WheelTest::whatHasTheFocusChanges() {
