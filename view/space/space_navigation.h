@@ -34,7 +34,6 @@ public:
     void moveTo(const attractor::OrbitCamera& camera, bool isMoving = false);
     void followKeys(attractor::OrbitCamera camera, bool isMoving); // whatever its size
     void glideTo(const attractor::OrbitCamera& camera);            // within a moment
-    void adoptViewport() override;
     void fit() override; // picture and cage into the view
     bool isFitted() const override { return m_isFitted; }
     void zoomAt(const QPointF& position, double factor) override;
@@ -78,6 +77,7 @@ signals:
     void stereoChanged();
 
 private:
+    void adoptViewport() override;
     void twistAt(const QPointF& position, double degrees) override;
     void hold() override { m_held = m_camera; }
     void moveHeld(const QPointF& shift, const QPointF& about = {}, double factor = 1) override {
