@@ -18,12 +18,6 @@ using Kind = Completion::Kind;
 
 constexpr auto palettes = "command barycage-cli render --list-palettes </dev/null 2>/dev/null";
 
-std::vector<std::string> allNames(const Option& option) {
-    std::vector<std::string> names = option.shortNames;
-    names.insert(names.end(), option.longNames.begin(), option.longNames.end());
-    return names;
-}
-
 std::string joined(const std::vector<std::string>& words, const std::string& between) {
     std::string text;
     for (const std::string& word : words)
@@ -84,7 +78,7 @@ std::vector<BashCase> bashCases(const Program& program) {
             const std::string answer = bashAnswer(option.completion);
             auto found = std::ranges::find(cases, answer, &BashCase::answer);
             if (found == cases.end()) found = cases.insert(cases.end(), {answer, {}});
-            for (const std::string& name : allNames(option))
+            for (const std::string& name : option.names())
                 found->patterns.push_back('\'' + command.name + ' ' + name + '\'');
         }
     return cases;
@@ -134,7 +128,7 @@ std::string zshAction(const Completion& completion) {
 // The other names of the option, and the options that cannot be used with it.
 std::vector<std::string> zshExcluded(const Command& command, const Option& option) {
     std::vector<std::string> excluded;
-    if (!option.takesMany() && allNames(option).size() > 1) excluded = allNames(option);
+    if (!option.takesMany() && option.names().size() > 1) excluded = option.names();
     excluded.insert(excluded.end(), option.excluded.begin(), option.excluded.end());
     for (const Option& other : command.options)
         if (std::ranges::any_of(other.excluded,
@@ -164,7 +158,7 @@ std::string zshTables(const Program& program) {
     for (const Command& command : program.commands) {
         text += "    " + command.name + ")\n      _arguments";
         for (const Option& option : command.options)
-            for (const std::string& name : allNames(option))
+            for (const std::string& name : option.names())
                 text += " \\\n        " + zshOption(command, option, name);
         for (const Option& option : command.options)
             if (option.isArgument()) {
@@ -206,7 +200,7 @@ std::string fishTables(const Program& program) {
         commands.push_back(command.name);
         for (const Option& option : command.options)
             if (!option.isArgument() && option.isFlag())
-                for (const std::string& name : allNames(option))
+                for (const std::string& name : option.names())
                     if (std::ranges::find(flags, name) == flags.end()) flags.push_back(name);
     }
     std::string text = "set -g __barycage_cli_commands " + joined(commands, " ") +
@@ -222,7 +216,7 @@ std::string fishTables(const Program& program) {
         for (const Option& option : command.options) {
             if (option.isArgument()) continue;
             text += "complete -c barycage-cli -n \"__fish_seen_subcommand_from " + command.name + '"';
-            for (const std::string& name : allNames(option))
+            for (const std::string& name : option.names())
                 text += (name.starts_with("--") ? " -l " : " -s ") + name.substr(name.find_first_not_of('-'));
             text += fishValue(option) + " -d " + fishWord(summary(option.description)) + '\n';
         }
@@ -276,7 +270,7 @@ std::string manualLines(const std::vector<std::string>& texts) {
 
 std::string manualEntry(const Option& option) {
     std::vector<std::string> names;
-    for (const std::string& name : allNames(option))
+    for (const std::string& name : option.names())
         names.push_back("\\fB" + replaced(name, "-", "\\-") + "\\fP");
     std::string text = ".TP\n" + joined(names, ", ");
     if (!option.isFlag()) text += " \\fI" + manualText(option.valueName) + "\\fP";

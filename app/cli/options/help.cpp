@@ -39,9 +39,8 @@ void addRow(std::string& text, const std::string& name, const std::string& descr
 std::string nameOf(const Option& option) {
     if (option.isArgument()) return option.valueName;
     std::string names;
-    for (const auto* each : {&option.shortNames, &option.longNames})
-        for (const std::string& name : *each)
-            names += (names.empty() ? "" : ", ") + name;
+    for (const std::string& name : option.names())
+        names += (names.empty() ? "" : ", ") + name;
     return option.isFlag() ? names : names + ' ' + option.valueName;
 }
 

@@ -87,6 +87,12 @@ std::string Option::name() const {
     return shortNames.empty() ? valueName.substr(0, valueName.find('.')) : shortNames.front();
 }
 
+std::vector<std::string> Option::names() const {
+    std::vector<std::string> names = shortNames;
+    names.insert(names.end(), longNames.begin(), longNames.end());
+    return names;
+}
+
 bool Option::isArgument() const {
     return longNames.empty() && shortNames.empty();
 }

@@ -93,6 +93,7 @@ struct Option {
 
     // As messages call it: its first long name, or of an argument what stands for it.
     std::string name() const;
+    std::vector<std::string> names() const; // with their dashes, the short ones first
     bool isArgument() const;
     bool isFlag() const; // takes no value
     bool asksForHelp() const;

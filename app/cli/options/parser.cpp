@@ -47,17 +47,10 @@ std::string withoutDashes(const std::string& name) {
     return name.substr(std::min(name.find_first_not_of('-'), name.size()));
 }
 
-// The long ones first.
-std::vector<std::string> namesOf(const Option& option) {
-    std::vector<std::string> names = option.longNames;
-    names.insert(names.end(), option.shortNames.begin(), option.shortNames.end());
-    return names;
-}
-
 std::vector<std::string> optionNames(const Command& command) {
     std::vector<std::string> names;
     for (const Option& option : command.options)
-        for (const std::string& name : namesOf(option))
+        for (const std::string& name : option.names())
             names.push_back(name);
     return names;
 }
@@ -215,16 +208,15 @@ private:
             if (!isGiven(option)) {
                 if (option.isRequired && !option.isArgument() && !isAnswered())
                     throw UsageError{tr("%1 %2 is missing. Usage: barycage-cli %3")
-                                         .arg(shown(namesOf(option).back()), shown(option.valueName),
+                                         .arg(shown(option.names().front()), shown(option.valueName),
                                               shown(m_command.usage))};
                 continue;
             }
             for (const std::string& name : option.excluded) {
                 const Option* other = m_command.find(name);
                 if (other != nullptr && isGiven(*other))
-                    throw UsageError{
-                        tr("%1 and %2 cannot be used together.")
-                            .arg(shown(namesOf(option).front()), shown(namesOf(*other).front()))};
+                    throw UsageError{tr("%1 and %2 cannot be used together.")
+                                         .arg(shown(option.name()), shown(other->name()))};
             }
         }
     }
