@@ -4,6 +4,7 @@
 #include "animation/paths/contraction.h"
 #include "animation/paths/smooth_keys.h"
 #include "animation/paths/smooth_paths.h"
+#include "attractor/request/appearance_fields.h"
 
 #include <algorithm>
 #include <cmath>
@@ -156,9 +157,10 @@ bool isValid(const attractor::SpaceAppearance& look) {
 }
 bool isValid(const Look& look) {
     const auto& stops = look.palette.stops;
-    return isPositive(look.brightness) && isPositive(look.gamma) && isPositive(look.contrast) &&
-           look.vibrancy >= 0 && look.vibrancy <= 1 && (!look.inSpace || isValid(*look.inSpace)) &&
-           stops.size() >= 2 && stops.front().position == 0 && stops.back().position == 1 &&
+    const auto isInRange = [&](const auto& number) { return number.accepts(look.*number.member); };
+    return std::ranges::all_of(attractor::appearanceNumbers, isInRange) &&
+           (!look.inSpace || isValid(*look.inSpace)) && stops.size() >= 2 && stops.front().position == 0 &&
+           stops.back().position == 1 &&
            std::ranges::is_sorted(stops, {}, &attractor::Palette::Stop::position);
 }
 template <int Dim> bool isValid(const ifs::AffineMap<Dim>& map) {

@@ -197,32 +197,8 @@
         </translation>
     </message>
     <message>
-        <source>Yes: hyperbolic, every map has a contraction factor of %1 or less.</source>
-        <translation>Ja: hyperbolisch, jede Abbildung kontrahiert mit Faktor %1 oder weniger.</translation>
-    </message>
-    <message>
-        <source>Undecided: no proof either way was found.</source>
-        <translation>Unentschieden: es wurde weder für das eine noch für das andere ein Beweis gefunden.</translation>
-    </message>
-    <message>
-        <source>None: no map is active.</source>
-        <translation>Keiner: Keine Abbildung ist aktiv.</translation>
-    </message>
-    <message>
         <source>unknown: the error would be larger</source>
         <translation>nicht bekannt: der Fehler wäre größer</translation>
-    </message>
-    <message>
-        <source>(of the attractor: its pieces are disjoint)</source>
-        <translation>(des Attraktors: seine Teile sind disjunkt)</translation>
-    </message>
-    <message>
-        <source>(upper bound: pieces coincide)</source>
-        <translation>(obere Schranke: Teile fallen zusammen)</translation>
-    </message>
-    <message>
-        <source>(if the open set condition holds; else an upper bound)</source>
-        <translation>(wenn die Offene-Mengen-Bedingung gilt; sonst eine obere Schranke)</translation>
     </message>
     <message>
         <source>Separation</source>
@@ -233,32 +209,8 @@
         <translation>Ob die Teile, die die Abbildungen aus dem Attraktor machen, disjunkt sind (starke Trennung, durch disjunkte Überdeckungen bewiesen) oder Wörter von Abbildungen zusammenfallen, sodass die Offene-Mengen-Bedingung verletzt ist.</translation>
     </message>
     <message>
-        <source>strong: no two pieces meet</source>
-        <translation>stark: keine zwei Teile berühren sich</translation>
-    </message>
-    <message>
-        <source>none: pieces coincide</source>
-        <translation>keine: Teile fallen zusammen</translation>
-    </message>
-    <message>
-        <source>unknown</source>
-        <translation>nicht bekannt</translation>
-    </message>
-    <message>
         <source>Connectedness</source>
         <translation>Zusammenhang</translation>
-    </message>
-    <message>
-        <source>connected</source>
-        <translation>zusammenhängend</translation>
-    </message>
-    <message>
-        <source>connected, within rounding error</source>
-        <translation>zusammenhängend, soweit die Rundung es erkennen lässt</translation>
-    </message>
-    <message>
-        <source>not connected</source>
-        <translation>nicht zusammenhängend</translation>
     </message>
     <message>
         <source>Overlaps</source>
@@ -325,26 +277,6 @@
         <translation>Fläche der berechneten Hülle, deren Ecken Punkte des Attraktors sind. Die exakte konvexe Hülle ist höchstens um ihren Umfang mal die Fehlerschranke e und πe² für die Ecken größer.</translation>
     </message>
     <message>
-        <source>Yes: in an ellipsoidal norm, every map has a contraction factor of %1 or less.</source>
-        <translation>Ja: in einer ellipsoidischen Norm kontrahiert jede Abbildung mit Faktor %1 oder weniger.</translation>
-    </message>
-    <message>
-        <source>Yes: in a norm whose unit ball is a polytope, every map has a contraction factor of %1 or less.</source>
-        <translation>Ja: in einer Norm, deren Einheitskugel ein Polytop ist, kontrahiert jede Abbildung mit Faktor %1 oder weniger.</translation>
-    </message>
-    <message>
-        <source>None: map %1 contracts in no norm (ρ ≥ 1 is proved; %2 per map).</source>
-        <translation>Keiner: Abbildung %1 kontrahiert in keiner Norm (ρ ≥ 1 ist bewiesen; %2 je Abbildung).</translation>
-    </message>
-    <message>
-        <source>None: the word %1 contracts in no norm (ρ ≥ 1 is proved; %2 per map).</source>
-        <translation>Keiner: das Wort %1 kontrahiert in keiner Norm (ρ ≥ 1 ist bewiesen; %2 je Abbildung).</translation>
-    </message>
-    <message>
-        <source>Yes: any %1 maps in a row contract, by a factor of %2 or less per map.</source>
-        <translation>Ja: Je %1 Abbildungen hintereinander kontrahieren, mit einem Faktor von höchstens %2 je Abbildung.</translation>
-    </message>
-    <message>
         <source>Entropy divided by minus the Lyapunov exponent, at most 3: the dimension of the invariant measure under the open set condition, and an upper bound for it otherwise.</source>
         <translation>Entropie geteilt durch das Negative des Ljapunow-Exponenten, höchstens 3: die Dimension des invarianten Maßes unter der Offene-Mengen-Bedingung, sonst eine obere Schranke dafür.</translation>
     </message>
@@ -384,10 +316,6 @@
     <message>
         <source>at least %1</source>
         <translation>mindestens %1</translation>
-    </message>
-    <message>
-        <source>(within rounding error)</source>
-        <translation>(soweit die Rundung es erkennen lässt)</translation>
     </message>
     <message>
         <source>Tile area</source>
@@ -442,10 +370,6 @@
         <translation>Es gibt keinen Wert, weil nicht alle Abbildungen in denselben Koordinaten Ähnlichkeiten sind.</translation>
     </message>
     <message>
-        <source>(upper bound: the open set condition fails)</source>
-        <translation>(obere Schranke: die Offene-Mengen-Bedingung gilt nicht)</translation>
-    </message>
-    <message>
         <source>No overlaps were found.</source>
         <translation>Es wurden keine Überlappungen gefunden.</translation>
     </message>
@@ -460,10 +384,6 @@
     <message>
         <source>There is no value, because the maps contract by too little to bound it.</source>
         <translation>Es gibt keinen Wert, weil die Abbildungen zu wenig kontrahieren, um ihn abzuschätzen.</translation>
-    </message>
-    <message>
-        <source>Yes: hyperbolic, but the maps contract by too little to bound anything else.</source>
-        <translation>Ja: hyperbolisch, aber die Abbildungen kontrahieren zu wenig, um sonst etwas abzuschätzen.</translation>
     </message>
     <message>
         <source>Open set condition</source>
@@ -496,38 +416,6 @@
     <message>
         <source>at most %1</source>
         <translation>höchstens %1</translation>
-    </message>
-    <message>
-        <source>Yes: the maps contract in some norm, but by too little to bound anything else.</source>
-        <translation>Ja: Die Abbildungen kontrahieren in einer passenden Norm, aber zu wenig, um sonst etwas abzuschätzen.</translation>
-    </message>
-    <message>
-        <source>pieces may touch, but do not overlap</source>
-        <translation>Teile berühren sich höchstens, überlappen sich aber nicht</translation>
-    </message>
-    <message>
-        <source>holds</source>
-        <translation>gilt</translation>
-    </message>
-    <message>
-        <source>holds, within rounding error</source>
-        <translation>gilt, soweit die Rundung es erkennen lässt</translation>
-    </message>
-    <message>
-        <source>fails</source>
-        <translation>gilt nicht</translation>
-    </message>
-    <message>
-        <source>fails, within rounding error</source>
-        <translation>gilt nicht, soweit die Rundung es erkennen lässt</translation>
-    </message>
-    <message>
-        <source>(the open set condition holds)</source>
-        <translation>(die Offene-Mengen-Bedingung gilt)</translation>
-    </message>
-    <message>
-        <source>(the open set condition holds, within rounding error)</source>
-        <translation>(die Offene-Mengen-Bedingung gilt, soweit die Rundung es erkennen lässt)</translation>
     </message>
     <message>
         <source>%1 (approximation)</source>
@@ -2862,22 +2750,6 @@
         <translation>%1 Punkte</translation>
     </message>
     <message>
-        <source>hyperbolic, s = %1</source>
-        <translation>hyperbolisch, s = %1</translation>
-    </message>
-    <message>
-        <source>no attractor: the word %1 does not contract</source>
-        <translation>kein Attraktor: Das Wort %1 kontrahiert nicht</translation>
-    </message>
-    <message>
-        <source>existence of an attractor undecided</source>
-        <translation>Existenz eines Attraktors unentschieden</translation>
-    </message>
-    <message>
-        <source>no map is active</source>
-        <translation>keine Abbildung ist aktiv</translation>
-    </message>
-    <message>
         <source>Pointer position</source>
         <translation>Ort des Zeigers</translation>
     </message>
@@ -2930,28 +2802,12 @@
         <translation>1 Punkt</translation>
     </message>
     <message>
-        <source>no attractor: map %1 does not contract</source>
-        <translation>kein Attraktor: Abbildung %1 kontrahiert nicht</translation>
-    </message>
-    <message>
         <source>latest changes not yet kept for recovery</source>
         <translation>letzte Änderungen noch nicht zur Wiederherstellung aufbewahrt</translation>
     </message>
     <message>
         <source>A crash would lose your latest changes: keeping them takes longer than two seconds, because the disk is slow or full or the file is very large. Save what you do not want to lose.</source>
         <translation>Bei einem Absturz gingen Ihre letzten Änderungen verloren: Sie aufzubewahren dauert länger als zwei Sekunden, weil der Datenträger langsam oder voll oder die Datei sehr groß ist. Speichern Sie, was nicht verloren gehen darf.</translation>
-    </message>
-    <message>
-        <source>contractive in an ellipsoidal norm, γ = %1</source>
-        <translation>kontraktiv in einer ellipsoidischen Norm, γ = %1</translation>
-    </message>
-    <message>
-        <source>contractive in a polytope norm, γ = %1</source>
-        <translation>kontraktiv in einer Polytopnorm, γ = %1</translation>
-    </message>
-    <message>
-        <source>any %1 maps in a row contract, γ = %2</source>
-        <translation>je %1 Abbildungen hintereinander kontrahieren, γ = %2</translation>
     </message>
     <message>
         <source>  depth %1</source>
@@ -2986,12 +2842,8 @@
         <translation>gedreht um %1°</translation>
     </message>
     <message>
-        <source>hyperbolic, s &lt; 1</source>
-        <translation>hyperbolisch, s &lt; 1</translation>
-    </message>
-    <message>
-        <source>contractive in some norm, γ &lt; 1</source>
-        <translation>kontraktiv in einer passenden Norm, γ &lt; 1</translation>
+        <source>attractor: %1</source>
+        <translation>Attraktor: %1</translation>
     </message>
 </context>
 <context>

@@ -197,32 +197,8 @@
         </translation>
     </message>
     <message>
-        <source>Yes: hyperbolic, every map has a contraction factor of %1 or less.</source>
-        <translation>Sí: hiperbólico, cada aplicación contrae con factor %1 o menos.</translation>
-    </message>
-    <message>
-        <source>Undecided: no proof either way was found.</source>
-        <translation>Sin decidir: no se halló prueba en ningún sentido.</translation>
-    </message>
-    <message>
-        <source>None: no map is active.</source>
-        <translation>Ninguno: ninguna aplicación está activa.</translation>
-    </message>
-    <message>
         <source>unknown: the error would be larger</source>
         <translation>desconocido: el error sería mayor</translation>
-    </message>
-    <message>
-        <source>(of the attractor: its pieces are disjoint)</source>
-        <translation>(del atractor: sus piezas son disjuntas)</translation>
-    </message>
-    <message>
-        <source>(upper bound: pieces coincide)</source>
-        <translation>(cota superior: hay piezas que coinciden)</translation>
-    </message>
-    <message>
-        <source>(if the open set condition holds; else an upper bound)</source>
-        <translation>(si se cumple la condición del conjunto abierto; si no, una cota superior)</translation>
     </message>
     <message>
         <source>Separation</source>
@@ -233,32 +209,8 @@
         <translation>Si las piezas que las aplicaciones hacen del atractor son disjuntas (separación fuerte, demostrada con recubrimientos disjuntos) o coinciden palabras de aplicaciones, de modo que no se cumple la condición del conjunto abierto.</translation>
     </message>
     <message>
-        <source>strong: no two pieces meet</source>
-        <translation>fuerte: no se tocan dos piezas</translation>
-    </message>
-    <message>
-        <source>none: pieces coincide</source>
-        <translation>ninguna: hay piezas que coinciden</translation>
-    </message>
-    <message>
-        <source>unknown</source>
-        <translation>desconocido</translation>
-    </message>
-    <message>
         <source>Connectedness</source>
         <translation>Conexión</translation>
-    </message>
-    <message>
-        <source>connected</source>
-        <translation>conexo</translation>
-    </message>
-    <message>
-        <source>connected, within rounding error</source>
-        <translation>conexo, hasta donde deja ver el redondeo</translation>
-    </message>
-    <message>
-        <source>not connected</source>
-        <translation>no conexo</translation>
     </message>
     <message>
         <source>Overlaps</source>
@@ -325,26 +277,6 @@
         <translation>Área de la envolvente calculada, cuyos vértices son puntos del atractor. La envolvente convexa exacta es mayor como mucho en su perímetro por la cota de error e, y πe² por las esquinas.</translation>
     </message>
     <message>
-        <source>Yes: in an ellipsoidal norm, every map has a contraction factor of %1 or less.</source>
-        <translation>Sí: en una norma elipsoidal, cada aplicación contrae con factor %1 o menos.</translation>
-    </message>
-    <message>
-        <source>Yes: in a norm whose unit ball is a polytope, every map has a contraction factor of %1 or less.</source>
-        <translation>Sí: en una norma cuya bola unidad es un politopo, cada aplicación contrae con factor %1 o menos.</translation>
-    </message>
-    <message>
-        <source>None: map %1 contracts in no norm (ρ ≥ 1 is proved; %2 per map).</source>
-        <translation>Ninguno: la aplicación %1 no contrae en ninguna norma (ρ ≥ 1 está demostrado; %2 por aplicación).</translation>
-    </message>
-    <message>
-        <source>None: the word %1 contracts in no norm (ρ ≥ 1 is proved; %2 per map).</source>
-        <translation>Ninguno: la palabra %1 no contrae en ninguna norma (ρ ≥ 1 está demostrado; %2 por aplicación).</translation>
-    </message>
-    <message>
-        <source>Yes: any %1 maps in a row contract, by a factor of %2 or less per map.</source>
-        <translation>Sí: %1 aplicaciones seguidas cualesquiera contraen, con un factor de %2 o menos por aplicación.</translation>
-    </message>
-    <message>
         <source>Entropy divided by minus the Lyapunov exponent, at most 3: the dimension of the invariant measure under the open set condition, and an upper bound for it otherwise.</source>
         <translation>Entropía dividida por menos el exponente de Liapunov, como mucho 3: la dimensión de la medida invariante bajo la condición del conjunto abierto, y si no, una cota superior.</translation>
     </message>
@@ -384,10 +316,6 @@
     <message>
         <source>at least %1</source>
         <translation>al menos %1</translation>
-    </message>
-    <message>
-        <source>(within rounding error)</source>
-        <translation>(hasta donde deja ver el redondeo)</translation>
     </message>
     <message>
         <source>Tile area</source>
@@ -442,10 +370,6 @@
         <translation>No hay valor, porque no todas estas aplicaciones son semejanzas en las mismas coordenadas.</translation>
     </message>
     <message>
-        <source>(upper bound: the open set condition fails)</source>
-        <translation>(cota superior: no se cumple la condición del conjunto abierto)</translation>
-    </message>
-    <message>
         <source>No overlaps were found.</source>
         <translation>No se encontraron solapamientos.</translation>
     </message>
@@ -460,10 +384,6 @@
     <message>
         <source>There is no value, because the maps contract by too little to bound it.</source>
         <translation>No hay valor, porque las aplicaciones contraen demasiado poco para acotarlo.</translation>
-    </message>
-    <message>
-        <source>Yes: hyperbolic, but the maps contract by too little to bound anything else.</source>
-        <translation>Sí: hiperbólico, pero las aplicaciones contraen demasiado poco para acotar lo demás.</translation>
     </message>
     <message>
         <source>Open set condition</source>
@@ -496,38 +416,6 @@
     <message>
         <source>at most %1</source>
         <translation>como máximo %1</translation>
-    </message>
-    <message>
-        <source>Yes: the maps contract in some norm, but by too little to bound anything else.</source>
-        <translation>Sí: las aplicaciones contraen en cierta norma, pero demasiado poco para acotar lo demás.</translation>
-    </message>
-    <message>
-        <source>pieces may touch, but do not overlap</source>
-        <translation>las piezas pueden tocarse, pero no se solapan</translation>
-    </message>
-    <message>
-        <source>holds</source>
-        <translation>se cumple</translation>
-    </message>
-    <message>
-        <source>holds, within rounding error</source>
-        <translation>se cumple, hasta donde deja ver el redondeo</translation>
-    </message>
-    <message>
-        <source>fails</source>
-        <translation>no se cumple</translation>
-    </message>
-    <message>
-        <source>fails, within rounding error</source>
-        <translation>no se cumple, hasta donde deja ver el redondeo</translation>
-    </message>
-    <message>
-        <source>(the open set condition holds)</source>
-        <translation>(se cumple la condición del conjunto abierto)</translation>
-    </message>
-    <message>
-        <source>(the open set condition holds, within rounding error)</source>
-        <translation>(se cumple la condición del conjunto abierto, hasta donde deja ver el redondeo)</translation>
     </message>
     <message>
         <source>%1 (approximation)</source>
@@ -2862,22 +2750,6 @@
         <translation>%1 puntos</translation>
     </message>
     <message>
-        <source>hyperbolic, s = %1</source>
-        <translation>hiperbólico, s = %1</translation>
-    </message>
-    <message>
-        <source>no attractor: the word %1 does not contract</source>
-        <translation>sin atractor: la palabra %1 no es contractiva</translation>
-    </message>
-    <message>
-        <source>existence of an attractor undecided</source>
-        <translation>la existencia de un atractor está sin decidir</translation>
-    </message>
-    <message>
-        <source>no map is active</source>
-        <translation>ninguna aplicación está activa</translation>
-    </message>
-    <message>
         <source>Pointer position</source>
         <translation>Posición del puntero</translation>
     </message>
@@ -2930,28 +2802,12 @@
         <translation>1 punto</translation>
     </message>
     <message>
-        <source>no attractor: map %1 does not contract</source>
-        <translation>sin atractor: la aplicación %1 no es contractiva</translation>
-    </message>
-    <message>
         <source>latest changes not yet kept for recovery</source>
         <translation>últimos cambios aún no conservados para recuperarlos</translation>
     </message>
     <message>
         <source>A crash would lose your latest changes: keeping them takes longer than two seconds, because the disk is slow or full or the file is very large. Save what you do not want to lose.</source>
         <translation>Un fallo haría perder los últimos cambios: conservarlos tarda más de dos segundos, porque el disco es lento o está lleno, o porque el archivo es muy grande. Guarde lo que no deba perderse.</translation>
-    </message>
-    <message>
-        <source>contractive in an ellipsoidal norm, γ = %1</source>
-        <translation>contractivo en una norma elipsoidal, γ = %1</translation>
-    </message>
-    <message>
-        <source>contractive in a polytope norm, γ = %1</source>
-        <translation>contractivo en una norma politopal, γ = %1</translation>
-    </message>
-    <message>
-        <source>any %1 maps in a row contract, γ = %2</source>
-        <translation>%1 aplicaciones seguidas contraen, γ = %2</translation>
     </message>
     <message>
         <source>  depth %1</source>
@@ -2986,12 +2842,8 @@
         <translation>girada %1°</translation>
     </message>
     <message>
-        <source>hyperbolic, s &lt; 1</source>
-        <translation>hiperbólico, s &lt; 1</translation>
-    </message>
-    <message>
-        <source>contractive in some norm, γ &lt; 1</source>
-        <translation>contractivo en cierta norma, γ &lt; 1</translation>
+        <source>attractor: %1</source>
+        <translation>atractor: %1</translation>
     </message>
 </context>
 <context>

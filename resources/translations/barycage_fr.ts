@@ -197,32 +197,8 @@
         </translation>
     </message>
     <message>
-        <source>Yes: hyperbolic, every map has a contraction factor of %1 or less.</source>
-        <translation>Oui : hyperbolique, chaque application contracte d’un facteur %1 ou moins.</translation>
-    </message>
-    <message>
-        <source>Undecided: no proof either way was found.</source>
-        <translation>Indécis : aucune preuve n’a été trouvée, ni dans un sens ni dans l’autre.</translation>
-    </message>
-    <message>
-        <source>None: no map is active.</source>
-        <translation>Aucun : aucune application ne participe.</translation>
-    </message>
-    <message>
         <source>unknown: the error would be larger</source>
         <translation>inconnu : l’erreur serait plus grande</translation>
-    </message>
-    <message>
-        <source>(of the attractor: its pieces are disjoint)</source>
-        <translation>(de l’attracteur : ses morceaux sont disjoints)</translation>
-    </message>
-    <message>
-        <source>(upper bound: pieces coincide)</source>
-        <translation>(majorant : des morceaux coïncident)</translation>
-    </message>
-    <message>
-        <source>(if the open set condition holds; else an upper bound)</source>
-        <translation>(si la condition de l’ensemble ouvert est remplie ; sinon, un majorant)</translation>
     </message>
     <message>
         <source>Separation</source>
@@ -233,32 +209,8 @@
         <translation>Si les morceaux que les applications font de l’attracteur sont disjoints (séparation forte, prouvée par des recouvrements disjoints), ou si des mots d’applications coïncident, ce qui contredit la condition de l’ensemble ouvert.</translation>
     </message>
     <message>
-        <source>strong: no two pieces meet</source>
-        <translation>forte : deux morceaux ne se touchent jamais</translation>
-    </message>
-    <message>
-        <source>none: pieces coincide</source>
-        <translation>aucune : des morceaux coïncident</translation>
-    </message>
-    <message>
-        <source>unknown</source>
-        <translation>inconnu</translation>
-    </message>
-    <message>
         <source>Connectedness</source>
         <translation>Connexité</translation>
-    </message>
-    <message>
-        <source>connected</source>
-        <translation>connexe</translation>
-    </message>
-    <message>
-        <source>connected, within rounding error</source>
-        <translation>connexe, autant que l’arrondi permet d’en juger</translation>
-    </message>
-    <message>
-        <source>not connected</source>
-        <translation>non connexe</translation>
     </message>
     <message>
         <source>Overlaps</source>
@@ -325,26 +277,6 @@
         <translation>Aire de l’enveloppe calculée, dont les sommets sont des points de l’attracteur. L’enveloppe convexe exacte est plus grande d’au plus son périmètre fois la borne d’erreur e, et πe² pour les coins.</translation>
     </message>
     <message>
-        <source>Yes: in an ellipsoidal norm, every map has a contraction factor of %1 or less.</source>
-        <translation>Oui : dans une norme ellipsoïdale, chaque application contracte d’un facteur %1 ou moins.</translation>
-    </message>
-    <message>
-        <source>Yes: in a norm whose unit ball is a polytope, every map has a contraction factor of %1 or less.</source>
-        <translation>Oui : dans une norme dont la boule unité est un polytope, chaque application contracte d’un facteur %1 ou moins.</translation>
-    </message>
-    <message>
-        <source>None: map %1 contracts in no norm (ρ ≥ 1 is proved; %2 per map).</source>
-        <translation>Aucun : l’application %1 ne contracte dans aucune norme (ρ ≥ 1 est prouvé ; %2 par application).</translation>
-    </message>
-    <message>
-        <source>None: the word %1 contracts in no norm (ρ ≥ 1 is proved; %2 per map).</source>
-        <translation>Aucun : le mot %1 ne contracte dans aucune norme (ρ ≥ 1 est prouvé ; %2 par application).</translation>
-    </message>
-    <message>
-        <source>Yes: any %1 maps in a row contract, by a factor of %2 or less per map.</source>
-        <translation>Oui : %1 applications consécutives quelconques contractent, d’un facteur %2 ou moins par application.</translation>
-    </message>
-    <message>
         <source>Entropy divided by minus the Lyapunov exponent, at most 3: the dimension of the invariant measure under the open set condition, and an upper bound for it otherwise.</source>
         <translation>Entropie divisée par l’opposé de l’exposant de Liapounov, au plus 3 : la dimension de la mesure invariante sous la condition de l’ensemble ouvert, sinon un majorant.</translation>
     </message>
@@ -384,10 +316,6 @@
     <message>
         <source>at least %1</source>
         <translation>au moins %1</translation>
-    </message>
-    <message>
-        <source>(within rounding error)</source>
-        <translation>(autant que l’arrondi permet d’en juger)</translation>
     </message>
     <message>
         <source>Tile area</source>
@@ -442,10 +370,6 @@
         <translation>Il n’y a pas de valeur, car ces applications ne sont pas toutes des similitudes dans les mêmes coordonnées.</translation>
     </message>
     <message>
-        <source>(upper bound: the open set condition fails)</source>
-        <translation>(majorant : la condition de l’ensemble ouvert n’est pas remplie)</translation>
-    </message>
-    <message>
         <source>No overlaps were found.</source>
         <translation>Aucun recouvrement n’a été trouvé.</translation>
     </message>
@@ -460,10 +384,6 @@
     <message>
         <source>There is no value, because the maps contract by too little to bound it.</source>
         <translation>Il n’y a pas de valeur, car les applications contractent trop peu pour la borner.</translation>
-    </message>
-    <message>
-        <source>Yes: hyperbolic, but the maps contract by too little to bound anything else.</source>
-        <translation>Oui : hyperbolique, mais les applications contractent trop peu pour borner quoi que ce soit d’autre.</translation>
     </message>
     <message>
         <source>Open set condition</source>
@@ -496,38 +416,6 @@
     <message>
         <source>at most %1</source>
         <translation>au plus %1</translation>
-    </message>
-    <message>
-        <source>Yes: the maps contract in some norm, but by too little to bound anything else.</source>
-        <translation>Oui&#x202f;: les applications contractent dans une certaine norme, mais trop peu pour borner quoi que ce soit d’autre.</translation>
-    </message>
-    <message>
-        <source>pieces may touch, but do not overlap</source>
-        <translation>des morceaux peuvent se toucher, mais ne se chevauchent pas</translation>
-    </message>
-    <message>
-        <source>holds</source>
-        <translation>remplie</translation>
-    </message>
-    <message>
-        <source>holds, within rounding error</source>
-        <translation>remplie, autant que l’arrondi permet d’en juger</translation>
-    </message>
-    <message>
-        <source>fails</source>
-        <translation>non remplie</translation>
-    </message>
-    <message>
-        <source>fails, within rounding error</source>
-        <translation>non remplie, autant que l’arrondi permet d’en juger</translation>
-    </message>
-    <message>
-        <source>(the open set condition holds)</source>
-        <translation>(la condition de l’ensemble ouvert est remplie)</translation>
-    </message>
-    <message>
-        <source>(the open set condition holds, within rounding error)</source>
-        <translation>(la condition de l’ensemble ouvert est remplie, autant que l’arrondi permet d’en juger)</translation>
     </message>
     <message>
         <source>%1 (approximation)</source>
@@ -2368,7 +2256,7 @@
     </message>
     <message>
         <source>Saving “%1”…</source>
-        <translation>Enregistrement de « %1 »…</translation>
+        <translation>Enregistrement de «&#x202f;%1&#x202f;»…</translation>
     </message>
     <message>
         <source>Saved the copy %1.</source>
@@ -2376,7 +2264,7 @@
     </message>
     <message>
         <source>Other programs still draw these entries differently: %1.</source>
-        <translation>D’autres programmes dessinent toujours autrement ces entrées : %1.</translation>
+        <translation>D’autres programmes dessinent toujours autrement ces entrées&#x202f;: %1.</translation>
     </message>
     <message>
         <source>Save a Copy &amp;for Other Programs…</source>
@@ -2656,7 +2544,7 @@
     </message>
     <message>
         <source>Other programs will draw “%1” where its code puts it, without your placement, which is stored in comments. Bake writes it into the code.</source>
-        <translation>D’autres programmes dessineront « %1 » là où son code la met, sans votre placement, conservé dans des commentaires. Intégrer au code l’y écrit.</translation>
+        <translation>D’autres programmes dessineront «&#x202f;%1&#x202f;» là où son code la met, sans votre placement, conservé dans des commentaires. Intégrer au code l’y écrit.</translation>
     </message>
     <message numerus="yes">
         <source>Other programs will draw %n entries where their code puts them, without your placements, which are stored in comments. Bake writes them into the code.</source>
@@ -2671,7 +2559,7 @@
     </message>
     <message>
         <source>Writes the placements into the code, as one step of the history.</source>
-        <translation>Écrit les placements dans le code : une étape de l’historique.</translation>
+        <translation>Écrit les placements dans le code&#x202f;: une étape de l’historique.</translation>
     </message>
     <message>
         <source>Close</source>
@@ -2683,7 +2571,7 @@
     </message>
     <message>
         <source>Not baked, because no code has this picture or keys move it: %1.</source>
-        <translation>Non intégré, parce qu’aucun code ne donne cette image ou que des images clés la déplacent : %1.</translation>
+        <translation>Non intégré, parce qu’aucun code ne donne cette image ou que des images clés la déplacent&#x202f;: %1.</translation>
     </message>
 </context>
 <context>
@@ -2862,22 +2750,6 @@
         <translation>%1 points</translation>
     </message>
     <message>
-        <source>hyperbolic, s = %1</source>
-        <translation>hyperbolique, s = %1</translation>
-    </message>
-    <message>
-        <source>no attractor: the word %1 does not contract</source>
-        <translation>pas d’attracteur&#x202f;: le mot %1 n’est pas contractant</translation>
-    </message>
-    <message>
-        <source>existence of an attractor undecided</source>
-        <translation>existence d’un attracteur indécise</translation>
-    </message>
-    <message>
-        <source>no map is active</source>
-        <translation>aucune application active</translation>
-    </message>
-    <message>
         <source>Pointer position</source>
         <translation>Position du pointeur</translation>
     </message>
@@ -2930,28 +2802,12 @@
         <translation>1 point</translation>
     </message>
     <message>
-        <source>no attractor: map %1 does not contract</source>
-        <translation>pas d’attracteur&#x202f;: l’application %1 n’est pas contractante</translation>
-    </message>
-    <message>
         <source>latest changes not yet kept for recovery</source>
         <translation>dernières modifications pas encore gardées pour la récupération</translation>
     </message>
     <message>
         <source>A crash would lose your latest changes: keeping them takes longer than two seconds, because the disk is slow or full or the file is very large. Save what you do not want to lose.</source>
         <translation>Un plantage ferait perdre vos dernières modifications : les garder prend plus de deux secondes, parce que le disque est lent ou plein, ou que le fichier est très volumineux. Enregistrez ce qui ne doit pas être perdu.</translation>
-    </message>
-    <message>
-        <source>contractive in an ellipsoidal norm, γ = %1</source>
-        <translation>contractant dans une norme ellipsoïdale, γ = %1</translation>
-    </message>
-    <message>
-        <source>contractive in a polytope norm, γ = %1</source>
-        <translation>contractant dans une norme polytopale, γ = %1</translation>
-    </message>
-    <message>
-        <source>any %1 maps in a row contract, γ = %2</source>
-        <translation>%1 applications consécutives contractent, γ = %2</translation>
     </message>
     <message>
         <source>  depth %1</source>
@@ -2986,12 +2842,8 @@
         <translation>pivotée de %1°</translation>
     </message>
     <message>
-        <source>hyperbolic, s &lt; 1</source>
-        <translation>hyperbolique, s &lt; 1</translation>
-    </message>
-    <message>
-        <source>contractive in some norm, γ &lt; 1</source>
-        <translation>contractant dans une certaine norme, γ &lt; 1</translation>
+        <source>attractor: %1</source>
+        <translation>attracteur : %1</translation>
     </message>
 </context>
 <context>

@@ -198,32 +198,8 @@
         </translation>
     </message>
     <message>
-        <source>Yes: hyperbolic, every map has a contraction factor of %1 or less.</source>
-        <translation>Да: хиперболичен, секое пресликување контрахира со фактор %1 или помалку.</translation>
-    </message>
-    <message>
-        <source>Undecided: no proof either way was found.</source>
-        <translation>Неодлучено: не е најден доказ ниту за едното ниту за другото.</translation>
-    </message>
-    <message>
-        <source>None: no map is active.</source>
-        <translation>Нема: ниту едно пресликување не учествува.</translation>
-    </message>
-    <message>
         <source>unknown: the error would be larger</source>
         <translation>непознато: грешката би била поголема</translation>
-    </message>
-    <message>
-        <source>(of the attractor: its pieces are disjoint)</source>
-        <translation>(на атракторот: неговите делови се дисјунктни)</translation>
-    </message>
-    <message>
-        <source>(upper bound: pieces coincide)</source>
-        <translation>(горна граница: има делови што се совпаѓаат)</translation>
-    </message>
-    <message>
-        <source>(if the open set condition holds; else an upper bound)</source>
-        <translation>(ако важи условот на отворено множество; инаку горна граница)</translation>
     </message>
     <message>
         <source>Separation</source>
@@ -234,32 +210,8 @@
         <translation>Дали деловите што пресликувањата ги прават од атракторот се дисјунктни (силна раздвоеност, докажана со дисјунктни покривки) или зборови од пресликувања се совпаѓаат, па условот на отворено множество не важи.</translation>
     </message>
     <message>
-        <source>strong: no two pieces meet</source>
-        <translation>силна: никои два дела не се допираат</translation>
-    </message>
-    <message>
-        <source>none: pieces coincide</source>
-        <translation>нема: има делови што се совпаѓаат</translation>
-    </message>
-    <message>
-        <source>unknown</source>
-        <translation>непознато</translation>
-    </message>
-    <message>
         <source>Connectedness</source>
         <translation>Сврзаност</translation>
-    </message>
-    <message>
-        <source>connected</source>
-        <translation>сврзан</translation>
-    </message>
-    <message>
-        <source>connected, within rounding error</source>
-        <translation>сврзан, колку што се гледа од заокружувањето</translation>
-    </message>
-    <message>
-        <source>not connected</source>
-        <translation>не е сврзан</translation>
     </message>
     <message>
         <source>Overlaps</source>
@@ -326,26 +278,6 @@
         <translation>Плоштина на пресметаната обвивка, чии темиња се точки од атракторот. Точната конвексна обвивка е поголема најмногу за нејзиниот периметар по границата на грешката e, и πe² за аглите.</translation>
     </message>
     <message>
-        <source>Yes: in an ellipsoidal norm, every map has a contraction factor of %1 or less.</source>
-        <translation>Да: во елипсоидна норма секое пресликување контрахира со фактор %1 или помал.</translation>
-    </message>
-    <message>
-        <source>Yes: in a norm whose unit ball is a polytope, every map has a contraction factor of %1 or less.</source>
-        <translation>Да: во норма чија единечна топка е политоп секое пресликување контрахира со фактор %1 или помал.</translation>
-    </message>
-    <message>
-        <source>None: map %1 contracts in no norm (ρ ≥ 1 is proved; %2 per map).</source>
-        <translation>Нема: пресликувањето %1 не контрахира во ниедна норма (ρ ≥ 1 е докажано; %2 по пресликување).</translation>
-    </message>
-    <message>
-        <source>None: the word %1 contracts in no norm (ρ ≥ 1 is proved; %2 per map).</source>
-        <translation>Нема: зборот %1 не контрахира во ниедна норма (ρ ≥ 1 е докажано; %2 по пресликување).</translation>
-    </message>
-    <message>
-        <source>Yes: any %1 maps in a row contract, by a factor of %2 or less per map.</source>
-        <translation>Да: кои било %1 последователни пресликувања контрахираат, со фактор %2 или помалку по пресликување.</translation>
-    </message>
-    <message>
         <source>Entropy divided by minus the Lyapunov exponent, at most 3: the dimension of the invariant measure under the open set condition, and an upper bound for it otherwise.</source>
         <translation>Ентропија поделена со негативниот експонент на Љапунов, најмногу 3: димензијата на инваријантната мера под условот на отворено множество, инаку нејзина горна граница.</translation>
     </message>
@@ -385,10 +317,6 @@
     <message>
         <source>at least %1</source>
         <translation>најмалку %1</translation>
-    </message>
-    <message>
-        <source>(within rounding error)</source>
-        <translation>(колку што се гледа од заокружувањето)</translation>
     </message>
     <message>
         <source>Tile area</source>
@@ -443,10 +371,6 @@
         <translation>Нема вредност, бидејќи овие пресликувања не се сите сличности во исти координати.</translation>
     </message>
     <message>
-        <source>(upper bound: the open set condition fails)</source>
-        <translation>(горна граница: условот на отворено множество не важи)</translation>
-    </message>
-    <message>
         <source>No overlaps were found.</source>
         <translation>Не се најдени преклопувања.</translation>
     </message>
@@ -461,10 +385,6 @@
     <message>
         <source>There is no value, because the maps contract by too little to bound it.</source>
         <translation>Нема вредност, бидејќи пресликувањата контрахираат премалку за да се ограничи.</translation>
-    </message>
-    <message>
-        <source>Yes: hyperbolic, but the maps contract by too little to bound anything else.</source>
-        <translation>Да: хиперболичен, но пресликувањата контрахираат премалку за да се ограничи нешто друго.</translation>
     </message>
     <message>
         <source>Open set condition</source>
@@ -497,38 +417,6 @@
     <message>
         <source>at most %1</source>
         <translation>најмногу %1</translation>
-    </message>
-    <message>
-        <source>Yes: the maps contract in some norm, but by too little to bound anything else.</source>
-        <translation>Да: пресликувањата контрахираат во некоја норма, но премалку за да се ограничи нешто друго.</translation>
-    </message>
-    <message>
-        <source>pieces may touch, but do not overlap</source>
-        <translation>деловите може да се допираат, но не се преклопуваат</translation>
-    </message>
-    <message>
-        <source>holds</source>
-        <translation>важи</translation>
-    </message>
-    <message>
-        <source>holds, within rounding error</source>
-        <translation>важи, колку што се гледа од заокружувањето</translation>
-    </message>
-    <message>
-        <source>fails</source>
-        <translation>не важи</translation>
-    </message>
-    <message>
-        <source>fails, within rounding error</source>
-        <translation>не важи, колку што се гледа од заокружувањето</translation>
-    </message>
-    <message>
-        <source>(the open set condition holds)</source>
-        <translation>(условот на отворено множество важи)</translation>
-    </message>
-    <message>
-        <source>(the open set condition holds, within rounding error)</source>
-        <translation>(условот на отворено множество важи, колку што се гледа од заокружувањето)</translation>
     </message>
     <message>
         <source>%1 (approximation)</source>
@@ -2869,22 +2757,6 @@
         <translation>%1 точки</translation>
     </message>
     <message>
-        <source>hyperbolic, s = %1</source>
-        <translation>хиперболичен, s = %1</translation>
-    </message>
-    <message>
-        <source>no attractor: the word %1 does not contract</source>
-        <translation>нема атрактор: зборот %1 не е контракција</translation>
-    </message>
-    <message>
-        <source>existence of an attractor undecided</source>
-        <translation>не е утврдено дали постои атрактор</translation>
-    </message>
-    <message>
-        <source>no map is active</source>
-        <translation>ниедно пресликување не е активно</translation>
-    </message>
-    <message>
         <source>Pointer position</source>
         <translation>Положба на покажувачот</translation>
     </message>
@@ -2937,28 +2809,12 @@
         <translation>1 точка</translation>
     </message>
     <message>
-        <source>no attractor: map %1 does not contract</source>
-        <translation>нема атрактор: пресликувањето %1 не е контракција</translation>
-    </message>
-    <message>
         <source>latest changes not yet kept for recovery</source>
         <translation>последните промени сѐ уште не се чуваат за обновување</translation>
     </message>
     <message>
         <source>A crash would lose your latest changes: keeping them takes longer than two seconds, because the disk is slow or full or the file is very large. Save what you do not want to lose.</source>
         <translation>При пад на програмата би се изгубиле последните промени: нивното чување трае подолго од две секунди, бидејќи дискот е бавен или полн или датотеката е многу голема. Зачувајте го она што не смее да се изгуби.</translation>
-    </message>
-    <message>
-        <source>contractive in an ellipsoidal norm, γ = %1</source>
-        <translation>контрактивен во елипсоидна норма, γ = %1</translation>
-    </message>
-    <message>
-        <source>contractive in a polytope norm, γ = %1</source>
-        <translation>контрактивен во политопна норма, γ = %1</translation>
-    </message>
-    <message>
-        <source>any %1 maps in a row contract, γ = %2</source>
-        <translation>кои било %1 последователни пресликувања контрахираат, γ = %2</translation>
     </message>
     <message>
         <source>  depth %1</source>
@@ -2993,12 +2849,8 @@
         <translation>свртено за %1°</translation>
     </message>
     <message>
-        <source>hyperbolic, s &lt; 1</source>
-        <translation>хиперболичен, s &lt; 1</translation>
-    </message>
-    <message>
-        <source>contractive in some norm, γ &lt; 1</source>
-        <translation>контрактивен во некоја норма, γ &lt; 1</translation>
+        <source>attractor: %1</source>
+        <translation>атрактор: %1</translation>
     </message>
 </context>
 <context>

@@ -42,10 +42,8 @@ QByteArray requestHash(const document::Fractal& entry, std::optional<int> frame,
     if (options.points) request.addCount("points", *options.points);
     if (options.palette) request.add("palette", paletteText(*options.palette));
     if (options.colour) request.add("colour", QByteArray::fromStdString(options.colour->word));
-    request.addNumber("gamma", options.gamma);
-    request.addNumber("brightness", options.brightness);
-    request.addNumber("contrast", options.contrast);
-    request.addNumber("vibrancy", options.vibrancy);
+    for (std::size_t i = 0; i < numberOptions.size(); ++i)
+        request.addNumber(numberOf(numberOptions[i]).key, options.numbers[i]);
     if (options.background) request.add("background", io::colourText(*options.background));
     if (options.supersample) request.addCount("supersample", std::uint64_t(*options.supersample));
     if (is16Bit(options)) request.add("bits", "16");

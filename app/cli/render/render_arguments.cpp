@@ -70,6 +70,11 @@ io::SvgFormat shapesOf(const RenderArguments& arguments) {
     return format;
 }
 
+const attractor::AppearanceNumber& numberOf(const NumberOption& option) {
+    return *std::ranges::find(attractor::appearanceNumbers, option.member,
+                              &attractor::AppearanceNumber::member);
+}
+
 void applyAppearance(attractor::Appearance& appearance, const RenderArguments& arguments) {
     if (arguments.colour) {
         // Says which words there are for entries in the plane.
@@ -78,10 +83,8 @@ void applyAppearance(attractor::Appearance& appearance, const RenderArguments& a
         appearance.colourBy = *arguments.colour->inPlane;
     }
     if (arguments.palette) appearance.palette = *arguments.palette;
-    if (arguments.gamma) appearance.gamma = *arguments.gamma;
-    if (arguments.brightness) appearance.brightness = *arguments.brightness;
-    if (arguments.contrast) appearance.contrast = *arguments.contrast;
-    if (arguments.vibrancy) appearance.vibrancy = *arguments.vibrancy;
+    for (std::size_t i = 0; i < numberOptions.size(); ++i)
+        if (const auto& number = arguments.numbers[i]) appearance.*numberOptions[i].member = *number;
     if (arguments.background) putOn(appearance, *arguments.background);
     if (arguments.supersample) appearance.supersample = *arguments.supersample;
 }

@@ -5,13 +5,14 @@
 #include "process/progress_bar.h"
 
 #include "attractor/light/stereo.h"
-#include "attractor/request/appearance.h"
+#include "attractor/request/appearance_fields.h"
 #include "attractor/request/render_request.h"
 #include "io/animation/frame_drawing.h"
 #include "io/overlay/picture_overlay.h"
 #include "io/picture/vector/svg_writer.h"
 #include "io/raster/picture_writer.h"
 
+#include <array>
 #include <chrono>
 #include <cstdint>
 #include <limits>
@@ -41,10 +42,28 @@ struct Share {
     int count = 1;
 };
 
+// An option for each of attractor::appearanceNumbers, in the order of the help.
+struct NumberOption {
+    double attractor::Appearance::*member;
+    const char* valueName;
+    const char* help;
+};
+inline constexpr std::array numberOptions{
+    NumberOption{&attractor::Appearance::gamma, "G", "Gamma of the tone curve"},
+    NumberOption{&attractor::Appearance::brightness, "B", "Brightness of the tone curve"},
+    NumberOption{&attractor::Appearance::contrast, "C",
+                 "Contrast of the tone curve: above 1, light becomes lighter and dark darker"},
+    NumberOption{&attractor::Appearance::vibrancy, "V",
+                 "How far colours keep their hue, 0 to 1: at 0 the gamma acts on each channel, and colours "
+                 "are paler"},
+};
+static_assert(numberOptions.size() == attractor::appearanceNumbers.size());
+const attractor::AppearanceNumber& numberOf(const NumberOption& option);
+
 struct AppearanceOptions {
     std::optional<attractor::Palette> palette;
     std::optional<ColourMeaning> colour;
-    std::optional<double> gamma, brightness, contrast, vibrancy;
+    std::array<std::optional<double>, numberOptions.size()> numbers; // as in numberOptions
     std::optional<attractor::Rgba> background;
     std::optional<int> supersample;
 };

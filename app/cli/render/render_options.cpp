@@ -6,6 +6,8 @@
 #include "process/input.h"
 #include "process/picture_suffixes.h"
 
+#include "io/text/number.h"
+
 #include <QStringList>
 
 namespace cli {
@@ -160,6 +162,17 @@ Option& addBackgroundOption(const OptionGroup& group, std::optional<attractor::R
 
 namespace {
 
+void addNumberOption(const OptionGroup& group, const NumberOption& option, std::optional<double>& place) {
+    const attractor::AppearanceNumber& number = numberOf(option);
+    const std::string names = std::string("--") + number.key;
+    const std::string standard =
+        "stored in the entry, else " + io::formatNumber(attractor::Appearance().*option.member).toStdString();
+    const bool isFactor = number.scale == attractor::AppearanceNumber::Scale::Factor;
+    const Value value = isFactor ? parsed(&place, positiveArgument)
+                                 : parsed(&place, numberFrom(number.lowest, number.highest));
+    group.add(names, option.valueName, value, option.help, standard).is(Picture | Tone);
+}
+
 void addColourOptions(Command& command, RenderArguments& arguments) {
     const OptionGroup colours = command.group("Colours");
     colours
@@ -176,25 +189,8 @@ void addColourOptions(Command& command, RenderArguments& arguments) {
         .completedBy(Completion::Kind::Words,
                      {"density", "map", "address", "blend", "height", "depth", "none"})
         .is(Picture | Colours);
-    colours
-        .add("--gamma", "G", parsed(&arguments.gamma, positiveArgument), "Gamma of the tone curve",
-             "stored in the entry, else 2.2")
-        .is(Picture | Tone);
-    colours
-        .add("--brightness", "B", parsed(&arguments.brightness, positiveArgument),
-             "Brightness of the tone curve", "stored in the entry, else 20")
-        .is(Picture | Tone);
-    colours
-        .add("--contrast", "C", parsed(&arguments.contrast, positiveArgument),
-             "Contrast of the tone curve: above 1, light becomes lighter and dark darker",
-             "stored in the entry, else 1")
-        .is(Picture | Tone);
-    colours
-        .add("--vibrancy", "V", parsed(&arguments.vibrancy, numberFrom(0, 1)),
-             "How far colours keep their hue, 0 to 1: at 0 the gamma acts on each channel, and colours are "
-             "paler",
-             "stored in the entry, else 1")
-        .is(Picture | Tone);
+    for (std::size_t i = 0; i < numberOptions.size(); ++i)
+        addNumberOption(colours, numberOptions[i], arguments.numbers[i]);
     addBackgroundOption(colours, arguments.background);
 }
 

@@ -5,7 +5,7 @@
 #include "document/branches/addresses.h"
 #include "document/fractal/fractal_geometry.h"
 #include "ifs/links/linked_existence.h"
-#include "panels/analysis/existence_sentence.h"
+#include "io/report/verdicts.h"
 #include "widgets/numbers/number_text.h"
 #include "widgets/text/elided_label.h"
 #include "widgets/text/tooltip_text.h"
@@ -55,32 +55,8 @@ QString count(std::uint64_t samples) {
 
 template <int Dim> QString verdictText(const ifs::ActiveMaps<Dim>& active) {
     const ifs::Existence existence = ifs::classifyLinked<Dim>(active);
-    const QString factor = QString::number(existence.contractivity, 'f', 4);
-    if (existence.exists() && !existence.hasFactor())
-        return existence.verdict == ifs::Verdict::Hyperbolic
-                   ? StatusLine::tr("hyperbolic, s < 1")
-                   : StatusLine::tr("contractive in some norm, γ < 1");
-    switch (existence.verdict) {
-    case ifs::Verdict::Hyperbolic:
-        return StatusLine::tr("hyperbolic, s = %1").arg(factor);
-    case ifs::Verdict::EventuallyContractive:
-        if (existence.norm == ifs::NormKind::Ellipsoidal)
-            return StatusLine::tr("contractive in an ellipsoidal norm, γ = %1").arg(factor);
-        if (existence.norm == ifs::NormKind::Polytope)
-            return StatusLine::tr("contractive in a polytope norm, γ = %1").arg(factor);
-        return StatusLine::tr("any %1 maps in a row contract, γ = %2").arg(existence.wordLength).arg(factor);
-    case ifs::Verdict::None: {
-        const QString word = view::rowsOf(existence.witness, active.index);
-        if (existence.witness.size() == 1)
-            return StatusLine::tr("no attractor: map %1 does not contract").arg(word);
-        return StatusLine::tr("no attractor: the word %1 does not contract").arg(word);
-    }
-    case ifs::Verdict::Undecided:
-        return StatusLine::tr("existence of an attractor undecided");
-    case ifs::Verdict::Empty:
-        return StatusLine::tr("no map is active");
-    }
-    return {};
+    const QString verdict = io::verdictText(existence, active.index);
+    return existence.exists() ? verdict : StatusLine::tr("attractor: %1").arg(verdict);
 }
 
 } // namespace

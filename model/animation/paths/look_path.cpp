@@ -4,17 +4,20 @@
 #include "attractor/arithmetic/arithmetic.h"
 #include "attractor/colour/oklab.h"
 #include "attractor/colour/srgb_transfer.h"
+#include "attractor/request/appearance_fields.h"
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 #include <vector>
 
 namespace animation {
 
 namespace {
 
+using attractor::AppearanceNumber, attractor::LinearColour, attractor::Oklab, attractor::Palette,
+    attractor::Rgba;
 using attractor::colourOf, attractor::oklab;
-using attractor::LinearColour, attractor::Oklab, attractor::Palette, attractor::Rgba;
 using attractor::SpaceAppearance, attractor::SpaceClip;
 
 Rgba mixed(const LinearColour& from, const LinearColour& to, double share) {
@@ -79,35 +82,35 @@ std::optional<SpaceAppearance> mixed(const std::optional<SpaceAppearance>& from,
 
 Look lookOf(const attractor::Appearance& appearance,
             const std::optional<attractor::SpaceAppearance>& inSpace) {
-    return {appearance.colourBy,   appearance.palette,    appearance.plain,
-            appearance.background, appearance.brightness, appearance.gamma,
-            appearance.contrast,   appearance.vibrancy,   inSpace};
+    const Look usual;
+    Look look{appearance, inSpace};
+    look.mapColours = usual.mapColours;
+    look.mapBlends = usual.mapBlends;
+    look.supersample = usual.supersample;
+    return look;
 }
 
 attractor::Appearance withLook(attractor::Appearance appearance, const Look& look) {
-    appearance.colourBy = look.colourBy;
-    appearance.palette = look.palette;
-    appearance.plain = look.plain;
-    appearance.background = look.background;
-    appearance.brightness = look.brightness;
-    appearance.gamma = look.gamma;
-    appearance.contrast = look.contrast;
-    appearance.vibrancy = look.vibrancy;
-    return appearance;
+    attractor::Appearance result = look;
+    result.mapColours = std::move(appearance.mapColours);
+    result.mapBlends = std::move(appearance.mapBlends);
+    result.supersample = appearance.supersample;
+    return result;
 }
 
 Look between(const Look& from, const Look& to, double share) {
     if (share <= 0) return from;
     if (share >= 1) return to;
-    return {from.colourBy,
-            mixed(from.palette, to.palette, share),
-            mixed(from.plain, to.plain, share),
-            mixed(from.background, to.background, share),
-            byFactor(from.brightness, to.brightness, share),
-            byFactor(from.gamma, to.gamma, share),
-            byFactor(from.contrast, to.contrast, share),
-            evenly(from.vibrancy, to.vibrancy, share),
-            mixed(from.inSpace, to.inSpace, share)};
+    Look look = from;
+    look.palette = mixed(from.palette, to.palette, share);
+    for (const auto& [key, colour] : attractor::appearanceColours)
+        look.*colour = mixed(from.*colour, to.*colour, share);
+    for (const AppearanceNumber& number : attractor::appearanceNumbers) {
+        const auto way = number.scale == AppearanceNumber::Scale::Factor ? byFactor : evenly;
+        look.*number.member = way(from.*number.member, to.*number.member, share);
+    }
+    look.inSpace = mixed(from.inSpace, to.inSpace, share);
+    return look;
 }
 
 Palette cycled(const Palette& palette, double share) {

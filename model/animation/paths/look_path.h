@@ -8,17 +8,10 @@
 
 namespace animation {
 
-// What of an appearance a key holds: everything but the colours of single maps and the supersampling.
-struct Look {
-    attractor::ColourBy colourBy = attractor::ColourBy::Density;
-    attractor::Palette palette;
-    attractor::Rgba plain;
-    attractor::Rgba background;
-    double brightness = 20;                              // > 0
-    double gamma = 2.2;                                  // > 0
-    double contrast = 1;                                 // > 0
-    double vibrancy = 1;                                 // 0 … 1
-    std::optional<attractor::SpaceAppearance> inSpace{}; // nullopt: as the entry has it
+// The appearance that a key holds. The colours and blends of single maps and the supersampling are those of
+// the entry, and have their usual values here.
+struct Look : attractor::Appearance {
+    std::optional<attractor::SpaceAppearance> inSpace; // nullopt: as the entry has it
 
     friend bool operator==(const Look&, const Look&) = default;
 };
@@ -28,8 +21,8 @@ Look lookOf(const attractor::Appearance& appearance,
 attractor::Appearance withLook(attractor::Appearance appearance, const Look& look);
 
 // Between two looks, exact at both ends: colours in Oklab, those of palettes at every position where one of
-// them has a stop; brightness, gamma and contrast by constant factors; vibrancy evenly; what the colours
-// stand for changes at the end. In space the light turns the shorter way, and it, the fog and the planes of
+// them has a stop; numbers on the scale of their row of appearanceNumbers; what the colours stand for changes
+// at the end. In space the light turns the shorter way, and it, the fog and the planes of
 // the clip move evenly; the kind of look, and a clip that only one of them has, change at the end.
 Look between(const Look& from, const Look& to, double share);
 

@@ -4,6 +4,7 @@
 #include "animation/paths/smooth_curve.h"
 #include "animation/paths/smooth_spaces.h"
 #include "attractor/arithmetic/arithmetic.h"
+#include "attractor/request/appearance_fields.h"
 #include "ifs/system/decomposition.h"
 #include "ifs/system/map_interpolation.h"
 
@@ -254,10 +255,11 @@ Look along(const Segment<Look>& way) {
     Look look = between(way.from, way.to, way.share);
     if (!isCurved(way)) return look;
     const auto keys = keysAround(way);
-    look.brightness = smoothFactor(keys.of([](const Look& key) { return key.brightness; }), way.share);
-    look.gamma = smoothFactor(keys.of([](const Look& key) { return key.gamma; }), way.share);
-    look.contrast = smoothFactor(keys.of([](const Look& key) { return key.contrast; }), way.share);
-    look.vibrancy = smoothNumber(keys.of([](const Look& key) { return key.vibrancy; }), way.share);
+    for (const attractor::AppearanceNumber& number : attractor::appearanceNumbers) {
+        const auto values = keys.of([&](const Look& key) { return key.*number.member; });
+        const bool byFactors = number.scale == attractor::AppearanceNumber::Scale::Factor;
+        look.*number.member = byFactors ? smoothFactor(values, way.share) : smoothNumber(values, way.share);
+    }
     return look;
 }
 

@@ -3,8 +3,8 @@
 
 #include "document/fractal/recurring_branches.h"
 #include "document/text/text.h"
+#include "io/fractint/appearance_comments.h"
 #include "io/fractint/metadata_line.h"
-#include "io/palette/palette_stops.h"
 #include "io/text/number.h"
 
 #include <algorithm>
@@ -73,28 +73,6 @@ QByteArrayList numbersOf(const attractor::OrbitCamera& camera) {
     return numbers << (isPerspective ? "1" : "0");
 }
 
-QByteArrayList lookLines(const Look& look) {
-    QByteArrayList lines{
-        metadataLine("look colour-by", ifs::nameOf(look.colourBy)),
-        metadataLine("look palette", QByteArray::fromStdString(look.palette.name)),
-    };
-    const attractor::Palette* builtIn = attractor::findPalette(look.palette.name);
-    if (builtIn == nullptr || !(*builtIn == look.palette))
-        for (const auto& stop : look.palette.stops)
-            lines << metadataLine("look stop", formatNumber(stop.position) + ' ' + colourText(stop.colour));
-    lines << metadataLine("look plain", colourText(look.plain))
-          << metadataLine("look background", colourText(look.background))
-          << metadataLine("look brightness", formatNumber(look.brightness))
-          << metadataLine("look gamma", formatNumber(look.gamma));
-    const Look usual; // as before these were known
-    if (look.contrast != usual.contrast) lines << metadataLine("look contrast", formatNumber(look.contrast));
-    if (look.vibrancy != usual.vibrancy) lines << metadataLine("look vibrancy", formatNumber(look.vibrancy));
-    if (!look.inSpace) return lines;
-    if (look.inSpace->look == attractor::SpaceAppearance().look) // one line at least
-        lines << metadataLine("look space-look", ifs::nameOf(look.inSpace->look));
-    return lines << spaceComments(*look.inSpace, "look ");
-}
-
 template <int Dim, class Value> QByteArrayList keyLines(const Keys<Value>& keys) {
     QByteArrayList lines;
     for (const auto& [frame, value, ease] : keys) {
@@ -103,7 +81,7 @@ template <int Dim, class Value> QByteArrayList keyLines(const Keys<Value>& keys)
             lines << metadataLines("handles", {formatNumber(ease.x1), formatNumber(ease.y1),
                                                formatNumber(ease.x2), formatNumber(ease.y2)});
         if constexpr (std::is_same_v<Value, Look>)
-            lines << lookLines(value);
+            lines << lookComments(value);
         else if constexpr (std::is_same_v<Value, CagePose<Dim>>)
             lines << metadataLines("value", numbersOf<Dim>(value));
         else
@@ -276,12 +254,10 @@ private:
     }
 
     Look look(const Stored::Key& key) {
-        Look look = key.look;
-        look.palette.name = key.paletteName.value_or(std::string());
-        const attractor::Palette* builtIn = attractor::findPalette(look.palette.name);
-        if (look.palette.stops.empty() && builtIn != nullptr) look.palette = *builtIn;
+        Look look = animation::lookOf(key.look.appearance());
+        const auto palette = key.look.palette();
+        if (fits(palette && key.values.empty())) look.palette = *palette;
         if (key.inSpace && fits(Dim == 3)) look.inSpace = key.inSpace->appearance();
-        fits(key.values.empty() && isGradient(look.palette.stops));
         return look;
     }
 

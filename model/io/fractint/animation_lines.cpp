@@ -2,7 +2,6 @@
 #include "io/fractint/animation_lines.h"
 
 #include "io/fractint/metadata_line.h"
-#include "io/palette/palette_stops.h"
 #include "io/text/number.h"
 
 #include <QString>
@@ -35,12 +34,6 @@ bool appendMaps(std::vector<int>& maps, const QByteArrayList& values, bool isWor
         maps.push_back(*map);
     }
     return !values.isEmpty();
-}
-
-bool setColour(attractor::Rgba& colour, const QByteArray& text) {
-    const auto parsed = parseColour(text);
-    colour = parsed.value_or(colour);
-    return parsed.has_value();
 }
 
 } // namespace
@@ -135,41 +128,12 @@ bool AnimationLines::readKey(const QByteArray& key, const QByteArrayList& values
 bool AnimationLines::readLook(const QByteArrayList& values) {
     Stored::Key* key = lastKey();
     if (key == nullptr || m_stored.tracks.back().of != Stored::Track::Of::Look) return false;
-    animation::Look& look = key->look;
     const QByteArray& what = values[0];
-    if (what == "palette") { // it may have no name
-        key->paletteName = values.mid(1).join(' ').toStdString();
-        return true;
-    }
-    if (what == "stop" && values.size() == 3) {
-        const auto position = metadataNumber(values[1]);
-        const auto colour = parseColour(values[2]);
-        if (!position || !colour || look.palette.stops.size() >= maxParts) return false;
-        look.palette.stops.push_back({*position, *colour});
-        return true;
-    }
+    if (what != "supersample" && key->look.read(what, values.mid(1))) return true;
     SpaceComments inSpace = key->inSpace.value_or(SpaceComments());
-    if (inSpace.read(what, values.mid(1))) {
-        key->inSpace = std::move(inSpace);
-        return true;
-    }
-    if (values.size() != 2) return false;
-    if (what == "colour-by") {
-        const auto colourBy = ifs::named<attractor::ColourBy>(values[1].toStdString());
-        look.colourBy = colourBy.value_or(look.colourBy);
-        return colourBy.has_value();
-    }
-    if (what == "plain") return setColour(look.plain, values[1]);
-    if (what == "background") return setColour(look.background, values[1]);
-    double* const setting = what == "brightness" ? &look.brightness
-                            : what == "gamma"    ? &look.gamma
-                            : what == "contrast" ? &look.contrast
-                            : what == "vibrancy" ? &look.vibrancy
-                                                 : nullptr;
-    const auto value = metadataNumber(values[1]);
-    if (setting == nullptr || !value) return false;
-    *setting = *value;
-    return true;
+    const bool isOfSpace = inSpace.read(what, values.mid(1));
+    if (isOfSpace) key->inSpace = std::move(inSpace);
+    return isOfSpace;
 }
 
 bool AnimationLines::readMotion(const QByteArray& key, const QByteArrayList& values) {

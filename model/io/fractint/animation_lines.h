@@ -3,6 +3,7 @@
 
 #include "animation/animation.h"
 #include "ifs/names.h"
+#include "io/fractint/appearance_comments.h"
 #include "io/fractint/space_comments.h"
 
 #include <QByteArray>
@@ -10,7 +11,6 @@
 
 #include <array>
 #include <optional>
-#include <string>
 #include <vector>
 
 namespace io {
@@ -24,8 +24,7 @@ public:
             animation::Ease ease;
             std::vector<double> handles;
             std::vector<double> values;
-            animation::Look look;
-            std::optional<std::string> paletteName;
+            AppearanceComments look;
             std::optional<SpaceComments> inSpace; // of a look
         };
         struct Track {

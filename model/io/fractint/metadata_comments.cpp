@@ -23,7 +23,6 @@ constexpr const char* prefix = metadataPrefix;
 constexpr qsizetype maxLine = maxMetadataLine;
 constexpr const char* continued = " \\"; // at the end of a line: more coordinates follow
 constexpr int maxVertices = 4096;        // a hostile file must not make a cage of a million corners
-constexpr int maxStops = 4096;
 constexpr std::size_t maxBranches = 1024;
 constexpr std::size_t maxWord = 64;
 constexpr std::size_t maxPieces = 100'000; // of what is shown
@@ -104,36 +103,6 @@ template <int Dim> QByteArrayList placementLines(const document::Shape<Dim>& sha
     return lines << symmetryComments(shape.system.symmetry) << animationComments(shape);
 }
 
-QByteArrayList paletteLines(const attractor::Palette& palette) {
-    QByteArrayList lines{line("palette", QByteArray::fromStdString(palette.name))};
-    const attractor::Palette* builtIn = attractor::findPalette(palette.name);
-    if (builtIn != nullptr && *builtIn == palette) return lines;
-    for (const auto& stop : palette.stops)
-        lines << line("stop", formatNumber(stop.position) + ' ' + colourText(stop.colour));
-    return lines;
-}
-
-QByteArrayList appearanceLines(const attractor::Appearance& appearance) {
-    const attractor::Appearance standard;
-    QByteArrayList lines;
-    if (appearance.colourBy != standard.colourBy)
-        lines << line("colour-by", ifs::nameOf(appearance.colourBy));
-    if (!(appearance.palette == standard.palette)) lines << paletteLines(appearance.palette);
-    if (!(appearance.plain == standard.plain)) lines << line("plain", colourText(appearance.plain));
-    if (!(appearance.background == standard.background))
-        lines << line("background", colourText(appearance.background));
-    if (appearance.brightness != standard.brightness)
-        lines << line("brightness", formatNumber(appearance.brightness));
-    if (appearance.gamma != standard.gamma) lines << line("gamma", formatNumber(appearance.gamma));
-    if (appearance.contrast != standard.contrast)
-        lines << line("contrast", formatNumber(appearance.contrast));
-    if (appearance.vibrancy != standard.vibrancy)
-        lines << line("vibrancy", formatNumber(appearance.vibrancy));
-    if (appearance.supersample != standard.supersample)
-        lines << line("supersample", QByteArray::number(appearance.supersample));
-    return lines;
-}
-
 template <int Dim> ifs::Vector<Dim> vectorOf(const std::vector<double>& coordinates) {
     return Eigen::Map<const ifs::Vector<Dim>>(coordinates.data());
 }
@@ -174,7 +143,7 @@ template <int Dim> void renumber(document::Shape<Dim>& shape, document::Fractal&
 } // namespace
 
 QByteArrayList metadataComments(const document::Fractal& fractal) {
-    const QByteArrayList appearance = appearanceLines(fractal.appearance) + spaceComments(fractal.inSpace);
+    const QByteArrayList appearance = appearanceComments(fractal.appearance) + spaceComments(fractal.inSpace);
     const auto linesOf = [&](const auto& shape) {
         return placementLines(shape) + appearance + mapLines(shape.system, fractal.appearance) +
                blendComments(fractal) + labelComments(fractal) + linkComments(shape.system);
@@ -216,7 +185,7 @@ bool MetadataComments::read(QByteArrayView comment) {
     QByteArrayList values = text.split(' ');
     const QByteArray key = values.takeFirst();
     return key == "version" || readSetting(key, values) || readMapSetting(key, values) ||
-           readPalette(key, values) || readBranch(key, values) ||
+           m_colouring.read(key, values) || readBranch(key, values) ||
            m_links.read(key, values, m_ownComments - 1) || m_labels.read(key, values) ||
            m_blends.read(key, values) || m_inSpace.read(key, values) ||
            m_symmetry.read(key, values, m_ownComments - 1) ||
@@ -248,40 +217,13 @@ bool MetadataComments::readSetting(const QByteArray& key, const QByteArrayList& 
         auto& vertices = key == "rest" ? m_rest : m_current;
         return vertices.size() < maxVertices && readPoint(values, vertices);
     }
-    if (values.size() != 1) return false;
     if (key == "deformation") {
-        if (values[0] != "affine-fit" && values[0] != "bend") return false;
+        if (values.size() != 1 || (values[0] != "affine-fit" && values[0] != "bend")) return false;
         m_deformation = values[0] == "bend" ? ifs::Deformation::Bend : ifs::Deformation::AffineFit;
         m_deformationLines.push_back(m_ownComments - 1);
         return true;
     }
-    if (key == "colour-by") {
-        const auto colourBy = ifs::named<attractor::ColourBy>(values[0].toStdString());
-        m_appearance.colourBy = colourBy.value_or(m_appearance.colourBy);
-        return colourBy.has_value();
-    }
-    if (key == "plain" || key == "background") {
-        const auto colour = parseColour(values[0]);
-        if (colour) (key == "plain" ? m_appearance.plain : m_appearance.background) = *colour;
-        return colour.has_value();
-    }
-    const auto value = metadataNumber(values[0]);
-    if (value && key == "vibrancy" && *value >= 0 && *value <= 1) {
-        m_appearance.vibrancy = *value;
-        return true;
-    }
-    if (!value || !(*value > 0)) return false;
-    if (key == "brightness")
-        m_appearance.brightness = *value;
-    else if (key == "gamma")
-        m_appearance.gamma = *value;
-    else if (key == "contrast")
-        m_appearance.contrast = *value;
-    else if (key == "supersample" && *value <= 4 && *value == static_cast<int>(*value))
-        m_appearance.supersample = static_cast<int>(*value);
-    else
-        return false;
-    return true;
+    return false;
 }
 
 bool MetadataComments::readMapSetting(const QByteArray& key, const QByteArrayList& values) {
@@ -313,19 +255,6 @@ bool MetadataComments::readMapSetting(const QByteArray& key, const QByteArrayLis
     if (key != "map-colour" || !colour) return false;
     setting.colour = *colour;
     m_colours.push_back(setting);
-    return true;
-}
-
-bool MetadataComments::readPalette(const QByteArray& key, const QByteArrayList& values) {
-    if (key == "palette") {
-        m_paletteName = values.join(' ').toStdString();
-        return true;
-    }
-    if (key != "stop" || values.size() != 2 || m_stops.size() >= maxStops) return false;
-    const auto position = metadataNumber(values[0]);
-    const auto colour = parseColour(values[1]);
-    if (!position || !colour || *position < 0 || *position > 1) return false;
-    m_stops.push_back({*position, *colour});
     return true;
 }
 
@@ -416,19 +345,6 @@ template <int Dim> void MetadataComments::applyBranches(document::Shape<Dim>& sh
     }
 }
 
-void MetadataComments::applyPalette(document::Fractal& fractal, QStringList& sentences) const {
-    if (!m_paletteName && m_stops.empty()) return;
-    const std::string name = m_paletteName.value_or(std::string());
-    const attractor::Palette* builtIn = attractor::findPalette(name);
-    if (isGradient(m_stops))
-        fractal.appearance.palette = {name, m_stops};
-    else if (m_stops.empty() && builtIn != nullptr)
-        fractal.appearance.palette = *builtIn;
-    else
-        sentences << Text::tr("The stored palette “%1” is unknown and is not applied.")
-                         .arg(QString::fromStdString(name));
-}
-
 template <int Dim>
 void MetadataComments::applyToMaps(ifs::IteratedFunctionSystem<Dim>& system,
                                    attractor::MapColours& mapColours, QStringList& sentences) const {
@@ -468,9 +384,13 @@ void MetadataComments::applyToMaps(ifs::IteratedFunctionSystem<Dim>& system,
 
 MetadataComments::Outcome MetadataComments::applyTo(document::Fractal& fractal) const {
     Outcome outcome;
-    fractal.appearance = m_appearance;
+    fractal.appearance = m_colouring.appearance();
     fractal.inSpace = m_inSpace.appearance();
-    applyPalette(fractal, outcome.sentences);
+    if (const auto palette = m_colouring.palette())
+        fractal.appearance.palette = *palette;
+    else if (m_colouring.namesPalette())
+        outcome.sentences << Text::tr("The stored palette “%1” is unknown and is not applied.")
+                                 .arg(QString::fromStdString(m_colouring.paletteName()));
     const auto apply = [&](auto& shape) {
         applyCage(shape, outcome);
         applyBranches(shape, outcome);

@@ -3,6 +3,7 @@
 
 #include "document/fractal/fractal.h"
 #include "io/fractint/animation_comments.h"
+#include "io/fractint/appearance_comments.h"
 #include "io/fractint/blend_comments.h"
 #include "io/fractint/label_comments.h"
 #include "io/fractint/link_comments.h"
@@ -70,14 +71,12 @@ private:
     bool readPoint(const QByteArrayList& values, std::vector<Point>& points) const;
     bool readSetting(const QByteArray& key, const QByteArrayList& values);
     bool readMapSetting(const QByteArray& key, const QByteArrayList& values);
-    bool readPalette(const QByteArray& key, const QByteArrayList& values);
     bool readBranch(const QByteArray& key, const QByteArrayList& values);
     template <int Dim> void applyCage(document::Shape<Dim>& shape, Outcome& outcome) const;
     template <int Dim> void applyBranches(document::Shape<Dim>& shape, Outcome& outcome) const;
     template <int Dim>
     void applyToMaps(ifs::IteratedFunctionSystem<Dim>& system, attractor::MapColours& colours,
                      QStringList& sentences) const;
-    void applyPalette(document::Fractal& fractal, QStringList& sentences) const;
 
     std::size_t m_ownComments = 0; // read so far
     std::vector<Point> m_rest;
@@ -90,10 +89,8 @@ private:
     BlendComments m_blends;
     AnimationComments m_animations;
     LinkComments m_links;
-    attractor::Appearance m_appearance;
+    AppearanceComments m_colouring;
     SpaceComments m_inSpace;
-    std::optional<std::string> m_paletteName;
-    std::vector<attractor::Palette::Stop> m_stops;
     std::vector<MapSetting> m_colours;
     std::vector<MapSetting> m_off;
     std::vector<MapSetting> m_unweighted;

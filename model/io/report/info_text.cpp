@@ -10,6 +10,7 @@
 #include "ifs/facts.h"
 #include "ifs/system/links.h"
 #include "io/report/figure_error.h"
+#include "io/report/verdicts.h"
 #include "io/text/symmetry_text.h"
 
 #include <algorithm>
@@ -48,57 +49,6 @@ template <typename Points> QString list(const Points& points, double error = 0, 
     for (const auto& point : points)
         parts << tuple(point, error, size);
     return parts.join(QStringLiteral(" "));
-}
-
-// Maps are counted from 1, in the order of the file.
-QString wordText(const ifs::Word& word, const std::vector<std::size_t>& rows) {
-    QStringList letters;
-    for (const int symbol : word)
-        letters << QString::number(rows[std::size_t(symbol)] + 1);
-    return letters.join(u' ');
-}
-
-// "= 0.85", with as many digits as it takes not to look like 1, which nothing that contracts has.
-QString belowOne(double contractivity) {
-    constexpr int usual = 6, maxDigits = 17;
-    for (int precision = usual; precision <= maxDigits; ++precision) {
-        const QString text = QString::number(contractivity, 'g', precision);
-        if (text != u"1") return QStringLiteral("= ") + text;
-    }
-    return QStringLiteral("< 1");
-}
-
-QString contractionSentence(const ifs::Existence& existence) {
-    if (!existence.hasFactor()) return Text::tr("contractive in some norm, γ < 1");
-    const QString factor = belowOne(existence.contractivity);
-    switch (existence.norm) {
-    case ifs::NormKind::Ellipsoidal:
-        return Text::tr("contractive in an ellipsoidal norm, γ %1").arg(factor);
-    case ifs::NormKind::Polytope:
-        return Text::tr("contractive in a polytope norm, γ %1").arg(factor);
-    case ifs::NormKind::Euclidean:
-    case ifs::NormKind::Words:
-        break;
-    }
-    return Text::tr("eventually contractive, γ %1 from words of length %2")
-        .arg(factor)
-        .arg(existence.wordLength);
-}
-
-QString verdictSentence(const ifs::Existence& existence, const std::vector<std::size_t>& rows) {
-    switch (existence.verdict) {
-    case ifs::Verdict::Hyperbolic:
-        return Text::tr("hyperbolic, s %1").arg(belowOne(existence.contractivity));
-    case ifs::Verdict::EventuallyContractive:
-        return contractionSentence(existence);
-    case ifs::Verdict::None:
-        return Text::tr("none: ρ(A) ≥ 1 for the word %1").arg(wordText(existence.witness, rows));
-    case ifs::Verdict::Undecided:
-        return Text::tr("undecided");
-    case ifs::Verdict::Empty:
-        break;
-    }
-    return Text::tr("none: no map is active");
 }
 
 template <class Matrix> QString errorNote(const Matrix& values, double error, double size) {
@@ -262,68 +212,6 @@ void addHull(Lines& lines, const ifs::Facts<3>& facts) {
                        upperDigits(facts.hull->error)));
 }
 
-// What makes of Moran's number the dimension of the attractor, or only an upper bound.
-template <int Dim> QString similarityNote(const ifs::Facts<Dim>& facts) {
-    if (facts.similarityDimension == 0.0) return {}; // nothing is less
-    const ifs::Invariants& invariants = facts.invariants;
-    if (facts.similarityDimension && ifs::exceedsSpace(*facts.similarityDimension, Dim))
-        return u' ' + Text::tr("(upper bound: the open set condition fails)");
-    switch (invariants.contacts ? invariants.contacts->separation : ifs::Separation::Unknown) {
-    case ifs::Separation::Strong:
-        return u' ' + Text::tr("(of the attractor: its pieces are disjoint)");
-    case ifs::Separation::Overlapping:
-        return u' ' + Text::tr("(upper bound: pieces coincide)");
-    case ifs::Separation::Unknown:
-        break;
-    }
-    if (!invariants.openSet || invariants.openSet->condition == ifs::OpenSetCondition::Unknown)
-        return u' ' + Text::tr("(if the open set condition holds; else an upper bound)");
-    if (invariants.openSet->condition == ifs::OpenSetCondition::Fails)
-        return u' ' + Text::tr("(upper bound: the open set condition fails)");
-    return u' ' + (invariants.openSet->certainty == ifs::Certainty::Exact
-                       ? Text::tr("(the open set condition holds)")
-                       : Text::tr("(the open set condition holds, within rounding error)"));
-}
-
-QString separationText(ifs::Separation separation) {
-    switch (separation) {
-    case ifs::Separation::Strong:
-        return Text::tr("strong: no two pieces meet");
-    case ifs::Separation::Overlapping:
-        return Text::tr("none: pieces coincide");
-    case ifs::Separation::Unknown:
-        break;
-    }
-    return Text::tr("unknown");
-}
-
-QString connectednessText(ifs::Connectedness connectedness) {
-    switch (connectedness) {
-    case ifs::Connectedness::Connected:
-        return Text::tr("connected");
-    case ifs::Connectedness::ConnectedToRounding:
-        return Text::tr("connected, within rounding error");
-    case ifs::Connectedness::Disconnected:
-        return Text::tr("not connected");
-    case ifs::Connectedness::Unknown:
-        break;
-    }
-    return Text::tr("unknown");
-}
-
-QString openSetText(const ifs::OpenSetFacts& facts) {
-    const bool isExact = facts.certainty == ifs::Certainty::Exact;
-    switch (facts.condition) {
-    case ifs::OpenSetCondition::Holds:
-        return isExact ? Text::tr("holds") : Text::tr("holds, within rounding error");
-    case ifs::OpenSetCondition::Fails:
-        return isExact ? Text::tr("fails") : Text::tr("fails, within rounding error");
-    case ifs::OpenSetCondition::Unknown:
-        break;
-    }
-    return Text::tr("unknown");
-}
-
 void addOpenSet(Lines& lines, const ifs::Invariants& invariants) {
     if (!invariants.openSet) return;
     lines.add(Text::tr("open set condition"), openSetText(*invariants.openSet));
@@ -335,8 +223,7 @@ void addOpenSet(Lines& lines, const ifs::Invariants& invariants) {
         lines.add(Text::tr("Hausdorff dimension"),
                   digits(dimension->value) +
                       io::errorNote({dimension->value}, dimension->error, 1, shownDigits) +
-                      (isByType ? u' ' + Text::tr("(finite type)") : QString()) +
-                      (isExact ? QString() : u' ' + Text::tr("(within rounding error)")));
+                      (isByType ? u' ' + Text::tr("(finite type)") : QString()) + roundingNote(isExact));
     }
     if (const auto& spectrum = invariants.spectrum)
         lines.add(Text::tr("spectrum"), QStringLiteral("D0 %1, D1 %2, D2 %3, D∞ %4")
@@ -356,7 +243,7 @@ QString radiusText(const ifs::JointSpectralRadius& radius) {
 
 void addTile(Lines& lines, const std::optional<ifs::Tile>& tile) {
     if (!tile) return;
-    const QString note = tile->isExact ? QString() : u' ' + Text::tr("(within rounding error)");
+    const QString note = roundingNote(tile->isExact);
     if (tile->area) lines.add(Text::tr("area of the tile"), digits(*tile->area) + note);
     if (tile->boundaryDimension)
         lines.add(
@@ -397,7 +284,7 @@ template <int Dim> void addInvariants(Lines& lines, const ifs::Facts<Dim>& facts
                   (invariants.isMeasureDimensionCapped
                        ? Text::tr("at most %1").arg(digits(*invariants.measureDimension))
                        : digits(*invariants.measureDimension)) +
-                      similarityNote(facts));
+                      openSetNote(facts));
 }
 
 template <int Dim>
@@ -412,7 +299,7 @@ void addSystem(Lines& lines, const ifs::IteratedFunctionSystem<Dim>& system, con
         lines.add(Text::tr("symmetry"), symmetrySentence(system.symmetry));
     const bool isExistenceLate = facts.isLate(ifs::LongFact::Existence);
     lines.add(Text::tr("attractor"),
-              isExistenceLate ? notComputed() : verdictSentence(facts.existence, facts.active.index));
+              isExistenceLate ? notComputed() : verdictText(facts.existence, facts.active.index));
     addMoments<Dim>(lines, facts);
     addBoxAndSimplex<Dim>(lines, facts);
     if constexpr (Dim == 2) addParts(lines, partsOf(system, facts));
@@ -420,7 +307,7 @@ void addSystem(Lines& lines, const ifs::IteratedFunctionSystem<Dim>& system, con
     lines.add(Text::tr("similarity dimension"),
               isExistenceLate ? notComputed()
                               : digits(facts.similarityDimension) +
-                                    (facts.similarityDimension ? similarityNote(facts) : QString()));
+                                    (facts.similarityDimension ? openSetNote(facts) : QString()));
     if (facts.isLate(ifs::LongFact::AffinityDimension))
         lines.add(Text::tr("affinity dimension"), notComputed());
     else if (facts.isAffinityDimensionCapped)

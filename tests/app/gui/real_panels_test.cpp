@@ -6,6 +6,7 @@
 #include "panels/analysis/analysis_panel.h"
 #include "panels/appearance/appearance_panel.h"
 #include "panels/appearance/controls/appearance_slider.h"
+#include "panels/appearance/number_rows.h"
 #include "panels/cage/cage_panel.h"
 #include "panels/history/history_panel.h"
 #include "support/window_on_x.h"
@@ -79,7 +80,7 @@ void RealPanelsTest::theLookIsChanged() {
     QVERIFY(fractal().appearance.colourBy != before.colourBy);
 
     const QImage picture = canvas().picture();
-    const QSlider* slider = panel->brightness()->slider();
+    const QSlider* slider = panel->numbers()->slider(&attractor::Appearance::brightness)->slider();
     const double share =
         double(slider->value() - slider->minimum()) / (slider->maximum() - slider->minimum());
     const QPoint knob =

@@ -5,8 +5,7 @@
 #include "ifs/dimension/dimension.h"
 #include "ifs/facts.h"
 #include "io/report/figure_error.h"
-#include "panels/analysis/existence_sentence.h"
-#include "panels/analysis/separation_texts.h"
+#include "io/report/verdicts.h"
 #include "panels/cage/cage_texts.h"
 #include "widgets/numbers/number_text.h"
 
@@ -209,7 +208,7 @@ QString notSimilarities() {
 
 template <int Dim> void Facts::addMaps() {
     const ifs::Facts<Dim>& facts = factsIn<Dim>(*m_analysis);
-    const QString verdict = existenceSentence(facts.existence, facts.active.index);
+    const QString verdict = io::verdictText(facts.existence, facts.active.index);
     add(tr("Attractor"),
         tr("A compact set to which the iterates of every compact set converge. A system has one if and only "
            "if its maps contract in some norm."),
@@ -254,12 +253,8 @@ template <int Dim> void Facts::addFixedPoints() {
 
 // What is known of the open set condition.
 template <int Dim> QString Facts::caveat(const Analysis& analysis) {
-    const auto& dimension = factsIn<Dim>(analysis).similarityDimension;
-    if (dimension == 0.0) return {}; // nothing is less
-    if (dimension && ifs::exceedsSpace(*dimension, Dim))
-        return u' ' + tr("(upper bound: the open set condition fails)");
-    const ifs::Invariants& invariants = factsIn<Dim>(analysis).invariants;
-    return invariants.contacts ? u' ' + openSetRemark(invariants) : QString();
+    const auto& facts = factsIn<Dim>(analysis);
+    return analysis.isComplete || facts.invariants.contacts ? io::openSetNote(facts) : QString();
 }
 
 template <int Dim> void Facts::addContacts() {
@@ -268,14 +263,15 @@ template <int Dim> void Facts::addContacts() {
     add(tr("Separation"),
         tr("Whether the pieces that the maps make of the attractor are disjoint (strong separation, proved "
            "by disjoint covers), or words of maps coincide, so that the open set condition fails."),
-        invariants.contacts.has_value(),
-        [](const Analysis& analysis, Format) { return separationText(factsIn<Dim>(analysis).invariants); });
+        invariants.contacts.has_value(), [](const Analysis& analysis, Format) {
+            return io::separationText(factsIn<Dim>(analysis).invariants.contacts->separation);
+        });
     add(tr("Connectedness"),
         tr("An attractor is connected if and only if its pieces are joined by common points (Hata). Common "
            "points are looked for among fixed points of short words, and their absence is proved by "
            "disjoint covers."),
         invariants.contacts.has_value(), [](const Analysis& analysis, Format) {
-            return connectednessText(factsIn<Dim>(analysis).invariants.contacts->connectedness);
+            return io::connectednessText(factsIn<Dim>(analysis).invariants.contacts->connectedness);
         });
     add(
         tr("Overlaps"),
@@ -286,7 +282,7 @@ template <int Dim> void Facts::addContacts() {
             QStringList texts;
             for (const auto& overlap : factsIn<Dim>(analysis).invariants.contacts->overlaps)
                 texts << (overlap.isExact ? QStringLiteral("%1 = %2") : QStringLiteral("%1 ≈ %2"))
-                             .arg(rowsOf(overlap.first, index), rowsOf(overlap.second, index));
+                             .arg(io::wordText(overlap.first, index), io::wordText(overlap.second, index));
             return texts.join(QStringLiteral("  "));
         },
         tr("No overlaps were found."));
@@ -301,7 +297,7 @@ template <int Dim> void Facts::addOpenSet() {
            "and "
            "none of them coincides with its neighbour."),
         openSet.has_value(), [](const Analysis& analysis, Format) {
-            return openSetText(*factsIn<Dim>(analysis).invariants.openSet);
+            return io::openSetText(*factsIn<Dim>(analysis).invariants.openSet);
         });
     add(
         tr("Hausdorff dimension"),
@@ -313,7 +309,7 @@ template <int Dim> void Facts::addOpenSet() {
         [](const Analysis& analysis, Format number) {
             const auto& found = *factsIn<Dim>(analysis).invariants.openSet->dimension;
             return number(found.value) + note({found.value}, found.error, 1, number) +
-                   roundingRemark(found.certainty);
+                   io::roundingNote(found.certainty == ifs::Certainty::Exact);
         },
         tr("There is no value: it is not known how much the pieces overlap, or the maps are no "
            "similarities."));
@@ -322,8 +318,7 @@ template <int Dim> void Facts::addOpenSet() {
 void Facts::addTile() {
     const auto& tile = m_analysis->facts.invariants.tile;
     const auto withNote = [](const QString& figure, const Analysis& analysis) {
-        return analysis.facts.invariants.tile->isExact ? figure
-                                                       : figure + u' ' + tr("(within rounding error)");
+        return figure + io::roundingNote(analysis.facts.invariants.tile->isExact);
     };
     add(
         tr("Tile area"),

@@ -3,7 +3,7 @@
 
 #include "document/fractal/space_geometry.h"
 #include "panels/appearance/controls/appearance_colour_button.h"
-#include "panels/appearance/controls/appearance_slider.h"
+#include "panels/appearance/number_rows.h"
 #include "panels/appearance/palettes/gradient_editor.h"
 #include "panels/appearance/palettes/gradient_preview.h"
 #include "panels/appearance/palettes/palette_browser.h"
@@ -11,8 +11,6 @@
 #include "panels/appearance/space_rows.h"
 #include "widgets/flat_buttons.h"
 #include "widgets/layout/wrapping_form.h"
-#include "widgets/numbers/number_field.h"
-#include "widgets/numbers/number_text.h"
 
 #include <QCheckBox>
 #include <QComboBox>
@@ -34,8 +32,6 @@ using attractor::ColourBy;
 
 constexpr int labelSpacing = 16;
 constexpr int browserInset = 12;
-constexpr double minContrast = 0.01; // beyond, all tones are the middle, or black and white
-constexpr double maxContrast = 100;
 constexpr int swatchesPerRow = 7;
 constexpr int maxSwatches = 70; // further maps take their colours in the table
 
@@ -185,7 +181,7 @@ void AppearancePanel::makeToneRows(QFormLayout* form) {
     background->addStretch();
     form->addRow(tr("Background"), background);
 
-    makeToneSliders(form);
+    m_numbers = new NumberRows(form, m_document, this);
 
     m_supersampling = new QComboBox(this);
     m_supersampling->setAccessibleName(tr("Supersampling"));
@@ -199,28 +195,6 @@ void AppearancePanel::makeToneRows(QFormLayout* form) {
              [factor](Appearance& a) { a.supersample = factor; });
     });
     form->addRow(tr("Supersampling"), m_supersampling);
-}
-
-void AppearancePanel::makeToneSliders(QFormLayout* form) {
-    m_brightness = logarithmicSlider(tr("Brightness"), 0.1, 1000, &Appearance::brightness);
-    m_brightness->setToolTip(tr("How strongly thin parts show: κ of the logarithmic tone curve"));
-    m_gamma = logarithmicSlider(tr("Gamma"), 0.5, 8, &Appearance::gamma);
-    m_gamma->setToolTip(tr("Exponent of the tone curve: higher values lift the dark parts"));
-    m_contrast = logarithmicSlider(tr("Contrast"), 0.2, 5, &Appearance::contrast);
-    m_contrast->field()->setRange({minContrast, maxContrast, NumberRange::Ends::Closed});
-    m_contrast->explain(tr("Above 1, light parts become lighter and dark parts darker"),
-                        tr("Above 1, tones lighter than the middle become lighter, and darker ones darker. "
-                           "Below 1, they come closer together. Black, middle and white stay."));
-    m_vibrancy = live(new AppearanceSlider(tr("Vibrancy"), 0, 1, AppearanceSlider::Scale::Bounded, this),
-                      tr("Vibrancy"), &Appearance::vibrancy);
-    m_vibrancy->explain(tr("Below 1, colours are paler, the more so the higher the gamma"),
-                        tr("At 1, the gamma decides only how strongly a colour shows, and the colour keeps "
-                           "its hue. At 0, the gamma acts on red, green and blue as well, and colours are "
-                           "paler. Flames have the same setting."));
-    form->addRow(tr("Brightness"), m_brightness);
-    form->addRow(tr("Gamma"), m_gamma);
-    form->addRow(tr("Contrast"), m_contrast);
-    form->addRow(tr("Vibrancy"), m_vibrancy);
 }
 
 void AppearancePanel::makeMapColours(QFormLayout* form) {
@@ -243,22 +217,6 @@ ColourButton* AppearancePanel::colourButton(const QString& name, attractor::Rgba
     connect(button, &ColourButton::accepted, this, [this] { m_edit.commit(); });
     connect(button, &ColourButton::rejected, this, [this] { m_edit.cancel(); });
     return button;
-}
-
-AppearanceSlider* AppearancePanel::logarithmicSlider(const QString& name, double min, double max,
-                                                     double Appearance::*member) {
-    return live(new AppearanceSlider(name, min, max, AppearanceSlider::Scale::Logarithmic, this), name,
-                member);
-}
-
-AppearanceSlider* AppearancePanel::live(AppearanceSlider* made, const QString& name,
-                                        double Appearance::*member) {
-    connect(made, &AppearanceSlider::tried, this, [this, name, member](double value) {
-        preview(tr("%1: %2").arg(name, shortNumber(value)), [=](Appearance& a) { a.*member = value; });
-    });
-    connect(made, &AppearanceSlider::accepted, this, [this] { m_edit.commit(); });
-    connect(made, &AppearanceSlider::rejected, this, [this] { m_edit.cancel(); });
-    return made;
 }
 
 void AppearancePanel::preview(const QString& text, const Setting& set) {
@@ -299,10 +257,7 @@ void AppearancePanel::follow(const document::Change& change) {
     m_plain->setColour(isSpace ? document::solidAppearance(fractal).plain : appearance.plain);
     m_background->setColour(isSpace ? document::backgroundInSpace(fractal) : appearance.background);
     m_transparent->setChecked(appearance.background.alpha == 0);
-    m_brightness->setValue(appearance.brightness);
-    m_gamma->setValue(appearance.gamma);
-    m_contrast->setValue(appearance.contrast);
-    m_vibrancy->setValue(appearance.vibrancy);
+    m_numbers->follow(appearance);
     m_supersampling->setCurrentIndex(m_supersampling->findData(appearance.supersample));
     showUses();
     m_reset->setEnabled(!(appearance == Appearance{}) || !(fractal.inSpace == attractor::SpaceAppearance{}));
@@ -338,9 +293,8 @@ void AppearancePanel::showUses() {
     m_form->setRowVisible(m_colourBy, isPlane || used.colourBy);
     m_form->setRowVisible(m_gradientRow, isPlane || used.palette);
     m_form->setRowVisible(m_plain, isPlane || used.plain);
-    for (QWidget* row :
-         std::initializer_list<QWidget*>{m_brightness, m_gamma, m_contrast, m_vibrancy, m_supersampling})
-        m_form->setRowVisible(row, isPlane || used.tone);
+    m_numbers->setVisible(isPlane || used.tone);
+    m_form->setRowVisible(m_supersampling, isPlane || used.tone);
     m_form->setRowVisible(m_mapColours, isPlane || used.mapColours);
     m_editor->setVisible(m_editGradient->isChecked() && (isPlane || used.palette));
     for (QWidget* widget : std::initializer_list<QWidget*>{m_gradient, m_gradientLabel, m_browsePalettes,

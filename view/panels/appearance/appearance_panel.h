@@ -17,10 +17,10 @@ class QToolButton;
 
 namespace view {
 
-class AppearanceSlider;
 class ColourButton;
 class GradientChooser;
 class GradientEditor;
+class NumberRows;
 class SliceRows;
 class SpaceRows;
 
@@ -37,10 +37,7 @@ public:
     GradientEditor* gradientEditor() const { return m_editor; }
     QToolButton* editGradient() const { return m_editGradient; }
     QToolButton* browsePalettes() const { return m_browsePalettes; }
-    AppearanceSlider* brightness() const { return m_brightness; }
-    AppearanceSlider* gamma() const { return m_gamma; }
-    AppearanceSlider* contrast() const { return m_contrast; }
-    AppearanceSlider* vibrancy() const { return m_vibrancy; }
+    NumberRows* numbers() const { return m_numbers; }
     QCheckBox* transparent() const { return m_transparent; }
     SpaceRows* space() const { return m_space; }
     SliceRows* slice() const { return m_slice; }
@@ -57,14 +54,8 @@ private:
     void makeGradientEditor(QFormLayout* form);
     void choosePalette(); // from all that come with the program
     void makeToneRows(QFormLayout* form);
-    void makeToneSliders(QFormLayout* form);
     void makeMapColours(QFormLayout* form);
     ColourButton* colourButton(const QString& name, attractor::Rgba attractor::Appearance::*member);
-    AppearanceSlider* logarithmicSlider(const QString& name, double min, double max,
-                                        double attractor::Appearance::*member);
-    // The slider sets what it is of, live.
-    AppearanceSlider* live(AppearanceSlider* slider, const QString& name,
-                           double attractor::Appearance::*member);
     void follow(const document::Change& change);
     // What the picture shown makes use of.
     struct Uses {
@@ -100,10 +91,7 @@ private:
     QLabel* m_plainLabel;
     ColourButton* m_background;
     QCheckBox* m_transparent;
-    AppearanceSlider* m_brightness;
-    AppearanceSlider* m_gamma;
-    AppearanceSlider* m_contrast;
-    AppearanceSlider* m_vibrancy;
+    NumberRows* m_numbers;
     QComboBox* m_supersampling;
     QLabel* m_mapColoursLabel;
     QWidget* m_mapColours;

@@ -2,6 +2,7 @@
 #include "panels/appearance/appearance_panel.h"
 #include "panels/appearance/controls/appearance_colour_button.h"
 #include "panels/appearance/controls/appearance_slider.h"
+#include "panels/appearance/number_rows.h"
 #include "panels/appearance/palettes/gradient_editor.h"
 #include "panels/appearance/palettes/gradient_preview.h"
 #include "panels/appearance/palettes/gradient_strip.h"
@@ -41,7 +42,7 @@ private slots:
     }
 
     void aSliderDragIsLiveAndOneStep() {
-        QSlider* slider = m_panel->brightness()->slider();
+        QSlider* slider = m_panel->numbers()->slider(&attractor::Appearance::brightness)->slider();
         const double before = appearance().brightness;
         slider->setSliderDown(true);
         for (const int position : {300, 320, 350})
@@ -54,11 +55,11 @@ private slots:
         QCOMPARE(appearance().brightness, during);
         m_document->undoStack()->undo();
         QCOMPARE(appearance().brightness, before);
-        QCOMPARE(m_panel->brightness()->field()->value(), before);
+        QCOMPARE(m_panel->numbers()->slider(&attractor::Appearance::brightness)->field()->value(), before);
     }
 
     void aRunOfArrowKeysIsOneStep() {
-        QSlider* slider = m_panel->gamma()->slider();
+        QSlider* slider = m_panel->numbers()->slider(&attractor::Appearance::gamma)->slider();
         slider->setFocus();
         for (int i = 0; i < 5; ++i)
             QTest::keyClick(slider, Qt::Key_Right);
@@ -68,7 +69,7 @@ private slots:
     }
 
     void undoDuringARunOfStepsMovesTheSliderBack() {
-        QSlider* slider = m_panel->gamma()->slider();
+        QSlider* slider = m_panel->numbers()->slider(&attractor::Appearance::gamma)->slider();
         const int start = slider->value();
         slider->setFocus();
         QTest::keyClick(slider, Qt::Key_Right);
@@ -256,7 +257,7 @@ private slots:
     }
 
     void aTypedGammaMustBePositive() {
-        view::NumberField* field = m_panel->gamma()->field();
+        view::NumberField* field = m_panel->numbers()->slider(&attractor::Appearance::gamma)->field();
         field->setFocus();
         field->selectAll();
         QTest::keyClicks(field, QStringLiteral("-1"));
@@ -270,36 +271,39 @@ private slots:
     }
 
     void contrastAndVibrancyAreSlidersLikeTheOthers() {
-        QCOMPARE(m_panel->contrast()->slider()->value(), 200); // in the middle
-        QCOMPARE(m_panel->vibrancy()->slider()->value(), 400);
+        QCOMPARE(m_panel->numbers()->slider(&attractor::Appearance::contrast)->slider()->value(),
+                 200); // in the middle
+        QCOMPARE(m_panel->numbers()->slider(&attractor::Appearance::vibrancy)->slider()->value(), 400);
         const auto drag = [](const view::AppearanceSlider* of, int position) {
             of->slider()->setSliderDown(true);
             of->slider()->setSliderPosition((of->slider()->value() + position) / 2);
             of->slider()->setSliderPosition(position);
             of->slider()->setSliderDown(false);
         };
-        drag(m_panel->contrast(), 400);
-        drag(m_panel->vibrancy(), 100);
+        drag(m_panel->numbers()->slider(&attractor::Appearance::contrast), 400);
+        drag(m_panel->numbers()->slider(&attractor::Appearance::vibrancy), 100);
         QCOMPARE(appearance().contrast, 5.0);
         QCOMPARE(appearance().vibrancy, 0.25);
         QCOMPARE(m_document->undoStack()->count(), 2);
         QCOMPARE(m_document->undoStack()->undoText(), QStringLiteral("Vibrancy: 0.25"));
-        drag(m_panel->contrast(), 200);
+        drag(m_panel->numbers()->slider(&attractor::Appearance::contrast), 200);
         QCOMPARE(appearance().contrast, 1.0); // exactly as it was
         m_document->undoStack()->undo();
         m_document->undoStack()->undo();
         QCOMPARE(appearance().vibrancy, 1.0);
-        QCOMPARE(m_panel->vibrancy()->field()->value(), 1.0);
+        QCOMPARE(m_panel->numbers()->slider(&attractor::Appearance::vibrancy)->field()->value(), 1.0);
         m_panel->resetToDefault();
         QVERIFY(appearance() == Appearance{});
-        for (const view::AppearanceSlider* slider : {m_panel->contrast(), m_panel->vibrancy()}) {
+        for (const view::AppearanceSlider* slider :
+             {m_panel->numbers()->slider(&attractor::Appearance::contrast),
+              m_panel->numbers()->slider(&attractor::Appearance::vibrancy)}) {
             QVERIFY(!slider->toolTip().isEmpty());
             QVERIFY(slider->whatsThis().size() > slider->toolTip().size());
         }
     }
 
     void aTypedContrastIsWithinReason() {
-        view::NumberField* field = m_panel->contrast()->field();
+        view::NumberField* field = m_panel->numbers()->slider(&attractor::Appearance::contrast)->field();
         field->setFocus();
         for (const char* wrong : {"1e9", "0"}) {
             field->selectAll();
@@ -314,7 +318,7 @@ private slots:
     }
 
     void aTypedVibrancyIsBetweenZeroAndOne() {
-        view::NumberField* field = m_panel->vibrancy()->field();
+        view::NumberField* field = m_panel->numbers()->slider(&attractor::Appearance::vibrancy)->field();
         field->setFocus();
         for (const char* wrong : {"1.5", "-1"}) {
             field->selectAll();

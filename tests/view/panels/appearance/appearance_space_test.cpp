@@ -3,6 +3,7 @@
 #include "panels/appearance/appearance_panel.h"
 #include "panels/appearance/controls/appearance_slider.h"
 #include "panels/appearance/light_ball.h"
+#include "panels/appearance/number_rows.h"
 #include "panels/appearance/palettes/gradient_preview.h"
 #include "panels/appearance/slice_rows.h"
 #include "panels/appearance/space_rows.h"
@@ -55,7 +56,9 @@ private slots:
             QCOMPARE(rows->light()->isVisible(), shown.light);
             QCOMPARE(rows->fog()->isVisible(), shown.fog);
             QCOMPARE(m_panel->gradient()->isVisible(), shown.palette);
-            for (const auto* slider : {m_panel->brightness(), m_panel->contrast(), m_panel->vibrancy()})
+            for (const auto* slider : {m_panel->numbers()->slider(&attractor::Appearance::brightness),
+                                       m_panel->numbers()->slider(&attractor::Appearance::contrast),
+                                       m_panel->numbers()->slider(&attractor::Appearance::vibrancy)})
                 QCOMPARE(slider->isVisible(), shown.tone);
         }
         QCOMPARE(m_document->undoStack()->count(), 5); // stone was there
@@ -144,7 +147,8 @@ private slots:
         m_document->setFile(document::fileOf(maple()));
         QVERIFY(!m_panel->space()->look()->isVisible());
         QVERIFY(!m_panel->slice()->kind()->isVisible());
-        QVERIFY(m_panel->colourBy()->isVisible() && m_panel->brightness()->isVisible());
+        QVERIFY(m_panel->colourBy()->isVisible() &&
+                m_panel->numbers()->slider(&attractor::Appearance::brightness)->isVisible());
         QVERIFY(m_panel->gradient()->isVisible());
     }
 

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include "panels/analysis/existence_sentence.h"
+#include "io/report/verdicts.h"
 
 #include "ifs/system/iterated_function_system.h"
 #include "support/named_test.h"
 #include "view/panels/maps_support.h"
 
+#include <QCoreApplication>
 #include <QTest>
 
 using namespace maps_support;
@@ -13,12 +14,12 @@ namespace {
 
 QString sentenceOf(const document::Fractal& fractal) {
     const ifs::ActiveMaps<2> active = ifs::activeMaps(*document::system2(fractal));
-    return view::existenceSentence(ifs::classify<2>(active.maps), active.index);
+    return io::verdictText(ifs::classify<2>(active.maps), active.index);
 }
 
 } // namespace
 
-class ExistenceSentenceTest : public QObject {
+class VerdictsTest : public QObject {
     Q_OBJECT
 
 private slots:
@@ -27,32 +28,37 @@ private slots:
         document::Fractal fractal = fractalOf({{0.5, 0, 0, 0.5, 0, 0, 1}, {2, 0, 0, 2, 1, 0, 1}});
         document::system2(fractal)->maps[0].enabled = false;
         const QString sentence = sentenceOf(fractal);
-        QVERIFY2(sentence.startsWith(QStringLiteral("None: map 2 ")), qPrintable(sentence));
+        QCOMPARE(sentence, QStringLiteral("none: ρ(A) ≥ 1 for the word 2"));
         document::system2(fractal)->maps[1].enabled = false;
         QVERIFY(sentenceOf(fractal).contains(QStringLiteral("no map is active")));
     }
 
-    // A shear that no norm of the plane but an ellipse sees contract, and two maps that only do so in turn.
-    void aCertificateIsSaidInPlainWords() {
+    void theNormOfACertificateIsNamed() {
         ifs::Existence existence;
         existence.verdict = ifs::Verdict::EventuallyContractive;
         existence.contractivity = 0.7872;
         existence.norm = ifs::NormKind::Ellipsoidal;
-        QString sentence = view::existenceSentence(existence, {0, 1});
-        QVERIFY2(sentence.contains(QStringLiteral("norm")), qPrintable(sentence));
-        QVERIFY2(!sentence.contains(QStringLiteral("in a row")), qPrintable(sentence));
+        QCOMPARE(io::verdictText(existence, {0, 1}),
+                 QStringLiteral("contractive in an ellipsoidal norm, γ = 0.7872"));
+        existence.norm = ifs::NormKind::Polytope;
+        QCOMPARE(io::verdictText(existence, {0, 1}),
+                 QStringLiteral("contractive in a polytope norm, γ = 0.7872"));
         existence.norm = ifs::NormKind::Words;
         existence.wordLength = 4;
-        sentence = view::existenceSentence(existence, {0, 1});
-        QVERIFY2(sentence.contains(QStringLiteral("any 4 maps in a row contract")), qPrintable(sentence));
-        QVERIFY(sentence.contains(QStringLiteral("0.7872")));
-
+        QCOMPARE(io::verdictText(existence, {0, 1}),
+                 QStringLiteral("eventually contractive, γ = 0.7872 from words of length 4"));
         const document::Fractal sheared = fractalOf({{0.5, 1.5, 0, 0.5, 0, 0, 1}, {0.5, 0, 0, 0.5, 1, 0, 1}});
-        sentence = sentenceOf(sheared);
-        QVERIFY2(sentence.startsWith(QStringLiteral("Yes: ")), qPrintable(sentence));
-        QVERIFY2(!sentence.contains(QStringLiteral(" 1 maps")), qPrintable(sentence));
+        QCOMPARE(sentenceOf(sheared),
+                 QStringLiteral("eventually contractive, γ = 0.932205 from words of length 4"));
+    }
+
+    void aFactorBelowOneNeverLooksLikeOne() {
+        ifs::Existence existence;
+        existence.verdict = ifs::Verdict::Hyperbolic;
+        existence.contractivity = 0.9999999999;
+        QCOMPARE(io::verdictText(existence, {}), QStringLiteral("hyperbolic, s = 0.9999999999"));
     }
 };
 
-BARYCAGE_TEST(ExistenceSentenceTest, QApplication);
-#include "existence_sentence_test.moc"
+BARYCAGE_TEST(VerdictsTest, QCoreApplication);
+#include "verdicts_test.moc"

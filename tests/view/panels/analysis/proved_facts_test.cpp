@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include "panels/analysis/separation_texts.h"
-
 #include "document/analysis/analysis.h"
 #include "panels/analysis/analysis_facts.h"
 #include "support/named_test.h"
@@ -14,14 +12,14 @@
 
 using namespace maps_support;
 
-class SeparationTextsTest : public QObject {
+class ProvedFactsTest : public QObject {
     Q_OBJECT
 
 private slots:
     void saysWhatIsProvedOfTheSierpinskiTriangle() {
         const auto facts = factsOf(document::sierpinskiTriangle());
-        QCOMPARE(valueOf(facts, QStringLiteral("Separation")),
-                 QStringLiteral("pieces may touch, but do not overlap"));
+        QCOMPARE(valueOf(facts, QStringLiteral("Attractor")), QStringLiteral("hyperbolic, s = 0.5"));
+        QCOMPARE(valueOf(facts, QStringLiteral("Separation")), QStringLiteral("unknown"));
         QCOMPARE(valueOf(facts, QStringLiteral("Open set condition")),
                  QStringLiteral("holds, within rounding error"));
         QCOMPARE(valueOf(facts, QStringLiteral("Hausdorff dimension")),
@@ -65,5 +63,5 @@ private:
     }
 };
 
-BARYCAGE_TEST(SeparationTextsTest, QApplication);
-#include "separation_texts_test.moc"
+BARYCAGE_TEST(ProvedFactsTest, QApplication);
+#include "proved_facts_test.moc"

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "attractor/request/appearance.h"
+
+#include <array>
+#include <limits>
+
+// The numbers and colours of an appearance, one row each. Lines of files, keys of animations, the sliders of
+// the panel and the options of the command line follow from these tables.
+namespace attractor {
+
+struct AppearanceNumber {
+    enum class Scale {
+        Factor, // above 0; keys and sliders change it by constant factors
+        Even,   // keys and sliders change it by constant differences
+    };
+    enum class InKeys { Always, IfUnusual }; // whether a key of an animation stores the usual value
+
+    const char* key; // in files; the option is this with two dashes
+    double Appearance::*member;
+    Scale scale;
+    double lowest; // excluded if the scale is one of factors
+    double highest;
+    InKeys inKeys = InKeys::IfUnusual;
+
+    // False for what is out of range or not a number.
+    constexpr bool accepts(double value) const {
+        return (scale == Scale::Factor ? value > lowest : value >= lowest) && value <= highest;
+    }
+};
+
+inline constexpr double largestAppearanceNumber = std::numeric_limits<double>::max();
+inline constexpr std::array appearanceNumbers{
+    AppearanceNumber{"brightness", &Appearance::brightness, AppearanceNumber::Scale::Factor, 0,
+                     largestAppearanceNumber, AppearanceNumber::InKeys::Always},
+    AppearanceNumber{"gamma", &Appearance::gamma, AppearanceNumber::Scale::Factor, 0, largestAppearanceNumber,
+                     AppearanceNumber::InKeys::Always},
+    AppearanceNumber{"contrast", &Appearance::contrast, AppearanceNumber::Scale::Factor, 0,
+                     largestAppearanceNumber},
+    AppearanceNumber{"vibrancy", &Appearance::vibrancy, AppearanceNumber::Scale::Even, 0, 1},
+};
+
+struct AppearanceColour {
+    const char* key; // in files
+    Rgba Appearance::*member;
+};
+
+inline constexpr std::array appearanceColours{
+    AppearanceColour{"plain", &Appearance::plain},
+    AppearanceColour{"background", &Appearance::background},
+};
+
+} // namespace attractor

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "attractor/request/appearance_fields.h"
+#include "document/edits/live_edit.h"
+
+#include <QObject>
+
+#include <vector>
+
+class QFormLayout;
+
+namespace view {
+
+class AppearanceSlider;
+
+// The sliders of the *Appearance* panel, one for each of attractor::appearanceNumbers. They are live; one
+// undo step per drag or typed number.
+class NumberRows : public QObject {
+    Q_OBJECT
+
+public:
+    NumberRows(QFormLayout* form, document::Document* document, QWidget* parent);
+
+    AppearanceSlider* slider(double attractor::Appearance::*member) const;
+    void follow(const attractor::Appearance& appearance);
+    void setVisible(bool isVisible);
+
+private:
+    void addRow(const attractor::AppearanceNumber& number, QWidget* parent);
+
+    QFormLayout* m_form;
+    document::LiveEdit m_edit;
+    std::vector<AppearanceSlider*> m_sliders; // as in appearanceNumbers
+};
+
+} // namespace view
