@@ -5,6 +5,7 @@
 #include "desktop/settings.h"
 #include "desktop/theme.h"
 #include "files/exports.h"
+#include "files/open_each.h"
 #include "files/recovery.h"
 #include "identity.h"
 #include "io/fractint/fractint_reader.h"
@@ -136,13 +137,12 @@ bool Application::event(QEvent* event) {
 
 bool Application::openWindows(const QStringList& files, Start start) {
     const auto resume = qScopeGuard([] { exports::queue()->resume(); }); // in windows that tell of it
-    for (const document::Abandoned& abandoned : Recovery::ask()) {
-        auto* window = new MainWindow;
-        window->show();
-        window->openRecovered(abandoned);
-    }
+    QList<WantedFile> wantedFiles;
+    for (const document::Abandoned& abandoned : Recovery::ask())
+        wantedFiles << WantedFile{abandoned.snapshot.path, abandoned};
     const bool again = files.isEmpty() && start == Start::AsLastTime && view::Preferences::stored().reopen;
-    MainWindow::openEach(again ? session::files() : files);
+    wantedFiles += wanted(again ? session::files() : askWhichToOpen(files, nullptr));
+    MainWindow::openEach(wantedFiles);
     if (start == Start::AsLastTime && !session::windows().isEmpty()) return !session::allAreClosed();
     auto* window = new MainWindow;
     window->openFirstPicture();

@@ -40,6 +40,10 @@ QString list(const QStringList& names) {
 
 } // namespace
 
+bool isLesson(const QString& path) {
+    return path.endsWith(QLatin1String(".lesson"), Qt::CaseInsensitive);
+}
+
 FileCommands::FileCommands(const MenuContext& context, OpenFile* file)
     : QObject(context.window), m_context(context), m_file(file) {}
 
@@ -79,9 +83,11 @@ bool FileCommands::maybeSave() {
 }
 
 bool FileCommands::open(const QString& path) {
-    if (m_lessons.open && path.endsWith(QLatin1String(".lesson"), Qt::CaseInsensitive))
-        return m_lessons.open(path);
-    if (const io::Failure failure = m_file->open(path)) {
+    return m_lessons.open && isLesson(path) ? m_lessons.open(path) : open(path, startReading(path));
+}
+
+bool FileCommands::open(const QString& path, const FileReading& reading) {
+    if (const io::Failure failure = m_file->open(path, reading)) {
         if (m_file->isStopped()) return false;
         m_context.messages->fail(tr("%1 could not be opened").arg(QFileInfo(path).fileName()), *failure);
         return false;

@@ -2,6 +2,7 @@
 #include "files/open_file.h"
 
 #include "document/fractal/fractal_geometry.h"
+#include "document/text/text.h"
 #include "document/tops/picture_paths.h"
 #include "files/recent_files.h"
 #include "io/collection_reader.h"
@@ -16,43 +17,19 @@
 #include <QCryptographicHash>
 #include <QFileInfo>
 #include <QHash>
+#include <QProgressDialog>
 #include <QScopedValueRollback>
 
 #include <algorithm>
 #include <atomic>
 #include <memory>
 #include <optional>
+#include <utility>
 
 namespace {
 
 QByteArray digestOf(const QByteArray& bytes) {
     return QCryptographicHash::hash(bytes, QCryptographicHash::Sha256);
-}
-
-struct Reading {
-    io::Loaded loaded;
-    io::Collection collection; // when there is no failure
-    QByteArray digest;
-    QString table; // whose order of columns is assumed
-};
-
-QFuture<Reading> readBeside(const QString& path) {
-    return io::inBackground<Reading>(io::Lane::Reading, [path](QPromise<Reading>& promise) {
-        Reading reading{io::loadFile(path), {}, {}, {}};
-        if (!reading.loaded.failure) {
-            reading.collection = io::readCollection(reading.loaded.bytes, path);
-            reading.digest = digestOf(reading.loaded.bytes);
-            if (reading.collection.isOrderAssumed)
-                reading.table = io::tableIn(
-                    QString::fromUtf8(io::fromUtf16(reading.loaded.bytes).value_or(reading.loaded.bytes)));
-            // What showing the first entry takes is remembered.
-            const auto& entries = reading.collection.file.entries;
-            const auto shown = std::ranges::find_if(
-                entries, [](const auto& entry) { return document::system2(*entry.fractal) != nullptr; });
-            if (shown != entries.end()) document::supportFunction(*shown->fractal);
-        }
-        promise.addResult(std::move(reading));
-    });
 }
 
 // Somebody cancels what somebody else is about to finish; the first one decides.
@@ -103,7 +80,30 @@ void keepIds(document::FractalFile& recovered, const document::FractalFile& befo
 
 } // namespace
 
+FileReading startReading(const QString& path) {
+    return io::inBackground<ReadFile>(io::Lane::Reading, [path](QPromise<ReadFile>& promise) {
+        ReadFile reading{io::loadFile(path), {}, {}, {}};
+        if (!reading.loaded.failure) {
+            reading.collection = io::readCollection(reading.loaded.bytes, path);
+            reading.digest = digestOf(reading.loaded.bytes);
+            if (reading.collection.isOrderAssumed)
+                reading.table = io::tableIn(
+                    QString::fromUtf8(io::fromUtf16(reading.loaded.bytes).value_or(reading.loaded.bytes)));
+            // What showing the first entry takes is remembered.
+            const auto& entries = reading.collection.file.entries;
+            const auto shown = std::ranges::find_if(
+                entries, [](const auto& entry) { return document::system2(*entry.fractal) != nullptr; });
+            if (shown != entries.end()) document::supportFunction(*shown->fractal);
+        }
+        promise.addResult(std::move(reading));
+    });
+}
+
 OpenFile::OpenFile(document::Document* document, QWidget* window) : m_document(document), m_window(window) {}
+
+OpenFile::~OpenFile() {
+    if (m_isReading) m_reading.cancel(); // whoever waits for it need not any more
+}
 
 QString OpenFile::name() const {
     return m_path.isEmpty() ? tr("Untitled") : QFileInfo(m_path).fileName();
@@ -121,7 +121,7 @@ void OpenFile::startFrom(document::FractalFile file, document::EntryId current) 
 bool OpenFile::hasRead(const QFuture<void>& reading, const QString& label) {
     m_reading = reading;
     m_isReading = true;
-    const bool isRead = view::waitFor(reading, label, m_window);
+    const bool isRead = !reading.isCanceled() && view::waitFor(reading, label, m_window);
     m_isReading = false;
     m_reading = {};
     if (m_isStopped) emit stopped();
@@ -134,14 +134,43 @@ void OpenFile::stopReading() {
     m_reading.cancel();
 }
 
-io::Failure OpenFile::open(const QString& path) {
-    const QScopedValueRollback<bool> busy(m_isBusy, true);
+void OpenFile::await(const QString& path, const QFuture<void>& reading) {
     m_isStopped = false;
+    m_reading = reading;
+    m_isBusy = m_isReading = m_isAwaiting = true;
+    m_progress = new QProgressDialog(tr("Reading “%1”…").arg(QFileInfo(path).fileName()), Text::tr("Cancel"),
+                                     0, 0, m_window);
+    m_progress->setWindowModality(Qt::WindowModal);
+    connect(m_progress, &QProgressDialog::canceled, this, [this] { m_reading.cancel(); });
+    m_progress->show();
+}
+
+void OpenFile::endAwaiting() {
+    if (!std::exchange(m_isAwaiting, false)) {
+        m_isStopped = false;
+        return;
+    }
+    m_isBusy = false;
+    delete m_progress;
+}
+
+void OpenFile::giveUpAwaiting() {
+    endAwaiting();
+    m_isReading = false;
+    m_reading = {};
+}
+
+io::Failure OpenFile::open(const QString& path) {
+    return open(path, startReading(path));
+}
+
+io::Failure OpenFile::open(const QString& path, FileReading reading) {
+    endAwaiting();
+    const QScopedValueRollback<bool> busy(m_isBusy, true);
     const auto file = QFileInfo(path).fileName();
-    QFuture<Reading> result = readBeside(path);
-    if (!hasRead(QFuture<void>(result), tr("Reading “%1”…").arg(file)))
+    if (!hasRead(QFuture<void>(reading), tr("Reading “%1”…").arg(file)))
         return tr("Reading “%1” was cancelled.").arg(file);
-    auto [loaded, collection, digest, table] = result.takeResult();
+    auto [loaded, collection, digest, table] = reading.takeResult();
     if (loaded.failure) return loaded.failure;
     if (collection.file.entries.isEmpty() && !collection.file.problems.isEmpty())
         return collection.file.problems.first().message;
@@ -160,9 +189,15 @@ io::Failure OpenFile::open(const QString& path) {
 }
 
 std::optional<io::Failure> OpenFile::recover(const document::Snapshot& snapshot) {
+    return recover(snapshot, snapshot.path.isEmpty() ? FileReading() : startReading(snapshot.path));
+}
+
+std::optional<io::Failure> OpenFile::recover(const document::Snapshot& snapshot, const FileReading& onDisk) {
     io::Failure failure;
-    m_isStopped = false;
-    if (!snapshot.path.isEmpty()) failure = open(snapshot.path);
+    if (snapshot.path.isEmpty())
+        m_isStopped = false;
+    else
+        failure = open(snapshot.path, onDisk);
     if (m_isStopped) return std::nullopt;
     if (snapshot.path.isEmpty() || failure) startNew();
     const QScopedValueRollback<bool> busy(m_isBusy, true);

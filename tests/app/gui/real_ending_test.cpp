@@ -175,6 +175,14 @@ private slots:
         QVERIFY(press({"Control+q"}, [this] { return m_program->hasEnded(); }));
         QCOMPARE(m_program->end(), std::optional(0));
     }
+    void othersAreOpenedWhileAFileIsRead() {
+        const QString alive = m_program->put(u"a.ifs"_s), dead = m_program->put(u"drive/b.ifs"_s);
+        m_program->hang();
+        m_program->start({dead, alive}, m_program->drive());
+        editTwice();
+        QVERIFY(m_program->met().contains(u"b.ifs"_s));
+        verifyTheEndBy(SIGTERM);
+    }
     void whileAFileIsSaved() {
         m_program->start({m_program->put(u"drive/a.ifs"_s)}, m_program->drive());
         editTwice();
