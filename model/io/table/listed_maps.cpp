@@ -237,10 +237,11 @@ private:
         QStringList names;
         std::vector<Numbers> columns;
         for (const Literal& item : list.items) {
+            if (item.kind != Kind::List || item.key.isEmpty()) continue;
             QString key = item.key.toLower().remove(u'$');
             if (isOneOf(key, weightKeys)) key = QStringLiteral("p");
             const bool isName = tableColumn(key) || (key.size() == 1 && key[0] >= u'a' && key[0] <= u'l');
-            if (item.kind != Kind::List || !isName) continue;
+            if (!isName) continue;
             auto column = numbersOf(bare(item));
             if (!column || (!columns.empty() && column->size() != columns.front().size()) ||
                 names.contains(key))
