@@ -372,6 +372,12 @@ void MainWindow::connectDocument() {
     });
     connect(m_document.undoStack(), &QUndoStack::cleanChanged, this, &MainWindow::updateTitle);
     connect(&m_file, &OpenFile::pathChanged, this, &MainWindow::updateTitle);
+    connect(&m_file, &OpenFile::isOpenElsewhere, this, [this] {
+        m_messages->say(
+            tr("%1 is also open in another window of Barycage. Whichever saves last replaces what "
+               "the other saved.")
+                .arg(m_file.name()));
+    });
     connect(&m_file, &OpenFile::orderAssumed, this, [this](const QString& table) {
         view::PasteTableDialog::askForColumns(&m_document, table, this);
     });

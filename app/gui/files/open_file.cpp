@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "files/open_file.h"
 
+#include "desktop/preferences.h"
+#include "desktop/settings.h"
 #include "document/fractal/fractal_geometry.h"
 #include "document/text/text.h"
 #include "document/tops/picture_paths.h"
@@ -16,6 +18,7 @@
 
 #include <QCryptographicHash>
 #include <QFileInfo>
+#include <QFutureWatcher>
 #include <QHash>
 #include <QProgressDialog>
 #include <QScopedValueRollback>
@@ -39,6 +42,9 @@ struct Writing {
     document::FractalFile file; // as it reads when it is opened again
     QByteArray digest;
     int otherNames = 0; // of the file that was there
+    bool keepsPrevious = false;
+    QByteArray ownDigest; // of a previous version that is kept already
+    io::KeptVersion kept;
 };
 
 QFuture<void> writeBeside(const std::shared_ptr<Writing>& writing, const document::FractalFile& file,
@@ -55,8 +61,29 @@ QFuture<void> writeBeside(const std::shared_ptr<Writing>& writing, const documen
                 if (promise.isCanceled()) return;
                 target.write(bytes.constData() + at, std::min(piece, bytes.size() - at));
             }
+            if (writing->keepsPrevious && !target.failure() && !promise.isCanceled())
+                writing->kept = io::keepPreviousVersion(path, writing->ownDigest);
             if (!writing->isDecided.exchange(true)) writing->failure = target.commit();
         }));
+}
+
+// What was kept in which file, the latest last: only such a file is replaced.
+const QString keptKey = QStringLiteral("kept/versions");
+constexpr qsizetype maxRemembered = 200;
+
+QByteArray digestKept(const QString& path) {
+    for (const QString& line : view::stored(keptKey).toStringList())
+        if (line.section(u' ', 1) == path) return QByteArray::fromHex(line.section(u' ', 0, 0).toLatin1());
+    return {};
+}
+
+void rememberKept(const QString& path, const QByteArray& digest) {
+    QStringList lines = view::stored(keptKey).toStringList();
+    lines.removeIf([&](const QString& line) { return line.section(u' ', 1) == path; });
+    lines << QString::fromLatin1(digest.toHex()) + u' ' + path;
+    while (lines.size() > maxRemembered)
+        lines.removeFirst();
+    view::store(keptKey, lines);
 }
 
 OpenFile::OnDisk now(const QString& path, const QByteArray& known) {
@@ -103,6 +130,7 @@ OpenFile::OpenFile(document::Document* document, QWidget* window) : m_document(d
 
 OpenFile::~OpenFile() {
     if (m_isReading) m_reading.cancel(); // whoever waits for it need not any more
+    document::startInLane(document::Lane::Asking, [claim = std::move(m_claim)] {});
 }
 
 QString OpenFile::name() const {
@@ -177,6 +205,7 @@ io::Failure OpenFile::open(const QString& path, FileReading reading) {
     document::FractalFile before = m_document->file();
     m_document->setFile(std::move(collection.file));
     io::freeInBackground(std::move(before));
+    m_kept.clear();
     // What was taken out of another format has no .ifs file to be saved to yet.
     if (collection.format == QLatin1String("fractint"))
         remember(path, digest);
@@ -223,6 +252,7 @@ std::optional<io::Failure> OpenFile::recover(const document::Snapshot& snapshot,
         m_path = snapshot.path;
         m_digest = snapshot.base; // not what somebody else may have written since
         m_isMissing = failure.has_value();
+        claim();
         emit pathChanged();
     }
     return failure;
@@ -255,6 +285,9 @@ std::optional<OpenFile::OnDisk> OpenFile::onDisk() {
 io::Failure OpenFile::write(const QString& path) {
     const QScopedValueRollback<bool> busy(m_isBusy, true);
     const auto writing = std::make_shared<Writing>();
+    const QString absolute = QFileInfo(path).absoluteFilePath();
+    writing->keepsPrevious = view::Preferences::stored().keepPrevious && !m_kept.contains(absolute);
+    writing->ownDigest = digestKept(absolute);
     const auto inFolder = [from = m_path.isEmpty() ? QString() : QFileInfo(m_path).path(),
                            to = QFileInfo(path).absolutePath()](const document::FractalFile& of) {
         return document::withPicturesFoundFrom(of, from, to);
@@ -266,7 +299,10 @@ io::Failure OpenFile::write(const QString& path) {
         if (!writing->isDecided.exchange(true))
             return tr("Saving “%1” was cancelled. The file on disk is unchanged.").arg(file);
     work.waitForFinished(); // throws what went wrong besides
+    if (writing->kept.outcome == io::Keeping::Kept) rememberKept(absolute, writing->kept.digest);
     if (writing->failure) return writing->failure;
+    m_kept << absolute;
+    m_previous = writing->kept.outcome;
     m_otherNames = writing->otherNames;
     remember(path, writing->digest);
     m_document->editFile(tr("Adjust Picture Paths"), inFolder(m_document->file()), m_document->currentId());
@@ -280,5 +316,22 @@ void OpenFile::remember(const QString& path, const QByteArray& digest) {
     m_path = path.isEmpty() ? QString() : QFileInfo(path).absoluteFilePath(); // it outlives this folder
     m_digest = digest;
     m_isMissing = false;
+    claim();
     emit pathChanged();
+}
+
+void OpenFile::claim() {
+    if (m_path == m_claimed) return;
+    m_claimed = m_path;
+    ClaimLock former = std::exchange(m_claim, nullptr);
+    if (m_path.isEmpty()) return document::startInLane(document::Lane::Asking, [former] {});
+    auto* watcher = new QFutureWatcher<OpenClaim>(this);
+    connect(watcher, &QFutureWatcherBase::finished, this, [this, watcher, path = m_path] {
+        watcher->deleteLater();
+        const OpenClaim claimed = watcher->future().takeResult();
+        if (path != m_claimed) return document::startInLane(document::Lane::Asking, [claimed] {});
+        m_claim = claimed.lock;
+        if (claimed.isElsewhere) emit isOpenElsewhere();
+    });
+    watcher->setFuture(claimBeside(m_path, std::move(former)));
 }

@@ -3,13 +3,16 @@
 
 #include "document/disk/journal.h"
 #include "document/document.h"
+#include "files/open_claim.h"
 #include "io/collection_reader.h"
+#include "io/file/previous_version.h"
 #include "io/file/save_file.h"
 
 #include <QByteArray>
 #include <QFuture>
 #include <QObject>
 #include <QPointer>
+#include <QSet>
 #include <QString>
 
 #include <optional>
@@ -72,10 +75,14 @@ public:
     std::optional<OnDisk> onDisk();
     // Hard links of the file that was there before the last save, which go on leading to the old contents.
     int otherNames() const { return m_otherNames; }
+    // What became of the version before the last save. The first save of a file in this window keeps it,
+    // unless the user does not want that.
+    io::Keeping previousVersion() const { return m_previous; }
 
 signals:
     void pathChanged();
     void stopped();
+    void isOpenElsewhere(); // in another window of this account, which may save it as well
     // A table was opened whose text does not say what its columns are.
     void orderAssumed(const QString& text);
     void flamesOpened();
@@ -97,5 +104,11 @@ private:
     QString m_path;
     QByteArray m_digest;
     bool m_isMissing = false; // it was not there to be read, and the user knows
+    void claim();
+
     int m_otherNames = 0;
+    io::Keeping m_previous = io::Keeping::Nothing;
+    QSet<QString> m_kept; // files whose previous version is kept, or that there were none of
+    QString m_claimed;    // the path that it is for
+    ClaimLock m_claim;
 };

@@ -3,7 +3,11 @@
 #include "desktop/settings.h"
 #include "dialogs/export/export_data_dialog.h"
 #include "dialogs/export/export_dialog.h"
+#include "document/fractal/fractal_geometry.h"
+#include "files/exports.h"
 #include "files/recent_files.h"
+#include "io/exports/task_folder.h"
+#include "io/fractint/entry_writer.h"
 #include "main_window.h"
 #include "panels/appearance/palettes/gradient_editor.h"
 #include "session/session.h"
@@ -94,6 +98,7 @@ private slots:
     void aWindowIsClosedWhileItReads();
     void othersAreOpenedMeanwhile();
     void unsavedWorkIsRecoveredMeanwhile();
+    void queuedExportsGoOnMeanwhile();
     void manyThatHangAreCancelled();
     void aWindowIsNotClosedWhileItSaves();
 
@@ -329,6 +334,32 @@ void SlowDiskTest::unsavedWorkIsRecoveredMeanwhile() {
         windowOf(each)->document().undoStack()->undo();
         QCOMPARE(windowOf(each)->document().fractal().name, QStringLiteral("leaf"));
     }
+}
+
+// Those that an earlier run has left, for instance one that ended while it read the same file.
+void SlowDiskTest::queuedExportsGoOnMeanwhile() {
+    const QTemporaryDir quick;
+    io::ExportTask task;
+    task.path = quick.filePath(QStringLiteral("a.png"));
+    task.name = QStringLiteral("sierpinski");
+    task.entry = io::writeEntry(document::sierpinskiTriangle());
+    io::PixelRecipe recipe;
+    recipe.camera.width = recipe.camera.height = 64;
+    task.recipe = recipe;
+    QVERIFY(io::TaskFolder(exports::folder()).write(io::TaskFolder::newId(), task));
+    support::SlowDisk disk(m_folder.path(), 20s);
+    bool wasDrawn = false;
+    QTimer looking;
+    connect(&looking, &QTimer::timeout, &looking, [&] {
+        const QList<QProgressDialog*> progress = shownProgress();
+        wasDrawn = wasDrawn || (!progress.isEmpty() && QFileInfo::exists(task.path));
+        if (wasDrawn && !progress.isEmpty()) emit progress.first()->canceled();
+    });
+    looking.start(10);
+    const QDeadlineTimer late(15s);
+    static_cast<Application*>(qApp)->openWindows({path("a.ifs")});
+    QVERIFY(wasDrawn && !late.hasExpired());
+    exports::queue()->forgetDone();
 }
 
 // Each where its window says that it is read, or by closing that.
