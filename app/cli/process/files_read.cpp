@@ -3,7 +3,7 @@
 
 #include "options/tr.h"
 #include "options/usage_error.h"
-#include "process/output.h"
+#include "process/same_file.h"
 
 #include <QSet>
 

@@ -6,12 +6,10 @@
 #include "process/messages.h"
 
 #include "io/file/hard_links.h"
-#include "io/file/native_path.h"
 #include "io/file/save_file.h"
 #include "io/file/standard_output.h"
 
 #include <cerrno>
-#include <filesystem>
 
 namespace cli {
 
@@ -28,16 +26,6 @@ void warnAboutLinks(const QString& output, int otherNames) {
 }
 
 } // namespace
-
-bool isStandardOutput(const QString& output) {
-    return output == u"-";
-}
-
-bool isSameFile(const QString& a, const QString& b) {
-    namespace fs = std::filesystem;
-    std::error_code error;
-    return fs::equivalent(io::nativeName(a).toStdString(), io::nativeName(b).toStdString(), error) && !error;
-}
 
 ExitStatus writeOutput(const QString& output, const QByteArray& bytes, MayReplace what) {
     if (what != MayReplace::Inputs) refuseToReplaceInput(output);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "options/exit_status.h"
+#include "process/same_file.h"
 
 #include "io/export_job.h"
 
@@ -11,12 +12,6 @@
 #include <functional>
 
 namespace cli {
-
-// "-", in place of a file.
-bool isStandardOutput(const QString& output);
-
-// Whether both names lead to one file that exists.
-bool isSameFile(const QString& a, const QString& b);
 
 // What a command may write over. A file that was read is in general not replaced: UsageError is thrown then.
 // Only what looks after that itself may do so.
