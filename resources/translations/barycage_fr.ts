@@ -2368,7 +2368,7 @@
     </message>
     <message>
         <source>Saving “%1”…</source>
-        <translation>Enregistrement de « %1 »…</translation>
+        <translation>Enregistrement de «&#x202f;%1&#x202f;»…</translation>
     </message>
     <message>
         <source>Saved the copy %1.</source>
@@ -2376,7 +2376,7 @@
     </message>
     <message>
         <source>Other programs still draw these entries differently: %1.</source>
-        <translation>D’autres programmes dessinent toujours autrement ces entrées : %1.</translation>
+        <translation>D’autres programmes dessinent toujours autrement ces entrées&#x202f;: %1.</translation>
     </message>
     <message>
         <source>Save a Copy &amp;for Other Programs…</source>
@@ -2385,6 +2385,45 @@
     <message>
         <source>Save a copy with the placements written into the code and every map listed, so that other programs draw what you see</source>
         <translation>Enregistrer une copie où les placements sont intégrés au code et toutes les applications énumérées, pour que d’autres programmes dessinent ce que vous voyez</translation>
+    </message>
+    <message>
+        <source>The previous version is %1.</source>
+        <translation>La version précédente est %1.</translation>
+    </message>
+    <message>
+        <source>The previous version was not kept: there is already a file %1 that Barycage did not make.</source>
+        <translation>La version précédente n’a pas été conservée&#x202f;: il existe déjà un fichier %1 que Barycage n’a pas créé.</translation>
+    </message>
+    <message>
+        <source>The previous version could not be kept as %1.</source>
+        <translation>La version précédente n’a pas pu être conservée sous le nom %1.</translation>
+    </message>
+    <message numerus="yes">
+        <source>Open %n files?</source>
+        <translation>
+            <numerusform>Ouvrir %n fichier&#x202f;?</numerusform>
+            <numerusform>Ouvrir %n fichiers&#x202f;?</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Each of them opens in a window of its own.</source>
+        <translation>Chacun s’ouvre dans sa propre fenêtre.</translation>
+    </message>
+    <message>
+        <source>Open &amp;All</source>
+        <translation>Tout &amp;ouvrir</translation>
+    </message>
+    <message>
+        <source>Open the &amp;First %1</source>
+        <translation>Ouvrir les %1 &amp;premiers</translation>
+    </message>
+    <message>
+        <source>Opening files…</source>
+        <translation>Ouverture des fichiers…</translation>
+    </message>
+    <message>
+        <source>%1 is also open in another window of Barycage. Whichever saves last replaces what the other saved.</source>
+        <translation>%1 est aussi ouvert dans une autre fenêtre de Barycage. La dernière à enregistrer remplace ce que l’autre a enregistré.</translation>
     </message>
 </context>
 <context>
@@ -2656,7 +2695,7 @@
     </message>
     <message>
         <source>Other programs will draw “%1” where its code puts it, without your placement, which is stored in comments. Bake writes it into the code.</source>
-        <translation>D’autres programmes dessineront « %1 » là où son code la met, sans votre placement, conservé dans des commentaires. Intégrer au code l’y écrit.</translation>
+        <translation>D’autres programmes dessineront «&#x202f;%1&#x202f;» là où son code la met, sans votre placement, conservé dans des commentaires. Intégrer au code l’y écrit.</translation>
     </message>
     <message numerus="yes">
         <source>Other programs will draw %n entries where their code puts them, without your placements, which are stored in comments. Bake writes them into the code.</source>
@@ -2671,7 +2710,7 @@
     </message>
     <message>
         <source>Writes the placements into the code, as one step of the history.</source>
-        <translation>Écrit les placements dans le code : une étape de l’historique.</translation>
+        <translation>Écrit les placements dans le code&#x202f;: une étape de l’historique.</translation>
     </message>
     <message>
         <source>Close</source>
@@ -2683,7 +2722,7 @@
     </message>
     <message>
         <source>Not baked, because no code has this picture or keys move it: %1.</source>
-        <translation>Non intégré, parce qu’aucun code ne donne cette image ou que des images clés la déplacent : %1.</translation>
+        <translation>Non intégré, parce qu’aucun code ne donne cette image ou que des images clés la déplacent&#x202f;: %1.</translation>
     </message>
 </context>
 <context>
@@ -5523,6 +5562,14 @@
     <message>
         <source>fails, within rounding error</source>
         <translation>non remplie, autant que l’arrondi permet d’en juger</translation>
+    </message>
+    <message>
+        <source>The pieces of “%1” overlap or touch too much to find its voxels in reasonable time, even at the lowest resolution.</source>
+        <translation>Les morceaux de «&#x202f;%1&#x202f;» se chevauchent ou se touchent trop pour trouver ses voxels en un temps raisonnable, même à la plus basse résolution.</translation>
+    </message>
+    <message>
+        <source>FFmpeg&apos;s libraries cannot be loaded, so no videos can be written: %1.</source>
+        <translation>Les bibliothèques de FFmpeg ne peuvent pas être chargées, aucune vidéo ne peut donc être écrite&#x202f;: %1.</translation>
     </message>
 </context>
 <context>
@@ -11689,6 +11736,14 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
     <message>
         <source>Closes all windows, asking about unsaved changes first, and opens the same files again in the new language.</source>
         <translation>Ferme toutes les fenêtres, demande d’abord que faire des modifications non enregistrées et rouvre les mêmes fichiers dans la nouvelle langue.</translation>
+    </message>
+    <message>
+        <source>&amp;Keep the previous version of files</source>
+        <translation>&amp;Conserver la version précédente des fichiers</translation>
+    </message>
+    <message>
+        <source>When this is on, the first time that you save a file after opening it, the version before stays beside it under the same name with “~” behind it, such as maple.ifs~.</source>
+        <translation>Si cette option est active, au premier enregistrement d’un fichier après son ouverture, la version précédente reste à côté sous le même nom suivi de «&#x202f;~&#x202f;», par exemple maple.ifs~.</translation>
     </message>
 </context>
 <context>
