@@ -20,6 +20,7 @@ private slots:
     void everyNameMakesAFile_data();
     void everyNameMakesAFile();
     void longNamesAreToldApart();
+    void librariesPrintNothing();
 };
 
 void CliOutputsTest::noCommandReplacesAnInput_data() {
@@ -150,6 +151,27 @@ void CliOutputsTest::longNamesAreToldApart() {
     const Result tables = run("convert long.ifs long/ --to csv");
     QVERIFY2(tables.status == 0, tables.err.constData());
     QCOMPARE(QDir(path("long")).entryList({QStringLiteral("*.csv")}).size(), 2);
+}
+
+// What is wrong with a picture is one sentence of ours.
+void CliOutputsTest::librariesPrintNothing() {
+    const QByteArray rows = " .5 0 0 .5 0 0 .5\n .5 0 0 .5 .5 0 .5\n}\n";
+    write("p.ifs", "one {\n" + rows + "two {\n" + rows);
+    QCOMPARE(run("render p.ifs -o whole.jpg --size 64x64 --points 10k").status, 0);
+    const QByteArray whole = read("whole.jpg");
+    int refused = 0;
+    for (qsizetype at = 2; at < whole.size(); at += std::max<qsizetype>(1, whole.size() / 40)) {
+        QByteArray damaged = whole;
+        damaged[at] = char(damaged[at] ^ 0x5a);
+        write("damaged.jpg", at % 3 == 0 ? damaged.left(at + 1) : damaged);
+        const Result result = run("steal p.ifs --entry one --from two --picture damaged.jpg -o stolen.png "
+                                  "--size 9x9 --points 1k");
+        refused += result.status == 0 ? 0 : 1;
+        for (const QByteArray& line : result.err.split('\n'))
+            QVERIFY2(line.isEmpty() || line.contains(": error: ") || line.contains(": warning: "),
+                     line.constData());
+    }
+    QVERIFY(refused > 5);
 }
 
 BARYCAGE_TEST(CliOutputsTest, QCoreApplication);
