@@ -2,6 +2,7 @@
 #include "options/commands.h"
 #include "options/tr.h"
 #include "options/usage_error.h"
+#include "process/files_read.h"
 #include "process/input.h"
 #include "process/interrupt.h"
 #include "process/messages.h"
@@ -97,27 +98,14 @@ void checkOutputs(const CollageArguments& arguments) {
     const QString output = fileNameOf(arguments.output), picture = fileNameOf(arguments.picture);
     if (!isStandardOutput(output) && QFileInfo(output).suffix().toLower() != QStringLiteral("ifs"))
         throw UsageError{tr("The output must be an .ifs file, and “%1” is not.").arg(output)};
-    if (!isStandardOutput(output) && isSameFile(output, picture))
-        throw UsageError{tr("“%1” is the input picture. Write to another file.").arg(output)};
+    noteRead(picture);
+    refuseToReplaceInput(output);
     if (!arguments.report) return;
     const QString report = fileNameOf(*arguments.report);
-    if (report == output || (!isStandardOutput(report) && isSameFile(report, picture)))
-        throw UsageError{
-            tr("--report “%1” names the picture or the output. Write to another file.").arg(report)};
+    refuseToReplaceInput(report);
+    if (report == output || (!isStandardOutput(report) && isSameFile(report, output)))
+        throw UsageError{tr("--report “%1” names the output. Write to another file.").arg(report)};
 }
-
-// What the readers of pictures say is no sentence of ours.
-class QuietReaders {
-public:
-    QuietReaders()
-        : m_handler(qInstallMessageHandler([](QtMsgType, const QMessageLogContext&, const QString&) {})) {}
-    ~QuietReaders() { qInstallMessageHandler(m_handler); }
-    QuietReaders(const QuietReaders&) = delete;
-    QuietReaders& operator=(const QuietReaders&) = delete;
-
-private:
-    QtMessageHandler m_handler;
-};
 
 // Empty when stopped. Throws InputError where there is nothing to trace.
 collage::Mask targetOf(const CollageArguments& arguments, const std::stop_token& stop) {
@@ -125,7 +113,6 @@ collage::Mask targetOf(const CollageArguments& arguments, const std::stop_token&
     const std::optional<int>& threshold = arguments.threshold;
     const io::Loaded loaded = loadBytes(arguments.picture);
     if (loaded.failure) throw InputError{name, *loaded.failure, ExitStatus::CannotReadOrWrite};
-    const QuietReaders quiet;
     const io::LoadedGrey grey = io::readGreyPicture(loaded.bytes, stop);
     if (stop.stop_requested()) return {};
     if (grey.flaw) throw InputError{name, *grey.flaw};

@@ -12,6 +12,9 @@
 
 #include <algorithm>
 #include <csignal>
+#include <cstdio>
+#include <cstdlib>
+#include <exception>
 #include <memory>
 #include <new>
 #include <string>
@@ -64,16 +67,47 @@ bool paintsLetters(const std::vector<std::string>& words) {
     return !words.empty() && (words.front() == "gallery" || std::ranges::any_of(words, explains));
 }
 
+// What libraries say of their own is no sentence of ours: whatever fails is reported by us.
+void silenceLibraries() {
+    qInstallMessageHandler([](QtMsgType type, const QMessageLogContext&, const QString& text) {
+        if (type != QtFatalMsg) return;
+        std::fprintf(stderr, "barycage-cli: error: %s\n", qPrintable(text));
+    });
+}
+
+// Whatever cannot be caught: before main(), in the destructor of a library, or in a thread.
+[[noreturn]] void endWithoutMemory() {
+    constexpr char sentence[] = "barycage-cli: error: There is not enough memory for this.\n";
+    if (const auto thrown = std::current_exception()) {
+        try {
+            std::rethrow_exception(thrown);
+        } catch (const std::bad_alloc&) {
+            std::fputs(sentence, stderr);
+            std::_Exit(int(ExitStatus::CannotReadOrWrite));
+        } catch (const std::system_error&) { // no thread can be had
+            std::fputs(sentence, stderr);
+            std::_Exit(int(ExitStatus::CannotReadOrWrite));
+        } catch (...) {
+            std::abort();
+        }
+    }
+    std::abort();
+}
+
+[[gnu::constructor(101)]] void prepareForLittleMemory() { // before other constructors
+    std::set_terminate(endWithoutMemory);
+}
+
 } // namespace
 
-int main(int argc, char** argv) {
+int main(int argc, char** argv) try {
+    silenceLibraries();
     std::signal(SIGXFSZ, SIG_IGN); // a limit on the size of files is an error of writing, not the end
     const std::vector<std::string> words(argv + std::min(argc, 1), argv + argc);
     // Letters need a QGuiApplication; it gets no display all the same.
     std::unique_ptr<QCoreApplication> application;
     if (paintsLetters(words)) {
         qputenv("QT_QPA_PLATFORM", "offscreen");
-        qputenv("QT_LOGGING_RULES", "default.warning=false"); // what is wrong with the desktop is no concern
         application = std::make_unique<QGuiApplication>(argc, argv);
     } else {
         application = std::make_unique<QCoreApplication>(argc, argv);
@@ -84,4 +118,7 @@ int main(int argc, char** argv) {
                                 cli::morphCommand(), cli::mergeCommand(), cli::collageCommand(),
                                 cli::stealCommand()});
     return int(run(program, words));
+} catch (const std::bad_alloc&) { // before anything could be read
+    std::fputs("barycage-cli: error: There is not enough memory for this.\n", stderr);
+    return int(ExitStatus::CannotReadOrWrite);
 }

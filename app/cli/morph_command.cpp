@@ -100,19 +100,15 @@ void warnOfLosses(const document::Entry& entry, const QString& fileName) {
 }
 
 // Only the morph is written, not what else a file holds.
-void checkOutput(const QString& output, const QString& input) {
+void checkOutput(const QString& output) {
     if (isStandardOutput(output)) return;
     if (QFileInfo(output).suffix().toLower() != QStringLiteral("ifs"))
         throw UsageError{tr("The output must be an .ifs file, and “%1” is not.").arg(output)};
-    if (isSameFile(output, input))
-        throw UsageError{tr("“%1” is the input file, and the morph alone would replace it. Write to "
-                            "another file.")
-                             .arg(output)};
 }
 
 ExitStatus morph(const MorphArguments& arguments) {
     applied(arguments.verbosity);
-    checkOutput(fileNameOf(arguments.output), fileNameOf(arguments.file));
+    checkOutput(fileNameOf(arguments.output));
     const std::vector<animation::Pin> pins = pinsOf(arguments.pins);
     const auto input = readInput(arguments.file);
     if (!input) return ExitStatus::CannotReadOrWrite;

@@ -2,6 +2,7 @@
 #include "options/commands.h"
 #include "options/tr.h"
 #include "options/usage_error.h"
+#include "process/files_read.h"
 #include "process/input.h"
 #include "process/interrupt.h"
 #include "process/messages.h"
@@ -355,8 +356,8 @@ ExitStatus stealPicture(const document::CoupledEntries& entries, const StealArgu
     const QString& fileName = sources.file->name;
     const QString output = fileNameOf(*arguments.output);
     const QString picture = picturePath(sources, arguments);
-    if (!picture.isEmpty() && QFileInfo(output).exists() && QFileInfo(output) == QFileInfo(picture))
-        throw UsageError{tr("-o “%1” is the picture itself; give another name.").arg(output)};
+    if (!picture.isEmpty()) noteRead(picture);
+    refuseToReplaceInput(output);
     const auto laid = laidPicture(entries, sources, arguments, interrupt.token());
     if (!laid) return interrupt.status();
     attractor::TheftRequest request = requestOf(entries, arguments, fileName);

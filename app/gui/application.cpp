@@ -5,6 +5,7 @@
 #include "desktop/settings.h"
 #include "desktop/theme.h"
 #include "files/exports.h"
+#include "files/open_each.h"
 #include "files/recovery.h"
 #include "identity.h"
 #include "io/fractint/fractint_reader.h"
@@ -26,9 +27,11 @@
 #include <QMessageBox>
 #include <QScopeGuard>
 #include <QTextEdit>
+#include <QTimer>
 #include <QTranslator>
 
 #include <algorithm>
+#include <chrono>
 
 Application::Application(int& argc, char** argv) : QApplication(argc, argv) {
     setApplicationName(resources::applicationName());
@@ -135,14 +138,16 @@ bool Application::event(QEvent* event) {
 }
 
 bool Application::openWindows(const QStringList& files, Start start) {
-    const auto resume = qScopeGuard([] { exports::queue()->resume(); }); // in windows that tell of it
-    for (const document::Abandoned& abandoned : Recovery::ask()) {
-        auto* window = new MainWindow;
-        window->show();
-        window->openRecovered(abandoned);
-    }
+    constexpr auto soon = std::chrono::seconds(1);
+    const auto resume = [] { exports::queue()->resume(); }; // in windows that tell of it
+    const auto inTheEnd = qScopeGuard(resume);
+    QList<WantedFile> wantedFiles;
+    for (const document::Abandoned& abandoned : Recovery::ask())
+        wantedFiles << WantedFile{abandoned.snapshot.path, abandoned};
     const bool again = files.isEmpty() && start == Start::AsLastTime && view::Preferences::stored().reopen;
-    MainWindow::openEach(again ? session::files() : files);
+    wantedFiles += wanted(again ? session::files() : askWhichToOpen(files, nullptr));
+    QTimer::singleShot(soon, exports::queue(), resume); // also while a file does not answer
+    MainWindow::openEach(wantedFiles);
     if (start == Start::AsLastTime && !session::windows().isEmpty()) return !session::allAreClosed();
     auto* window = new MainWindow;
     window->openFirstPicture();

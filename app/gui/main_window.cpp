@@ -49,6 +49,7 @@
 #include "stage/stage.h"
 #include "stage/status_connections.h"
 #include "stage/status_line.h"
+#include "widgets/accept_as_copy.h"
 #include "widgets/icon.h"
 #include "widgets/layout/vertical_scroll_area.h"
 #include "widgets/numbers/draggable_names.h"
@@ -371,6 +372,12 @@ void MainWindow::connectDocument() {
     });
     connect(m_document.undoStack(), &QUndoStack::cleanChanged, this, &MainWindow::updateTitle);
     connect(&m_file, &OpenFile::pathChanged, this, &MainWindow::updateTitle);
+    connect(&m_file, &OpenFile::isOpenElsewhere, this, [this] {
+        m_messages->say(
+            tr("%1 is also open in another window of Barycage. Whichever saves last replaces what "
+               "the other saved.")
+                .arg(m_file.name()));
+    });
     connect(&m_file, &OpenFile::orderAssumed, this, [this](const QString& table) {
         view::PasteTableDialog::askForColumns(&m_document, table, this);
     });
@@ -415,6 +422,10 @@ bool MainWindow::openPath(const QString& path) {
     return m_fileCommands->open(path);
 }
 
+bool MainWindow::openPath(const QString& path, const FileReading& reading) {
+    return m_fileCommands->open(path, reading);
+}
+
 void MainWindow::openRecent(const QString& path) {
     m_fileCommands->openRecent(path);
 }
@@ -433,19 +444,21 @@ void MainWindow::adopt(const view::Preferences& preferences) {
     m_stage->compare()->setTrackball(preferences.trackball);
 }
 
+void MainWindow::openEach(const QList<WantedFile>& files, MainWindow* first) {
+    OpenEach(files, first, [] { return new MainWindow; }).run();
+}
+
 void MainWindow::openEach(const QStringList& paths, MainWindow* first) {
-    MainWindow* unused = first;
-    for (const QString& path : paths) {
-        if (session::showOther(path, unused)) continue;
-        MainWindow* window = unused ? unused : new MainWindow;
-        window->show();
-        unused = window->openPath(path) || window->m_file.isStopped() ? nullptr : window;
-        if (session::allAreClosed()) return; // while it was read
-    }
+    openEach(wanted(paths), first);
 }
 
 void MainWindow::openRecovered(const document::Abandoned& abandoned) {
-    const std::optional<io::Failure> recovered = m_file.recover(abandoned.snapshot);
+    const QString& path = abandoned.snapshot.path;
+    openRecovered(abandoned, path.isEmpty() ? FileReading() : startReading(path));
+}
+
+void MainWindow::openRecovered(const document::Abandoned& abandoned, const FileReading& reading) {
+    const std::optional<io::Failure> recovered = m_file.recover(abandoned.snapshot, reading);
     if (m_file.isStopped()) return;
     m_stage->fit();
     if (!recovered)
@@ -563,21 +576,22 @@ void MainWindow::resizeEvent(QResizeEvent* event) {
 
 void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
     const QList<QUrl> urls = event->mimeData()->urls();
-    if (!urls.isEmpty() && urls.first().isLocalFile()) event->acceptProposedAction();
+    if (!urls.isEmpty() && urls.first().isLocalFile()) view::acceptAsCopy(*event);
 }
 
 void MainWindow::dropEvent(QDropEvent* event) {
-    event->acceptProposedAction();
     QStringList paths;
     for (const QUrl& url : event->mimeData()->urls())
         if (url.isLocalFile()) paths << url.toLocalFile();
-    if (paths.isEmpty()) return;
+    if (paths.isEmpty()) return event->ignore();
+    view::acceptAsCopy(*event);
     // Once the drop is over: questions may follow, and the program that it came from waits.
     QMetaObject::invokeMethod(
         this,
         [this, paths, self = QPointer(this)] {
-            if (!takeAsTarget(paths, *this, *m_collage) && self && m_fileCommands->maybeSave())
-                openEach(paths, this);
+            if (takeAsTarget(paths, *this, *m_collage) || !self) return;
+            const QStringList agreed = askWhichToOpen(paths, this);
+            if (!agreed.isEmpty() && self && m_fileCommands->maybeSave()) openEach(agreed, this);
         },
         Qt::QueuedConnection);
 }

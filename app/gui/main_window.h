@@ -7,6 +7,7 @@
 #include "bridges/solid_bridge.h"
 #include "canvas/canvas_view.h"
 #include "document/document.h"
+#include "files/open_each.h"
 #include "files/open_file.h"
 #include "files/recovery.h"
 #include "session/session.h"
@@ -40,13 +41,16 @@ public:
     ~MainWindow() override;
 
     bool openPath(const QString& path); // says what went wrong
-    // Each in a window of its own, the first in `first` when there is one. What cannot be opened leaves its
-    // window to the next; what is open already has one, which is shown.
+    bool openPath(const QString& path, const FileReading& reading) override;
+    OpenFile& file() override { return m_file; }
+    // Files and unsaved work, in windows of this kind as files/open_each.h says.
+    static void openEach(const QList<WantedFile>& files, MainWindow* first = nullptr);
     static void openEach(const QStringList& paths, MainWindow* first = nullptr);
     void openRecent(const QString& path); // asks about unsaved changes first
     void chooseAndOpen();                 // likewise
     void openFirstPicture();              // the maple of the collection, without a path
     void openRecovered(const document::Abandoned& abandoned);
+    void openRecovered(const document::Abandoned& abandoned, const FileReading& reading) override;
     void showCollection(); // ready for a search
     void addRandom();      // picked out of many
 

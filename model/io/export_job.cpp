@@ -65,6 +65,7 @@ ExportOutcome exportTo(const Export& what, const QString& path, const Progress& 
         return exportSvg(std::get<SvgExport>(what), path, progress, stop);
     } catch (const std::bad_alloc&) {
         ExportOutcome outcome;
+        outcome.isShortOfMemory = true;
         outcome.failure =
             Text::tr("There is not enough memory for this picture. Reduce its size or the supersampling.");
         return outcome;

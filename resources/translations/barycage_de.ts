@@ -2274,6 +2274,45 @@
         <source>Save a copy with the placements written into the code and every map listed, so that other programs draw what you see</source>
         <translation>Eine Kopie speichern, in deren Code jede Lage eingerechnet und jede Abbildung aufgeführt ist, damit andere Programme zeichnen, was Sie sehen</translation>
     </message>
+    <message>
+        <source>The previous version is %1.</source>
+        <translation>Die vorige Fassung ist %1.</translation>
+    </message>
+    <message>
+        <source>The previous version was not kept: there is already a file %1 that Barycage did not make.</source>
+        <translation>Die vorige Fassung wurde nicht aufbewahrt: Es gibt schon eine Datei %1, die nicht von Barycage stammt.</translation>
+    </message>
+    <message>
+        <source>The previous version could not be kept as %1.</source>
+        <translation>Die vorige Fassung konnte nicht als %1 aufbewahrt werden.</translation>
+    </message>
+    <message numerus="yes">
+        <source>Open %n files?</source>
+        <translation>
+            <numerusform>%n Datei öffnen?</numerusform>
+            <numerusform>%n Dateien öffnen?</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Each of them opens in a window of its own.</source>
+        <translation>Jede öffnet sich in einem eigenen Fenster.</translation>
+    </message>
+    <message>
+        <source>Open &amp;All</source>
+        <translation>&amp;Alle öffnen</translation>
+    </message>
+    <message>
+        <source>Open the &amp;First %1</source>
+        <translation>Die &amp;ersten %1 öffnen</translation>
+    </message>
+    <message>
+        <source>Opening files…</source>
+        <translation>Dateien werden geöffnet…</translation>
+    </message>
+    <message>
+        <source>%1 is also open in another window of Barycage. Whichever saves last replaces what the other saved.</source>
+        <translation>%1 ist auch in einem anderen Barycage-Fenster offen. Wer zuletzt speichert, ersetzt, was im anderen gespeichert wurde.</translation>
+    </message>
 </context>
 <context>
     <name>NumberField</name>
@@ -5375,6 +5414,14 @@
     <message>
         <source>fails, within rounding error</source>
         <translation>gilt nicht, soweit die Rundung es erkennen lässt</translation>
+    </message>
+    <message>
+        <source>The pieces of “%1” overlap or touch too much to find its voxels in reasonable time, even at the lowest resolution.</source>
+        <translation>Die Teile von „%1“ überlappen oder berühren sich zu sehr, um die Voxel in vertretbarer Zeit zu finden, selbst bei der niedrigsten Auflösung.</translation>
+    </message>
+    <message>
+        <source>FFmpeg&apos;s libraries cannot be loaded, so no videos can be written: %1.</source>
+        <translation>Die Bibliotheken von FFmpeg können nicht geladen werden, daher können keine Videos geschrieben werden: %1.</translation>
     </message>
 </context>
 <context>
@@ -11541,6 +11588,14 @@ Tasten: Bild auf und Bild ab wählen eine Marke, die Pfeile bewegen sie, Einfg f
     <message>
         <source>Closes all windows, asking about unsaved changes first, and opens the same files again in the new language.</source>
         <translation>Schließt alle Fenster, fragt vorher nach ungespeicherten Änderungen und öffnet dieselben Dateien in der neuen Sprache wieder.</translation>
+    </message>
+    <message>
+        <source>&amp;Keep the previous version of files</source>
+        <translation>&amp;Vorige Fassung von Dateien aufbewahren</translation>
+    </message>
+    <message>
+        <source>When this is on, the first time that you save a file after opening it, the version before stays beside it under the same name with “~” behind it, such as maple.ifs~.</source>
+        <translation>Wenn dies eingeschaltet ist, bleibt beim ersten Speichern nach dem Öffnen die vorige Fassung daneben liegen, unter demselben Namen mit „~“ dahinter, etwa maple.ifs~.</translation>
     </message>
 </context>
 <context>

@@ -44,6 +44,13 @@
             <numerusform>, %n read with warnings</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>Open %n files?</source>
+        <translation>
+            <numerusform>Open %n file?</numerusform>
+            <numerusform>Open %n files?</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>PlacementBanner</name>

@@ -2274,6 +2274,45 @@
         <source>Save a copy with the placements written into the code and every map listed, so that other programs draw what you see</source>
         <translation>Guardar una copia con las colocaciones incorporadas al código y todas las aplicaciones en la lista, para que otros programas dibujen lo que usted ve</translation>
     </message>
+    <message>
+        <source>The previous version is %1.</source>
+        <translation>La versión anterior es %1.</translation>
+    </message>
+    <message>
+        <source>The previous version was not kept: there is already a file %1 that Barycage did not make.</source>
+        <translation>La versión anterior no se ha conservado: ya hay un archivo %1 que Barycage no ha creado.</translation>
+    </message>
+    <message>
+        <source>The previous version could not be kept as %1.</source>
+        <translation>La versión anterior no se ha podido conservar como %1.</translation>
+    </message>
+    <message numerus="yes">
+        <source>Open %n files?</source>
+        <translation>
+            <numerusform>¿Abrir %n archivo?</numerusform>
+            <numerusform>¿Abrir %n archivos?</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Each of them opens in a window of its own.</source>
+        <translation>Cada uno se abre en una ventana propia.</translation>
+    </message>
+    <message>
+        <source>Open &amp;All</source>
+        <translation>Abrir &amp;todos</translation>
+    </message>
+    <message>
+        <source>Open the &amp;First %1</source>
+        <translation>Abrir los &amp;primeros %1</translation>
+    </message>
+    <message>
+        <source>Opening files…</source>
+        <translation>Abriendo archivos…</translation>
+    </message>
+    <message>
+        <source>%1 is also open in another window of Barycage. Whichever saves last replaces what the other saved.</source>
+        <translation>%1 también está abierto en otra ventana de Barycage. La última que guarde reemplazará lo que haya guardado la otra.</translation>
+    </message>
 </context>
 <context>
     <name>NumberField</name>
@@ -5375,6 +5414,14 @@
     <message>
         <source>fails, within rounding error</source>
         <translation>no se cumple, hasta donde deja ver el redondeo</translation>
+    </message>
+    <message>
+        <source>The pieces of “%1” overlap or touch too much to find its voxels in reasonable time, even at the lowest resolution.</source>
+        <translation>Las piezas de «%1» se superponen o se tocan demasiado para encontrar sus vóxeles en un tiempo razonable, incluso con la resolución más baja.</translation>
+    </message>
+    <message>
+        <source>FFmpeg&apos;s libraries cannot be loaded, so no videos can be written: %1.</source>
+        <translation>No se pueden cargar las bibliotecas de FFmpeg, por lo que no se pueden escribir vídeos: %1.</translation>
     </message>
 </context>
 <context>
@@ -11541,6 +11588,14 @@ Teclas: Re Pág y Av Pág eligen una parada, las flechas la mueven, Ins añade u
     <message>
         <source>Closes all windows, asking about unsaved changes first, and opens the same files again in the new language.</source>
         <translation>Cierra todas las ventanas, pregunta antes por los cambios sin guardar y vuelve a abrir los mismos archivos en el nuevo idioma.</translation>
+    </message>
+    <message>
+        <source>&amp;Keep the previous version of files</source>
+        <translation>&amp;Conservar la versión anterior de los archivos</translation>
+    </message>
+    <message>
+        <source>When this is on, the first time that you save a file after opening it, the version before stays beside it under the same name with “~” behind it, such as maple.ifs~.</source>
+        <translation>Si está activado, la primera vez que guarde un archivo tras abrirlo, la versión anterior queda junto a él con el mismo nombre seguido de «~», por ejemplo maple.ifs~.</translation>
     </message>
 </context>
 <context>

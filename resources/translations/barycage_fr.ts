@@ -2274,6 +2274,45 @@
         <source>Save a copy with the placements written into the code and every map listed, so that other programs draw what you see</source>
         <translation>Enregistrer une copie où les placements sont intégrés au code et toutes les applications énumérées, pour que d’autres programmes dessinent ce que vous voyez</translation>
     </message>
+    <message>
+        <source>The previous version is %1.</source>
+        <translation>La version précédente est %1.</translation>
+    </message>
+    <message>
+        <source>The previous version was not kept: there is already a file %1 that Barycage did not make.</source>
+        <translation>La version précédente n’a pas été conservée&#x202f;: il existe déjà un fichier %1 que Barycage n’a pas créé.</translation>
+    </message>
+    <message>
+        <source>The previous version could not be kept as %1.</source>
+        <translation>La version précédente n’a pas pu être conservée sous le nom %1.</translation>
+    </message>
+    <message numerus="yes">
+        <source>Open %n files?</source>
+        <translation>
+            <numerusform>Ouvrir %n fichier&#x202f;?</numerusform>
+            <numerusform>Ouvrir %n fichiers&#x202f;?</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Each of them opens in a window of its own.</source>
+        <translation>Chacun s’ouvre dans sa propre fenêtre.</translation>
+    </message>
+    <message>
+        <source>Open &amp;All</source>
+        <translation>Tout &amp;ouvrir</translation>
+    </message>
+    <message>
+        <source>Open the &amp;First %1</source>
+        <translation>Ouvrir les %1 &amp;premiers</translation>
+    </message>
+    <message>
+        <source>Opening files…</source>
+        <translation>Ouverture des fichiers…</translation>
+    </message>
+    <message>
+        <source>%1 is also open in another window of Barycage. Whichever saves last replaces what the other saved.</source>
+        <translation>%1 est aussi ouvert dans une autre fenêtre de Barycage. La dernière à enregistrer remplace ce que l’autre a enregistré.</translation>
+    </message>
 </context>
 <context>
     <name>NumberField</name>
@@ -5375,6 +5414,14 @@
     <message>
         <source>fails, within rounding error</source>
         <translation>non remplie, autant que l’arrondi permet d’en juger</translation>
+    </message>
+    <message>
+        <source>The pieces of “%1” overlap or touch too much to find its voxels in reasonable time, even at the lowest resolution.</source>
+        <translation>Les morceaux de «&#x202f;%1&#x202f;» se chevauchent ou se touchent trop pour trouver ses voxels en un temps raisonnable, même à la plus basse résolution.</translation>
+    </message>
+    <message>
+        <source>FFmpeg&apos;s libraries cannot be loaded, so no videos can be written: %1.</source>
+        <translation>Les bibliothèques de FFmpeg ne peuvent pas être chargées, aucune vidéo ne peut donc être écrite&#x202f;: %1.</translation>
     </message>
 </context>
 <context>
@@ -11541,6 +11588,14 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
     <message>
         <source>Closes all windows, asking about unsaved changes first, and opens the same files again in the new language.</source>
         <translation>Ferme toutes les fenêtres, demande d’abord que faire des modifications non enregistrées et rouvre les mêmes fichiers dans la nouvelle langue.</translation>
+    </message>
+    <message>
+        <source>&amp;Keep the previous version of files</source>
+        <translation>&amp;Conserver la version précédente des fichiers</translation>
+    </message>
+    <message>
+        <source>When this is on, the first time that you save a file after opening it, the version before stays beside it under the same name with “~” behind it, such as maple.ifs~.</source>
+        <translation>Si cette option est active, au premier enregistrement d’un fichier après son ouverture, la version précédente reste à côté sous le même nom suivi de «&#x202f;~&#x202f;», par exemple maple.ifs~.</translation>
     </message>
 </context>
 <context>

@@ -2279,6 +2279,46 @@
         <source>Save a copy with the placements written into the code and every map listed, so that other programs draw what you see</source>
         <translation>Зачувај копија со поставеностите впишани во кодот и со сите пресликувања наведени, за другите програми да го нацртаат она што го гледате</translation>
     </message>
+    <message>
+        <source>The previous version is %1.</source>
+        <translation>Претходната верзија е %1.</translation>
+    </message>
+    <message>
+        <source>The previous version was not kept: there is already a file %1 that Barycage did not make.</source>
+        <translation>Претходната верзија не е зачувана: веќе постои датотека %1 што Barycage не ја направил.</translation>
+    </message>
+    <message>
+        <source>The previous version could not be kept as %1.</source>
+        <translation>Претходната верзија не можеше да се зачува како %1.</translation>
+    </message>
+    <message numerus="yes">
+        <source>Open %n files?</source>
+        <translation>
+            <numerusform>Да се отвори %n датотека?</numerusform>
+            <numerusform>Да се отворат %n датотеки?</numerusform>
+            <numerusform>Да се отворат %n датотеки?</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Each of them opens in a window of its own.</source>
+        <translation>Секоја се отвора во свој прозорец.</translation>
+    </message>
+    <message>
+        <source>Open &amp;All</source>
+        <translation>Отвори ги &amp;сите</translation>
+    </message>
+    <message>
+        <source>Open the &amp;First %1</source>
+        <translation>Отвори ги &amp;првите %1</translation>
+    </message>
+    <message>
+        <source>Opening files…</source>
+        <translation>Се отвораат датотеки…</translation>
+    </message>
+    <message>
+        <source>%1 is also open in another window of Barycage. Whichever saves last replaces what the other saved.</source>
+        <translation>%1 е отворена и во друг прозорец на Barycage. Што ќе се зачува последно, го заменува она што е зачувано во другиот.</translation>
+    </message>
 </context>
 <context>
     <name>NumberField</name>
@@ -5389,6 +5429,14 @@
     <message>
         <source>fails, within rounding error</source>
         <translation>не важи, колку што се гледа од заокружувањето</translation>
+    </message>
+    <message>
+        <source>The pieces of “%1” overlap or touch too much to find its voxels in reasonable time, even at the lowest resolution.</source>
+        <translation>Деловите на „%1“ премногу се преклопуваат или се допираат за да се најдат неговите воксели за разумно време, дури и при најниската резолуција.</translation>
+    </message>
+    <message>
+        <source>FFmpeg&apos;s libraries cannot be loaded, so no videos can be written: %1.</source>
+        <translation>Библиотеките на FFmpeg не можат да се вчитаат, па не можат да се запишуваат видеа: %1.</translation>
     </message>
 </context>
 <context>
@@ -11572,6 +11620,14 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
     <message>
         <source>Closes all windows, asking about unsaved changes first, and opens the same files again in the new language.</source>
         <translation>Ги затвора сите прозорци, претходно прашува за незачуваните промени и повторно ги отвора истите датотеки на новиот јазик.</translation>
+    </message>
+    <message>
+        <source>&amp;Keep the previous version of files</source>
+        <translation>&amp;Чувај ја претходната верзија на датотеките</translation>
+    </message>
+    <message>
+        <source>When this is on, the first time that you save a file after opening it, the version before stays beside it under the same name with “~” behind it, such as maple.ifs~.</source>
+        <translation>Кога ова е вклучено, при првото зачувување по отворањето, претходната верзија останува покрај датотеката под истото име со „~“ на крајот, на пример maple.ifs~.</translation>
     </message>
 </context>
 <context>

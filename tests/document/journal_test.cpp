@@ -31,6 +31,8 @@ private slots:
     void damagedJournalsAreSetAside();
     void onlyTheOwnerMayRead();
     void anUnsavedLessonIsKeptAlong();
+    void everyByteCounts();
+    void filesOfEarlierVersionsAreRead();
     void aPipeIsNotWaitedFor();
     void aFolderThatMayNotBeWrittenIsSaid();
     void withoutRoomTheLastSnapshotStays();
@@ -121,13 +123,16 @@ void JournalTest::aLockThatNamesNobodyHidesNothing() {
     for (const QByteArray& owner :
          {QByteArray(), QByteArray::number(QCoreApplication::applicationPid()) + "\n" + programName() + "\n" +
                             QSysInfo::machineHostName().toUtf8() + "\n\n\n"}) {
-        QVERIFY(lock.open(QIODevice::WriteOnly));
-        QCOMPARE(lock.write(owner), owner.size());
-        lock.flush();
-        QVERIFY(document::abandonedSnapshots(folder.path()).isEmpty()); // somebody may be writing it
-        QVERIFY(lock.setFileTime(QDateTime::currentDateTime().addSecs(-60), QFile::FileModificationTime));
-        lock.close();
-        QCOMPARE(document::abandonedSnapshots(folder.path()).size(), 1);
+        for (const int seconds : {-60, 0, 3600}) { // the clock has been set back since
+            QVERIFY(lock.open(QIODevice::WriteOnly));
+            QCOMPARE(lock.write(owner), owner.size());
+            lock.flush();
+            QVERIFY(
+                lock.setFileTime(QDateTime::currentDateTime().addSecs(seconds), QFile::FileModificationTime));
+            lock.close();
+            QCOMPARE(document::abandonedSnapshots(folder.path()).size(), 1);
+            QVERIFY(!lock.exists());
+        }
     }
 }
 
@@ -271,6 +276,31 @@ void JournalTest::onlyTheOwnerMayRead() {
     QCOMPARE(files.size(), 4); // two journals, each with its lock
     for (const QString& file : files)
         QCOMPARE(mode(QDir(folder).filePath(file)), 0600U);
+}
+
+// A title that is another one is damage as well.
+void JournalTest::everyByteCounts() {
+    Snapshot whole = snapshot("a");
+    whole.lesson = "lesson";
+    whole.lessonPath = QStringLiteral("/a.lesson");
+    const QByteArray file = document::recoveryFile(whole);
+    QVERIFY(document::snapshotIn(file));
+    for (qsizetype i = 0; i < file.size(); ++i) {
+        QByteArray damaged = file;
+        damaged[i] = char(damaged[i] ^ 1);
+        const auto read = document::snapshotIn(damaged);
+        QVERIFY2(!read || *read == whole, damaged.constData());
+    }
+}
+
+// Without the digest of the header.
+void JournalTest::filesOfEarlierVersionsAreRead() {
+    QByteArray file = document::recoveryFile(snapshot("a"));
+    const qsizetype begin = file.indexOf("\"digest\":");
+    QVERIFY(begin > 0);
+    file.remove(begin, file.indexOf(',', begin) + 1 - begin);
+    const auto read = document::snapshotIn(file);
+    QVERIFY(read && *read == snapshot("a"));
 }
 
 void JournalTest::aPipeIsNotWaitedFor() {

@@ -9,15 +9,18 @@
 #include "support/named_test.h"
 #include "support/thorough.h"
 
+#include <QElapsedTimer>
 #include <QTest>
 #include <QtEndian>
 
+#include <chrono>
 #include <random>
 
 #include <sys/resource.h>
 #include <zlib.h>
 
 using document::FractalFile;
+using namespace std::chrono_literals;
 
 // Files that cost as much as a file can. Memory is limited to 2 GB for the whole of this program, and
 // whatever grows with the square of the size never ends here.
@@ -34,6 +37,8 @@ private slots:
     void manyFlamesOfOneName();
     void aCompressedTextDoesNotGrowWithoutEnd();
     void hugePalettes();
+    void nestedListsTakeNoLonger_data();
+    void nestedListsTakeNoLonger();
 };
 
 namespace {
@@ -232,6 +237,49 @@ void HostileFilesTest::hugePalettes() {
         const io::PaletteFile file = io::readPalettes(filled("", piece, 15'000'000), {});
         QVERIFY(file.palettes.size() <= 4000 && file.problems.size() <= 20);
     }
+}
+
+namespace {
+
+QByteArray times(const QByteArray& piece, qsizetype count) {
+    return piece.repeated(count).chopped(1); // without the last comma
+}
+
+QByteArray nested(const QByteArray& open, const QByteArray& inner, const QByteArray& close) {
+    return open.repeated(60) + inner + close.repeated(60);
+}
+
+std::chrono::milliseconds timeToRead(const QByteArray& bytes) {
+    QElapsedTimer timer;
+    timer.start();
+    io::readCollection(bytes, QStringLiteral("lists.json"));
+    return std::chrono::milliseconds(timer.elapsed());
+}
+
+} // namespace
+
+void HostileFilesTest::nestedListsTakeNoLonger_data() {
+    QTest::addColumn<QByteArray>("bytes");
+    const QByteArray numbers = '[' + times("1,", 200'000) + ']';
+    QTest::newRow("numbers") << nested("[", numbers, "]");
+    QTest::newRow("numbers under names") << nested("{\"a\":", numbers, "}");
+    QTest::newRow("weights") << nested("{\"p\":", numbers, "}");
+    QTest::newRow("rows") << nested("[", '[' + times(numbers + ',', 4) + ']', "]");
+    QTest::newRow("almost maps") << nested("[", '[' + times("[1,0,0,1,0,0],", 30'000) + ",7]", "]");
+    QTest::newRow("almost maps under names")
+        << nested("{\"x\":", '[' + times("[1,0,0,1,0,0],", 30'000) + ",7]", "}");
+    QTest::newRow("matrices") << nested('{' + QByteArray("\"x\":1,").repeated(700) + "\"m\":", "[1]", "}");
+    QTest::newRow("weighted lists") << '[' + times(nested("[1,", "1", "]") + ',', 1'500) + ']';
+    QTest::newRow("lists around nothing") << '[' + times(nested("[", "", "]") + ',', 3'000) + ']';
+}
+
+// In proportion to the size of the file, however deep the lists.
+void HostileFilesTest::nestedListsTakeNoLonger() {
+    QFETCH(const QByteArray, bytes);
+    const QByteArray flat = '[' + times("1,", bytes.size() / 2) + ']';
+    const auto ofFlat = timeToRead(flat), ofNested = timeToRead(bytes);
+    QVERIFY2(ofNested < 6 * ofFlat + 300ms,
+             qPrintable(QStringLiteral("%1 ms, and %2 ms").arg(ofNested.count()).arg(ofFlat.count())));
 }
 
 BARYCAGE_TEST(HostileFilesTest);

@@ -16,6 +16,7 @@ const QString languageKey = QStringLiteral("preferences/language");
 const QString themeKey = QStringLiteral("preferences/theme");
 const QString qualityKey = QStringLiteral("preferences/quality");
 const QString trackballKey = QStringLiteral("preferences/trackball");
+const QString keepPreviousKey = QStringLiteral("preferences/keepPrevious");
 const QString reopenKey = QStringLiteral("preferences/reopen");
 
 constexpr char spoken[] = "spokenLanguage"; // a property of the application
@@ -41,6 +42,7 @@ Preferences Preferences::stored() {
                                               1'000'000, 100'000'000'000);
     found.trackball = view::stored(trackballKey, found.trackball).toBool();
     found.reopen = view::stored(reopenKey, found.reopen).toBool();
+    found.keepPrevious = view::stored(keepPreviousKey, found.keepPrevious).toBool();
     return found;
 }
 
@@ -52,6 +54,7 @@ void Preferences::store() const {
     view::store(qualityKey, quint64(quality));
     view::store(trackballKey, trackball);
     view::store(reopenKey, reopen);
+    view::store(keepPreviousKey, keepPrevious);
 }
 
 } // namespace view

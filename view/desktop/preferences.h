@@ -16,6 +16,7 @@ struct Preferences {
     std::uint64_t quality = 200'000'000; // samples to which a picture at rest is refined
     bool trackball = false;              // solids turn freely, not as on a turntable
     bool reopen = false;                 // the files of the last time, at the start
+    bool keepPrevious = true;            // versions of files, when they are saved for the first time
 
     static Preferences stored();
     void store() const;

@@ -41,6 +41,15 @@ void offerTurning(QComboBox* box) {
         "about the axes of the screen, even over the poles; to level the view again, look along an axis."));
 }
 
+void explainFiles(QCheckBox* reopen, QCheckBox* keepPrevious) {
+    reopen->setWhatsThis(
+        PreferencesDialog::tr("When this is on, Barycage reopens the files that were open when you closed "
+                              "it, each in its own window."));
+    keepPrevious->setWhatsThis(PreferencesDialog::tr(
+        "When this is on, the first time that you save a file after opening it, the version before stays "
+        "beside it under the same name with “~” behind it, such as maple.ifs~."));
+}
+
 } // namespace
 
 PreferencesDialog::PreferencesDialog(QWidget* parent)
@@ -52,7 +61,8 @@ PreferencesDialog::PreferencesDialog(QWidget* parent)
       m_theme(new QComboBox(this)),
       m_quality(new QComboBox(this)),
       m_turning(new QComboBox(this)),
-      m_reopen(new QCheckBox(tr("Re&open last files on startup"), this)) {
+      m_reopen(new QCheckBox(tr("Re&open last files on startup"), this)),
+      m_keepPrevious(new QCheckBox(tr("&Keep the previous version of files"), this)) {
     setWindowTitle(tr("Preferences"));
     m_language->addItem(tr("System default"), QString());
     for (const auto& [code, name] : languages())
@@ -72,8 +82,7 @@ PreferencesDialog::PreferencesDialog(QWidget* parent)
     m_quality->setWhatsThis(tr("The number of points drawn while nothing moves. More points make a smoother "
                                "picture and keep the processor busy for longer."));
     offerTurning(m_turning);
-    m_reopen->setWhatsThis(tr("When this is on, Barycage reopens the files that were open when you closed "
-                              "it, each in its own window."));
+    explainFiles(m_reopen, m_keepPrevious);
 
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close | QDialogButtonBox::RestoreDefaults, this);
     auto* form = new QFormLayout(this);
@@ -85,12 +94,14 @@ PreferencesDialog::PreferencesDialog(QWidget* parent)
     form->addRow(tr("&Idle quality:"), m_quality);
     form->addRow(tr("Turning &solids:"), m_turning);
     form->addRow(QString(), m_reopen);
+    form->addRow(QString(), m_keepPrevious);
     form->addRow(buttons);
 
     fill(Preferences::stored());
     for (QComboBox* box : {m_language, m_theme, m_quality, m_turning})
         connect(box, &QComboBox::currentIndexChanged, this, &PreferencesDialog::take);
-    connect(m_reopen, &QCheckBox::toggled, this, &PreferencesDialog::take);
+    for (QCheckBox* box : {m_reopen, m_keepPrevious})
+        connect(box, &QCheckBox::toggled, this, &PreferencesDialog::take);
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
     QPushButton* defaults = buttons->button(QDialogButtonBox::RestoreDefaults);
     defaults->setAutoDefault(false);
@@ -121,8 +132,9 @@ void PreferencesDialog::fill(const Preferences& preferences) {
     choose(m_theme, int(preferences.theme));
     choose(m_quality, quint64(preferences.quality));
     choose(m_turning, preferences.trackball);
-    const QSignalBlocker quiet(m_reopen);
+    const QSignalBlocker quiet(m_reopen), quietToo(m_keepPrevious);
     m_reopen->setChecked(preferences.reopen);
+    m_keepPrevious->setChecked(preferences.keepPrevious);
     showRestart(preferences.language != m_spoken);
 }
 
@@ -145,6 +157,7 @@ void PreferencesDialog::take() {
     chosen.quality = m_quality->currentData().toULongLong();
     chosen.trackball = m_turning->currentData().toBool();
     chosen.reopen = m_reopen->isChecked();
+    chosen.keepPrevious = m_keepPrevious->isChecked();
     showRestart(chosen.language != m_spoken);
     growToFit(*this);
     chosen.store();

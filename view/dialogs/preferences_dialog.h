@@ -42,6 +42,7 @@ private:
     QComboBox* m_quality;
     QComboBox* m_turning;
     QCheckBox* m_reopen;
+    QCheckBox* m_keepPrevious;
 };
 
 } // namespace view

@@ -14,6 +14,7 @@
 #include "transformation/picture_source.h"
 #include "transformation/theft_export_dialog.h"
 #include "transformation/theft_sentences.h"
+#include "widgets/accept_as_copy.h"
 #include "widgets/file_dialogs.h"
 #include "widgets/whats_this.h"
 
@@ -530,19 +531,22 @@ bool TransformationView::isOverPartner(const QPoint& position) const {
 
 void TransformationView::dragEnterEvent(QDragEnterEvent* event) {
     if (m_isShown && !pictureOf(*event->mimeData()).isEmpty())
-        event->acceptProposedAction();
+        acceptAsCopy(*event);
     else
         event->ignore();
 }
 
 void TransformationView::dragMoveEvent(QDragMoveEvent* event) {
-    event->setAccepted(isOverPartner(event->position().toPoint()));
+    if (isOverPartner(event->position().toPoint()))
+        acceptAsCopy(*event);
+    else
+        event->ignore();
 }
 
 void TransformationView::dropEvent(QDropEvent* event) {
     const QString path = pictureOf(*event->mimeData());
     if (path.isEmpty() || !isOverPartner(event->position().toPoint())) return event->ignore();
-    event->acceptProposedAction();
+    acceptAsCopy(*event);
     // Once the drop is over: the program that it came from waits.
     QMetaObject::invokeMethod(
         this, [this, path] { usePicture(path); }, Qt::QueuedConnection);

@@ -2,6 +2,7 @@
 #include "widgets/file_dialogs.h"
 
 #include "desktop/settings.h"
+#include "document/text/file_names.h"
 #include "document/text/text.h"
 #include "io/file/slow_disk.h"
 #include "io/picture/decoding/picture_decoder.h"
@@ -45,7 +46,7 @@ QString chooseFileToSave(QWidget* parent, const QString& title, const QString& s
     dialog.setAcceptMode(QFileDialog::AcceptSave);
     dialog.setOption(QFileDialog::DontConfirmOverwrite, !asksToReplace);
     dialog.setDefaultSuffix(suffix);
-    dialog.selectFile(suggested.fileName());
+    dialog.selectFile(suggested.isAbsolute() ? suggested.fileName() : document::fileNamePart(suggestion));
     if (dialog.exec() != QDialog::Accepted) return {};
     return remembered(dialog.selectedFiles().value(0));
 }

@@ -7,6 +7,7 @@
 #include "animate/frame_source.h"
 #include "options/commands.h"
 #include "options/tr.h"
+#include "process/files_read.h"
 #include "process/input.h"
 #include "process/interrupt.h"
 #include "process/messages.h"
@@ -38,6 +39,8 @@ public:
 
     ExitStatus run() {
         const std::vector<int> files = filesOf(m_arguments, m_input, m_fractal);
+        for (const int number : files)
+            refuseToReplaceInput(numbered(m_pattern, number));
         if (m_arguments.whatExists == Existing::Fail && isAnyThere(files))
             return ExitStatus::CannotReadOrWrite;
         std::vector<int> frames = files; // counted from 0

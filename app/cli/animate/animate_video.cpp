@@ -6,6 +6,7 @@
 #include "animate/frame_source.h"
 #include "animate/video_output.h"
 #include "options/tr.h"
+#include "process/files_read.h"
 #include "process/interrupt.h"
 #include "process/messages.h"
 
@@ -42,6 +43,7 @@ ExitStatus animateVideo(const AnimateArguments& arguments, const Input& input, c
         reportError(input.name, tr("--frames names no frame of the animation; no video was written."));
         return ExitStatus::InputProblems;
     }
+    refuseToReplaceInput(path);
     if (arguments.whatExists == Existing::Fail && QFileInfo::exists(path))
         return refused(path, tr("The file exists already; nothing was drawn."));
     const Interrupt interrupt;

@@ -5,6 +5,7 @@
 #include "options/tr.h"
 #include "options/usage_error.h"
 #include "process/arguments.h"
+#include "process/files_read.h"
 #include "process/input.h"
 #include "process/interrupt.h"
 #include "process/messages.h"
@@ -160,6 +161,9 @@ public:
                 return ExitStatus::InputProblems;
             }
         const QString output = fileNameOf(m_arguments.output);
+        for (int index = 0; index < int(m_numbers.size()); ++index)
+            noteRead(pathOf(index));
+        refuseToReplaceInput(output);
         VideoSource source;
         source.count = int(m_numbers.size());
         source.settings = settings();

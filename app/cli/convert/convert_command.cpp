@@ -15,6 +15,7 @@
 
 #include "document/edits/cage/cage_edits.h"
 #include "document/edits/dimension_edits.h"
+#include "document/text/file_names.h"
 #include "io/exchange/point_cloud.h"
 #include "io/file/native_path.h"
 #include "io/fractint/fractint_strict.h"
@@ -374,8 +375,9 @@ private:
         Written written;
         for (qsizetype i = 0; i < systems.size(); ++i) {
             if (m_stop.stop_requested()) return {written.entries, interrupted()};
-            QString name = systems[i]->name;
-            name.replace(u'/', u'_');
+            const qsizetype rest = QFileInfo(base).fileName().toUtf8().size() + 16; // with number and suffix
+            const QString name = document::fileNamePart(
+                systems[i]->name, std::max<qsizetype>(document::maxFileName - rest, 16));
             const io::Progress part = [&](double fraction) {
                 progress((double(i) + fraction) / double(systems.size()));
             };
@@ -416,7 +418,7 @@ private:
             m_isRefused = true;
             return ExitStatus::InputProblems;
         }
-        const ExitStatus status = writeOutput(output, bytes);
+        const ExitStatus status = writeOutput(output, bytes, MayReplace::Inputs); // it does not lose
         if (status == ExitStatus::Done) ++m_filesWritten;
         return status;
     }
@@ -431,11 +433,13 @@ private:
             return ExitStatus::InputProblems;
         }
         std::optional<io::SolidFacts> facts;
-        const auto outcome = exportOutput(exportOf(*fractal, facts), output, progress, m_stop);
+        const auto outcome =
+            exportOutput(exportOf(*fractal, facts), output, progress, m_stop, MayReplace::Inputs);
         if (outcome.stopped) return interrupted();
         if (outcome.failure) {
             reportError(output, *outcome.failure);
-            const bool isRefused = std::holds_alternative<io::MeshFormat>(m_plan.format) && !facts;
+            const bool isRefused =
+                std::holds_alternative<io::MeshFormat>(m_plan.format) && !facts && !outcome.isShortOfMemory;
             return isRefused ? ExitStatus::InputProblems : ExitStatus::CannotReadOrWrite;
         }
         if (facts && !isStandardOutput(output)) sayReport(io::summaryOf(*facts, m_plan.solid));

@@ -4,6 +4,7 @@
 #include "options/parser.h"
 #include "options/tr.h"
 #include "options/usage_error.h"
+#include "process/files_read.h"
 #include "process/input.h"
 #include "process/messages.h"
 
@@ -196,6 +197,7 @@ attractor::Rgba colourArgument(const std::string& option, const std::string& tex
 }
 
 attractor::Palette paletteOfFile(const QString& path) {
+    noteRead(path);
     const io::Loaded loaded = io::loadSource(path);
     if (loaded.failure) throw InputError{path, *loaded.failure, ExitStatus::CannotReadOrWrite};
     io::PaletteFile file = io::readPalettes(loaded.bytes, QFileInfo(path).completeBaseName());

@@ -3,6 +3,7 @@
 
 #include "options/options.h"
 #include "options/tr.h"
+#include "process/files_read.h"
 #include "process/messages.h"
 
 #include "io/file/native_path.h"
@@ -87,6 +88,7 @@ QString fileNameOf(const std::string& argument) {
 }
 
 io::Loaded loadBytes(const std::string& file) {
+    noteRead(fileNameOf(file));
     return file == "-" ? readStandardInput() : io::loadSource(fileNameOf(file));
 }
 

@@ -2,15 +2,14 @@
 #include "process/output.h"
 
 #include "options/tr.h"
+#include "process/files_read.h"
 #include "process/messages.h"
 
 #include "io/file/hard_links.h"
-#include "io/file/native_path.h"
 #include "io/file/save_file.h"
 #include "io/file/standard_output.h"
 
 #include <cerrno>
-#include <filesystem>
 
 namespace cli {
 
@@ -28,17 +27,8 @@ void warnAboutLinks(const QString& output, int otherNames) {
 
 } // namespace
 
-bool isStandardOutput(const QString& output) {
-    return output == u"-";
-}
-
-bool isSameFile(const QString& a, const QString& b) {
-    namespace fs = std::filesystem;
-    std::error_code error;
-    return fs::equivalent(io::nativeName(a).toStdString(), io::nativeName(b).toStdString(), error) && !error;
-}
-
-ExitStatus writeOutput(const QString& output, const QByteArray& bytes) {
+ExitStatus writeOutput(const QString& output, const QByteArray& bytes, MayReplace what) {
+    if (what != MayReplace::Inputs) refuseToReplaceInput(output);
     const int linked = otherNames(output);
     io::Failure failure;
     if (!isStandardOutput(output))
@@ -54,12 +44,14 @@ ExitStatus writeOutput(const QString& output, const QByteArray& bytes) {
 }
 
 io::ExportOutcome exportOutput(const io::Export& what, const QString& output, const io::Progress& progress,
-                               std::stop_token stop) {
-    return exportBy([&](const QString& path) { return io::exportTo(what, path, progress, stop); }, output);
+                               std::stop_token stop, MayReplace replaced) {
+    return exportBy([&](const QString& path) { return io::exportTo(what, path, progress, stop); }, output,
+                    replaced);
 }
 
 io::ExportOutcome exportBy(const std::function<io::ExportOutcome(const QString& path)>& write,
-                           const QString& output) {
+                           const QString& output, MayReplace replaced) {
+    if (replaced != MayReplace::Inputs) refuseToReplaceInput(output);
     const int linked = otherNames(output);
     io::ExportOutcome outcome = write(isStandardOutput(output) ? io::standardOutputPath() : output);
     if (!outcome.failure && !outcome.stopped) warnAboutLinks(output, linked);

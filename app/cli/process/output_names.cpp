@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "process/output_names.h"
 
+#include "document/text/file_names.h"
+
 #include <QFileInfo>
+
+#include <algorithm>
 
 namespace cli {
 
@@ -20,14 +24,6 @@ QString letters(const QString& pattern) {
     return found;
 }
 
-// Without what leads to another folder, or changes the order in which a name is read.
-QString harmless(QString name) {
-    for (QChar& c : name)
-        if (c == u'/' || c.category() == QChar::Other_Control || c.category() == QChar::Other_Format)
-            c = u'_';
-    return name.isEmpty() ? QStringLiteral("_") : name;
-}
-
 QString padded(int number, int largest) {
     return QString::number(number).rightJustified(QString::number(largest).size(), u'0');
 }
@@ -43,7 +39,10 @@ bool hasIterations(const QString& pattern) {
     return letters(pattern).contains(u'i');
 }
 
-QString outputFor(const QString& pattern, const OutputName& name) {
+namespace {
+
+// `maxPart` is how many bytes of a name of an entry or a file are taken.
+QString filledIn(const QString& pattern, const OutputName& name, qsizetype maxPart) {
     const qsizetype start = startOfName(pattern);
     QString result = pattern.left(start);
     for (qsizetype i = start; i < pattern.size(); ++i) {
@@ -51,14 +50,15 @@ QString outputFor(const QString& pattern, const OutputName& name) {
         const QChar known = letter == u'i' && !name.iterations ? QChar() : letter;
         switch (known.unicode()) {
         case u'e':
-            result += harmless(name.entry);
+            result += document::fileNamePart(name.entry, maxPart);
             break;
         case u'n':
             result += padded(name.number, name.numbers);
             break;
         case u'f':
-            result += harmless(name.file == u"-" ? QStringLiteral("standard-input")
-                                                 : QFileInfo(name.file).completeBaseName());
+            result += document::fileNamePart(name.file == u"-" ? QStringLiteral("standard-input")
+                                                               : QFileInfo(name.file).completeBaseName(),
+                                             maxPart);
             break;
         case u'i':
             result += padded(*name.iterations, name.maxIterations);
@@ -73,6 +73,20 @@ QString outputFor(const QString& pattern, const OutputName& name) {
         ++i;
     }
     return result;
+}
+
+} // namespace
+
+// Names that would be too long are cut, as long as what stands around them leaves room.
+QString outputFor(const QString& pattern, const OutputName& name) {
+    const auto size = [&](const QString& path) { return path.sliced(startOfName(path)).toUtf8().size(); };
+    const QString whole = filledIn(pattern, name, document::maxFileName);
+    if (size(whole) <= document::maxFileName) return whole;
+    const QString found = letters(pattern);
+    const qsizetype parts = found.count(u'e') + found.count(u'f');
+    if (parts == 0) return whole;
+    const qsizetype rest = size(filledIn(pattern, name, 1)) - parts;
+    return filledIn(pattern, name, std::max<qsizetype>((document::maxFileName - rest) / parts, 1));
 }
 
 } // namespace cli

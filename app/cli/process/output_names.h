@@ -23,7 +23,7 @@ struct OutputName {
 bool hasPlaceholders(const QString& pattern); // %e, %n or %f: entries get files of their own
 bool hasIterations(const QString& pattern);   // %i
 
-// What names no folder of its own: slashes and control characters of a name become underscores.
+// Names of entries and files as document::fileNamePart() has them.
 QString outputFor(const QString& pattern, const OutputName& name);
 
 } // namespace cli

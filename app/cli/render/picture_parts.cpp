@@ -4,6 +4,7 @@
 #include "options/commands.h"
 #include "options/tr.h"
 #include "options/usage_error.h"
+#include "process/files_read.h"
 #include "process/input.h"
 #include "process/interrupt.h"
 #include "process/messages.h"
@@ -93,6 +94,7 @@ template <class Sums>
 ExitStatus write(Sums sums, const Target& target, const Verbosity& verbosity, const Interrupt& interrupt) {
     const bool isSum = !target.file;
     if (!isSum) {
+        refuseToReplaceInput(target.output);
         become(sums.picture, target);
         if (const io::Failure missing = io::incompleteness(sums))
             throw InputError{QStringLiteral("barycage-cli"), *missing};
@@ -128,6 +130,8 @@ template <class Loaded> AnySums loadedSums(const Loaded& loaded) {
 // Throws InputError where the files are no parts of one picture.
 AnySums readSums(const QStringList& paths, int threads) {
     const QString program = QStringLiteral("barycage-cli");
+    for (const QString& path : paths)
+        noteRead(path);
     const auto files = std::make_shared<io::SumFiles>(paths);
     if (files->failure())
         throw InputError{program, *files->failure(),
@@ -182,6 +186,7 @@ ExitStatus resume(Sums sums, const RenderArguments& arguments, const Interrupt& 
         const PixelRows rows = bandOf(arguments, heightOf(sums));
         sums.drawn = {{rows.first, rows.end, sums.passes.size() - 1, partOf(arguments)}};
         sums.files.reset();
+        refuseToReplaceInput(output); // which holds more
     }
     Target target{output, {}, qualityOf(arguments)};
     if (!isSumFile(output)) target.file = pictureFileOf(arguments);

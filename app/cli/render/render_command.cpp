@@ -2,6 +2,7 @@
 #include "options/commands.h"
 #include "options/tr.h"
 #include "options/usage_error.h"
+#include "process/files_read.h"
 #include "process/input.h"
 #include "process/interrupt.h"
 #include "process/memory_limit.h"
@@ -152,6 +153,8 @@ public:
                     m_status = std::max(m_status, ExitStatus::InputProblems);
         }
         refuseCollisions(tasks, fileNameOf(m_arguments.output));
+        for (const Task& task : tasks)
+            refuseToReplaceInput(task.output);
         for (std::size_t i = 0; i < tasks.size(); ++i) {
             const ExitStatus done = draw(tasks[i], double(i), double(tasks.size()));
             m_bar.clear();

@@ -2,6 +2,7 @@
 #include "files/file_commands.h"
 
 #include "document/edits/cage/placements.h"
+#include "document/text/file_names.h"
 #include "document/tops/picture_paths.h"
 #include "io/file/background.h"
 #include "io/fractint/fractint_writer.h"
@@ -39,6 +40,10 @@ QString list(const QStringList& names) {
 }
 
 } // namespace
+
+bool isLesson(const QString& path) {
+    return path.endsWith(QLatin1String(".lesson"), Qt::CaseInsensitive);
+}
 
 FileCommands::FileCommands(const MenuContext& context, OpenFile* file)
     : QObject(context.window), m_context(context), m_file(file) {}
@@ -79,9 +84,11 @@ bool FileCommands::maybeSave() {
 }
 
 bool FileCommands::open(const QString& path) {
-    if (m_lessons.open && path.endsWith(QLatin1String(".lesson"), Qt::CaseInsensitive))
-        return m_lessons.open(path);
-    if (const io::Failure failure = m_file->open(path)) {
+    return m_lessons.open && isLesson(path) ? m_lessons.open(path) : open(path, startReading(path));
+}
+
+bool FileCommands::open(const QString& path, const FileReading& reading) {
+    if (const io::Failure failure = m_file->open(path, reading)) {
         if (m_file->isStopped()) return false;
         m_context.messages->fail(tr("%1 could not be opened").arg(QFileInfo(path).fileName()), *failure);
         return false;
@@ -165,10 +172,27 @@ QString FileCommands::targetRemark() const {
                : QString();
 }
 
+QString FileCommands::previousRemark() const {
+    const QString kept = io::previousVersionOf(m_file->name());
+    switch (m_file->previousVersion()) {
+    case io::Keeping::Nothing:
+        break;
+    case io::Keeping::Kept:
+        return tr("The previous version is %1.").arg(kept);
+    case io::Keeping::Foreign:
+        return tr("The previous version was not kept: there is already a file %1 that Barycage did not make.")
+            .arg(kept);
+    case io::Keeping::Refused:
+        return tr("The previous version could not be kept as %1.").arg(kept);
+    }
+    return {};
+}
+
 void FileCommands::reportSaved() {
     QString sentence = tr("Saved %1.").arg(m_file->name());
     if (m_file->otherNames() > 0)
         sentence += u' ' + tr("Other names of the file (hard links) keep the old contents.");
+    if (const QString remark = previousRemark(); !remark.isEmpty()) sentence += u' ' + remark;
     if (const QString remark = targetRemark(); !remark.isEmpty() && !m_hasRemarkedOnTarget) {
         sentence += u' ' + remark;
         m_hasRemarkedOnTarget = true;
@@ -199,9 +223,10 @@ bool FileCommands::saveAs() {
 void FileCommands::saveForOtherPrograms() {
     if (m_lessons.refusesSaving && m_lessons.refusesSaving()) return;
     const QFileInfo own(m_file->path());
-    const QString base = m_file->path().isEmpty()
-                             ? document::uniqueName({}, m_context.document->fractal().name)
-                             : own.path() + u'/' + own.completeBaseName();
+    const QString base =
+        m_file->path().isEmpty()
+            ? document::fileNamePart(document::uniqueName({}, m_context.document->fractal().name))
+            : own.path() + u'/' + own.completeBaseName();
     const QString path = view::chooseFileToSave(m_context.window, tr("Save a Copy for Other Programs"),
                                                 base + QStringLiteral("-copy.ifs"),
                                                 tr("Fractint collections (*.ifs)"), QStringLiteral("ifs"));

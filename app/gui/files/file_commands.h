@@ -10,6 +10,8 @@ namespace view {
 class Snapshots;
 }
 
+bool isLesson(const QString& path);
+
 // Opens and saves the file of a window, with the dialogs that this takes. Shares the translations of the main
 // window.
 class FileCommands : public QObject {
@@ -18,8 +20,10 @@ class FileCommands : public QObject {
 public:
     FileCommands(const MenuContext& context, OpenFile* file);
 
-    bool maybeSave();               // asks about unsaved changes; false: the user cancelled
-    bool open(const QString& path); // reports what was read, or what failed
+    bool maybeSave(); // asks about unsaved changes; false: the user cancelled
+    // These report what was read, or what failed.
+    bool open(const QString& path);
+    bool open(const QString& path, const FileReading& reading); // begun or cancelled elsewhere
     // These ask about unsaved changes first. A file that another window has is shown there.
     void startNew();
     void chooseAndOpen();
@@ -47,6 +51,7 @@ private:
     void reportOpened();
     void reportSaved();
     QString targetRemark() const;       // about the target of a collage, if there is one
+    QString previousRemark() const;     // about the version before the last save
     QString lostSnapshots() const;      // a sentence; empty: none
     QString discardedSnapshots() const; // besides these, when changes are given up
 

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "files/open_file.h"
 
+#include "desktop/preferences.h"
+#include "desktop/settings.h"
 #include "document/fractal/fractal_geometry.h"
+#include "document/text/text.h"
 #include "document/tops/picture_paths.h"
 #include "files/recent_files.h"
 #include "io/collection_reader.h"
@@ -15,44 +18,21 @@
 
 #include <QCryptographicHash>
 #include <QFileInfo>
+#include <QFutureWatcher>
 #include <QHash>
+#include <QProgressDialog>
 #include <QScopedValueRollback>
 
 #include <algorithm>
 #include <atomic>
 #include <memory>
 #include <optional>
+#include <utility>
 
 namespace {
 
 QByteArray digestOf(const QByteArray& bytes) {
     return QCryptographicHash::hash(bytes, QCryptographicHash::Sha256);
-}
-
-struct Reading {
-    io::Loaded loaded;
-    io::Collection collection; // when there is no failure
-    QByteArray digest;
-    QString table; // whose order of columns is assumed
-};
-
-QFuture<Reading> readBeside(const QString& path) {
-    return io::inBackground<Reading>(io::Lane::Reading, [path](QPromise<Reading>& promise) {
-        Reading reading{io::loadFile(path), {}, {}, {}};
-        if (!reading.loaded.failure) {
-            reading.collection = io::readCollection(reading.loaded.bytes, path);
-            reading.digest = digestOf(reading.loaded.bytes);
-            if (reading.collection.isOrderAssumed)
-                reading.table = io::tableIn(
-                    QString::fromUtf8(io::fromUtf16(reading.loaded.bytes).value_or(reading.loaded.bytes)));
-            // What showing the first entry takes is remembered.
-            const auto& entries = reading.collection.file.entries;
-            const auto shown = std::ranges::find_if(
-                entries, [](const auto& entry) { return document::system2(*entry.fractal) != nullptr; });
-            if (shown != entries.end()) document::supportFunction(*shown->fractal);
-        }
-        promise.addResult(std::move(reading));
-    });
 }
 
 // Somebody cancels what somebody else is about to finish; the first one decides.
@@ -62,6 +42,9 @@ struct Writing {
     document::FractalFile file; // as it reads when it is opened again
     QByteArray digest;
     int otherNames = 0; // of the file that was there
+    bool keepsPrevious = false;
+    QByteArray ownDigest; // of a previous version that is kept already
+    io::KeptVersion kept;
 };
 
 QFuture<void> writeBeside(const std::shared_ptr<Writing>& writing, const document::FractalFile& file,
@@ -78,8 +61,29 @@ QFuture<void> writeBeside(const std::shared_ptr<Writing>& writing, const documen
                 if (promise.isCanceled()) return;
                 target.write(bytes.constData() + at, std::min(piece, bytes.size() - at));
             }
+            if (writing->keepsPrevious && !target.failure() && !promise.isCanceled())
+                writing->kept = io::keepPreviousVersion(path, writing->ownDigest);
             if (!writing->isDecided.exchange(true)) writing->failure = target.commit();
         }));
+}
+
+// What was kept in which file, the latest last: only such a file is replaced.
+const QString keptKey = QStringLiteral("kept/versions");
+constexpr qsizetype maxRemembered = 200;
+
+QByteArray digestKept(const QString& path) {
+    for (const QString& line : view::stored(keptKey).toStringList())
+        if (line.section(u' ', 1) == path) return QByteArray::fromHex(line.section(u' ', 0, 0).toLatin1());
+    return {};
+}
+
+void rememberKept(const QString& path, const QByteArray& digest) {
+    QStringList lines = view::stored(keptKey).toStringList();
+    lines.removeIf([&](const QString& line) { return line.section(u' ', 1) == path; });
+    lines << QString::fromLatin1(digest.toHex()) + u' ' + path;
+    while (lines.size() > maxRemembered)
+        lines.removeFirst();
+    view::store(keptKey, lines);
 }
 
 OpenFile::OnDisk now(const QString& path, const QByteArray& known) {
@@ -103,7 +107,31 @@ void keepIds(document::FractalFile& recovered, const document::FractalFile& befo
 
 } // namespace
 
+FileReading startReading(const QString& path) {
+    return io::inBackground<ReadFile>(io::Lane::Reading, [path](QPromise<ReadFile>& promise) {
+        ReadFile reading{io::loadFile(path), {}, {}, {}};
+        if (!reading.loaded.failure) {
+            reading.collection = io::readCollection(reading.loaded.bytes, path);
+            reading.digest = digestOf(reading.loaded.bytes);
+            if (reading.collection.isOrderAssumed)
+                reading.table = io::tableIn(
+                    QString::fromUtf8(io::fromUtf16(reading.loaded.bytes).value_or(reading.loaded.bytes)));
+            // What showing the first entry takes is remembered.
+            const auto& entries = reading.collection.file.entries;
+            const auto shown = std::ranges::find_if(
+                entries, [](const auto& entry) { return document::system2(*entry.fractal) != nullptr; });
+            if (shown != entries.end()) document::supportFunction(*shown->fractal);
+        }
+        promise.addResult(std::move(reading));
+    });
+}
+
 OpenFile::OpenFile(document::Document* document, QWidget* window) : m_document(document), m_window(window) {}
+
+OpenFile::~OpenFile() {
+    if (m_isReading) m_reading.cancel(); // whoever waits for it need not any more
+    document::startInLane(document::Lane::Asking, [claim = std::move(m_claim)] {});
+}
 
 QString OpenFile::name() const {
     return m_path.isEmpty() ? tr("Untitled") : QFileInfo(m_path).fileName();
@@ -121,7 +149,7 @@ void OpenFile::startFrom(document::FractalFile file, document::EntryId current) 
 bool OpenFile::hasRead(const QFuture<void>& reading, const QString& label) {
     m_reading = reading;
     m_isReading = true;
-    const bool isRead = view::waitFor(reading, label, m_window);
+    const bool isRead = !reading.isCanceled() && view::waitFor(reading, label, m_window);
     m_isReading = false;
     m_reading = {};
     if (m_isStopped) emit stopped();
@@ -134,20 +162,50 @@ void OpenFile::stopReading() {
     m_reading.cancel();
 }
 
-io::Failure OpenFile::open(const QString& path) {
-    const QScopedValueRollback<bool> busy(m_isBusy, true);
+void OpenFile::await(const QString& path, const QFuture<void>& reading) {
     m_isStopped = false;
+    m_reading = reading;
+    m_isBusy = m_isReading = m_isAwaiting = true;
+    m_progress = new QProgressDialog(tr("Reading “%1”…").arg(QFileInfo(path).fileName()), Text::tr("Cancel"),
+                                     0, 0, m_window);
+    m_progress->setWindowModality(Qt::WindowModal);
+    connect(m_progress, &QProgressDialog::canceled, this, [this] { m_reading.cancel(); });
+    m_progress->show();
+}
+
+void OpenFile::endAwaiting() {
+    if (!std::exchange(m_isAwaiting, false)) {
+        m_isStopped = false;
+        return;
+    }
+    m_isBusy = false;
+    delete m_progress;
+}
+
+void OpenFile::giveUpAwaiting() {
+    endAwaiting();
+    m_isReading = false;
+    m_reading = {};
+}
+
+io::Failure OpenFile::open(const QString& path) {
+    return open(path, startReading(path));
+}
+
+io::Failure OpenFile::open(const QString& path, FileReading reading) {
+    endAwaiting();
+    const QScopedValueRollback<bool> busy(m_isBusy, true);
     const auto file = QFileInfo(path).fileName();
-    QFuture<Reading> result = readBeside(path);
-    if (!hasRead(QFuture<void>(result), tr("Reading “%1”…").arg(file)))
+    if (!hasRead(QFuture<void>(reading), tr("Reading “%1”…").arg(file)))
         return tr("Reading “%1” was cancelled.").arg(file);
-    auto [loaded, collection, digest, table] = result.takeResult();
+    auto [loaded, collection, digest, table] = reading.takeResult();
     if (loaded.failure) return loaded.failure;
     if (collection.file.entries.isEmpty() && !collection.file.problems.isEmpty())
         return collection.file.problems.first().message;
     document::FractalFile before = m_document->file();
     m_document->setFile(std::move(collection.file));
     io::freeInBackground(std::move(before));
+    m_kept.clear();
     // What was taken out of another format has no .ifs file to be saved to yet.
     if (collection.format == QLatin1String("fractint"))
         remember(path, digest);
@@ -160,9 +218,15 @@ io::Failure OpenFile::open(const QString& path) {
 }
 
 std::optional<io::Failure> OpenFile::recover(const document::Snapshot& snapshot) {
+    return recover(snapshot, snapshot.path.isEmpty() ? FileReading() : startReading(snapshot.path));
+}
+
+std::optional<io::Failure> OpenFile::recover(const document::Snapshot& snapshot, const FileReading& onDisk) {
     io::Failure failure;
-    m_isStopped = false;
-    if (!snapshot.path.isEmpty()) failure = open(snapshot.path);
+    if (snapshot.path.isEmpty())
+        m_isStopped = false;
+    else
+        failure = open(snapshot.path, onDisk);
     if (m_isStopped) return std::nullopt;
     if (snapshot.path.isEmpty() || failure) startNew();
     const QScopedValueRollback<bool> busy(m_isBusy, true);
@@ -188,6 +252,7 @@ std::optional<io::Failure> OpenFile::recover(const document::Snapshot& snapshot)
         m_path = snapshot.path;
         m_digest = snapshot.base; // not what somebody else may have written since
         m_isMissing = failure.has_value();
+        claim();
         emit pathChanged();
     }
     return failure;
@@ -220,6 +285,9 @@ std::optional<OpenFile::OnDisk> OpenFile::onDisk() {
 io::Failure OpenFile::write(const QString& path) {
     const QScopedValueRollback<bool> busy(m_isBusy, true);
     const auto writing = std::make_shared<Writing>();
+    const QString absolute = QFileInfo(path).absoluteFilePath();
+    writing->keepsPrevious = view::Preferences::stored().keepPrevious && !m_kept.contains(absolute);
+    writing->ownDigest = digestKept(absolute);
     const auto inFolder = [from = m_path.isEmpty() ? QString() : QFileInfo(m_path).path(),
                            to = QFileInfo(path).absolutePath()](const document::FractalFile& of) {
         return document::withPicturesFoundFrom(of, from, to);
@@ -231,7 +299,10 @@ io::Failure OpenFile::write(const QString& path) {
         if (!writing->isDecided.exchange(true))
             return tr("Saving “%1” was cancelled. The file on disk is unchanged.").arg(file);
     work.waitForFinished(); // throws what went wrong besides
+    if (writing->kept.outcome == io::Keeping::Kept) rememberKept(absolute, writing->kept.digest);
     if (writing->failure) return writing->failure;
+    m_kept << absolute;
+    m_previous = writing->kept.outcome;
     m_otherNames = writing->otherNames;
     remember(path, writing->digest);
     m_document->editFile(tr("Adjust Picture Paths"), inFolder(m_document->file()), m_document->currentId());
@@ -245,5 +316,22 @@ void OpenFile::remember(const QString& path, const QByteArray& digest) {
     m_path = path.isEmpty() ? QString() : QFileInfo(path).absoluteFilePath(); // it outlives this folder
     m_digest = digest;
     m_isMissing = false;
+    claim();
     emit pathChanged();
+}
+
+void OpenFile::claim() {
+    if (m_path == m_claimed) return;
+    m_claimed = m_path;
+    ClaimLock former = std::exchange(m_claim, nullptr);
+    if (m_path.isEmpty()) return document::startInLane(document::Lane::Asking, [former] {});
+    auto* watcher = new QFutureWatcher<OpenClaim>(this);
+    connect(watcher, &QFutureWatcherBase::finished, this, [this, watcher, path = m_path] {
+        watcher->deleteLater();
+        const OpenClaim claimed = watcher->future().takeResult();
+        if (path != m_claimed) return document::startInLane(document::Lane::Asking, [claimed] {});
+        m_claim = claimed.lock;
+        if (claimed.isElsewhere) emit isOpenElsewhere();
+    });
+    watcher->setFuture(claimBeside(m_path, std::move(former)));
 }

@@ -3,14 +3,32 @@
 
 #include "document/disk/journal.h"
 #include "document/document.h"
+#include "files/open_claim.h"
+#include "io/collection_reader.h"
+#include "io/file/previous_version.h"
 #include "io/file/save_file.h"
 
 #include <QByteArray>
 #include <QFuture>
 #include <QObject>
+#include <QPointer>
+#include <QSet>
 #include <QString>
 
+#include <optional>
+
+class QProgressDialog;
 class QWidget;
+
+// A file as it was read beside the windows.
+struct ReadFile {
+    io::Loaded loaded;
+    io::Collection collection; // when there is no failure
+    QByteArray digest;
+    QString table; // whose order of columns is assumed
+};
+using FileReading = QFuture<ReadFile>;
+FileReading startReading(const QString& path);
 
 // Where a window's document comes from and goes to.
 class OpenFile : public QObject {
@@ -18,6 +36,7 @@ class OpenFile : public QObject {
 
 public:
     OpenFile(document::Document* document, QWidget* window);
+    ~OpenFile() override;
 
     QString path() const { return m_path; } // empty while it has none
     QString name() const;                   // for titles: file name, or "Untitled"
@@ -27,6 +46,11 @@ public:
     // Pictures that carry their system open as a file without path. The document is as before when this
     // fails.
     io::Failure open(const QString& path);
+    io::Failure open(const QString& path, FileReading reading);
+    // Says under a dialog over the window that the file is being read, without waiting for it: open() or
+    // recover() follows once the reading is finished or cancelled.
+    void await(const QString& path, const QFuture<void>& reading);
+    void giveUpAwaiting();
     // A large file is read or written beside the window, and events are handled meanwhile.
     bool isBusy() const { return m_isBusy; }
     bool isReading() const { return m_isReading; }
@@ -38,6 +62,7 @@ public:
     // is saved. A file that cannot be read now, as on a drive that is not there, is said; the path stays.
     // nullopt when the user does not wait for it.
     std::optional<io::Failure> recover(const document::Snapshot& snapshot);
+    std::optional<io::Failure> recover(const document::Snapshot& snapshot, const FileReading& onDisk);
     io::Failure save(); // to path()
     io::Failure saveAs(const QString& path);
     io::Failure revert();
@@ -50,16 +75,21 @@ public:
     std::optional<OnDisk> onDisk();
     // Hard links of the file that was there before the last save, which go on leading to the old contents.
     int otherNames() const { return m_otherNames; }
+    // What became of the version before the last save. The first save of a file in this window keeps it,
+    // unless the user does not want that.
+    io::Keeping previousVersion() const { return m_previous; }
 
 signals:
     void pathChanged();
     void stopped();
+    void isOpenElsewhere(); // in another window of this account, which may save it as well
     // A table was opened whose text does not say what its columns are.
     void orderAssumed(const QString& text);
     void flamesOpened();
 
 private:
     bool hasRead(const QFuture<void>& reading, const QString& label);
+    void endAwaiting();
     io::Failure write(const QString& path);
     void remember(const QString& path, const QByteArray& digest);
 
@@ -68,9 +98,17 @@ private:
     bool m_isBusy = false;
     bool m_isReading = false;
     bool m_isStopped = false;
+    bool m_isAwaiting = false;
     QFuture<void> m_reading;
+    QPointer<QProgressDialog> m_progress; // while it is awaited
     QString m_path;
     QByteArray m_digest;
     bool m_isMissing = false; // it was not there to be read, and the user knows
+    void claim();
+
     int m_otherNames = 0;
+    io::Keeping m_previous = io::Keeping::Nothing;
+    QSet<QString> m_kept; // files whose previous version is kept, or that there were none of
+    QString m_claimed;    // the path that it is for
+    ClaimLock m_claim;
 };

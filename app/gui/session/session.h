@@ -3,13 +3,20 @@
 
 #include "desktop/preferences.h"
 
+#include <QFuture>
 #include <QList>
 #include <QMainWindow>
 #include <QStringList>
 
 #include <optional>
 
+class OpenFile;
 class Recovery;
+struct ReadFile;
+
+namespace document {
+struct Abandoned;
+}
 
 // A window of the program, with a file of its own: what the others need to know of it.
 class SessionWindow : public QMainWindow {
@@ -18,6 +25,10 @@ class SessionWindow : public QMainWindow {
 public:
     using QMainWindow::QMainWindow;
     virtual QString path() const = 0; // empty while it has no file
+    virtual OpenFile& file() = 0;
+    // These take what was read beside the windows, and say what went wrong; false: the window is still free.
+    virtual bool openPath(const QString& path, const QFuture<ReadFile>& reading) = 0;
+    virtual void openRecovered(const document::Abandoned& abandoned, const QFuture<ReadFile>& reading) = 0;
     virtual void adopt(const view::Preferences& preferences) = 0;
     virtual Recovery& recovery() = 0;
     // Asks the user, if something would be lost, and closes nothing. After true, close() does not ask again

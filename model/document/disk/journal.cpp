@@ -10,7 +10,6 @@
 #include <QFileInfo>
 #include <QJsonDocument>
 #include <QJsonObject>
-#include <QLockFile>
 #include <QMap>
 #include <QRegularExpression>
 #include <QSaveFile>
@@ -25,11 +24,23 @@ namespace {
 const char magic[] = "barycage-journal 1\n";
 constexpr qint64 maxJournal = 512LL << 20; // bytes; larger files are not ours
 
+// Of the fractals and the lesson alone, as earlier versions wrote it.
 QByteArray digestOf(const Snapshot& snapshot) {
     QCryptographicHash hash(QCryptographicHash::Sha256);
     hash.addData(snapshot.bytes);
     hash.addData(snapshot.lesson);
     return hash.result().toHex();
+}
+
+const QString digestKey = QStringLiteral("digest");
+
+// Of all that the file says: its header without this digest, and what follows it.
+QString digestOf(QJsonObject header, const QByteArray& bytes) {
+    header.remove(digestKey);
+    QCryptographicHash hash(QCryptographicHash::Sha256);
+    hash.addData(QJsonDocument(header).toJson(QJsonDocument::Compact));
+    hash.addData(bytes);
+    return QString::fromLatin1(hash.result().toHex());
 }
 
 std::optional<Snapshot> readJournal(const QString& path) {
@@ -54,6 +65,7 @@ QByteArray recoveryFile(const Snapshot& snapshot) {
         header[QStringLiteral("lesson")] = QString::fromUtf8(snapshot.lesson);
         header[QStringLiteral("lesson-path")] = snapshot.lessonPath;
     }
+    header[digestKey] = digestOf(header, snapshot.bytes);
     return magic + QJsonDocument(header).toJson(QJsonDocument::Compact) + '\n' + snapshot.bytes;
 }
 
@@ -73,6 +85,8 @@ std::optional<Snapshot> snapshotIn(const QByteArray& data) {
     snapshot.lesson = header[QLatin1String("lesson")].toString().toUtf8();
     snapshot.lessonPath = header[QLatin1String("lesson-path")].toString();
     if (header[QLatin1String("sha256")].toString() != QLatin1String(digestOf(snapshot))) return std::nullopt;
+    if (header.contains(digestKey) && header[digestKey].toString() != digestOf(header, snapshot.bytes))
+        return std::nullopt;
     return snapshot;
 }
 
@@ -117,7 +131,7 @@ QList<Abandoned> abandonedSnapshots(const QString& folder) {
             leftovers[match.captured(1)] << match.captured(2);
     for (const auto& [journal, endings] : leftovers.asKeyValueRange()) {
         const QString path = dir.filePath(journal);
-        std::shared_ptr<QLockFile> owned = processLock(path);
+        std::shared_ptr<ProcessLock> owned = processLock(path);
         if (!owned) continue; // its window is alive, or somebody else offers it
         for (const QString& ending : endings)
             if (!ending.isEmpty() && path + ending != lockFileOf(path)) QFile::remove(path + ending);

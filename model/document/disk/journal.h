@@ -10,7 +10,9 @@
 #include <memory>
 #include <optional>
 
-class QLockFile;
+namespace document {
+class ProcessLock;
+}
 
 namespace document {
 
@@ -50,7 +52,7 @@ public:
 
 private:
     QString m_path;
-    std::unique_ptr<QLockFile> m_lock;
+    std::unique_ptr<ProcessLock> m_lock;
 };
 
 // Snapshots whose process is gone, newest first. They stay until taken away with forget(), and are nobody
@@ -58,7 +60,7 @@ private:
 struct Abandoned {
     QString journal; // its file
     Snapshot snapshot;
-    std::shared_ptr<QLockFile> lock;
+    std::shared_ptr<ProcessLock> lock;
 };
 // Also takes away locks, and files half written, that killed processes have left behind.
 QList<Abandoned> abandonedSnapshots(const QString& folder);

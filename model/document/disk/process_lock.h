@@ -11,9 +11,24 @@ namespace document {
 // Files that belong to the process that made them for as long as it lives, and to whoever comes first after
 // that: windows and processes at the same time never use the same one.
 
-// The lock of such a file, which lies beside it, for as long as it lives; nullptr while another process, or
-// another lock of this one, has it.
-std::unique_ptr<QLockFile> processLock(const QString& path);
+// The lock of such a file, which lies beside it and is removed with this.
+class ProcessLock {
+public:
+    ~ProcessLock();
+    ProcessLock(const ProcessLock&) = delete;
+    ProcessLock& operator=(const ProcessLock&) = delete;
+
+private:
+    friend std::unique_ptr<ProcessLock> processLock(const QString& path);
+    ProcessLock() = default;
+
+    QString m_path;
+    int m_file = -1;                     // open, and with it locked by the system
+    std::unique_ptr<QLockFile> m_byName; // where the system cannot lock files
+};
+
+// nullptr while another process, or another lock of this one, has it, and where it cannot be made.
+std::unique_ptr<ProcessLock> processLock(const QString& path);
 QString lockFileOf(const QString& path);
 
 // Creates the folder when it is missing; nobody but its owner may enter it.

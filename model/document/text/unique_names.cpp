@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "document/text/unique_names.h"
 
+#include "document/text/file_names.h"
+
 #include <algorithm>
 
 namespace document {
@@ -8,14 +10,6 @@ namespace document {
 namespace {
 
 constexpr qsizetype maxName = 18; // bytes that Fractint 19, 20 and Iterated Dynamics compare
-
-QString cutTo(QString name, qsizetype bytes) {
-    name.truncate(bytes); // no letter takes less than one
-    if (!name.isEmpty() && name.back().isHighSurrogate()) name.chop(1);
-    while (name.toUtf8().size() > bytes)
-        name.chop(name.back().isLowSurrogate() ? 2 : 1);
-    return name;
-}
 
 QString legalName(const QString& name) {
     QString legal;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "io/animation/cluster_job.h"
 
-#include "document/text/reordered_text.h"
+#include "document/text/file_names.h"
 #include "document/text/text.h"
 #include "document/text/unique_names.h"
 #include "io/fractint/entry_writer.h"
@@ -42,10 +42,9 @@ QByteArray submitText(const ClusterJob& job) {
 // A name as Markdown shows it: what would be a mark of Markdown, or part of one, is escaped.
 QString literal(const QString& name) {
     QString text;
-    for (const QChar c : name) {
+    for (const QChar c : document::oneLine(name)) {
         if (c.unicode() < 128 && (c.isPunct() || c.isSymbol())) text += u'\\';
-        const bool isSeen = c.category() != QChar::Other_Control && !document::turnsText(c);
-        text += isSeen ? c : QChar(QChar::ReplacementCharacter);
+        text += c;
     }
     return text;
 }
@@ -97,7 +96,7 @@ Failure fill(const QDir& folder, const ClusterJob& job) {
 } // namespace
 
 WrittenJob writeClusterJob(const QString& parent, const ClusterJob& job) {
-    const QString name = document::UniqueNames().give(job.animation.entry.name).replace(u'/', u'_') +
+    const QString name = document::fileNamePart(document::UniqueNames().give(job.animation.entry.name)) +
                          QStringLiteral("-cluster");
     QDir folder(parent);
     QString unused = name;

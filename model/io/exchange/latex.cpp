@@ -2,6 +2,7 @@
 #include "io/exchange/latex.h"
 
 #include "document/fractal/fractal_geometry.h"
+#include "document/text/file_names.h"
 #include "io/exchange/aifs.h"
 #include "io/text/number.h"
 #include "io/text/readable_number.h"
@@ -25,13 +26,6 @@ QByteArray set(double value) {
     const QByteArray power = "10^{" + QByteArray::number(text.sliced(e + 1).toInt()) + '}';
     if (digits == "1") return power;
     return digits == "-1" ? '-' + power : digits + "\\cdot " + power;
-}
-
-// For a comment: one line.
-QByteArray oneLine(QString name) {
-    for (QChar& c : name)
-        if (c.category() == QChar::Other_Control || c.category() == QChar::Separator_Line) c = u' ';
-    return name.toUtf8();
 }
 
 // How numbers are written.
@@ -199,7 +193,8 @@ QByteArray figure(const document::Fractal& fractal, const document::System2& sys
 QByteArray writeLatex(const QList<std::shared_ptr<const document::Fractal>>& fractals) {
     QByteArrayList parts;
     for (const auto& fractal : fractals) {
-        const QByteArray head = "% " + oneLine(fractal->name) + "\n% \\usepackage{amsmath,tikz}\n";
+        const QByteArray head =
+            "% " + document::oneLine(fractal->name).toUtf8() + "\n% \\usepackage{amsmath,tikz}\n";
         if (const auto* plane = document::system2(*fractal))
             parts << head + formulas(*plane, Style::Exact) + figure(*fractal, *plane);
         else if (const auto* space = document::system3(*fractal))

@@ -47,7 +47,7 @@ QString TaskFolder::pathOf(const QString& id) const {
 // Also when somebody has emptied the folder meanwhile.
 bool TaskFolder::own(const QString& id) {
     const QString path = pathOf(id);
-    std::unique_ptr<QLockFile>& lock = m_locks[id];
+    std::unique_ptr<document::ProcessLock>& lock = m_locks[id];
     if (lock && QFileInfo::exists(document::lockFileOf(path))) return true;
     document::makePrivateFolder(m_folder);
     lock.reset();
@@ -77,7 +77,7 @@ void TaskFolder::letGo() {
 // Two processes that start at the same moment may both find the lock free. Only one of them can rename the
 // file, and its new name is locked before anybody else knows it.
 void TaskFolder::claim(const QString& path, TakenOver& taken) {
-    const std::unique_ptr<QLockFile> gone = document::processLock(path);
+    const std::unique_ptr<document::ProcessLock> gone = document::processLock(path);
     if (!gone) return; // its process lives
     const QString id = newId();
     if (!own(id)) return;
@@ -108,8 +108,9 @@ TaskFolder::TakenOver TaskFolder::takeOver() {
     for (const QString& name : folder.entryList({u'*' + ending + QStringLiteral(".*")}, everything)) {
         const QString path = folder.filePath(name.left(name.indexOf(ending) + ending.size()));
         const bool isOurs = m_locks.contains(QFileInfo(path).fileName().chopped(ending.size()));
-        if (isOurs || name.endsWith(QStringLiteral(".lock"))) continue;
-        if (const auto gone = document::processLock(path)) QFile::remove(folder.filePath(name));
+        if (isOurs) continue;
+        const auto gone = document::processLock(path); // a lock that is left goes with this one
+        if (gone && folder.filePath(name) != document::lockFileOf(path)) QFile::remove(folder.filePath(name));
     }
     std::ranges::stable_sort(taken.tasks,
                              [](const Found& a, const Found& b) { return a.task.place < b.task.place; });

@@ -10,7 +10,9 @@
 #include <map>
 #include <memory>
 
-class QLockFile;
+namespace document {
+class ProcessLock;
+}
 
 namespace io {
 
@@ -49,7 +51,7 @@ private:
     void claim(const QString& path, TakenOver& taken);
 
     QString m_folder;
-    std::map<QString, std::unique_ptr<QLockFile>> m_locks; // of our tasks, by id
+    std::map<QString, std::unique_ptr<document::ProcessLock>> m_locks; // of our tasks, by id
 };
 
 } // namespace io

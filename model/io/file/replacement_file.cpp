@@ -2,6 +2,7 @@
 #include "io/file/replacement_file.h"
 
 #include <QByteArray>
+#include <QDir>
 #include <QFile>
 #include <QFileInfo>
 #include <QRandomGenerator>
@@ -15,6 +16,7 @@
 #include <cerrno>
 #include <cstring>
 #include <fcntl.h>
+#include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
 #endif
@@ -117,12 +119,15 @@ QByteArray folderOf(const QByteArray& path) {
     return slash < 0 ? QByteArray(".") : slash == 0 ? QByteArray("/") : path.left(slash);
 }
 
+constexpr char whole[] = ".barycage-";
+constexpr char part[] = ".barycage-part-"; // while it is written
+
 // Tries names in the folder until one is free: call(name) is then 0 or more. Empty when none is.
-template <class Call> QByteArray freeName(const QByteArray& folder, Call call) {
+template <class Call> QByteArray freeName(const QByteArray& folder, const char* beginning, Call call) {
     constexpr int attempts = 100;
     for (int i = 0; i < attempts; ++i) {
         const QByteArray name =
-            folder + "/.barycage-" + QByteArray::number(QRandomGenerator::system()->generate64(), 36);
+            folder + '/' + beginning + QByteArray::number(QRandomGenerator::system()->generate64(), 36);
         if (call(name) >= 0) return name;
         if (errno != EEXIST) break;
     }
@@ -131,6 +136,41 @@ template <class Call> QByteArray freeName(const QByteArray& folder, Call call) {
 
 QByteArray linkOf(int file) {
     return "/proc/self/fd/" + QByteArray::number(file);
+}
+
+// Whether it is half a file of this user whose program has ended: nobody has it locked, nor has just made it.
+bool isAbandoned(const QByteArray& name, time_t now) {
+    constexpr time_t justNow = 60; // seconds, of the same clock
+    const Descriptor file(::open(name.constData(), O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC));
+    struct stat status {};
+    return file.isOpen() && ::fstat(file.number(), &status) == 0 && S_ISREG(status.st_mode) &&
+           status.st_uid == ::geteuid() && status.st_nlink == 1 && now - status.st_mtime > justNow &&
+           ::flock(file.number(), LOCK_EX | LOCK_NB) == 0;
+}
+
+// A file that has its name while it is written stays when the program is killed: the next one to need such a
+// file in the folder removes it. `made` is that file.
+void removeAbandoned(const QByteArray& folder, int made) {
+    struct stat status {};
+    if (::fstat(made, &status) != 0) return;
+    const QDir entries(QFile::decodeName(folder));
+    for (const QString& name : entries.entryList({QLatin1String(part) + u'*'}, QDir::Files | QDir::Hidden)) {
+        const QByteArray path = folder + '/' + QFile::encodeName(name);
+        if (isAbandoned(path, status.st_mtime)) ::unlink(path.constData());
+    }
+}
+
+// Such a file, locked for as long as it is open; negative when there is none.
+int createPart(const QByteArray& folder, int access, mode_t mode, QByteArray& name) {
+    int file = -1;
+    name = freeName(folder, part, [&](const QByteArray& candidate) {
+        file = ::open(candidate.constData(), access | O_CREAT | O_EXCL | O_CLOEXEC, mode);
+        return file;
+    });
+    const int error = errno;
+    if (file >= 0 && ::flock(file, LOCK_EX | LOCK_NB) == 0) removeAbandoned(folder, file);
+    errno = error;
+    return file;
 }
 
 // A new file beside `path` for what is to replace it; without a name where the system can do that, so that
@@ -143,11 +183,7 @@ int createBeside(const QByteArray& folder, const QByteArray& path, QByteArray* n
     if (file >= 0 && ::access(linkOf(file).constData(), F_OK) == 0) return file;
     if (file >= 0) ::close(file);
 #endif
-    *name = freeName(folder, [&](const QByteArray& candidate) {
-        file = ::open(candidate.constData(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC, mode);
-        return file;
-    });
-    return file;
+    return createPart(folder, O_RDWR, mode, *name);
 }
 
 bool copyAll(int from, int to) {
@@ -202,7 +238,7 @@ struct ReplacementFile::State {
 
     bool hasName() {
         if (name.isEmpty())
-            name = freeName(folder, [this](const QByteArray& candidate) {
+            name = freeName(folder, whole, [this](const QByteArray& candidate) {
                 return ::linkat(AT_FDCWD, linkOf(file.number()).constData(), AT_FDCWD, candidate.constData(),
                                 AT_SYMLINK_FOLLOW);
             });
@@ -212,11 +248,7 @@ struct ReplacementFile::State {
     // Some systems create files without a name, and refuse to name them later: a copy has a name from the
     // start.
     bool isCopiedUnderName() {
-        int copy = -1;
-        name = freeName(folder, [&copy](const QByteArray& candidate) {
-            copy = ::open(candidate.constData(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0600);
-            return copy;
-        });
+        const int copy = createPart(folder, O_WRONLY, 0600, name);
         if (copy < 0) return false;
         struct stat made {};
         if (::fstat(file.number(), &made) == 0) ::fchmod(copy, made.st_mode & 07777);

@@ -43,6 +43,7 @@ struct ExportOutcome {
     Failure failure;
     bool stopped = false; // on request; nothing was written
     attractor::RenderNote note = attractor::RenderNote::None;
+    bool isShortOfMemory = false;
     bool isCoarse = false; // of a solid: so many pieces lie on each other that parts may be missing
 };
 

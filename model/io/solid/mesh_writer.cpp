@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "io/solid/mesh_writer.h"
 
+#include "document/text/file_names.h"
+
 #include <QJsonArray>
 #include <QJsonDocument>
 #include <QJsonObject>
@@ -92,8 +94,8 @@ void writeStl(const PrintableSolid& solid, Stream& stream) {
 
 void writeObj(const PrintableSolid& solid, const QString& name, Stream& stream) {
     constexpr int digits = 9; // all of a float
-    QString object = name.simplified();
-    object.replace(u' ', u'_');
+    QString object = document::oneLine(name.simplified());
+    object.replace(u' ', u'_').replace(u'\\', u'_'); // at the end of a line, one joins it with the next
     stream.addText("# Barycage, millimetres\no " + object.toUtf8() + '\n');
     for (std::uint32_t i = 0; i < solid.mesh.points.size(); ++i) {
         QByteArray line = "v";

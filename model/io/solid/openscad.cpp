@@ -3,6 +3,7 @@
 
 #include "attractor/samples/prepared_space.h"
 #include "document/fractal/fractal_geometry.h"
+#include "document/text/file_names.h"
 #include "document/text/text.h"
 #include "ifs/extent/extent.h"
 #include "io/solid/printable_solid.h"
@@ -63,7 +64,7 @@ int usualDepth(std::size_t maps) {
 QByteArray programText(const document::Fractal& fractal, const attractor::PreparedSpace& system,
                        const ifs::BoundingBox<3>& box, int depth) {
     const ifs::Vector<3> error = ifs::Vector<3>::Constant(box.error);
-    const QString name = fractal.name.simplified();
+    const QString name = document::oneLine(fractal.name.simplified());
     QByteArray text = "// " + name.toUtf8() + ", written by Barycage\n";
     text += "// Every level multiplies the number of parts by " +
             QByteArray::number(int(system.maps.size())) + ".\ndepth = " + QByteArray::number(depth) +

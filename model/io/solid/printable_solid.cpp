@@ -87,9 +87,14 @@ public:
         if (m_solid.stopped) return std::move(m_solid);
         if (cover.outcome != VoxelCover::Outcome::Done) {
             m_solid.failure =
-                Text::tr("The pieces of “%1” overlap or touch too much to find its voxels in reasonable "
-                         "time. Choose a lower resolution, which makes larger voxels.")
-                    .arg(m_fractal.name);
+                isAtLowest()
+                    ? Text::tr("The pieces of “%1” overlap or touch too much to find its voxels in "
+                               "reasonable time, even at the lowest resolution.")
+                          .arg(m_fractal.name)
+                    : Text::tr(
+                          "The pieces of “%1” overlap or touch too much to find its voxels in reasonable "
+                          "time. Choose a lower resolution, which makes larger voxels.")
+                          .arg(m_fractal.name);
             return std::move(m_solid);
         }
         build(cover);
@@ -123,6 +128,10 @@ private:
         m_box = {scale * m_box.min, scale * m_box.max};
         m_longest = scale * longest;
         return std::nullopt;
+    }
+
+    bool isAtLowest() const {
+        return m_options.voxel == 0 && m_options.resolution <= SolidOptions::leastOffered;
     }
 
     double voxelAt(int resolution) const { return m_longest / std::max(1, resolution); }

@@ -15,6 +15,7 @@ namespace io {
 // How a fractal in space becomes a body to print. Lengths are millimetres.
 struct SolidOptions {
     static constexpr int maxResolution = 4096;
+    static constexpr int leastOffered = 8; // resolution: with less, nothing can be made out
 
     double longest = 0;   // of the sides of the attractor's box; 0: one unit of the system is a millimetre
     double voxel = 0;     // h; 0: by the resolution

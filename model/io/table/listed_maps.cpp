@@ -12,6 +12,7 @@
 #include "io/text/number.h"
 #include "io/text/yaml_lists.h"
 
+#include <QSet>
 #include <QStringList>
 
 #include <algorithm>
@@ -27,6 +28,8 @@ using Kind = Literal::Kind;
 using Numbers = std::vector<double>;
 
 constexpr qsizetype maxSystems = 1000;
+constexpr qsizetype maxNumbers = 16; // of a map, with its weight
+constexpr int maxNesting = 4;        // of the lists of a map
 constexpr std::array weightKeys{"p",    "w",     "weight",      "weights",
                                 "prob", "probs", "probability", "probabilities"};
 constexpr std::array matrixKeys{"linear",    "matrix", "m",      "mat",         "a",
@@ -59,11 +62,16 @@ std::optional<Numbers> numbersOf(const Literal& list) {
     return numbers;
 }
 
+// The numbers of a map or a part of it. Longer lists are not looked through: many lists may hold them.
+std::optional<Numbers> fewNumbersOf(const Literal& list) {
+    return list.items.size() <= maxNumbers ? numbersOf(list) : std::nullopt;
+}
+
 // Rows of numbers, all of one length.
 std::optional<std::vector<Numbers>> rowsOf(const Literal& list) {
     std::vector<Numbers> rows;
     for (const Literal& item : list.items) {
-        auto row = numbersOf(item);
+        auto row = fewNumbersOf(item);
         if (!row || (!rows.empty() && row->size() != rows.front().size()) || rows.size() > 4)
             return std::nullopt;
         rows.push_back(*std::move(row));
@@ -104,11 +112,11 @@ std::optional<Map> ofAugmented(std::vector<Numbers> rows) {
 }
 
 std::optional<Map> ofParts(const Literal& matrix, const Literal& vector) {
-    const auto shift = numbersOf(bare(vector));
+    const auto shift = fewNumbersOf(bare(vector));
     if (!shift || (shift->size() != 2 && shift->size() != 3)) return std::nullopt;
     const std::size_t dim = shift->size();
     Numbers linear;
-    if (const auto flat = numbersOf(bare(matrix)))
+    if (const auto flat = fewNumbersOf(bare(matrix)))
         linear = *flat;
     else if (const auto rows = rowsOf(bare(matrix)))
         for (const Numbers& row : *rows)
@@ -125,7 +133,7 @@ void addWeight(Map& map, double weight) {
     if (!map.names.isEmpty()) map.names << QStringLiteral("p");
 }
 
-std::optional<Map> mapOf(const Literal& literal);
+std::optional<Map> mapOf(const Literal& literal, int nesting = 0);
 
 // The numbers a … l of a map in space, brought into this order.
 std::optional<Map> inSpace(const QStringList& names, const Numbers& numbers) {
@@ -139,7 +147,7 @@ std::optional<Map> inSpace(const QStringList& names, const Numbers& numbers) {
 }
 
 // Numbers by their names, or a matrix and a vector by theirs.
-std::optional<Map> ofKeys(const Literal& object) {
+std::optional<Map> ofKeys(const Literal& object, int nesting) {
     QStringList names;
     Numbers numbers;
     std::optional<double> weight;
@@ -163,7 +171,7 @@ std::optional<Map> ofKeys(const Literal& object) {
     if (matrix && vector)
         map = ofParts(*matrix, *vector);
     else if (matrix)
-        map = mapOf(*matrix);
+        map = mapOf(*matrix, nesting + 1);
     else if (tableColumns(names))
         map = Map{names, numbers, false, true};
     else
@@ -172,11 +180,11 @@ std::optional<Map> ofKeys(const Literal& object) {
     return map;
 }
 
-std::optional<Map> mapOf(const Literal& literal) {
+std::optional<Map> mapOf(const Literal& literal, int nesting) {
     const Literal& list = bare(literal);
-    if (list.kind != Kind::List || list.items.isEmpty()) return std::nullopt;
-    if (!list.items[0].key.isEmpty()) return ofKeys(list);
-    if (auto flat = numbersOf(list)) {
+    if (list.kind != Kind::List || list.items.isEmpty() || nesting > maxNesting) return std::nullopt;
+    if (!list.items[0].key.isEmpty()) return ofKeys(list, nesting);
+    if (auto flat = fewNumbersOf(list)) {
         const std::size_t count = flat->size();
         if (count != 6 && count != 7 && count != 12 && count != 13) return std::nullopt;
         return Map{{}, *std::move(flat), count % 6 == 1, false};
@@ -194,7 +202,7 @@ std::optional<Map> mapOf(const Literal& literal) {
             return std::nullopt;
     }
     if (lists.size() != 2 && !(lists.size() == 1 && weight)) return std::nullopt;
-    auto map = lists.size() == 2 ? ofParts(*lists[0], *lists[1]) : mapOf(*lists[0]);
+    auto map = lists.size() == 2 ? ofParts(*lists[0], *lists[1]) : mapOf(*lists[0], nesting + 1);
     if (map && weight && !map->hasWeight) addWeight(*map, *weight);
     return map;
 }
@@ -202,35 +210,38 @@ std::optional<Map> mapOf(const Literal& literal) {
 class Finder {
 public:
     QList<ListedMaps> find(const Literal& root) && {
-        search(root, {}, 0);
+        search(root, {});
         return std::move(m_found);
     }
 
 private:
-    void search(const Literal& list, const QString& name, int depth) {
+    // Each list is tried a few times at most, however deep it lies: the time grows in proportion to the text.
+    void search(const Literal& list, const QString& name) {
         const QString own = nameIn(list, name);
         if (takeLetters(list, own)) return;
-        if (depth > 0 && take(list, own, nullptr)) return;
         const Literal* weights = nullptr;
         for (const Literal& item : list.items)
-            if (isOneOf(item.key, weightKeys) && numbersOf(bare(item))) weights = &item;
+            if (isOneOf(item.key, weightKeys) && list.items.size() > 1 && numbersOf(bare(item)))
+                weights = &item;
         for (const Literal& item : list.items) {
             if (item.kind != Kind::List || m_found.size() >= maxSystems) continue;
             const bool isUseless = item.key.isEmpty() || isOneOf(item.key, mapsKeys);
             const QString shown = isUseless ? own : item.key;
-            if (!take(item, shown, weights)) search(item, shown, depth + 1);
+            if (!take(item, shown, weights)) search(item, shown);
         }
     }
 
     // A list of numbers under the name of each column, all of one length.
     bool takeLetters(const Literal& list, const QString& name) {
+        if (list.items.size() < 2) return false;
         QStringList names;
         std::vector<Numbers> columns;
         for (const Literal& item : list.items) {
+            if (item.kind != Kind::List || item.key.isEmpty()) continue;
             QString key = item.key.toLower().remove(u'$');
             if (isOneOf(key, weightKeys)) key = QStringLiteral("p");
             const bool isName = tableColumn(key) || (key.size() == 1 && key[0] >= u'a' && key[0] <= u'l');
-            if (item.kind != Kind::List || !isName) continue;
+            if (!isName) continue;
             auto column = numbersOf(bare(item));
             if (!column || (!columns.empty() && column->size() != columns.front().size()) ||
                 names.contains(key))
@@ -265,14 +276,20 @@ private:
     // A list of maps alike; one alone only under names, since six numbers may be anything.
     bool take(const Literal& list, const QString& name, const Literal* weights) {
         if (list.kind != Kind::List || list.items.isEmpty()) return false;
+        const Literal& inner = bare(list);
+        if (m_useless.contains(&inner)) return false;
+        if (takeMaps(inner, &inner != &list, name, weights)) return true;
+        if (&inner != &list) m_useless << &inner; // each list around it holds the same
+        return false;
+    }
+
+    bool takeMaps(const Literal& list, bool mayBeMap, const QString& name, const Literal* weights) {
         std::vector<Map> maps;
-        for (const Literal& item : list.items) {
-            auto map = mapOf(item);
-            if (!map || (!maps.empty() && (map->names != maps.front().names ||
-                                           map->numbers.size() != maps.front().numbers.size())))
-                return list.items.size() == 1 && take(list.items[0], name, weights);
+        if (auto map = mayBeMap ? mapOf(list) : std::nullopt)
             maps.push_back(*std::move(map));
-        }
+        else
+            maps = mapsAlike(list);
+        if (maps.empty()) return false;
         if (maps.size() == 1 && !maps.front().isNamed) return false;
         const auto chances = weights ? numbersOf(bare(*weights)) : std::nullopt;
         if (chances && chances->size() == maps.size() && !maps.front().hasWeight)
@@ -280,6 +297,19 @@ private:
                 addWeight(maps[i], (*chances)[i]);
         m_found << ListedMaps{name, tableOf(maps), qsizetype(maps.size()), Notation::Lists, {}};
         return true;
+    }
+
+    // None, unless all items are maps of one kind.
+    static std::vector<Map> mapsAlike(const Literal& list) {
+        std::vector<Map> maps;
+        for (const Literal& item : list.items) {
+            auto map = mapOf(item);
+            if (!map || (!maps.empty() && (map->names != maps.front().names ||
+                                           map->numbers.size() != maps.front().numbers.size())))
+                return {};
+            maps.push_back(*std::move(map));
+        }
+        return maps;
     }
 
     static QString tableOf(const std::vector<Map>& maps) {
@@ -299,6 +329,7 @@ private:
                                          "ifs",  "system",     "attractor",       "transform", "data",
                                          "rules"};
     QList<ListedMaps> m_found;
+    QSet<const Literal*> m_useless; // what lists around one alone hold, which is no list of maps
 };
 
 Notation notationOf(Markup markup) {

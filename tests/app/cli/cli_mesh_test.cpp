@@ -7,6 +7,8 @@
 #include <QTest>
 #include <QtEndian>
 
+#include <algorithm>
+
 // barycage-cli convert for solids of systems in space, and between plane and space.
 class CliMeshTest : public CommandLineTest {
     Q_OBJECT
@@ -15,6 +17,7 @@ private slots:
     void init();
     void writesSurfaces_data();
     void writesSurfaces();
+    void everyNameLeavesAllVertices();
     void resolutionIsThatOfTheLongestSide();
     void writesOpenScad();
     void writesPointsWithNormals();
@@ -58,6 +61,24 @@ void CliMeshTest::writesSurfaces() {
         QVERIFY(side >= 10 && side <= 12);
     }
     QVERIFY2(result.out.contains("√3 · 0.5 mm"), result.out.constData());
+}
+
+// A backslash at the end of a line joins it with the next, as other programs read OBJ.
+void CliMeshTest::everyNameLeavesAllVertices() {
+    const QByteArray plain = read("tetra.ifs");
+    qsizetype expected = 0;
+    for (const char* name : {"tetra", "\\", "a\\", "a\xe2\x80\xa8v", "a\x01", "#"}) {
+        write("named.ifs", name + plain.mid(5));
+        const Result result = run("convert named.ifs named.obj --voxel .5 --wall 1 --fill");
+        QVERIFY2(result.status == 0, result.err.constData());
+        const QList<QByteArray> lines = read("named.obj").replace("\\\n", "").split('\n');
+        const auto isVertex = [](const QByteArray& line) { return line.startsWith("v "); };
+        const qsizetype vertices = std::ranges::count_if(lines, isVertex);
+        if (expected == 0) expected = vertices;
+        QVERIFY(vertices > 3);
+        QCOMPARE(vertices, expected);
+        QVERIFY2(lines[1].startsWith("o ") && !lines[1].contains('\1'), lines[1].constData());
+    }
 }
 
 void CliMeshTest::resolutionIsThatOfTheLongestSide() {

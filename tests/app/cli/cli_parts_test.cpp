@@ -25,6 +25,8 @@ private slots:
     void aPictureIsResumed();
     void aPartIsNotMergedTwice();
     void aTransparentPictureIsNotMergedToJpeg();
+    void dryRunsSayWhatIsWrong_data();
+    void dryRunsSayWhatIsWrong();
     void whatMakesNoSenseIsRefused_data();
     void whatMakesNoSenseIsRefused();
     void killedAtAnyTimeLeavesWholeFiles_data();
@@ -181,6 +183,45 @@ void CliPartsTest::aTransparentPictureIsNotMergedToJpeg() {
     QCOMPARE(merged.status, 2);
     QVERIFY(merged.err.contains("transparent"));
     QVERIFY(!QFile::exists(path("x.jpg")));
+}
+
+void CliPartsTest::dryRunsSayWhatIsWrong_data() {
+    QTest::addColumn<QByteArray>("arguments");
+    QTest::addColumn<int>("status");
+    QTest::addColumn<QByteArray>("says");
+    const auto row = [](const char* arguments, int status, const char* says) {
+        QTest::newRow(arguments) << QByteArray(arguments) << status << QByteArray(says);
+    };
+    // As submit-picture.sh and submit-animation.sh ask before any task begins.
+    row("render systems.ifs --entry maple --part 0/3 -o dry/0.sum", 0, "");
+    row("render pyramid.ifs --band 0/3 -o dry/0.sum", 0, "");
+    row("render systems.ifs --entry maple -o dry/a.png --points 1e15", 0, "");
+    row("render pyramid.ifs -o dry/a.png --size 4000x4000", 0, "");
+    row("render systems.ifs --entry absent --part 0/3 -o dry/0.sum", 1, "absent");
+    row("render systems.ifs --entry maple --part 0/3 -o dry/0.png", 2, ".sum");
+    row("render systems.ifs --entry maple --part 0/3 -o dry/0.sum --points many", 2, "many");
+    row("render pyramid.ifs --part 0/3 -o dry/0.sum", 2, "--band");
+    row("render none.ifs -o dry/a.png", 3, "none.ifs");
+    row("encode -o dry/a.mkv --frames all --fps 24 -- dry/######.png", 0, "");
+    row("encode -o dry/a.mkv --frames 1-5 -- dry/######.png", 0, "");
+    row("encode -o dry/a.mkv --fps 3O -- dry/######.png", 2, "3O");
+    row("encode -o dry/a.avi -- dry/######.png", 2, "a.avi");
+    row("encode -o dry/a.mkv -- dry/a.png", 2, "#");
+}
+
+// And draw nothing, however long it would take.
+void CliPartsTest::dryRunsSayWhatIsWrong() {
+    QFETCH(const QByteArray, arguments);
+    QFETCH(const int, status);
+    QFETCH(const QByteArray, says);
+    write("pyramid.ifs", pyramid);
+    const QDir dry(path("dry"));
+    QVERIFY(dry.mkpath(QStringLiteral(".")));
+    const qsizetype options = arguments.contains(" -- ") ? arguments.indexOf(" -- ") : arguments.size();
+    const Result result = run(QByteArray(arguments).insert(options, " --dry-run"));
+    QVERIFY2(result.status == status && result.err.contains(says), result.err.constData());
+    QVERIFY(status != 0 || result.err.isEmpty());
+    QVERIFY(dry.isEmpty());
 }
 
 void CliPartsTest::whatMakesNoSenseIsRefused_data() {

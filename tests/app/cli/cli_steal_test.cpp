@@ -329,7 +329,7 @@ void CliStealTest::thePictureIsNotWrittenOver() {
     const Result result =
         run("steal tops.ifs --entry square --from uneven --picture board.png -o ./board.png");
     QCOMPARE(result.status, 2);
-    QVERIFY2(result.err.contains("is the picture itself"), result.err.constData());
+    QVERIFY2(result.err.contains("is an input file"), result.err.constData());
     write("kept.ifs", "halves {\n ; barycage: partner thirds\n ; barycage: partner-picture board.png\n"
                       " .5 0 0 .5 0 0 .5\n .5 0 0 .5 .5 0 .5\n}\n"
                       "thirds {\n .3 0 0 .3 0 0 .5\n .6 0 0 .6 .3 0 .5\n}\n");

@@ -36,6 +36,8 @@ private slots:
     void unreadableStandardInputIsNoEmptyFile();
     void palettesThatAreNone();
     void threadsThatAreNotToBeHad();
+    void littleMemoryIsSaid_data();
+    void littleMemoryIsSaid();
     void fullOutputIsSaid_data();
     void fullOutputIsSaid();
     void problemsOfAWholeFileHaveAPlace();
@@ -278,6 +280,47 @@ void CliTest::threadsThatAreNotToBeHad() {
         QVERIFY(process.readAllStandardError().contains("not enough memory"));
         QVERIFY(!QFile::exists(path("many.png")));
     }
+}
+
+void CliTest::littleMemoryIsSaid_data() {
+    QTest::addColumn<QByteArray>("arguments");
+    QTest::newRow("facts") << QByteArray("info systems.ifs --entry fern");
+    QTest::newRow("a picture") << QByteArray("render systems.ifs -o little.png --size 400x300 --points 1000");
+    QTest::newRow("a mesh") << QByteArray("convert little.ifs little.stl --resolution 200");
+    QTest::newRow("a video") << QByteArray("animate moving.ifs -o little.mkv --size 64x48 --points 1000");
+    QTest::newRow("a sheet") << QByteArray("gallery systems.ifs -o little.webp --tile 40x40");
+}
+
+// From none at all to enough: it works, or there is not enough memory, which is no fault of the file.
+void CliTest::littleMemoryIsSaid() {
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+    QSKIP("a sanitizer takes more memory than the limit");
+#endif
+    QFETCH(const QByteArray, arguments);
+    write("little.ifs", "tetra (3D) {\n .5 0 0 0 .5 0 0 0 .5 0 0 0 .25\n .5 0 0 0 .5 0 0 0 .5 5 5 0 .25\n"
+                        " .5 0 0 0 .5 0 0 0 .5 5 0 5 .25\n .5 0 0 0 .5 0 0 0 .5 0 5 5 .25\n}\n");
+    const QByteArray rows = " .5 0 0 .5 0 0 .5\n .5 0 0 .5 .5 0 .5\n}\n";
+    write("still.ifs", "one {\n" + rows + "two {\n" + rows);
+    QCOMPARE(run("morph still.ifs --from one --to two --length 2 -o moving.ifs").status, 0);
+    bool isEnough = false;
+    for (rlim_t megabytes = 10; megabytes <= 2000 && !isEnough; megabytes += megabytes < 300 ? 10 : 100) {
+        QProcess process;
+        process.setChildProcessModifier([megabytes] {
+            const rlimit limit{megabytes << 20, megabytes << 20}, none{0, 0};
+            ::setrlimit(RLIMIT_CORE, &none);
+            ::setrlimit(RLIMIT_AS, &limit);
+        });
+        start(process, arguments);
+        if (!process.waitForFinished(120'000) || process.error() == QProcess::FailedToStart) continue;
+        const QByteArray said = process.readAllStandardError();
+        const QByteArray where = QByteArray::number(quint64(megabytes)) + " MB: " + said;
+        QVERIFY2(process.exitStatus() == QProcess::NormalExit, where.constData());
+        isEnough = process.exitCode() == 0;
+        const bool isLoaded = !said.contains("error while loading shared libraries"); // before any of ours
+        QVERIFY2(!isLoaded || isEnough || process.exitCode() == 3, where.constData());
+        QVERIFY2(!said.contains("not installed"), where.constData());
+    }
+    QVERIFY(isEnough);
 }
 
 void CliTest::fullOutputIsSaid_data() {

@@ -4,11 +4,13 @@
 #include "main_window.h"
 #include "panels/collage/collage_panel.h"
 #include "panels/collage/target_box.h"
+#include "session/session.h"
 #include "support/named_test.h"
 #include "support/own_settings.h"
 #include "support/paths.h"
 #include "support/patient_tries.h"
 
+#include <QAbstractButton>
 #include <QAbstractScrollArea>
 #include <QApplication>
 #include <QDockWidget>
@@ -16,10 +18,13 @@
 #include <QImage>
 #include <QMessageBox>
 #include <QMimeData>
+#include <QProgressDialog>
 #include <QPushButton>
 #include <QTemporaryDir>
 #include <QTimer>
 #include <QUrl>
+
+#include <algorithm>
 
 // A file dropped anywhere on the window is opened: on the canvas as on the panels.
 class FileDropTest : public QObject {
@@ -32,6 +37,10 @@ private slots:
     void aDroppedPictureIsATarget();
     void aTargetIsNotLostSilently();
     void aDroppedPictureWithASystemIsOpened();
+    void aDroppedFileIsNotMoved();
+    void manyDroppedFilesAreAskedAbout_data();
+    void manyDroppedFilesAreAskedAbout();
+    void manyFilesAreCancelled();
 };
 
 namespace {
@@ -158,6 +167,113 @@ void FileDropTest::aDroppedPictureWithASystemIsOpened() {
     QTRY_COMPARE(window->document().fractal().name, request.fractal.name);
     QVERIFY(!window->findChild<view::CollagePanel*>()->target()->traced());
     window->close();
+}
+
+// Else a file manager would delete it: Shift asks for a move.
+void FileDropTest::aDroppedFileIsNotMoved() {
+    auto* window = new MainWindow;
+    window->show();
+    QVERIFY(QTest::qWaitForWindowExposed(window));
+    QMimeData data;
+    data.setUrls({QUrl::fromLocalFile(support::testData(QStringLiteral("shapes.ifs")))});
+    const QPoint middle = window->rect().center();
+    const Qt::DropActions offered = Qt::CopyAction | Qt::MoveAction;
+    QDragEnterEvent enter(middle, offered, &data, Qt::LeftButton, Qt::ShiftModifier);
+    enter.setDropAction(Qt::MoveAction);
+    QApplication::sendEvent(window, &enter);
+    QVERIFY(enter.isAccepted());
+    QCOMPARE(enter.dropAction(), Qt::CopyAction);
+    QDropEvent drop(middle, offered, &data, Qt::LeftButton, Qt::ShiftModifier);
+    drop.setDropAction(Qt::MoveAction);
+    QApplication::sendEvent(window, &drop);
+    QVERIFY(drop.isAccepted());
+    QCOMPARE(drop.dropAction(), Qt::CopyAction);
+    QTRY_VERIFY(window->windowTitle().startsWith(QStringLiteral("shapes.ifs")));
+    window->close();
+}
+
+namespace {
+
+QStringList copies(const QTemporaryDir& folder, int count) {
+    QStringList paths;
+    for (int i = 0; i < count; ++i) {
+        paths << folder.filePath(QStringLiteral("%1.ifs").arg(i));
+        QFile::copy(support::testData(QStringLiteral("shapes.ifs")), paths.last());
+    }
+    return paths;
+}
+
+int openWindows(const QStringList& paths) {
+    int count = 0;
+    for (const SessionWindow* window : session::windows())
+        if (window->isVisible() && paths.contains(window->path())) ++count;
+    return count;
+}
+
+void closeAll() {
+    for (SessionWindow* window : session::windows())
+        window->close();
+}
+
+} // namespace
+
+void FileDropTest::manyDroppedFilesAreAskedAbout_data() {
+    QTest::addColumn<QString>("answer");
+    QTest::addColumn<int>("opened");
+    QTest::newRow("all") << QStringLiteral("Open All") << 12;
+    QTest::newRow("some") << QStringLiteral("Open the First 8") << 8;
+    QTest::newRow("none") << QStringLiteral("Cancel") << 0;
+}
+
+void FileDropTest::manyDroppedFilesAreAskedAbout() {
+    QFETCH(const QString, answer);
+    QFETCH(const int, opened);
+    const QTemporaryDir folder;
+    const QStringList paths = copies(folder, 12);
+    auto* window = new MainWindow;
+    window->show();
+    QVERIFY(QTest::qWaitForWindowExposed(window));
+    QMimeData data;
+    QList<QUrl> urls;
+    for (const QString& path : paths)
+        urls << QUrl::fromLocalFile(path);
+    data.setUrls(urls);
+    QString asked;
+    QTimer answering;
+    connect(&answering, &QTimer::timeout, &answering, [&] {
+        auto* box = qobject_cast<QMessageBox*>(QApplication::activeModalWidget());
+        if (!box) return;
+        asked = box->text();
+        for (QAbstractButton* button : box->buttons())
+            if (button->text().remove(u'&') == answer) return button->click();
+    });
+    answering.start(10);
+    const QPoint middle = window->rect().center();
+    QDragEnterEvent enter(middle, Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+    QApplication::sendEvent(window, &enter);
+    QDropEvent drop(middle, Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+    QApplication::sendEvent(window, &drop);
+    QTRY_COMPARE(asked, QStringLiteral("Open 12 files?"));
+    QTRY_COMPARE_WITH_TIMEOUT(openWindows(paths), opened, 60'000);
+    QCOMPARE(session::windows().size(), std::max(opened, 1));
+    closeAll();
+}
+
+void FileDropTest::manyFilesAreCancelled() {
+    const QTemporaryDir folder;
+    const QStringList paths = copies(folder, 12);
+    QTimer cancelling;
+    connect(&cancelling, &QTimer::timeout, &cancelling, [&] {
+        if (openWindows(paths) < 2) return;
+        for (QWidget* widget : QApplication::topLevelWidgets())
+            if (auto* progress = qobject_cast<QProgressDialog*>(widget); progress && progress->isVisible())
+                emit progress->canceled();
+    });
+    cancelling.start(0);
+    MainWindow::openEach(paths);
+    QCOMPARE(openWindows(paths), 2);
+    QCOMPARE(session::windows().size(), 2);
+    closeAll();
 }
 
 BARYCAGE_TEST(FileDropTest, QApplication);

@@ -175,6 +175,17 @@ private slots:
         QVERIFY(press({"Control+q"}, [this] { return m_program->hasEnded(); }));
         QCOMPARE(m_program->end(), std::optional(0));
     }
+    void othersAreOpenedWhileAFileIsRead() {
+        const QString alive = m_program->put(u"a.ifs"_s), dead = m_program->put(u"drive/b.ifs"_s);
+        m_program->hang();
+        m_program->start({dead, alive}, m_program->drive());
+        QVERIFY(edit({"Tab", "Right"}, [this] { return !m_program->journal().isEmpty(); }));
+        QVERIFY(m_program->met().contains(u"b.ifs"_s));
+        m_program->send(SIGTERM);
+        QCOMPARE(m_program->end(), std::optional(SIGTERM));
+        QVERIFY(m_program->kept(u".lock"_s).isEmpty());
+        QCOMPARE(document::abandonedSnapshots(m_program->recovery()).size(), 1);
+    }
     void whileAFileIsSaved() {
         m_program->start({m_program->put(u"drive/a.ifs"_s)}, m_program->drive());
         editTwice();

@@ -3,7 +3,11 @@
 #include "desktop/settings.h"
 #include "dialogs/export/export_data_dialog.h"
 #include "dialogs/export/export_dialog.h"
+#include "document/fractal/fractal_geometry.h"
+#include "files/exports.h"
 #include "files/recent_files.h"
+#include "io/exports/task_folder.h"
+#include "io/fractint/entry_writer.h"
 #include "main_window.h"
 #include "panels/appearance/palettes/gradient_editor.h"
 #include "session/session.h"
@@ -18,6 +22,7 @@
 #include <QAbstractButton>
 #include <QAction>
 #include <QCommandLinkButton>
+#include <QDeadlineTimer>
 #include <QFile>
 #include <QFileDialog>
 #include <QFileInfo>
@@ -28,6 +33,7 @@
 #include <QSettings>
 #include <QTemporaryDir>
 #include <QTimer>
+#include <QUndoStack>
 
 #include <functional>
 
@@ -90,6 +96,11 @@ private slots:
     void whatIsGoneIsLeftOutInTheEnd();
     void settingsAreReadAndWritten();
     void aWindowIsClosedWhileItReads();
+    void othersAreOpenedMeanwhile();
+    void unsavedWorkIsRecoveredMeanwhile();
+    void queuedExportsGoOnMeanwhile();
+    void manyThatHangAreCancelled();
+    void aWindowIsNotClosedWhileItSaves();
 
 private:
     void put(const char* name, const QByteArray& bytes) const {
@@ -260,6 +271,147 @@ void SlowDiskTest::aWindowIsClosedWhileItReads() {
     QCOMPARE(questions, 0);
     QTRY_VERIFY(!window);
     QVERIFY(other->isVisible());
+}
+
+namespace {
+
+MainWindow* windowOf(const QString& path) {
+    for (SessionWindow* window : session::windows())
+        if (window->path() == path && window->isVisible()) return qobject_cast<MainWindow*>(window);
+    return nullptr;
+}
+
+QList<QProgressDialog*> shownProgress() {
+    QList<QProgressDialog*> shown;
+    for (QWidget* widget : QApplication::topLevelWidgets())
+        if (auto* progress = qobject_cast<QProgressDialog*>(widget); progress && progress->isVisible())
+            shown << progress;
+    return shown;
+}
+
+} // namespace
+
+// A file that is not read yet keeps no other one from being opened, and is opened when it is read.
+void SlowDiskTest::othersAreOpenedMeanwhile() {
+    const QTemporaryDir quick;
+    const QString here = quick.filePath(QStringLiteral("quick.ifs"));
+    QVERIFY(QFile::copy(path("b.ifs"), here));
+    support::SlowDisk disk(m_folder.path(), 2s);
+    bool wereMeanwhile = false;
+    QTimer looking;
+    connect(&looking, &QTimer::timeout, &looking, [&] {
+        wereMeanwhile = wereMeanwhile || (windowOf(here) && shownProgress().size() == 2 &&
+                                          !windowOf(path("a.ifs")) && !windowOf(path("c.ifs")));
+    });
+    looking.start(10);
+    MainWindow::openEach({path("a.ifs"), path("c.ifs"), here});
+    QVERIFY(wereMeanwhile);
+    QVERIFY(shownProgress().isEmpty());
+    QVERIFY(windowOf(path("a.ifs")) && windowOf(path("c.ifs")) && windowOf(here));
+    QCOMPARE(session::windows().size(), 3);
+}
+
+void SlowDiskTest::unsavedWorkIsRecoveredMeanwhile() {
+    const QTemporaryDir quick;
+    const QString here = quick.filePath(QStringLiteral("quick.ifs"));
+    QVERIFY(QFile::copy(path("b.ifs"), here));
+    const auto unsaved = [](const QString& of) {
+        return WantedFile{of, document::Abandoned{{}, {of, of, 0, {}, "mine { .5 0 0 .5 0 0 1 }\n", {}}, {}}};
+    };
+    support::SlowDisk disk(m_folder.path(), 2s);
+    bool wasMeanwhile = false;
+    QTimer looking;
+    connect(&looking, &QTimer::timeout, &looking, [&] {
+        wasMeanwhile = wasMeanwhile || (windowOf(here) && windowOf(here)->document().isModified() &&
+                                        !windowOf(path("a.ifs")));
+    });
+    looking.start(10);
+    MainWindow::openEach(QList{unsaved(path("a.ifs")), unsaved(here)});
+    QVERIFY(wasMeanwhile);
+    for (const QString& each : {path("a.ifs"), here}) {
+        QVERIFY(windowOf(each));
+        QCOMPARE(windowOf(each)->document().fractal().name, QStringLiteral("mine"));
+        windowOf(each)->document().undoStack()->undo();
+        QCOMPARE(windowOf(each)->document().fractal().name, QStringLiteral("leaf"));
+    }
+}
+
+// Those that an earlier run has left, for instance one that ended while it read the same file.
+void SlowDiskTest::queuedExportsGoOnMeanwhile() {
+    const QTemporaryDir quick;
+    io::ExportTask task;
+    task.path = quick.filePath(QStringLiteral("a.png"));
+    task.name = QStringLiteral("sierpinski");
+    task.entry = io::writeEntry(document::sierpinskiTriangle());
+    io::PixelRecipe recipe;
+    recipe.camera.width = recipe.camera.height = 64;
+    task.recipe = recipe;
+    QVERIFY(io::TaskFolder(exports::folder()).write(io::TaskFolder::newId(), task));
+    support::SlowDisk disk(m_folder.path(), 20s);
+    bool wasDrawn = false;
+    QTimer looking;
+    connect(&looking, &QTimer::timeout, &looking, [&] {
+        const QList<QProgressDialog*> progress = shownProgress();
+        wasDrawn = wasDrawn || (!progress.isEmpty() && QFileInfo::exists(task.path));
+        if (wasDrawn && !progress.isEmpty()) emit progress.first()->canceled();
+    });
+    looking.start(10);
+    const QDeadlineTimer late(15s);
+    static_cast<Application*>(qApp)->openWindows({path("a.ifs")});
+    QVERIFY(wasDrawn && !late.hasExpired());
+    exports::queue()->forgetDone();
+}
+
+// Each where its window says that it is read, or by closing that.
+void SlowDiskTest::manyThatHangAreCancelled() {
+    support::SlowDisk disk(m_folder.path(), 20s);
+    QTimer cancelling;
+    connect(&cancelling, &QTimer::timeout, &cancelling, [] {
+        const QList<QProgressDialog*> progress = shownProgress();
+        if (progress.size() < 2) return;
+        emit progress.first()->canceled();
+        progress.last()->parentWidget()->close();
+    });
+    cancelling.start(10);
+    const QDeadlineTimer late(15s);
+    MainWindow::openEach({path("a.ifs"), path("c.ifs")});
+    QVERIFY(!late.hasExpired());
+    QTRY_COMPARE(session::windows().size(), 1);
+    QVERIFY(session::windows().front()->path().isEmpty());
+    QCOMPARE(session::windows().front()->findChildren<QMessageBox*>().size(), 1); // which says so
+}
+
+// What is unsaved stays until it is: the saving is cancelled first, and the work goes elsewhere.
+void SlowDiskTest::aWindowIsNotClosedWhileItSaves() {
+    auto* window = new MainWindow;
+    window->show();
+    QVERIFY(window->openPath(path("a.ifs")));
+    document::Fractal changed = window->document().fractal();
+    changed.name = QStringLiteral("mine");
+    window->document().edit(QStringLiteral("rename"), changed);
+    support::SlowDisk disk(m_folder.path(), 20s);
+    bool wasAsked = false;
+    QTimer closing;
+    connect(&closing, &QTimer::timeout, &closing, [&] {
+        const QList<QProgressDialog*> progress = shownProgress();
+        if (progress.isEmpty()) return;
+        wasAsked = true;
+        QVERIFY(!window->close());
+        session::quit();
+        QVERIFY(window->isVisible());
+        emit progress.first()->canceled();
+    });
+    closing.start(10);
+    const QDeadlineTimer late(15s);
+    trigger(*window, QKeySequence::Save);
+    QVERIFY(wasAsked && !late.hasExpired());
+    closing.stop();
+    QVERIFY(window->isVisible() && window->document().isModified());
+    const QTemporaryDir quick;
+    const QString here = quick.filePath(QStringLiteral("here.ifs"));
+    QVERIFY(!window->file().saveAs(here));
+    QVERIFY(!window->document().isModified());
+    QVERIFY(window->close());
 }
 
 BARYCAGE_TEST(SlowDiskTest, Application);

@@ -9,11 +9,13 @@
 #include "support/named_test.h"
 #include "support/patient_tries.h"
 
+#include <QCoreApplication>
 #include <QDir>
 #include <QFile>
 #include <QFileInfo>
 #include <QImage>
 #include <QSet>
+#include <QSysInfo>
 #include <QTemporaryDir>
 
 #include <atomic>
@@ -76,6 +78,7 @@ private slots:
     void aDriveThatDoesNotAnswerHoldsNobodyUp();
     void anEntryThatCannotBeReadIsSaid();
     void filesBelongToTheirOwner();
+    void locksOfTheDeadHoldNothing();
     void aLivingProcessKeepsItsTasks();
     void twoProcessesNeverHaveTheSame();
     void whatIsNoTaskIsSkipped();
@@ -353,6 +356,33 @@ void ExportTasksTest::filesBelongToTheirOwner() {
     QCOMPARE(facts.st_mode & 0777, mode_t(0700));
     tasks.remove(id);
     QVERIFY(QDir(folder).entryList(QDir::Files).isEmpty());
+}
+
+// A process that ends while a read hangs destroys nothing, and leaves its locks. In a container the next one
+// may have its number.
+void ExportTasksTest::locksOfTheDeadHoldNothing() {
+    const QString folder = m_folder.filePath(QStringLiteral("dead"));
+    QString id;
+    {
+        TaskFolder dead(folder);
+        id = TaskFolder::newId();
+        QVERIFY(dead.write(id, pixelTask(QStringLiteral("/somewhere/a.png"))));
+    }
+    const QString name = QFileInfo(QCoreApplication::applicationFilePath()).fileName();
+    const auto leave = [&](const QString& path) {
+        QFile lock(path);
+        return lock.open(QIODevice::WriteOnly) &&
+               lock.write(QByteArray::number(QCoreApplication::applicationPid()) + '\n' + name.toUtf8() +
+                          '\n' + QSysInfo::machineHostName().toUtf8() + "\n\n\n") > 0;
+    };
+    QVERIFY(leave(folder + u'/' + id + QStringLiteral(".export.lock")));
+    QVERIFY(leave(folder + QStringLiteral("/gone.export.lock"))); // of a task that is done
+    {
+        TaskFolder next(folder);
+        QCOMPARE(next.takeOver().tasks.size(), 1);
+        QCOMPARE(QDir(folder).entryList(QDir::Files).size(), 2); // the task with its lock
+    }
+    QCOMPARE(QDir(folder).entryList(QDir::Files).size(), 1);
 }
 
 void ExportTasksTest::aLivingProcessKeepsItsTasks() {

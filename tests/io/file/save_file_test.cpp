@@ -25,6 +25,7 @@
 
 #include <fcntl.h>
 #include <poll.h>
+#include <sys/file.h>
 #include <sys/stat.h>
 #include <sys/syscall.h>
 #include <unistd.h>
@@ -502,6 +503,26 @@ private slots:
         QCOMPARE(status.st_mode & 07777, 0666U & ~mask);
         QCOMPARE(everythingIn(m_folder->path()),
                  QStringList({QStringLiteral("a.ifs"), QStringLiteral("b.ifs")}));
+    }
+
+    void halvesOfTheDeadAreRemoved() {
+        const auto name = [this](const char* of) { return m_folder->filePath(QLatin1String(of)); };
+        for (const char* each : {".barycage-part-dead", ".barycage-part-living", ".barycage-whole"}) {
+            put(name(each), "half");
+            QFile file(name(each));
+            QVERIFY(
+                file.open(QIODevice::ReadWrite) &&
+                file.setFileTime(QDateTime::currentDateTime().addSecs(-3600), QFile::FileModificationTime));
+        }
+        put(name(".barycage-part-new"), "half");
+        QFile living(name(".barycage-part-living"));
+        QVERIFY(living.open(QIODevice::ReadOnly) && ::flock(living.handle(), LOCK_EX | LOCK_NB) == 0);
+        isNamingRefused = true;
+        const bool isSaved = !io::saveFile(m_path, "new");
+        isNamingRefused = false;
+        QVERIFY(isSaved);
+        QCOMPARE(everythingIn(m_folder->path()).join(u' '),
+                 QStringLiteral(".barycage-part-living .barycage-part-new .barycage-whole a.ifs"));
     }
 
     void keepsExtendedAttributes() {

@@ -6,6 +6,7 @@
 #include "document/fractal/fractal_geometry.h"
 #include "document/fractal/space_geometry.h"
 #include "document/maps/map_handles.h"
+#include "document/text/file_names.h"
 #include "io/export_job.h"
 #include "io/overlay/space_overlay.h"
 
@@ -222,7 +223,7 @@ HandoutPictureInSpace handoutPictureInSpace(const document::Fractal& fractal, co
 
 // Print dialogs take it for the name of the file that they write.
 QString HandoutDialog::printedName() const {
-    return tr("%1-handout.pdf", "name of a file").arg(QString(m_name).replace(u'/', u'-'));
+    return tr("%1-handout.pdf", "name of a file").arg(document::fileNamePart(m_name, 200));
 }
 
 void HandoutDialog::showPreview() {

@@ -2,6 +2,7 @@
 #include "dialogs/export/last_export.h"
 
 #include "desktop/settings.h"
+#include "document/text/file_names.h"
 
 #include <QDir>
 #include <QFileInfo>
@@ -31,7 +32,8 @@ void rememberExport(const QString& kind, const LastExport& last, const QString& 
 QString suggestedPath(const QString& kind, const QString& name, const QString& otherwise) {
     const QString last = stored(key(kind, "folder")).toString();
     const QString folder = last.isEmpty() ? otherwise : last;
-    return folder.isEmpty() ? name : QDir(folder).filePath(name);
+    const QString file = document::fileNamePart(name);
+    return folder.isEmpty() ? file : QDir(folder).filePath(file);
 }
 
 } // namespace view

@@ -127,7 +127,7 @@ void SpaceExportDialog::createBody() {
     m_longest->setMinimum(1);
     m_form->addRow(tr("&Longest side:"), m_longest);
     m_resolution = new WholeNumberBox(this);
-    m_resolution->setRange(8, io::SolidOptions::maxResolution);
+    m_resolution->setRange(io::SolidOptions::leastOffered, io::SolidOptions::maxResolution);
     m_resolution->setValue(128);
     m_resolution->setWhatsThis(
         tr("Voxels along the longest side: more voxels make finer steps. A solid has at most %1 million "

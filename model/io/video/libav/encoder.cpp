@@ -162,6 +162,9 @@ QByteArray commentOf(const QByteArray& systemText) {
 }
 
 Failure encoderObstacle(VideoFormat format) {
+    const QString error = isInstalled() ? QString() : loadingError();
+    if (!error.isEmpty())
+        return Text::tr("FFmpeg's libraries cannot be loaded, so no videos can be written: %1.").arg(error);
     if (!isInstalled())
         return Text::tr("FFmpeg's libraries are not installed on this machine, so no videos can be written. "
                         "Install them, or write the frames as PNG pictures instead.");

@@ -3,7 +3,14 @@
 
 #include <QLibrary>
 
+#include <cerrno>
+#include <cstring>
 #include <optional>
+#include <utility>
+
+#ifdef Q_OS_LINUX
+#include <dlfcn.h>
+#endif
 
 namespace io::libav {
 
@@ -39,6 +46,26 @@ const std::optional<Library>& known() {
 
 bool isInstalled() {
     return known().has_value();
+}
+
+// One that is there may find no memory, or be damaged.
+QString loadingError() {
+#ifdef Q_OS_LINUX
+    constexpr std::pair<const char*, int> names[] = {{"avutil", LIBAVUTIL_VERSION_MAJOR},
+                                                     {"swscale", LIBSWSCALE_VERSION_MAJOR},
+                                                     {"avcodec", LIBAVCODEC_VERSION_MAJOR},
+                                                     {"avformat", LIBAVFORMAT_VERSION_MAJOR},
+                                                     {"avfilter", LIBAVFILTER_VERSION_MAJOR}};
+    const QString missing = QString::fromLocal8Bit(std::strerror(ENOENT));
+    for (const auto& [name, version] : names) {
+        const QByteArray file = QByteArray("lib") + name + ".so." + QByteArray::number(version);
+        if (::dlopen(file.constData(), RTLD_LAZY) != nullptr) continue; // and stays, as those before it do
+        const char* const error = ::dlerror();
+        const QString text = QString::fromLocal8Bit(error ? error : "");
+        return text.contains(missing) ? QString() : text;
+    }
+#endif
+    return {};
 }
 
 const Library& library() {

@@ -51,6 +51,7 @@ struct Library {
 #undef BARYCAGE_LIBAV_MEMBER
 };
 
+QString loadingError();   // why one that is there could not be used; empty: one is missing
 bool isInstalled();       // all of them, in the versions that this was compiled for
 const Library& library(); // only where they are installed
 

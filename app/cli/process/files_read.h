@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <QString>
+
+// The files that this call reads, whatever for. What a command writes holds less than they do, so that it
+// replaces none of them. Whoever reads a file that the user named says so here, and whoever writes one asks.
+namespace cli {
+
+void noteRead(const QString& path);
+
+// Throws UsageError when the output is one of these files, by whatever name.
+void refuseToReplaceInput(const QString& output);
+
+} // namespace cli

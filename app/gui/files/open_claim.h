@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "document/disk/process_lock.h"
+
+#include <QFuture>
+#include <QString>
+
+#include <memory>
+
+// Which files the windows of this account have open, also those of other processes: each has a lock with the
+// user's data. Asked beside the windows, since a drive may not answer. `former` is given up before.
+struct OpenClaim {
+    std::shared_ptr<document::ProcessLock> lock; // for as long as the file is open here
+    bool isElsewhere = false;                    // another window has it
+};
+using ClaimLock = std::shared_ptr<document::ProcessLock>;
+QFuture<OpenClaim> claimBeside(const QString& path, ClaimLock former);
+QString claimOf(const QString& path); // what is locked

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <QString>
+
+// Texts of any kind, such as the names of entries, where they become names of files or lines of one.
+namespace document {
+
+inline constexpr qsizetype maxFileName = 255; // bytes, of most file systems
+
+// As much of the text as takes at most so many bytes in UTF-8.
+QString cutTo(QString text, qsizetype bytes);
+
+// The text as a part of the name of a file: at most so many bytes in UTF-8, never empty, and without what
+// leads to another folder, hides the file, ends a line, is not seen, or changes the order in which a name is
+// read. These characters become underscores.
+QString fileNamePart(const QString& text, qsizetype maxBytes = maxFileName);
+
+// The text on one line, in which such characters become underscores; slashes and points stay.
+QString oneLine(const QString& text);
+
+} // namespace document

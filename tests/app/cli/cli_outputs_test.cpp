@@ -1,0 +1,178 @@
+// SPDX-License-Identifier: MIT
+#include "app/cli/command_line.h"
+#include "support/named_test.h"
+
+#include <QDir>
+#include <QFile>
+#include <QTest>
+
+#include <algorithm>
+
+// Where barycage-cli writes: over none of the files that it reads, and under names that every file system
+// takes.
+class CliOutputsTest : public CommandLineTest {
+    Q_OBJECT
+
+private slots:
+    void noCommandReplacesAnInput_data();
+    void noCommandReplacesAnInput();
+    void sumsAreReplacedByMore();
+    void everyNameMakesAFile_data();
+    void everyNameMakesAFile();
+    void longNamesAreToldApart();
+    void librariesPrintNothing();
+};
+
+void CliOutputsTest::noCommandReplacesAnInput_data() {
+    QTest::addColumn<QByteArray>("arguments");
+    QTest::addColumn<QString>("file"); // which is read and would be written
+    const auto row = [](const char* arguments, const char* file) {
+        QTest::newRow(arguments) << QByteArray(arguments) << QString::fromLatin1(file);
+    };
+    row("render p.ifs -o p.ifs --to png", "p.ifs");
+    row("render p.ifs -o ./p.ifs --to png --dry-run", "p.ifs");
+    row("render p.ifs -o pointing.png", "p.ifs");
+    row("render p.ifs -o pointing.sum --points 1k --size 9x9", "p.ifs");
+    row("render space.ifs -o space.ifs --to png", "space.ifs");
+    row("render other.ifs p.ifs -o %f.ifs --to png", "p.ifs");
+    row("render p.ifs --palette two.gpl -o two.gpl --to png", "two.gpl");
+    row("render --resume p.sum --points 3k --part 0/2 -o p.sum", "p.sum");
+    row("render --resume p.png --points 3k -o p.png", "p.png");
+    row("merge p.png -o p.png", "p.png");
+    row("gallery a.png p.ifs -o a.png", "a.png");
+    row("gallery p.ifs --palette two.png -o two.png", "two.png");
+    row("animate frame.0002.png -o frame.####.png --size 9x9", "frame.0002.png");
+    row("animate film.apng -o film.apng --size 9x9", "film.apng");
+    row("encode frame.####.png -o pointing.apng", "frame.0001.png");
+    row("morph p.ifs --from one --to two -o p.ifs", "p.ifs");
+    row("collage shape.ifs -o shape.ifs --seconds 1", "shape.ifs");
+    row("collage shape.png -o new.ifs --report shape.png --seconds 1", "shape.png");
+    row("steal p.ifs --entry one --from two --picture a.png -o a.png --size 9x9", "a.png");
+    row("steal one.png --entry one --from two --from-file p.ifs --picture a.png -o one.png --size 9x9",
+        "one.png");
+}
+
+// What it holds would be gone.
+void CliOutputsTest::noCommandReplacesAnInput() {
+    QFETCH(const QByteArray, arguments);
+    QFETCH(const QString, file);
+    const QByteArray rows = " .5 0 0 .5 0 0 .5\n .5 0 0 .5 .5 0 .5\n}\n";
+    write("p.ifs", "one {\n" + rows + "two {\n" + rows);
+    write("other.ifs", "other {\n" + rows);
+    write("space.ifs", "solid (3D) {\n .5 0 0 0 .5 0 0 0 .5 0 0 0 .5\n .5 0 0 0 .5 0 0 0 .5 1 1 1 .5\n}\n");
+    write("two.gpl", "GIMP Palette\nName: two\n0 0 0 black\n255 255 255 white\n");
+    write("two.png", read("two.gpl"));
+    QFile::link(QStringLiteral("p.ifs"), path("pointing.png"));
+    const QByteArray made[]{"render p.ifs -o a.png --size 9x9",
+                            "render p.ifs --entry one -o one.png --size 9x9",
+                            "render p.ifs -o shape.png --size 60x60 --background white",
+                            "render p.ifs -o p.sum --points 1k --size 9x9",
+                            "morph p.ifs --from one --to two --length 2 -o moving.ifs",
+                            "animate moving.ifs -o frame.####.png --size 9x9",
+                            "animate moving.ifs -o film.apng --size 9x9"};
+    for (const QByteArray& command : made) {
+        const Result result = run(command);
+        QVERIFY2(result.status == 0, result.err.constData());
+    }
+    write("p.png", read("p.sum"));
+    write("shape.ifs", read("shape.png"));
+    QFile::link(QStringLiteral("p.ifs"), path("pointing.sum"));
+    QFile::link(QStringLiteral("frame.0001.png"), path("pointing.apng"));
+    const QByteArray before = read(file.toLatin1());
+    QVERIFY(!before.isEmpty());
+    const Result refused = run(arguments);
+    QVERIFY2(refused.err.contains("is an input file, and the output would replace it"),
+             refused.err.constData());
+    QCOMPARE(refused.status, 2);
+    QCOMPARE(read(file.toLatin1()), before);
+}
+
+void CliOutputsTest::sumsAreReplacedByMore() {
+    write("p.ifs", "one {\n .5 0 0 .5 0 0 .5\n .5 0 0 .5 .5 0 .5\n}\n");
+    QCOMPARE(run("render p.ifs -o a.sum --points 1k --size 9x9 --part 0/2").status, 0);
+    QCOMPARE(run("render p.ifs -o b.sum --points 1k --size 9x9 --part 1/2").status, 0);
+    QCOMPARE(run("merge a.sum b.sum -o a.sum").status, 0);
+    const Result more = run("render --resume a.sum --points 3k -o a.sum");
+    QVERIFY2(more.status == 0, more.err.constData());
+    QCOMPARE(run("merge a.sum -o whole.png").status, 0);
+}
+
+void CliOutputsTest::everyNameMakesAFile_data() {
+    QTest::addColumn<QByteArray>("name");
+    QTest::addColumn<QString>("part"); // of the name of the file
+    const auto row = [](const QByteArray& name, const QString& part) {
+        QTest::newRow(name.left(20).toPercentEncoding().constData()) << name << part;
+    };
+    row("a/b", QStringLiteral("a_b"));
+    row("../up", QStringLiteral("_._up"));
+    row(".hidden", QStringLiteral("_hidden"));
+    row("a\x01z", QStringLiteral("a_z"));
+    row("a\xe2\x80\xaez", QStringLiteral("a_z"));     // U+202E
+    row("a\xe2\x80\x8bz", QStringLiteral("a_z"));     // U+200B
+    row("a\xe2\x80\xa8z", QStringLiteral("a_z"));     // U+2028
+    row("a\xf3\xa0\x81\x81z", QStringLiteral("a_z")); // U+E0041
+    row(QByteArray("x").repeated(300), QString(u'x').repeated(251));
+    row(QByteArray("\xc3\xa4").repeated(200), QString(QChar(0xe4)).repeated(125));
+}
+
+// By each command that makes names of files out of names of entries.
+void CliOutputsTest::everyNameMakesAFile() {
+    QFETCH(const QByteArray, name);
+    QFETCH(const QString, part);
+    const QDir folder(path("named"));
+    QVERIFY(QDir(folder).removeRecursively());
+    const QByteArray body = " {\n .5 0 0 .5 0 0 .5\n .5 0 0 .5 1 0 .5\n}\n";
+    write("n.ifs", "other" + body + name + body);
+    QVERIFY(folder.mkpath(QStringLiteral(".")));
+    const Result drawn = run("render n.ifs --entry #2 -o named/%e.png --size 9x9");
+    QVERIFY2(drawn.status == 0, drawn.err.constData());
+    QCOMPARE(folder.entryList(QDir::Files | QDir::Hidden), QStringList{part + QStringLiteral(".png")});
+    const Result converted = run("convert n.ifs named/ --to csv");
+    QVERIFY2(converted.status == 0, converted.err.constData());
+    const QStringList tables = folder.entryList({QStringLiteral("n-*.csv")}, QDir::Files | QDir::Hidden);
+    QCOMPARE(tables.size(), 2);
+    const auto isOfName = [&](const QString& file) {
+        return file.startsWith(QStringLiteral("n-") + part.left(100)) && !file.startsWith(u"n-other");
+    };
+    QCOMPARE(std::ranges::count_if(tables, isOfName), 1);
+}
+
+void CliOutputsTest::longNamesAreToldApart() {
+    const QByteArray body = " {\n .5 0 0 .5 0 0 .5\n .5 0 0 .5 1 0 .5\n}\n";
+    const QByteArray name = QByteArray("x").repeated(300);
+    write("long.ifs", name + "1" + body + name + "2" + body);
+    const Result one = run("render long.ifs --entry all -o long-%e.png --size 9x9");
+    QCOMPARE(one.status, 2);
+    QVERIFY2(one.err.contains("%n"), one.err.constData());
+    const Result both = run("render long.ifs --entry all -o long-%n-%e.png --size 9x9");
+    QVERIFY2(both.status == 0, both.err.constData());
+    QCOMPARE(QDir(path("")).entryList({QStringLiteral("long-?-x*.png")}).size(), 2);
+    QVERIFY(QDir(path("")).mkpath(QStringLiteral("long")));
+    const Result tables = run("convert long.ifs long/ --to csv");
+    QVERIFY2(tables.status == 0, tables.err.constData());
+    QCOMPARE(QDir(path("long")).entryList({QStringLiteral("*.csv")}).size(), 2);
+}
+
+// What is wrong with a picture is one sentence of ours.
+void CliOutputsTest::librariesPrintNothing() {
+    const QByteArray rows = " .5 0 0 .5 0 0 .5\n .5 0 0 .5 .5 0 .5\n}\n";
+    write("p.ifs", "one {\n" + rows + "two {\n" + rows);
+    QCOMPARE(run("render p.ifs -o whole.jpg --size 64x64 --points 10k").status, 0);
+    const QByteArray whole = read("whole.jpg");
+    int refused = 0;
+    for (qsizetype at = 2; at < whole.size(); at += std::max<qsizetype>(1, whole.size() / 40)) {
+        QByteArray damaged = whole;
+        damaged[at] = char(damaged[at] ^ 0x5a);
+        write("damaged.jpg", at % 3 == 0 ? damaged.left(at + 1) : damaged);
+        const Result result = run("steal p.ifs --entry one --from two --picture damaged.jpg -o stolen.png "
+                                  "--size 9x9 --points 1k");
+        refused += result.status == 0 ? 0 : 1;
+        for (const QByteArray& line : result.err.split('\n'))
+            QVERIFY2(line.isEmpty() || line.contains(": error: ") || line.contains(": warning: "),
+                     line.constData());
+    }
+    QVERIFY(refused > 5);
+}
+
+BARYCAGE_TEST(CliOutputsTest, QCoreApplication);
+#include "cli_outputs_test.moc"

@@ -1,0 +1,195 @@
+// SPDX-License-Identifier: MIT
+#include "application.h"
+#include "desktop/preferences.h"
+#include "document/disk/process_lock.h"
+#include "files/open_claim.h"
+#include "main_window.h"
+#include "session/session.h"
+#include "support/named_test.h"
+#include "support/own_settings.h"
+
+#include <QAction>
+#include <QApplication>
+#include <QDir>
+#include <QFile>
+#include <QFileInfo>
+#include <QKeySequence>
+#include <QStatusBar>
+#include <QTemporaryDir>
+#include <QTest>
+
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <memory>
+
+namespace {
+
+const QByteArray firstVersion = "leaf { .5 0 0 .5 0 0 .5\n .5 0 0 .5 1 1 .5 }\n";
+
+QByteArray bytesOf(const QString& path) {
+    QFile file(path);
+    return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
+}
+
+void putBytes(const QString& path, const QByteArray& bytes) {
+    QFile file(path);
+    if (!file.open(QIODevice::WriteOnly) || file.write(bytes) != bytes.size()) qFatal("no test file");
+}
+
+// Renames the fractal and saves; what the window says of it.
+QString saveAs(MainWindow& window, const QString& name) {
+    document::Fractal changed = window.document().fractal();
+    changed.name = name;
+    window.document().edit(QStringLiteral("rename"), changed);
+    for (QAction* action : window.findChildren<QAction*>())
+        if (action->shortcut() == QKeySequence(QKeySequence::Save)) action->trigger();
+    return window.statusBar()->currentMessage();
+}
+
+} // namespace
+
+// What saving replaces stays beside the file, and windows know of each other's files.
+class PreviousVersionTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void init() {
+        support::useOwnSettings();
+        m_folder = std::make_unique<QTemporaryDir>();
+        m_path = m_folder->filePath(QStringLiteral("maple.ifs"));
+        m_kept = m_path + u'~';
+        putBytes(m_path, firstVersion);
+    }
+    void cleanup() {
+        for (SessionWindow* window : session::windows())
+            delete window;
+    }
+    void itIsKeptOnceInASitting();
+    void theNextSittingReplacesIt();
+    void anotherFileOfThatNameStays();
+    void onlyOnesOfOursAreReplaced();
+    void nobodyElseReadsIt();
+    void behindALinkItIsACopy();
+    void nobodyNeedHaveIt();
+    void aNewFileHasNone();
+    void aFileOpenElsewhereIsSaid();
+    void aClosedWindowGivesItsFileUp();
+
+private:
+    MainWindow* opened() {
+        auto* window = new MainWindow;
+        window->show();
+        if (!window->openPath(m_path)) qFatal("not opened");
+        return window;
+    }
+    std::unique_ptr<QTemporaryDir> m_folder;
+    QString m_path, m_kept;
+};
+
+void PreviousVersionTest::itIsKeptOnceInASitting() {
+    MainWindow* window = opened();
+    const QString said = saveAs(*window, QStringLiteral("one"));
+    QVERIFY2(said.contains(QStringLiteral("maple.ifs~")), qPrintable(said));
+    QVERIFY(bytesOf(m_path).startsWith("one"));
+    QCOMPARE(bytesOf(m_kept), firstVersion);
+    QVERIFY(!saveAs(*window, QStringLiteral("two")).contains(u'~'));
+    QVERIFY(bytesOf(m_path).startsWith("two"));
+    QCOMPARE(bytesOf(m_kept), firstVersion);
+}
+
+void PreviousVersionTest::theNextSittingReplacesIt() {
+    saveAs(*opened(), QStringLiteral("one"));
+    cleanup();
+    saveAs(*opened(), QStringLiteral("two"));
+    QVERIFY(bytesOf(m_path).startsWith("two"));
+    QVERIFY(bytesOf(m_kept).startsWith("one"));
+}
+
+void PreviousVersionTest::anotherFileOfThatNameStays() {
+    putBytes(m_kept, "theirs");
+    const QString said = saveAs(*opened(), QStringLiteral("one"));
+    QVERIFY2(said.contains(QStringLiteral("not kept")), qPrintable(said));
+    QVERIFY(bytesOf(m_path).startsWith("one"));
+    QCOMPARE(bytesOf(m_kept), QByteArray("theirs"));
+}
+
+// It was ours, and somebody has changed it since, or put a link in its place.
+void PreviousVersionTest::onlyOnesOfOursAreReplaced() {
+    saveAs(*opened(), QStringLiteral("one"));
+    putBytes(m_kept, "theirs");
+    cleanup();
+    saveAs(*opened(), QStringLiteral("two"));
+    QCOMPARE(bytesOf(m_kept), QByteArray("theirs"));
+    const QString other = m_folder->filePath(QStringLiteral("other"));
+    putBytes(other, firstVersion);
+    QVERIFY(QFile::remove(m_kept) && QFile::link(other, m_kept));
+    cleanup();
+    saveAs(*opened(), QStringLiteral("three"));
+    QVERIFY(QFileInfo(m_kept).isSymLink());
+    QCOMPARE(bytesOf(other), firstVersion);
+}
+
+void PreviousVersionTest::nobodyElseReadsIt() {
+    QCOMPARE(::chmod(QFile::encodeName(m_path).constData(), 0600), 0);
+    saveAs(*opened(), QStringLiteral("one"));
+    for (const QString& path : {m_path, m_kept}) {
+        struct stat status {};
+        QCOMPARE(::stat(QFile::encodeName(path).constData(), &status), 0);
+        QCOMPARE(status.st_mode & 07777, 0600U);
+    }
+}
+
+void PreviousVersionTest::behindALinkItIsACopy() {
+    const QString real = m_folder->filePath(QStringLiteral("real.ifs"));
+    QVERIFY(QFile::rename(m_path, real) && QFile::link(real, m_path));
+    QCOMPARE(::chmod(QFile::encodeName(real).constData(), 0640), 0);
+    saveAs(*opened(), QStringLiteral("one"));
+    QVERIFY(QFileInfo(m_path).isSymLink());
+    QVERIFY(bytesOf(real).startsWith("one"));
+    QVERIFY(!QFileInfo(m_kept).isSymLink());
+    QCOMPARE(bytesOf(m_kept), firstVersion);
+    struct stat status {};
+    QCOMPARE(::stat(QFile::encodeName(m_kept).constData(), &status), 0);
+    QCOMPARE(status.st_mode & 07777, 0640U);
+}
+
+void PreviousVersionTest::nobodyNeedHaveIt() {
+    view::Preferences preferences;
+    QVERIFY(preferences.keepPrevious);
+    preferences.keepPrevious = false;
+    preferences.store();
+    saveAs(*opened(), QStringLiteral("one"));
+    QCOMPARE(QDir(m_folder->path()).entryList(QDir::Files), QStringList{QStringLiteral("maple.ifs")});
+}
+
+void PreviousVersionTest::aNewFileHasNone() {
+    MainWindow* window = opened();
+    const QString fresh = m_folder->filePath(QStringLiteral("fresh.ifs"));
+    QVERIFY(!window->file().saveAs(fresh));
+    QVERIFY(!saveAs(*window, QStringLiteral("one")).contains(u'~'));
+    QVERIFY(bytesOf(fresh).startsWith("one"));
+    QVERIFY(!QFile::exists(fresh + u'~'));
+}
+
+void PreviousVersionTest::aFileOpenElsewhereIsSaid() {
+    QVERIFY(QDir().mkpath(QFileInfo(claimOf(m_path)).path()));
+    const auto other = document::processLock(claimOf(m_path)); // as another process has it
+    QVERIFY(other);
+    MainWindow* window = opened();
+    QTRY_VERIFY2(window->statusBar()->currentMessage().contains(QStringLiteral("in another window")),
+                 qPrintable(window->statusBar()->currentMessage()));
+}
+
+void PreviousVersionTest::aClosedWindowGivesItsFileUp() {
+    MainWindow* window = opened();
+    QTRY_VERIFY(QFile::exists(document::lockFileOf(claimOf(m_path))));
+    QCOMPARE(saveAs(*window, QStringLiteral("one")).contains(QStringLiteral("another window")), false);
+    cleanup();
+    QTRY_VERIFY(!QFile::exists(document::lockFileOf(claimOf(m_path))));
+    QVERIFY(QDir(QFileInfo(claimOf(m_path)).path()).isEmpty());
+}
+
+BARYCAGE_TEST(PreviousVersionTest, Application);
+
+#include "previous_version_test.moc"
