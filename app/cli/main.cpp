@@ -82,6 +82,6 @@ int main(int argc, char** argv) {
                                {cli::infoCommand(), cli::renderCommand(), cli::convertCommand(),
                                 cli::galleryCommand(), cli::animateCommand(), cli::encodeCommand(),
                                 cli::morphCommand(), cli::mergeCommand(), cli::collageCommand(),
-                                cli::stealCommand()});
+                                cli::stealCommand(), cli::pageCommand()});
     return int(run(program, words));
 }

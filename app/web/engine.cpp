@@ -3,7 +3,6 @@
 
 #include "web/engine_state.h"
 
-#include "attractor/request/pixel_version.h"
 #include "ifs/links/linked_existence.h"
 #include "ifs/links/linked_extent.h"
 #include "ifs/system/links.h"
@@ -13,12 +12,7 @@
 #include <cstddef>
 #include <optional>
 #include <span>
-#include <string>
 #include <utility>
-
-#ifndef BARYCAGE_HASHES
-#define BARYCAGE_HASHES "unknown"
-#endif
 
 namespace web {
 
@@ -109,13 +103,6 @@ template <int Dim> void readRows(Loaded<Dim>& loaded, const double* rows, int ma
 
 } // namespace web
 
-const char* barycage_versions() {
-    static const std::string text = "barycage web engine: interface " + std::to_string(webInterface) +
-                                    ", pixels " + std::to_string(attractor::pixelVersion) +
-                                    ", hashes " BARYCAGE_HASHES;
-    return text.c_str();
-}
-
 web::Engine* barycage_new() {
     return new web::Engine;
 }
@@ -129,6 +116,7 @@ int barycage_load(web::Engine* engine, int dimension, const double* rows, int ma
     engine->dimension = dimension;
     engine->plane = {};
     engine->space = {};
+    engine->clip.reset();
     engine->exposure.reset();
     engine->with([&](auto& loaded) { web::readRows(loaded, rows, maps); });
     return 1;
@@ -192,6 +180,7 @@ void barycage_camera(web::Engine* engine, int width, int height, const double* v
 
 void barycage_appearance(web::Engine* engine, const double* n) {
     attractor::Appearance& appearance = engine->appearance;
+    appearance = {};
     appearance.colourBy = attractor::ColourBy(std::clamp(int(n[0]), 0, int(attractor::ColourBy::Blend)));
     appearance.brightness = n[1];
     appearance.gamma = n[2];
@@ -224,6 +213,11 @@ void barycage_light(web::Engine* engine, int look, int colour, const double* n) 
     inSpace.lightAzimuth = n[0];
     inSpace.lightElevation = n[1];
     inSpace.fog = std::clamp(n[2], 0.0, attractor::SpaceAppearance::maxFog);
+}
+
+void barycage_clip(web::Engine* engine, const double* clip) {
+    const attractor::SpaceClip given{web::vectorAt<3>(clip), clip[3], clip[4]};
+    engine->clip = attractor::isUsable(given) ? std::optional(given) : std::nullopt;
 }
 
 double barycage_draw(web::Engine* engine, double samples, int begin, int keepExposure) {

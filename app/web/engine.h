@@ -59,6 +59,10 @@ BARYCAGE_WEB void barycage_map_blend(web::Engine* engine, int map, double coordi
 // Solids: attractor::LookInSpace and SolidColour, azimuth and elevation of the light, fog.
 BARYCAGE_WEB void barycage_light(web::Engine* engine, int look, int colour, const double* numbers);
 
+// What of an entry in space is shown: a normal, the lowest and the greatest height along it. A normal of 0:
+// all.
+BARYCAGE_WEB void barycage_clip(web::Engine* engine, const double* clip);
+
 // Draws so many more points; `begin` throws away those before. A solid needs no points and is drawn whole.
 // While the exposure is kept, the picture does not flicker as it is dragged. Returns how many points are
 // drawn.

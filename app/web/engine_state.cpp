@@ -79,6 +79,7 @@ double Engine::drawSpace(double samples, bool begin) {
     request.cage = space.cage;
     request.moved = space.moved;
     request.camera = orbit;
+    request.clip = clip;
     request.appearance = appearance;
     request.samples = std::uint64_t(samples);
     if (inSpace.look == attractor::LookInSpace::XRay) request.cloudColour = attractor::CloudColour::MeanDepth;

@@ -32,6 +32,7 @@ struct Engine {
     Loaded<3> space;
     attractor::Appearance appearance;
     attractor::SpaceAppearance inSpace;
+    std::optional<attractor::SpaceClip> clip;
     attractor::Camera camera;
     attractor::OrbitCamera orbit;
 

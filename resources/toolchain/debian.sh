@@ -25,6 +25,7 @@ wanted=$(printf '%s\n' "${packages[@]}" | sort -u)
 exec {lock}>"$kept/lock"
 flock "$lock"
 if [ "$(cat "$kept/packages" 2>/dev/null)" != "$wanted" ]; then
+  # shellcheck disable=SC2016 # apt's own fields
   mirror=$(apt-get indextargets --format '$(REPO_URI) $(LABEL)' | sed -n 's/ Debian$//p' | sort -u | head -n 1)
   [ -n "$mirror" ] || die "apt knows no mirror of Debian. Run apt-get update first."
   printf 'Making a chroot of Debian %s in %s (once, some minutes)\n' "$suite" "$kept" >&2
@@ -37,6 +38,7 @@ if [ "$(cat "$kept/packages" 2>/dev/null)" != "$wanted" ]; then
     tar --extract --file "$kept/new.tar" --directory "$kept/root" --exclude='./dev/*'
   else
     [ ! -e "$kept/root" ] || mmdebstrap --unshare-helper rm -rf "$kept/root"
+    # shellcheck disable=SC2016 # expanded by the inner shell
     mmdebstrap --unshare-helper sh -c 'mkdir "$2" && tar --extract --file "$1" --directory "$2" --exclude="./dev/*"' sh \
       "$kept/new.tar" "$kept/root"
   fi

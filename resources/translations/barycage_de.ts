@@ -2386,6 +2386,26 @@
         <source>Save a copy with the placements written into the code and every map listed, so that other programs draw what you see</source>
         <translation>Eine Kopie speichern, in deren Code jede Lage eingerechnet und jede Abbildung aufgeführt ist, damit andere Programme zeichnen, was Sie sehen</translation>
     </message>
+    <message>
+        <source>Export Web Page</source>
+        <translation>Webseite exportieren</translation>
+    </message>
+    <message>
+        <source>Web pages (*.html)</source>
+        <translation>Webseiten (*.html)</translation>
+    </message>
+    <message>
+        <source>%1 was written. Open it in a browser, or mail it: it needs no network.</source>
+        <translation>%1 wurde geschrieben. Öffnen Sie die Seite in einem Browser, oder verschicken Sie sie: Sie braucht kein Netz.</translation>
+    </message>
+    <message>
+        <source>Export We&amp;b Page…</source>
+        <translation>We&amp;bseite exportieren…</translation>
+    </message>
+    <message>
+        <source>Export the fractal in its cage as one file for browsers, in which it can be dragged</source>
+        <translation>Das Fraktal in seinem Käfig als eine Datei für Browser exportieren, in denen man daran ziehen kann</translation>
+    </message>
 </context>
 <context>
     <name>NumberField</name>
@@ -5523,6 +5543,14 @@
     <message>
         <source>fails, within rounding error</source>
         <translation>gilt nicht, soweit die Rundung es erkennen lässt</translation>
+    </message>
+    <message>
+        <source>This entry is not an iterated function system.</source>
+        <translation>Dieser Eintrag ist kein iteriertes Funktionensystem.</translation>
+    </message>
+    <message>
+        <source>This entry has %1 maps; a web page can have at most %2.</source>
+        <translation>Dieser Eintrag hat %1 Abbildungen; eine Webseite kann höchstens %2 haben.</translation>
     </message>
 </context>
 <context>

@@ -2386,6 +2386,26 @@
         <source>Save a copy with the placements written into the code and every map listed, so that other programs draw what you see</source>
         <translation>Guardar una copia con las colocaciones incorporadas al código y todas las aplicaciones en la lista, para que otros programas dibujen lo que usted ve</translation>
     </message>
+    <message>
+        <source>Export Web Page</source>
+        <translation>Exportar página web</translation>
+    </message>
+    <message>
+        <source>Web pages (*.html)</source>
+        <translation>Páginas web (*.html)</translation>
+    </message>
+    <message>
+        <source>%1 was written. Open it in a browser, or mail it: it needs no network.</source>
+        <translation>Se ha escrito %1. Ábrala en un navegador o envíela por correo: no necesita red.</translation>
+    </message>
+    <message>
+        <source>Export We&amp;b Page…</source>
+        <translation>Exportar página we&amp;b…</translation>
+    </message>
+    <message>
+        <source>Export the fractal in its cage as one file for browsers, in which it can be dragged</source>
+        <translation>Exportar el fractal en su jaula como un solo archivo para navegadores, en los que se puede arrastrar</translation>
+    </message>
 </context>
 <context>
     <name>NumberField</name>
@@ -5523,6 +5543,14 @@
     <message>
         <source>fails, within rounding error</source>
         <translation>no se cumple, hasta donde deja ver el redondeo</translation>
+    </message>
+    <message>
+        <source>This entry is not an iterated function system.</source>
+        <translation>Esta entrada no es un sistema iterado de funciones.</translation>
+    </message>
+    <message>
+        <source>This entry has %1 maps; a web page can have at most %2.</source>
+        <translation>Esta entrada tiene %1 aplicaciones; una página web puede tener %2 como máximo.</translation>
     </message>
 </context>
 <context>

@@ -2368,7 +2368,7 @@
     </message>
     <message>
         <source>Saving “%1”…</source>
-        <translation>Enregistrement de « %1 »…</translation>
+        <translation>Enregistrement de «&#x202f;%1&#x202f;»…</translation>
     </message>
     <message>
         <source>Saved the copy %1.</source>
@@ -2385,6 +2385,26 @@
     <message>
         <source>Save a copy with the placements written into the code and every map listed, so that other programs draw what you see</source>
         <translation>Enregistrer une copie où les placements sont intégrés au code et toutes les applications énumérées, pour que d’autres programmes dessinent ce que vous voyez</translation>
+    </message>
+    <message>
+        <source>Export Web Page</source>
+        <translation>Exporter une page web</translation>
+    </message>
+    <message>
+        <source>Web pages (*.html)</source>
+        <translation>Pages web (*.html)</translation>
+    </message>
+    <message>
+        <source>%1 was written. Open it in a browser, or mail it: it needs no network.</source>
+        <translation>%1 est écrite. Ouvrez-la dans un navigateur, ou envoyez-la par courriel : elle n’a pas besoin de réseau.</translation>
+    </message>
+    <message>
+        <source>Export We&amp;b Page…</source>
+        <translation>Exporter une page we&amp;b…</translation>
+    </message>
+    <message>
+        <source>Export the fractal in its cage as one file for browsers, in which it can be dragged</source>
+        <translation>Exporter la fractale dans sa cage en un seul fichier pour navigateurs, où l’on peut la manipuler</translation>
     </message>
 </context>
 <context>
@@ -5523,6 +5543,14 @@
     <message>
         <source>fails, within rounding error</source>
         <translation>non remplie, autant que l’arrondi permet d’en juger</translation>
+    </message>
+    <message>
+        <source>This entry is not an iterated function system.</source>
+        <translation>Cette entrée n’est pas un système de fonctions itérées.</translation>
+    </message>
+    <message>
+        <source>This entry has %1 maps; a web page can have at most %2.</source>
+        <translation>Cette entrée a %1 applications ; une page web peut en avoir %2 au plus.</translation>
     </message>
 </context>
 <context>

@@ -2391,6 +2391,26 @@
         <source>Save a copy with the placements written into the code and every map listed, so that other programs draw what you see</source>
         <translation>Зачувај копија со поставеностите впишани во кодот и со сите пресликувања наведени, за другите програми да го нацртаат она што го гледате</translation>
     </message>
+    <message>
+        <source>Export Web Page</source>
+        <translation>Извези веб-страница</translation>
+    </message>
+    <message>
+        <source>Web pages (*.html)</source>
+        <translation>Веб-страници (*.html)</translation>
+    </message>
+    <message>
+        <source>%1 was written. Open it in a browser, or mail it: it needs no network.</source>
+        <translation>%1 е запишана. Отворете ја во прелистувач или пратете ја по пошта: не ѝ треба мрежа.</translation>
+    </message>
+    <message>
+        <source>Export We&amp;b Page…</source>
+        <translation>Извези ве&amp;б-страница…</translation>
+    </message>
+    <message>
+        <source>Export the fractal in its cage as one file for browsers, in which it can be dragged</source>
+        <translation>Извези го фракталот во неговиот кафез како една датотека за прелистувачи, во кои може да се влече</translation>
+    </message>
 </context>
 <context>
     <name>NumberField</name>
@@ -5537,6 +5557,14 @@
     <message>
         <source>fails, within rounding error</source>
         <translation>не важи, колку што се гледа од заокружувањето</translation>
+    </message>
+    <message>
+        <source>This entry is not an iterated function system.</source>
+        <translation>Овој запис не е систем од итерирани функции.</translation>
+    </message>
+    <message>
+        <source>This entry has %1 maps; a web page can have at most %2.</source>
+        <translation>Овој запис има %1 пресликувања; една веб-страница може да има најмногу %2.</translation>
     </message>
 </context>
 <context>

@@ -78,11 +78,18 @@ inline int load(Engine* engine, const QJsonObject& entry) {
     std::vector<double> stops(5 * 64);
     const int count = barycage_palette_stops(0, stops.data());
     barycage_stops(engine, stops.data(), count);
+    for (const QJsonValue colour : entry[u"appearance"][u"mapColours"].toArray())
+        barycage_map_colour(engine, colour[0].toInt(), numbersOf(colour[1]).data());
     const QJsonObject solid = entry[u"solid"].toObject();
     std::vector<double> light = numbersOf(solid[u"light"]);
     if (light.empty()) light = {-40, 40};
     light.push_back(solid[u"fog"].toDouble());
     barycage_light(engine, solid[u"look"].toInt(), solid[u"colour"].toInt(), light.data());
+    if (std::vector<double> clip = numbersOf(solid[u"clip"]); clip.size() == 5) {
+        if (std::isnan(clip[3])) clip[3] = -INFINITY;
+        if (std::isnan(clip[4])) clip[4] = INFINITY;
+        barycage_clip(engine, clip.data());
+    }
     barycage_settle(engine);
     return dimension;
 }

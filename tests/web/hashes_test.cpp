@@ -81,6 +81,8 @@ QByteArray picture(const QJsonObject& entry, int width, int height, double sampl
     QByteArray text = entry[u"name"].toString().toUtf8() + ' ' + QByteArray::number(width) + 'x' +
                       QByteArray::number(height) + ' ' + QByteArray::number(samples, 'f', 0) +
                       " samples hash " + web::hashOf(e) + '\n';
+    // The error in space is computed with long double, which is not the same on every machine.
+    if (dimension == 3) box.pop_back();
     for (const double number : box)
         text += numberLine("box", number);
     for (const double number : simplex)
@@ -90,10 +92,10 @@ QByteArray picture(const QJsonObject& entry, int width, int height, double sampl
     text += " dragged hash " + web::hashOf(e) + '\n';
     std::vector<double> stops(5 * 64), numbers = web::appearanceOf(entry);
     const int count = barycage_palette_stops(5, stops.data());
-    barycage_stops(e, stops.data(), count);
     numbers[1] = 8;  // brightness
     numbers[13] = 0; // opacity of the background
     barycage_appearance(e, numbers.data());
+    barycage_stops(e, stops.data(), count);
     barycage_draw(e, samples, 1, 0);
     barycage_draw(e, samples, 0, 0);
     return text + " refined transparent hash " + web::hashOf(e) + '\n';
