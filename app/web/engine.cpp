@@ -112,7 +112,7 @@ void barycage_free(web::Engine* engine) {
 }
 
 int barycage_load(web::Engine* engine, int dimension, const double* rows, int maps) {
-    if ((dimension != 2 && dimension != 3) || maps < 0) return 0;
+    if ((dimension != 2 && !(web::knowsSpace && dimension == 3)) || maps < 0) return 0;
     engine->dimension = dimension;
     engine->plane = {};
     engine->space = {};
@@ -137,7 +137,7 @@ int barycage_symmetry(web::Engine* engine, int group, int order, double angle, c
 
 void barycage_branch(web::Engine* engine, const int* word, int length, const double* change) {
     ifs::Word symbols(word, word + length);
-    if (engine->dimension == 3)
+    if (engine->isSpace())
         engine->space.moved.push_back({std::move(symbols), web::mapAt<3>(change)});
     else
         engine->plane.moved.push_back({std::move(symbols), web::mapAt<2>(change)});
@@ -155,7 +155,7 @@ int barycage_extent(web::Engine* engine, double* box, double* simplex) {
 }
 
 int barycage_cage(web::Engine* engine, const double* rest, const double* current, int count, int bends) {
-    if (engine->dimension == 3) {
+    if (engine->isSpace()) {
         engine->space.cage = web::cageOf<3>(rest, current, count, bends != 0);
         return engine->space.cage ? 1 : 0;
     }
@@ -164,7 +164,7 @@ int barycage_cage(web::Engine* engine, const double* rest, const double* current
 }
 
 void barycage_camera(web::Engine* engine, int width, int height, const double* view) {
-    if (engine->dimension == 2) {
+    if (!engine->isSpace()) {
         engine->camera = {{view[0], view[1]}, view[2], width, height};
         return;
     }
@@ -222,8 +222,8 @@ void barycage_clip(web::Engine* engine, const double* clip) {
 
 double barycage_draw(web::Engine* engine, double samples, int begin, int keepExposure) {
     if (keepExposure == 0 && begin != 0) engine->exposure.reset();
-    return engine->dimension == 3 ? engine->drawSpace(samples, begin != 0)
-                                  : engine->drawPlane(samples, begin != 0);
+    return engine->isSpace() ? engine->drawSpace(samples, begin != 0)
+                             : engine->drawPlane(samples, begin != 0);
 }
 
 const std::uint8_t* barycage_pixels(web::Engine* engine) {

@@ -25,6 +25,13 @@ template <int Dim> struct Loaded {
     std::optional<ifs::CanonicalSimplex<Dim>> simplex;
 };
 
+// An engine without what draws entries in space is much smaller.
+#ifdef BARYCAGE_PLANE_ONLY
+constexpr bool knowsSpace = false;
+#else
+constexpr bool knowsSpace = true;
+#endif
+
 // What an engine holds between the calls of its interface.
 struct Engine {
     int dimension = 2;
@@ -45,9 +52,10 @@ struct Engine {
     std::vector<std::uint32_t> pixels; // in space
     std::vector<std::uint8_t> straight;
 
-    template <class Work> auto with(const Work& work) { return dimension == 3 ? work(space) : work(plane); }
+    bool isSpace() const { return knowsSpace && dimension == 3; }
+    template <class Work> auto with(const Work& work) { return isSpace() ? work(space) : work(plane); }
     std::span<const std::uint32_t> picture() const {
-        return dimension == 3 ? std::span<const std::uint32_t>(pixels) : frame.pixels;
+        return isSpace() ? std::span<const std::uint32_t>(pixels) : frame.pixels;
     }
     double drawPlane(double samples, bool begin);
     double drawSpace(double samples, bool begin);

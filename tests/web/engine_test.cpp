@@ -10,12 +10,13 @@
 
 #include <zlib.h>
 
-// The engine that is committed for browsers, app/web/built: whether it is made from what is here.
+// The engines that are committed for browsers, app/web/built: whether they are made from what is here.
 class EngineTest : public QObject {
     Q_OBJECT
 
 private slots:
-    void theBuiltEngineIsOfThisProgram();
+    void theBuiltEnginesAreOfThisProgram_data();
+    void theBuiltEnginesAreOfThisProgram();
 };
 
 namespace {
@@ -42,11 +43,17 @@ QByteArray unpacked(const QByteArray& packed) {
 
 } // namespace
 
-void EngineTest::theBuiltEngineIsOfThisProgram() {
-    const QByteArray engine =
-        unpacked(contentsOf(support::sourcePath(QStringLiteral("app/web/built/engine.wasm.gz"))));
+void EngineTest::theBuiltEnginesAreOfThisProgram_data() {
+    QTest::addColumn<QString>("file");
+    for (const char* name : {"engine", "engine_plane"})
+        QTest::newRow(name) << QStringLiteral("app/web/built/%1.wasm.gz").arg(QLatin1String(name));
+}
+
+void EngineTest::theBuiltEnginesAreOfThisProgram() {
+    QFETCH(QString, file);
+    const QByteArray engine = unpacked(contentsOf(support::sourcePath(file)));
     const qsizetype at = engine.indexOf("barycage web engine: ");
-    QVERIFY2(at > 0, "app/web/built/engine.wasm.gz is not an engine. To build it: ./dev web");
+    QVERIFY2(at > 0, qPrintable(file + QStringLiteral(" is not an engine. To build it: ./dev web")));
     const QByteArray built(engine.constData() + at);
     const QByteArray list = contentsOf(support::testData(QStringLiteral("hashes.txt")));
     const QByteArray hash = QCryptographicHash::hash(list, QCryptographicHash::Sha256).toHex().left(16);

@@ -40,14 +40,20 @@ export function linesOf(engine, entry, [width, height, samples]) {
   return [...lines, ` refined transparent hash ${engine.hash()}`];
 }
 
-const expected = readFileSync(new URL("hashes.txt", data), "utf8").split("\n")
-  .filter((line) => line && !line.startsWith("tops "))
-  .map((line) => line.replace(/^ (box|tri) \S+/, " $1"));
 const bytes = readFileSync(process.argv[2]);
 const engine = await startedEngine(bytes[0] === 0x1f ? gunzipSync(bytes) : bytes);
 console.log(engine.versions());
-const drawn = systems.flatMap(({ entry, pictures }) => pictures.flatMap((picture) => linesOf(engine, entry, picture)));
+/** Those of the list, without tops, which pages do not draw, and without what this engine does not know. */
+const known = new Set(systems.filter(({ entry }) => engine.knows(entry)).map(({ entry }) => entry.name));
+const list = readFileSync(new URL("hashes.txt", data), "utf8").split("\n");
+let isKnown = false;
+const expected = list.filter((line) => {
+  if (!line.startsWith(" ")) isKnown = known.has(line.replace(/ \d+x\d+ .*/, ""));
+  return isKnown;
+}).map((line) => line.replace(/^ (box|tri) \S+/, " $1"));
+const drawn = systems.filter(({ entry }) => known.has(entry.name))
+  .flatMap(({ entry, pictures }) => pictures.flatMap((picture) => linesOf(engine, entry, picture)));
 const different = drawn.filter((line, i) => line !== expected[i]);
 for (const line of different) console.error(`${line}\n   instead of ${expected[drawn.indexOf(line)]}`);
 console.log(`${drawn.length - different.length} of ${expected.length} lines agree`);
-process.exit(different.length === 0 && drawn.length === expected.length ? 0 : 1);
+process.exit(different.length === 0 && drawn.length === expected.length && drawn.length > 200 ? 0 : 1);

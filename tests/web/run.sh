@@ -16,5 +16,5 @@ done
 cp "$here"/package.json "$here"/package-lock.json "$here"/.npmrc "$kept"
 (cd "$kept" && npm ci --no-fund --no-audit --silent)
 "$BARYCAGE_NODE_MODULES"/.bin/tsc -p "$here/tsconfig.json"
-node "$here/hashes.mjs" "$here/../../app/web/built/engine.wasm.gz"
+for engine in "$here"/../../app/web/built/*.wasm.gz; do node "$here/hashes.mjs" "$engine"; done
 node --test "$here/page_test.mjs"

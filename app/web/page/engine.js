@@ -102,6 +102,11 @@ export class Engine {
     return this.text(this.calls.barycage_versions());
   }
 
+  /** Whether the engine can draw such entries. @param {Entry} entry */
+  knows(entry) {
+    return this.calls.barycage_load(this.self, entry.dimension, this.numbers([]), 0) !== 0;
+  }
+
   /** @param {Entry} entry @returns {Extent | null} null where no attractor is certain */
   load(entry) {
     const d = (this.dimension = entry.dimension);

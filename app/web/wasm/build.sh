@@ -1,6 +1,6 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
-# Builds the engine of web pages into build/web. ./dev web calls it in a Debian with Emscripten, in the project.
+# Builds the engines of web pages into build/web. ./dev web calls it in a Debian with Emscripten, in the project.
 set -eu
 sources=/root/sources
 mkdir -p "$sources"
@@ -11,4 +11,4 @@ fi
 highway=$(ls -d "$sources"/highway-*/)
 emcmake cmake -S app/web/wasm -B build/web -G Ninja -DCMAKE_BUILD_TYPE=Release -DHIGHWAY="${highway%/}" \
   -DHASHES="$(sha256sum tests/data/hashes.txt | cut -c 1-16)" >&2
-cmake --build build/web --target engine "$@" >&2
+cmake --build build/web "$@" >&2

@@ -185,6 +185,7 @@ QString pageObstacle(const document::Fractal& fractal) {
 
 QByteArray pageOf(const PageExport& page) {
     const QByteArray script = pageScript(), style = styleOf(page);
+    const char* engine = document::space(page.fractal) ? "engine.wasm.gz" : "engine_plane.wasm.gz";
     const QMap<QByteArray, QByteArray> fields{
         {"language", page.language.isEmpty() ? QByteArray("en") : page.language.toLatin1()},
         {"title", page.fractal.name.toHtmlEscaped().toUtf8()},
@@ -195,7 +196,7 @@ QByteArray pageOf(const PageExport& page) {
         {"style-hash", hashOf(style)},
         {"still", stillAddress(page.fractal)},
         {"content", contentOf(page)},
-        {"engine", pagePart("engine.wasm.gz").toBase64()},
+        {"engine", pagePart(engine).toBase64()},
         {"worker", workerScript()},
         {"script", script},
         {"script-hash", hashOf(script)},
