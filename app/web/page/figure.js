@@ -167,7 +167,8 @@ export class Figure {
     const box = this.extent?.box;
     const ofBox = box ? [[box[0], box[1]], [box[2], box[1]], [box[0], box[3]], [box[2], box[3]]] : [];
     const isTriangle = this.current.length === 3;
-    const points = [...this.current, ...(isTriangle ? carried(this.rest, this.current, ofBox) : ofBox)];
+    const cage = this.isHeld || !box ? this.current : [];
+    const points = [...cage, ...(isTriangle ? carried(this.rest, this.current, ofBox) : ofBox)];
     if (!this.isSpace) this.plane = fitted(points.length > 0 ? points : [[-1, -1], [1, 1]], this.size, margin);
     this.change(true);
   }
