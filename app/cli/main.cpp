@@ -116,7 +116,7 @@ int main(int argc, char** argv) try {
                                {cli::infoCommand(), cli::renderCommand(), cli::convertCommand(),
                                 cli::galleryCommand(), cli::animateCommand(), cli::encodeCommand(),
                                 cli::morphCommand(), cli::mergeCommand(), cli::collageCommand(),
-                                cli::stealCommand()});
+                                cli::stealCommand(), cli::pageCommand()});
     return int(run(program, words));
 } catch (const std::bad_alloc&) { // before anything could be read
     std::fputs("barycage-cli: error: There is not enough memory for this.\n", stderr);

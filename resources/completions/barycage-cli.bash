@@ -85,7 +85,7 @@ _barycage_cli_offer() {
 }
 
 # Written by barycage-cli --describe bash; ./dev describe renews it.
-_barycage_cli_commands=(info render convert gallery animate encode morph merge collage steal)
+_barycage_cli_commands=(info render convert gallery animate encode morph merge collage steal page)
 
 # Sets `options`: those of the command $1.
 _barycage_cli_options_of() {
@@ -120,6 +120,9 @@ _barycage_cli_options_of() {
     steal)
       options=(--help --output --entry --from --from-file --order --mode --map --tear --json --picture --picture-view --size --view --background --exact --points --seed --threads --simd --progress --quiet)
       ;;
+    page)
+      options=(--help --output --entry --show --allow --caption --lang --size --points --progress --quiet)
+      ;;
     *) options=() ;;
   esac
 }
@@ -137,7 +140,8 @@ _barycage_cli_value_of() {
       'morph --from' | \
       'morph --to' | \
       'steal --entry' | \
-      'steal --from') kind=entries ;;
+      'steal --from' | \
+      'page --entry') kind=entries ;;
     'info --frame' | \
       'info --hull-tolerance' | \
       'render --size' | \
@@ -221,7 +225,10 @@ _barycage_cli_value_of() {
       'steal --points' | \
       'steal --seed' | \
       'steal -j' | \
-      'steal --threads') kind=nothing ;;
+      'steal --threads' | \
+      'page --caption' | \
+      'page --size' | \
+      'page --points') kind=nothing ;;
     'info --budget') kind=words choices=(1 10 none) ;;
     'info --progress' | \
       'render --progress' | \
@@ -232,7 +239,8 @@ _barycage_cli_value_of() {
       'morph --progress' | \
       'merge --progress' | \
       'collage --progress' | \
-      'steal --progress') kind=words choices=(always never auto) ;;
+      'steal --progress' | \
+      'page --progress') kind=words choices=(always never auto) ;;
     'render -o' | \
       'render --output' | \
       'render --resume' | \
@@ -252,7 +260,9 @@ _barycage_cli_value_of() {
       'steal -o' | \
       'steal --output' | \
       'steal --from-file' | \
-      'steal --picture') kind=files ;;
+      'steal --picture' | \
+      'page -o' | \
+      'page --output') kind=files ;;
     'render --look' | \
       'animate --look') kind=words choices=(stone ink cloud x-ray depth normals) ;;
     'render --stereo' | \
@@ -293,6 +303,9 @@ _barycage_cli_value_of() {
     'encode --frames') kind=words choices=(all) ;;
     'collage --angles') kind=words choices=(60 90) ;;
     'steal --mode') kind=words choices=(steal transform grid reduce posterise) ;;
+    'page --show') kind=words choices=(figure table all) ;;
+    'page --allow') kind=words choices=(cage code cage,code none) ;;
+    'page --lang') kind=words choices=(en de es fr mk) ;;
     *) return 1 ;;
   esac
 }

@@ -28,7 +28,7 @@ function __barycage_cli_names
 end
 
 # Written by barycage-cli --describe fish; ./dev describe renews it.
-set -g __barycage_cli_commands info render convert gallery animate encode morph merge collage steal
+set -g __barycage_cli_commands info render convert gallery animate encode morph merge collage steal page
 # The options that take no value.
 set -g __barycage_cli_flags -h --help --json --names --list --no-dimension -q --quiet --y-down --legend --list-palettes --dry-run --overwrite --bake --strict --y-as-written --fill --expand --invert --similarities --no-mirrors --stem --exact
 complete -c barycage-cli -n "not __fish_seen_subcommand_from $__barycage_cli_commands" -f -a info -d "Show what a file contains and the properties of its systems"
@@ -41,6 +41,7 @@ complete -c barycage-cli -n "not __fish_seen_subcommand_from $__barycage_cli_com
 complete -c barycage-cli -n "not __fish_seen_subcommand_from $__barycage_cli_commands" -f -a merge -d "Merge the parts of a picture"
 complete -c barycage-cli -n "not __fish_seen_subcommand_from $__barycage_cli_commands" -f -a collage -d "Find a system whose attractor looks like a picture"
 complete -c barycage-cli -n "not __fish_seen_subcommand_from $__barycage_cli_commands" -f -a steal -d "Paint an entry with the colours of a picture on another entry"
+complete -c barycage-cli -n "not __fish_seen_subcommand_from $__barycage_cli_commands" -f -a page -d "Write an entry as a web page in which its cage can be dragged"
 complete -c barycage-cli -n "not __fish_seen_subcommand_from $__barycage_cli_commands" -f -a help -d "Show the options of a command"
 complete -c barycage-cli -n "not __fish_seen_subcommand_from $__barycage_cli_commands" -l help -d "Show this help"
 complete -c barycage-cli -n "not __fish_seen_subcommand_from $__barycage_cli_commands" -l version -d "Show the version"
@@ -234,4 +235,15 @@ complete -c barycage-cli -n "__fish_seen_subcommand_from steal" -s j -l threads 
 complete -c barycage-cli -n "__fish_seen_subcommand_from steal" -l simd -x -a "scalar sse4 avx2 avx512 neon" -d "Instruction set"
 complete -c barycage-cli -n "__fish_seen_subcommand_from steal" -l progress -x -a "always never auto" -d "Progress bar"
 complete -c barycage-cli -n "__fish_seen_subcommand_from steal" -s q -l quiet -d "No progress bar and no warnings"
+complete -c barycage-cli -n "__fish_seen_subcommand_from page" -s h -l help -d "Print this help message and exit"
+complete -c barycage-cli -n "__fish_seen_subcommand_from page" -s o -l output -r -a - -d "Page to write"
+complete -c barycage-cli -n "__fish_seen_subcommand_from page" -l entry -x -a "(__barycage_cli_names)" -d "The entry that is shown"
+complete -c barycage-cli -n "__fish_seen_subcommand_from page" -l show -x -a "figure table all" -d "Parts of the page"
+complete -c barycage-cli -n "__fish_seen_subcommand_from page" -l allow -x -a "cage code cage,code none" -d "What the reader can edit"
+complete -c barycage-cli -n "__fish_seen_subcommand_from page" -l caption -x -d "Caption below the name"
+complete -c barycage-cli -n "__fish_seen_subcommand_from page" -l lang -x -a "en de es fr mk" -d "Language of the page"
+complete -c barycage-cli -n "__fish_seen_subcommand_from page" -l size -x -d "Width and height of the picture in pixels of the page"
+complete -c barycage-cli -n "__fish_seen_subcommand_from page" -l points -x -d "Points of the picture at rest"
+complete -c barycage-cli -n "__fish_seen_subcommand_from page" -l progress -x -a "always never auto" -d "Progress bar"
+complete -c barycage-cli -n "__fish_seen_subcommand_from page" -s q -l quiet -d "No progress bar and no warnings"
 # What is written ends here.

@@ -181,9 +181,11 @@ expect "fail when no file was looked at" ends_with 1
 expect "leave no check without files" not called "^clang-\|^codespell"
 
 begin "everything"
-mkdir -p "$work/project/tests/farm"
+mkdir -p "$work/project/tests/farm" "$work/project/tests/web"
 fake farm <<<'echo "farm $*" >>"$LOG"'
 mv "$work/bin/farm" "$work/project/tests/farm/slurm_test.sh"
+fake web <<<'echo "web $*" >>"$LOG"'
+mv "$work/bin/web" "$work/project/tests/web/run.sh"
 for folder in ifs attractor document io; do
   mkdir -p "$work/project/build/release/tests/$folder"
   fake some_tests <<<'[ "$1" != --list ] || echo some_test'
@@ -201,12 +203,13 @@ fake valgrind <<<'exit 99'
 : >"$work/log"
 dev test --all </dev/null
 expect "fails when parts do" ends_with 1
-parts=("release FAILED" "accessibility passed" "exports FAILED" "farm passed" "asan passed" "tsan passed" "valgrind FAILED"
+parts=("release FAILED" "accessibility passed" "exports FAILED" "farm passed" "web passed" "asan passed" "tsan passed" "valgrind FAILED"
   "coverage passed" "monkey FAILED" "fuzz passed")
 results=$(tr -s ' ' <<<"${output##*Results}")
 for part in "${parts[@]}"; do
   expect "reports $part" grep -q "test $part" <<<"$results"
 done
+expect "opens pages" called "^web build/release/barycage-cli build/npm"
 expect "draws on a farm" called "^farm build/release/barycage-cli resources/slurm"
 expect "looks at the window" called "^xvfb-run .*accessible_tree.py"
 expect "fuzzes after failures" called "^fuzz_guided "

@@ -43,7 +43,8 @@ using Graph = std::map<QString, std::set<QString>>;
 const QStringList topFolders{QStringLiteral("app"), QStringLiteral("model"), QStringLiteral("view")};
 // What an #include "…" may be relative to, as in the CMakeLists.txt of the libraries.
 const QStringList includeFolders{QStringLiteral("model/"), QStringLiteral("view/"),
-                                 QStringLiteral("app/gui/"), QStringLiteral("app/cli/")};
+                                 QStringLiteral("app/gui/"), QStringLiteral("app/cli/"),
+                                 QStringLiteral("app/")};
 
 QStringList sourceFiles(const QString& folder) {
     QStringList files;
@@ -174,6 +175,7 @@ void LayeringTest::includesPointDownwards_data() {
     QTest::newRow("model/collage") << "model/collage" << collage << qt;
     QTest::newRow("model/document") << "model/document" << document << widgets;
     QTest::newRow("model/io") << "model/io" << io << widgets;
+    QTest::newRow("app/web") << "app/web" << attractor + QStringList{QStringLiteral("web")} << qt;
     QTest::newRow("view") << "view" << view << QStringLiteral("^$");
 }
 

@@ -14,6 +14,7 @@ Command galleryCommand();
 Command mergeCommand();
 Command infoCommand();
 Command morphCommand();
+Command pageCommand();
 Command renderCommand();
 Command stealCommand();
 Command convertCommand();

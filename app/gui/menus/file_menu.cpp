@@ -16,7 +16,9 @@
 #include "files/file_commands.h"
 #include "files/open_file.h"
 #include "files/recent_files.h"
+#include "files/web_page.h"
 #include "io/file/slow_disk.h"
+#include "io/page/page_export.h"
 #include "menus/latex_menu.h"
 #include "session/session.h"
 #include "stage/stage.h"
@@ -90,6 +92,16 @@ void FileMenu::addPictures() {
     add({nullptr, tr("Export &Data…"), QKeySequence(tr("Ctrl+Shift+E")),
          tr("Export the maps or points as a flame, for IFStile, as a table or a point cloud")},
         [this] { exportData(); });
+    QAction* page =
+        add({nullptr,
+             tr("Export We&b Page…"),
+             {},
+             tr("Export the fractal in its cage as one file for browsers, in which it can be dragged")},
+            [this] {
+                const QString file = m_file->path();
+                exportWebPage(context(), file.isEmpty() ? QString() : QFileInfo(file).path());
+            });
+    page->setObjectName(QStringLiteral("export-web-page"));
     QAction* copy = add({"copy", tr("&Copy Picture"), QKeySequence(tr("Ctrl+Shift+C")),
                          tr("Copy the picture to the clipboard")},
                         [this] { copyPicture(); });
@@ -108,6 +120,7 @@ void FileMenu::addPictures() {
             dialog->open();
         });
     disableWhen(m_export, &document::cageObstacle);
+    disableWhen(page, &io::pageObstacle);
     disableWhen(copy, &document::cageObstacle);
     disableWhen(print, &document::cageObstacle);
 }

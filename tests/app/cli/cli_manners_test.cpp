@@ -70,7 +70,7 @@ void CliMannersTest::wrongOptionsAreNamed_data() {
     row("--versoin", "unknown option --versoin; did you mean --version?");
     row("galery systems.ifs -o x.png", "There is no command “galery”; did you mean gallery?");
     row("draw systems.ifs", "There is no command “draw”; the commands are info, render, convert, gallery, "
-                            "animate, encode, morph, merge, collage and steal.");
+                            "animate, encode, morph, merge, collage, steal and page.");
 }
 
 void CliMannersTest::wrongOptionsAreNamed() {
@@ -87,8 +87,8 @@ void CliMannersTest::messagesAreOurs_data() {
     const auto row = [](const char* arguments, const char* said) {
         QTest::newRow(arguments) << QByteArray(arguments) << QByteArray(said);
     };
-    row("",
-        "Give a command: info, render, convert, gallery, animate, encode, morph, merge, collage or steal.");
+    row("", "Give a command: info, render, convert, gallery, animate, encode, morph, merge, collage, steal "
+            "or page.");
     row("encode - -o x.gif",
         "The pictures are .png files with a name such as NAME.####.png, and “-” is not.");
     row("render systems.ifs -o", "-o needs a value: -o OUT.");

@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: MIT
+#include "options/commands.h"
+#include "options/tr.h"
+#include "options/usage_error.h"
+#include "process/arguments.h"
+#include "process/input.h"
+#include "process/messages.h"
+#include "process/output.h"
+#include "process/progress_bar.h"
+
+#include "io/page/page_export.h"
+
+#include <QSize>
+
+#include <algorithm>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace cli {
+
+namespace {
+
+struct PageArguments {
+    std::string file, entry, output;
+    std::string caption, language;
+    io::PageParts parts = io::PageParts::All;
+    std::vector<std::string> allowed{"cage", "code"};
+    std::optional<QSize> size;
+    std::uint64_t points = io::PageExport().points;
+    Verbosity verbosity;
+};
+
+std::vector<std::string> allowArgument(const std::string&, const std::string& text) {
+    std::vector<std::string> words;
+    for (const QString& word : QString::fromStdString(text).split(u',')) {
+        words.push_back(word.trimmed().toStdString());
+        if (words.back() != "cage" && words.back() != "code" && words.back() != "none")
+            throw UsageError{
+                tr("--allow “%1” is not valid: it must be cage, code, both between commas, or none.")
+                    .arg(QString::fromStdString(text))};
+    }
+    return words;
+}
+
+std::string languageArgument(const std::string& option, const std::string& text) {
+    const std::vector<std::string> languages(io::pageLanguages.begin(), io::pageLanguages.end());
+    return languages[choiceArgument(option, text, languages)];
+}
+
+io::PageExport pageWith(const PageArguments& arguments, const document::Fractal& fractal) {
+    const auto allows = [&](const char* what) {
+        return std::ranges::find(arguments.allowed, what) != arguments.allowed.end();
+    };
+    io::PageExport page;
+    page.fractal = fractal;
+    page.parts = arguments.parts;
+    page.allowsCage = allows("cage");
+    page.allowsCode = allows("code");
+    page.caption = QString::fromStdString(arguments.caption);
+    page.language = QString::fromStdString(arguments.language);
+    page.size = arguments.size;
+    page.points = arguments.points;
+    return page;
+}
+
+ExitStatus writePage(const PageArguments& arguments) {
+    applied(arguments.verbosity);
+    const auto input = readInput(arguments.file);
+    if (!input) return ExitStatus::CannotReadOrWrite;
+    std::vector<std::string> names;
+    if (!arguments.entry.empty()) names.push_back(arguments.entry);
+    const ToDraw found = entriesToDraw(*input, names);
+    if (found.entries.size() > 1)
+        throw UsageError{tr("A page shows one entry: give its name or #NUMBER with --entry.")};
+    if (found.entries.empty()) return std::max(found.status, ExitStatus::InputProblems);
+    const document::Fractal& fractal = *found.entries.front()->fractal;
+    if (const QString obstacle = io::pageObstacle(fractal); !obstacle.isEmpty()) {
+        reportError(input->name, obstacle);
+        return ExitStatus::InputProblems;
+    }
+    const ExitStatus written =
+        writeOutput(fileNameOf(arguments.output), io::pageOf(pageWith(arguments, fractal)));
+    return std::max(found.status, written);
+}
+
+} // namespace
+
+Command pageCommand() {
+    auto arguments = std::make_shared<PageArguments>();
+    Command command("page", "Write an entry as a web page in which its cage can be dragged",
+                    "page FILE -o PAGE.html [OPTION]...");
+    const OptionGroup files = command.group("Files");
+    files
+        .argument("FILE", &arguments->file,
+                  "Collection, or picture with an embedded system; - for standard input")
+        .fileName()
+        .required();
+    files.add("-o,--output", "PAGE", &arguments->output, "Page to write: .html; - for standard output")
+        .completedBy(Completion::Kind::Files, {"html"})
+        .fileName()
+        .required();
+    files
+        .add("--entry", "NAME", &arguments->entry, "The entry that is shown: its name, or #NUMBER",
+             "the first that can be read")
+        .completedBy(Completion::Kind::Entries);
+    const OptionGroup page = command.group("Page");
+    page.add("--show", "PARTS", choice(&arguments->parts),
+             "Parts of the page: figure, table (and the maps) or all (and palettes and files to save)",
+             "all");
+    page.add("--allow", "EDITS", parsed(&arguments->allowed, allowArgument),
+             "What the reader can edit: cage, code, both between commas, or none", "cage,code")
+        .completedBy(Completion::Kind::Words, {"cage", "code", "cage,code", "none"});
+    page.add("--caption", "TEXT", &arguments->caption, "Caption below the name").orEmpty();
+    page.add("--lang", "LANGUAGE", parsed(&arguments->language, languageArgument),
+             "Language of the page: en, de, es, fr or mk", "that of the browser")
+        .completedBy(Completion::Kind::Words, {io::pageLanguages.begin(), io::pageLanguages.end()});
+    page.add("--size", "WxH", parsed(&arguments->size, sizeArgument),
+             "Width and height of the picture in pixels of the page", "as large as the window allows");
+    page.add("--points", "N", parsed(&arguments->points, countFrom(10'000, 1'000'000'000)),
+             "Points of the picture at rest; suffixes k, M, G", "20M");
+    addVerbosityOptions(command, arguments->verbosity);
+    command.run = [arguments] { return writePage(*arguments); };
+    return command;
+}
+
+} // namespace cli

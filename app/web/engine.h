@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+
+// The C interface through which web pages draw an entry: model/ifs and model/attractor without Qt. Numbers
+// are doubles and small integers, arrays belong to the caller, and nothing throws: whatever is not valid is
+// left out of the picture. One engine serves one thread.
+#ifdef __EMSCRIPTEN__
+#define BARYCAGE_WEB extern "C" __attribute__((used, visibility("default")))
+#else
+#define BARYCAGE_WEB extern "C"
+#endif
+
+namespace web {
+struct Engine;
+}
+
+// Raised by 1 whenever a function of this header changes its meaning.
+constexpr int webInterface = 1;
+// "barycage web engine: interface I, pixels P, hashes H": what a built engine is made from.
+BARYCAGE_WEB const char* barycage_versions();
+
+BARYCAGE_WEB web::Engine* barycage_new();
+BARYCAGE_WEB void barycage_free(web::Engine* engine);
+
+// The system. A row is the linear part by rows, the translation, and a weight: NaN where none is given. What
+// was loaded before is forgotten. Dimension 2, or 3 in an engine that knows space; 0 is returned for others.
+BARYCAGE_WEB int barycage_load(web::Engine* engine, int dimension, const double* rows, int maps);
+BARYCAGE_WEB void barycage_links(web::Engine* engine, const double* matrix); // maps × maps, by rows
+// The group as in ifs::SymmetryGroup; the centre, then the frame by rows. 0 where there is no such symmetry.
+BARYCAGE_WEB int barycage_symmetry(web::Engine* engine, int group, int order, double angle,
+                                   const double* place);
+// A branch that is shown elsewhere: indices of maps, and the change as a row without a weight.
+BARYCAGE_WEB void barycage_branch(web::Engine* engine, const int* word, int length, const double* change);
+
+// Works out the extent of what has been loaded. Whether there is a certified attractor.
+BARYCAGE_WEB int barycage_settle(web::Engine* engine);
+// Least and greatest coordinates of the attractor, and by how much they may be wrong; then the vertices of
+// the minimal canonical simplex: 5 + 6 numbers, or 7 + 12 in space. 0 without an attractor.
+BARYCAGE_WEB int barycage_extent(web::Engine* engine, double* box, double* simplex);
+
+// The cage, at rest and as it is dragged, `count` vertices each. Without vertices the system is drawn as it
+// is. 0 where the rest vertices hold nothing.
+BARYCAGE_WEB int barycage_cage(web::Engine* engine, const double* rest, const double* current, int count,
+                               int bends);
+
+// Where one looks from: the centre and pixels per unit; in space the target, azimuth and elevation in
+// degrees, the height of the picture in world units, and the field of view in degrees, 0 for parallel rays.
+BARYCAGE_WEB void barycage_camera(web::Engine* engine, int width, int height, const double* view);
+
+// colourBy (attractor::ColourBy), brightness, gamma, contrast, vibrancy, supersample, then the plain colour
+// and the background as red, green, blue, alpha up to 255.
+BARYCAGE_WEB void barycage_appearance(web::Engine* engine, const double* numbers);
+// Positions and colours, five numbers for each stop.
+BARYCAGE_WEB void barycage_stops(web::Engine* engine, const double* stops, int count);
+BARYCAGE_WEB void barycage_map_colour(web::Engine* engine, int map, const double* colour);
+BARYCAGE_WEB void barycage_map_blend(web::Engine* engine, int map, double coordinate, double speed);
+// Solids: attractor::LookInSpace and SolidColour, azimuth and elevation of the light, fog.
+BARYCAGE_WEB void barycage_light(web::Engine* engine, int look, int colour, const double* numbers);
+
+// What of an entry in space is shown: a normal, the lowest and the greatest height along it. A normal of 0:
+// all.
+BARYCAGE_WEB void barycage_clip(web::Engine* engine, const double* clip);
+
+// Draws so many more points; `begin` throws away those before. A solid needs no points and is drawn whole.
+// While the exposure is kept, the picture does not flicker as it is dragged. Returns how many points are
+// drawn.
+BARYCAGE_WEB double barycage_draw(web::Engine* engine, double samples, int begin, int keepExposure);
+// Of the last picture: straight (not premultiplied) RGBA, rows from the top, width × height × 4 bytes.
+BARYCAGE_WEB const std::uint8_t* barycage_pixels(web::Engine* engine);
+// FNV-1a of its premultiplied 0xAARRGGBB pixels, lowest byte first: the low or the high half.
+BARYCAGE_WEB std::uint32_t barycage_hash(web::Engine* engine, int high);
+
+// The palettes that come with the program.
+BARYCAGE_WEB int barycage_palettes();
+BARYCAGE_WEB const char* barycage_palette_name(int palette);
+BARYCAGE_WEB int barycage_palette_stops(int palette, double* stops); // room for 5 × 64 numbers

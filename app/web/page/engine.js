@@ -1,0 +1,232 @@
+// SPDX-License-Identifier: MIT
+// The engine of app/web/engine.h, and entries as a page holds them.
+
+/** @typedef {import("./geometry.js").Point} Point */
+/** An entry of a collection. A map is a row of its matrix, its translation and its weight, null where none is given.
+ * @typedef {object} Entry
+ * @property {string} name
+ * @property {number} dimension 2 or 3
+ * @property {(number | null)[][]} maps
+ * @property {number[][]} [links]
+ * @property {{group: number, order: number, angle: number, centre: Point, frame: number[]}} [symmetry]
+ * @property {{word: number[], change: number[]}[]} [branches]
+ * @property {{rest: Point[], current: Point[], bends: boolean}} [cage]
+ * @property {Appearance} [appearance]
+ * @property {Solid} [solid]
+ * @property {number[]} [view]
+ * @property {{begin: string, lines: string[], rows: string[]}} [text] the entry as a collection has it
+ */
+/** In space: attractor::LookInSpace and SolidColour; clip is a normal and two heights, null without end.
+ * @typedef {{look: number, colour: number, light: number[], fog: number, clip?: (number | null)[]}} Solid */
+/** @typedef {object} Appearance
+ * @property {number} [colourBy]
+ * @property {number} [brightness]
+ * @property {number} [gamma]
+ * @property {number} [contrast]
+ * @property {number} [vibrancy]
+ * @property {number} [supersample]
+ * @property {number[]} [plain]
+ * @property {number[]} [background]
+ * @property {number[][]} [stops]
+ * @property {[number, number[]][]} [mapColours]
+ * @property {[number, number, number][]} [mapBlends]
+ */
+/** @typedef {{box: number[], simplex: Point[]}} Extent */
+/** @typedef {{name: string, stops: number[][]}} Palette */
+/** @typedef {Record<string, any>} Exports */
+
+const standardPlain = [235, 235, 235, 255];
+const standardBackground = [13, 16, 23, 255];
+
+/** Starts an engine from its WebAssembly.
+ * @param {BufferSource} bytes
+ * @returns {Promise<Engine>} */
+export async function startedEngine(bytes) {
+  /** @type {Exports} */
+  let running = {};
+  // The C library asks for little: a clock, an empty environment, and a place to write what nobody reads.
+  const system = {
+    /** @param {number} _id @param {bigint} _precision @param {number} time */
+    clock_time_get(_id, _precision, time) {
+      new DataView(running.memory.buffer).setBigUint64(time, BigInt(Math.round(performance.now() * 1e6)), true);
+      return 0;
+    },
+    /** @param {number} count @param {number} size */
+    environ_sizes_get(count, size) {
+      const view = new DataView(running.memory.buffer);
+      view.setUint32(count, 0, true);
+      view.setUint32(size, 0, true);
+      return 0;
+    },
+    environ_get: () => 0,
+    fd_close: () => 0,
+    fd_seek: () => 70,
+    fd_read: () => 8,
+    /** @param {number} _file @param {number} parts @param {number} count @param {number} written */
+    fd_write(_file, parts, count, written) {
+      const view = new DataView(running.memory.buffer);
+      let size = 0;
+      for (let i = 0; i < count; ++i) size += view.getUint32(parts + 8 * i + 4, true);
+      view.setUint32(written, size, true);
+      return 0;
+    },
+    proc_exit() {
+      throw new Error("the engine has ended");
+    },
+  };
+  const module = await WebAssembly.instantiate(bytes, {
+    env: { emscripten_notify_memory_growth() {} },
+    wasi_snapshot_preview1: system,
+  });
+  running = module.instance.exports;
+  running._initialize?.();
+  return new Engine(running);
+}
+
+/** One engine: an entry, how it is looked at, and its picture. */
+export class Engine {
+  /** @param {Exports} exports */
+  constructor(exports) {
+    this.calls = exports;
+    this.self = exports.barycage_new();
+    this.dimension = 2;
+    this.size = { width: 0, height: 0 };
+    /** @type {Appearance} */
+    this.appearance = {};
+    this.room = 0;
+    this.buffer = 0;
+  }
+
+  /** "barycage web engine: interface I, pixels P, hashes H" */
+  versions() {
+    return this.text(this.calls.barycage_versions());
+  }
+
+  /** Whether the engine can draw such entries. @param {Entry} entry */
+  knows(entry) {
+    return this.calls.barycage_load(this.self, entry.dimension, this.numbers([]), 0) !== 0;
+  }
+
+  /** @param {Entry} entry @returns {Extent | null} null where no attractor is certain */
+  load(entry) {
+    const d = (this.dimension = entry.dimension);
+    const length = d * (d + 1) + 1;
+    const rows = entry.maps.flatMap((map) => Array.from({ length }, (_, i) => map[i] ?? NaN));
+    this.calls.barycage_load(this.self, d, this.numbers(rows), entry.maps.length);
+    if (entry.links) this.calls.barycage_links(this.self, this.numbers(entry.links.flat()));
+    if (entry.symmetry) {
+      const { group, order, angle, centre, frame } = entry.symmetry;
+      const place = this.numbers([...centre, ...frame, ...Array(d).fill(0)]);
+      this.calls.barycage_symmetry(this.self, group, order, angle, place);
+    }
+    for (const branch of entry.branches ?? []) {
+      const change = this.numbers(branch.change);
+      const word = change + 8 * branch.change.length;
+      new Int32Array(this.calls.memory.buffer, word, branch.word.length).set(branch.word);
+      this.calls.barycage_branch(this.self, word, branch.word.length, change);
+    }
+    this.setAppearance(entry.appearance ?? {});
+    /** @type {Solid} */
+    const { look, colour, light, fog, clip } = entry.solid ?? { look: 0, colour: 0, light: [-40, 40], fog: 0 };
+    this.calls.barycage_light(this.self, look, colour, this.numbers([...light, fog]));
+    if (clip) {
+      const [x, y, z, lowest, highest] = clip;
+      this.calls.barycage_clip(this.self, this.numbers([x, y, z, lowest ?? -Infinity, highest ?? Infinity]));
+    }
+    return this.calls.barycage_settle(this.self) ? this.extent() : null;
+  }
+
+  /** @returns {Extent} */
+  extent() {
+    const d = this.dimension, boxLength = 2 * d + 1, corners = d * (d + 1);
+    const box = this.numbers(Array(boxLength + corners).fill(0));
+    this.calls.barycage_extent(this.self, box, box + 8 * boxLength);
+    const all = this.read(box, boxLength + corners);
+    return { box: all.slice(0, boxLength), simplex: points(all.slice(boxLength), d) };
+  }
+
+  /** @param {Appearance} given */
+  setAppearance(given) {
+    this.appearance = given;
+    this.calls.barycage_appearance(this.self, this.numbers([given.colourBy ?? 0, given.brightness ?? 20,
+      given.gamma ?? 2.2, given.contrast ?? 1, given.vibrancy ?? 1, given.supersample ?? 1,
+      ...(given.plain ?? standardPlain), ...(given.background ?? standardBackground)]));
+    const stops = given.stops ?? this.palettes()[0].stops;
+    this.calls.barycage_stops(this.self, this.numbers(stops.flat()), stops.length);
+    for (const [map, colour] of given.mapColours ?? [])
+      this.calls.barycage_map_colour(this.self, map, this.numbers(colour));
+    for (const [map, coordinate, speed] of given.mapBlends ?? [])
+      this.calls.barycage_map_blend(this.self, map, coordinate, speed);
+  }
+
+  /** @param {Point[]} rest @param {Point[]} current @param {boolean} bends */
+  setCage(rest, current, bends) {
+    const flat = [...rest.flat(), ...current.flat()];
+    const at = this.numbers(flat);
+    this.calls.barycage_cage(this.self, at, at + 4 * flat.length, rest.length, bends ? 1 : 0);
+  }
+
+  /** @param {number} width @param {number} height @param {number[]} view as barycage_camera() has it */
+  setCamera(width, height, view) {
+    this.size = { width, height };
+    this.calls.barycage_camera(this.self, width, height, this.numbers(view));
+  }
+
+  /** @param {number} samples @param {boolean} begin @param {boolean} keepExposure
+   * @returns {number} how many points are drawn */
+  draw(samples, begin, keepExposure) {
+    return this.calls.barycage_draw(this.self, samples, begin ? 1 : 0, keepExposure ? 1 : 0);
+  }
+
+  /** A copy of the picture, RGBA. @returns {Uint8ClampedArray<ArrayBuffer>} */
+  pixels() {
+    const at = this.calls.barycage_pixels(this.self);
+    const bytes = new Uint8ClampedArray(4 * this.size.width * this.size.height);
+    bytes.set(new Uint8Array(this.calls.memory.buffer, at, bytes.length));
+    return bytes;
+  }
+
+  hash() {
+    const half = (/** @type {number} */ high) =>
+      (this.calls.barycage_hash(this.self, high) >>> 0).toString(16).padStart(8, "0");
+    return half(1) + half(0);
+  }
+
+  /** @returns {Palette[]} */
+  palettes() {
+    return Array.from({ length: this.calls.barycage_palettes() }, (_, i) => {
+      const at = this.numbers(Array(5 * 64).fill(0));
+      const count = this.calls.barycage_palette_stops(i, at);
+      return { name: this.text(this.calls.barycage_palette_name(i)), stops: points(this.read(at, 5 * count), 5) };
+    });
+  }
+
+  /** Where these numbers stand for the next call.
+   * @param {(number | null)[]} values @returns {number} */
+  numbers(values) {
+    const bytes = 8 * values.length + 512; // and a word of a branch
+    if (bytes > this.room) {
+      if (this.buffer) this.calls.free(this.buffer);
+      this.buffer = this.calls.malloc(bytes);
+      this.room = bytes;
+    }
+    new Float64Array(this.calls.memory.buffer, this.buffer, values.length).set(values.map((v) => v ?? NaN));
+    return this.buffer;
+  }
+
+  /** @param {number} at @param {number} count */
+  read(at, count) {
+    return Array.from(new Float64Array(this.calls.memory.buffer, at, count));
+  }
+
+  /** @param {number} at */
+  text(at) {
+    const bytes = new Uint8Array(this.calls.memory.buffer, at);
+    return new TextDecoder().decode(bytes.slice(0, bytes.indexOf(0)));
+  }
+}
+
+/** @param {number[]} numbers @param {number} length @returns {number[][]} */
+function points(numbers, length) {
+  return Array.from({ length: numbers.length / length }, (_, i) => numbers.slice(i * length, (i + 1) * length));
+}

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: MIT
+// An entry as a collection has it, with what has been dragged and typed.
+
+/** @typedef {import("./engine.js").Entry} Entry */
+/** @typedef {import("./geometry.js").Point} Point */
+
+/** The determinant rule, for rows whose maps have no weights.
+ * @param {Entry} entry @returns {number[]} */
+function shares(entry) {
+  const sizes = entry.maps.map((map) => {
+    const m = /** @type {number[]} */ (map);
+    return Math.abs(entry.dimension === 2 ? m[0] * m[3] - m[1] * m[2]
+      : m[0] * (m[4] * m[8] - m[5] * m[7]) - m[1] * (m[3] * m[8] - m[5] * m[6]) + m[2] * (m[3] * m[7] - m[4] * m[6]));
+  });
+  const sum = (/** @type {number[]} */ list) => list.reduce((a, b) => a + b, 0);
+  const floored = sizes.map((size) => (sum(sizes) > 0 ? Math.max(size, 0.01 * sum(sizes)) : 1));
+  return floored.map((size) => size / sum(floored));
+}
+
+/** @param {Entry} entry @param {Point[]} rest @param {Point[]} current @param {boolean} isEdited whether maps have been
+ * typed: their rows are written anew, and all others as the collection had them */
+export function entryText(entry, rest, current, isEdited) {
+  const { begin = `${entry.name} {`, lines = [], rows = [] } = entry.text ?? {};
+  const isMoved = rest.some((p, i) => p.some((x, k) => x !== current[i][k]));
+  const point = (/** @type {string} */ key) => (/** @type {Point} */ p) =>
+    `; barycage: ${key} ${p.map((x) => (p.length === 3 ? Number(x.toPrecision(11)) : x)).join(" ")}`;
+  const cage = entry.cage || isMoved ? [...rest.map(point("rest")), ...current.map(point("current"))] : [];
+  const version = lines.length === 0 && cage.length > 0 ? ["; barycage: version 1"] : [];
+  const at = entry.dimension * (entry.dimension + 1);
+  const usual = entry.maps.some((map) => map[at] === null || map[at] === undefined) ? shares(entry) : [];
+  const typed = entry.maps.map((map, i) => [...map.slice(0, at), usual[i] ?? map[at]].join(" "));
+  return [begin, ...[...version, ...lines, ...cage, ...(isEdited || rows.length === 0 ? typed : rows)].map((l) => `  ${l}`),
+    "}", ""].join("\n");
+}

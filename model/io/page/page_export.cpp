@@ -1,0 +1,207 @@
+// SPDX-License-Identifier: MIT
+#include "io/page/page_export.h"
+
+#include "document/fractal/fractal_geometry.h"
+#include "document/fractal/space_geometry.h"
+#include "document/text/text.h"
+#include "io/page/page_entry.h"
+#include "io/page/page_script.h"
+#include "io/picture/png_export.h"
+#include "io/picture/space_export.h"
+#include "io/raster/jpeg_writer.h"
+#include "io/report/json_writer.h"
+
+#include <QBuffer>
+#include <QCryptographicHash>
+#include <QImage>
+#include <QMap>
+
+#include <algorithm>
+#include <span>
+
+namespace io {
+
+namespace {
+
+constexpr int stillWidth = 640, stillHeight = 480; // of the picture for readers without JavaScript
+constexpr int stillQuality = 72;
+constexpr std::uint64_t stillSamples = 4'000'000;
+
+struct Sentence {
+    const char* language;
+    const char* text;
+};
+// What is read where no script runs. The page itself speaks by app/web/page/texts.js.
+constexpr Sentence sentences[] = {
+    {"en", "To drag this fractal, open the page in a browser with JavaScript."},
+    {"de", "Um an diesem Fraktal zu ziehen, öffnen Sie die Seite in einem Browser mit JavaScript."},
+    {"es", "Para arrastrar este fractal, abra la página en un navegador con JavaScript."},
+    {"fr", "Pour manipuler cette fractale, ouvrez la page dans un navigateur avec JavaScript."},
+    {"mk", "За да го влечете овој фрактал, отворете ја страницата во прелистувач со JavaScript."},
+};
+
+// The attractor and its cage.
+attractor::Camera stillCamera(const document::Fractal& fractal) {
+    attractor::Camera camera;
+    camera.width = stillWidth;
+    camera.height = stillHeight;
+    const ifs::ControlCage<2> cage = document::effectiveCage(fractal);
+    ifs::Vector<2> low = cage.current.front(), high = low;
+    for (const ifs::Vector<2>& vertex : cage.current) {
+        low = low.cwiseMin(vertex);
+        high = high.cwiseMax(vertex);
+    }
+    if (const auto box = document::displayedBox(fractal)) {
+        low = low.cwiseMin(box->min);
+        high = high.cwiseMax(box->max);
+    }
+    return attractor::fitted(camera, low, high, pageMargin);
+}
+
+QImage stillInSpace(const document::Fractal& fractal) {
+    attractor::OrbitCamera camera;
+    camera.orientation = attractor::orbit(pageAzimuth, pageElevation);
+    camera.size = {stillWidth, stillHeight};
+    SpaceExport picture;
+    picture.fractal = fractal;
+    picture.request = document::spaceRequest(fractal, document::fittedTo(fractal, camera, pageMargin));
+    picture.request.samples = stillSamples;
+    return drawSpacePicture(picture).image;
+}
+
+QImage stillPicture(const document::Fractal& fractal) {
+    if (document::space(fractal)) return stillInSpace(fractal);
+    PngExport picture;
+    picture.fractal = fractal;
+    picture.request = document::renderRequest(fractal, stillCamera(fractal));
+    picture.request.samples = stillSamples;
+    return drawPicture(picture).image;
+}
+
+// JPEG in an address. What is transparent is shown on the dark or light ground that a page has.
+QByteArray stillAddress(const document::Fractal& fractal) {
+    const QImage drawn = stillPicture(fractal);
+    if (drawn.isNull()) return {};
+    QImage image(drawn.size(), QImage::Format_ARGB32_Premultiplied);
+    image.fill(Qt::white);
+    for (int y = 0; y < image.height(); ++y) {
+        auto* to = reinterpret_cast<QRgb*>(image.scanLine(y));
+        const auto* from = reinterpret_cast<const QRgb*>(drawn.constScanLine(y));
+        for (int x = 0; x < image.width(); ++x) {
+            const int rest = 255 - qAlpha(from[x]);
+            to[x] = qRgba(qRed(from[x]) + rest, qGreen(from[x]) + rest, qBlue(from[x]) + rest, 255);
+        }
+    }
+    QBuffer file;
+    file.open(QIODevice::WriteOnly);
+    PictureFormat format;
+    format.width = image.width();
+    format.height = image.height();
+    format.quality = stillQuality;
+    JpegWriter writer(file, format);
+    const std::size_t width = std::size_t(image.width());
+    for (int y = 0; y < image.height(); ++y)
+        if (writer.writeRows(
+                std::span(reinterpret_cast<const std::uint32_t*>(image.constScanLine(y)), width)))
+            return {};
+    if (writer.finish()) return {};
+    return "data:image/jpeg;base64," + file.data().toBase64();
+}
+
+// JSON that nothing in it can end: no “<” stands in it.
+QByteArray contentOf(const PageExport& page) {
+    JsonWriter json;
+    json.beginObject();
+    json.key("entry");
+    writePageEntry(json, page.fractal);
+    json.member("show", QString::fromLatin1(ifs::nameOf(page.parts)));
+    json.key("allow");
+    json.beginArray(JsonWriter::Layout::Inline);
+    if (page.allowsCage) json.value(QStringLiteral("cage"));
+    if (page.allowsCode) json.value(QStringLiteral("code"));
+    json.endArray();
+    json.member("language", page.language);
+    json.member("points", double(page.points));
+    json.endObject();
+    QByteArray text = json.text();
+    return text.replace('<', "\\u003c");
+}
+
+QByteArray backgroundOf(const document::Fractal& fractal) {
+    const attractor::Rgba colour =
+        document::space(fractal) ? document::backgroundInSpace(fractal) : fractal.appearance.background;
+    if (colour.alpha == 0) return "transparent";
+    return "rgb(" + QByteArray::number(colour.red) + ' ' + QByteArray::number(colour.green) + ' ' +
+           QByteArray::number(colour.blue) + " / " + QByteArray::number(colour.alpha * 100 / 255) + "%)";
+}
+
+QByteArray styleOf(const PageExport& page) {
+    QByteArray style = pagePart("page.css").replace("{{background}}", backgroundOf(page.fractal));
+    if (page.size) {
+        const QByteArray width = QByteArray::number(page.size->width()),
+                         height = QByteArray::number(page.size->height());
+        style +=
+            ":root { --figure-width: " + width + "px; --figure-ratio: " + width + " / " + height + "; }\n";
+    }
+    return style;
+}
+
+// As a Content-Security-Policy names a text that may run.
+QByteArray hashOf(const QByteArray& text) {
+    return "sha256-" + QCryptographicHash::hash(text, QCryptographicHash::Sha256).toBase64();
+}
+
+const char* sentenceIn(const QString& language) {
+    const auto* found = std::ranges::find_if(
+        sentences, [&](const Sentence& sentence) { return language == QLatin1String(sentence.language); });
+    return found == std::end(sentences) ? sentences[0].text : found->text;
+}
+
+// The template with its {{fields}} filled in; what they are filled with is not looked at again.
+QByteArray filled(const QByteArray& pattern, const QMap<QByteArray, QByteArray>& fields) {
+    QByteArray text;
+    for (qsizetype at = 0; at < pattern.size();) {
+        const qsizetype begin = pattern.indexOf("{{", at);
+        const qsizetype end = begin < 0 ? -1 : pattern.indexOf("}}", begin);
+        if (end < 0) return text + pattern.sliced(at);
+        text += pattern.sliced(at, begin - at) + fields.value(pattern.sliced(begin + 2, end - begin - 2));
+        at = end + 2;
+    }
+    return text;
+}
+
+} // namespace
+
+QString pageObstacle(const document::Fractal& fractal) {
+    const auto* system = document::system2(fractal);
+    const auto* solid = document::system3(fractal);
+    if (!system && !solid) return Text::tr("This entry is not an iterated function system.");
+    constexpr std::size_t most = 2000;
+    const std::size_t maps = system ? system->maps.size() : solid->maps.size();
+    if (maps > most)
+        return Text::tr("This entry has %1 maps; a web page can have at most %2.").arg(maps).arg(most);
+    return {};
+}
+
+QByteArray pageOf(const PageExport& page) {
+    const QByteArray script = pageScript(), style = styleOf(page);
+    const char* engine = document::space(page.fractal) ? "engine.wasm.gz" : "engine_plane.wasm.gz";
+    const QMap<QByteArray, QByteArray> fields{
+        {"language", page.language.isEmpty() ? QByteArray("en") : page.language.toLatin1()},
+        {"title", page.fractal.name.toHtmlEscaped().toUtf8()},
+        {"caption", page.caption.toHtmlEscaped().toUtf8()},
+        {"plain", sentenceIn(page.language)},
+        {"show", ifs::nameOf(page.parts)},
+        {"style", style},
+        {"style-hash", hashOf(style)},
+        {"still", stillAddress(page.fractal)},
+        {"content", contentOf(page)},
+        {"engine", pagePart(engine).toBase64()},
+        {"worker", workerScript()},
+        {"script", script},
+        {"script-hash", hashOf(script)},
+    };
+    return filled(pagePart("page.html"), fields);
+}
+
+} // namespace io

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "document/fractal/fractal.h"
+#include "ifs/names.h"
+
+#include <QByteArray>
+#include <QSize>
+#include <QString>
+
+#include <array>
+#include <cstdint>
+#include <optional>
+
+// An entry as one file for browsers: the attractor in its cage, live, without a server or a network.
+namespace io {
+
+enum class PageParts {
+    Figure, // the picture alone, with its name and caption
+    Table,  // and the maps
+    All,    // and palettes, and files to be saved
+};
+
+struct PageExport {
+    document::Fractal fractal;
+    PageParts parts = PageParts::All;
+    bool allowsCage = true;    // may the reader drag the cage
+    bool allowsCode = true;    // may the reader type maps
+    QString caption;           // below the name; empty: none
+    QString language;          // one of pageLanguages(); empty: that of the browser
+    std::optional<QSize> size; // of the picture, in pixels of the page; nullopt: what the window has room for
+    std::uint64_t points = 20'000'000; // of a picture at rest
+};
+
+// Why the entry cannot be shown in a page, in a sentence; empty where it can.
+QString pageObstacle(const document::Fractal& fractal);
+
+QByteArray pageOf(const PageExport& page);
+
+inline constexpr std::array pageLanguages{"en", "de", "es", "fr", "mk"};
+
+} // namespace io
+
+template <>
+inline constexpr auto ifs::names<io::PageParts> = std::to_array<ifs::Named<io::PageParts>>({
+    {io::PageParts::Figure, "figure"},
+    {io::PageParts::Table, "table"},
+    {io::PageParts::All, "all"},
+});

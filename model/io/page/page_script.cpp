@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: MIT
+#include "io/page/page_script.h"
+
+#include <QFile>
+#include <QString>
+
+#include <initializer_list>
+
+namespace io {
+
+namespace {
+
+// Without what belongs to modules and to people: imports, exports, and comments on lines of their own.
+QByteArray plainScript(const QByteArray& module) {
+    QByteArray script;
+    bool inImport = false, inComment = false;
+    for (const QByteArray& line : module.split('\n')) {
+        const QByteArray text = line.trimmed();
+        const bool beginsComment = text.startsWith("/**");
+        inComment = inComment || beginsComment;
+        inImport = inImport || line.startsWith("import ");
+        if (inComment) {
+            inComment = !text.endsWith("*/");
+        } else if (inImport) {
+            inImport = !text.endsWith("\";");
+        } else if (!text.isEmpty() && !text.startsWith("//")) {
+            script += (line.startsWith("export ") ? line.sliced(7) : line) + '\n';
+        }
+    }
+    return script;
+}
+
+QByteArray joined(std::initializer_list<const char*> modules) {
+    QByteArray script = "\"use strict\";\n(() => {\n";
+    for (const char* module : modules)
+        script += plainScript(pagePart(module));
+    return script + "})();\n";
+}
+
+} // namespace
+
+QByteArray pagePart(const char* name) {
+    QFile file(QStringLiteral(":/web/") + QLatin1String(name));
+    if (!file.open(QIODevice::ReadOnly)) qFatal("the program has no part %s of web pages", name);
+    return file.readAll();
+}
+
+QByteArray pageScript() {
+    return joined({"numbers.js", "geometry.js", "texts.js", "dom.js", "drawing.js", "table.js", "ifs_text.js",
+                   "figure.js", "main.js"});
+}
+
+QByteArray workerScript() {
+    return joined({"engine.js", "worker.js"});
+}
+
+} // namespace io

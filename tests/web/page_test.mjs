@@ -1,0 +1,287 @@
+// SPDX-License-Identifier: MIT
+// Pages that barycage-cli writes, in Chromium, with real events: node --test page_test.mjs, with the program in
+// BARYCAGE_CLI and the folder of axe-core in BARYCAGE_NODE_MODULES. Pictures of what is seen go to
+// BARYCAGE_PICTURES, if it is given.
+import assert from "node:assert/strict";
+import { execFileSync } from "node:child_process";
+import { mkdtempSync, readFileSync, readdirSync, statSync, writeFileSync } from "node:fs";
+import { tmpdir } from "node:os";
+import { join } from "node:path";
+import { after, test } from "node:test";
+import { Browser } from "./browser.mjs";
+
+const cli = process.env.BARYCAGE_CLI;
+const pictures = process.env.BARYCAGE_PICTURES;
+const folder = mkdtempSync(join(tmpdir(), "barycage-pages-"));
+const source = new URL("../../", import.meta.url).pathname;
+const paper = join(source, "ifs_library/paper.ifs");
+const shift = "\uE008", control = "\uE009", alt = "\uE00A", tab = "\uE004", right = "\uE014", escape = "\uE00C";
+
+let written = 0;
+/** @param {string} file @param {...string} options @returns {string} the path of the page */
+function page(file, ...options) {
+  const path = join(folder, `${++written}.html`);
+  execFileSync(cli, ["page", file, "-o", path, ...options]);
+  return path;
+}
+/** @param {string} text */
+function collection(text) {
+  const path = join(folder, `${++written}.ifs`);
+  writeFileSync(path, text);
+  return path;
+}
+const maple = page(paper, "--entry", "maple", "--caption", "Drag a corner: “the class drags the maple”.");
+
+/** @type {Browser[]} */
+const open = [];
+after(() => Promise.all(open.map((browser) => browser.end())));
+async function shown(path, options = {}) {
+  const browser = await Browser.start(options);
+  open.push(browser);
+  await browser.open(`file://${path}`);
+  await browser.until("window.barycage && document.body.dataset.state === 'live'");
+  return browser;
+}
+const isRefined = "barycage.drawing.total >= barycage.drawing.enough || barycage.drawing.total === 0 && !barycage.drawing.isBusy";
+async function rested(browser) {
+  await browser.until("!barycage.drawing.isBusy && !barycage.drawing.isStale");
+  await browser.until(isRefined);
+}
+async function keep(browser, name) {
+  if (pictures) writeFileSync(join(pictures, `${name}.png`), await browser.picture());
+}
+const corners = (browser) => browser.value(`(() => { const r = document.getElementById("stage").getBoundingClientRect();
+  return barycage.figure.corners().map(([x, y]) => [x + r.left, y + r.top]); })()`);
+const current = (browser) => browser.value("barycage.figure.current");
+// A number that other pixels change.
+const pixels = (browser) => browser.value(`(() => { const c = document.getElementById("canvas");
+  const copy = new OffscreenCanvas(c.width, c.height).getContext("2d", { willReadFrequently: true });
+  copy.drawImage(c, 0, 0);
+  const d = copy.getImageData(0, 0, c.width, c.height).data; let sum = 0;
+  for (let i = 0; i < d.length; i += 4) sum = (sum * 31 + d[i] + 256 * d[i + 1]) % 4294967291; return sum; })()`);
+
+test("a corner is dragged with the mouse, and the picture follows", async () => {
+  const browser = await shown(maple);
+  await rested(browser);
+  await keep(browser, "desktop-light");
+  const before = await pixels(browser), at = await corners(browser);
+  await browser.drag([at[1], [at[1][0] + 60, at[1][1] + 30], [at[1][0] + 120, at[1][1] + 60]]);
+  await rested(browser);
+  const moved = await corners(browser);
+  assert.ok(Math.hypot(moved[1][0] - at[1][0] - 120, moved[1][1] - at[1][1] - 60) < 2, "the corner is under the pointer");
+  assert.deepEqual(moved[0], at[0]);
+  assert.notEqual(await pixels(browser), before);
+  await keep(browser, "desktop-dragged");
+  // Reset brings the same pixels back.
+  await browser.value("document.getElementById('reset').click()");
+  await rested(browser);
+  const [x, y] = (await current(browser))[1];
+  assert.deepEqual([x, y], (await browser.value("barycage.figure.rest"))[1]);
+  assert.deepEqual(await browser.complaints(), []);
+});
+
+test("edges, the inside, and the keys that rotate, scale and constrain", async () => {
+  const browser = await shown(maple);
+  const start = await current(browser);
+  const at = await corners(browser);
+  const between = (a, b) => [(a[0] + b[0]) / 2, (a[1] + b[1]) / 2];
+  const inside = [(at[0][0] + at[1][0] + at[2][0]) / 3, (at[0][1] + at[1][1] + at[2][1]) / 3];
+  const to = ([x, y], dx, dy) => [[x, y], [x + dx / 2, y + dy / 2], [x + dx, y + dy]];
+  await browser.drag(to(between(at[0], at[1]), 0, 40));
+  let now = await current(browser);
+  assert.notDeepEqual(now[0], start[0]);
+  assert.notDeepEqual(now[1], start[1]);
+  assert.deepEqual(now[2], start[2]);
+  await browser.value("barycage.figure.reset()");
+  await browser.drag(to(inside, 30, 5), { key: shift });
+  now = await current(browser);
+  assert.equal(now[0][1], start[0][1], "constrained to x");
+  assert.ok(now[0][0] > start[0][0]);
+  const length = (p) => Math.hypot(p[0][0] - p[1][0], p[0][1] - p[1][1]);
+  for (const [key, isRigid] of [[control, true], [alt, false]]) {
+    await browser.value("barycage.figure.reset()");
+    const off = [inside[0] + 30, inside[1]];
+    await browser.drag(to(off, 15, 25), { key });
+    now = await current(browser);
+    assert.notDeepEqual(now, start);
+    assert.equal(Math.abs(length(now) - length(start)) < 1e-9, isRigid);
+  }
+  // A drag outside moves the view, and Escape takes back what is being dragged.
+  await browser.value("barycage.figure.reset()");
+  const view = await browser.value("barycage.figure.plane.centre[0]");
+  await browser.drag(to([at[0][0] - 60, at[2][1] - 20], 50, 0));
+  assert.ok((await browser.value("barycage.figure.plane.centre[0]")) < view);
+  await browser.value("barycage.figure.reset()");
+  await browser.value("document.getElementById('stage').focus()");
+  await browser.drag(to(at[1], 50, 50), { release: false });
+  assert.notDeepEqual(await current(browser), start);
+  await browser.keys(escape);
+  assert.deepEqual(await current(browser), start);
+  assert.deepEqual(await browser.complaints(), []);
+});
+
+test("the keyboard alone moves corners, and says where they are", async () => {
+  const browser = await shown(maple);
+  const start = await current(browser);
+  await browser.value("document.getElementById('stage').focus()");
+  await browser.keys(tab);
+  assert.match(await browser.value("document.activeElement.getAttribute('aria-label')"), /^Corner 1, at \(/);
+  await browser.keys(right, right);
+  const now = await current(browser);
+  assert.ok(now[0][0] > start[0][0]);
+  assert.equal(now[0][1], start[0][1]);
+  assert.match(await browser.value("document.getElementById('said').textContent"), /^Corner 1, at \(/);
+  await keep(browser, "keyboard");
+  assert.deepEqual(await browser.complaints(), []);
+});
+
+test("a telephone: fingers drag, pinch, and nothing is cut off", async () => {
+  const browser = await shown(maple, { width: 390, height: 844, ratio: 2, touch: true });
+  await rested(browser);
+  await keep(browser, "phone-light");
+  assert.ok((await browser.value("document.documentElement.scrollWidth - innerWidth")) <= 0, "no sideways scrolling");
+  const at = await corners(browser);
+  await browser.drag([[at[2][0] - 14, at[2][1] - 10], [at[2][0] - 40, at[2][1] - 40], [at[2][0] - 60, at[2][1] - 60]],
+    { pointer: "touch" });
+  const moved = await corners(browser);
+  assert.ok(moved[2][0] < at[2][0] - 30, "a finger beside the corner holds it");
+  const scale = await browser.value("barycage.figure.plane.scale");
+  await browser.pinch([[150, 200], [250, 200]], [[90, 200], [310, 200]]);
+  assert.ok((await browser.value("barycage.figure.plane.scale")) > 1.5 * scale);
+  const small = await browser.value(`[...document.querySelectorAll("button, .corner .reach, input")].filter((e) => {
+    const r = e.getBoundingClientRect(); return r.width > 0 && Math.min(r.width, r.height) < 40; }).map((e) => e.id || e.className)`);
+  assert.deepEqual(small, [], "targets are large enough for fingers");
+  assert.deepEqual(await browser.complaints(), []);
+});
+
+test("maps are typed, as numbers and as expressions", async () => {
+  const browser = await shown(maple);
+  await rested(browser);
+  const before = await pixels(browser);
+  const type = (value) => browser.value(`(() => { const cell = document.querySelectorAll("#maps input")[8]; cell.focus();
+    cell.value = ${JSON.stringify(value)}; cell.dispatchEvent(new Event("input", { bubbles: true })); })()`);
+  await type("1/2 + 0*cos(60°)");
+  await browser.until("barycage.entry.maps[1][0] === 0.5");
+  await rested(browser);
+  assert.notEqual(await pixels(browser), before);
+  await type("0.5 apples");
+  assert.match(await browser.value("document.getElementById('problem').textContent"), /“0.5 apples” is not a number/);
+  assert.equal(await browser.value("barycage.entry.maps[1][0]"), 0.5);
+  await type("1.5");
+  await browser.until("document.getElementById('problem').textContent.includes('no attractor')");
+  await type("0.61");
+  await browser.until("document.getElementById('problem').textContent === ''");
+  await rested(browser);
+  assert.deepEqual(await browser.complaints(), []);
+});
+
+test("the entry that a page saves is read again, as it was dragged", async () => {
+  const browser = await shown(maple);
+  await browser.value(`(() => { window.saved = []; URL.createObjectURL = (blob) => { blob.text().then((t) => saved.push(t));
+    return "data:,"; }; HTMLAnchorElement.prototype.click = () => {}; })()`);
+  const at = await corners(browser);
+  await browser.drag([at[0], [at[0][0] + 20, at[0][1] + 10], [at[0][0] + 40, at[0][1] + 30]]);
+  await browser.value("document.getElementById('ifs').click()");
+  await browser.until("saved.length === 1");
+  const file = collection(await browser.value("saved[0]"));
+  const info = JSON.parse(execFileSync(cli, ["info", "--json", file], { encoding: "utf8" }));
+  const entries = JSON.stringify(info);
+  for (const number of (await current(browser)).flat()) assert.ok(entries.includes(String(number)), `${number} is kept`);
+  assert.deepEqual(await browser.complaints(), []);
+});
+
+test("palettes change the picture", async () => {
+  const browser = await shown(maple);
+  await rested(browser);
+  const before = await pixels(browser);
+  await browser.value("document.querySelectorAll('#palettes button')[2].click()");
+  await browser.until("document.querySelectorAll('#palettes button')[2].getAttribute('aria-checked') === 'true'");
+  await rested(browser);
+  assert.notEqual(await pixels(browser), before);
+  assert.deepEqual(await browser.complaints(), []);
+});
+
+test("dark pages, and pages in five languages", async () => {
+  for (const [language, word] of [["de", "Abbildungen"], ["es", "Aplicaciones"], ["fr", "Applications"], ["mk", "Пресликувања"], ["en", "Maps"]]) {
+    const browser = await shown(page(paper, "--entry", "maple", "--lang", language), { dark: true });
+    assert.equal(await browser.value("document.getElementById('table-title').textContent"), word);
+    assert.equal(await browser.value("document.documentElement.lang"), language);
+    if (language === "de") {
+      await rested(browser);
+      await keep(browser, "desktop-dark");
+    }
+    assert.deepEqual(await browser.complaints(), []);
+  }
+});
+
+test("a figure alone, of a given size", async () => {
+  const browser = await shown(page(paper, "--entry", "maple", "--show", "figure", "--size", "600x400", "--allow", "none"));
+  const { width, height } = await browser.value("barycage.figure.size");
+  assert.equal(Math.round(width), 600);
+  assert.equal(Math.round(height), 400);
+  assert.equal(await browser.value("document.querySelectorAll('.corner').length"), 0);
+  assert.equal(await browser.value("getComputedStyle(document.querySelector('aside')).display"), "none");
+  await rested(browser);
+  await keep(browser, "figure");
+});
+
+test("a solid turns, and its corners bend it", async () => {
+  const browser = await shown(page(join(source, "ifs_library/space_sponges.ifs"), "--entry", "menger"));
+  await rested(browser);
+  await keep(browser, "solid");
+  const before = await pixels(browser);
+  const { left, top, width, height } = await browser.value("document.getElementById('stage').getBoundingClientRect().toJSON()");
+  const middle = [left + width / 2, top + height / 2];
+  await browser.drag([middle, [middle[0] + 60, middle[1]], [middle[0] + 120, middle[1] + 20]]);
+  await rested(browser);
+  assert.notEqual(await pixels(browser), before);
+  assert.notEqual(await browser.value("barycage.figure.space.azimuth"), 30);
+  const at = await corners(browser);
+  await browser.drag([at[1], [at[1][0] + 20, at[1][1] - 20], [at[1][0] + 40, at[1][1] - 40]]);
+  const moved = await corners(browser);
+  assert.ok(Math.hypot(moved[1][0] - at[1][0] - 40, moved[1][1] - at[1][1] + 40) < 2);
+  assert.deepEqual(await browser.complaints(), []);
+});
+
+test("hostile names and captions are text", async () => {
+  const name = "x</script><img src=x onerror=\"window.pwned=1\">";
+  const file = collection(`${name} { ; </script><script>window.pwned=1</script>\n .5 0 0 .5 0 0\n .5 0 0 .5 .5 0\n .5 0 0 .5 0 .5\n}\n`);
+  const browser = await shown(page(file, "--caption", "{{script}} <b>bold</b> & </style><script>window.pwned=2</script> \u2028"));
+  await rested(browser);
+  assert.equal(await browser.value("window.pwned ?? null"), null);
+  assert.equal(await browser.value("document.querySelector('h1').textContent"), name);
+  assert.match(await browser.value("document.querySelector('.caption').textContent"), /^\{\{script\}\} <b>bold<\/b> & <\/style>/);
+  assert.deepEqual(await browser.complaints(), []);
+});
+
+test("without WebAssembly there is a still picture and a sentence", async () => {
+  const path = join(folder, "broken.html");
+  writeFileSync(path, readFileSync(maple, "utf8").replace(/(<script type="text\/plain" id="engine">)[^<]{200}/, "$1"));
+  const browser = await Browser.start();
+  open.push(browser);
+  await browser.open(`file://${path}`);
+  await browser.until("document.getElementById('plain').textContent.includes('WebAssembly')");
+  assert.equal(await browser.value("document.body.dataset.state"), "still");
+  assert.ok(await browser.value("document.getElementById('still').naturalWidth > 100"));
+  await keep(browser, "still");
+});
+
+test("axe finds nothing that keeps anybody out", async () => {
+  const axe = readFileSync(join(process.env.BARYCAGE_NODE_MODULES, "axe-core/axe.min.js"), "utf8");
+  for (const dark of [false, true]) {
+    const browser = await shown(maple, { dark });
+    await browser.send("POST", "/execute/sync", { script: `${axe}; window.axe = axe;`, args: [] });
+    const found = await browser.send("POST", "/execute/async", { args: [], script: `const done = arguments[0];
+      axe.run().then((r) => done(r.violations.map((v) => v.id + ": " + v.nodes.map((n) => n.target).join(" "))));` });
+    assert.deepEqual(found, []);
+  }
+});
+
+test("nothing leaves the page, and it is small", async () => {
+  for (const name of readdirSync(folder).filter((file) => file.endsWith(".html"))) {
+    const text = readFileSync(join(folder, name), "utf8");
+    const limit = text.includes("\"dimension\": 3") ? 600_000 : 450_000;
+    assert.ok(statSync(join(folder, name)).size <= limit, `${name} has ${text.length} bytes`);
+    assert.doesNotMatch(text, /\.innerHTML|document\.write|eval\(|https?:\/\/(?!www\.w3\.org\/2000\/svg)/);
+  }
+});
