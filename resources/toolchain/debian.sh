@@ -17,11 +17,11 @@ shift
 command -v mmdebstrap >/dev/null || die "mmdebstrap was not found. Install it: apt-get install mmdebstrap"
 
 project=$(realpath "$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")/../..")
-kept=${XDG_CACHE_HOME:-$HOME/.cache}/barycage/$suite
+wanted=$(printf '%s\n' "${packages[@]}" | sort -u)
+kept=${XDG_CACHE_HOME:-$HOME/.cache}/barycage/$suite-$(cksum <<<"$wanted" | cut -d' ' -f1) # one for each list of packages
 mkdir -p "$kept"
 
 # The chroot is complete once the list of its packages is beside it.
-wanted=$(printf '%s\n' "${packages[@]}" | sort -u)
 exec {lock}>"$kept/lock"
 flock "$lock"
 if [ "$(cat "$kept/packages" 2>/dev/null)" != "$wanted" ]; then
