@@ -436,7 +436,8 @@ void LargeFilesTest::everyCommandIsChosen() {
                            QStringLiteral("About Barycage"),
                            QStringLiteral("Save Lesson…"),
                            QStringLiteral("Save Lesson As…"),
-                           QStringLiteral("Save a Copy for Other Programs…")};
+                           QStringLiteral("Save a Copy for Other Programs…"),
+                           QStringLiteral("Export Web Page…")};
     QList<QPointer<QAction>> commands;
     for (const QMenu* menu : m_window->menuBar()->findChildren<QMenu*>())
         for (QAction* action : menu->actions())
