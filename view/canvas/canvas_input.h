@@ -36,16 +36,17 @@ protected:
     bool doubleClicked() override;
     void moved() override;
     void released() override;
-    void left() override { m_tools.active().leave(); }
+    void left() override;
     bool wheelTurned(const QWheelEvent& event) override;
     bool keyPressed(const QKeyEvent& event) override;
     bool keyReleased(const QKeyEvent& event) override { return m_tools.active().keyRelease(event); }
     bool cancelled() override;
-    QCursor cursorOver() const override { return m_tools.toolAt(pointer()).cursor(pointer()); }
+    QCursor cursorOver() const override;
 
 private:
     bool canvasKey(const QKeyEvent& event);
     void endClick();
+    void markArrow();
 
     CanvasScene& m_scene;
     Toolbox& m_tools;

@@ -102,6 +102,8 @@ void CanvasView::connectParts() {
     connect(&m_tools, &Toolbox::definingRefused, this, &CanvasView::offerReset);
     connect(this, &CanvasView::message, this, [this] { m_said.clear(); });
     connect(&m_navigation, &CanvasNavigation::zoomed, this, &CanvasView::dismissHint);
+    connect(&m_navigation, &CanvasNavigation::cameraChanged, this,
+            [this] { m_wereCornersInView = m_scene->areCornersInView(); });
     connect(&m_navigation, &CanvasNavigation::cameraChanged, &m_input, &CanvasInput::reportAgain,
             Qt::QueuedConnection); // all else has followed then
     connect(&m_scene->handles(), &HandleModel::addressesFound, &m_input, &CanvasInput::reportAgain);
@@ -163,6 +165,18 @@ void CanvasView::followDocument(const document::Change& change) {
     if (const auto& view = m_document->view();
         view && wasShown() && (isAnother || change.parts & Change::Time))
         m_navigation.moveTo(attractor::cameraOf(*view, {viewport()->width(), viewport()->height()}));
+    keepCornersInView(change);
+}
+
+// A command that takes corners out of a view that showed them all fits the view. A drag may leave it: the
+// hand wants so.
+void CanvasView::keepCornersInView(const document::Change& change) {
+    using document::Change;
+    if (!(change.parts & (Change::Cage | Change::System)) || change.parts & Change::Time) return;
+    const bool wasDragged = std::exchange(m_isDragged, change.live);
+    const bool isCommand = !wasDragged && !change.live && !(change.parts & (Change::Current | Change::File));
+    if (isCommand && wasShown() && m_wereCornersInView && !m_scene->areCornersInView()) fit();
+    m_wereCornersInView = m_scene->areCornersInView();
 }
 
 // Cage and picture move together: in a gesture or at another moment nothing is painted until the picture has

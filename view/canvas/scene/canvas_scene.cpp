@@ -3,6 +3,7 @@
 
 #include "canvas/geometry/canvas_geometry.h"
 #include "canvas/items/attractor_item.h"
+#include "canvas/items/border_arrows_item.h"
 #include "canvas/items/cage_item.h"
 #include "canvas/items/motion_path_item.h"
 #include "canvas/items/symmetry_item.h"
@@ -26,6 +27,15 @@ constexpr std::size_t maxAvoided = 300; // handles that a sentence makes way for
 constexpr std::size_t maxCorners = 60;  // of maps that are not selected, in addition
 constexpr double keyReach = 7;          // pixels from the middle of a diamond
 
+// Whether every pixel is one of the background. Where there is a picture, that is known after a few.
+bool showsNothing(const attractor::Frame& frame, const attractor::Rgba& background) {
+    const auto opaque =
+        std::uint32_t(0xff000000U | background.red << 16U | background.green << 8U | background.blue);
+    const std::uint32_t empty = background.alpha < 255 ? 0 : opaque;
+    return frame.passes > 0 && !frame.pixels.empty() &&
+           std::ranges::all_of(frame.pixels, [empty](std::uint32_t pixel) { return pixel == empty; });
+}
+
 } // namespace
 
 CanvasScene::CanvasScene(document::Document* document, QObject* parent)
@@ -38,6 +48,7 @@ CanvasScene::CanvasScene(document::Document* document, QObject* parent)
       m_pathItem(std::make_unique<MotionPathItem>()),
       m_symmetryItem(std::make_unique<SymmetryItem>()),
       m_cageItem(std::make_unique<CageItem>()),
+      m_borderArrows(std::make_unique<BorderArrowsItem>()),
       m_mapFrames(std::make_unique<MapFramesItem>()),
       m_gizmo(std::make_unique<GizmoItem>()) {
     setItemIndexMethod(QGraphicsScene::NoIndex);
@@ -75,7 +86,8 @@ std::vector<OverlayItem*> CanvasScene::overlays() {
         items.insert(items.end(), more.begin(), more.end());
     };
     add(m_marks.itemsBelowHandles());
-    add({m_pathItem.get(), m_cageItem.get(), m_mapFrames.get(), m_gizmo.get(), m_symmetryItem.get()});
+    add({m_pathItem.get(), m_cageItem.get(), m_mapFrames.get(), m_gizmo.get(), m_symmetryItem.get(),
+         m_borderArrows.get()});
     add(m_marks.itemsAboveHandles());
     add(m_notes.items());
     return items;
@@ -88,6 +100,7 @@ void CanvasScene::setView(const attractor::Camera& camera, double devicePixelRat
     m_attractor->setView(camera, devicePixelRatio);
     m_grid->setView(camera);
     m_gizmo->setView(area);
+    m_borderArrows->setView(area);
     m_marks.setView(camera);
     m_notes.setView(area);
     requestLayout();
@@ -167,6 +180,18 @@ CanvasPart CanvasScene::partAt(const QPointF& position, Reach reach) const {
     return m_overlaysVisible && m_cageVisible ? hitTester().partAt(position, reach) : CanvasPart();
 }
 
+bool CanvasScene::hasBorderArrowAt(const QPointF& position, Reach reach) const {
+    const Kind kind = partAt(position, reach).kind;
+    const bool isFree = kind == Kind::None || kind == Kind::Inside || kind == Kind::Edge;
+    return m_borderArrows->isVisible() && isFree &&
+           m_borderArrows->arrowAt(position, reach == Reach::Touch ? BorderArrowsItem::widestReach
+                                                                   : BorderArrowsItem::mouseReach);
+}
+
+bool CanvasScene::areCornersInView() const {
+    return view::borderArrows(cagePolygon(), sceneRect()).empty();
+}
+
 void CanvasScene::holdKnobAt(const std::optional<QPointF>& position) {
     if (position == m_heldKnob) return;
     m_heldKnob = position;
@@ -187,6 +212,7 @@ void CanvasScene::requestLayout() {
 void CanvasScene::layoutItems() {
     m_isLayoutStale = false;
     m_cageItem->setPolygon(cagePolygon());
+    m_borderArrows->setArrows(view::borderArrows(cagePolygon(), sceneRect()));
     layoutFrames();
     layoutPaths();
     layoutSymmetry();
@@ -310,7 +336,11 @@ void CanvasScene::restyle() {
 }
 
 void CanvasScene::updateNote() {
-    m_notes.describe(m_document->fractal(), m_frame ? m_frame->note : attractor::RenderNote::None);
+    const document::Fractal& fractal = m_document->fractal();
+    if (m_frame)
+        m_notes.describe(fractal, m_frame->note, showsNothing(*m_frame, fractal.appearance.background));
+    else
+        m_notes.describe(fractal, attractor::RenderNote::None);
 }
 
 void CanvasScene::setOverlaysVisible(bool visible) {
@@ -328,6 +358,7 @@ void CanvasScene::updateVisibility() {
         item->setVisible(m_overlaysVisible);
     const bool cage = m_overlaysVisible && m_cageVisible && m_handles.cage();
     m_cageItem->setVisible(cage);
+    m_borderArrows->setVisible(cage && m_handles.target() == HandleTarget::Cage);
     m_mapFrames->setVisible(cage);
     m_pathItem->setVisible(cage);
     m_symmetryItem->setVisible(cage);
