@@ -9,7 +9,7 @@
 #include "identity.h"
 #include "io/fractint/fractint_reader.h"
 #include "main_window.h"
-#include "messages/tour.h"
+#include "portal/desktop_motion.h"
 #include "session/session.h"
 #include "welcome.h"
 #include "widgets/tooltips.h"
@@ -44,6 +44,7 @@ Application::Application(int& argc, char** argv) : QApplication(argc, argv) {
     view::applyTheme(preferences.theme);
     view::Preferences::setSpokenLanguage(preferences.language);
     speak(preferences.language);
+    new DesktopMotion(this);
 }
 
 Application::~Application() {
@@ -141,6 +142,14 @@ bool Application::openWindows(const QStringList& files, Start start) {
         window->show();
         window->openRecovered(abandoned);
     }
+    if (const QList<QVariantMap> places = session::takeRestartPlaces(); !places.isEmpty()) {
+        for (const QVariantMap& place : places) {
+            auto* window = new MainWindow;
+            window->show();
+            window->returnTo(place);
+        }
+        return !session::allAreClosed();
+    }
     const bool again = files.isEmpty() && start == Start::AsLastTime && view::Preferences::stored().reopen;
     MainWindow::openEach(again ? session::files() : files);
     if (start == Start::AsLastTime && !session::windows().isEmpty()) return !session::allAreClosed();
@@ -151,7 +160,7 @@ bool Application::openWindows(const QStringList& files, Start start) {
         window->showCollection();
     else if (start == Start::Random)
         window->addRandom();
-    else if (!Tour::offer(window))
+    else if (!window->beginFirstMinute())
         Welcome::offer(window);
     return true;
 }

@@ -10,12 +10,14 @@ namespace view {
 // What the user prefers in every window, kept between runs. A value: whoever changes it stores it and tells.
 struct Preferences {
     enum class Theme { Desktop, Light, Dark };
+    enum class Motion { Desktop, Reduced, Full };
 
     QString language; // "de", "mk"; empty: that of the desktop. In force from the next start.
     Theme theme = Theme::Desktop;
     std::uint64_t quality = 200'000'000; // samples to which a picture at rest is refined
     bool trackball = false;              // solids turn freely, not as on a turntable
     bool reopen = false;                 // the files of the last time, at the start
+    Motion motion = Motion::Desktop;     // of what moves without having been asked to
 
     static Preferences stored();
     void store() const;

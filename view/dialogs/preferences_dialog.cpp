@@ -41,6 +41,16 @@ void offerTurning(QComboBox* box) {
         "about the axes of the screen, even over the poles; to level the view again, look along an axis."));
 }
 
+void offerMotion(QComboBox* box) {
+    box->addItem(PreferencesDialog::tr("System default"), int(Preferences::Motion::Desktop));
+    box->addItem(PreferencesDialog::tr("Play when opened"), int(Preferences::Motion::Full));
+    box->addItem(PreferencesDialog::tr("Still until played"), int(Preferences::Motion::Reduced));
+    box->setAccessibleName(PreferencesDialog::tr("Motion"));
+    box->setWhatsThis(PreferencesDialog::tr(
+        "Whether an entry that moves plays as soon as it is opened. When your desktop asks for less motion, "
+        "the system default shows a still picture until you press Play."));
+}
+
 } // namespace
 
 PreferencesDialog::PreferencesDialog(QWidget* parent)
@@ -50,6 +60,7 @@ PreferencesDialog::PreferencesDialog(QWidget* parent)
       m_restart(new QLabel(tr("Restart to change the language."), this)),
       m_restartNow(new QPushButton(tr("Restart &Now"), this)),
       m_theme(new QComboBox(this)),
+      m_motion(new QComboBox(this)),
       m_quality(new QComboBox(this)),
       m_turning(new QComboBox(this)),
       m_reopen(new QCheckBox(tr("Re&open last files on startup"), this)) {
@@ -72,6 +83,7 @@ PreferencesDialog::PreferencesDialog(QWidget* parent)
     m_quality->setWhatsThis(tr("The number of points drawn while nothing moves. More points make a smoother "
                                "picture and keep the processor busy for longer."));
     offerTurning(m_turning);
+    offerMotion(m_motion);
     m_reopen->setWhatsThis(tr("When this is on, Barycage reopens the files that were open when you closed "
                               "it, each in its own window."));
 
@@ -82,13 +94,14 @@ PreferencesDialog::PreferencesDialog(QWidget* parent)
     form->addRow(QString(), m_restart);
     form->addRow(QString(), restartRow());
     form->addRow(tr("&Theme:"), m_theme);
+    form->addRow(tr("&Motion:"), m_motion);
     form->addRow(tr("&Idle quality:"), m_quality);
     form->addRow(tr("Turning &solids:"), m_turning);
     form->addRow(QString(), m_reopen);
     form->addRow(buttons);
 
     fill(Preferences::stored());
-    for (QComboBox* box : {m_language, m_theme, m_quality, m_turning})
+    for (QComboBox* box : {m_language, m_theme, m_motion, m_quality, m_turning})
         connect(box, &QComboBox::currentIndexChanged, this, &PreferencesDialog::take);
     connect(m_reopen, &QCheckBox::toggled, this, &PreferencesDialog::take);
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
@@ -119,6 +132,7 @@ QLayout* PreferencesDialog::restartRow() {
 void PreferencesDialog::fill(const Preferences& preferences) {
     choose(m_language, preferences.language);
     choose(m_theme, int(preferences.theme));
+    choose(m_motion, int(preferences.motion));
     choose(m_quality, quint64(preferences.quality));
     choose(m_turning, preferences.trackball);
     const QSignalBlocker quiet(m_reopen);
@@ -142,6 +156,7 @@ void PreferencesDialog::take() {
     Preferences chosen;
     chosen.language = m_language->currentData().toString();
     chosen.theme = Preferences::Theme(m_theme->currentData().toInt());
+    chosen.motion = Preferences::Motion(m_motion->currentData().toInt());
     chosen.quality = m_quality->currentData().toULongLong();
     chosen.trackball = m_turning->currentData().toBool();
     chosen.reopen = m_reopen->isChecked();
