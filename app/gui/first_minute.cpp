@@ -108,15 +108,16 @@ void FirstMinute::follow(const document::Change& change) {
     if (change.live) {
         m_isDragging = true;
         if (m_chips) m_chips->close();
-    } else if (std::exchange(m_isDragging, false) && m_parts.document->isModified()) {
-        showChips();
+    } else if (std::exchange(m_isDragging, false)) {
+        QMetaObject::invokeMethod(this, &FirstMinute::showChips, Qt::QueuedConnection); // once it is a step
     }
 }
 
 // Once in the life of the settings.
 void FirstMinute::showChips() {
     const QString shown = QStringLiteral("hints/firstChips");
-    if (view::stored(shown, false).toBool()) return;
+    const bool isCancelled = !m_parts.document->isModified();
+    if (isCancelled || view::stored(shown, false).toBool()) return;
     view::store(shown, true);
     view::store(seenKey(), true);
     m_parts.canvas->dismissHint();

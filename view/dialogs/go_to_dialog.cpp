@@ -108,7 +108,7 @@ void GoToDialog::layFields() {
     layout->addWidget(buttons);
     connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
-    const int digits = fontMetrics().averageCharWidth() * 24;
+    const int digits = fontMetrics().horizontalAdvance(u'0') * 22;
     m_x->setMinimumWidth(digits);
     m_y->setMinimumWidth(digits);
 }

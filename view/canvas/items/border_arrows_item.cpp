@@ -18,12 +18,10 @@ constexpr double arrowApart = 26; // least distance between two
 constexpr double arrowRadius = 10;
 constexpr double tipLength = 17; // from the middle
 
-// Where the way from the middle of `area` to `corner` leaves it.
-QPointF leaving(const QRectF& area, const QPointF& corner) {
-    const QPointF way = corner - area.center();
-    const double across = std::abs(way.x()) / (area.width() / 2);
-    const double along = std::abs(way.y()) / (area.height() / 2);
-    return area.center() + way / std::max({across, along, 1.0});
+// The point of `area` nearest to the corner, where an edge that ends there leaves the view, or nearly so.
+QPointF nearestIn(const QRectF& area, const QPointF& corner) {
+    return {std::clamp(corner.x(), area.left(), area.right()),
+            std::clamp(corner.y(), area.top(), area.bottom())};
 }
 
 // A disc with a tip towards the right.
@@ -45,7 +43,7 @@ std::vector<BorderArrow> borderArrows(const QPolygonF& corners, const QRectF& vi
     for (int i = 0; i < corners.size(); ++i) {
         const QPointF& corner = corners[i];
         if (view.contains(corner) || !std::isfinite(corner.x()) || !std::isfinite(corner.y())) continue;
-        const QPointF at = leaving(area, corner);
+        const QPointF at = nearestIn(area, corner);
         const auto near = std::ranges::find_if(
             arrows, [&](const BorderArrow& arrow) { return QLineF(arrow.at, at).length() < arrowApart; });
         if (near != arrows.end()) {
