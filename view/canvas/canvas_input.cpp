@@ -51,7 +51,7 @@ bool CanvasInput::pressed(Qt::MouseButton button) {
     const bool isHandle = kind != CanvasPart::Kind::None && kind != CanvasPart::Kind::Inside;
     m_clicked.reset();
     if (m_scene.overlaysVisible() && !isHandle && m_scene.notes().dismissAt(pointer().position)) return false;
-    if (m_scene.hasBorderArrowAt(pointer().position, pointer().reach) && !m_tools.active().isBusy()) {
+    if (arrowUnder() && !m_tools.active().isBusy()) {
         m_navigation.fitCorners();
         return false;
     }
@@ -68,12 +68,12 @@ bool CanvasInput::doubleClicked() {
 }
 
 QCursor CanvasInput::cursorOver() const {
-    const bool isArrow = !isHolding() && m_scene.hasBorderArrowAt(pointer().position, pointer().reach);
+    const bool isArrow = !isHolding() && arrowUnder();
     return isArrow ? QCursor(Qt::PointingHandCursor) : m_tools.toolAt(pointer()).cursor(pointer());
 }
 
 void CanvasInput::left() {
-    m_scene.borderArrows().setHovered(-1);
+    m_scene.marks().borderArrows().setHovered(-1);
     m_tools.active().leave();
 }
 
@@ -84,14 +84,25 @@ void CanvasInput::moved() {
     reportPointer();
 }
 
+// To a corner outside, where no handle lies over it.
+std::optional<BorderArrow> CanvasInput::arrowUnder() const {
+    using Kind = CanvasPart::Kind;
+    const BorderArrowsItem& arrows = m_scene.marks().borderArrows();
+    const Kind kind = m_scene.partAt(pointer().position, pointer().reach).kind;
+    const bool isFree = kind == Kind::None || kind == Kind::Inside || kind == Kind::Edge;
+    if (!arrows.isVisible() || !isFree) return std::nullopt;
+    return arrows.arrowAt(pointer().position, pointer().reach == Reach::Touch ? BorderArrowsItem::fingerReach
+                                                                              : BorderArrowsItem::mouseReach);
+}
+
 void CanvasInput::markArrow() {
-    const bool isOn = !isHolding() && m_scene.hasBorderArrowAt(pointer().position, pointer().reach);
-    BorderArrowsItem& arrows = m_scene.borderArrows();
+    const auto arrow = isHolding() ? std::nullopt : arrowUnder();
+    BorderArrowsItem& arrows = m_scene.marks().borderArrows();
     const int before = arrows.hovered();
-    arrows.setHovered(isOn ? arrows.arrowAt(pointer().position, BorderArrowsItem::widestReach)->vertex : -1);
-    if (before < 0 && isOn)
+    arrows.setHovered(arrow ? arrow->vertex : -1);
+    if (before < 0 && arrow)
         emit message(tr("Corner outside the view: click to fit the picture and its cage"));
-    if (before >= 0 && !isOn) emit message({});
+    if (before >= 0 && !arrow) emit message({});
 }
 
 void CanvasInput::released() {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "canvas/canvas_navigation.h"
+#include "canvas/items/border_arrows_item.h"
 #include "canvas/pointer_position.h"
 #include "canvas/tools/toolbox.h"
 #include "gestures/viewport_input.h"
@@ -46,6 +47,7 @@ protected:
 private:
     bool canvasKey(const QKeyEvent& event);
     void endClick();
+    std::optional<BorderArrow> arrowUnder() const;
     void markArrow();
 
     CanvasScene& m_scene;

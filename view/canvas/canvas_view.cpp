@@ -6,6 +6,7 @@
 #include "canvas/canvas_accessible.h"
 #include "canvas/canvas_menu.h"
 #include "canvas/items/attractor_item.h"
+#include "canvas/items/border_arrows_item.h"
 #include "canvas/scene/handle_text.h"
 #include "document/analysis/analysis.h"
 #include "document/edits/cage/cage_actions.h"
@@ -103,7 +104,7 @@ void CanvasView::connectParts() {
     connect(this, &CanvasView::message, this, [this] { m_said.clear(); });
     connect(&m_navigation, &CanvasNavigation::zoomed, this, &CanvasView::dismissHint);
     connect(&m_navigation, &CanvasNavigation::cameraChanged, this,
-            [this] { m_wereCornersInView = m_scene->areCornersInView(); });
+            [this] { m_wereCornersInView = areCornersInView(); });
     connect(&m_navigation, &CanvasNavigation::cameraChanged, &m_input, &CanvasInput::reportAgain,
             Qt::QueuedConnection); // all else has followed then
     connect(&m_scene->handles(), &HandleModel::addressesFound, &m_input, &CanvasInput::reportAgain);
@@ -168,6 +169,10 @@ void CanvasView::followDocument(const document::Change& change) {
     keepCornersInView(change);
 }
 
+bool CanvasView::areCornersInView() const {
+    return m_scene->marks().borderArrows().arrows().empty();
+}
+
 // A command that takes corners out of a view that showed them all fits the view. A drag may leave it: the
 // hand wants so.
 void CanvasView::keepCornersInView(const document::Change& change) {
@@ -175,8 +180,8 @@ void CanvasView::keepCornersInView(const document::Change& change) {
     if (!(change.parts & (Change::Cage | Change::System)) || change.parts & Change::Time) return;
     const bool wasDragged = std::exchange(m_isDragged, change.live);
     const bool isCommand = !wasDragged && !change.live && !(change.parts & (Change::Current | Change::File));
-    if (isCommand && wasShown() && m_wereCornersInView && !m_scene->areCornersInView()) fit();
-    m_wereCornersInView = m_scene->areCornersInView();
+    if (isCommand && wasShown() && m_wereCornersInView && !areCornersInView()) fit();
+    m_wereCornersInView = areCornersInView();
 }
 
 // Cage and picture move together: in a gesture or at another moment nothing is painted until the picture has

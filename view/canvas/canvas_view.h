@@ -72,6 +72,7 @@ private:
     void setUpWidget();
     void connectParts();
     void followDocument(const document::Change& change);
+    bool areCornersInView() const;
     void keepCornersInView(const document::Change& change);
     void holdPainting();
     void paintAgain();

@@ -32,6 +32,25 @@ void choose(QComboBox* box, const QVariant& value) {
     box->setCurrentIndex(std::max(0, box->findData(value)));
 }
 
+void offerThemes(QComboBox* box) {
+    box->addItem(PreferencesDialog::tr("System default"), int(Preferences::Theme::Desktop));
+    box->addItem(PreferencesDialog::tr("Light"), int(Preferences::Theme::Light));
+    box->addItem(PreferencesDialog::tr("Dark"), int(Preferences::Theme::Dark));
+    box->setAccessibleName(PreferencesDialog::tr("Theme"));
+    box->setWhatsThis(
+        PreferencesDialog::tr("The colours of windows and panels. The picture keeps its own colours."));
+}
+
+void offerQuality(QComboBox* box) {
+    box->addItem(PreferencesDialog::tr("Draft: 50 million points"), quint64(50'000'000));
+    box->addItem(PreferencesDialog::tr("Good: 200 million points"), quint64(200'000'000));
+    box->addItem(PreferencesDialog::tr("Fine: 1000 million points"), quint64(1'000'000'000));
+    box->setAccessibleName(PreferencesDialog::tr("Idle quality"));
+    box->setWhatsThis(
+        PreferencesDialog::tr("The number of points drawn while nothing moves. More points make a smoother "
+                              "picture and keep the processor busy for longer."));
+}
+
 void offerTurning(QComboBox* box) {
     box->addItem(PreferencesDialog::tr("Turntable"), false);
     box->addItem(PreferencesDialog::tr("Trackball"), true);
@@ -71,17 +90,8 @@ PreferencesDialog::PreferencesDialog(QWidget* parent)
     m_language->setAccessibleName(tr("Language"));
     m_language->setWhatsThis(tr("The language of menus and messages. Files and numbers are the same in every "
                                 "language."));
-    m_theme->addItem(tr("System default"), int(Preferences::Theme::Desktop));
-    m_theme->addItem(tr("Light"), int(Preferences::Theme::Light));
-    m_theme->addItem(tr("Dark"), int(Preferences::Theme::Dark));
-    m_theme->setAccessibleName(tr("Theme"));
-    m_theme->setWhatsThis(tr("The colours of windows and panels. The picture keeps its own colours."));
-    m_quality->addItem(tr("Draft: 50 million points"), quint64(50'000'000));
-    m_quality->addItem(tr("Good: 200 million points"), quint64(200'000'000));
-    m_quality->addItem(tr("Fine: 1000 million points"), quint64(1'000'000'000));
-    m_quality->setAccessibleName(tr("Idle quality"));
-    m_quality->setWhatsThis(tr("The number of points drawn while nothing moves. More points make a smoother "
-                               "picture and keep the processor busy for longer."));
+    offerThemes(m_theme);
+    offerQuality(m_quality);
     offerTurning(m_turning);
     offerMotion(m_motion);
     m_reopen->setWhatsThis(tr("When this is on, Barycage reopens the files that were open when you closed "

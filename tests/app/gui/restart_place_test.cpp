@@ -32,13 +32,13 @@ private:
 
 namespace {
 
-const QByteArray twoEntries = "first { .5 0 0 .5 0 0 .5  .5 0 0 .5 1 1 .5 }\n"
-                              "second { .4 0 0 .4 0 0 .5  .4 0 0 .4 1 1 .5 }\n";
+const QByteArray twoPictures = "first { .5 0 0 .5 0 0 .5  .5 0 0 .5 1 1 .5 }\n"
+                               "second { .4 0 0 .4 0 0 .5  .4 0 0 .4 1 1 .5 }\n";
 
 } // namespace
 
 void RestartPlaceTest::theEntryIsShownAgain() {
-    const QString path = fileWith(twoEntries);
+    const QString path = fileWith(twoPictures);
     QVERIFY(m_window->openPath(path));
     m_window->document().setCurrent(m_window->document().file().entries.back().id);
     const QVariantMap place = m_window->restartPlace();
@@ -61,7 +61,7 @@ void RestartPlaceTest::anEntryOfTheFirstFileIsShownAgain() {
 }
 
 void RestartPlaceTest::anotherEntryInItsPlaceIsNotTakenForIt() {
-    const QString path = fileWith(twoEntries);
+    const QString path = fileWith(twoPictures);
     QVERIFY(m_window->openPath(path));
     m_window->document().setCurrent(m_window->document().file().entries.back().id);
     QVariantMap place = m_window->restartPlace();

@@ -29,8 +29,8 @@ public:
     const std::vector<BorderArrow>& arrows() const { return m_arrows; }
     // The arrow under a position, within `reach` pixels of its middle.
     std::optional<BorderArrow> arrowAt(const QPointF& position, double reach) const;
-    static constexpr double mouseReach = 14, widestReach = 22; // of a finger
-    void setHovered(int vertex);                               // its arrow is lit; −1: none
+    static constexpr double mouseReach = 14, fingerReach = 22;
+    void setHovered(int vertex); // its arrow is lit; −1: none
     int hovered() const { return m_hovered; }
 
     QRectF boundingRect() const override { return m_view; }

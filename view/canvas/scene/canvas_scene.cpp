@@ -48,7 +48,6 @@ CanvasScene::CanvasScene(document::Document* document, QObject* parent)
       m_pathItem(std::make_unique<MotionPathItem>()),
       m_symmetryItem(std::make_unique<SymmetryItem>()),
       m_cageItem(std::make_unique<CageItem>()),
-      m_borderArrows(std::make_unique<BorderArrowsItem>()),
       m_mapFrames(std::make_unique<MapFramesItem>()),
       m_gizmo(std::make_unique<GizmoItem>()) {
     setItemIndexMethod(QGraphicsScene::NoIndex);
@@ -86,8 +85,7 @@ std::vector<OverlayItem*> CanvasScene::overlays() {
         items.insert(items.end(), more.begin(), more.end());
     };
     add(m_marks.itemsBelowHandles());
-    add({m_pathItem.get(), m_cageItem.get(), m_mapFrames.get(), m_gizmo.get(), m_symmetryItem.get(),
-         m_borderArrows.get()});
+    add({m_pathItem.get(), m_cageItem.get(), m_mapFrames.get(), m_gizmo.get(), m_symmetryItem.get()});
     add(m_marks.itemsAboveHandles());
     add(m_notes.items());
     return items;
@@ -100,7 +98,6 @@ void CanvasScene::setView(const attractor::Camera& camera, double devicePixelRat
     m_attractor->setView(camera, devicePixelRatio);
     m_grid->setView(camera);
     m_gizmo->setView(area);
-    m_borderArrows->setView(area);
     m_marks.setView(camera);
     m_notes.setView(area);
     requestLayout();
@@ -180,18 +177,6 @@ CanvasPart CanvasScene::partAt(const QPointF& position, Reach reach) const {
     return m_overlaysVisible && m_cageVisible ? hitTester().partAt(position, reach) : CanvasPart();
 }
 
-bool CanvasScene::hasBorderArrowAt(const QPointF& position, Reach reach) const {
-    const Kind kind = partAt(position, reach).kind;
-    const bool isFree = kind == Kind::None || kind == Kind::Inside || kind == Kind::Edge;
-    return m_borderArrows->isVisible() && isFree &&
-           m_borderArrows->arrowAt(position, reach == Reach::Touch ? BorderArrowsItem::widestReach
-                                                                   : BorderArrowsItem::mouseReach);
-}
-
-bool CanvasScene::areCornersInView() const {
-    return view::borderArrows(cagePolygon(), sceneRect()).empty();
-}
-
 void CanvasScene::holdKnobAt(const std::optional<QPointF>& position) {
     if (position == m_heldKnob) return;
     m_heldKnob = position;
@@ -212,7 +197,7 @@ void CanvasScene::requestLayout() {
 void CanvasScene::layoutItems() {
     m_isLayoutStale = false;
     m_cageItem->setPolygon(cagePolygon());
-    m_borderArrows->setArrows(view::borderArrows(cagePolygon(), sceneRect()));
+    m_marks.borderArrows().setArrows(borderArrows(cagePolygon(), sceneRect()));
     layoutFrames();
     layoutPaths();
     layoutSymmetry();
@@ -358,7 +343,7 @@ void CanvasScene::updateVisibility() {
         item->setVisible(m_overlaysVisible);
     const bool cage = m_overlaysVisible && m_cageVisible && m_handles.cage();
     m_cageItem->setVisible(cage);
-    m_borderArrows->setVisible(cage && m_handles.target() == HandleTarget::Cage);
+    m_marks.borderArrows().setVisible(cage && m_handles.target() == HandleTarget::Cage);
     m_mapFrames->setVisible(cage);
     m_pathItem->setVisible(cage);
     m_symmetryItem->setVisible(cage);

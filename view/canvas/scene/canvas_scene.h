@@ -22,7 +22,6 @@
 namespace view {
 
 class AttractorItem;
-class BorderArrowsItem;
 class CageItem;
 class MotionPathItem;
 class SymmetryItem;
@@ -51,9 +50,6 @@ public:
     CanvasNotes& notes() { return m_notes; }
     GridItem& grid() const { return *m_grid; }
     SymmetryItem& symmetry() const { return *m_symmetryItem; }
-    BorderArrowsItem& borderArrows() const { return *m_borderArrows; } // to corners that are out of view
-    bool hasBorderArrowAt(const QPointF& position, Reach reach) const; // and no handle lies over it
-    bool areCornersInView() const;                                     // all corners of the cage
 
     QPolygonF cagePolygon() const;
     const std::vector<MapFrame>& frames() const { return m_mapFrames->frames(); } // by index
@@ -134,7 +130,6 @@ private:
     std::unique_ptr<MotionPathItem> m_pathItem;
     std::unique_ptr<SymmetryItem> m_symmetryItem;
     std::unique_ptr<CageItem> m_cageItem;
-    std::unique_ptr<BorderArrowsItem> m_borderArrows;
     std::unique_ptr<MapFramesItem> m_mapFrames;
     std::unique_ptr<GizmoItem> m_gizmo;
 };
