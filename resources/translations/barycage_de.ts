@@ -8154,7 +8154,7 @@
         <translation>zentrieren alles ganze Ansicht</translation>
     </message>
     <message>
-        <source>maximize</source>
+        <source>maximise whole</source>
         <translation>maximieren Vollbild</translation>
     </message>
     <message>

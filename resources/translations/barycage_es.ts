@@ -8154,7 +8154,7 @@
         <translation>centrar inicio todo</translation>
     </message>
     <message>
-        <source>maximize</source>
+        <source>maximise whole</source>
         <translation>maximizar</translation>
     </message>
     <message>

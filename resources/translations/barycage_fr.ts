@@ -8154,7 +8154,7 @@
         <translation>centrer accueil tout</translation>
     </message>
     <message>
-        <source>maximize</source>
+        <source>maximise whole</source>
         <translation>maximiser plein</translation>
     </message>
     <message>

@@ -8171,7 +8171,7 @@
         <translation>центрирај сè цело</translation>
     </message>
     <message>
-        <source>maximize</source>
+        <source>maximise whole</source>
         <translation>целосно зголеми</translation>
     </message>
     <message>

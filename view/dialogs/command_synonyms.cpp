@@ -39,7 +39,7 @@ constexpr CommandSynonyms synonyms[] = {
     {"MainWindow", "&Bake", QT_TRANSLATE_NOOP("view::CommandSynonyms", "apply freeze write flatten")},
     {"MainWindow", "&Duplicate Maps", QT_TRANSLATE_NOOP("view::CommandSynonyms", "copy clone")},
     {"MainWindow", "&Fit", QT_TRANSLATE_NOOP("view::CommandSynonyms", "centre home whole zoom all")},
-    {"MainWindow", "F&ull Screen", QT_TRANSLATE_NOOP("view::CommandSynonyms", "maximize")},
+    {"MainWindow", "F&ull Screen", QT_TRANSLATE_NOOP("view::CommandSynonyms", "maximise whole")},
     {"MainWindow", "&Lift to Space", QT_TRANSLATE_NOOP("view::CommandSynonyms", "3d extrude solid")},
     {"MainWindow", "&Preferences…",
      QT_TRANSLATE_NOOP("view::CommandSynonyms",
