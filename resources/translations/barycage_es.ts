@@ -7840,7 +7840,7 @@
         <translation>1. Elija una imagen</translation>
     </message>
     <message>
-        <source>2. Let it be suggested</source>
+        <source>2. Ask for suggestions</source>
         <translation>2. Pida propuestas</translation>
     </message>
     <message>

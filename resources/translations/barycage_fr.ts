@@ -7840,7 +7840,7 @@
         <translation>1. Choisissez une image</translation>
     </message>
     <message>
-        <source>2. Let it be suggested</source>
+        <source>2. Ask for suggestions</source>
         <translation>2. Demandez des propositions</translation>
     </message>
     <message>

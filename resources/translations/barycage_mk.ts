@@ -7857,7 +7857,7 @@
         <translation>1. Изберете слика</translation>
     </message>
     <message>
-        <source>2. Let it be suggested</source>
+        <source>2. Ask for suggestions</source>
         <translation>2. Побарајте предлози</translation>
     </message>
     <message>

@@ -101,7 +101,7 @@ CollagePanel::CollagePanel(document::Document* document, CanvasView* canvas, QWi
     layout->setSpacing(10);
     layout->addWidget(heading(tr("1. Choose a picture"), this));
     layout->addWidget(m_target);
-    layout->addWidget(heading(tr("2. Let it be suggested"), this));
+    layout->addWidget(heading(tr("2. Ask for suggestions"), this));
     layout->addWidget(m_fit->start());
     layout->addWidget(heading(tr("3. Pick one"), this));
     layout->addWidget(m_suggestions);
