@@ -18,8 +18,8 @@ OpenedMotion::OpenedMotion(Parts parts, QObject* parent) : QObject(parent), m_pa
 void OpenedMotion::begin() {
     m_isOpened = false;
     const document::Document& document = *m_parts.document;
-    const bool isFromHistory = m_parts.document->undoStack()->index() != m_index;
-    if (isFromHistory || m_parts.isGuided() || !document::animationFacts(document.entryFractal())) return;
+    const bool isUndone = m_parts.document->undoStack()->index() < m_index;
+    if (isUndone || m_parts.isGuided() || !document::animationFacts(document.entryFractal())) return;
     m_parts.showTimeline();
     if (!view::reducesMotion()) m_parts.playback->setPlaying(true);
 }

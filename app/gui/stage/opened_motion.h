@@ -11,8 +11,8 @@ namespace view {
 class Playback;
 }
 
-// Plays an entry that moves as soon as it is opened or chosen, unless motion is to be reduced. Undo and redo
-// bring entries back at rest.
+// Plays an entry that moves as soon as it is opened or chosen, unless motion is to be reduced. Undo
+// brings entries back at rest.
 class OpenedMotion : public QObject {
 public:
     struct Parts {

@@ -306,6 +306,11 @@ private slots:
         QTRY_VERIFY2(m_canvas->note().startsWith(nothing), qPrintable(m_canvas->note()));
         key(Qt::Key_F);
         QTRY_VERIFY(m_canvas->note().isEmpty());
+        m_bridge->showChaosGame(1, 1); // which has only begun
+        QTRY_VERIFY(m_bridge->isCurrent());
+        QVERIFY(m_canvas->note().isEmpty());
+        m_bridge->showDensity();
+        QTRY_VERIFY(m_bridge->isCurrent());
         // A hole in the middle of the picture shows nothing, too.
         m_canvas->navigation().setZoom(m_canvas->navigation().zoom() * 1000);
         const auto box = *document::displayedBox(m_document->fractal());

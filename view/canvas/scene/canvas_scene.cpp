@@ -27,12 +27,15 @@ constexpr std::size_t maxAvoided = 300; // handles that a sentence makes way for
 constexpr std::size_t maxCorners = 60;  // of maps that are not selected, in addition
 constexpr double keyReach = 7;          // pixels from the middle of a diamond
 
-// Whether every pixel is one of the background. Where there is a picture, that is known after a few.
+// Whether every pixel is one of the background. Where there is a picture, that is known after a few. The
+// first points of a chaos game say nothing about the view.
 bool showsNothing(const attractor::Frame& frame, const attractor::Rgba& background) {
+    constexpr std::uint64_t enough = 100'000; // samples
+    const bool isTelling = frame.measure < 1 || frame.samples >= enough;
     const auto opaque =
         std::uint32_t(0xff000000U | background.red << 16U | background.green << 8U | background.blue);
     const std::uint32_t empty = background.alpha < 255 ? 0 : opaque;
-    return frame.passes > 0 && !frame.pixels.empty() &&
+    return isTelling && frame.passes > 0 && !frame.pixels.empty() &&
            std::ranges::all_of(frame.pixels, [empty](std::uint32_t pixel) { return pixel == empty; });
 }
 
