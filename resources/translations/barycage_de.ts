@@ -8182,10 +8182,6 @@
         <translation>Zeitleiste Bewegung Film Schlüsselbilder</translation>
     </message>
     <message>
-        <source>sway breeze storm blow</source>
-        <translation>wiegen Brise Sturm wehen schwingen</translation>
-    </message>
-    <message>
         <source>turntable spin rotate camera</source>
         <translation>Drehteller drehen rotieren Kamera kreisen</translation>
     </message>
@@ -8206,8 +8202,8 @@
         <translation>unendlich eintauchen hineinzoomen</translation>
     </message>
     <message>
-        <source>transition blend become tween</source>
-        <translation>Übergang verwandeln überblenden</translation>
+        <source>sway wind storm blow</source>
+        <translation>wiegen Brise Sturm wehen schwingen</translation>
     </message>
 </context>
 <context>

@@ -8182,10 +8182,6 @@
         <translation>línea de tiempo movimiento película fotogramas clave</translation>
     </message>
     <message>
-        <source>sway breeze storm blow</source>
-        <translation>mecer brisa tormenta soplar</translation>
-    </message>
-    <message>
         <source>turntable spin rotate camera</source>
         <translation>plataforma giratoria girar rotar cámara</translation>
     </message>
@@ -8206,8 +8202,8 @@
         <translation>infinito sumergirse acercar</translation>
     </message>
     <message>
-        <source>transition blend become tween</source>
-        <translation>transición mezclar convertir</translation>
+        <source>sway wind storm blow</source>
+        <translation>mecer brisa tormenta soplar</translation>
     </message>
 </context>
 <context>

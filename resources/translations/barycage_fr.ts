@@ -8182,10 +8182,6 @@
         <translation>ligne de temps mouvement film images clés</translation>
     </message>
     <message>
-        <source>sway breeze storm blow</source>
-        <translation>balancer brise tempête souffler</translation>
-    </message>
-    <message>
         <source>turntable spin rotate camera</source>
         <translation>plateau tournant tourner caméra</translation>
     </message>
@@ -8206,8 +8202,8 @@
         <translation>infini plongée</translation>
     </message>
     <message>
-        <source>transition blend become tween</source>
-        <translation>transition fondre devenir</translation>
+        <source>sway wind storm blow</source>
+        <translation>balancer brise tempête souffler</translation>
     </message>
 </context>
 <context>

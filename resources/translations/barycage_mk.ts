@@ -8199,10 +8199,6 @@
         <translation>временска линија движење филм клучни кадри</translation>
     </message>
     <message>
-        <source>sway breeze storm blow</source>
-        <translation>нишање ветре бура дува</translation>
-    </message>
-    <message>
         <source>turntable spin rotate camera</source>
         <translation>вртење кружи камера ротирај</translation>
     </message>
@@ -8223,8 +8219,8 @@
         <translation>бесконечно зумирање нурни</translation>
     </message>
     <message>
-        <source>transition blend become tween</source>
-        <translation>премин преобрази мешај</translation>
+        <source>sway wind storm blow</source>
+        <translation>нишање ветре бура дува</translation>
     </message>
 </context>
 <context>

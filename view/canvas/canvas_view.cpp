@@ -17,6 +17,7 @@
 #include <QGuiApplication>
 #include <QMessageBox>
 #include <QPushButton>
+#include <QUndoStack>
 
 #include <utility>
 
@@ -180,8 +181,19 @@ void CanvasView::keepCornersInView(const document::Change& change) {
     if (!(change.parts & (Change::Cage | Change::System)) || change.parts & Change::Time) return;
     const bool wasDragged = std::exchange(m_isDragged, change.live);
     const bool isCommand = !wasDragged && !change.live && !(change.parts & (Change::Current | Change::File));
-    if (isCommand && wasShown() && m_wereCornersInView && !areCornersInView()) fit();
-    m_wereCornersInView = areCornersInView();
+    const bool leave = std::exchange(m_wereCornersInView, areCornersInView()) && !m_wereCornersInView;
+    if (!isCommand || !wasShown() || !leave) return;
+    // Undo and redo have views of their own to go back to. Which it is, the history knows in a moment.
+    const QUndoStack& history = *m_document->undoStack();
+    const int index = history.index();
+    QMetaObject::invokeMethod(
+        this,
+        [this, index, redone = history.command(index)] {
+            const QUndoStack& now = *m_document->undoStack();
+            const bool isNew = now.index() > index && now.command(now.index() - 1) != redone;
+            if (isNew && !areCornersInView()) fit();
+        },
+        Qt::QueuedConnection);
 }
 
 // Cage and picture move together: in a gesture or at another moment nothing is painted until the picture has

@@ -50,15 +50,13 @@ constexpr CommandSynonyms synonyms[] = {
     {"MainWindow", "&Tour",
      QT_TRANSLATE_NOOP("view::CommandSynonyms", "tutorial introduction beginner learn")},
     {"MainWindow", "A&nimate", QT_TRANSLATE_NOOP("view::CommandSynonyms", "timeline motion movie keyframes")},
-    {"view::TimelinePanel", "Wind", QT_TRANSLATE_NOOP("view::CommandSynonyms", "sway breeze storm blow")},
+    {"view::TimelinePanel", "Breeze", QT_TRANSLATE_NOOP("view::CommandSynonyms", "sway wind storm blow")},
     {"view::TimelinePanel", "Orbit",
      QT_TRANSLATE_NOOP("view::CommandSynonyms", "turntable spin rotate camera")},
     {"view::TimelinePanel", "Turn", QT_TRANSLATE_NOOP("view::CommandSynonyms", "spin rotate")},
     {"view::TimelinePanel", "Breathe", QT_TRANSLATE_NOOP("view::CommandSynonyms", "pulse grow shrink")},
     {"view::TimelinePanel", "Palette Cycle", QT_TRANSLATE_NOOP("view::CommandSynonyms", "colours rainbow")},
     {"view::TimelinePanel", "Zoom In Endlessly", QT_TRANSLATE_NOOP("view::CommandSynonyms", "infinite dive")},
-    {"view::TimelinePanel", "Morph To",
-     QT_TRANSLATE_NOOP("view::CommandSynonyms", "transition blend become tween")},
 };
 
 // As a menu shows it, without what marks its key or a dialog.

@@ -4,6 +4,7 @@
 #include "app/gui/window_fixture.h"
 #include "canvas/canvas_view.h"
 #include "desktop/preferences.h"
+#include "document/edits/entries_edits.h"
 #include "document/edits/timeline/motion_edits.h"
 #include "document/moments/animated_fractal.h"
 #include "panels/timeline/timeline_panel.h"
