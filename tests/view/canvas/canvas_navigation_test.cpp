@@ -331,7 +331,7 @@ private slots:
         document::plane(fractal)->cage = cage;
         m_document->edit(QStringLiteral("Notch"), fractal);
         m_canvas->fit();
-        QTRY_VERIFY2(m_canvas->note().contains(QStringLiteral("not convex")), qPrintable(m_canvas->note()));
+        QTRY_VERIFY2(m_canvas->note().contains(QStringLiteral("folded")), qPrintable(m_canvas->note()));
         const auto box = [this] {
             for (const QGraphicsItem* item : scene().items())
                 if (const auto* note = dynamic_cast<const view::NoteItem*>(item);
@@ -347,7 +347,7 @@ private slots:
         QVERIFY(m_canvas->note().isEmpty());
         m_document->edit(QStringLiteral("Triangle"), before);
         m_document->edit(QStringLiteral("Notch"), fractal);
-        QTRY_VERIFY(m_canvas->note().contains(QStringLiteral("not convex")));
+        QTRY_VERIFY(m_canvas->note().contains(QStringLiteral("folded")));
         key(Qt::Key_Escape);
         QVERIFY(m_canvas->note().isEmpty());
     }
