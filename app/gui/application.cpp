@@ -10,7 +10,7 @@
 #include "identity.h"
 #include "io/fractint/fractint_reader.h"
 #include "main_window.h"
-#include "messages/tour.h"
+#include "portal/desktop_motion.h"
 #include "session/session.h"
 #include "welcome.h"
 #include "widgets/tooltips.h"
@@ -47,6 +47,7 @@ Application::Application(int& argc, char** argv) : QApplication(argc, argv) {
     view::applyTheme(preferences.theme);
     view::Preferences::setSpokenLanguage(preferences.language);
     speak(preferences.language);
+    new DesktopMotion(this);
 }
 
 Application::~Application() {
@@ -144,6 +145,15 @@ bool Application::openWindows(const QStringList& files, Start start) {
     QList<WantedFile> wantedFiles;
     for (const document::Abandoned& abandoned : Recovery::ask())
         wantedFiles << WantedFile{abandoned.snapshot.path, abandoned};
+    if (const QList<QVariantMap> places = session::takeRestartPlaces(); !places.isEmpty()) {
+        MainWindow::openEach(wantedFiles);
+        for (const QVariantMap& place : places) {
+            auto* window = new MainWindow;
+            window->show();
+            window->returnTo(place);
+        }
+        return !session::allAreClosed();
+    }
     const bool again = files.isEmpty() && start == Start::AsLastTime && view::Preferences::stored().reopen;
     wantedFiles += wanted(again ? session::files() : askWhichToOpen(files, nullptr));
     QTimer::singleShot(soon, exports::queue(), resume); // also while a file does not answer
@@ -156,7 +166,7 @@ bool Application::openWindows(const QStringList& files, Start start) {
         window->showCollection();
     else if (start == Start::Random)
         window->addRandom();
-    else if (!Tour::offer(window))
+    else if (!window->beginFirstMinute())
         Welcome::offer(window);
     return true;
 }

@@ -13,7 +13,6 @@
 #include "files/dropped_picture.h"
 #include "files/exports.h"
 #include "files/file_commands.h"
-#include "first_picture.h"
 #include "focus_walk.h"
 #include "io/file/background.h"
 #include "lessons/lesson_commands.h"
@@ -46,6 +45,7 @@
 #include "session/window_place.h"
 #include "stage/class_marks.h"
 #include "stage/maps_connections.h"
+#include "stage/opened_motion.h"
 #include "stage/stage.h"
 #include "stage/status_connections.h"
 #include "stage/status_line.h"
@@ -268,6 +268,10 @@ void MainWindow::createTimeline() {
         if (m_bridge->frame() && m_bridge->frame()->passes == 1) count();
     });
     connect(m_solid, &view::SolidBridge::frameChanged, m_timeline, count);
+    new OpenedMotion({&m_document, &m_timeline->timeline().playback(),
+                      [this] { m_animationMenu->showDock(); },
+                      [this] { return m_lessons->player().isPlaying(); }},
+                     this);
 }
 
 void MainWindow::createLesson() {
@@ -406,34 +410,6 @@ void MainWindow::connectDocument() {
     updateTitle();
 }
 
-void MainWindow::openFirstPicture() {
-    FirstPicture first = firstPicture();
-    if (first.file.entries.isEmpty()) return;
-    m_file.startFrom(std::move(first.file), first.maple);
-    const QString seen = QStringLiteral("hints/firstDrag");
-    if (!view::stored(seen, false).toBool()) {
-        m_canvas->setHint(tr(
-            "Drag a corner of the triangle. Or press D and click three points to define another triangle."));
-        connect(m_canvas, &view::CanvasView::hintDismissed, this, [seen] { view::store(seen, true); });
-    }
-}
-
-bool MainWindow::openPath(const QString& path) {
-    return m_fileCommands->open(path);
-}
-
-bool MainWindow::openPath(const QString& path, const FileReading& reading) {
-    return m_fileCommands->open(path, reading);
-}
-
-void MainWindow::openRecent(const QString& path) {
-    m_fileCommands->openRecent(path);
-}
-
-void MainWindow::chooseAndOpen() {
-    m_fileCommands->chooseAndOpen();
-}
-
 void MainWindow::addRandom() {
     m_editMenu->addRandom();
 }
@@ -442,34 +418,6 @@ void MainWindow::adopt(const view::Preferences& preferences) {
     m_bridge->setQuality(preferences.quality);
     m_stage->space()->navigation().setTrackball(preferences.trackball);
     m_stage->compare()->setTrackball(preferences.trackball);
-}
-
-void MainWindow::openEach(const QList<WantedFile>& files, MainWindow* first) {
-    OpenEach(files, first, [] { return new MainWindow; }).run();
-}
-
-void MainWindow::openEach(const QStringList& paths, MainWindow* first) {
-    openEach(wanted(paths), first);
-}
-
-void MainWindow::openRecovered(const document::Abandoned& abandoned) {
-    const QString& path = abandoned.snapshot.path;
-    openRecovered(abandoned, path.isEmpty() ? FileReading() : startReading(path));
-}
-
-void MainWindow::openRecovered(const document::Abandoned& abandoned, const FileReading& reading) {
-    const std::optional<io::Failure> recovered = m_file.recover(abandoned.snapshot, reading);
-    if (m_file.isStopped()) return;
-    m_stage->fit();
-    if (!recovered)
-        return m_messages->say(tr("%1 was not recovered. Barycage will offer it again at the next start.")
-                                   .arg(abandoned.snapshot.title));
-    m_lessons->recover(abandoned.snapshot.lesson, abandoned.snapshot.lessonPath);
-    m_recovery.takeOver(abandoned);
-    m_messages->say(tr("Recovered %1. It is not saved yet.").arg(abandoned.snapshot.title));
-    if (const io::Failure& failure = *recovered)
-        m_messages->fail(tr("%1 could not be opened").arg(QFileInfo(abandoned.snapshot.path).fileName()),
-                         *failure + u' ' + tr("Your unsaved work was recovered nevertheless."));
 }
 
 void MainWindow::showCollection() {

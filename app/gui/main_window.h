@@ -16,6 +16,7 @@ class ActionMenu;
 class AnimationMenu;
 class EditMenu;
 class FileCommands;
+class FirstMinute;
 class LessonCommands;
 class QDockWidget;
 class QToolBar;
@@ -49,6 +50,7 @@ public:
     void openRecent(const QString& path); // asks about unsaved changes first
     void chooseAndOpen();                 // likewise
     void openFirstPicture();              // the maple of the collection, without a path
+    bool beginFirstMinute();              // with that picture; false when the user has dragged one before
     void openRecovered(const document::Abandoned& abandoned);
     void openRecovered(const document::Abandoned& abandoned, const FileReading& reading) override;
     void showCollection(); // ready for a search
@@ -60,6 +62,8 @@ public:
     Recovery& recovery() override { return m_recovery; }
     bool mayClose(Leaving leaving) override;
     void closingIsOff() override { m_mayClose = false; }
+    QVariantMap restartPlace() const override;
+    void returnTo(const QVariantMap& place) override;
 
 protected:
     void closeEvent(QCloseEvent* event) override;
@@ -113,6 +117,7 @@ private:
     AnimationMenu* m_animationMenu = nullptr;
     LessonCommands* m_lessons = nullptr;
     QList<ActionMenu*> m_menus;
+    FirstMinute* m_firstMinute = nullptr;
     struct {
         QByteArray geometry;
         QByteArray layout; // of panels and bars

@@ -621,6 +621,32 @@
     </message>
 </context>
 <context>
+    <name>FirstChips</name>
+    <message>
+        <source>What to try next</source>
+        <translation>Was Sie als Nächstes versuchen können</translation>
+    </message>
+</context>
+<context>
+    <name>FirstMinute</name>
+    <message>
+        <source>Take a corner.</source>
+        <translation>Fassen Sie eine Ecke.</translation>
+    </message>
+    <message>
+        <source>Make it sway</source>
+        <translation>Im Wind wiegen</translation>
+    </message>
+    <message>
+        <source>Grow variations</source>
+        <translation>Variationen züchten</translation>
+    </message>
+    <message>
+        <source>Save a poster</source>
+        <translation>Als Poster speichern</translation>
+    </message>
+</context>
+<context>
     <name>FlameBanner</name>
     <message>
         <source>Flames</source>
@@ -695,10 +721,6 @@
     <message>
         <source>Problems</source>
         <translation>Probleme</translation>
-    </message>
-    <message>
-        <source>Drag a corner of the triangle. Or press D and click three points to define another triangle.</source>
-        <translation>Ziehen Sie an einer Ecke des Dreiecks. Oder drücken Sie D und klicken Sie auf drei Punkte, um ein anderes Dreieck festzulegen.</translation>
     </message>
     <message>
         <source>%1 could not be opened</source>
@@ -1291,10 +1313,6 @@
         <translation>&amp;Rundgang</translation>
     </message>
     <message>
-        <source>Six short steps in this window: contraction, fixed point, chaos game, address, barycentric coordinates, dimension</source>
-        <translation>Sechs kurze Schritte in diesem Fenster: Kontraktion, Fixpunkt, Chaos-Spiel, Adresse, baryzentrische Koordinaten, Dimension</translation>
-    </message>
-    <message>
         <source>&amp;What’s This?</source>
         <translation>&amp;Was ist das?</translation>
     </message>
@@ -1807,10 +1825,6 @@
         <translation>&amp;Kopieren</translation>
     </message>
     <message>
-        <source>Copy the selected maps or entries</source>
-        <translation>Die gewählten Abbildungen oder Einträge kopieren</translation>
-    </message>
-    <message>
         <source>Add fractals from the clipboard to the file: entries of an .ifs file, flames or a table of numbers; or maps to the fractal</source>
         <translation>Fraktale aus der Zwischenablage zur Datei hinzufügen: Einträge einer .ifs-Datei, Flames oder eine Zahlentabelle; oder Abbildungen zum Fraktal</translation>
     </message>
@@ -2312,6 +2326,58 @@
     <message>
         <source>%1 is also open in another window of Barycage. Whichever saves last replaces what the other saved.</source>
         <translation>%1 ist auch in einem anderen Barycage-Fenster offen. Wer zuletzt speichert, ersetzt, was im anderen gespeichert wurde.</translation>
+    </message>
+    <message>
+        <source>Export Web Page</source>
+        <translation>Webseite exportieren</translation>
+    </message>
+    <message>
+        <source>Web pages (*.html)</source>
+        <translation>Webseiten (*.html)</translation>
+    </message>
+    <message>
+        <source>%1 was written. Open it in a browser, or mail it: it needs no network.</source>
+        <translation>%1 wurde geschrieben. Öffnen Sie die Seite in einem Browser, oder verschicken Sie sie: Sie braucht kein Netz.</translation>
+    </message>
+    <message>
+        <source>Stretch Ke&amp;ys…</source>
+        <translation>Schlüssel &amp;dehnen…</translation>
+    </message>
+    <message>
+        <source>Make a range of frames slower or faster: the keys of all tracks spread</source>
+        <translation>Macht einen Bereich langsamer oder schneller: die Schlüssel aller Spuren verteilen sich neu</translation>
+    </message>
+    <message>
+        <source>There are no keys to stretch. Choose Set Key first.</source>
+        <translation>Es gibt keine Schlüssel zum Dehnen. Setzen Sie zuerst einen.</translation>
+    </message>
+    <message>
+        <source>Copy the picture, the selected maps or the selected entries</source>
+        <translation>Kopiert das Bild, die gewählten Abbildungen oder die gewählten Einträge</translation>
+    </message>
+    <message>
+        <source>Export We&amp;b Page…</source>
+        <translation>We&amp;bseite exportieren…</translation>
+    </message>
+    <message>
+        <source>Export the fractal in its cage as one file for browsers, in which it can be dragged</source>
+        <translation>Das Fraktal in seinem Käfig als eine Datei für Browser exportieren, in denen man daran ziehen kann</translation>
+    </message>
+    <message>
+        <source>Six short steps that you do yourself: drag, squeeze, undo, collection, wind, export</source>
+        <translation>Sechs kurze Schritte, die Sie selbst tun: ziehen, quetschen, rückgängig machen, Sammlung, Wind, Export</translation>
+    </message>
+    <message>
+        <source>Go To…</source>
+        <translation>Gehe zu…</translation>
+    </message>
+    <message>
+        <source>Ctrl+G</source>
+        <translation>Ctrl+G</translation>
+    </message>
+    <message>
+        <source>Show a centre and height, the point of an address, or a fixed point</source>
+        <translation>Zeigt eine Mitte und Höhe, den Punkt einer Adresse oder einen Fixpunkt</translation>
     </message>
 </context>
 <context>
@@ -5423,52 +5489,20 @@
         <source>FFmpeg&apos;s libraries cannot be loaded, so no videos can be written: %1.</source>
         <translation>Die Bibliotheken von FFmpeg können nicht geladen werden, daher können keine Videos geschrieben werden: %1.</translation>
     </message>
+    <message>
+        <source>This entry is not an iterated function system.</source>
+        <translation>Dieser Eintrag ist kein iteriertes Funktionensystem.</translation>
+    </message>
+    <message>
+        <source>This entry has %1 maps; a web page can have at most %2.</source>
+        <translation>Dieser Eintrag hat %1 Abbildungen; eine Webseite kann höchstens %2 haben.</translation>
+    </message>
 </context>
 <context>
     <name>Tour</name>
     <message>
-        <source>Contraction</source>
-        <translation>Kontraktion</translation>
-    </message>
-    <message>
-        <source>Each row of this table is a map that makes a smaller copy of the whole; the picture is all the copies together. Double-click a number and type another: the copy moves as you type. ‖A‖ is the largest factor by which a map stretches distances. As long as it is less than 1, the map contracts. Press Ctrl+Z to undo your changes.</source>
-        <translation>Jede Zeile dieser Tabelle ist eine Abbildung, die eine kleinere Kopie des Ganzen macht; alle Kopien zusammen sind das Bild. Klicken Sie doppelt auf eine Zahl und tippen Sie eine andere: Die Kopie bewegt sich mit. ‖A‖ ist der größte Faktor, um den eine Abbildung Abstände streckt. Solange er kleiner als 1 ist, kontrahiert sie. Mit Strg+Z machen Sie Ihre Änderungen rückgängig.</translation>
-    </message>
-    <message>
-        <source>Fixed point</source>
-        <translation>Fixpunkt</translation>
-    </message>
-    <message>
-        <source>Chaos game</source>
-        <translation>Chaos-Spiel</translation>
-    </message>
-    <message>
-        <source>Press Chaos Game, then Play. A single point jumps around, each time by a map chosen at random, and leaves a dot where it lands. Make it faster: whatever random numbers come up, the dots fill the same picture, the attractor.</source>
-        <translation>Drücken Sie „Chaos-Spiel“ und dann „Abspielen“. Ein einzelner Punkt springt umher, jedes Mal nach einer zufällig gewählten Abbildung, und hinterlässt einen Fleck, wo er landet. Lassen Sie es schneller laufen: Was auch immer die Würfel sagen, die Flecken füllen dasselbe Bild, den Attraktor.</translation>
-    </message>
-    <message>
         <source>Address</source>
         <translation>Adresse</translation>
-    </message>
-    <message>
-        <source>The map of the last jump to a point, the map of the jump before it, and so on: these numbers are the address of the point. Choose Colour by: Address. Points whose addresses begin with the same numbers are close together, and now they have similar colours.</source>
-        <translation>Die Abbildung des letzten Sprungs zu einem Punkt, die des Sprungs davor, und so weiter: Diese Zahlen sind die Adresse des Punktes. Wählen Sie „Färben nach: Adresse“. Punkte, deren Adressen gleich beginnen, liegen nah beieinander, und nun sehen sie auch ähnlich aus.</translation>
-    </message>
-    <message>
-        <source>Barycentric coordinates</source>
-        <translation>Baryzentrische Koordinaten</translation>
-    </message>
-    <message>
-        <source>Every point of the picture is a weighted mean of the three corners of the triangle. Drag a corner: the points keep their weights, and the whole fractal follows. Squeeze the triangle flat and open it again: nothing is lost. The weights under the pointer are shown in the status bar.</source>
-        <translation>Jeder Punkt des Bildes ist ein gewichtetes Mittel der drei Ecken des Dreiecks. Ziehen Sie an einer Ecke: Die Punkte behalten ihre Gewichte, und das ganze Fraktal folgt. Drücken Sie das Dreieck flach und öffnen Sie es wieder: Nichts geht verloren. Die Gewichte unter dem Mauszeiger zeigt die Statusleiste.</translation>
-    </message>
-    <message>
-        <source>Dimension</source>
-        <translation>Dimension</translation>
-    </message>
-    <message>
-        <source>How much of the plane does the attractor fill? A curve has dimension 1, an area has dimension 2, and most attractors are in between. Change a map and look here again. This is the end of the tour; the user guide in the Help menu tells you more.</source>
-        <translation>Wie viel von der Ebene füllt der Attraktor? Eine Kurve hat die Dimension 1, eine Fläche die Dimension 2, und die meisten Attraktoren liegen dazwischen. Ändern Sie eine Abbildung und sehen Sie wieder hierher. Der Rundgang ist hier zu Ende; mehr steht im Handbuch im Menü „Hilfe“.</translation>
     </message>
     <message>
         <source>&amp;Back</source>
@@ -5479,40 +5513,100 @@
         <translation>Rundgang</translation>
     </message>
     <message>
-        <source>New here?</source>
-        <translation>Neu hier?</translation>
-    </message>
-    <message>
-        <source>Six short steps show you what an attractor is while you drag one. You can also take the tour later: it is in the Help menu.</source>
-        <translation>Sechs kurze Schritte zeigen, was ein Attraktor ist, während Sie an einem ziehen. Sie finden den Rundgang auch später im Menü „Hilfe“.</translation>
-    </message>
-    <message>
         <source>%1 of %2</source>
         <translation>%1 von %2</translation>
-    </message>
-    <message>
-        <source>&amp;Start the Tour</source>
-        <translation>Rundgang &amp;starten</translation>
     </message>
     <message>
         <source>&amp;Done</source>
         <translation>&amp;Fertig</translation>
     </message>
     <message>
-        <source>&amp;Next</source>
-        <translation>&amp;Weiter</translation>
-    </message>
-    <message>
-        <source>Not Now</source>
-        <translation>Nicht jetzt</translation>
-    </message>
-    <message>
         <source>Close</source>
         <translation>Schließen</translation>
     </message>
     <message>
-        <source>A map that contracts leaves exactly one point unchanged: its fixed point. Switch off all maps but two with the eyes on the left of the table, and see how little of the picture is left. With a single map, only its fixed point is left. Press Ctrl+Z to bring the maps back.</source>
-        <translation>Eine kontrahierende Abbildung lässt genau einen Punkt unverändert: ihren Fixpunkt. Schalten Sie mit den Augen links in der Tabelle alle Abbildungen bis auf zwei aus und sehen Sie, wie wenig vom Bild bleibt. Bei einer einzigen Abbildung bleibt nur ihr Fixpunkt. Mit Strg+Z kommen die Abbildungen zurück.</translation>
+        <source>Drag</source>
+        <translation>Ziehen</translation>
+    </message>
+    <message>
+        <source>Drag a corner of the triangle: the whole picture follows.</source>
+        <translation>Ziehen Sie an einer Ecke des Dreiecks: das ganze Bild folgt.</translation>
+    </message>
+    <message>
+        <source>Squeeze</source>
+        <translation>Quetschen</translation>
+    </message>
+    <message>
+        <source>Push a corner onto the opposite side until the picture is flat, then pull it open again.</source>
+        <translation>Schieben Sie eine Ecke auf die gegenüberliegende Seite, bis das Bild flach ist, und ziehen Sie sie wieder heraus.</translation>
+    </message>
+    <message>
+        <source>Undo</source>
+        <translation>Rückgängig</translation>
+    </message>
+    <message>
+        <source>Press Ctrl+Z to take back what you have just done.</source>
+        <translation>Drücken Sie Strg+Z, um das eben Getane zurückzunehmen.</translation>
+    </message>
+    <message>
+        <source>Collection</source>
+        <translation>Sammlung</translation>
+    </message>
+    <message>
+        <source>Double-click a picture of the collection that you like.</source>
+        <translation>Doppelklicken Sie in der Sammlung auf ein Bild, das Ihnen gefällt.</translation>
+    </message>
+    <message>
+        <source>Wind</source>
+        <translation>Wind</translation>
+    </message>
+    <message>
+        <source>Press Wind in the timeline and watch the picture sway.</source>
+        <translation>Drücken Sie in der Zeitleiste auf Wind und sehen Sie zu, wie sich das Bild wiegt.</translation>
+    </message>
+    <message>
+        <source>Export</source>
+        <translation>Export</translation>
+    </message>
+    <message>
+        <source>Press Ctrl+E to save the picture for others.</source>
+        <translation>Drücken Sie Strg+E, um das Bild für andere zu speichern.</translation>
+    </message>
+    <message>
+        <source>That Is It</source>
+        <translation>Das war’s</translation>
+    </message>
+    <message>
+        <source>Three more steps show what the picture is made of.</source>
+        <translation>Drei weitere Schritte zeigen, woraus das Bild besteht.</translation>
+    </message>
+    <message>
+        <source>Map</source>
+        <translation>Abbildung</translation>
+    </message>
+    <message>
+        <source>Each row is a map that makes one smaller copy of the whole: double-click a number and type another.</source>
+        <translation>Jede Zeile ist eine Abbildung, die eine kleinere Kopie des Ganzen macht: doppelklicken Sie auf eine Zahl und tippen Sie eine andere.</translation>
+    </message>
+    <message>
+        <source>Click a point: the maps that lead there are its address, and you hold the branch that they make.</source>
+        <translation>Klicken Sie auf einen Punkt: die Abbildungen, die dorthin führen, sind seine Adresse, und Sie halten den Zweig, den sie bilden.</translation>
+    </message>
+    <message>
+        <source>Norm</source>
+        <translation>Norm</translation>
+    </message>
+    <message>
+        <source>‖A‖ is how far a map stretches at most: change a number, and keep it below 1.</source>
+        <translation>‖A‖ sagt, wie stark eine Abbildung höchstens streckt: ändern Sie eine Zahl, und bleiben Sie unter 1.</translation>
+    </message>
+    <message>
+        <source>&amp;Skip</source>
+        <translation>Über&amp;springen</translation>
+    </message>
+    <message>
+        <source>&amp;Go On</source>
+        <translation>&amp;Weiter</translation>
     </message>
 </context>
 <context>
@@ -7054,12 +7148,20 @@
         <source>What lies far behind this small view may be drawn in the wrong order. Zoom out a little for an accurate picture.</source>
         <translation>Was weit hinter diesem kleinen Ausschnitt liegt, kann in falscher Reihenfolge erscheinen. Verkleinern Sie ein wenig für ein wahres Bild.</translation>
     </message>
+    <message>
+        <source>Nothing here. Press F to see the whole picture.</source>
+        <translation>Hier ist nichts. Drücken Sie F, um das ganze Bild zu sehen.</translation>
+    </message>
 </context>
 <context>
     <name>view::CanvasInput</name>
     <message>
         <source>Cylinder %1</source>
         <translation>Zylinder %1</translation>
+    </message>
+    <message>
+        <source>Corner outside the view: click to fit the picture and its cage</source>
+        <translation>Ecke außerhalb der Ansicht: ein Klick passt Bild und Käfig ein</translation>
     </message>
 </context>
 <context>
@@ -7582,10 +7684,6 @@
         <translation>Collage</translation>
     </message>
     <message>
-        <source>Target</source>
-        <translation>Ziel</translation>
-    </message>
-    <message>
         <source>Agreement</source>
         <translation>Übereinstimmung</translation>
     </message>
@@ -7663,6 +7761,30 @@
     <message>
         <source>What the last refinement has made of the distance and of the guarantee</source>
         <translation>Was die letzte Verbesserung aus dem Abstand und der Garantie gemacht hat</translation>
+    </message>
+    <message>
+        <source>1. Choose a picture</source>
+        <translation>1. Bild wählen</translation>
+    </message>
+    <message>
+        <source>2. Ask for suggestions</source>
+        <translation>2. Vorschlagen lassen</translation>
+    </message>
+    <message>
+        <source>3. Pick one</source>
+        <translation>3. Einen Vorschlag wählen</translation>
+    </message>
+    <message>
+        <source>More</source>
+        <translation>Mehr</translation>
+    </message>
+    <message>
+        <source>More ways to trace</source>
+        <translation>Weiteres zum Nachzeichnen</translation>
+    </message>
+    <message>
+        <source>Show how the picture is read, the agreement, and what refines a suggestion</source>
+        <translation>Zeigt, wie das Bild gelesen wird, die Übereinstimmung und was einen Vorschlag verfeinert</translation>
     </message>
 </context>
 <context>
@@ -7886,6 +8008,129 @@
     <message>
         <source>Commands whose names contain these words come first, then those whose descriptions do.</source>
         <translation>Die Befehle, deren Namen diese Wörter haben, dann die, deren Beschreibungen sie haben.</translation>
+    </message>
+    <message>
+        <source>Search the guide for “%1”</source>
+        <translation>Im Handbuch nach „%1“ suchen</translation>
+    </message>
+</context>
+<context>
+    <name>view::CommandSynonyms</name>
+    <message>
+        <source>render save image picture png svg pdf jpeg tiff webp exr poster wallpaper stl obj ply glb mesh print 3d</source>
+        <translation>rendern speichern Bild png svg pdf jpeg tiff Poster Plakat Hintergrundbild stl obj ply Netz 3d-Druck</translation>
+    </message>
+    <message>
+        <source>render video movie film mp4 webm gif apng frames cluster slurm</source>
+        <translation>rendern Video Film mp4 webm gif apng Einzelbilder Rechencluster slurm</translation>
+    </message>
+    <message>
+        <source>flame apophysis csv table points cloud ply ifstile save</source>
+        <translation>flame apophysis csv Tabelle Punkte Punktwolke ply ifstile speichern</translation>
+    </message>
+    <message>
+        <source>clipboard screenshot image</source>
+        <translation>Zwischenablage Bildschirmfoto Bild kopieren</translation>
+    </message>
+    <message>
+        <source>paper printer pdf page</source>
+        <translation>Papier Drucker pdf Seite ausdrucken</translation>
+    </message>
+    <message>
+        <source>worksheet class students exercise paper</source>
+        <translation>Arbeitsblatt Klasse Schüler Übung Papier</translation>
+    </message>
+    <message>
+        <source>variations vary breed evolve grow similar mutation</source>
+        <translation>Variationen variieren züchten entwickeln ähnlich Mutation</translation>
+    </message>
+    <message>
+        <source>surprise chance lucky generate dice new</source>
+        <translation>Überraschung Zufall erzeugen Würfel neu</translation>
+    </message>
+    <message>
+        <source>mirror reflect reverse</source>
+        <translation>spiegeln umdrehen kippen</translation>
+    </message>
+    <message>
+        <source>mirror reflect upside down</source>
+        <translation>spiegeln umdrehen auf den Kopf kippen</translation>
+    </message>
+    <message>
+        <source>rotate scale shear move shift turn size</source>
+        <translation>drehen skalieren scheren verschieben Größe</translation>
+    </message>
+    <message>
+        <source>undo original restore straighten</source>
+        <translation>ursprünglich wiederherstellen zurück</translation>
+    </message>
+    <message>
+        <source>hull triangle tight smallest</source>
+        <translation>Hülle Dreieck eng kleinstes</translation>
+    </message>
+    <message>
+        <source>apply freeze write flatten</source>
+        <translation>anwenden einfrieren schreiben</translation>
+    </message>
+    <message>
+        <source>copy clone</source>
+        <translation>kopieren klonen</translation>
+    </message>
+    <message>
+        <source>centre home whole zoom all</source>
+        <translation>zentrieren alles ganze Ansicht</translation>
+    </message>
+    <message>
+        <source>maximise whole</source>
+        <translation>maximieren Vollbild</translation>
+    </message>
+    <message>
+        <source>3d extrude solid</source>
+        <translation>3d extrudieren Körper dritte Dimension</translation>
+    </message>
+    <message>
+        <source>settings options language theme dark light configuration motion</source>
+        <translation>Optionen Sprache Thema dunkel hell Konfiguration Bewegung</translation>
+    </message>
+    <message>
+        <source>shortcuts keys hotkeys gestures</source>
+        <translation>Kürzel Tastenkürzel Gesten</translation>
+    </message>
+    <message>
+        <source>help manual documentation</source>
+        <translation>Hilfe Handbuch Dokumentation</translation>
+    </message>
+    <message>
+        <source>tutorial introduction beginner learn</source>
+        <translation>Einführung Anfänger lernen Tutorial</translation>
+    </message>
+    <message>
+        <source>timeline motion movie keyframes</source>
+        <translation>Zeitleiste Bewegung Film Schlüsselbilder</translation>
+    </message>
+    <message>
+        <source>sway wind storm blow</source>
+        <translation>wiegen Brise Sturm wehen schwingen</translation>
+    </message>
+    <message>
+        <source>turntable spin rotate camera</source>
+        <translation>Drehteller drehen rotieren Kamera kreisen</translation>
+    </message>
+    <message>
+        <source>spin rotate</source>
+        <translation>drehen rotieren</translation>
+    </message>
+    <message>
+        <source>pulse grow shrink</source>
+        <translation>pulsieren wachsen schrumpfen</translation>
+    </message>
+    <message>
+        <source>colours rainbow</source>
+        <translation>Farben Regenbogen</translation>
+    </message>
+    <message>
+        <source>infinite dive</source>
+        <translation>unendlich eintauchen hineinzoomen</translation>
     </message>
 </context>
 <context>
@@ -9407,6 +9652,101 @@
     <message>
         <source>Right</source>
         <translation>Rechts</translation>
+    </message>
+</context>
+<context>
+    <name>view::GoToDialog</name>
+    <message>
+        <source>Centre, x</source>
+        <translation>Mitte, x</translation>
+    </message>
+    <message>
+        <source>The x coordinate in the middle of the view.</source>
+        <translation>Die x-Koordinate in der Mitte der Ansicht.</translation>
+    </message>
+    <message>
+        <source>Centre, y</source>
+        <translation>Mitte, y</translation>
+    </message>
+    <message>
+        <source>The y coordinate in the middle of the view.</source>
+        <translation>Die y-Koordinate in der Mitte der Ansicht.</translation>
+    </message>
+    <message>
+        <source>Height</source>
+        <translation>Höhe</translation>
+    </message>
+    <message>
+        <source>How much of the plane is seen, from the lower edge to the upper one.</source>
+        <translation>Wie viel von der Ebene zu sehen ist, vom unteren Rand bis zum oberen.</translation>
+    </message>
+    <message>
+        <source>Go To</source>
+        <translation>Gehe zu</translation>
+    </message>
+    <message>
+        <source>such as 3 2 1</source>
+        <translation>etwa 3 2 1</translation>
+    </message>
+    <message>
+        <source>Address</source>
+        <translation>Adresse</translation>
+    </message>
+    <message>
+        <source>Numbers of maps, as the status bar shows them for the point under the pointer. They repeat, and the centre becomes the point that they lead to.</source>
+        <translation>Nummern von Abbildungen, wie die Statuszeile sie für den Punkt unter dem Zeiger zeigt. Sie wiederholen sich, und die Mitte wird der Punkt, zu dem sie führen.</translation>
+    </message>
+    <message>
+        <source>Choose a map</source>
+        <translation>Abbildung wählen</translation>
+    </message>
+    <message>
+        <source>Map %1</source>
+        <translation>Abbildung %1</translation>
+    </message>
+    <message>
+        <source>Fixed point</source>
+        <translation>Fixpunkt</translation>
+    </message>
+    <message>
+        <source>The centre becomes the point that this map leaves where it is.</source>
+        <translation>Die Mitte wird der Punkt, den diese Abbildung an seinem Ort lässt.</translation>
+    </message>
+    <message>
+        <source>Note</source>
+        <translation>Hinweis</translation>
+    </message>
+    <message>
+        <source>&amp;Centre:</source>
+        <translation>&amp;Mitte:</translation>
+    </message>
+    <message>
+        <source>&amp;Height:</source>
+        <translation>&amp;Höhe:</translation>
+    </message>
+    <message>
+        <source>&amp;Address:</source>
+        <translation>&amp;Adresse:</translation>
+    </message>
+    <message>
+        <source>&amp;Fixed point of:</source>
+        <translation>&amp;Fixpunkt von:</translation>
+    </message>
+    <message>
+        <source>&amp;Go</source>
+        <translation>&amp;Los</translation>
+    </message>
+    <message>
+        <source>Shows this part of the plane. The fractal stays as it is.</source>
+        <translation>Zeigt diesen Teil der Ebene. Das Fraktal bleibt, wie es ist.</translation>
+    </message>
+    <message>
+        <source>No point has this address: a map in it is switched off, or does not contract.</source>
+        <translation>Kein Punkt hat diese Adresse: eine Abbildung darin ist ausgeschaltet oder kontrahiert nicht.</translation>
+    </message>
+    <message>
+        <source>An address has the numbers of maps, from 1 to %1.</source>
+        <translation>Eine Adresse besteht aus Nummern von Abbildungen, von 1 bis %1.</translation>
     </message>
 </context>
 <context>
@@ -11597,6 +11937,26 @@ Tasten: Bild auf und Bild ab wählen eine Marke, die Pfeile bewegen sie, Einfg f
         <source>When this is on, the first time that you save a file after opening it, the version before stays beside it under the same name with “~” behind it, such as maple.ifs~.</source>
         <translation>Wenn dies eingeschaltet ist, bleibt beim ersten Speichern nach dem Öffnen die vorige Fassung daneben liegen, unter demselben Namen mit „~“ dahinter, etwa maple.ifs~.</translation>
     </message>
+    <message>
+        <source>Play when opened</source>
+        <translation>Beim Öffnen abspielen</translation>
+    </message>
+    <message>
+        <source>Still until played</source>
+        <translation>Still, bis man abspielt</translation>
+    </message>
+    <message>
+        <source>Motion</source>
+        <translation>Bewegung</translation>
+    </message>
+    <message>
+        <source>Whether an entry that moves plays as soon as it is opened. When your desktop asks for less motion, the system default shows a still picture until you press Play.</source>
+        <translation>Ob ein Eintrag, der sich bewegt, gleich beim Öffnen abgespielt wird. Wenn Ihr Desktop um weniger Bewegung bittet, zeigt die Systemvorgabe ein stilles Bild, bis Sie auf Abspielen drücken.</translation>
+    </message>
+    <message>
+        <source>&amp;Motion:</source>
+        <translation>Be&amp;wegung:</translation>
+    </message>
 </context>
 <context>
     <name>view::ProblemsModel</name>
@@ -13060,6 +13420,73 @@ Tasten: Bild auf und Bild ab wählen eine Marke, die Pfeile bewegen sie, Einfg f
     </message>
 </context>
 <context>
+    <name>view::StretchDialog</name>
+    <message>
+        <source>From frame</source>
+        <translation>Von Bild</translation>
+    </message>
+    <message>
+        <source>Keys up to this frame stay where they are.</source>
+        <translation>Schlüssel bis zu diesem Bild bleiben, wo sie sind.</translation>
+    </message>
+    <message>
+        <source>To frame</source>
+        <translation>Bis Bild</translation>
+    </message>
+    <message>
+        <source>The end of the range. Later keys keep their distance to it.</source>
+        <translation>Das Ende des Bereichs. Spätere Schlüssel behalten ihren Abstand dazu.</translation>
+    </message>
+    <message>
+        <source>Ends at frame</source>
+        <translation>Endet bei Bild</translation>
+    </message>
+    <message>
+        <source>Where the range ends from now on: later for slower, earlier for faster.</source>
+        <translation>Wo der Bereich künftig endet: später für langsamer, früher für schneller.</translation>
+    </message>
+    <message>
+        <source>Stretch Keys</source>
+        <translation>Schlüssel dehnen</translation>
+    </message>
+    <message>
+        <source>Note</source>
+        <translation>Hinweis</translation>
+    </message>
+    <message>
+        <source>&amp;Stretch</source>
+        <translation>&amp;Dehnen</translation>
+    </message>
+    <message>
+        <source>Moves the keys of all tracks, in one step that you can undo.</source>
+        <translation>Verschiebt die Schlüssel aller Spuren, in einem Schritt, den Sie rückgängig machen können.</translation>
+    </message>
+    <message>
+        <source>&amp;From frame:</source>
+        <translation>&amp;Von Bild:</translation>
+    </message>
+    <message>
+        <source>&amp;To frame:</source>
+        <translation>&amp;Bis Bild:</translation>
+    </message>
+    <message>
+        <source>&amp;Ends at frame:</source>
+        <translation>&amp;Endet bei Bild:</translation>
+    </message>
+    <message>
+        <source>The range has to end after its first frame.</source>
+        <translation>Der Bereich muss nach seinem ersten Bild enden.</translation>
+    </message>
+    <message>
+        <source>Two keys would meet at one frame, or the animation would be too long.</source>
+        <translation>Zwei Schlüssel würden auf ein Bild fallen, oder die Animation würde zu lang.</translation>
+    </message>
+    <message>
+        <source>Stretch keys</source>
+        <translation>Schlüssel dehnen</translation>
+    </message>
+</context>
+<context>
     <name>view::SuggestionList</name>
     <message numerus="yes">
         <source>%n maps</source>
@@ -13587,6 +14014,10 @@ Tasten: Bild auf und Bild ab wählen eine Marke, die Pfeile bewegen sie, Einfg f
     <message>
         <source>Branch %1, inside itself</source>
         <translation>Ast %1, in sich selbst</translation>
+    </message>
+    <message>
+        <source>Stretch Keys…</source>
+        <translation>Schlüssel dehnen…</translation>
     </message>
 </context>
 <context>

@@ -621,6 +621,32 @@
     </message>
 </context>
 <context>
+    <name>FirstChips</name>
+    <message>
+        <source>What to try next</source>
+        <translation>Qué probar ahora</translation>
+    </message>
+</context>
+<context>
+    <name>FirstMinute</name>
+    <message>
+        <source>Take a corner.</source>
+        <translation>Agarre una esquina.</translation>
+    </message>
+    <message>
+        <source>Make it sway</source>
+        <translation>Mecerlo al viento</translation>
+    </message>
+    <message>
+        <source>Grow variations</source>
+        <translation>Criar variaciones</translation>
+    </message>
+    <message>
+        <source>Save a poster</source>
+        <translation>Guardar un póster</translation>
+    </message>
+</context>
+<context>
     <name>FlameBanner</name>
     <message>
         <source>Flames</source>
@@ -695,10 +721,6 @@
     <message>
         <source>Problems</source>
         <translation>Problemas</translation>
-    </message>
-    <message>
-        <source>Drag a corner of the triangle. Or press D and click three points to define another triangle.</source>
-        <translation>Arrastre una esquina del triángulo. O pulse D y haga clic en tres puntos para definir otro triángulo.</translation>
     </message>
     <message>
         <source>%1 could not be opened</source>
@@ -1291,10 +1313,6 @@
         <translation>&amp;Recorrido</translation>
     </message>
     <message>
-        <source>Six short steps in this window: contraction, fixed point, chaos game, address, barycentric coordinates, dimension</source>
-        <translation>Seis pasos breves en esta ventana: contracción, punto fijo, juego del caos, dirección, coordenadas baricéntricas, dimensión</translation>
-    </message>
-    <message>
         <source>&amp;What’s This?</source>
         <translation>¿Qué es &amp;esto?</translation>
     </message>
@@ -1807,10 +1825,6 @@
         <translation>&amp;Copiar</translation>
     </message>
     <message>
-        <source>Copy the selected maps or entries</source>
-        <translation>Copiar las aplicaciones o entradas seleccionadas</translation>
-    </message>
-    <message>
         <source>Add fractals from the clipboard to the file: entries of an .ifs file, flames or a table of numbers; or maps to the fractal</source>
         <translation>Añadir al archivo fractales del portapapeles: entradas de un archivo .ifs, flames o una tabla de números; o aplicaciones al fractal</translation>
     </message>
@@ -2312,6 +2326,58 @@
     <message>
         <source>%1 is also open in another window of Barycage. Whichever saves last replaces what the other saved.</source>
         <translation>%1 también está abierto en otra ventana de Barycage. La última que guarde reemplazará lo que haya guardado la otra.</translation>
+    </message>
+    <message>
+        <source>Export Web Page</source>
+        <translation>Exportar página web</translation>
+    </message>
+    <message>
+        <source>Web pages (*.html)</source>
+        <translation>Páginas web (*.html)</translation>
+    </message>
+    <message>
+        <source>%1 was written. Open it in a browser, or mail it: it needs no network.</source>
+        <translation>Se ha escrito %1. Ábrala en un navegador o envíela por correo: no necesita red.</translation>
+    </message>
+    <message>
+        <source>Stretch Ke&amp;ys…</source>
+        <translation>Est&amp;irar claves…</translation>
+    </message>
+    <message>
+        <source>Make a range of frames slower or faster: the keys of all tracks spread</source>
+        <translation>Hace más lento o más rápido un intervalo: las claves de todas las pistas se reparten</translation>
+    </message>
+    <message>
+        <source>There are no keys to stretch. Choose Set Key first.</source>
+        <translation>No hay claves que estirar. Fije primero una clave.</translation>
+    </message>
+    <message>
+        <source>Copy the picture, the selected maps or the selected entries</source>
+        <translation>Copia la imagen, las aplicaciones seleccionadas o las entradas seleccionadas</translation>
+    </message>
+    <message>
+        <source>Export We&amp;b Page…</source>
+        <translation>Exportar página we&amp;b…</translation>
+    </message>
+    <message>
+        <source>Export the fractal in its cage as one file for browsers, in which it can be dragged</source>
+        <translation>Exportar el fractal en su jaula como un solo archivo para navegadores, en los que se puede arrastrar</translation>
+    </message>
+    <message>
+        <source>Six short steps that you do yourself: drag, squeeze, undo, collection, wind, export</source>
+        <translation>Seis pasos breves que da usted mismo: arrastrar, aplastar, deshacer, colección, viento, exportar</translation>
+    </message>
+    <message>
+        <source>Go To…</source>
+        <translation>Ir a…</translation>
+    </message>
+    <message>
+        <source>Ctrl+G</source>
+        <translation>Ctrl+G</translation>
+    </message>
+    <message>
+        <source>Show a centre and height, the point of an address, or a fixed point</source>
+        <translation>Muestra un centro y una altura, el punto de una dirección o un punto fijo</translation>
     </message>
 </context>
 <context>
@@ -5423,52 +5489,20 @@
         <source>FFmpeg&apos;s libraries cannot be loaded, so no videos can be written: %1.</source>
         <translation>No se pueden cargar las bibliotecas de FFmpeg, por lo que no se pueden escribir vídeos: %1.</translation>
     </message>
+    <message>
+        <source>This entry is not an iterated function system.</source>
+        <translation>Esta entrada no es un sistema iterado de funciones.</translation>
+    </message>
+    <message>
+        <source>This entry has %1 maps; a web page can have at most %2.</source>
+        <translation>Esta entrada tiene %1 aplicaciones; una página web puede tener %2 como máximo.</translation>
+    </message>
 </context>
 <context>
     <name>Tour</name>
     <message>
-        <source>Contraction</source>
-        <translation>Contracción</translation>
-    </message>
-    <message>
-        <source>Each row of this table is a map that makes a smaller copy of the whole; the picture is all the copies together. Double-click a number and type another: the copy moves as you type. ‖A‖ is the largest factor by which a map stretches distances. As long as it is less than 1, the map contracts. Press Ctrl+Z to undo your changes.</source>
-        <translation>Cada fila de esta tabla es una aplicación que hace una copia más pequeña del todo, y la imagen es la reunión de todas las copias. Haga doble clic en un número y escriba otro: la copia se mueve mientras usted escribe. ‖A‖ es el mayor factor con que una aplicación alarga las distancias. Mientras sea menor que 1, la aplicación es contractiva. Ctrl+Z lo deshace todo.</translation>
-    </message>
-    <message>
-        <source>Fixed point</source>
-        <translation>Punto fijo</translation>
-    </message>
-    <message>
-        <source>Chaos game</source>
-        <translation>Juego del caos</translation>
-    </message>
-    <message>
-        <source>Press Chaos Game, then Play. A single point jumps around, each time by a map chosen at random, and leaves a dot where it lands. Make it faster: whatever random numbers come up, the dots fill the same picture, the attractor.</source>
-        <translation>Pulse «Juego del caos» y después «Reproducir». Un solo punto salta de un lado a otro, cada vez con una aplicación elegida al azar, y deja una marca donde cae. Hágalo ir más deprisa: digan lo que digan los dados, las marcas llenan siempre la misma imagen, el atractor.</translation>
-    </message>
-    <message>
         <source>Address</source>
         <translation>Dirección</translation>
-    </message>
-    <message>
-        <source>The map of the last jump to a point, the map of the jump before it, and so on: these numbers are the address of the point. Choose Colour by: Address. Points whose addresses begin with the same numbers are close together, and now they have similar colours.</source>
-        <translation>La aplicación que dio el último salto hasta un punto, la que dio el anterior, y así sucesivamente: estos números son la dirección del punto. En «Colorear por» elija «Dirección». Los puntos cuyas direcciones empiezan igual están cerca unos de otros, y ahora se parecen también en el color.</translation>
-    </message>
-    <message>
-        <source>Barycentric coordinates</source>
-        <translation>Coordenadas baricéntricas</translation>
-    </message>
-    <message>
-        <source>Every point of the picture is a weighted mean of the three corners of the triangle. Drag a corner: the points keep their weights, and the whole fractal follows. Squeeze the triangle flat and open it again: nothing is lost. The weights under the pointer are shown in the status bar.</source>
-        <translation>Cada punto de la imagen es una media ponderada de los tres vértices del triángulo. Arrastre un vértice: los puntos conservan sus pesos, y todo el fractal los sigue. Aplaste el triángulo y vuelva a abrirlo: no se pierde nada. Los pesos bajo el puntero aparecen en la barra de estado.</translation>
-    </message>
-    <message>
-        <source>Dimension</source>
-        <translation>Dimensión</translation>
-    </message>
-    <message>
-        <source>How much of the plane does the attractor fill? A curve has dimension 1, an area has dimension 2, and most attractors are in between. Change a map and look here again. This is the end of the tour; the user guide in the Help menu tells you more.</source>
-        <translation>¿Cuánto del plano llena el atractor? Una curva tiene dimensión 1, una superficie tiene dimensión 2, y la mayoría de los atractores están entre ambas. Cambie una aplicación y vuelva a mirar aquí. Aquí termina el recorrido; en la guía del usuario, en el menú Ayuda, encontrará más.</translation>
     </message>
     <message>
         <source>&amp;Back</source>
@@ -5479,40 +5513,100 @@
         <translation>Recorrido</translation>
     </message>
     <message>
-        <source>New here?</source>
-        <translation>¿Es la primera vez?</translation>
-    </message>
-    <message>
-        <source>Six short steps show you what an attractor is while you drag one. You can also take the tour later: it is in the Help menu.</source>
-        <translation>Seis pasos breves muestran qué es un atractor, tirando de uno. También puede hacer el recorrido más tarde: está en el menú Ayuda.</translation>
-    </message>
-    <message>
         <source>%1 of %2</source>
         <translation>%1 de %2</translation>
-    </message>
-    <message>
-        <source>&amp;Start the Tour</source>
-        <translation>Empezar el re&amp;corrido</translation>
     </message>
     <message>
         <source>&amp;Done</source>
         <translation>&amp;Terminar</translation>
     </message>
     <message>
-        <source>&amp;Next</source>
-        <translation>&amp;Siguiente</translation>
-    </message>
-    <message>
-        <source>Not Now</source>
-        <translation>Ahora no</translation>
-    </message>
-    <message>
         <source>Close</source>
         <translation>Cerrar</translation>
     </message>
     <message>
-        <source>A map that contracts leaves exactly one point unchanged: its fixed point. Switch off all maps but two with the eyes on the left of the table, and see how little of the picture is left. With a single map, only its fixed point is left. Press Ctrl+Z to bring the maps back.</source>
-        <translation>Una aplicación contractiva deja exactamente un punto donde está: su punto fijo. Desactive todas las aplicaciones menos dos con los ojos de la izquierda de la tabla y vea qué poco queda de la imagen. Con una sola aplicación no queda más que su punto fijo. Ctrl+Z recupera las aplicaciones.</translation>
+        <source>Drag</source>
+        <translation>Arrastrar</translation>
+    </message>
+    <message>
+        <source>Drag a corner of the triangle: the whole picture follows.</source>
+        <translation>Arrastre una esquina del triángulo: toda la imagen la sigue.</translation>
+    </message>
+    <message>
+        <source>Squeeze</source>
+        <translation>Aplastar</translation>
+    </message>
+    <message>
+        <source>Push a corner onto the opposite side until the picture is flat, then pull it open again.</source>
+        <translation>Lleve una esquina sobre el lado opuesto hasta que la imagen quede plana y vuelva a abrirla.</translation>
+    </message>
+    <message>
+        <source>Undo</source>
+        <translation>Deshacer</translation>
+    </message>
+    <message>
+        <source>Press Ctrl+Z to take back what you have just done.</source>
+        <translation>Pulse Ctrl+Z para deshacer lo que acaba de hacer.</translation>
+    </message>
+    <message>
+        <source>Collection</source>
+        <translation>Colección</translation>
+    </message>
+    <message>
+        <source>Double-click a picture of the collection that you like.</source>
+        <translation>Haga doble clic en una imagen de la colección que le guste.</translation>
+    </message>
+    <message>
+        <source>Wind</source>
+        <translation>Viento</translation>
+    </message>
+    <message>
+        <source>Press Wind in the timeline and watch the picture sway.</source>
+        <translation>Pulse Viento en la línea de tiempo y vea cómo se mece la imagen.</translation>
+    </message>
+    <message>
+        <source>Export</source>
+        <translation>Exportar</translation>
+    </message>
+    <message>
+        <source>Press Ctrl+E to save the picture for others.</source>
+        <translation>Pulse Ctrl+E para guardar la imagen y compartirla.</translation>
+    </message>
+    <message>
+        <source>That Is It</source>
+        <translation>Eso es todo</translation>
+    </message>
+    <message>
+        <source>Three more steps show what the picture is made of.</source>
+        <translation>Tres pasos más muestran de qué está hecha la imagen.</translation>
+    </message>
+    <message>
+        <source>Map</source>
+        <translation>Aplicación</translation>
+    </message>
+    <message>
+        <source>Each row is a map that makes one smaller copy of the whole: double-click a number and type another.</source>
+        <translation>Cada fila es una aplicación que hace una copia menor del conjunto: haga doble clic en un número y escriba otro.</translation>
+    </message>
+    <message>
+        <source>Click a point: the maps that lead there are its address, and you hold the branch that they make.</source>
+        <translation>Haga clic en un punto: las aplicaciones que llevan a él son su dirección, y usted sostiene la rama que forman.</translation>
+    </message>
+    <message>
+        <source>Norm</source>
+        <translation>Norma</translation>
+    </message>
+    <message>
+        <source>‖A‖ is how far a map stretches at most: change a number, and keep it below 1.</source>
+        <translation>‖A‖ es lo que una aplicación estira como máximo: cambie un número y manténgala por debajo de 1.</translation>
+    </message>
+    <message>
+        <source>&amp;Skip</source>
+        <translation>&amp;Omitir</translation>
+    </message>
+    <message>
+        <source>&amp;Go On</source>
+        <translation>&amp;Seguir</translation>
     </message>
 </context>
 <context>
@@ -7054,12 +7148,20 @@
         <source>What lies far behind this small view may be drawn in the wrong order. Zoom out a little for an accurate picture.</source>
         <translation>Lo que está muy por detrás de esta vista tan pequeña puede dibujarse en un orden incorrecto. Aleje un poco la vista para obtener una imagen fiel.</translation>
     </message>
+    <message>
+        <source>Nothing here. Press F to see the whole picture.</source>
+        <translation>Aquí no hay nada. Pulse F para ver toda la imagen.</translation>
+    </message>
 </context>
 <context>
     <name>view::CanvasInput</name>
     <message>
         <source>Cylinder %1</source>
         <translation>Cilindro %1</translation>
+    </message>
+    <message>
+        <source>Corner outside the view: click to fit the picture and its cage</source>
+        <translation>Esquina fuera de la vista: haga clic para encuadrar la imagen y su jaula</translation>
     </message>
 </context>
 <context>
@@ -7582,10 +7684,6 @@
         <translation>Collage</translation>
     </message>
     <message>
-        <source>Target</source>
-        <translation>Objetivo</translation>
-    </message>
-    <message>
         <source>Agreement</source>
         <translation>Concordancia</translation>
     </message>
@@ -7663,6 +7761,30 @@
     <message>
         <source>What the last refinement has made of the distance and of the guarantee</source>
         <translation>Qué ha hecho el último afinado con la distancia y la garantía</translation>
+    </message>
+    <message>
+        <source>1. Choose a picture</source>
+        <translation>1. Elija una imagen</translation>
+    </message>
+    <message>
+        <source>2. Ask for suggestions</source>
+        <translation>2. Pida propuestas</translation>
+    </message>
+    <message>
+        <source>3. Pick one</source>
+        <translation>3. Elija una</translation>
+    </message>
+    <message>
+        <source>More</source>
+        <translation>Más</translation>
+    </message>
+    <message>
+        <source>More ways to trace</source>
+        <translation>Más formas de calcar</translation>
+    </message>
+    <message>
+        <source>Show how the picture is read, the agreement, and what refines a suggestion</source>
+        <translation>Muestra cómo se lee la imagen, la concordancia y lo que refina una propuesta</translation>
     </message>
 </context>
 <context>
@@ -7886,6 +8008,129 @@
     <message>
         <source>Commands whose names contain these words come first, then those whose descriptions do.</source>
         <translation>Los comandos cuyos nombres contienen estas palabras y, después, aquellos cuyas descripciones las contienen.</translation>
+    </message>
+    <message>
+        <source>Search the guide for “%1”</source>
+        <translation>Buscar «%1» en la guía</translation>
+    </message>
+</context>
+<context>
+    <name>view::CommandSynonyms</name>
+    <message>
+        <source>render save image picture png svg pdf jpeg tiff webp exr poster wallpaper stl obj ply glb mesh print 3d</source>
+        <translation>renderizar guardar imagen png svg pdf jpeg tiff póster cartel fondo stl obj ply malla impresión 3d</translation>
+    </message>
+    <message>
+        <source>render video movie film mp4 webm gif apng frames cluster slurm</source>
+        <translation>renderizar vídeo película mp4 webm gif apng fotogramas clúster slurm</translation>
+    </message>
+    <message>
+        <source>flame apophysis csv table points cloud ply ifstile save</source>
+        <translation>flame apophysis csv tabla puntos nube ply ifstile guardar</translation>
+    </message>
+    <message>
+        <source>clipboard screenshot image</source>
+        <translation>portapapeles captura imagen</translation>
+    </message>
+    <message>
+        <source>paper printer pdf page</source>
+        <translation>papel impresora pdf página</translation>
+    </message>
+    <message>
+        <source>worksheet class students exercise paper</source>
+        <translation>hoja clase alumnos ejercicio papel</translation>
+    </message>
+    <message>
+        <source>variations vary breed evolve grow similar mutation</source>
+        <translation>variaciones variar criar evolucionar parecidos mutación</translation>
+    </message>
+    <message>
+        <source>surprise chance lucky generate dice new</source>
+        <translation>sorpresa azar suerte generar dado nuevo</translation>
+    </message>
+    <message>
+        <source>mirror reflect reverse</source>
+        <translation>espejo reflejar invertir</translation>
+    </message>
+    <message>
+        <source>mirror reflect upside down</source>
+        <translation>espejo reflejar invertir boca abajo</translation>
+    </message>
+    <message>
+        <source>rotate scale shear move shift turn size</source>
+        <translation>rotar girar escalar cizallar mover tamaño</translation>
+    </message>
+    <message>
+        <source>undo original restore straighten</source>
+        <translation>original restaurar enderezar</translation>
+    </message>
+    <message>
+        <source>hull triangle tight smallest</source>
+        <translation>envolvente triángulo ajustado menor</translation>
+    </message>
+    <message>
+        <source>apply freeze write flatten</source>
+        <translation>aplicar congelar escribir</translation>
+    </message>
+    <message>
+        <source>copy clone</source>
+        <translation>copiar clonar</translation>
+    </message>
+    <message>
+        <source>centre home whole zoom all</source>
+        <translation>centrar inicio todo</translation>
+    </message>
+    <message>
+        <source>maximise whole</source>
+        <translation>maximizar</translation>
+    </message>
+    <message>
+        <source>3d extrude solid</source>
+        <translation>3d extruir sólido</translation>
+    </message>
+    <message>
+        <source>settings options language theme dark light configuration motion</source>
+        <translation>ajustes opciones idioma tema oscuro claro configuración movimiento</translation>
+    </message>
+    <message>
+        <source>shortcuts keys hotkeys gestures</source>
+        <translation>atajos teclas gestos</translation>
+    </message>
+    <message>
+        <source>help manual documentation</source>
+        <translation>ayuda manual documentación</translation>
+    </message>
+    <message>
+        <source>tutorial introduction beginner learn</source>
+        <translation>tutorial introducción principiante aprender</translation>
+    </message>
+    <message>
+        <source>timeline motion movie keyframes</source>
+        <translation>línea de tiempo movimiento película fotogramas clave</translation>
+    </message>
+    <message>
+        <source>sway wind storm blow</source>
+        <translation>mecer brisa tormenta soplar</translation>
+    </message>
+    <message>
+        <source>turntable spin rotate camera</source>
+        <translation>plataforma giratoria girar rotar cámara</translation>
+    </message>
+    <message>
+        <source>spin rotate</source>
+        <translation>girar rotar</translation>
+    </message>
+    <message>
+        <source>pulse grow shrink</source>
+        <translation>pulsar crecer encoger</translation>
+    </message>
+    <message>
+        <source>colours rainbow</source>
+        <translation>colores arcoíris</translation>
+    </message>
+    <message>
+        <source>infinite dive</source>
+        <translation>infinito sumergirse acercar</translation>
     </message>
 </context>
 <context>
@@ -9407,6 +9652,101 @@
     <message>
         <source>Right</source>
         <translation>Desde la derecha</translation>
+    </message>
+</context>
+<context>
+    <name>view::GoToDialog</name>
+    <message>
+        <source>Centre, x</source>
+        <translation>Centro, x</translation>
+    </message>
+    <message>
+        <source>The x coordinate in the middle of the view.</source>
+        <translation>La coordenada x en el centro de la vista.</translation>
+    </message>
+    <message>
+        <source>Centre, y</source>
+        <translation>Centro, y</translation>
+    </message>
+    <message>
+        <source>The y coordinate in the middle of the view.</source>
+        <translation>La coordenada y en el centro de la vista.</translation>
+    </message>
+    <message>
+        <source>Height</source>
+        <translation>Altura</translation>
+    </message>
+    <message>
+        <source>How much of the plane is seen, from the lower edge to the upper one.</source>
+        <translation>Cuánto del plano se ve, del borde inferior al superior.</translation>
+    </message>
+    <message>
+        <source>Go To</source>
+        <translation>Ir a</translation>
+    </message>
+    <message>
+        <source>such as 3 2 1</source>
+        <translation>por ejemplo 3 2 1</translation>
+    </message>
+    <message>
+        <source>Address</source>
+        <translation>Dirección</translation>
+    </message>
+    <message>
+        <source>Numbers of maps, as the status bar shows them for the point under the pointer. They repeat, and the centre becomes the point that they lead to.</source>
+        <translation>Números de aplicaciones, tal como los muestra la barra de estado para el punto bajo el puntero. Se repiten, y el centro pasa a ser el punto al que llevan.</translation>
+    </message>
+    <message>
+        <source>Choose a map</source>
+        <translation>Elija una aplicación</translation>
+    </message>
+    <message>
+        <source>Map %1</source>
+        <translation>Aplicación %1</translation>
+    </message>
+    <message>
+        <source>Fixed point</source>
+        <translation>Punto fijo</translation>
+    </message>
+    <message>
+        <source>The centre becomes the point that this map leaves where it is.</source>
+        <translation>El centro pasa a ser el punto que esta aplicación deja en su sitio.</translation>
+    </message>
+    <message>
+        <source>Note</source>
+        <translation>Nota</translation>
+    </message>
+    <message>
+        <source>&amp;Centre:</source>
+        <translation>&amp;Centro:</translation>
+    </message>
+    <message>
+        <source>&amp;Height:</source>
+        <translation>&amp;Altura:</translation>
+    </message>
+    <message>
+        <source>&amp;Address:</source>
+        <translation>&amp;Dirección:</translation>
+    </message>
+    <message>
+        <source>&amp;Fixed point of:</source>
+        <translation>&amp;Punto fijo de:</translation>
+    </message>
+    <message>
+        <source>&amp;Go</source>
+        <translation>&amp;Ir</translation>
+    </message>
+    <message>
+        <source>Shows this part of the plane. The fractal stays as it is.</source>
+        <translation>Muestra esta parte del plano. El fractal queda como está.</translation>
+    </message>
+    <message>
+        <source>No point has this address: a map in it is switched off, or does not contract.</source>
+        <translation>Ningún punto tiene esta dirección: una de sus aplicaciones está desactivada o no contrae.</translation>
+    </message>
+    <message>
+        <source>An address has the numbers of maps, from 1 to %1.</source>
+        <translation>Una dirección consta de números de aplicaciones, de 1 a %1.</translation>
     </message>
 </context>
 <context>
@@ -11597,6 +11937,26 @@ Teclas: Re Pág y Av Pág eligen una parada, las flechas la mueven, Ins añade u
         <source>When this is on, the first time that you save a file after opening it, the version before stays beside it under the same name with “~” behind it, such as maple.ifs~.</source>
         <translation>Si está activado, la primera vez que guarde un archivo tras abrirlo, la versión anterior queda junto a él con el mismo nombre seguido de «~», por ejemplo maple.ifs~.</translation>
     </message>
+    <message>
+        <source>Play when opened</source>
+        <translation>Reproducir al abrir</translation>
+    </message>
+    <message>
+        <source>Still until played</source>
+        <translation>Quieto hasta reproducir</translation>
+    </message>
+    <message>
+        <source>Motion</source>
+        <translation>Movimiento</translation>
+    </message>
+    <message>
+        <source>Whether an entry that moves plays as soon as it is opened. When your desktop asks for less motion, the system default shows a still picture until you press Play.</source>
+        <translation>Si una entrada que se mueve se reproduce en cuanto se abre. Cuando el escritorio pide menos movimiento, la opción del sistema muestra una imagen quieta hasta que pulse Reproducir.</translation>
+    </message>
+    <message>
+        <source>&amp;Motion:</source>
+        <translation>&amp;Movimiento:</translation>
+    </message>
 </context>
 <context>
     <name>view::ProblemsModel</name>
@@ -13060,6 +13420,73 @@ Teclas: Re Pág y Av Pág eligen una parada, las flechas la mueven, Ins añade u
     </message>
 </context>
 <context>
+    <name>view::StretchDialog</name>
+    <message>
+        <source>From frame</source>
+        <translation>Desde el fotograma</translation>
+    </message>
+    <message>
+        <source>Keys up to this frame stay where they are.</source>
+        <translation>Las claves hasta este fotograma quedan donde están.</translation>
+    </message>
+    <message>
+        <source>To frame</source>
+        <translation>Hasta el fotograma</translation>
+    </message>
+    <message>
+        <source>The end of the range. Later keys keep their distance to it.</source>
+        <translation>El final del intervalo. Las claves posteriores conservan su distancia a él.</translation>
+    </message>
+    <message>
+        <source>Ends at frame</source>
+        <translation>Termina en el fotograma</translation>
+    </message>
+    <message>
+        <source>Where the range ends from now on: later for slower, earlier for faster.</source>
+        <translation>Dónde termina ahora el intervalo: más tarde para ir más lento, antes para ir más rápido.</translation>
+    </message>
+    <message>
+        <source>Stretch Keys</source>
+        <translation>Estirar claves</translation>
+    </message>
+    <message>
+        <source>Note</source>
+        <translation>Nota</translation>
+    </message>
+    <message>
+        <source>&amp;Stretch</source>
+        <translation>&amp;Estirar</translation>
+    </message>
+    <message>
+        <source>Moves the keys of all tracks, in one step that you can undo.</source>
+        <translation>Mueve las claves de todas las pistas en un solo paso que puede deshacer.</translation>
+    </message>
+    <message>
+        <source>&amp;From frame:</source>
+        <translation>&amp;Desde el fotograma:</translation>
+    </message>
+    <message>
+        <source>&amp;To frame:</source>
+        <translation>&amp;Hasta el fotograma:</translation>
+    </message>
+    <message>
+        <source>&amp;Ends at frame:</source>
+        <translation>&amp;Termina en el fotograma:</translation>
+    </message>
+    <message>
+        <source>The range has to end after its first frame.</source>
+        <translation>El intervalo debe terminar después de su primer fotograma.</translation>
+    </message>
+    <message>
+        <source>Two keys would meet at one frame, or the animation would be too long.</source>
+        <translation>Dos claves coincidirían en un fotograma, o la animación sería demasiado larga.</translation>
+    </message>
+    <message>
+        <source>Stretch keys</source>
+        <translation>Estirar claves</translation>
+    </message>
+</context>
+<context>
     <name>view::SuggestionList</name>
     <message numerus="yes">
         <source>%n maps</source>
@@ -13587,6 +14014,10 @@ Teclas: Re Pág y Av Pág eligen una parada, las flechas la mueven, Ins añade u
     <message>
         <source>Branch %1, inside itself</source>
         <translation>Rama %1, dentro de sí misma</translation>
+    </message>
+    <message>
+        <source>Stretch Keys…</source>
+        <translation>Estirar claves…</translation>
     </message>
 </context>
 <context>

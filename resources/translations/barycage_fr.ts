@@ -621,6 +621,32 @@
     </message>
 </context>
 <context>
+    <name>FirstChips</name>
+    <message>
+        <source>What to try next</source>
+        <translation>Que tenter maintenant</translation>
+    </message>
+</context>
+<context>
+    <name>FirstMinute</name>
+    <message>
+        <source>Take a corner.</source>
+        <translation>Attrapez un coin.</translation>
+    </message>
+    <message>
+        <source>Make it sway</source>
+        <translation>Le faire balancer</translation>
+    </message>
+    <message>
+        <source>Grow variations</source>
+        <translation>Cultiver des variations</translation>
+    </message>
+    <message>
+        <source>Save a poster</source>
+        <translation>Enregistrer une affiche</translation>
+    </message>
+</context>
+<context>
     <name>FlameBanner</name>
     <message>
         <source>Flames</source>
@@ -695,10 +721,6 @@
     <message>
         <source>Problems</source>
         <translation>Problèmes</translation>
-    </message>
-    <message>
-        <source>Drag a corner of the triangle. Or press D and click three points to define another triangle.</source>
-        <translation>Faites glisser un coin du triangle. Ou appuyez sur D et cliquez sur trois points pour définir un autre triangle.</translation>
     </message>
     <message>
         <source>%1 could not be opened</source>
@@ -1291,10 +1313,6 @@
         <translation>&amp;Visite guidée</translation>
     </message>
     <message>
-        <source>Six short steps in this window: contraction, fixed point, chaos game, address, barycentric coordinates, dimension</source>
-        <translation>Six courtes étapes dans cette fenêtre&#x202f;: contraction, point fixe, jeu du chaos, adresse, coordonnées barycentriques, dimension</translation>
-    </message>
-    <message>
         <source>&amp;What’s This?</source>
         <translation>Qu’est-ce que c’&amp;est&#x202f;?</translation>
     </message>
@@ -1807,10 +1825,6 @@
         <translation>&amp;Copier</translation>
     </message>
     <message>
-        <source>Copy the selected maps or entries</source>
-        <translation>Copier les applications ou les entrées sélectionnées</translation>
-    </message>
-    <message>
         <source>Add fractals from the clipboard to the file: entries of an .ifs file, flames or a table of numbers; or maps to the fractal</source>
         <translation>Ajouter au fichier des fractales du presse-papiers : entrées d’un fichier .ifs, flames ou tableau de nombres ; ou des applications à la fractale</translation>
     </message>
@@ -2312,6 +2326,58 @@
     <message>
         <source>%1 is also open in another window of Barycage. Whichever saves last replaces what the other saved.</source>
         <translation>%1 est aussi ouvert dans une autre fenêtre de Barycage. La dernière à enregistrer remplace ce que l’autre a enregistré.</translation>
+    </message>
+    <message>
+        <source>Export Web Page</source>
+        <translation>Exporter une page web</translation>
+    </message>
+    <message>
+        <source>Web pages (*.html)</source>
+        <translation>Pages web (*.html)</translation>
+    </message>
+    <message>
+        <source>%1 was written. Open it in a browser, or mail it: it needs no network.</source>
+        <translation>%1 est écrite. Ouvrez-la dans un navigateur, ou envoyez-la par courriel : elle n’a pas besoin de réseau.</translation>
+    </message>
+    <message>
+        <source>Stretch Ke&amp;ys…</source>
+        <translation>Étir&amp;er les clés…</translation>
+    </message>
+    <message>
+        <source>Make a range of frames slower or faster: the keys of all tracks spread</source>
+        <translation>Ralentit ou accélère un intervalle : les clés de toutes les pistes se répartissent</translation>
+    </message>
+    <message>
+        <source>There are no keys to stretch. Choose Set Key first.</source>
+        <translation>Il n’y a pas de clés à étirer. Posez d’abord une clé.</translation>
+    </message>
+    <message>
+        <source>Copy the picture, the selected maps or the selected entries</source>
+        <translation>Copie l’image, les applications sélectionnées ou les entrées sélectionnées</translation>
+    </message>
+    <message>
+        <source>Export We&amp;b Page…</source>
+        <translation>Exporter une page we&amp;b…</translation>
+    </message>
+    <message>
+        <source>Export the fractal in its cage as one file for browsers, in which it can be dragged</source>
+        <translation>Exporter la fractale dans sa cage en un seul fichier pour navigateurs, où l’on peut la manipuler</translation>
+    </message>
+    <message>
+        <source>Six short steps that you do yourself: drag, squeeze, undo, collection, wind, export</source>
+        <translation>Six courtes étapes que vous faites vous-même : glisser, écraser, annuler, collection, vent, export</translation>
+    </message>
+    <message>
+        <source>Go To…</source>
+        <translation>Aller à…</translation>
+    </message>
+    <message>
+        <source>Ctrl+G</source>
+        <translation>Ctrl+G</translation>
+    </message>
+    <message>
+        <source>Show a centre and height, the point of an address, or a fixed point</source>
+        <translation>Montre un centre et une hauteur, le point d’une adresse ou un point fixe</translation>
     </message>
 </context>
 <context>
@@ -5423,52 +5489,20 @@
         <source>FFmpeg&apos;s libraries cannot be loaded, so no videos can be written: %1.</source>
         <translation>Les bibliothèques de FFmpeg ne peuvent pas être chargées, aucune vidéo ne peut donc être écrite&#x202f;: %1.</translation>
     </message>
+    <message>
+        <source>This entry is not an iterated function system.</source>
+        <translation>Cette entrée n’est pas un système de fonctions itérées.</translation>
+    </message>
+    <message>
+        <source>This entry has %1 maps; a web page can have at most %2.</source>
+        <translation>Cette entrée a %1 applications ; une page web peut en avoir %2 au plus.</translation>
+    </message>
 </context>
 <context>
     <name>Tour</name>
     <message>
-        <source>Contraction</source>
-        <translation>Contraction</translation>
-    </message>
-    <message>
-        <source>Each row of this table is a map that makes a smaller copy of the whole; the picture is all the copies together. Double-click a number and type another: the copy moves as you type. ‖A‖ is the largest factor by which a map stretches distances. As long as it is less than 1, the map contracts. Press Ctrl+Z to undo your changes.</source>
-        <translation>Chaque ligne de ce tableau est une application qui fait une copie réduite du tout, et l’image est la réunion de toutes les copies. Double-cliquez sur un nombre et tapez-en un autre&#x202f;: la copie bouge à mesure que vous tapez. ‖A‖ est le plus grand facteur dont l’application étire les distances. Tant qu’il est inférieur à 1, l’application est contractante. Ctrl+Z annule tout.</translation>
-    </message>
-    <message>
-        <source>Fixed point</source>
-        <translation>Point fixe</translation>
-    </message>
-    <message>
-        <source>Chaos game</source>
-        <translation>Jeu du chaos</translation>
-    </message>
-    <message>
-        <source>Press Chaos Game, then Play. A single point jumps around, each time by a map chosen at random, and leaves a dot where it lands. Make it faster: whatever random numbers come up, the dots fill the same picture, the attractor.</source>
-        <translation>Appuyez sur « Jeu du chaos », puis sur « Lancer ». Un seul point saute, chaque fois par une application choisie au hasard, et laisse une marque là où il tombe. Accélérez-le : quoi que disent les dés, les marques remplissent la même image, l’attracteur.</translation>
-    </message>
-    <message>
         <source>Address</source>
         <translation>Adresse</translation>
-    </message>
-    <message>
-        <source>The map of the last jump to a point, the map of the jump before it, and so on: these numbers are the address of the point. Choose Colour by: Address. Points whose addresses begin with the same numbers are close together, and now they have similar colours.</source>
-        <translation>L’application du dernier saut vers un point, celle d’avant, et ainsi de suite&#x202f;: ces numéros forment l’adresse du point. Choisissez Colorer selon&#x202f;: Adresse. Les points dont les adresses commencent de la même façon sont voisins, et maintenant ils se ressemblent.</translation>
-    </message>
-    <message>
-        <source>Barycentric coordinates</source>
-        <translation>Coordonnées barycentriques</translation>
-    </message>
-    <message>
-        <source>Every point of the picture is a weighted mean of the three corners of the triangle. Drag a corner: the points keep their weights, and the whole fractal follows. Squeeze the triangle flat and open it again: nothing is lost. The weights under the pointer are shown in the status bar.</source>
-        <translation>Chaque point de l’image est une moyenne pondérée des trois sommets du triangle. Faites glisser un sommet : les points gardent leurs poids, et la fractale entière suit. Aplatissez le triangle et rouvrez-le : rien n’est perdu. Les poids sous le pointeur s’affichent dans la barre d’état.</translation>
-    </message>
-    <message>
-        <source>Dimension</source>
-        <translation>Dimension</translation>
-    </message>
-    <message>
-        <source>How much of the plane does the attractor fill? A curve has dimension 1, an area has dimension 2, and most attractors are in between. Change a map and look here again. This is the end of the tour; the user guide in the Help menu tells you more.</source>
-        <translation>Quelle part du plan l’attracteur remplit-il ? Une courbe a la dimension 1, une surface la dimension 2, et la plupart des attracteurs se situent entre les deux. Modifiez une application et regardez de nouveau ici. La visite s’arrête ici ; le guide d’utilisation, dans le menu Aide, en dit davantage.</translation>
     </message>
     <message>
         <source>&amp;Back</source>
@@ -5479,40 +5513,100 @@
         <translation>Visite guidée</translation>
     </message>
     <message>
-        <source>New here?</source>
-        <translation>C’est votre première fois&#x202f;?</translation>
-    </message>
-    <message>
-        <source>Six short steps show you what an attractor is while you drag one. You can also take the tour later: it is in the Help menu.</source>
-        <translation>Six courtes étapes montrent ce qu’est un attracteur, en tirant sur l’un d’eux. Vous pourrez aussi faire la visite plus tard&#x202f;: elle est dans le menu Aide.</translation>
-    </message>
-    <message>
         <source>%1 of %2</source>
         <translation>%1 sur %2</translation>
-    </message>
-    <message>
-        <source>&amp;Start the Tour</source>
-        <translation>Commencer la &amp;visite</translation>
     </message>
     <message>
         <source>&amp;Done</source>
         <translation>&amp;Terminer</translation>
     </message>
     <message>
-        <source>&amp;Next</source>
-        <translation>&amp;Suivant</translation>
-    </message>
-    <message>
-        <source>Not Now</source>
-        <translation>Pas maintenant</translation>
-    </message>
-    <message>
         <source>Close</source>
         <translation>Fermer</translation>
     </message>
     <message>
-        <source>A map that contracts leaves exactly one point unchanged: its fixed point. Switch off all maps but two with the eyes on the left of the table, and see how little of the picture is left. With a single map, only its fixed point is left. Press Ctrl+Z to bring the maps back.</source>
-        <translation>Une application contractante laisse exactement un point à sa place&#x202f;: son point fixe. Désactivez toutes les applications sauf deux avec les yeux à gauche du tableau, et voyez le peu qui reste de l’image. Avec une seule application, il ne reste plus que son point fixe. Ctrl+Z rétablit les applications.</translation>
+        <source>Drag</source>
+        <translation>Glisser</translation>
+    </message>
+    <message>
+        <source>Drag a corner of the triangle: the whole picture follows.</source>
+        <translation>Faites glisser un coin du triangle : toute l’image suit.</translation>
+    </message>
+    <message>
+        <source>Squeeze</source>
+        <translation>Écraser</translation>
+    </message>
+    <message>
+        <source>Push a corner onto the opposite side until the picture is flat, then pull it open again.</source>
+        <translation>Poussez un coin sur le côté opposé jusqu’à ce que l’image soit plate, puis rouvrez-la.</translation>
+    </message>
+    <message>
+        <source>Undo</source>
+        <translation>Annuler</translation>
+    </message>
+    <message>
+        <source>Press Ctrl+Z to take back what you have just done.</source>
+        <translation>Appuyez sur Ctrl+Z pour annuler ce que vous venez de faire.</translation>
+    </message>
+    <message>
+        <source>Collection</source>
+        <translation>Collection</translation>
+    </message>
+    <message>
+        <source>Double-click a picture of the collection that you like.</source>
+        <translation>Double-cliquez sur une image de la collection qui vous plaît.</translation>
+    </message>
+    <message>
+        <source>Wind</source>
+        <translation>Vent</translation>
+    </message>
+    <message>
+        <source>Press Wind in the timeline and watch the picture sway.</source>
+        <translation>Appuyez sur Vent dans la ligne de temps et regardez l’image se balancer.</translation>
+    </message>
+    <message>
+        <source>Export</source>
+        <translation>Exporter</translation>
+    </message>
+    <message>
+        <source>Press Ctrl+E to save the picture for others.</source>
+        <translation>Appuyez sur Ctrl+E pour enregistrer l’image à partager.</translation>
+    </message>
+    <message>
+        <source>That Is It</source>
+        <translation>Et voilà</translation>
+    </message>
+    <message>
+        <source>Three more steps show what the picture is made of.</source>
+        <translation>Trois étapes de plus montrent de quoi l’image est faite.</translation>
+    </message>
+    <message>
+        <source>Map</source>
+        <translation>Application</translation>
+    </message>
+    <message>
+        <source>Each row is a map that makes one smaller copy of the whole: double-click a number and type another.</source>
+        <translation>Chaque ligne est une application qui fait une copie plus petite du tout : double-cliquez sur un nombre et tapez-en un autre.</translation>
+    </message>
+    <message>
+        <source>Click a point: the maps that lead there are its address, and you hold the branch that they make.</source>
+        <translation>Cliquez sur un point : les applications qui y mènent sont son adresse, et vous tenez la branche qu’elles forment.</translation>
+    </message>
+    <message>
+        <source>Norm</source>
+        <translation>Norme</translation>
+    </message>
+    <message>
+        <source>‖A‖ is how far a map stretches at most: change a number, and keep it below 1.</source>
+        <translation>‖A‖ est ce qu’une application étire au plus : changez un nombre et restez au-dessous de 1.</translation>
+    </message>
+    <message>
+        <source>&amp;Skip</source>
+        <translation>Pa&amp;sser</translation>
+    </message>
+    <message>
+        <source>&amp;Go On</source>
+        <translation>&amp;Continuer</translation>
     </message>
 </context>
 <context>
@@ -7054,12 +7148,20 @@
         <source>What lies far behind this small view may be drawn in the wrong order. Zoom out a little for an accurate picture.</source>
         <translation>Ce qui se trouve loin derrière cette petite vue peut être dessiné dans le mauvais ordre. Faites un petit zoom arrière pour une image fidèle.</translation>
     </message>
+    <message>
+        <source>Nothing here. Press F to see the whole picture.</source>
+        <translation>Rien ici. Appuyez sur F pour voir toute l’image.</translation>
+    </message>
 </context>
 <context>
     <name>view::CanvasInput</name>
     <message>
         <source>Cylinder %1</source>
         <translation>Cylindre %1</translation>
+    </message>
+    <message>
+        <source>Corner outside the view: click to fit the picture and its cage</source>
+        <translation>Coin hors de la vue : cliquez pour cadrer l’image et sa cage</translation>
     </message>
 </context>
 <context>
@@ -7582,10 +7684,6 @@
         <translation>Collage</translation>
     </message>
     <message>
-        <source>Target</source>
-        <translation>Cible</translation>
-    </message>
-    <message>
         <source>Agreement</source>
         <translation>Accord</translation>
     </message>
@@ -7663,6 +7761,30 @@
     <message>
         <source>What the last refinement has made of the distance and of the guarantee</source>
         <translation>Ce que le dernier affinage a fait de la distance et de la garantie</translation>
+    </message>
+    <message>
+        <source>1. Choose a picture</source>
+        <translation>1. Choisissez une image</translation>
+    </message>
+    <message>
+        <source>2. Ask for suggestions</source>
+        <translation>2. Demandez des propositions</translation>
+    </message>
+    <message>
+        <source>3. Pick one</source>
+        <translation>3. Choisissez-en une</translation>
+    </message>
+    <message>
+        <source>More</source>
+        <translation>Plus</translation>
+    </message>
+    <message>
+        <source>More ways to trace</source>
+        <translation>Autres façons de décalquer</translation>
+    </message>
+    <message>
+        <source>Show how the picture is read, the agreement, and what refines a suggestion</source>
+        <translation>Montre comment l’image est lue, la concordance et ce qui affine une proposition</translation>
     </message>
 </context>
 <context>
@@ -7886,6 +8008,129 @@
     <message>
         <source>Commands whose names contain these words come first, then those whose descriptions do.</source>
         <translation>Les commandes dont le nom contient ces mots, puis celles dont la description les contient.</translation>
+    </message>
+    <message>
+        <source>Search the guide for “%1”</source>
+        <translation>Chercher « %1 » dans le guide</translation>
+    </message>
+</context>
+<context>
+    <name>view::CommandSynonyms</name>
+    <message>
+        <source>render save image picture png svg pdf jpeg tiff webp exr poster wallpaper stl obj ply glb mesh print 3d</source>
+        <translation>rendu rendre enregistrer image png svg pdf jpeg tiff poster affiche fond stl obj ply maillage impression 3d</translation>
+    </message>
+    <message>
+        <source>render video movie film mp4 webm gif apng frames cluster slurm</source>
+        <translation>rendu rendre vidéo film mp4 webm gif apng images grappe slurm</translation>
+    </message>
+    <message>
+        <source>flame apophysis csv table points cloud ply ifstile save</source>
+        <translation>flame apophysis csv tableau points nuage ply ifstile enregistrer</translation>
+    </message>
+    <message>
+        <source>clipboard screenshot image</source>
+        <translation>presse-papiers capture image</translation>
+    </message>
+    <message>
+        <source>paper printer pdf page</source>
+        <translation>papier imprimante pdf page</translation>
+    </message>
+    <message>
+        <source>worksheet class students exercise paper</source>
+        <translation>fiche classe élèves exercice papier</translation>
+    </message>
+    <message>
+        <source>variations vary breed evolve grow similar mutation</source>
+        <translation>variations varier élever évoluer semblables mutation</translation>
+    </message>
+    <message>
+        <source>surprise chance lucky generate dice new</source>
+        <translation>surprise hasard chance générer dé nouveau</translation>
+    </message>
+    <message>
+        <source>mirror reflect reverse</source>
+        <translation>miroir refléter retourner</translation>
+    </message>
+    <message>
+        <source>mirror reflect upside down</source>
+        <translation>miroir refléter retourner à l’envers</translation>
+    </message>
+    <message>
+        <source>rotate scale shear move shift turn size</source>
+        <translation>tourner pivoter agrandir cisailler déplacer taille</translation>
+    </message>
+    <message>
+        <source>undo original restore straighten</source>
+        <translation>origine restaurer redresser</translation>
+    </message>
+    <message>
+        <source>hull triangle tight smallest</source>
+        <translation>enveloppe triangle serré plus petit</translation>
+    </message>
+    <message>
+        <source>apply freeze write flatten</source>
+        <translation>appliquer figer écrire</translation>
+    </message>
+    <message>
+        <source>copy clone</source>
+        <translation>copier cloner</translation>
+    </message>
+    <message>
+        <source>centre home whole zoom all</source>
+        <translation>centrer accueil tout</translation>
+    </message>
+    <message>
+        <source>maximise whole</source>
+        <translation>maximiser plein</translation>
+    </message>
+    <message>
+        <source>3d extrude solid</source>
+        <translation>3d extruder solide</translation>
+    </message>
+    <message>
+        <source>settings options language theme dark light configuration motion</source>
+        <translation>réglages options langue thème sombre clair configuration mouvement</translation>
+    </message>
+    <message>
+        <source>shortcuts keys hotkeys gestures</source>
+        <translation>raccourcis touches gestes</translation>
+    </message>
+    <message>
+        <source>help manual documentation</source>
+        <translation>aide manuel documentation</translation>
+    </message>
+    <message>
+        <source>tutorial introduction beginner learn</source>
+        <translation>tutoriel introduction débutant apprendre</translation>
+    </message>
+    <message>
+        <source>timeline motion movie keyframes</source>
+        <translation>ligne de temps mouvement film images clés</translation>
+    </message>
+    <message>
+        <source>sway wind storm blow</source>
+        <translation>balancer brise tempête souffler</translation>
+    </message>
+    <message>
+        <source>turntable spin rotate camera</source>
+        <translation>plateau tournant tourner caméra</translation>
+    </message>
+    <message>
+        <source>spin rotate</source>
+        <translation>tourner pivoter</translation>
+    </message>
+    <message>
+        <source>pulse grow shrink</source>
+        <translation>pulser grandir rétrécir</translation>
+    </message>
+    <message>
+        <source>colours rainbow</source>
+        <translation>couleurs arc-en-ciel</translation>
+    </message>
+    <message>
+        <source>infinite dive</source>
+        <translation>infini plongée</translation>
     </message>
 </context>
 <context>
@@ -9407,6 +9652,101 @@
     <message>
         <source>Right</source>
         <translation>Droite</translation>
+    </message>
+</context>
+<context>
+    <name>view::GoToDialog</name>
+    <message>
+        <source>Centre, x</source>
+        <translation>Centre, x</translation>
+    </message>
+    <message>
+        <source>The x coordinate in the middle of the view.</source>
+        <translation>L’abscisse au milieu de la vue.</translation>
+    </message>
+    <message>
+        <source>Centre, y</source>
+        <translation>Centre, y</translation>
+    </message>
+    <message>
+        <source>The y coordinate in the middle of the view.</source>
+        <translation>L’ordonnée au milieu de la vue.</translation>
+    </message>
+    <message>
+        <source>Height</source>
+        <translation>Hauteur</translation>
+    </message>
+    <message>
+        <source>How much of the plane is seen, from the lower edge to the upper one.</source>
+        <translation>Ce que l’on voit du plan, du bord inférieur au bord supérieur.</translation>
+    </message>
+    <message>
+        <source>Go To</source>
+        <translation>Aller à</translation>
+    </message>
+    <message>
+        <source>such as 3 2 1</source>
+        <translation>par exemple 3 2 1</translation>
+    </message>
+    <message>
+        <source>Address</source>
+        <translation>Adresse</translation>
+    </message>
+    <message>
+        <source>Numbers of maps, as the status bar shows them for the point under the pointer. They repeat, and the centre becomes the point that they lead to.</source>
+        <translation>Des numéros d’applications, comme la barre d’état les montre pour le point sous le pointeur. Ils se répètent, et le centre devient le point où ils mènent.</translation>
+    </message>
+    <message>
+        <source>Choose a map</source>
+        <translation>Choisir une application</translation>
+    </message>
+    <message>
+        <source>Map %1</source>
+        <translation>Application %1</translation>
+    </message>
+    <message>
+        <source>Fixed point</source>
+        <translation>Point fixe</translation>
+    </message>
+    <message>
+        <source>The centre becomes the point that this map leaves where it is.</source>
+        <translation>Le centre devient le point que cette application laisse en place.</translation>
+    </message>
+    <message>
+        <source>Note</source>
+        <translation>Remarque</translation>
+    </message>
+    <message>
+        <source>&amp;Centre:</source>
+        <translation>&amp;Centre :</translation>
+    </message>
+    <message>
+        <source>&amp;Height:</source>
+        <translation>&amp;Hauteur :</translation>
+    </message>
+    <message>
+        <source>&amp;Address:</source>
+        <translation>&amp;Adresse :</translation>
+    </message>
+    <message>
+        <source>&amp;Fixed point of:</source>
+        <translation>Point &amp;fixe de :</translation>
+    </message>
+    <message>
+        <source>&amp;Go</source>
+        <translation>A&amp;ller</translation>
+    </message>
+    <message>
+        <source>Shows this part of the plane. The fractal stays as it is.</source>
+        <translation>Montre cette partie du plan. La fractale reste telle quelle.</translation>
+    </message>
+    <message>
+        <source>No point has this address: a map in it is switched off, or does not contract.</source>
+        <translation>Aucun point n’a cette adresse : une de ses applications est désactivée ou n’est pas contractante.</translation>
+    </message>
+    <message>
+        <source>An address has the numbers of maps, from 1 to %1.</source>
+        <translation>Une adresse est faite de numéros d’applications, de 1 à %1.</translation>
     </message>
 </context>
 <context>
@@ -11597,6 +11937,26 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
         <source>When this is on, the first time that you save a file after opening it, the version before stays beside it under the same name with “~” behind it, such as maple.ifs~.</source>
         <translation>Si cette option est active, au premier enregistrement d’un fichier après son ouverture, la version précédente reste à côté sous le même nom suivi de «&#x202f;~&#x202f;», par exemple maple.ifs~.</translation>
     </message>
+    <message>
+        <source>Play when opened</source>
+        <translation>Lire à l’ouverture</translation>
+    </message>
+    <message>
+        <source>Still until played</source>
+        <translation>Immobile jusqu’à la lecture</translation>
+    </message>
+    <message>
+        <source>Motion</source>
+        <translation>Mouvement</translation>
+    </message>
+    <message>
+        <source>Whether an entry that moves plays as soon as it is opened. When your desktop asks for less motion, the system default shows a still picture until you press Play.</source>
+        <translation>Si une entrée qui bouge est lue dès son ouverture. Quand votre bureau demande moins de mouvement, le réglage du système montre une image immobile jusqu’à ce que vous appuyiez sur Lecture.</translation>
+    </message>
+    <message>
+        <source>&amp;Motion:</source>
+        <translation>&amp;Mouvement :</translation>
+    </message>
 </context>
 <context>
     <name>view::ProblemsModel</name>
@@ -13060,6 +13420,73 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
     </message>
 </context>
 <context>
+    <name>view::StretchDialog</name>
+    <message>
+        <source>From frame</source>
+        <translation>De l’image</translation>
+    </message>
+    <message>
+        <source>Keys up to this frame stay where they are.</source>
+        <translation>Les clés jusqu’à cette image restent à leur place.</translation>
+    </message>
+    <message>
+        <source>To frame</source>
+        <translation>À l’image</translation>
+    </message>
+    <message>
+        <source>The end of the range. Later keys keep their distance to it.</source>
+        <translation>La fin de l’intervalle. Les clés suivantes gardent leur distance.</translation>
+    </message>
+    <message>
+        <source>Ends at frame</source>
+        <translation>Finit à l’image</translation>
+    </message>
+    <message>
+        <source>Where the range ends from now on: later for slower, earlier for faster.</source>
+        <translation>Où l’intervalle finit désormais : plus tard pour ralentir, plus tôt pour accélérer.</translation>
+    </message>
+    <message>
+        <source>Stretch Keys</source>
+        <translation>Étirer les clés</translation>
+    </message>
+    <message>
+        <source>Note</source>
+        <translation>Remarque</translation>
+    </message>
+    <message>
+        <source>&amp;Stretch</source>
+        <translation>&amp;Étirer</translation>
+    </message>
+    <message>
+        <source>Moves the keys of all tracks, in one step that you can undo.</source>
+        <translation>Déplace les clés de toutes les pistes, en une étape que vous pouvez annuler.</translation>
+    </message>
+    <message>
+        <source>&amp;From frame:</source>
+        <translation>&amp;De l’image :</translation>
+    </message>
+    <message>
+        <source>&amp;To frame:</source>
+        <translation>À &amp;l’image :</translation>
+    </message>
+    <message>
+        <source>&amp;Ends at frame:</source>
+        <translation>&amp;Finit à l’image :</translation>
+    </message>
+    <message>
+        <source>The range has to end after its first frame.</source>
+        <translation>L’intervalle doit finir après sa première image.</translation>
+    </message>
+    <message>
+        <source>Two keys would meet at one frame, or the animation would be too long.</source>
+        <translation>Deux clés tomberaient sur une même image, ou l’animation serait trop longue.</translation>
+    </message>
+    <message>
+        <source>Stretch keys</source>
+        <translation>Étirer les clés</translation>
+    </message>
+</context>
+<context>
     <name>view::SuggestionList</name>
     <message numerus="yes">
         <source>%n maps</source>
@@ -13587,6 +14014,10 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
     <message>
         <source>Branch %1, inside itself</source>
         <translation>Branche %1, en elle-même</translation>
+    </message>
+    <message>
+        <source>Stretch Keys…</source>
+        <translation>Étirer les clés…</translation>
     </message>
 </context>
 <context>

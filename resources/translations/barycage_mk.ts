@@ -622,6 +622,32 @@
     </message>
 </context>
 <context>
+    <name>FirstChips</name>
+    <message>
+        <source>What to try next</source>
+        <translation>Што да пробате понатаму</translation>
+    </message>
+</context>
+<context>
+    <name>FirstMinute</name>
+    <message>
+        <source>Take a corner.</source>
+        <translation>Фатете едно теме.</translation>
+    </message>
+    <message>
+        <source>Make it sway</source>
+        <translation>Нека се ниша</translation>
+    </message>
+    <message>
+        <source>Grow variations</source>
+        <translation>Одгледајте варијации</translation>
+    </message>
+    <message>
+        <source>Save a poster</source>
+        <translation>Зачувајте постер</translation>
+    </message>
+</context>
+<context>
     <name>FlameBanner</name>
     <message>
         <source>Flames</source>
@@ -697,10 +723,6 @@
     <message>
         <source>Problems</source>
         <translation>Проблеми</translation>
-    </message>
-    <message>
-        <source>Drag a corner of the triangle. Or press D and click three points to define another triangle.</source>
-        <translation>Влечете едно теме на триаголникот. Или притиснете D и кликнете на три точки за да дефинирате друг триаголник.</translation>
     </message>
     <message>
         <source>%1 could not be opened</source>
@@ -1296,10 +1318,6 @@
         <translation>&amp;Обиколка</translation>
     </message>
     <message>
-        <source>Six short steps in this window: contraction, fixed point, chaos game, address, barycentric coordinates, dimension</source>
-        <translation>Шест кратки чекори во овој прозорец: контракција, неподвижна точка, игра на хаос, адреса, барицентрични координати, димензија</translation>
-    </message>
-    <message>
         <source>&amp;What’s This?</source>
         <translation>&amp;Што е ова?</translation>
     </message>
@@ -1812,10 +1830,6 @@
         <translation>&amp;Копирај</translation>
     </message>
     <message>
-        <source>Copy the selected maps or entries</source>
-        <translation>Копирај ги избраните пресликувања или записи</translation>
-    </message>
-    <message>
         <source>Add fractals from the clipboard to the file: entries of an .ifs file, flames or a table of numbers; or maps to the fractal</source>
         <translation>Додај фрактали од таблата со исечоци во датотеката: записи од .ifs датотека, flame или табела со броеви; или пресликувања во фракталот</translation>
     </message>
@@ -2318,6 +2332,58 @@
     <message>
         <source>%1 is also open in another window of Barycage. Whichever saves last replaces what the other saved.</source>
         <translation>%1 е отворена и во друг прозорец на Barycage. Што ќе се зачува последно, го заменува она што е зачувано во другиот.</translation>
+    </message>
+    <message>
+        <source>Export Web Page</source>
+        <translation>Извези веб-страница</translation>
+    </message>
+    <message>
+        <source>Web pages (*.html)</source>
+        <translation>Веб-страници (*.html)</translation>
+    </message>
+    <message>
+        <source>%1 was written. Open it in a browser, or mail it: it needs no network.</source>
+        <translation>%1 е запишана. Отворете ја во прелистувач или пратете ја по пошта: не ѝ треба мрежа.</translation>
+    </message>
+    <message>
+        <source>Stretch Ke&amp;ys…</source>
+        <translation>Растегни клу&amp;чеви…</translation>
+    </message>
+    <message>
+        <source>Make a range of frames slower or faster: the keys of all tracks spread</source>
+        <translation>Забавува или забрзува дел од анимацијата: клучевите на сите траки се распоредуваат</translation>
+    </message>
+    <message>
+        <source>There are no keys to stretch. Choose Set Key first.</source>
+        <translation>Нема клучеви за растегнување. Прво поставете клуч.</translation>
+    </message>
+    <message>
+        <source>Copy the picture, the selected maps or the selected entries</source>
+        <translation>Ја копира сликата, избраните пресликувања или избраните записи</translation>
+    </message>
+    <message>
+        <source>Export We&amp;b Page…</source>
+        <translation>Извези ве&amp;б-страница…</translation>
+    </message>
+    <message>
+        <source>Export the fractal in its cage as one file for browsers, in which it can be dragged</source>
+        <translation>Извези го фракталот во неговиот кафез како една датотека за прелистувачи, во кои може да се влече</translation>
+    </message>
+    <message>
+        <source>Six short steps that you do yourself: drag, squeeze, undo, collection, wind, export</source>
+        <translation>Шест кратки чекори што ги правите сами: влечење, стискање, поништување, збирка, ветер, извоз</translation>
+    </message>
+    <message>
+        <source>Go To…</source>
+        <translation>Оди на…</translation>
+    </message>
+    <message>
+        <source>Ctrl+G</source>
+        <translation>Ctrl+G</translation>
+    </message>
+    <message>
+        <source>Show a centre and height, the point of an address, or a fixed point</source>
+        <translation>Прикажува средина и висина, точка на адреса или неподвижна точка</translation>
     </message>
 </context>
 <context>
@@ -5438,52 +5504,20 @@
         <source>FFmpeg&apos;s libraries cannot be loaded, so no videos can be written: %1.</source>
         <translation>Библиотеките на FFmpeg не можат да се вчитаат, па не можат да се запишуваат видеа: %1.</translation>
     </message>
+    <message>
+        <source>This entry is not an iterated function system.</source>
+        <translation>Овој запис не е систем од итерирани функции.</translation>
+    </message>
+    <message>
+        <source>This entry has %1 maps; a web page can have at most %2.</source>
+        <translation>Овој запис има %1 пресликувања; една веб-страница може да има најмногу %2.</translation>
+    </message>
 </context>
 <context>
     <name>Tour</name>
     <message>
-        <source>Contraction</source>
-        <translation>Контракција</translation>
-    </message>
-    <message>
-        <source>Each row of this table is a map that makes a smaller copy of the whole; the picture is all the copies together. Double-click a number and type another: the copy moves as you type. ‖A‖ is the largest factor by which a map stretches distances. As long as it is less than 1, the map contracts. Press Ctrl+Z to undo your changes.</source>
-        <translation>Секоја редица од оваа табела е пресликување што прави помала копија од целината, а сликата ја сочинуваат сите копии заедно. Кликнете двапати на некој број и внесете друг: копијата се поместува додека пишувате. ‖A‖ кажува колку пати најмногу растегнува пресликувањето. Сѐ додека е помало од 1, пресликувањето е контракција. Ctrl+Z враќа сѐ како што беше.</translation>
-    </message>
-    <message>
-        <source>Fixed point</source>
-        <translation>Неподвижна точка</translation>
-    </message>
-    <message>
-        <source>Chaos game</source>
-        <translation>Игра на хаос</translation>
-    </message>
-    <message>
-        <source>Press Chaos Game, then Play. A single point jumps around, each time by a map chosen at random, and leaves a dot where it lands. Make it faster: whatever random numbers come up, the dots fill the same picture, the attractor.</source>
-        <translation>Притиснете „Игра на хаос“, па „Пушти“. Една точка скока, секојпат според случајно избрано пресликување, и остава трага таму каде што ќе падне. Забрзајте ја: што и да покаже коцката, трагите ја пополнуваат истата слика, атракторот.</translation>
-    </message>
-    <message>
         <source>Address</source>
         <translation>Адреса</translation>
-    </message>
-    <message>
-        <source>The map of the last jump to a point, the map of the jump before it, and so on: these numbers are the address of the point. Choose Colour by: Address. Points whose addresses begin with the same numbers are close together, and now they have similar colours.</source>
-        <translation>Пресликувањето што го направило последниот скок до некоја точка, па она пред него, и така натаму: тие броеви се адресата на точката. Изберете „Боја според: Адреса“. Точките чии адреси почнуваат исто лежат блиску една до друга, а сега и личат една на друга.</translation>
-    </message>
-    <message>
-        <source>Barycentric coordinates</source>
-        <translation>Барицентрични координати</translation>
-    </message>
-    <message>
-        <source>Every point of the picture is a weighted mean of the three corners of the triangle. Drag a corner: the points keep their weights, and the whole fractal follows. Squeeze the triangle flat and open it again: nothing is lost. The weights under the pointer are shown in the status bar.</source>
-        <translation>Секоја точка на сликата е тежинска средина на трите темиња на триаголникот. Влечете едно теме: точките ги задржуваат своите тежини, а целиот фрактал се движи со нив. Сплескајте го триаголникот и повторно раширете го: ништо не се губи. Тежините под покажувачот се прикажани во статусната лента.</translation>
-    </message>
-    <message>
-        <source>Dimension</source>
-        <translation>Димензија</translation>
-    </message>
-    <message>
-        <source>How much of the plane does the attractor fill? A curve has dimension 1, an area has dimension 2, and most attractors are in between. Change a map and look here again. This is the end of the tour; the user guide in the Help menu tells you more.</source>
-        <translation>Колкав дел од рамнината исполнува атракторот? Кривата има димензија 1, плоштината 2, а повеќето атрактори се меѓу нив. Променете некое пресликување и погледнете повторно тука. Ова е крајот на обиколката; повеќе има во упатството за корисници во менито „Помош“.</translation>
     </message>
     <message>
         <source>&amp;Back</source>
@@ -5494,40 +5528,100 @@
         <translation>Обиколка</translation>
     </message>
     <message>
-        <source>New here?</source>
-        <translation>Првпат сте тука?</translation>
-    </message>
-    <message>
-        <source>Six short steps show you what an attractor is while you drag one. You can also take the tour later: it is in the Help menu.</source>
-        <translation>Шест кратки чекори покажуваат што е атрактор, така што ќе повлечете еден. Обиколката можете да ја направите и подоцна: таа е во менито „Помош“.</translation>
-    </message>
-    <message>
         <source>%1 of %2</source>
         <translation>%1 од %2</translation>
-    </message>
-    <message>
-        <source>&amp;Start the Tour</source>
-        <translation>&amp;Започни ја обиколката</translation>
     </message>
     <message>
         <source>&amp;Done</source>
         <translation>&amp;Готово</translation>
     </message>
     <message>
-        <source>&amp;Next</source>
-        <translation>&amp;Следно</translation>
-    </message>
-    <message>
-        <source>Not Now</source>
-        <translation>Не сега</translation>
-    </message>
-    <message>
         <source>Close</source>
         <translation>Затвори</translation>
     </message>
     <message>
-        <source>A map that contracts leaves exactly one point unchanged: its fixed point. Switch off all maps but two with the eyes on the left of the table, and see how little of the picture is left. With a single map, only its fixed point is left. Press Ctrl+Z to bring the maps back.</source>
-        <translation>Контракцијата остава точно една точка на нејзиното место: тоа е нејзината неподвижна точка. Со очињата лево во табелата исклучете ги сите пресликувања освен две и погледнете колку малку останува од сликата. Со само едно пресликување не останува ништо освен неговата неподвижна точка. Ctrl+Z ги враќа пресликувањата.</translation>
+        <source>Drag</source>
+        <translation>Влечење</translation>
+    </message>
+    <message>
+        <source>Drag a corner of the triangle: the whole picture follows.</source>
+        <translation>Повлечете едно теме на триаголникот: целата слика го следи.</translation>
+    </message>
+    <message>
+        <source>Squeeze</source>
+        <translation>Стискање</translation>
+    </message>
+    <message>
+        <source>Push a corner onto the opposite side until the picture is flat, then pull it open again.</source>
+        <translation>Турнете едно теме врз спротивната страна додека сликата не стане рамна, па повторно отворете ја.</translation>
+    </message>
+    <message>
+        <source>Undo</source>
+        <translation>Поништување</translation>
+    </message>
+    <message>
+        <source>Press Ctrl+Z to take back what you have just done.</source>
+        <translation>Притиснете Ctrl+Z за да го поништите она што штотуку го направивте.</translation>
+    </message>
+    <message>
+        <source>Collection</source>
+        <translation>Збирка</translation>
+    </message>
+    <message>
+        <source>Double-click a picture of the collection that you like.</source>
+        <translation>Кликнете двапати на слика од збирката што ви се допаѓа.</translation>
+    </message>
+    <message>
+        <source>Wind</source>
+        <translation>Ветер</translation>
+    </message>
+    <message>
+        <source>Press Wind in the timeline and watch the picture sway.</source>
+        <translation>Притиснете Ветер на временската линија и гледајте како сликата се ниша.</translation>
+    </message>
+    <message>
+        <source>Export</source>
+        <translation>Извоз</translation>
+    </message>
+    <message>
+        <source>Press Ctrl+E to save the picture for others.</source>
+        <translation>Притиснете Ctrl+E за да ја зачувате сликата за други.</translation>
+    </message>
+    <message>
+        <source>That Is It</source>
+        <translation>Тоа е сè</translation>
+    </message>
+    <message>
+        <source>Three more steps show what the picture is made of.</source>
+        <translation>Уште три чекори покажуваат од што е направена сликата.</translation>
+    </message>
+    <message>
+        <source>Map</source>
+        <translation>Пресликување</translation>
+    </message>
+    <message>
+        <source>Each row is a map that makes one smaller copy of the whole: double-click a number and type another.</source>
+        <translation>Секој ред е пресликување што прави помала копија на целината: кликнете двапати на број и напишете друг.</translation>
+    </message>
+    <message>
+        <source>Click a point: the maps that lead there are its address, and you hold the branch that they make.</source>
+        <translation>Кликнете на точка: пресликувањата што водат до неа се нејзината адреса, а вие ја држите гранката што ја прават.</translation>
+    </message>
+    <message>
+        <source>Norm</source>
+        <translation>Норма</translation>
+    </message>
+    <message>
+        <source>‖A‖ is how far a map stretches at most: change a number, and keep it below 1.</source>
+        <translation>‖A‖ кажува колку најмногу растегнува пресликувањето: сменете број и останете под 1.</translation>
+    </message>
+    <message>
+        <source>&amp;Skip</source>
+        <translation>&amp;Прескокни</translation>
+    </message>
+    <message>
+        <source>&amp;Go On</source>
+        <translation>&amp;Продолжи</translation>
     </message>
 </context>
 <context>
@@ -7071,12 +7165,20 @@
         <source>What lies far behind this small view may be drawn in the wrong order. Zoom out a little for an accurate picture.</source>
         <translation>Она што е далеку зад овој мал приказ може да биде нацртано по погрешен редослед. Намалете го малку приказот за верна слика.</translation>
     </message>
+    <message>
+        <source>Nothing here. Press F to see the whole picture.</source>
+        <translation>Тука нема ништо. Притиснете F за да ја видите целата слика.</translation>
+    </message>
 </context>
 <context>
     <name>view::CanvasInput</name>
     <message>
         <source>Cylinder %1</source>
         <translation>Цилиндар %1</translation>
+    </message>
+    <message>
+        <source>Corner outside the view: click to fit the picture and its cage</source>
+        <translation>Теме надвор од погледот: кликнете за да се соберат сликата и кафезот</translation>
     </message>
 </context>
 <context>
@@ -7599,10 +7701,6 @@
         <translation>Колаж</translation>
     </message>
     <message>
-        <source>Target</source>
-        <translation>Цел</translation>
-    </message>
-    <message>
         <source>Agreement</source>
         <translation>Согласност</translation>
     </message>
@@ -7681,6 +7779,30 @@
     <message>
         <source>What the last refinement has made of the distance and of the guarantee</source>
         <translation>Што направи последното дотерување со растојанието и со гаранцијата</translation>
+    </message>
+    <message>
+        <source>1. Choose a picture</source>
+        <translation>1. Изберете слика</translation>
+    </message>
+    <message>
+        <source>2. Ask for suggestions</source>
+        <translation>2. Побарајте предлози</translation>
+    </message>
+    <message>
+        <source>3. Pick one</source>
+        <translation>3. Изберете еден</translation>
+    </message>
+    <message>
+        <source>More</source>
+        <translation>Повеќе</translation>
+    </message>
+    <message>
+        <source>More ways to trace</source>
+        <translation>Други начини на прецртување</translation>
+    </message>
+    <message>
+        <source>Show how the picture is read, the agreement, and what refines a suggestion</source>
+        <translation>Прикажува како се чита сликата, совпаѓањето и она што го доусовршува предлогот</translation>
     </message>
 </context>
 <context>
@@ -7904,6 +8026,129 @@
     <message>
         <source>Commands whose names contain these words come first, then those whose descriptions do.</source>
         <translation>Наредбите чии имиња ги содржат овие зборови, а потоа оние чии описи ги содржат.</translation>
+    </message>
+    <message>
+        <source>Search the guide for “%1”</source>
+        <translation>Побарај „%1“ во водичот</translation>
+    </message>
+</context>
+<context>
+    <name>view::CommandSynonyms</name>
+    <message>
+        <source>render save image picture png svg pdf jpeg tiff webp exr poster wallpaper stl obj ply glb mesh print 3d</source>
+        <translation>рендер зачувај слика png svg pdf jpeg tiff постер плакат позадина stl obj ply мрежа 3d печатење</translation>
+    </message>
+    <message>
+        <source>render video movie film mp4 webm gif apng frames cluster slurm</source>
+        <translation>рендер видео филм mp4 webm gif apng кадри кластер slurm</translation>
+    </message>
+    <message>
+        <source>flame apophysis csv table points cloud ply ifstile save</source>
+        <translation>flame apophysis csv табела точки облак ply ifstile зачувај</translation>
+    </message>
+    <message>
+        <source>clipboard screenshot image</source>
+        <translation>клипборд исечок слика од екран</translation>
+    </message>
+    <message>
+        <source>paper printer pdf page</source>
+        <translation>хартија печатач pdf страница</translation>
+    </message>
+    <message>
+        <source>worksheet class students exercise paper</source>
+        <translation>работен лист час ученици вежба хартија</translation>
+    </message>
+    <message>
+        <source>variations vary breed evolve grow similar mutation</source>
+        <translation>варијации варирај одгледај еволуција слични мутација</translation>
+    </message>
+    <message>
+        <source>surprise chance lucky generate dice new</source>
+        <translation>изненадување случајност создај коцка нов</translation>
+    </message>
+    <message>
+        <source>mirror reflect reverse</source>
+        <translation>огледало пресликај преврти</translation>
+    </message>
+    <message>
+        <source>mirror reflect upside down</source>
+        <translation>огледало пресликај преврти наопаку</translation>
+    </message>
+    <message>
+        <source>rotate scale shear move shift turn size</source>
+        <translation>ротирај заврти размер искоси помести големина</translation>
+    </message>
+    <message>
+        <source>undo original restore straighten</source>
+        <translation>почетно врати исправи</translation>
+    </message>
+    <message>
+        <source>hull triangle tight smallest</source>
+        <translation>обвивка триаголник најмал</translation>
+    </message>
+    <message>
+        <source>apply freeze write flatten</source>
+        <translation>примени замрзни запиши</translation>
+    </message>
+    <message>
+        <source>copy clone</source>
+        <translation>копирај клонирај</translation>
+    </message>
+    <message>
+        <source>centre home whole zoom all</source>
+        <translation>центрирај сè цело</translation>
+    </message>
+    <message>
+        <source>maximise whole</source>
+        <translation>целосно зголеми</translation>
+    </message>
+    <message>
+        <source>3d extrude solid</source>
+        <translation>3d тело истегни</translation>
+    </message>
+    <message>
+        <source>settings options language theme dark light configuration motion</source>
+        <translation>поставки опции јазик тема темно светло движење</translation>
+    </message>
+    <message>
+        <source>shortcuts keys hotkeys gestures</source>
+        <translation>кратенки копчиња гестови</translation>
+    </message>
+    <message>
+        <source>help manual documentation</source>
+        <translation>помош прирачник документација</translation>
+    </message>
+    <message>
+        <source>tutorial introduction beginner learn</source>
+        <translation>вовед почетник учење туторијал</translation>
+    </message>
+    <message>
+        <source>timeline motion movie keyframes</source>
+        <translation>временска линија движење филм клучни кадри</translation>
+    </message>
+    <message>
+        <source>sway wind storm blow</source>
+        <translation>нишање ветре бура дува</translation>
+    </message>
+    <message>
+        <source>turntable spin rotate camera</source>
+        <translation>вртење кружи камера ротирај</translation>
+    </message>
+    <message>
+        <source>spin rotate</source>
+        <translation>врти ротирај</translation>
+    </message>
+    <message>
+        <source>pulse grow shrink</source>
+        <translation>пулсирај расте се собира</translation>
+    </message>
+    <message>
+        <source>colours rainbow</source>
+        <translation>бои виножито</translation>
+    </message>
+    <message>
+        <source>infinite dive</source>
+        <translation>бесконечно зумирање нурни</translation>
     </message>
 </context>
 <context>
@@ -9438,6 +9683,101 @@
     <message>
         <source>Right</source>
         <translation>Оддесно</translation>
+    </message>
+</context>
+<context>
+    <name>view::GoToDialog</name>
+    <message>
+        <source>Centre, x</source>
+        <translation>Средина, x</translation>
+    </message>
+    <message>
+        <source>The x coordinate in the middle of the view.</source>
+        <translation>Координатата x во средината на погледот.</translation>
+    </message>
+    <message>
+        <source>Centre, y</source>
+        <translation>Средина, y</translation>
+    </message>
+    <message>
+        <source>The y coordinate in the middle of the view.</source>
+        <translation>Координатата y во средината на погледот.</translation>
+    </message>
+    <message>
+        <source>Height</source>
+        <translation>Висина</translation>
+    </message>
+    <message>
+        <source>How much of the plane is seen, from the lower edge to the upper one.</source>
+        <translation>Колку од рамнината се гледа, од долниот раб до горниот.</translation>
+    </message>
+    <message>
+        <source>Go To</source>
+        <translation>Оди на</translation>
+    </message>
+    <message>
+        <source>such as 3 2 1</source>
+        <translation>на пример 3 2 1</translation>
+    </message>
+    <message>
+        <source>Address</source>
+        <translation>Адреса</translation>
+    </message>
+    <message>
+        <source>Numbers of maps, as the status bar shows them for the point under the pointer. They repeat, and the centre becomes the point that they lead to.</source>
+        <translation>Броеви на пресликувања, како што ги покажува статусната лента за точката под покажувачот. Се повторуваат, а средината станува точката до која водат.</translation>
+    </message>
+    <message>
+        <source>Choose a map</source>
+        <translation>Изберете пресликување</translation>
+    </message>
+    <message>
+        <source>Map %1</source>
+        <translation>Пресликување %1</translation>
+    </message>
+    <message>
+        <source>Fixed point</source>
+        <translation>Неподвижна точка</translation>
+    </message>
+    <message>
+        <source>The centre becomes the point that this map leaves where it is.</source>
+        <translation>Средината станува точката што ова пресликување ја остава на своето место.</translation>
+    </message>
+    <message>
+        <source>Note</source>
+        <translation>Забелешка</translation>
+    </message>
+    <message>
+        <source>&amp;Centre:</source>
+        <translation>&amp;Средина:</translation>
+    </message>
+    <message>
+        <source>&amp;Height:</source>
+        <translation>&amp;Висина:</translation>
+    </message>
+    <message>
+        <source>&amp;Address:</source>
+        <translation>&amp;Адреса:</translation>
+    </message>
+    <message>
+        <source>&amp;Fixed point of:</source>
+        <translation>&amp;Неподвижна точка на:</translation>
+    </message>
+    <message>
+        <source>&amp;Go</source>
+        <translation>&amp;Оди</translation>
+    </message>
+    <message>
+        <source>Shows this part of the plane. The fractal stays as it is.</source>
+        <translation>Го прикажува овој дел од рамнината. Фракталот останува како што е.</translation>
+    </message>
+    <message>
+        <source>No point has this address: a map in it is switched off, or does not contract.</source>
+        <translation>Ниедна точка нема таква адреса: некое пресликување во неа е исклучено или не стега.</translation>
+    </message>
+    <message>
+        <source>An address has the numbers of maps, from 1 to %1.</source>
+        <translation>Адресата се состои од броеви на пресликувања, од 1 до %1.</translation>
     </message>
 </context>
 <context>
@@ -11629,6 +11969,26 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
         <source>When this is on, the first time that you save a file after opening it, the version before stays beside it under the same name with “~” behind it, such as maple.ifs~.</source>
         <translation>Кога ова е вклучено, при првото зачувување по отворањето, претходната верзија останува покрај датотеката под истото име со „~“ на крајот, на пример maple.ifs~.</translation>
     </message>
+    <message>
+        <source>Play when opened</source>
+        <translation>Пушти при отворање</translation>
+    </message>
+    <message>
+        <source>Still until played</source>
+        <translation>Мирно додека не се пушти</translation>
+    </message>
+    <message>
+        <source>Motion</source>
+        <translation>Движење</translation>
+    </message>
+    <message>
+        <source>Whether an entry that moves plays as soon as it is opened. When your desktop asks for less motion, the system default shows a still picture until you press Play.</source>
+        <translation>Дали записот што се движи се пушта веднаш штом ќе се отвори. Кога работната околина бара помалку движење, системската поставка покажува мирна слика додека не притиснете Пушти.</translation>
+    </message>
+    <message>
+        <source>&amp;Motion:</source>
+        <translation>&amp;Движење:</translation>
+    </message>
 </context>
 <context>
     <name>view::ProblemsModel</name>
@@ -13093,6 +13453,73 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
     </message>
 </context>
 <context>
+    <name>view::StretchDialog</name>
+    <message>
+        <source>From frame</source>
+        <translation>Од кадар</translation>
+    </message>
+    <message>
+        <source>Keys up to this frame stay where they are.</source>
+        <translation>Клучевите до овој кадар остануваат каде што се.</translation>
+    </message>
+    <message>
+        <source>To frame</source>
+        <translation>До кадар</translation>
+    </message>
+    <message>
+        <source>The end of the range. Later keys keep their distance to it.</source>
+        <translation>Крајот на делот. Подоцнежните клучеви го задржуваат растојанието до него.</translation>
+    </message>
+    <message>
+        <source>Ends at frame</source>
+        <translation>Завршува на кадар</translation>
+    </message>
+    <message>
+        <source>Where the range ends from now on: later for slower, earlier for faster.</source>
+        <translation>Каде завршува делот отсега: подоцна за побавно, порано за побрзо.</translation>
+    </message>
+    <message>
+        <source>Stretch Keys</source>
+        <translation>Растегни клучеви</translation>
+    </message>
+    <message>
+        <source>Note</source>
+        <translation>Забелешка</translation>
+    </message>
+    <message>
+        <source>&amp;Stretch</source>
+        <translation>&amp;Растегни</translation>
+    </message>
+    <message>
+        <source>Moves the keys of all tracks, in one step that you can undo.</source>
+        <translation>Ги поместува клучевите на сите траки, во еден чекор што може да се поништи.</translation>
+    </message>
+    <message>
+        <source>&amp;From frame:</source>
+        <translation>&amp;Од кадар:</translation>
+    </message>
+    <message>
+        <source>&amp;To frame:</source>
+        <translation>&amp;До кадар:</translation>
+    </message>
+    <message>
+        <source>&amp;Ends at frame:</source>
+        <translation>&amp;Завршува на кадар:</translation>
+    </message>
+    <message>
+        <source>The range has to end after its first frame.</source>
+        <translation>Делот мора да заврши по својот прв кадар.</translation>
+    </message>
+    <message>
+        <source>Two keys would meet at one frame, or the animation would be too long.</source>
+        <translation>Два клуча би се нашле на ист кадар, или анимацијата би станала предолга.</translation>
+    </message>
+    <message>
+        <source>Stretch keys</source>
+        <translation>Растегни клучеви</translation>
+    </message>
+</context>
+<context>
     <name>view::SuggestionList</name>
     <message numerus="yes">
         <source>%n maps</source>
@@ -13623,6 +14050,10 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
     <message>
         <source>Branch %1, inside itself</source>
         <translation>Гранка %1, внатре во себе</translation>
+    </message>
+    <message>
+        <source>Stretch Keys…</source>
+        <translation>Растегни клучеви…</translation>
     </message>
 </context>
 <context>

@@ -84,8 +84,16 @@ void RenderBridge::fixLiveSamples(std::uint64_t samples) {
 void RenderBridge::showInstead(std::shared_ptr<const document::Fractal> fractal) {
     if (fractal == m_instead) return;
     m_instead = std::move(fractal);
-    m_exposing = Exposing::Measured;
+    // After a motion the picture at rest has the same light.
+    m_exposing = std::exchange(m_isMoving, false) ? Exposing::Eased : Exposing::Measured;
     request(Haste::Now);
+}
+
+void RenderBridge::showMoving(std::shared_ptr<const document::Fractal> fractal) {
+    m_instead = std::move(fractal);
+    m_isMoving = true;
+    if (m_exposing == Exposing::Kept) m_exposing = Exposing::Eased;
+    request(Haste::InTurn);
 }
 
 bool RenderBridge::isCurrent() const {
@@ -137,7 +145,7 @@ void RenderBridge::submit() {
                                  : document::renderRequest(document::soloed(fractal, solo), m_camera);
     request.revision = ++m_requested;
     request.threads = std::min(attractor::hardwareThreads(), maxThreads);
-    request.samples = m_live ? m_liveSamples : maxSamples;
+    request.samples = m_live || m_isMoving ? m_liveSamples : maxSamples;
     std::uint64_t quality = m_quality;
     if (m_shown.algorithm != attractor::Algorithm::Density) {
         request.algorithm = m_shown.algorithm;

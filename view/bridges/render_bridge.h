@@ -37,6 +37,8 @@ public:
 
     // Draws this in place of the document, which must be of the plane, too; nullptr: the document again.
     void showInstead(std::shared_ptr<const document::Fractal> fractal);
+    // The same of one of many, in motion: each waits for the frame before it, and none is refined.
+    void showMoving(std::shared_ptr<const document::Fractal> fractal); // not null
 
     // nullptr before the first, and while the entry is not a system in the plane.
     std::shared_ptr<const attractor::Frame> frame() const { return m_frame; }
@@ -99,7 +101,8 @@ private:
     Exposing m_exposing = Exposing::Measured;
     bool m_adapting = true; // m_liveSamples follows the machine
     bool m_live = false;
-    bool m_waiting = false; // a request takes its turn
+    bool m_isMoving = false; // what is shown in place of the document
+    bool m_waiting = false;  // a request takes its turn
     bool m_isSubstituted = false;
     QTimer m_underWay; // runs until the first frame of the newest request, or until patience ends
     std::unique_ptr<attractor::RenderThread> m_thread; // last: stops before the rest goes

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "canvas/canvas_input.h"
 
+#include "canvas/items/border_arrows_item.h"
 #include "document/branches/addresses.h"
 #include "widgets/arrow_keys.h"
 
@@ -49,6 +50,11 @@ bool CanvasInput::pressed(Qt::MouseButton button) {
     const CanvasPart::Kind kind = m_scene.partAt(pointer().position, pointer().reach).kind;
     const bool isHandle = kind != CanvasPart::Kind::None && kind != CanvasPart::Kind::Inside;
     m_clicked.reset();
+    if (m_scene.overlaysVisible() && !isHandle && m_scene.notes().dismissAt(pointer().position)) return false;
+    if (arrowUnder() && !m_tools.active().isBusy()) {
+        m_navigation.fitCorners();
+        return false;
+    }
     if (takesPolygons && !isHandle && m_scene.overlaysVisible()) m_clicked = pointer().position;
     m_tools.toolAt(pointer()).press(pointer());
     return true;
@@ -61,10 +67,42 @@ bool CanvasInput::doubleClicked() {
     return false; // it may be dragged at once
 }
 
+QCursor CanvasInput::cursorOver() const {
+    const bool isArrow = !isHolding() && arrowUnder();
+    return isArrow ? QCursor(Qt::PointingHandCursor) : m_tools.toolAt(pointer()).cursor(pointer());
+}
+
+void CanvasInput::left() {
+    m_scene.marks().borderArrows().setHovered(-1);
+    m_tools.active().leave();
+}
+
 void CanvasInput::moved() {
     if (m_clicked && (pointer().position - *m_clicked).manhattanLength() > clickSlack) m_clicked.reset();
     m_tools.active().move(pointer());
+    markArrow();
     reportPointer();
+}
+
+// To a corner outside, where no handle lies over it.
+std::optional<BorderArrow> CanvasInput::arrowUnder() const {
+    using Kind = CanvasPart::Kind;
+    const BorderArrowsItem& arrows = m_scene.marks().borderArrows();
+    const Kind kind = m_scene.partAt(pointer().position, pointer().reach).kind;
+    const bool isFree = kind == Kind::None || kind == Kind::Inside || kind == Kind::Edge;
+    if (!arrows.isVisible() || !isFree) return std::nullopt;
+    return arrows.arrowAt(pointer().position, pointer().reach == Reach::Touch ? BorderArrowsItem::fingerReach
+                                                                              : BorderArrowsItem::mouseReach);
+}
+
+void CanvasInput::markArrow() {
+    const auto arrow = isHolding() ? std::nullopt : arrowUnder();
+    BorderArrowsItem& arrows = m_scene.marks().borderArrows();
+    const int before = arrows.hovered();
+    arrows.setHovered(arrow ? arrow->vertex : -1);
+    if (before < 0 && arrow)
+        emit message(tr("Corner outside the view: click to fit the picture and its cage"));
+    if (before >= 0 && !arrow) emit message({});
 }
 
 void CanvasInput::released() {
@@ -102,7 +140,7 @@ bool CanvasInput::canvasKey(const QKeyEvent& event) {
         return true;
     }
     if (event.key() == Qt::Key_Escape) {
-        if (cancelGesture()) return true;
+        if (cancelGesture() || m_scene.notes().dismiss()) return true;
         const bool focused = m_scene.selection().focused().kind != CanvasPart::Kind::None;
         m_scene.selection().setFocused({});
         return focused;

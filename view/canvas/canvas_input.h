@@ -2,6 +2,7 @@
 #pragma once
 
 #include "canvas/canvas_navigation.h"
+#include "canvas/items/border_arrows_item.h"
 #include "canvas/pointer_position.h"
 #include "canvas/tools/toolbox.h"
 #include "gestures/viewport_input.h"
@@ -36,16 +37,18 @@ protected:
     bool doubleClicked() override;
     void moved() override;
     void released() override;
-    void left() override { m_tools.active().leave(); }
+    void left() override;
     bool wheelTurned(const QWheelEvent& event) override;
     bool keyPressed(const QKeyEvent& event) override;
     bool keyReleased(const QKeyEvent& event) override { return m_tools.active().keyRelease(event); }
     bool cancelled() override;
-    QCursor cursorOver() const override { return m_tools.toolAt(pointer()).cursor(pointer()); }
+    QCursor cursorOver() const override;
 
 private:
     bool canvasKey(const QKeyEvent& event);
     void endClick();
+    std::optional<BorderArrow> arrowUnder() const;
+    void markArrow();
 
     CanvasScene& m_scene;
     Toolbox& m_tools;

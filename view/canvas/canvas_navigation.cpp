@@ -10,6 +10,7 @@
 
 #include <chrono>
 #include <numbers>
+#include <utility>
 
 namespace view {
 
@@ -22,7 +23,7 @@ constexpr double minCorner = 0.8; // the same with one corner, where all of the 
 constexpr std::chrono::milliseconds fitPatience{12};
 
 document::Box with(const document::Box& box, const ifs::Vector<2>& point) {
-    return {box.min.cwiseMin(point), box.max.cwiseMax(point)};
+    return document::united(box, {point, point});
 }
 
 } // namespace
@@ -30,7 +31,7 @@ document::Box with(const document::Box& box, const ifs::Vector<2>& point) {
 CanvasNavigation::CanvasNavigation(CanvasScene& scene, RenderBridge& bridge, const QWidget& viewport)
     : m_scene(scene), m_bridge(bridge), m_viewport(viewport) {
     connect(&m_extent, &QFutureWatcherBase::finished, this, [this] {
-        if (m_isFitted && m_extent.future().resultCount() > 0) fitTo(m_extent.result());
+        if (m_isFitted && m_extent.future().resultCount() > 0) takeExtent(m_extent.result());
     });
 }
 
@@ -56,45 +57,54 @@ void CanvasNavigation::adoptViewport() {
 }
 
 void CanvasNavigation::fit() {
-    m_fitted = m_scene.document().moment();
+    m_corners = Corners::Near;
     fitAgain();
 }
 
-std::shared_ptr<const document::Fractal> CanvasNavigation::fittedFractal() const {
-    const document::Document& document = m_scene.document();
-    if (document.moment() == m_fitted) return document.sharedFractal();
-    return std::make_shared<const document::Fractal>(
-        document::frameAt(document.entryFractal(), m_fitted).fractal);
+void CanvasNavigation::fitCorners() {
+    m_corners = Corners::All;
+    fitAgain();
 }
 
-// A cage that is not stored is the same at every moment.
-std::vector<ifs::Vector<2>> CanvasNavigation::fittedCorners() const {
-    const auto& shown = m_scene.handles().cage();
-    if (!shown) return {};
-    if (m_scene.document().moment() == m_fitted) return shown->current;
-    const auto fractal = fittedFractal();
-    const auto* stored = document::cage2(*fractal);
-    return stored ? stored->current : shown->current;
+bool CanvasNavigation::fitsMotion() const {
+    return document::animationFacts(m_scene.document().entryFractal()).has_value();
 }
 
 void CanvasNavigation::fitAgain() {
-    using Extent = std::optional<document::Box>;
+    using Extent = document::MotionExtent;
     m_isFitted = true;
+    m_extent.future().cancel();
     m_extent.setFuture({});
-    const auto fractal = fittedFractal();
-    if (!document::system2(*fractal)) return fitTo(std::nullopt);
-    const QFuture<Extent> extent = io::inBackground<Extent>(
-        [fractal](QPromise<Extent>& promise) { promise.addResult(document::displayedBox(*fractal)); });
+    const document::Document& document = m_scene.document();
+    if (!document::system2(document.fractal())) return fitTo({});
+    const bool moves = fitsMotion();
+    const auto fractal = moves ? document.currentEntry().fractal : document.sharedFractal();
+    if (moves && fractal == m_moving) return fitTo(m_motion);
+    m_sought = moves ? fractal : nullptr;
+    const QFuture<Extent> extent = io::inBackground<Extent>([fractal, moves](QPromise<Extent>& promise) {
+        promise.addResult(moves ? document::motionExtent(*fractal, [&] { return promise.isCanceled(); })
+                                : Extent{document::displayedBox(*fractal), {}});
+    });
     if (io::finishesWithin(fitPatience, extent) && extent.resultCount() > 0) // most often it is known
-        fitTo(extent.result());
+        takeExtent(extent.result());
     else
         m_extent.setFuture(extent);
 }
 
-void CanvasNavigation::fitTo(std::optional<document::Box> attractor) {
-    const std::vector<ifs::Vector<2>> corners = fittedCorners();
-    if (m_fittedToo)
-        attractor = attractor ? with(with(*attractor, m_fittedToo->min), m_fittedToo->max) : m_fittedToo;
+void CanvasNavigation::takeExtent(document::MotionExtent extent) {
+    if (m_sought) {
+        m_moving = std::exchange(m_sought, nullptr);
+        m_motion = extent;
+    }
+    fitTo(extent);
+}
+
+void CanvasNavigation::fitTo(const document::MotionExtent& extent) {
+    std::vector<ifs::Vector<2>> corners = extent.corners;
+    // Of an entry at rest, and of one whose corners are not stored: they are the same at every moment.
+    if (const auto& cage = m_scene.handles().cage(); corners.empty() && cage) corners = cage->current;
+    std::optional<document::Box> attractor = extent.picture;
+    if (m_fittedToo) attractor = attractor ? document::united(*attractor, *m_fittedToo) : m_fittedToo;
     std::optional<document::Box> all = attractor;
     for (const ifs::Vector<2>& vertex : corners)
         all = all ? with(*all, vertex) : document::Box{vertex, vertex};
@@ -102,7 +112,7 @@ void CanvasNavigation::fitTo(std::optional<document::Box> attractor) {
     const auto fitted = [this](const document::Box& box) {
         return attractor::fitted(camera(), box.min, box.max, fitMargin);
     };
-    if (!attractor) return setCamera(fitted(*all));
+    if (!attractor || m_corners == Corners::All) return setCamera(fitted(*all));
     const double alone = fitted(*attractor).pixelsPerUnit;
     if (fitted(*all).pixelsPerUnit < minShare * alone) {
         all = attractor;

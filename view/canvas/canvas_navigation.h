@@ -4,6 +4,7 @@
 #include "attractor/request/camera.h"
 #include "canvas/scene/canvas_scene.h"
 #include "document/fractal/fractal_geometry.h"
+#include "document/moments/motion_extent.h"
 #include "gestures/view_navigation.h"
 
 #include <QFutureWatcher>
@@ -31,9 +32,10 @@ public:
     QPointF middle() const override;
 
     // The attractor into the view, and the cage where that leaves the attractor at least half as large, else
-    // those of its corners that lie just outside. That of many maps may come into view a little later. When
-    // the window changes its size, the same moment of an animation is fitted again, whichever is shown.
+    // those of its corners that lie just outside. Of an animation, whatever it shows from its first moment to
+    // its last. That of many maps may come into view a little later.
     void fit() override;
+    void fitCorners(); // the same with all corners of the cage, however small that makes the attractor
     // What comes into the view with the attractor, such as the target of a collage.
     void setFittedToo(const std::optional<document::Box>& box) { m_fittedToo = box; }
     bool isFitted() const override { return m_isFitted; }
@@ -62,10 +64,11 @@ private:
         moveTo(moved(m_held, shift, about, factor));
     }
     void restoreHeld() override { setCamera(m_held); }
+    enum class Corners { Near, All };
     void fitAgain();
-    std::shared_ptr<const document::Fractal> fittedFractal() const;
-    std::vector<ifs::Vector<2>> fittedCorners() const;
-    void fitTo(std::optional<document::Box> attractor);
+    bool fitsMotion() const; // the entry moves
+    void takeExtent(document::MotionExtent extent);
+    void fitTo(const document::MotionExtent& extent);
 
     CanvasScene& m_scene;
     RenderBridge& m_bridge;
@@ -73,8 +76,11 @@ private:
     attractor::Camera m_held;
     std::optional<document::Box> m_fittedToo;
     bool m_isFitted = true; // follows the size of the window until the user moves the view
-    animation::Moment m_fitted;
-    QFutureWatcher<std::optional<document::Box>> m_extent; // of the attractor that is to be fitted
+    Corners m_corners = Corners::Near;
+    QFutureWatcher<document::MotionExtent> m_extent; // of what is to be fitted
+    // The extent of the whole motion that was found last, and the entry it belongs to.
+    std::shared_ptr<const document::Fractal> m_moving, m_sought;
+    document::MotionExtent m_motion;
 };
 
 } // namespace view

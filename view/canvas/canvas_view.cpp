@@ -6,6 +6,7 @@
 #include "canvas/canvas_accessible.h"
 #include "canvas/canvas_menu.h"
 #include "canvas/items/attractor_item.h"
+#include "canvas/items/border_arrows_item.h"
 #include "canvas/scene/handle_text.h"
 #include "document/analysis/analysis.h"
 #include "document/edits/cage/cage_actions.h"
@@ -16,6 +17,7 @@
 #include <QGuiApplication>
 #include <QMessageBox>
 #include <QPushButton>
+#include <QUndoStack>
 
 #include <utility>
 
@@ -102,6 +104,8 @@ void CanvasView::connectParts() {
     connect(&m_tools, &Toolbox::definingRefused, this, &CanvasView::offerReset);
     connect(this, &CanvasView::message, this, [this] { m_said.clear(); });
     connect(&m_navigation, &CanvasNavigation::zoomed, this, &CanvasView::dismissHint);
+    connect(&m_navigation, &CanvasNavigation::cameraChanged, this,
+            [this] { m_wereCornersInView = areCornersInView(); });
     connect(&m_navigation, &CanvasNavigation::cameraChanged, &m_input, &CanvasInput::reportAgain,
             Qt::QueuedConnection); // all else has followed then
     connect(&m_scene->handles(), &HandleModel::addressesFound, &m_input, &CanvasInput::reportAgain);
@@ -163,6 +167,33 @@ void CanvasView::followDocument(const document::Change& change) {
     if (const auto& view = m_document->view();
         view && wasShown() && (isAnother || change.parts & Change::Time))
         m_navigation.moveTo(attractor::cameraOf(*view, {viewport()->width(), viewport()->height()}));
+    keepCornersInView(change);
+}
+
+bool CanvasView::areCornersInView() const {
+    return m_scene->marks().borderArrows().arrows().empty();
+}
+
+// A command that takes corners out of a view that showed them all fits the view. A drag may leave it: the
+// hand wants so.
+void CanvasView::keepCornersInView(const document::Change& change) {
+    using document::Change;
+    if (!(change.parts & (Change::Cage | Change::System)) || change.parts & Change::Time) return;
+    const bool wasDragged = std::exchange(m_isDragged, change.live);
+    const bool isCommand = !wasDragged && !change.live && !(change.parts & (Change::Current | Change::File));
+    const bool leave = std::exchange(m_wereCornersInView, areCornersInView()) && !m_wereCornersInView;
+    if (!isCommand || !wasShown() || !leave) return;
+    // Undo and redo have views of their own to go back to. Which it is, the history knows in a moment.
+    const QUndoStack& history = *m_document->undoStack();
+    const int index = history.index();
+    QMetaObject::invokeMethod(
+        this,
+        [this, index, redone = history.command(index)] {
+            const QUndoStack& now = *m_document->undoStack();
+            const bool isNew = now.index() > index && now.command(now.index() - 1) != redone;
+            if (isNew && !areCornersInView()) fit();
+        },
+        Qt::QueuedConnection);
 }
 
 // Cage and picture move together: in a gesture or at another moment nothing is painted until the picture has

@@ -72,6 +72,8 @@ private:
     void setUpWidget();
     void connectParts();
     void followDocument(const document::Change& change);
+    bool areCornersInView() const;
+    void keepCornersInView(const document::Change& change);
     void holdPainting();
     void paintAgain();
     void offerReset();
@@ -85,8 +87,10 @@ private:
     CanvasNavigation m_navigation;
     Toolbox m_tools;
     CanvasInput m_input;
-    QTimer m_hold;  // runs while painting waits for a frame
-    QString m_said; // of the part in focus, while the status bar shows it
+    bool m_wereCornersInView = true; // after the last change of the cage
+    bool m_isDragged = false;        // the cage, in a gesture that has not ended
+    QTimer m_hold;                   // runs while painting waits for a frame
+    QString m_said;                  // of the part in focus, while the status bar shows it
 };
 
 } // namespace view

@@ -14,6 +14,7 @@ namespace {
 
 const QString languageKey = QStringLiteral("preferences/language");
 const QString themeKey = QStringLiteral("preferences/theme");
+const QString motionKey = QStringLiteral("preferences/motion");
 const QString qualityKey = QStringLiteral("preferences/quality");
 const QString trackballKey = QStringLiteral("preferences/trackball");
 const QString keepPreviousKey = QStringLiteral("preferences/keepPrevious");
@@ -38,6 +39,9 @@ Preferences Preferences::stored() {
     const QString theme = view::stored(themeKey).toString();
     if (theme == QLatin1String("light")) found.theme = Theme::Light;
     if (theme == QLatin1String("dark")) found.theme = Theme::Dark;
+    const QString motion = view::stored(motionKey).toString();
+    if (motion == QLatin1String("reduced")) found.motion = Motion::Reduced;
+    if (motion == QLatin1String("full")) found.motion = Motion::Full;
     found.quality = std::clamp<std::uint64_t>(view::stored(qualityKey, quint64(found.quality)).toULongLong(),
                                               1'000'000, 100'000'000'000);
     found.trackball = view::stored(trackballKey, found.trackball).toBool();
@@ -51,6 +55,9 @@ void Preferences::store() const {
     view::store(themeKey, theme == Theme::Light  ? QStringLiteral("light")
                           : theme == Theme::Dark ? QStringLiteral("dark")
                                                  : QStringLiteral("desktop"));
+    view::store(motionKey, motion == Motion::Reduced ? QStringLiteral("reduced")
+                           : motion == Motion::Full  ? QStringLiteral("full")
+                                                     : QStringLiteral("desktop"));
     view::store(qualityKey, quint64(quality));
     view::store(trackballKey, trackball);
     view::store(reopenKey, reopen);

@@ -10,6 +10,7 @@ namespace view {
 // What the user prefers in every window, kept between runs. A value: whoever changes it stores it and tells.
 struct Preferences {
     enum class Theme { Desktop, Light, Dark };
+    enum class Motion { Desktop, Reduced, Full };
 
     QString language; // "de", "mk"; empty: that of the desktop. In force from the next start.
     Theme theme = Theme::Desktop;
@@ -17,6 +18,7 @@ struct Preferences {
     bool trackball = false;              // solids turn freely, not as on a turntable
     bool reopen = false;                 // the files of the last time, at the start
     bool keepPrevious = true;            // versions of files, when they are saved for the first time
+    Motion motion = Motion::Desktop;     // of what moves without having been asked to
 
     static Preferences stored();
     void store() const;

@@ -2,6 +2,8 @@
 #include "dialogs/command_palette.h"
 
 #include "dialogs/command_delegate.h"
+#include "dialogs/command_synonyms.h"
+#include "widgets/icon.h"
 #include "widgets/menus/menu_placeholder.h"
 #include "widgets/text/tooltip_text.h"
 
@@ -31,6 +33,7 @@ namespace view {
 namespace {
 
 constexpr int actionRole = Qt::UserRole;
+constexpr int guideRow = -1; // in place of the index of an action
 
 // The name of the command, which for Undo is not that of the step.
 QString nameOf(const QAction* action) {
@@ -157,6 +160,11 @@ bool matchesCommand(const QString& title, const QString& text) {
     });
 }
 
+bool meansCommand(const QString& title, const QString& text) {
+    const QString synonyms = synonymsOf(title.section(QStringLiteral(" › "), -1));
+    return !synonyms.isEmpty() && matchesCommand(title + u' ' + synonyms, text);
+}
+
 bool namesCommand(const QString& title, const QString& text) {
     return hasEach(wordsOf(title), wordsOf(text), [](const QString& word, const QString& wanted) {
         return word.compare(wanted, Qt::CaseInsensitive) == 0;
@@ -237,7 +245,7 @@ CommandPalette::CommandPalette(const QList<NamedAction>& actions, QWidget* paren
 void CommandPalette::filter(const QString& text) {
     m_model->clear();
     for (const bool enabled : {true, false})
-        for (const SearchIn in : {SearchIn::Whole, SearchIn::Words, SearchIn::Names})
+        for (const SearchIn in : {SearchIn::Whole, SearchIn::Words, SearchIn::Names, SearchIn::Synonyms})
             if (enabled || !text.isEmpty()) add(text, in, enabled);
     for (const bool enabled : {true, false})
         if (!text.isEmpty()) add(text, SearchIn::Descriptions, enabled);
@@ -246,7 +254,19 @@ void CommandPalette::filter(const QString& text) {
         none->setEnabled(false);
         m_model->appendRow(none);
     }
-    m_list->setCurrentIndex(m_model->index(0, 0));
+    if (!text.trimmed().isEmpty()) addGuide(text.simplified());
+    const bool hasNone = m_model->item(0) && !m_model->item(0)->data(actionRole).isValid();
+    m_list->setCurrentIndex(m_model->index(hasNone && m_model->rowCount() > 1 ? 1 : 0, 0));
+}
+
+// Always the last row: what no command is called may be explained there.
+void CommandPalette::addGuide(const QString& text) {
+    const QString name = tr("Search the guide for “%1”").arg(text);
+    auto* item = new QStandardItem(icon(QStringLiteral("help")), name);
+    item->setData(name, CommandDelegate::NameRole);
+    item->setData(guideRow, actionRole);
+    item->setToolTip(tooltipText(name));
+    m_model->appendRow(item);
 }
 
 // What cannot be done now is shown too, when it is asked for by name.
@@ -257,6 +277,7 @@ void CommandPalette::add(const QString& text, SearchIn in, bool enabled) {
         const SearchIn found = isCommand(title, text)        ? SearchIn::Whole
                                : namesCommand(title, text)   ? SearchIn::Words
                                : matchesCommand(title, text) ? SearchIn::Names
+                               : meansCommand(title, text)   ? SearchIn::Synonyms
                                                              : SearchIn::Descriptions;
         if (found != in) continue;
         if (in == SearchIn::Descriptions && !matchesCommand(title + u' ' + action->statusTip(), text))
@@ -278,7 +299,14 @@ void CommandPalette::add(const QString& text, SearchIn in, bool enabled) {
 void CommandPalette::run() {
     const QModelIndex index = m_list->currentIndex();
     if (!(index.flags() & Qt::ItemIsEnabled)) return;
-    const auto [action, path, panel] = m_actions[index.data(actionRole).toInt()];
+    const int row = index.data(actionRole).toInt();
+    if (row == guideRow) {
+        const QString words = m_search->text().simplified();
+        accept();
+        emit guideRequested(words);
+        return;
+    }
+    const auto [action, path, panel] = m_actions[row];
     auto* dock = qobject_cast<QDockWidget*>(action->parent());
     const bool isPanel = dock && dock->toggleViewAction() == action;
     accept();

@@ -32,15 +32,19 @@ class CommandPalette : public QDialog {
 public:
     explicit CommandPalette(const QList<NamedAction>& actions, QWidget* parent = nullptr);
 
+signals:
+    void guideRequested(const QString& words); // what was typed is to be looked for there
+
 protected:
     bool eventFilter(QObject* watched, QEvent* event) override;
     void paintEvent(QPaintEvent* event) override;
 
 private:
-    enum class SearchIn { Whole, Words, Names, Descriptions }; // each beside those before it
+    enum class SearchIn { Whole, Words, Names, Synonyms, Descriptions }; // each beside those before it
 
     void filter(const QString& text);
     void add(const QString& text, SearchIn in, bool enabled);
+    void addGuide(const QString& text);
     void run();
 
     QList<NamedAction> m_actions;
@@ -49,6 +53,9 @@ private:
     QLineEdit* m_search;
     QListView* m_list;
 };
+
+// The same beside what a command is also called: its synonyms.
+bool meansCommand(const QString& title, const QString& text);
 
 // Whether every word of `text` begins a word of `title`; case does not matter.
 bool matchesCommand(const QString& title, const QString& text);

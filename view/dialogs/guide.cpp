@@ -227,9 +227,13 @@ private:
     qsizetype m_shown = 0;
 };
 
-} // namespace
+// Shows the guide; its parts belong to the dialog.
+struct Guide {
+    Page* page;
+    FindField* field;
+};
 
-void showGuide(QWidget* parent, const QString& heading) {
+Guide openGuide(QWidget* parent) {
     auto* dialog = new QDialog(parent);
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     dialog->setWindowTitle(Text::tr("User Guide"));
@@ -266,7 +270,20 @@ void showGuide(QWidget* parent, const QString& heading) {
     const QSize page(dialog->fontMetrics().averageCharWidth() * 96, dialog->fontMetrics().lineSpacing() * 42);
     dialog->resize(page.boundedTo(dialog->screen()->availableSize()));
     dialog->show();
-    if (!heading.isEmpty()) browser->showSection(heading);
+    return {browser, field};
+}
+
+} // namespace
+
+void showGuide(QWidget* parent, const QString& heading) {
+    const Guide guide = openGuide(parent);
+    if (!heading.isEmpty()) guide.page->showSection(heading);
+}
+
+void searchGuide(QWidget* parent, const QString& words) {
+    const Guide guide = openGuide(parent);
+    guide.field->setText(words);
+    guide.field->setFocus();
 }
 
 } // namespace view

@@ -32,6 +32,25 @@ void choose(QComboBox* box, const QVariant& value) {
     box->setCurrentIndex(std::max(0, box->findData(value)));
 }
 
+void offerThemes(QComboBox* box) {
+    box->addItem(PreferencesDialog::tr("System default"), int(Preferences::Theme::Desktop));
+    box->addItem(PreferencesDialog::tr("Light"), int(Preferences::Theme::Light));
+    box->addItem(PreferencesDialog::tr("Dark"), int(Preferences::Theme::Dark));
+    box->setAccessibleName(PreferencesDialog::tr("Theme"));
+    box->setWhatsThis(
+        PreferencesDialog::tr("The colours of windows and panels. The picture keeps its own colours."));
+}
+
+void offerQuality(QComboBox* box) {
+    box->addItem(PreferencesDialog::tr("Draft: 50 million points"), quint64(50'000'000));
+    box->addItem(PreferencesDialog::tr("Good: 200 million points"), quint64(200'000'000));
+    box->addItem(PreferencesDialog::tr("Fine: 1000 million points"), quint64(1'000'000'000));
+    box->setAccessibleName(PreferencesDialog::tr("Idle quality"));
+    box->setWhatsThis(
+        PreferencesDialog::tr("The number of points drawn while nothing moves. More points make a smoother "
+                              "picture and keep the processor busy for longer."));
+}
+
 void offerTurning(QComboBox* box) {
     box->addItem(PreferencesDialog::tr("Turntable"), false);
     box->addItem(PreferencesDialog::tr("Trackball"), true);
@@ -50,6 +69,16 @@ void explainFiles(QCheckBox* reopen, QCheckBox* keepPrevious) {
         "beside it under the same name with “~” behind it, such as maple.ifs~."));
 }
 
+void offerMotion(QComboBox* box) {
+    box->addItem(PreferencesDialog::tr("System default"), int(Preferences::Motion::Desktop));
+    box->addItem(PreferencesDialog::tr("Play when opened"), int(Preferences::Motion::Full));
+    box->addItem(PreferencesDialog::tr("Still until played"), int(Preferences::Motion::Reduced));
+    box->setAccessibleName(PreferencesDialog::tr("Motion"));
+    box->setWhatsThis(PreferencesDialog::tr(
+        "Whether an entry that moves plays as soon as it is opened. When your desktop asks for less motion, "
+        "the system default shows a still picture until you press Play."));
+}
+
 } // namespace
 
 PreferencesDialog::PreferencesDialog(QWidget* parent)
@@ -59,6 +88,7 @@ PreferencesDialog::PreferencesDialog(QWidget* parent)
       m_restart(new QLabel(tr("Restart to change the language."), this)),
       m_restartNow(new QPushButton(tr("Restart &Now"), this)),
       m_theme(new QComboBox(this)),
+      m_motion(new QComboBox(this)),
       m_quality(new QComboBox(this)),
       m_turning(new QComboBox(this)),
       m_reopen(new QCheckBox(tr("Re&open last files on startup"), this)),
@@ -70,19 +100,11 @@ PreferencesDialog::PreferencesDialog(QWidget* parent)
     m_language->setAccessibleName(tr("Language"));
     m_language->setWhatsThis(tr("The language of menus and messages. Files and numbers are the same in every "
                                 "language."));
-    m_theme->addItem(tr("System default"), int(Preferences::Theme::Desktop));
-    m_theme->addItem(tr("Light"), int(Preferences::Theme::Light));
-    m_theme->addItem(tr("Dark"), int(Preferences::Theme::Dark));
-    m_theme->setAccessibleName(tr("Theme"));
-    m_theme->setWhatsThis(tr("The colours of windows and panels. The picture keeps its own colours."));
-    m_quality->addItem(tr("Draft: 50 million points"), quint64(50'000'000));
-    m_quality->addItem(tr("Good: 200 million points"), quint64(200'000'000));
-    m_quality->addItem(tr("Fine: 1000 million points"), quint64(1'000'000'000));
-    m_quality->setAccessibleName(tr("Idle quality"));
-    m_quality->setWhatsThis(tr("The number of points drawn while nothing moves. More points make a smoother "
-                               "picture and keep the processor busy for longer."));
+    offerThemes(m_theme);
+    offerQuality(m_quality);
     offerTurning(m_turning);
     explainFiles(m_reopen, m_keepPrevious);
+    offerMotion(m_motion);
 
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close | QDialogButtonBox::RestoreDefaults, this);
     auto* form = new QFormLayout(this);
@@ -91,6 +113,7 @@ PreferencesDialog::PreferencesDialog(QWidget* parent)
     form->addRow(QString(), m_restart);
     form->addRow(QString(), restartRow());
     form->addRow(tr("&Theme:"), m_theme);
+    form->addRow(tr("&Motion:"), m_motion);
     form->addRow(tr("&Idle quality:"), m_quality);
     form->addRow(tr("Turning &solids:"), m_turning);
     form->addRow(QString(), m_reopen);
@@ -98,7 +121,7 @@ PreferencesDialog::PreferencesDialog(QWidget* parent)
     form->addRow(buttons);
 
     fill(Preferences::stored());
-    for (QComboBox* box : {m_language, m_theme, m_quality, m_turning})
+    for (QComboBox* box : {m_language, m_theme, m_motion, m_quality, m_turning})
         connect(box, &QComboBox::currentIndexChanged, this, &PreferencesDialog::take);
     for (QCheckBox* box : {m_reopen, m_keepPrevious})
         connect(box, &QCheckBox::toggled, this, &PreferencesDialog::take);
@@ -130,6 +153,7 @@ QLayout* PreferencesDialog::restartRow() {
 void PreferencesDialog::fill(const Preferences& preferences) {
     choose(m_language, preferences.language);
     choose(m_theme, int(preferences.theme));
+    choose(m_motion, int(preferences.motion));
     choose(m_quality, quint64(preferences.quality));
     choose(m_turning, preferences.trackball);
     const QSignalBlocker quiet(m_reopen), quietToo(m_keepPrevious);
@@ -154,6 +178,7 @@ void PreferencesDialog::take() {
     Preferences chosen;
     chosen.language = m_language->currentData().toString();
     chosen.theme = Preferences::Theme(m_theme->currentData().toInt());
+    chosen.motion = Preferences::Motion(m_motion->currentData().toInt());
     chosen.quality = m_quality->currentData().toULongLong();
     chosen.trackball = m_turning->currentData().toBool();
     chosen.reopen = m_reopen->isChecked();

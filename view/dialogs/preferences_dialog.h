@@ -39,6 +39,7 @@ private:
     QLabel* m_restart;
     QPushButton* m_restartNow;
     QComboBox* m_theme;
+    QComboBox* m_motion;
     QComboBox* m_quality;
     QComboBox* m_turning;
     QCheckBox* m_reopen;

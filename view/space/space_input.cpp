@@ -93,6 +93,12 @@ void SpaceInput::define() {
     }
 }
 
+bool SpaceInput::isOnHandle() const {
+    if (!m_isEnabled || m_definition.isActive()) return false;
+    const QPointF position = pointer().position;
+    return !held().handlesAt(position).empty() || (m_maps.isActive() && m_maps.mapAt(position));
+}
+
 bool SpaceInput::pressHandle() {
     const QPointF position = pointer().position;
     auto handles = held().handlesAt(position);
@@ -523,7 +529,7 @@ void SpaceInput::showMarks(bool hasFocus) {
     m_cage.setFaceMark(m_face);
     held().setMarks(m_hovered, pressed, hasFocus ? m_focused : std::nullopt);
     m_ball.setFocused(hasFocus ? m_ballFocus.end() : std::nullopt);
-    m_ball.setHovered(isIdle() && !m_navigation.isFixed() ? m_ball.endAt(pointer().position) : std::nullopt);
+    m_ball.setHovered(isIdle() && isOnBall() ? m_ball.endAt(pointer().position) : std::nullopt);
 }
 
 QCursor SpaceInput::cursorOver() const {

@@ -99,8 +99,9 @@ private:
 
     bool isIdle() const { return std::holds_alternative<std::monostate>(m_gesture); }
     bool isOnBall() const {
-        return m_isEnabled && !m_navigation.isFixed() && m_ball.covers(pointer().position);
+        return m_isEnabled && !m_navigation.isFixed() && m_ball.covers(pointer().position) && !isOnHandle();
     }
+    bool isOnHandle() const; // a corner of the cage or of a map
     void beginOrbit(Qt::MouseButton button);
     bool pressHandle(); // false: there is none
     void beginDrag(std::size_t vertex);

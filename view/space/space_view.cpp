@@ -62,9 +62,9 @@ SpaceView::SpaceView(document::Document* document, SolidBridge* bridge, QWidget*
     showScene(new QGraphicsScene(this)); // owns the items
     setCage(document::knownSpaceCage(document->fractal()));
     m_isExtentKnown = document::isSpaceExtentKnown(document->fractal());
-    for (OverlayItem* item :
-         std::initializer_list<OverlayItem*>{m_solid, m_outlines, m_cageItem, m_mapOutlines, m_mapItem,
-                                             m_definitionLines, m_slice, m_symmetry, m_ball, m_note, m_title})
+    for (OverlayItem* item : std::initializer_list<OverlayItem*>{m_solid, m_ball, m_outlines, m_cageItem,
+                                                                 m_mapOutlines, m_mapItem, m_definitionLines,
+                                                                 m_slice, m_symmetry, m_note, m_title})
         scene()->addItem(item);
     setUpWidget();
     connect(document, &document::Document::changed, this, &SpaceView::followDocument);
@@ -324,9 +324,9 @@ void SpaceView::layOutSlice() {
 
 void SpaceView::adoptDesktop() {
     const OverlayStyle style = overlayStyle(document::backgroundInSpace(m_document->fractal()), palette());
-    for (OverlayItem* item :
-         std::initializer_list<OverlayItem*>{m_solid, m_outlines, m_cageItem, m_mapOutlines, m_mapItem,
-                                             m_definitionLines, m_slice, m_symmetry, m_ball, m_note, m_title})
+    for (OverlayItem* item : std::initializer_list<OverlayItem*>{m_solid, m_ball, m_outlines, m_cageItem,
+                                                                 m_mapOutlines, m_mapItem, m_definitionLines,
+                                                                 m_slice, m_symmetry, m_note, m_title})
         item->setStyle(style);
     m_note->setFont(font());
     m_title->setFont(font());

@@ -189,6 +189,7 @@ void LessonCommands::fileChanged() {
     const bool isSame = !m_filePath.isEmpty() && m_file->path() == m_filePath;
     if (isSame || m_isOpening || (m_notebook->isModified() && !m_isGivenUp)) return;
     m_filePath = m_file->path();
+    m_builtIn.clear();
     if (!m_notebook->isEmpty()) m_notebook->open({}, {});
 }
 
@@ -211,6 +212,7 @@ bool LessonCommands::adopt(const LessonPlace& place, const QString& name, io::Le
     } else if (!m_commands->open(place.fractals)) {
         return false;
     }
+    m_builtIn.clear();
     m_filePath = m_file->path();
     const document::Problems problems = read.problems;
     m_notebook->open(std::move(read.lesson), place.lesson);
@@ -318,12 +320,43 @@ void LessonCommands::recover(const QByteArray& lesson, const QString& path) {
     showPanel();
 }
 
-void LessonCommands::showBuiltIn(const QString& name) {
+void LessonCommands::showBuiltIn(const QString& name, int step) {
     const QString language = view::Preferences::stored().language;
     const QLocale locale = language.isEmpty() ? QLocale::system() : QLocale(language);
     QByteArray bytes = resource(name + u'.' + locale.name().section(u'_', 0, 0) + QStringLiteral(".lesson"));
     if (bytes.isEmpty()) bytes = resource(name + QStringLiteral(".lesson"));
-    if (adopt({}, name, io::readLesson(bytes))) m_player->play(m_notebook->lesson(), 0);
+    if (!adopt({}, name, io::readLesson(bytes))) return;
+    m_builtIn = name;
+    m_player->play(m_notebook->lesson(),
+                   std::clamp<int>(step, 0, int(m_notebook->lesson().steps.size()) - 1));
+}
+
+namespace {
+
+const QString builtInKey = QStringLiteral("ready-made"), lessonKey = QStringLiteral("lesson"),
+              stepKey = QStringLiteral("step");
+
+} // namespace
+
+QVariantMap LessonCommands::restartPlace() const {
+    QVariantMap place;
+    if (!m_builtIn.isEmpty()) place.insert(builtInKey, m_builtIn);
+    if (!m_notebook->path().isEmpty()) place.insert(lessonKey, m_notebook->path());
+    if (!place.isEmpty() && m_player->isPlaying()) place.insert(stepKey, m_player->step());
+    return place;
+}
+
+bool LessonCommands::returnTo(const QVariantMap& place) {
+    const QString builtIn = place.value(builtInKey).toString(), path = place.value(lessonKey).toString();
+    if (!builtIn.isEmpty()) {
+        showBuiltIn(builtIn, place.value(stepKey).toInt());
+        if (!place.contains(stepKey)) m_player->stop();
+        return true;
+    }
+    if (path.isEmpty()) return false;
+    if (open(path) && place.contains(stepKey))
+        m_player->play(m_notebook->lesson(), place.value(stepKey).toInt());
+    return true;
 }
 
 void LessonCommands::addBuiltIn(QMenu* menu, const std::function<LessonCommands*()>& window) {

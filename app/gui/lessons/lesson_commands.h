@@ -28,7 +28,11 @@ public:
     bool open(const QString& path); // the lesson and its file; reports what failed
     bool maybeSave();               // ends the lesson, asks about unsaved steps; false: the user cancelled
     void recover(const QByteArray& lesson, const QString& path); // of a window that is gone; empty: none
-    void showBuiltIn(const QString& name); // in the language of the user, where there is such a text
+    // In the language of the user, where there is such a text, from the step with this index.
+    void showBuiltIn(const QString& name, int step = 0);
+    // The lesson that is open and the step that is played, for a restart; empty without one.
+    QVariantMap restartPlace() const;
+    bool returnTo(const QVariantMap& place); // false: there was no lesson
 
     // The lessons that come with the program, as actions; `window` makes the window for one of them.
     void addBuiltIn(QMenu* menu, const std::function<LessonCommands*()>& window);
@@ -65,6 +69,7 @@ private:
     QDockWidget* m_dock = nullptr;
     FileCommands* m_commands = nullptr;
     OpenFile* m_file = nullptr;
+    QString m_builtIn;        // the name of the lesson that comes with the program, if one is open
     QString m_filePath;       // of the fractals that the lesson belongs to
     bool m_isGivenUp = false; // the user does not want the unsaved steps
     bool m_isOpening = false;

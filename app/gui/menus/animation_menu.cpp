@@ -3,6 +3,7 @@
 
 #include "attractor/request/orbit_navigation.h"
 #include "panels/timeline/space_tap.h"
+#include "panels/timeline/stretch_dialog.h"
 #include "panels/timeline/timeline_panel.h"
 #include "panels/timeline/track_view.h"
 #include "space/space_view.h"
@@ -94,4 +95,14 @@ void AnimationMenu::addKeys() {
         withTracks(&view::KeyCommands::setInAll));
     add({"remove", tr("&Delete Keys"), {}, tr("Delete the selected keys")},
         [&timeline] { timeline.keys().remove(); });
+    add({nullptr,
+         tr("Stretch Ke&ys…"),
+         {},
+         tr("Make a range of frames slower or faster: the keys of all tracks spread")},
+        [&timeline, window = context().window] {
+            if (timeline.isEmpty())
+                emit timeline.message(tr("There are no keys to stretch. Choose Set Key first."));
+            else
+                view::askToStretch(timeline, window);
+        });
 }

@@ -17,11 +17,11 @@ public:
     AnimationMenu(const MenuContext& context, view::TimelinePanel* panel);
 
     void setDock(QDockWidget* dock); // that shows the panel
+    void showDock();
 
 private:
     void addPlaying();
     void addKeys();
-    void showDock();
 
     view::TimelinePanel* m_panel;
     QDockWidget* m_dock = nullptr;

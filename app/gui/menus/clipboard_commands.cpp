@@ -7,6 +7,7 @@
 #include "panels/maps/maps_panel.h"
 #include "stage/stage.h"
 
+#include <QAction>
 #include <QApplication>
 #include <QClipboard>
 #include <QKeyEvent>
@@ -105,14 +106,26 @@ void ClipboardCommands::cut() const {
 void ClipboardCommands::copy() const {
     switch (target()) {
     case Target::Entries:
-    case Target::Canvas:
         return entries(m_context).copySelected();
-    case Target::Maps:
+    case Target::Canvas:
+        return copyPicture();
     case Target::CanvasOfMaps:
+        if (!m_context.stage->showsSpace() && m_context.canvas->selectedMaps().empty()) return copyPicture();
+        [[fallthrough]];
+    case Target::Maps:
         return maps(m_context).copyMaps();
     case Target::Other:
         return press(QKeySequence::Copy);
     }
+}
+
+// Of an entry without a picture, the text.
+void ClipboardCommands::copyPicture() const {
+    auto* copying = m_context.window->findChild<QAction*>(QStringLiteral("copy-picture"));
+    if (copying && copying->isEnabled())
+        copying->trigger();
+    else
+        entries(m_context).copySelected();
 }
 
 void ClipboardCommands::paste() const {

@@ -12,6 +12,7 @@ public:
     explicit ClipboardCommands(const MenuContext& context) : m_context(context) {}
 
     void cut() const;
+    // The picture of the canvas; selected maps as rows; selected entries as text.
     void copy() const;
     void paste() const;
     void duplicate() const;
@@ -21,6 +22,7 @@ public:
 private:
     enum class Target { Entries, Maps, CanvasOfMaps, Canvas, Other };
     Target target() const;
+    void copyPicture() const;
     void press(QKeySequence::StandardKey keys) const; // for the widget that has the focus
     void press(const QKeySequence& keys) const;
 

@@ -99,7 +99,8 @@ void EditMenu::addClipboard() {
     const ClipboardCommands commands(context());
     add({"cut", tr("&Cut"), QKeySequence::Cut, tr("Move the selected maps or entries to the clipboard")},
         [commands] { commands.cut(); });
-    add({"copy", tr("Cop&y"), QKeySequence::Copy, tr("Copy the selected maps or entries")},
+    add({"copy", tr("Cop&y"), QKeySequence::Copy,
+         tr("Copy the picture, the selected maps or the selected entries")},
         [commands] { commands.copy(); });
     add({"paste", tr("P&aste"), QKeySequence::Paste,
          tr("Add fractals from the clipboard to the file: entries of an .ifs file, flames or a table of "
@@ -126,6 +127,7 @@ void EditMenu::addFractals() {
                            tr("Breed variations of this fractal, or cross it with another one")},
                           [this] { openMutate(); });
     disableWhen(transform, &document::cageObstacle);
+    mutate->setObjectName(QStringLiteral("mutate"));
     disableWhen(mutate, &document::variationObstacle);
     add({nullptr, tr("Add Ra&ndom Fractal…"), QKeySequence(tr("Ctrl+Shift+M")),
          tr("Choose from a sheet of random fractals and add one to the file")},

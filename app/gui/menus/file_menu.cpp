@@ -85,6 +85,7 @@ void FileMenu::addPictures() {
                     tr("Export the picture as PNG, SVG or PDF, framed as on the screen, or a solid as a mesh "
                        "for 3D printing")},
                    [this] { exportPicture(); });
+    m_export->setObjectName(QStringLiteral("export-picture"));
     add({nullptr, tr("Export Ani&mation…"), QKeySequence(tr("Ctrl+Alt+E")),
          tr("Export the animation as a video, an animated image or frames, on this computer or on a "
             "cluster")},
@@ -105,6 +106,7 @@ void FileMenu::addPictures() {
     QAction* copy = add({"copy", tr("&Copy Picture"), QKeySequence(tr("Ctrl+Shift+C")),
                          tr("Copy the picture to the clipboard")},
                         [this] { copyPicture(); });
+    copy->setObjectName(QStringLiteral("copy-picture"));
     addMenu(new LatexMenu(context()));
     QAction* print = add(
         {"print", tr("&Print…"), QKeySequence::Print, tr("Print the picture, its name and its coefficients")},

@@ -23,9 +23,8 @@ HelpMenu::HelpMenu(const MenuContext& context) : ActionMenu(context, tr("&Help")
     add({nullptr,
          tr("&Tour"),
          {},
-         tr("Six short steps in this window: contraction, fixed point, chaos game, address, barycentric "
-            "coordinates, dimension")},
-        [window] { Tour::start(window); });
+         tr("Six short steps that you do yourself: drag, squeeze, undo, collection, wind, export")},
+        [window, document = context.document] { Tour::start(window, document); });
     QAction* what = QWhatsThis::createAction(window);
     what->setText(tr("&What’s This?"));
     what->setIcon(view::icon(QStringLiteral("help")));
@@ -40,6 +39,8 @@ void HelpMenu::openPalette() {
     QMainWindow* window = context().window;
     auto* palette = new view::CommandPalette(view::actionsOf(*window), window);
     palette->setAttribute(Qt::WA_DeleteOnClose);
+    connect(palette, &view::CommandPalette::guideRequested, window,
+            [window](const QString& words) { view::searchGuide(window, words); });
     palette->move(
         window->mapToGlobal(QPoint((window->width() - palette->width()) / 2, window->height() / 6)));
     palette->show();

@@ -4,6 +4,7 @@
 #include "bridges/construction.h"
 #include "canvas/marks/map_numbers.h"
 #include "desktop/settings.h"
+#include "dialogs/go_to_dialog.h"
 #include "document/edits/cage/cage_edits.h"
 #include "document/fractal/space_geometry.h"
 #include "menus/saved_views_menu.h"
@@ -42,9 +43,24 @@ void ViewMenu::addZoom() {
                        [stage] { stage->zoomBy(1 / zoomStep); });
     add({"zoom-reset", tr("&100 %"), QKeySequence(tr("1")), tr("Show one unit as one hundred pixels")},
         [stage] { stage->resetZoom(); });
+    QAction* goTo = add({nullptr, tr("Go To…"), QKeySequence(tr("Ctrl+G")),
+                         tr("Show a centre and height, the point of an address, or a fixed point")},
+                        [this] { openGoTo(); });
+    disableWhen(goTo, &document::planeObstacle);
     m_savedViews = new SavedViewsMenu(context());
     addMenu(m_savedViews);
     addToolBarGroup({fit, in, out});
+}
+
+void ViewMenu::openGoTo() {
+    view::CanvasView* canvas = context().canvas;
+    auto* dialog = new view::GoToDialog(context().document->sharedFractal(),
+                                        attractor::viewOf(canvas->camera()), context().window);
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    connect(dialog, &QDialog::accepted, canvas, [canvas, dialog, stage = context().stage] {
+        if (const auto view = dialog->view()) stage->lookAt(*view);
+    });
+    dialog->open();
 }
 
 void ViewMenu::addRotation() {

@@ -26,6 +26,7 @@ public:
 
 private:
     void addZoom();
+    void openGoTo();
     void addRotation();
     void addCamera();
     void addPerspective(ActionMenu& menu);

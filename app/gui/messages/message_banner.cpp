@@ -59,8 +59,12 @@ QPoint MessageBanner::topLeft() {
     return {canvasRect().left() + margin, canvasRect().bottom() - hintHeight - height()};
 }
 
+int MessageBanner::widthFor(int room) const {
+    return std::min(maxWidth, room);
+}
+
 void MessageBanner::layOut() {
-    const int width = std::min(maxWidth, canvasRect().width() - 2 * margin);
+    const int width = widthFor(canvasRect().width() - 2 * margin);
     if (m_buttons) {
         m_buttons->setDirection(QBoxLayout::LeftToRight);
         if (m_buttons->minimumSize().width() > width - 2 * margin)

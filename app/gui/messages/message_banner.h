@@ -34,8 +34,9 @@ protected:
     // Shows the banner, once panels and bars are laid out, and has screen readers announce it.
     void appear(const QString& announcement);
     QMainWindow* host() const { return m_host; }
-    QRect canvasRect() const; // in coordinates of the window
-    virtual QPoint topLeft(); // of the banner, in coordinates of the window
+    QRect canvasRect() const;             // in coordinates of the window
+    virtual int widthFor(int room) const; // of the banner, where the canvas has so much room
+    virtual QPoint topLeft();             // of the banner, in coordinates of the window
 
 private:
     void layOut();

@@ -3,20 +3,20 @@
 
 #include "canvas/canvas_view.h"
 #include "canvas/geometry/canvas_geometry.h"
-#include "desktop/settings.h"
+#include "document/moments/animated_fractal.h"
 #include "panels/maps/maps_panel.h"
 
+#include <QAction>
 #include <QDockWidget>
-#include <QEvent>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QMainWindow>
 #include <QPainter>
 #include <QPushButton>
 #include <QTimer>
-#include <QToolBar>
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 #include <utility>
 #include <vector>
@@ -25,8 +25,12 @@ namespace {
 
 constexpr int gap = 3; // between the frame and its target
 
-// The canvas, a panel or a bar of the window, by its object name.
+// What a step is done by.
+enum class Deed { Drag, Squeeze, Undo, Open, Move, Export, GoOn, EditMap, ChooseBranch };
+
+// The canvas or a panel of the window, by its object name.
 struct Step {
+    Deed deed;
     const char* target; // empty: the canvas
     const char* title;
     const char* text;
@@ -34,46 +38,33 @@ struct Step {
 };
 
 constexpr Step steps[] = {
-    {"maps", QT_TRANSLATE_NOOP("Tour", "Contraction"),
+    {Deed::Drag, "", QT_TRANSLATE_NOOP("Tour", "Drag"),
+     QT_TRANSLATE_NOOP("Tour", "Drag a corner of the triangle: the whole picture follows.")},
+    {Deed::Squeeze, "", QT_TRANSLATE_NOOP("Tour", "Squeeze"),
+     QT_TRANSLATE_NOOP("Tour", "Push a corner onto the opposite side until the picture is flat, then pull it "
+                               "open again.")},
+    {Deed::Undo, "", QT_TRANSLATE_NOOP("Tour", "Undo"),
+     QT_TRANSLATE_NOOP("Tour", "Press Ctrl+Z to take back what you have just done.")},
+    {Deed::Open, "collection", QT_TRANSLATE_NOOP("Tour", "Collection"),
+     QT_TRANSLATE_NOOP("Tour", "Double-click a picture of the collection that you like.")},
+    {Deed::Move, "timeline", QT_TRANSLATE_NOOP("Tour", "Wind"),
+     QT_TRANSLATE_NOOP("Tour", "Press Wind in the timeline and watch the picture sway.")},
+    {Deed::Export, "", QT_TRANSLATE_NOOP("Tour", "Export"),
+     QT_TRANSLATE_NOOP("Tour", "Press Ctrl+E to save the picture for others.")},
+    {Deed::GoOn, "", QT_TRANSLATE_NOOP("Tour", "That Is It"),
+     QT_TRANSLATE_NOOP("Tour", "Three more steps show what the picture is made of.")},
+    {Deed::EditMap, "maps", QT_TRANSLATE_NOOP("Tour", "Map"),
+     QT_TRANSLATE_NOOP("Tour", "Each row is a map that makes one smaller copy of the whole: double-click a "
+                               "number and type another.")},
+    {Deed::ChooseBranch, "", QT_TRANSLATE_NOOP("Tour", "Address"),
+     QT_TRANSLATE_NOOP("Tour", "Click a point: the maps that lead there are its address, and you hold the "
+                               "branch that they make.")},
+    {Deed::EditMap, "maps", QT_TRANSLATE_NOOP("Tour", "Norm"),
      QT_TRANSLATE_NOOP("Tour",
-                       "Each row of this table is a map that makes a smaller copy of the whole; the picture "
-                       "is all the copies together. Double-click a number and type another: the copy moves "
-                       "as you type. ‖A‖ is the largest factor by which a map stretches distances. As long "
-                       "as it is less than 1, the map contracts. Press Ctrl+Z to undo your changes."),
+                       "‖A‖ is how far a map stretches at most: change a number, and keep it below 1."),
      view::MapsModel::Contraction},
-    {"maps", QT_TRANSLATE_NOOP("Tour", "Fixed point"),
-     QT_TRANSLATE_NOOP(
-         "Tour",
-         "A map that contracts leaves exactly one point unchanged: its fixed point. Switch off all maps but "
-         "two with the eyes on the left of the table, and see how little of the picture is left. With "
-         "a single map, only its fixed point is left. Press Ctrl+Z to bring the maps back."),
-     view::MapsModel::Enabled},
-    {"construction", QT_TRANSLATE_NOOP("Tour", "Chaos game"),
-     QT_TRANSLATE_NOOP("Tour", "Press Chaos Game, then Play. A single point jumps around, each time by a map "
-                               "chosen at random, and leaves a dot where it lands. Make it faster: whatever "
-                               "random numbers come up, the dots fill the same picture, the attractor.")},
-    {"appearance", QT_TRANSLATE_NOOP("Tour", "Address"),
-     QT_TRANSLATE_NOOP(
-         "Tour", "The map of the last jump to a point, the map of the jump before it, and so on: these "
-                 "numbers are the address of the point. Choose Colour by: Address. Points whose addresses "
-                 "begin with the same numbers are close together, and now they have similar colours.")},
-    {"", QT_TRANSLATE_NOOP("Tour", "Barycentric coordinates"),
-     QT_TRANSLATE_NOOP(
-         "Tour",
-         "Every point of the picture is a weighted mean of the three corners of the triangle. Drag a corner: "
-         "the points keep their weights, and the whole fractal follows. Squeeze the triangle flat and open "
-         "it again: nothing is lost. The weights under the pointer are shown in the status bar.")},
-    {"analysis", QT_TRANSLATE_NOOP("Tour", "Dimension"),
-     QT_TRANSLATE_NOOP("Tour",
-                       "How much of the plane does the attractor fill? A curve has dimension 1, an area has "
-                       "dimension 2, and most attractors are in between. Change a map and look here again. "
-                       "This is the end of the tour; the user guide in the Help menu tells you more.")},
 };
 constexpr int stepCount = int(std::size(steps));
-
-QString offeredKey() {
-    return QStringLiteral("hints/tour");
-}
 
 // A frame that lets every click through.
 class Mark : public QWidget {
@@ -95,20 +86,15 @@ protected:
 
 } // namespace
 
-void Tour::start(QMainWindow* window) {
+void Tour::start(QMainWindow* window, document::Document* document) {
     for (Tour* old : window->findChildren<Tour*>(Qt::FindDirectChildrenOnly))
         delete old;
-    (new Tour(window))->showStep(0);
+    (new Tour(window, document))->showStep(0);
 }
 
-bool Tour::offer(QMainWindow* window) {
-    if (view::stored(offeredKey(), false).toBool()) return false;
-    (new Tour(window))->showStep(-1);
-    return true;
-}
-
-Tour::Tour(QMainWindow* host)
+Tour::Tour(QMainWindow* host, document::Document* document)
     : MessageBanner(host),
+      m_document(document),
       m_mark(new Mark(host)),
       m_progress(new QLabel(this)),
       m_title(createTitle()),
@@ -144,6 +130,88 @@ Tour::Tour(QMainWindow* host)
             close();
     });
     connect(m_close, &QPushButton::clicked, this, &QWidget::close);
+    connectDeeds();
+}
+
+void Tour::connectDeeds() {
+    connect(m_document, &document::Document::changed, this, &Tour::followDocument);
+    m_index = m_document->undoStack()->index();
+    connect(m_document->undoStack(), &QUndoStack::indexChanged, this, [this](int index) {
+        const bool isBack = index < std::exchange(m_index, index);
+        if (isBack && steps[m_step].deed == Deed::Undo) done(m_step);
+    });
+    const auto step = [this](Deed deed) {
+        if (steps[m_step].deed == deed) done(m_step);
+    };
+    if (const auto* exporting = host()->findChild<QAction*>(QStringLiteral("export-picture")))
+        connect(exporting, &QAction::triggered, this, [step] { step(Deed::Export); });
+    if (auto* canvas = host()->findChild<view::CanvasView*>()) {
+        view::BranchChoice& choice = canvas->tools().branchTool().choice();
+        connect(&choice, &view::BranchChoice::changed, this, [step, &choice] {
+            if (!choice.branch().empty()) step(Deed::ChooseBranch);
+        });
+    }
+}
+
+// What is done in a gesture is done when it ends.
+void Tour::followDocument(const document::Change& change) {
+    using document::Change;
+    const bool isHeld = change.parts & Change::Cage && !(change.parts & Change::Time);
+    if (isHeld && isFlat()) m_wasFlat = true;
+    if (change.live) {
+        m_isDragging = m_isDragging || isHeld;
+        return;
+    }
+    const bool wasDragged = std::exchange(m_isDragging, false);
+    const bool isOther = change.parts & (Change::Current | Change::File);
+    const bool isMade = [&] {
+        switch (steps[m_step].deed) {
+        case Deed::Drag:
+            return isHeld && wasDragged && !isOther;
+        case Deed::Squeeze:
+            return isHeld && m_wasFlat && !isFlat() && !isOther;
+        case Deed::Open:
+            return isOther;
+        case Deed::Move:
+            return change.parts & Change::Animation &&
+                   document::animationFacts(m_document->entryFractal()).has_value();
+        case Deed::EditMap:
+            return change.parts & Change::System && !(change.parts & Change::Time) && !isOther;
+        default:
+            return false;
+        }
+    }();
+    if (isMade) done(m_step);
+}
+
+// Queued: the change that did it is still being told.
+void Tour::done(int step) {
+    QMetaObject::invokeMethod(
+        this,
+        [this, step] {
+            if (m_step != step) return;
+            if (step + 1 < stepCount)
+                showStep(step + 1);
+            else
+                close();
+        },
+        Qt::QueuedConnection);
+}
+
+bool Tour::isFlat() const {
+    constexpr double flat = 0.04; // of the area of a square over the longest side
+    const auto* canvas = host()->findChild<view::CanvasView*>();
+    const auto& cage = canvas->canvas().handles().cage();
+    if (!cage || cage->current.size() < 3) return false;
+    double doubledArea = 0, longest = 0;
+    const auto& corners = cage->current;
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+        const auto& a = corners[i];
+        const auto& b = corners[(i + 1) % corners.size()];
+        doubledArea += a.x() * b.y() - a.y() * b.x();
+        longest = std::max(longest, (b - a).squaredNorm());
+    }
+    return std::abs(doubledArea) < 2 * flat * longest;
 }
 
 Tour::~Tour() {
@@ -153,84 +221,73 @@ Tour::~Tour() {
 
 void Tour::leaveStep() {
     if (m_target) unfollow(m_target);
-    if (auto* bar = qobject_cast<QToolBar*>(m_target.data()); bar && m_barWasHidden) bar->hide();
     m_target = nullptr;
-    m_barWasHidden = false;
 }
 
 // That of the longest step, so that the buttons stay under the pointer.
-void Tour::keepSize(bool asking) {
+void Tour::keepSize() {
     const auto widthOf = [this](const QString& text) {
         return m_next->fontMetrics().horizontalAdvance(text);
     };
-    m_next->setMinimumWidth(std::max(widthOf(tr("&Next")), widthOf(tr("&Done"))) + 2 * margin);
+    m_next->setMinimumWidth(std::max({widthOf(tr("&Skip")), widthOf(tr("&Go On")), widthOf(tr("&Done"))}) +
+                            2 * margin);
     int tallest = 0;
     const QRect column(0, 0, maxWidth - 2 * margin, 10'000);
     for (const Step& each : steps) {
         const QRect needed = m_text->fontMetrics().boundingRect(column, Qt::TextWordWrap, tr(each.text));
         tallest = std::max(tallest, needed.height());
     }
-    m_text->setMinimumHeight(asking ? 0 : tallest + m_text->fontMetrics().lineSpacing());
+    m_text->setMinimumHeight(tallest + m_text->fontMetrics().lineSpacing());
     m_text->setAlignment(Qt::AlignTop | Qt::AlignLeft);
+}
+
+void Tour::point(int step) {
+    const QString name = QString::fromLatin1(steps[step].target);
+    auto* dock = name.isEmpty() ? nullptr : host()->findChild<QDockWidget*>(name);
+    auto* canvas = host()->findChild<view::CanvasView*>();
+    if (dock) {
+        dock->show();
+        dock->raise();
+        m_target = dock;
+    } else if (canvas) {
+        using Tool = view::CanvasView::Tool;
+        canvas->options().setOverlaysVisible(true);
+        canvas->setTool(steps[step].deed == Deed::ChooseBranch ? Tool::Branch : Tool::Cage);
+        m_target = canvas;
+    }
+    if (canvas) canvas->dismissHint();
+    if (auto* maps = host()->findChild<view::MapsPanel*>(); maps && steps[step].column >= 0)
+        QTimer::singleShot(0, maps, [maps, step] { maps->reveal(steps[step].column); });
 }
 
 void Tour::showStep(int step) {
     leaveStep();
     m_step = step;
-    view::store(offeredKey(), true);
-    const bool asking = step < 0;
-    if (asking) {
-        m_title->setText(tr("New here?"));
-        m_text->setText(tr("Six short steps show you what an attractor is while you drag one. You can also "
-                           "take the tour later: it is in the Help menu."));
-    } else {
-        const Step& now = steps[step];
-        m_title->setText(tr(now.title));
-        m_text->setText(tr(now.text));
-        const QString name = QString::fromLatin1(now.target);
-        if (auto* dock = host()->findChild<QDockWidget*>(name); dock && !name.isEmpty()) {
-            dock->show();
-            dock->raise();
-            m_target = dock;
-        } else if (auto* bar = host()->findChild<QToolBar*>(name); bar && !name.isEmpty()) {
-            m_barWasHidden = bar->isHidden();
-            bar->show();
-            m_target = bar;
-        } else if (auto* canvas = host()->findChild<view::CanvasView*>()) {
-            canvas->options().setOverlaysVisible(true);
-            canvas->setTool(view::CanvasView::Tool::Cage);
-            m_target = canvas;
-        }
-    }
-    if (auto* canvas = host()->findChild<view::CanvasView*>(); canvas && !asking) canvas->dismissHint();
-    if (m_target) follow(m_target);
-    if (auto* canvas = host()->findChild<view::CanvasView*>(); canvas && asking) follow(canvas->viewport());
-    if (auto* maps = host()->findChild<view::MapsPanel*>(); maps && !asking && steps[step].column >= 0)
-        QTimer::singleShot(0, maps, [maps, step] { maps->reveal(steps[step].column); });
-    m_progress->setText(asking ? QString() : tr("%1 of %2").arg(step + 1).arg(stepCount));
+    m_wasFlat = false;
+    const bool asks = step == rest;
+    m_title->setText(tr(steps[step].title));
+    m_text->setText(tr(steps[step].text));
+    point(step);
+    if (m_target) follow(m_target.data());
+    const bool isHand = step < handSteps;
+    m_progress->setText(asks ? QString()
+                             : tr("%1 of %2")
+                                   .arg(isHand ? step + 1 : step - rest)
+                                   .arg(isHand ? handSteps : stepCount - rest - 1));
     m_back->setVisible(step > 0);
-    keepSize(asking);
-    m_next->setText(asking ? tr("&Start the Tour") : step + 1 == stepCount ? tr("&Done") : tr("&Next"));
-    m_next->setDefault(true);
-    m_next->setFocus(); // so that Return goes on
-    m_close->setText(asking ? tr("Not Now") : tr("Close"));
+    keepSize();
+    m_next->setText(asks ? tr("&Go On") : step + 1 == stepCount ? tr("&Done") : tr("&Skip"));
+    m_close->setText(tr("Close"));
     m_close->setVisible(step + 1 < stepCount);
-    m_mark->setVisible(m_target != nullptr);
+    m_mark->setVisible(m_target != nullptr && !asks);
     appear(m_text->text());
-}
-
-// Who begins on his own does not want to be asked any more.
-bool Tour::eventFilter(QObject* watched, QEvent* event) {
-    if (m_step < 0 && event->type() == QEvent::MouseButtonPress) close();
-    return MessageBanner::eventFilter(watched, event);
+    host()->activateWindow();
+    if (m_target == host()->findChild<view::CanvasView*>()) m_target->setFocus(); // the hand is needed there
 }
 
 QPoint Tour::freeCorner() const {
     constexpr int reach = 40; // of a corner, with the round handle beside it
-    QRect room = canvasRect();
-    if (const auto* bar = host()->findChild<QToolBar*>(QStringLiteral("construction"));
-        bar && bar->isHidden())
-        room.setBottom(room.bottom() - bar->sizeHint().height()); // a step shows it
+    const QRect room = canvasRect();
     std::vector<QPoint> handles;
     if (const auto* canvas = host()->findChild<view::CanvasView*>(); canvas && canvas->isVisible())
         if (const auto& cage = canvas->canvas().handles().cage())

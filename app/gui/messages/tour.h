@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "document/document.h"
 #include "messages/message_banner.h"
 
 #include <QPointer>
@@ -9,39 +10,47 @@
 
 class QPushButton;
 
-// Six short steps through the window itself: a banner that says what to do and a frame around the place to do
-// it. Nothing is locked meanwhile. Deletes itself when closed; what the tour opened is then as before.
+// Six short steps in the window itself, then three about what lies behind them: a banner with one sentence
+// says what to do, a frame is around the place to do it, and the next step comes when it is done. Nothing is
+// locked meanwhile. Deletes itself when closed; a bar that the tour opened is then as before.
 class Tour : public MessageBanner {
     Q_OBJECT
 
 public:
     // The newest tour of the window, from its first step.
-    static void start(QMainWindow* window);
-    // Asks once in the life of the settings whether one would like to; false afterwards.
-    static bool offer(QMainWindow* window);
+    static void start(QMainWindow* window, document::Document* document);
 
-    int step() const { return m_step; } // -1: asking
+    static constexpr int handSteps = 6;    // by the hand; after them the tour asks whether to go on
+    static constexpr int rest = handSteps; // the step that asks
+    int step() const { return m_step; }
     QWidget* target() const { return m_target; }
 
 protected:
     QPoint topLeft() override;
-    bool eventFilter(QObject* watched, QEvent* event) override;
 
 private:
-    explicit Tour(QMainWindow* host);
+    Tour(QMainWindow* host, document::Document* document);
     ~Tour() override;
 
+    void connectDeeds();
+    void followDocument(const document::Change& change);
+    void done(int step); // the user has done what this step says
     void showStep(int step);
+    void point(int step);      // shows what the step speaks of, and frames it
     QPoint freeCorner() const; // of the canvas, with no handle of the cage below the banner where possible
-    void keepSize(bool asking);
+    void keepSize();
     void leaveStep();
+    bool isFlat() const; // the cage
 
+    document::Document* m_document;
     QPointer<QWidget> m_mark; // the frame around the target
     QPointer<QWidget> m_target;
     int m_step = -1;
+    bool m_isDragging = false;
+    bool m_wasFlat = false;
+    int m_index = 0;             // in the history
     std::array<int, 4> m_room{}; // for which the place was chosen
     QPoint m_place;
-    bool m_barWasHidden = false;
     QLabel* m_progress;
     QLabel* m_title;
     QLabel* m_text;

@@ -18,6 +18,7 @@ namespace session {
 namespace {
 
 const QString filesKey = QStringLiteral("session/files");
+const QString placesKey = QStringLiteral("session/restart");
 constexpr char toReopen[] = "filesToReopen"; // a property of the application
 
 QStringList filesOf(const QList<SessionWindow*>& windows) {
@@ -115,7 +116,21 @@ void quit() {
 }
 
 void restart() {
-    if (const std::optional<QStringList> files = closeAll()) qApp->setProperty(toReopen, *files);
+    QVariantList places; // before a window that closes ends its lesson
+    for (const SessionWindow* window : shown())
+        places << window->restartPlace();
+    const std::optional<QStringList> files = closeAll();
+    if (!files) return;
+    view::store(placesKey, places);
+    qApp->setProperty(toReopen, *files);
+}
+
+QList<QVariantMap> takeRestartPlaces() {
+    QList<QVariantMap> places;
+    for (const QVariant& place : view::stored(placesKey).toList())
+        places << place.toMap();
+    if (!places.isEmpty()) view::store(placesKey, QVariant());
+    return places;
 }
 
 std::optional<QStringList> filesToReopen() {

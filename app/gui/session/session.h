@@ -7,6 +7,7 @@
 #include <QList>
 #include <QMainWindow>
 #include <QStringList>
+#include <QVariantMap>
 
 #include <optional>
 
@@ -36,6 +37,9 @@ public:
     enum class Leaving { Window, Program };
     virtual bool mayClose(Leaving leaving) = 0;
     virtual void closingIsOff() = 0; // because another window stays
+    // What a restart is to show again in this window, and that of a window before the restart.
+    virtual QVariantMap restartPlace() const = 0;
+    virtual void returnTo(const QVariantMap& place) = 0;
 };
 
 // The windows of this run, and the files that were open at its end.
@@ -55,5 +59,7 @@ void quit();
 // Likewise; main() then starts the program again with the files to reopen.
 void restart();
 std::optional<QStringList> filesToReopen(); // nullopt: nobody wants it
+// The places of the windows before the restart that this run is: once, later none.
+QList<QVariantMap> takeRestartPlaces();
 
 } // namespace session

@@ -236,7 +236,7 @@ void RealFilesTest::anotherWindowIsAnotherDocument() {
 void RealFilesTest::theWelcomeOffersTheLastFile() {
     const QString path = copyOfCollection(QStringLiteral("dragons"));
     recent_files::add(path);
-    QSettings().setValue(QStringLiteral("hints/tour"), true); // not the first run
+    QSettings().setValue(QStringLiteral("hints/firstDrag"), true); // not the first run
     static_cast<Application*>(qApp)->openWindows({}, Application::Start::New);
     QTRY_VERIFY(another());
     QVERIFY(QTest::qWaitForWindowActive(another()));

@@ -5,158 +5,169 @@
 #include "canvas/geometry/canvas_geometry.h"
 #include "canvas/items/note_item.h"
 #include "document/fractal/fractal_geometry.h"
-#include "panels/maps/maps_panel.h"
+#include "panels/timeline/timeline_panel.h"
 #include "support/events.h"
 #include "support/forget_settings.h"
 #include "support/named_test.h"
 
+#include <QAction>
 #include <QApplication>
-#include <QDockWidget>
 #include <QGraphicsScene>
-#include <QLabel>
 #include <QPushButton>
-#include <QSettings>
-#include <QTableView>
 #include <QTest>
-#include <QToolBar>
-#include <QToolButton>
 #include <QUndoStack>
 
 #include <cmath>
 
-// The tour shows its six steps where things are, locks nothing, and leaves the window as it found it.
+// The tour says one sentence at a time where things are, waits until it has been done, and locks nothing.
 class TourTest : public WindowFixture {
     Q_OBJECT
 
 private slots:
-    void sixStepsPointAtWhatTheySpeakOf();
-    void theBarIsPutAway();
-    void theOfferIsMadeOnce();
+    void everyStepIsOneSentence();
+    void sixStepsAreDoneByTheHand();
+    void threeMoreShowWhatIsBehind();
+    void stepsCanBeSkipped();
     void theFirstHintGoesWithTheTour();
     void theCardCoversNothingTheCanvasSays();
     void theCardCoversNoCorner();
     void theWindowMayCloseMeanwhile();
 
 private:
+    document::Document& document() const { return m_window->document(); }
     Tour* tour() const { return m_window->findChild<Tour*>(); }
+    void start() const { Tour::start(m_window.get(), &document()); }
     QPushButton* button(const QString& text) const {
         for (auto* found : tour()->findChildren<QPushButton*>())
             if (found->isVisible() && found->text().remove(u'&') == text) return found;
         return nullptr;
     }
+    QPushButton* next() const {
+        QPushButton* skip = button(QStringLiteral("Skip"));
+        return skip ? skip : button(QStringLiteral("Go On"));
+    }
     void settle() const {
         QCoreApplication::processEvents();
         QCoreApplication::processEvents();
     }
+    view::CanvasView& canvas() const { return *m_window->findChild<view::CanvasView*>(); }
+    QPoint corner(int index) const {
+        return canvas().canvas().positionOf({view::CanvasPart::Kind::Vertex, index}).toPoint();
+    }
+    // As a hand does it, in small steps.
+    void drag(const QPoint& from, const QPoint& to) const {
+        QWidget* viewport = canvas().viewport();
+        QTest::mousePress(viewport, Qt::LeftButton, {}, from);
+        for (int part = 1; part <= 8; ++part)
+            QTest::mouseMove(viewport, from + (to - from) * part / 8);
+        QTest::mouseRelease(viewport, Qt::LeftButton, {}, to);
+    }
+    void cleanUp() const { document().undoStack()->setClean(); }
 };
 
-void TourTest::sixStepsPointAtWhatTheySpeakOf() {
-    for (auto* toggle : m_window->findChild<view::MapsPanel*>()->findChildren<QToolButton*>())
-        if (toggle->accessibleName().endsWith(QStringLiteral("Properties"))) toggle->click(); // it hides them
-    Tour::start(m_window.get());
-    const char* targets[] = {"maps", "maps", "construction", "appearance", "", "analysis"};
-    QSet<QString> texts;
+void TourTest::everyStepIsOneSentence() {
+    start();
+    for (int step = 0; step < 10; ++step) {
+        settle();
+        QCOMPARE(tour()->step(), step);
+        const QString text = tour()->accessibleDescription();
+        QVERIFY2(text.endsWith(u'.') && text.count(QStringLiteral(". ")) == 0 && text.size() <= 130,
+                 qPrintable(text));
+        QVERIFY(m_window->rect().contains(tour()->geometry()));
+        if (step < 9) next()->click();
+    }
+    button(QStringLiteral("Done"))->click();
+    QTRY_VERIFY(!tour());
+}
+
+void TourTest::sixStepsAreDoneByTheHand() {
+    QTRY_VERIFY(canvas().canvas().handles().cage().has_value());
+    start();
+    QTRY_VERIFY(tour()->target() == &canvas());
+    // Drag.
+    drag(corner(0), corner(0) + QPoint(30, -15));
+    QTRY_COMPARE(tour()->step(), 1);
+    // Squeeze it flat and open it again.
+    const QPoint open = corner(2);
+    drag(corner(2), (corner(0) + corner(1)) / 2);
+    settle();
+    QCOMPARE(tour()->step(), 1);
+    drag(corner(2), open);
+    QTRY_COMPARE(tour()->step(), 2);
+    document().undoStack()->undo();
+    QTRY_COMPARE(tour()->step(), 3);
+    // A picture of the collection.
+    QCOMPARE(tour()->target()->objectName(), QStringLiteral("collection"));
+    document::Fractal other = document().entryFractal();
+    other.name = QStringLiteral("other");
+    document().setFile(document::fileOf(other));
+    QTRY_COMPARE(tour()->step(), 4);
+    QCOMPARE(tour()->target()->objectName(), QStringLiteral("timeline"));
+    m_window->findChild<view::TimelinePanel*>()->motions().front()->trigger();
+    QTRY_COMPARE(tour()->step(), 5);
+    m_window->findChild<QAction*>(QStringLiteral("export-picture"))->trigger();
+    QTRY_COMPARE(tour()->step(), 6);
+    QVERIFY(button(QStringLiteral("Go On")));
+    cleanUp();
+}
+
+void TourTest::threeMoreShowWhatIsBehind() {
+    QTRY_VERIFY(canvas().canvas().handles().cage().has_value());
+    start();
+    for (int step = 0; step < 7; ++step)
+        next()->click();
+    QCOMPARE(tour()->step(), 7);
+    QCOMPARE(tour()->target()->objectName(), QStringLiteral("maps"));
+    const auto editMap = [this](double factor) {
+        document::Fractal fractal = document().fractal();
+        document::plane(fractal)->system.maps.front().map.linear *= factor;
+        document().edit(QStringLiteral("Edit"), fractal);
+    };
+    editMap(0.9);
+    QTRY_COMPARE(tour()->step(), 8);
+    QCOMPARE(canvas().tool(), view::CanvasView::Tool::Branch);
+    canvas().tools().branchTool().choice().choose({0, 1, 0, 1, 0});
+    QTRY_COMPARE(tour()->step(), 9);
+    QVERIFY(button(QStringLiteral("Done")));
+    editMap(0.9);
+    QTRY_VERIFY(!tour());
+    cleanUp();
+}
+
+void TourTest::stepsCanBeSkipped() {
+    start();
     QPoint nextCorner;
     for (int step = 0; step < 6; ++step) {
         settle();
         QCOMPARE(tour()->step(), step);
-        QVERIFY(tour()->target() && tour()->target()->isVisible());
-        if (step < 2) { // the column that it speaks of is seen whole
-            const auto* maps = m_window->findChild<view::MapsPanel*>();
-            const int column = step == 0 ? view::MapsModel::Contraction : view::MapsModel::Enabled;
-            const auto* table = maps->table();
-            QTRY_VERIFY(!table->isColumnHidden(column) && table->columnViewportPosition(column) >= 0 &&
-                        table->columnViewportPosition(column) + table->columnWidth(column) <=
-                            table->viewport()->width());
-        }
-        if (*targets[step]) {
-            QCOMPARE(tour()->target()->objectName(), QLatin1String(targets[step]));
-            QTRY_VERIFY(!tour()->target()->visibleRegion().isEmpty()); // not behind another tab
-        } else {
-            QVERIFY(qobject_cast<view::CanvasView*>(tour()->target()));
-        }
-        // The banner is wholly in the window and leaves most of the canvas free.
-        QVERIFY(m_window->rect().contains(tour()->geometry()));
-        const QWidget* canvas = m_window->centralWidget();
-        const QRect room(canvas->mapTo(m_window.get(), QPoint()), canvas->size());
-        const QRect covered = room.intersected(tour()->geometry());
-        QVERIFY(covered.width() * covered.height() < room.width() * room.height() * 45 / 100);
-        texts << tour()->accessibleDescription();
         QCOMPARE(button(QStringLiteral("Back")) != nullptr, step > 0);
-        QPushButton* next = button(step < 5 ? QStringLiteral("Next") : QStringLiteral("Done"));
-        QVERIFY(next);
-        const QPoint corner = next->mapTo(m_window.get(), next->rect().bottomRight());
-        if (step > 0) QCOMPARE(corner, nextCorner); // under the pointer that has just clicked it
-        nextCorner = corner;
-        if (step < 5) next->click();
+        QPushButton* skip = button(QStringLiteral("Skip"));
+        QVERIFY(skip);
+        const QPoint place = skip->mapTo(m_window.get(), skip->rect().bottomRight());
+        if (step > 0) QCOMPARE(place, nextCorner); // under the pointer that has just clicked it
+        nextCorner = place;
+        skip->click();
     }
-    QCOMPARE(texts.size(), 6);
     button(QStringLiteral("Back"))->click();
-    QCOMPARE(tour()->step(), 4);
-
+    QCOMPARE(tour()->step(), 5);
     // Nothing is locked: the fractal can be edited while the banner is there.
-    document::Fractal fractal = m_window->document().fractal();
+    document::Fractal fractal = document().fractal();
     fractal.name = QStringLiteral("other");
-    m_window->document().edit(QStringLiteral("rename"), fractal);
-    QCOMPARE(m_window->document().undoStack()->count(), 1);
+    document().edit(QStringLiteral("rename"), fractal);
+    QCOMPARE(document().undoStack()->count(), 1);
     button(QStringLiteral("Close"))->click();
     QTRY_VERIFY(!tour());
-    m_window->document().undoStack()->setClean();
-}
-
-void TourTest::theBarIsPutAway() {
-    auto* bar = m_window->findChild<QToolBar*>(QStringLiteral("construction"));
-    QVERIFY(bar->isHidden());
-    Tour::start(m_window.get());
-    for (int step = 0; step < 2; ++step)
-        button(QStringLiteral("Next"))->click();
-    QVERIFY(!bar->isHidden());
-    button(QStringLiteral("Next"))->click();
-    QVERIFY(bar->isHidden());
-    button(QStringLiteral("Back"))->click();
-    QVERIFY(!bar->isHidden());
-    QTest::keyClick(tour(), Qt::Key_Escape);
-    QTRY_VERIFY(!tour());
-    QVERIFY(bar->isHidden());
-}
-
-void TourTest::theOfferIsMadeOnce() {
-    Tour::offer(m_window.get());
-    QVERIFY(tour());
-    QCOMPARE(tour()->step(), -1);
-    QVERIFY(!button(QStringLiteral("Back")));
-    button(QStringLiteral("Not Now"))->click();
-    QTRY_VERIFY(!tour());
-    Tour::offer(m_window.get());
-    QVERIFY(!tour());
-    support::forgetSettings();
-    Tour::offer(m_window.get());
-    button(QStringLiteral("Start the Tour"))->click();
-    QCOMPARE(tour()->step(), 0);
-    QWidget* canvas = m_window->findChild<view::CanvasView*>()->viewport();
-    QTest::mouseClick(canvas, Qt::LeftButton, {}, QPoint(30, 30));
-    support::handleEvents();
-    QVERIFY(tour()); // which continues while the user tries its suggestions
-    tour()->close();
-    QTRY_VERIFY(!tour());
-    support::forgetSettings();
-    Tour::offer(m_window.get());
-    QTest::mouseClick(canvas, Qt::LeftButton, {}, QPoint(30, 30));
-    QTRY_VERIFY(!tour()); // who begins is not asked any more
+    cleanUp();
 }
 
 // What it says would stand beside the first step.
 void TourTest::theFirstHintGoesWithTheTour() {
     support::forgetSettings();
     m_window->openFirstPicture();
-    const auto* canvas = m_window->findChild<view::CanvasView*>();
-    QVERIFY(!canvas->hint().isEmpty());
-    Tour::offer(m_window.get());
-    QCOMPARE(tour()->step(), -1);
-    QVERIFY(!canvas->hint().isEmpty()); // as long as it is only offered
-    button(QStringLiteral("Start the Tour"))->click();
+    QVERIFY(!canvas().hint().isEmpty());
+    start();
     QCOMPARE(tour()->step(), 0);
-    QVERIFY(canvas->hint().isEmpty());
+    QVERIFY(canvas().hint().isEmpty());
 }
 
 void TourTest::theCardCoversNothingTheCanvasSays() {
@@ -181,7 +192,7 @@ void TourTest::theCardCoversNothingTheCanvasSays() {
     QVERIFY(isInTheMiddle());
     for (const int width : {1280, 900}) { // beside the card, or below it
         m_window->resize(width, 800);
-        Tour::start(m_window.get());
+        start();
         for (int step = 0; step < 5; ++step) {
             settle();
             const auto overlaps = [&] {
@@ -189,7 +200,7 @@ void TourTest::theCardCoversNothingTheCanvasSays() {
                 return !notes().isEmpty() && card.intersects(notes().first());
             };
             QTRY_VERIFY2(!overlaps(), qPrintable(QStringLiteral("%1, step %2").arg(width).arg(step)));
-            button(QStringLiteral("Next"))->click();
+            next()->click();
         }
     }
     m_window->resize(1280, 800);
@@ -203,7 +214,7 @@ void TourTest::theCardCoversNoCorner() {
     auto* canvas = m_window->findChild<view::CanvasView*>();
     canvas->fit();
     QTRY_VERIFY(canvas->canvas().handles().cage().has_value());
-    Tour::start(m_window.get());
+    start();
     for (int step = 0; step < 6; ++step) {
         settle();
         QTRY_VERIFY(tour()->isVisible() && tour()->step() == step);
@@ -212,22 +223,22 @@ void TourTest::theCardCoversNoCorner() {
         for (const QPointF& corner : view::pixelsOf(canvas->camera(), cage->current))
             QVERIFY2(!card.adjusted(-12, -12, 12, 12).contains(corner.toPoint()),
                      qPrintable(QStringLiteral("step %1").arg(step)));
-        if (step < 5) button(QStringLiteral("Next"))->click();
+        if (step < 5) next()->click();
     }
     // Where the upper right corner is free, it stays there.
     tour()->close();
     QTRY_VERIFY(!tour());
     canvas->navigation().pan(QPointF(-5000, 0));
-    Tour::start(m_window.get());
+    start();
     settle();
     QTRY_VERIFY(tour()->geometry().center().x() > m_window->centralWidget()->geometry().center().x());
     QVERIFY(tour()->geometry().center().y() < m_window->centralWidget()->geometry().center().y());
 }
 
 void TourTest::theWindowMayCloseMeanwhile() {
-    Tour::start(m_window.get());
+    start();
     for (int step = 0; step < 2; ++step)
-        button(QStringLiteral("Next"))->click();
+        next()->click();
     m_window.reset();
     m_window = std::make_unique<MainWindow>();
 }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "bars/zoom_box.h"
 #include "canvas/geometry/coordinate_text.h"
+#include "canvas/geometry/grid_spacing.h"
+#include "canvas/items/border_arrows_item.h"
 #include "document/fractal/fractal_geometry.h"
 #include "document/moments/animated_fractal.h"
 #include "support/named_test.h"
@@ -14,11 +16,19 @@
 #include <QSignalSpy>
 #include <QWheelEvent>
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
 
 class CanvasNavigationTest : public CanvasFixture {
     Q_OBJECT
+
+    const std::vector<view::BorderArrow>& arrows() const {
+        for (const QGraphicsItem* item : scene().items())
+            if (const auto* found = dynamic_cast<const view::BorderArrowsItem*>(item)) return found->arrows();
+        static const std::vector<view::BorderArrow> none;
+        return none;
+    }
 
 private slots:
     void init() { open(); }
@@ -107,6 +117,101 @@ private slots:
         }
     }
 
+    // From the first moment to the last one everything is in the view, whatever moment is shown.
+    void fitShowsTheWholeMotion() {
+        document::Fractal fractal = m_document->fractal();
+        const ifs::ControlCage<2> cage = document::effectiveCage(fractal);
+        animation::Animation<2> animation;
+        animation.length = 24;
+        for (const int frame : {0, 24}) {
+            std::vector<Vector<2>> corners = cage.current;
+            for (Vector<2>& corner : corners)
+                corner.x() += frame / 24.0 * 3;
+            animation.cage.push_back({frame, corners, {}});
+        }
+        document::plane(fractal)->cage = cage;
+        document::plane(fractal)->animation = animation;
+        m_document->setFile(document::fileOf(fractal));
+        const QRect view = m_canvas->viewport()->rect();
+        const auto showsAll = [&] {
+            return view.contains(vertex(0)) && view.contains(vertex(1)) && view.contains(vertex(2));
+        };
+        for (const int shown : {0, 12, 24}) {
+            m_document->setMoment(animation::moment(shown));
+            key(Qt::Key_F);
+            for (const int frame : {0, 12, 24}) {
+                m_document->setMoment(animation::moment(frame));
+                QTRY_VERIFY2(showsAll(), qPrintable(QStringLiteral("%1, %2").arg(shown).arg(frame)));
+            }
+        }
+    }
+
+    // A command that moves the cage keeps it in the view; a drag goes where the hand goes.
+    void commandsKeepTheCageInTheView() {
+        m_canvas->fit();
+        QTRY_VERIFY(arrows().empty());
+        document::Fractal fractal = m_document->fractal();
+        ifs::ControlCage<2> cage = document::effectiveCage(fractal);
+        for (Vector<2>& corner : cage.current)
+            corner += Vector<2>(4, 0);
+        document::plane(fractal)->cage = cage;
+        m_document->edit(QStringLiteral("Move the cage"), fractal);
+        QTRY_VERIFY(arrows().empty());
+        const attractor::Camera before = m_canvas->camera();
+        drag(vertex(0), {-600, 0});
+        QCOMPARE(m_canvas->camera(), before);
+        QVERIFY(!arrows().empty());
+        m_canvas->navigation().setZoom(1000); // who looks closer than the cage stays there
+        const attractor::Camera close = m_canvas->camera();
+        cage = document::effectiveCage(m_document->fractal());
+        cage.current[1] += Vector<2>(0.1, 0.1);
+        fractal = m_document->fractal();
+        document::plane(fractal)->cage = cage;
+        m_document->edit(QStringLiteral("Move the cage"), fractal);
+        QCOMPARE(m_canvas->camera(), close);
+    }
+
+    void anArrowLeadsToACornerOutside() {
+        m_canvas->fit();
+        QTRY_VERIFY(arrows().empty());
+        QVERIFY(arrows().empty());
+        const attractor::Camera fitted = m_canvas->camera();
+        m_canvas->navigation().pan({-350, 0});
+        const auto shown = arrows();
+        QVERIFY(!shown.empty());
+        for (const view::BorderArrow& arrow : shown) {
+            QVERIFY(m_canvas->viewport()->rect().contains(arrow.at.toPoint()));
+            const QPointF corner = at({Kind::Vertex, arrow.vertex});
+            QVERIFY(!m_canvas->viewport()->rect().contains(corner.toPoint()));
+            const QPointF way = corner - arrow.at; // the arrow points to its corner
+            QVERIFY(QPointF::dotProduct(way, arrow.towards) > 0.999 * std::hypot(way.x(), way.y()));
+        }
+        hover(shown.front().at);
+        QCOMPARE(cursor(), Qt::PointingHandCursor);
+        click(shown.front().at);
+        QTRY_COMPARE(m_canvas->camera(), fitted);
+        QVERIFY(arrows().empty());
+        QCOMPARE(steps(), 0);
+    }
+
+    // Where F leaves out a corner that is very far away, its arrow leads there nevertheless.
+    void anArrowShowsAllCorners() {
+        document::Fractal fractal = m_document->fractal();
+        ifs::ControlCage<2> cage = document::effectiveCage(fractal);
+        cage.rest[0] = cage.current[0] = Vector<2>(-70, 20);
+        document::plane(fractal)->cage = cage;
+        m_document->edit(QStringLiteral("Another cage"), fractal);
+        m_canvas->fit();
+        const auto arrow = [this] {
+            const auto& shown = arrows();
+            const auto found = std::ranges::find(shown, 0, &view::BorderArrow::vertex);
+            return found != shown.end() ? std::optional(found->at) : std::nullopt;
+        };
+        QTRY_VERIFY(arrow());
+        click(*arrow());
+        QTRY_VERIFY(arrows().empty());
+    }
+
     // One corner is far away; those just outside the attractor are in the view nevertheless.
     void fitShowsTheCornersNearby() {
         document::Fractal fractal = m_document->fractal();
@@ -171,6 +276,80 @@ private slots:
                 QVERIFY(std::abs(said - value) * camera.pixelsPerUnit < 1);
                 QCOMPARE(base.isEmpty(), !text.text(value).contains(u'e'));
             }
+    }
+
+    // Where the axes cross there is a 0, however deep the view; other labels are round.
+    void labelsOfDeepViewsAreReadable() {
+        attractor::Camera camera = m_canvas->camera();
+        for (const double centre : {0.0, 0.25, 0.123456789012345}) {
+            camera.centre = {centre, centre};
+            camera.pixelsPerUnit = 1e12 * 100;
+            const view::CoordinateText text(camera, 0);
+            const double step = view::gridSpacing(camera.pixelsPerUnit).major;
+            const double base = text.base().section(u' ', 0, 0).toDouble();
+            for (int k = -3; k <= 3; ++k) {
+                const QString label = text.label(base + k * step);
+                QVERIFY2(label.size() <= 8, qPrintable(label));
+                if (k == 0) QCOMPARE(label, QStringLiteral("0"));
+            }
+        }
+    }
+
+    void anEmptyViewSaysSo() {
+        const QString nothing = QStringLiteral("Nothing here.");
+        m_canvas->fit();
+        QTRY_VERIFY(m_bridge->isCurrent());
+        QVERIFY(m_canvas->note().isEmpty());
+        m_canvas->navigation().pan({5000, 0});
+        QTRY_VERIFY2(m_canvas->note().startsWith(nothing), qPrintable(m_canvas->note()));
+        key(Qt::Key_F);
+        QTRY_VERIFY(m_canvas->note().isEmpty());
+        m_bridge->showChaosGame(1, 1); // which has only begun
+        QTRY_VERIFY(m_bridge->isCurrent());
+        QVERIFY(m_canvas->note().isEmpty());
+        m_bridge->showDensity();
+        QTRY_VERIFY(m_bridge->isCurrent());
+        // A hole in the middle of the picture shows nothing, too.
+        m_canvas->navigation().setZoom(m_canvas->navigation().zoom() * 1000);
+        const auto box = *document::displayedBox(m_document->fractal());
+        attractor::Camera hole = m_canvas->camera();
+        hole.centre = {box.min.x() + (box.max.x() - box.min.x()) * 0.5,
+                       box.min.y() + (box.max.y() - box.min.y()) * 0.2};
+        m_canvas->navigation().moveTo(hole);
+        QTRY_VERIFY2(m_canvas->note().startsWith(nothing), qPrintable(m_canvas->note()));
+        key(Qt::Key_F);
+        QTRY_VERIFY(m_canvas->note().isEmpty());
+    }
+
+    // A warning is put away by a click or Esc and comes back when it is another one.
+    void aWarningCanBePutAway() {
+        document::Fractal fractal = m_document->fractal();
+        ifs::ControlCage<2> cage;
+        cage.rest = {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
+        cage.current = {{0, 0}, {1, 0}, {0.45, 0.45}, {0, 1}};
+        const document::Fractal before = fractal;
+        document::plane(fractal)->cage = cage;
+        m_document->edit(QStringLiteral("Notch"), fractal);
+        m_canvas->fit();
+        QTRY_VERIFY2(m_canvas->note().contains(QStringLiteral("folded")), qPrintable(m_canvas->note()));
+        const auto box = [this] {
+            for (const QGraphicsItem* item : scene().items())
+                if (const auto* note = dynamic_cast<const view::NoteItem*>(item);
+                    note && note->text() == m_canvas->note())
+                    return note->box();
+            return QRectF();
+        };
+        click(box().center());
+        QVERIFY(m_canvas->note().isEmpty());
+        QCOMPARE(steps(), 1);
+        drag(vertex(2), {4, 3}); // it is still the same
+        QTRY_VERIFY(m_bridge->isCurrent());
+        QVERIFY(m_canvas->note().isEmpty());
+        m_document->edit(QStringLiteral("Triangle"), before);
+        m_document->edit(QStringLiteral("Notch"), fractal);
+        QTRY_VERIFY(m_canvas->note().contains(QStringLiteral("folded")));
+        key(Qt::Key_Escape);
+        QVERIFY(m_canvas->note().isEmpty());
     }
 
     void theZoomIsShownAndTyped() {

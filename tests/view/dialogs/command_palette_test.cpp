@@ -22,6 +22,8 @@
 #include <QTreeWidget>
 #include <QWindow>
 
+constexpr int guide = 1; // the last row, while something is typed, leads to the guide
+
 class CommandPaletteTest : public QObject {
     Q_OBJECT
 
@@ -83,7 +85,7 @@ private slots:
         const auto titles = [&](const QString& text) {
             search->setText(text);
             QStringList all;
-            for (int row = 0; row < model->rowCount(); ++row)
+            for (int row = 0; row < model->rowCount() - guide; ++row)
                 all << model->index(row, 0).data().toString().section(QStringLiteral(" › "), -1);
             return all;
         };
@@ -103,7 +105,7 @@ private slots:
         auto* search = palette.findChild<QLineEdit*>();
         const QAbstractItemModel* model = palette.findChild<QListView*>()->model();
         search->setText(QStringLiteral("side by side"));
-        QCOMPARE(model->rowCount(), 2);
+        QCOMPARE(model->rowCount(), 2 + guide);
         QCOMPARE(model->index(0, 0).data().toString(), QStringLiteral("View › Side by Side"));
         wanted->setChecked(true); // what is on says so
         search->setText(QStringLiteral("side"));
@@ -121,10 +123,47 @@ private slots:
         palette.findChild<QLineEdit*>()->setText(QStringLiteral("wind"));
         const QAbstractItemModel* model = palette.findChild<QListView*>()->model();
         QStringList titles;
-        for (int row = 0; row < model->rowCount(); ++row)
+        for (int row = 0; row < model->rowCount() - guide; ++row)
             titles << model->index(row, 0).data().toString();
         QCOMPARE(titles, (QStringList{QStringLiteral("File › Gentle Wind"),
                                       QStringLiteral("File › New Window"), QStringLiteral("File › Wind")}));
+    }
+
+    // What a command is called elsewhere, and what it makes.
+    void synonymsFindCommands() {
+        QMenuBar bar;
+        QMenu* menu = bar.addMenu(QStringLiteral("&File"));
+        menu->addAction(QStringLiteral("&Export Picture…"));
+        menu->addAction(QStringLiteral("&Print…"));
+        menu->addAction(QStringLiteral("Flip &Horizontally"));
+        view::CommandPalette palette(view::actionsOf(&bar));
+        const QAbstractItemModel* model = palette.findChild<QListView*>()->model();
+        const auto first = [&](const char* text) {
+            palette.findChild<QLineEdit*>()->setText(QString::fromLatin1(text));
+            return model->index(0, 0).data().toString().section(QStringLiteral(" › "), -1);
+        };
+        for (const char* word : {"stl", "render", "poster", "png"})
+            QCOMPARE(first(word), QStringLiteral("Export Picture"));
+        QCOMPARE(first("paper"), QStringLiteral("Print"));
+        QCOMPARE(first("mirror"), QStringLiteral("Flip Horizontally"));
+    }
+
+    void theGuideIsSearched() {
+        QMenuBar bar;
+        bar.addMenu(QStringLiteral("&File"))->addAction(QStringLiteral("&Save"));
+        view::CommandPalette palette(view::actionsOf(&bar));
+        QSignalSpy wanted(&palette, &view::CommandPalette::guideRequested);
+        const QAbstractItemModel* model = palette.findChild<QListView*>()->model();
+        QCOMPARE(model->rowCount(), 1); // nothing is typed yet
+        palette.findChild<QLineEdit*>()->setText(QStringLiteral("save"));
+        QCOMPARE(palette.findChild<QListView*>()->currentIndex().row(), 0);
+        QCOMPARE(model->index(1, 0).data().toString(), QStringLiteral("Search the guide for “save”"));
+        palette.findChild<QLineEdit*>()->setText(QStringLiteral("  lacunarity "));
+        palette.show();
+        QTest::keyClick(palette.findChild<QLineEdit*>(), Qt::Key_Return);
+        QCOMPARE(wanted.count(), 1);
+        QCOMPARE(wanted.front().front().toString(), QStringLiteral("lacunarity"));
+        QVERIFY(!palette.isVisible());
     }
 
     void panelsAreSearchedToo() {
@@ -159,18 +198,18 @@ private slots:
         QVERIFY(QTest::qWaitForWindowExposed(&palette));
         QTest::keyClicks(palette.findChild<QLineEdit*>(), QStringLiteral("del"));
         const auto* found = palette.findChild<QListView*>()->model();
-        QCOMPARE(found->rowCount(), 1);
+        QCOMPARE(found->rowCount(), 1 + guide);
         QVERIFY(!(found->index(0, 0).flags() & Qt::ItemIsEnabled)); // it is shown that there is one
         QTest::keyClick(palette.findChild<QLineEdit*>(), Qt::Key_Return);
         QVERIFY(palette.isVisible());
         palette.findChild<QLineEdit*>()->clear();
         QTest::keyClicks(palette.findChild<QLineEdit*>(), QStringLiteral("zzz"));
-        QCOMPARE(found->rowCount(), 1);
+        QCOMPARE(found->rowCount(), 1 + guide);
         QVERIFY(!(found->index(0, 0).flags() & Qt::ItemIsEnabled));
         QCOMPARE(found->index(0, 0).data().toString(), QStringLiteral("No matching commands"));
         palette.findChild<QLineEdit*>()->clear();
         QTest::keyClicks(palette.findChild<QLineEdit*>(), QStringLiteral("weights equal"));
-        QCOMPARE(palette.findChild<QListView*>()->model()->rowCount(), 1);
+        QCOMPARE(palette.findChild<QListView*>()->model()->rowCount(), 1 + guide);
         QTest::keyClick(palette.windowHandle(), Qt::Key_Return);
         QCOMPARE(equal.count(), 1);
         QVERIFY(dock->isVisible());

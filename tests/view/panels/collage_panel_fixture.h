@@ -51,6 +51,7 @@ protected:
         m_panel = std::make_unique<CollagePanel>(m_document.get(), m_canvas.get());
         m_panel->resize(360, 1000);
         m_panel->show();
+        m_panel->showMore(true); // all that it has
         QVERIFY(QTest::qWaitForWindowExposed(m_panel.get()));
     }
     QString write(const QString& name, const QByteArray& bytes) {

@@ -23,6 +23,7 @@ class SpaceHandlesTest : public QObject {
     Q_OBJECT
 
 private slots:
+    void theBallNeverWinsOverACorner();
     void theCageOfVeryManyMapsIsFoundInTheBackground();
     void theExtentIsAnnouncedAfterAGesture();
     void aCornerOfAMapIsDraggedInOneStep();
@@ -49,6 +50,27 @@ document::Fractal ofVeryManyMaps() {
 }
 
 } // namespace
+
+// Also where it lies over the corner; beside the corner the ball turns the view.
+void SpaceHandlesTest::theBallNeverWinsOverACorner() {
+    Window window;
+    QVERIFY(window.rests());
+    const QPoint ball(600 - 20 - 44, 20 + 44); // its middle, as AxisBall::layOut() places it
+    attractor::OrbitCamera moved = window.camera();
+    moved.height /= 4;
+    window.view->navigation().moveTo(moved);
+    const QPointF shift = QPointF(ball) - QPointF(window.handle(1));
+    window.view->navigation().moveTo(attractor::panned(window.camera(), {shift.x(), shift.y()}));
+    QVERIFY(window.rests());
+    QVERIFY((window.handle(1) - ball).manhattanLength() <= 2);
+    const attractor::OrbitCamera before = window.camera();
+    window.drag(ball, ball + QPoint(-60, 40));
+    QCOMPARE(window.document.undoStack()->count(), 1);
+    QCOMPARE(window.camera(), before);
+    window.drag(ball + QPoint(25, 25), ball + QPoint(-60, 40));
+    QCOMPARE(window.document.undoStack()->count(), 1);
+    QVERIFY(window.camera() != before);
+}
 
 void SpaceHandlesTest::theCageOfVeryManyMapsIsFoundInTheBackground() {
     const document::Fractal many = ofVeryManyMaps();

@@ -37,7 +37,10 @@ QString CoordinateText::text(double value) const {
 
 QString CoordinateText::label(double value) const {
     if (m_decimals <= maxPlainDecimals) return QString::number(value, 'g', 14);
-    return QString::number(value - m_base, 'g', 5);
+    // Rounded to what neighbouring pixels differ in: the difference of two long numbers has digits beyond it.
+    const double unit = std::pow(10, -m_decimals);
+    const double offset = std::round((value - m_base) / unit) * unit;
+    return offset == 0 ? QStringLiteral("0") : QString::number(offset, 'g', 5);
 }
 
 QString CoordinateText::base() const {

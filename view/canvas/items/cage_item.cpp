@@ -62,21 +62,30 @@ void CageItem::setQuiet(bool quiet) {
 }
 
 QRectF CageItem::boundingRect() const {
-    return m_polygon.boundingRect().adjusted(-4, -4, 4, 4);
+    return m_polygon.boundingRect().adjusted(-16, -16, 16, 16); // with the sides of a flat one
 }
 
 void CageItem::paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidget*) {
     if (m_polygon.isEmpty()) return;
     painter->setRenderHint(QPainter::Antialiasing);
     QPainterPath outline;
-    outline.addPolygon(m_polygon);
-    outline.closeSubpath();
+    // The edges of a flat cage would hide the picture, which lies on them.
+    const QList<QLineF> sides = sidesOfFlat(m_polygon);
+    for (const QLineF& side : sides) {
+        outline.moveTo(side.p1());
+        outline.lineTo(side.p2());
+    }
+    if (sides.isEmpty()) {
+        outline.addPolygon(m_polygon);
+        outline.closeSubpath();
+    }
     strokeWithHalo(*painter, outline, m_style, m_style.line, m_style.lineWidth);
 
     if (m_focused.kind == CanvasPart::Kind::Inside)
         strokeLit(*painter, outline, m_style, m_style.lineWidth, Qt::DashLine);
     const auto light = [&](const CanvasPart& part, double width) {
         if (part.kind != CanvasPart::Kind::Edge || part.index >= m_polygon.size()) return;
+        if (!sides.isEmpty()) return strokeLit(*painter, outline, m_style, width);
         QPainterPath edge(m_polygon[part.index]);
         edge.lineTo(m_polygon[(part.index + 1) % m_polygon.size()]);
         strokeLit(*painter, edge, m_style, width);

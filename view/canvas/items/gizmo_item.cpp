@@ -14,6 +14,7 @@ constexpr double distance = 26;    // from the cage
 constexpr double gizmoMargin = 20; // to the edge of the view
 constexpr double gizmoApart = 34;  // least distance between handles
 constexpr double gizmoRadius = 9;
+constexpr double pivotReach = 13; // to a vertex whose number it would hide
 
 QPointF clamped(const QPointF& p, const QRectF& area) {
     return {std::clamp(p.x(), area.left(), std::max(area.left(), area.right())),
@@ -71,6 +72,8 @@ GizmoLayout gizmoLayout(const QPolygonF& cage, const QPointF& pivot, const QRect
     const QRectF box = cage.boundingRect().adjusted(-distance, -distance, distance, distance);
     GizmoLayout layout;
     layout.pivot = pivot;
+    layout.isPivotCovered =
+        std::ranges::any_of(cage, [&](const QPointF& q) { return QLineF(q, pivot).length() < pivotReach; });
     layout.rotate = cleared(clamped(box.topRight(), area), gizmoApart / 2, cage, pivot, area);
     QPointF scale = clamped(box.bottomRight(), area);
     if (QLineF(scale, layout.rotate).length() < gizmoApart)
@@ -99,6 +102,7 @@ QRectF GizmoItem::boundingRect() const {
 void GizmoItem::paintPivot(QPainter& painter) const {
     constexpr CanvasPart self{CanvasPart::Kind::Pivot, 0};
     const bool lit = m_hovered == self || m_pressed == self;
+    if (m_layout.isPivotCovered && !lit && m_focused != self) return;
     QPainterPath cross;
     cross.addEllipse(m_layout.pivot, 5, 5);
     for (const QPointF& direction : {QPointF(1, 0), QPointF(-1, 0), QPointF(0, 1), QPointF(0, -1)}) {

@@ -12,6 +12,7 @@ struct GizmoLayout {
     QPointF pivot;
     QPointF rotate;
     QPointF scale;
+    bool isPivotCovered = false; // a vertex lies there, which comes first
 };
 
 // Beside the right corners of the cage, kept inside the view and apart from each other and from the vertices.

@@ -12,6 +12,8 @@ namespace {
 
 constexpr double notePadding = 10;
 constexpr double noteMargin = 14;
+constexpr double crossSize = 4;  // half of that of the cross that puts a note away
+constexpr double crossRoom = 18; // beside the sentence
 constexpr double widest = 560;
 constexpr double reach = 12; // of a handle about its middle
 constexpr int places = 30;   // in the middle, left and right, in rows from the edge on
@@ -24,6 +26,13 @@ void NoteItem::setText(const QString& text) {
     prepareGeometryChange();
     m_text = text;
     choosePlace();
+    update();
+}
+
+void NoteItem::setDismissible(bool dismissible) {
+    if (m_isDismissible == dismissible) return;
+    prepareGeometryChange();
+    m_isDismissible = dismissible;
     update();
 }
 
@@ -74,6 +83,7 @@ QRectF NoteItem::boxAt(int place) const {
     QRectF text = QFontMetricsF(m_font).boundingRect(QRectF(0, 0, width, 4000), noteFlow, m_text);
     text = QRectF(0, 0, text.width() + 1, text.height() + 1)
                .adjusted(-notePadding, -notePadding * 0.7, notePadding, notePadding * 0.7);
+    if (m_isDismissible) text.setWidth(text.width() + 2 * crossRoom); // the sentence stays in the middle
     const double left = m_view.left() + noteMargin, right = m_view.right() - noteMargin - text.width();
     const double x = place % 3 == 0 ? m_view.center().x() - text.width() / 2 : place % 3 == 1 ? left : right;
     const double inwards = noteMargin + (place / 3) * text.height();
@@ -94,7 +104,13 @@ void NoteItem::paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidget
     painter->drawRoundedRect(frame, 7, 7);
     painter->setFont(m_font);
     painter->setPen(m_style.noteText);
-    painter->drawText(frame.adjusted(notePadding, 0, -notePadding, 0), noteFlow, m_text);
+    const double aside = notePadding + (m_isDismissible ? crossRoom : 0);
+    painter->drawText(frame.adjusted(aside, 0, -aside, 0), noteFlow, m_text);
+    if (!m_isDismissible) return;
+    const QPointF middle(frame.right() - notePadding - crossSize, frame.center().y());
+    painter->setPen(QPen(m_style.noteText, 1.5, Qt::SolidLine, Qt::RoundCap));
+    painter->drawLine(middle - QPointF(crossSize, crossSize), middle + QPointF(crossSize, crossSize));
+    painter->drawLine(middle - QPointF(crossSize, -crossSize), middle + QPointF(crossSize, -crossSize));
 }
 
 } // namespace view

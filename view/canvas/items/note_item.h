@@ -18,6 +18,7 @@ public:
 
     void setText(const QString& text);
     const QString& text() const { return m_text; }
+    void setDismissible(bool dismissible); // shows that a click puts it away
     void setView(const QRectF& view);
     void setFont(const QFont& font);
     // What must stay in sight, in pixels, and a box that it must not lie on.
@@ -39,6 +40,7 @@ private:
     QString m_text;
     QRectF m_view;
     QFont m_font;
+    bool m_isDismissible = false;
 };
 
 } // namespace view

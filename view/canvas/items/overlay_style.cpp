@@ -114,6 +114,27 @@ void strokeSeen(QPainter& painter, const QPainterPath& path, const OverlayStyle&
     stroke(painter, path, colour, width, pattern);
 }
 
+QList<QLineF> sidesOfFlat(const QPolygonF& outline) {
+    constexpr double thin = 7;  // pixels of height that the edges on both sides would cover
+    constexpr double aside = 6; // of either side from the middle
+    QLineF longest;
+    for (const QPointF& a : outline)
+        for (const QPointF& b : outline)
+            if (QLineF(a, b).length() > longest.length()) longest = {a, b};
+    const double length = longest.length();
+    if (length < 4 * thin) return {};
+    const QLineF normal = longest.unitVector().normalVector();
+    const QPointF across(normal.dx(), normal.dy());
+    double least = 0, most = 0;
+    for (const QPointF& corner : outline) {
+        const double height = QPointF::dotProduct(corner - longest.p1(), across);
+        least = std::min(least, height);
+        most = std::max(most, height);
+    }
+    if (most - least > thin) return {};
+    return {longest.translated(across * (most + aside)), longest.translated(across * (least - aside))};
+}
+
 void strokeOutline(QPainter& painter, const QPolygonF& outline, const OverlayStyle& style,
                    const QColor& colour, double width, Qt::PenStyle pattern) {
     constexpr double beside = 2; // so wide, and some pixel is covered wholly at every slope
@@ -128,6 +149,14 @@ void strokeOutline(QPainter& painter, const QPolygonF& outline, const OverlaySty
         edges.append(edge);
     }
     QPainterPath path;
+    if (const QList<QLineF> sides = sidesOfFlat(outline); !sides.isEmpty()) {
+        for (const QLineF& side : sides) {
+            path.moveTo(side.p1());
+            path.lineTo(side.p2());
+        }
+        strokeSeen(painter, path, style, colour, width, pattern);
+        return;
+    }
     path.addPolygon(outline);
     path.closeSubpath();
     if (std::abs(doubledArea) < 2 * beside * length) { // too flat to have an inside

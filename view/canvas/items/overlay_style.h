@@ -46,6 +46,10 @@ void strokeSeen(QPainter& painter, const QPainterPath& path, const OverlayStyle&
                 double width, Qt::PenStyle pattern = Qt::SolidLine);
 
 // The same for a closed outline, and thinner: the halo is outside, the colour of lines inside.
+// The two long sides of a strip around an outline that is too flat to have an inside, so that what lies on it
+// is seen between them; empty where it is not flat.
+QList<QLineF> sidesOfFlat(const QPolygonF& outline);
+
 void strokeOutline(QPainter& painter, const QPolygonF& outline, const OverlayStyle& style,
                    const QColor& colour, double width, Qt::PenStyle pattern = Qt::SolidLine);
 

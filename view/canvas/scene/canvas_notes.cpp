@@ -2,6 +2,7 @@
 #include "canvas/scene/canvas_notes.h"
 
 #include "canvas/geometry/canvas_note.h"
+#include "document/edits/cage/cage_edits.h"
 
 namespace view {
 
@@ -61,12 +62,36 @@ void CanvasNotes::avoid(const std::vector<QPointF>& handles) {
     if (!place(m_promptItem, isBottom, m_noteItem.box())) place(m_promptItem, true, m_noteItem.box());
 }
 
-void CanvasNotes::describe(const document::Fractal& fractal, attractor::RenderNote note) {
-    if (note == m_described && !m_isStale) return;
+void CanvasNotes::describe(const document::Fractal& fractal, attractor::RenderNote note, bool isEmpty) {
+    if (note == m_described && isEmpty == m_isEmpty && !m_isStale) return;
     m_described = note;
+    m_isEmpty = isEmpty;
     m_isStale = false;
-    m_noteItem.setText(noteOn(fractal, note));
+    m_text = noteOn(fractal, note);
+    m_isWarning = !m_text.isEmpty() && m_text == document::cageWarning(fractal);
+    if (isEmpty && (m_text.isEmpty() || m_isWarning)) {
+        m_text = tr("Nothing here. Press F to see the whole picture.");
+        m_isWarning = false;
+    }
+    if (m_text != m_dismissed) m_dismissed.clear();
+    say();
+}
+
+void CanvasNotes::say() {
+    m_noteItem.setDismissible(m_isWarning);
+    m_noteItem.setText(m_text == m_dismissed ? QString() : m_text);
     avoid(m_handles);
+}
+
+bool CanvasNotes::dismissAt(const QPointF& position) {
+    return m_noteItem.box().contains(position) && dismiss();
+}
+
+bool CanvasNotes::dismiss() {
+    if (!m_isWarning || m_noteItem.text().isEmpty()) return false;
+    m_dismissed = m_text;
+    say();
+    return true;
 }
 
 void CanvasNotes::setPrompt(const QString& prompt) {

@@ -5,12 +5,16 @@
 #include "canvas/items/note_item.h"
 #include "document/fractal/fractal.h"
 
+#include <QCoreApplication>
+
 #include <vector>
 
 namespace view {
 
 // The sentences on the canvas: about the picture at the top, for the user at the bottom.
 class CanvasNotes {
+    Q_DECLARE_TR_FUNCTIONS(view::Canvas)
+
 public:
     std::vector<OverlayItem*> items();
     void setView(const QRectF& view);    // pixels
@@ -19,7 +23,11 @@ public:
     void avoid(const std::vector<QPointF>& handles); // in pixels: the sentences cover none
 
     void forget() { m_isStale = true; } // the fractal has changed
-    void describe(const document::Fractal& fractal, attractor::RenderNote note);
+    // `isEmpty`: the picture has nothing in this view.
+    void describe(const document::Fractal& fractal, attractor::RenderNote note, bool isEmpty = false);
+    // A warning that tells nothing new can be put away, by a click on it or by Esc, until there is another.
+    bool dismissAt(const QPointF& position); // whether there was one, in pixels
+    bool dismiss();
     QString note() const { return m_noteItem.text(); } // the sentence about the picture, if one is shown
 
     void setPrompt(const QString& prompt); // what the tool asks for; empty: none
@@ -31,7 +39,13 @@ private:
 
     NoteItem m_noteItem{NoteItem::Edge::Top};
     NoteItem m_promptItem{NoteItem::Edge::Bottom};
+    void say();
+
     attractor::RenderNote m_described = attractor::RenderNote::None;
+    bool m_isEmpty = false;
+    QString m_text;      // about the picture, shown or dismissed
+    QString m_dismissed; // the warning that was put away
+    bool m_isWarning = false;
     bool m_isStale = true;
     QRectF m_view;
     QRectF m_covered;

@@ -3,6 +3,7 @@
 
 #include "canvas/geometry/canvas_geometry.h"
 #include "canvas/items/attractor_item.h"
+#include "canvas/items/border_arrows_item.h"
 #include "canvas/items/cage_item.h"
 #include "canvas/items/motion_path_item.h"
 #include "canvas/items/symmetry_item.h"
@@ -25,6 +26,18 @@ namespace {
 constexpr std::size_t maxAvoided = 300; // handles that a sentence makes way for
 constexpr std::size_t maxCorners = 60;  // of maps that are not selected, in addition
 constexpr double keyReach = 7;          // pixels from the middle of a diamond
+
+// Whether every pixel is one of the background. Where there is a picture, that is known after a few. The
+// first points of a chaos game say nothing about the view.
+bool showsNothing(const attractor::Frame& frame, const attractor::Rgba& background) {
+    constexpr std::uint64_t enough = 100'000; // samples
+    const bool isTelling = frame.measure < 1 || frame.samples >= enough;
+    const auto opaque =
+        std::uint32_t(0xff000000U | background.red << 16U | background.green << 8U | background.blue);
+    const std::uint32_t empty = background.alpha < 255 ? 0 : opaque;
+    return isTelling && frame.passes > 0 && !frame.pixels.empty() &&
+           std::ranges::all_of(frame.pixels, [empty](std::uint32_t pixel) { return pixel == empty; });
+}
 
 } // namespace
 
@@ -187,6 +200,7 @@ void CanvasScene::requestLayout() {
 void CanvasScene::layoutItems() {
     m_isLayoutStale = false;
     m_cageItem->setPolygon(cagePolygon());
+    m_marks.borderArrows().setArrows(borderArrows(cagePolygon(), sceneRect()));
     layoutFrames();
     layoutPaths();
     layoutSymmetry();
@@ -310,7 +324,11 @@ void CanvasScene::restyle() {
 }
 
 void CanvasScene::updateNote() {
-    m_notes.describe(m_document->fractal(), m_frame ? m_frame->note : attractor::RenderNote::None);
+    const document::Fractal& fractal = m_document->fractal();
+    if (m_frame)
+        m_notes.describe(fractal, m_frame->note, showsNothing(*m_frame, fractal.appearance.background));
+    else
+        m_notes.describe(fractal, attractor::RenderNote::None);
 }
 
 void CanvasScene::setOverlaysVisible(bool visible) {
@@ -328,6 +346,7 @@ void CanvasScene::updateVisibility() {
         item->setVisible(m_overlaysVisible);
     const bool cage = m_overlaysVisible && m_cageVisible && m_handles.cage();
     m_cageItem->setVisible(cage);
+    m_marks.borderArrows().setVisible(cage && m_handles.target() == HandleTarget::Cage);
     m_mapFrames->setVisible(cage);
     m_pathItem->setVisible(cage);
     m_symmetryItem->setVisible(cage);

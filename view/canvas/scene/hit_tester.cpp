@@ -44,28 +44,35 @@ private:
 
 } // namespace
 
-CanvasPart HitTester::partAt(const QPointF& position, Reach reach) const {
-    if (!m_handles.cage()) return {};
-    const auto [handle, edge] = radii(reach);
-    Nearest nearest(position, handle);
-    if (m_handles.isAnythingHeld()) {
-        nearest.consider(Kind::Pivot, 0, m_gizmo.pivot);
-        nearest.consider(Kind::Scale, 0, m_gizmo.scale);
-        nearest.consider(Kind::Rotate, 0, m_gizmo.rotate);
-    }
+CanvasPart HitTester::vertexAt(const QPointF& position, double reach) const {
     if (m_handles.target() != HandleTarget::Cage) {
-        // A corner comes before the pivot under it, as a vertex of the cage does.
-        const CanvasPart part = framePartAt(m_frames, position, handle, edge);
-        return nearest.part().kind == Kind::None ||
-                       (part.kind == Kind::Vertex &&
-                        QLineF(positionOf(part), position).length() <= nearest.distance())
-                   ? part
-                   : nearest.part();
+        const CanvasPart part = framePartAt(m_frames, position, reach, 0);
+        return part.kind == Kind::Vertex ? part : CanvasPart();
     }
+    Nearest nearest(position, reach);
     const QPolygonF polygon = pixelsOf(m_camera, m_handles.cage()->current);
     for (int i = 0; i < polygon.size(); ++i)
         nearest.consider(Kind::Vertex, i, polygon[i]);
-    if (nearest.part().kind != Kind::None) return nearest.part();
+    return nearest.part();
+}
+
+CanvasPart HitTester::partAt(const QPointF& position, Reach reach) const {
+    if (!m_handles.cage()) return {};
+    const auto [handle, edge] = radii(reach);
+    Nearest gizmo(position, handle);
+    if (m_handles.isAnythingHeld()) {
+        gizmo.consider(Kind::Pivot, 0, m_gizmo.pivot);
+        gizmo.consider(Kind::Scale, 0, m_gizmo.scale);
+        gizmo.consider(Kind::Rotate, 0, m_gizmo.rotate);
+    }
+    // The pivot may lie anywhere, also where vertices are dragged, so it never comes before one of them.
+    const CanvasPart vertex = vertexAt(position, handle);
+    const bool isVertexFirst = gizmo.part().kind == Kind::None || gizmo.part().kind == Kind::Pivot ||
+                               QLineF(positionOf(vertex), position).length() <= gizmo.distance();
+    if (vertex.kind != Kind::None && isVertexFirst) return vertex;
+    if (gizmo.part().kind != Kind::None) return gizmo.part();
+    if (m_handles.target() != HandleTarget::Cage) return framePartAt(m_frames, position, handle, edge);
+    const QPolygonF polygon = pixelsOf(m_camera, m_handles.cage()->current);
     CanvasPart nearestEdge;
     double least = edge;
     for (int i = 0; i < polygon.size(); ++i) {

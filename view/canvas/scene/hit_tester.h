@@ -23,6 +23,8 @@ public:
     std::vector<std::size_t> mapsWithin(const QRectF& band) const;
 
 private:
+    CanvasPart vertexAt(const QPointF& position, double reach) const; // of the cage, or of a map
+
     const HandleModel& m_handles;
     const attractor::Camera& m_camera;
     const GizmoLayout& m_gizmo;

@@ -3,6 +3,7 @@
 
 #include "canvas/geometry/canvas_geometry.h"
 #include "canvas/items/analysis_item.h"
+#include "canvas/items/border_arrows_item.h"
 #include "canvas/items/canvas_marks.h"
 #include "canvas/items/readout_item.h"
 #include "canvas/items/trail_item.h"
@@ -17,6 +18,7 @@ TransientMarks::TransientMarks()
       m_rubberItem(std::make_unique<RubberItem>()),
       m_snapMark(std::make_unique<SnapMark>()),
       m_bandItem(std::make_unique<BandItem>()),
+      m_borderArrows(std::make_unique<BorderArrowsItem>()),
       m_readoutItem(std::make_unique<ReadoutItem>()) {}
 
 TransientMarks::~TransientMarks() = default;
@@ -26,14 +28,17 @@ std::vector<OverlayItem*> TransientMarks::itemsBelowHandles() const {
 }
 
 std::vector<OverlayItem*> TransientMarks::itemsAboveHandles() const {
-    return {m_rubberItem.get(), m_snapMark.get(), m_bandItem.get(), m_readoutItem.get()};
+    return {m_borderArrows.get(), m_rubberItem.get(), m_snapMark.get(), m_bandItem.get(),
+            m_readoutItem.get()};
 }
 
 void TransientMarks::setView(const attractor::Camera& camera) {
     m_camera = camera;
     m_analysisItem->setView(camera);
     m_snapMark->setRotation(-attractor::degreesOf(camera.rotation)); // its guides follow the grid
-    m_readoutItem->setView(QRectF(0, 0, camera.width, camera.height));
+    const QRectF area(0, 0, camera.width, camera.height);
+    m_readoutItem->setView(area);
+    m_borderArrows->setView(area);
     showSnap(m_snap);
     showRubber(m_clicked, m_rubberEnd);
     showTrail(m_trail);

@@ -17,6 +17,7 @@ namespace view {
 
 class AnalysisItem;
 class BandItem;
+class BorderArrowsItem;
 class OverlayItem;
 class ReadoutItem;
 class RubberItem;
@@ -33,6 +34,7 @@ public:
     std::vector<OverlayItem*> itemsAboveHandles() const;
     void setView(const attractor::Camera& camera);
 
+    BorderArrowsItem& borderArrows() { return *m_borderArrows; } // to corners that are out of view
     void showSnap(const std::optional<Snapped>& snap);
     void showReadout(const QString& text, const QPointF& pointer); // in pixels; empty: none
     const QString& readout() const;
@@ -57,6 +59,7 @@ private:
     std::unique_ptr<RubberItem> m_rubberItem;
     std::unique_ptr<SnapMark> m_snapMark;
     std::unique_ptr<BandItem> m_bandItem;
+    std::unique_ptr<BorderArrowsItem> m_borderArrows;
     std::unique_ptr<ReadoutItem> m_readoutItem;
 };
 

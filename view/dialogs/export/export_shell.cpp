@@ -4,13 +4,15 @@
 #include "dialogs/export/enqueue.h"
 #include "dialogs/export/export_progress.h"
 #include "dialogs/export/start_export.h"
+#include "widgets/layout/grow_to_fit.h"
 
 #include <QBoxLayout>
 #include <QDialogButtonBox>
+#include <QEvent>
 #include <QGridLayout>
+#include <QKeyEvent>
 #include <QLabel>
 #include <QPushButton>
-#include <QShortcut>
 
 #include <utility>
 
@@ -32,8 +34,22 @@ ExportShell::ExportShell(QWidget* parent)
         if (const QString path = chosenFile(); !path.isEmpty()) exportTo(path);
     });
     connect(m_buttons, &QDialogButtonBox::rejected, this, &ExportShell::closeOrStop);
-    // Esc is the button: it stops before it closes. Closing the window does both at once.
-    connect(new QShortcut(QKeySequence::Cancel, this), &QShortcut::activated, m_close, &QPushButton::click);
+}
+
+// Esc is the button: it stops before it closes. Closing the window does both at once. A shortcut would take
+// the key from an open list, too.
+void ExportShell::keyPressEvent(QKeyEvent* event) {
+    if (event->matches(QKeySequence::Cancel))
+        m_close->click();
+    else
+        QDialog::keyPressEvent(event);
+}
+
+// Rows that come with another format have their room, rather than that of the others.
+bool ExportShell::event(QEvent* event) {
+    const bool isHandled = QDialog::event(event);
+    if (event->type() == QEvent::LayoutRequest) growToFit(*this);
+    return isHandled;
 }
 
 ExportShell::~ExportShell() = default;
@@ -99,8 +115,7 @@ void ExportShell::addToQueue(const QString& path) {
 void ExportShell::say(const QString& sentence) {
     m_message->setText(sentence);
     m_message->setVisible(!sentence.isEmpty());
-    if (!isVisible() || sentence.isEmpty()) return;
-    if (const int needed = layout()->totalHeightForWidth(width()); needed > height()) resize(width(), needed);
+    if (!sentence.isEmpty()) growToFit(*this);
 }
 
 void ExportShell::enableButtons() {

@@ -60,6 +60,8 @@ protected:
     virtual void whenFinished() {} // once it is idle again, before the outcome is said
 
     void say(const QString& sentence); // empty: nothing; with room for it
+    bool event(QEvent* event) override;
+    void keyPressEvent(QKeyEvent* event) override;
     void enableButtons();
     void start(io::Export what, const QString& path, const QString& firstStep = {});
     // The same with work that somebody else does: `stop` ends it, and finish() is called once it has ended.

@@ -14,6 +14,7 @@
 #include <QLabel>
 #include <QListWidget>
 #include <QPushButton>
+#include <QRandomGenerator>
 #include <QSignalBlocker>
 #include <QSpinBox>
 #include <QVBoxLayout>
@@ -159,6 +160,7 @@ void RandomDialog::createControls(QGridLayout* layout) {
 
 void RandomDialog::addSeed(QGridLayout* layout) {
     m_seed->setRange(1, 999'999);
+    m_seed->setValue(QRandomGenerator::global()->bounded(1, 1'000'000)); // another sheet each time
     m_seed->setAccessibleName(tr("Seed of the random numbers"));
     m_seed->setToolTip(tr("The same seed gives the same sheet again"));
     m_seed->setWhatsThis(

@@ -2,6 +2,7 @@
 #include "panels/collage/collage_panel.h"
 
 #include "canvas/canvas_view.h"
+#include "desktop/settings.h"
 #include "document/edits/cage/cage_edits.h"
 #include "document/edits/collage_edits.h"
 #include "document/edits/entries_edits.h"
@@ -17,6 +18,7 @@
 #include <QLabel>
 #include <QStringList>
 #include <QTimer>
+#include <QToolButton>
 #include <QVBoxLayout>
 
 #include <algorithm>
@@ -39,6 +41,10 @@ QLabel* heading(const QString& text, QWidget* parent) {
     font.setBold(true);
     label->setFont(font);
     return label;
+}
+
+QString moreKey() {
+    return QStringLiteral("collage/more");
 }
 
 QString textOf(Task task) {
@@ -83,6 +89,7 @@ CollagePanel::CollagePanel(document::Document* document, CanvasView* canvas, QWi
       m_refined(new QLabel(this)),
       m_shades(new QLabel(this)),
       m_suggestions(new SuggestionList(this)),
+      m_more(new QWidget(this)),
       m_progressTimer(new QTimer(this)),
       m_liveTimer(new QTimer(this)),
       m_measuring(
@@ -92,8 +99,55 @@ CollagePanel::CollagePanel(document::Document* document, CanvasView* canvas, QWi
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(12, 12, 12, 12);
     layout->setSpacing(10);
-    layout->addWidget(heading(tr("Target"), this));
+    layout->addWidget(heading(tr("1. Choose a picture"), this));
     layout->addWidget(m_target);
+    layout->addWidget(heading(tr("2. Ask for suggestions"), this));
+    layout->addWidget(m_fit->start());
+    layout->addWidget(heading(tr("3. Pick one"), this));
+    layout->addWidget(m_suggestions);
+    layout->addWidget(makeMoreButton());
+    layout->addWidget(m_more);
+    layout->addStretch();
+    layMore();
+    m_progressTimer->setInterval(progressInterval);
+    m_liveTimer->setSingleShot(true);
+    m_liveTimer->setTimerType(Qt::PreciseTimer);
+    m_liveTimer->setInterval(pictureFirst);
+    connectParts();
+    updatePossible();
+    showLocks();
+}
+
+QToolButton* CollagePanel::makeMoreButton() {
+    auto* button = new QToolButton(this);
+    button->setText(tr("More"));
+    button->setAccessibleName(tr("More ways to trace"));
+    button->setToolTip(tr("Show how the picture is read, the agreement, and what refines a suggestion"));
+    button->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+    button->setCheckable(true);
+    button->setAutoRaise(true);
+    connect(button, &QToolButton::toggled, this, [this, button](bool on) {
+        button->setArrowType(on ? Qt::DownArrow : Qt::RightArrow);
+        m_more->setVisible(on);
+        store(moreKey(), on);
+    });
+    const bool isOpen = stored(moreKey(), false).toBool();
+    button->setChecked(isOpen);
+    button->setArrowType(isOpen ? Qt::DownArrow : Qt::RightArrow);
+    m_more->setVisible(isOpen);
+    m_moreButton = button;
+    return button;
+}
+
+void CollagePanel::showMore(bool shown) {
+    m_moreButton->setChecked(shown);
+}
+
+void CollagePanel::layMore() {
+    auto* layout = new QVBoxLayout(m_more);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(10);
+    layout->addWidget(m_target->controls());
     auto* row = new QHBoxLayout;
     row->addWidget(heading(tr("Agreement"), this));
     m_compared->addItems({tr("of the collage"), tr("of the attractor"), tr("not shown")});
@@ -118,15 +172,6 @@ CollagePanel::CollagePanel(document::Document* document, CanvasView* canvas, QWi
     m_shades->setWordWrap(true);
     m_shades->hide();
     layout->addWidget(m_shades);
-    layout->addWidget(m_suggestions);
-    layout->addStretch();
-    m_progressTimer->setInterval(progressInterval);
-    m_liveTimer->setSingleShot(true);
-    m_liveTimer->setTimerType(Qt::PreciseTimer);
-    m_liveTimer->setInterval(pictureFirst);
-    connectParts();
-    updatePossible();
-    showLocks();
 }
 
 CollagePanel::~CollagePanel() {

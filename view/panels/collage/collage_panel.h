@@ -16,6 +16,7 @@
 class QComboBox;
 class QLabel;
 class QTimer;
+class QToolButton;
 
 namespace view {
 
@@ -36,6 +37,8 @@ public:
     TargetBox* target() const { return m_target; }
     // Nothing runs in the background, and what is shown is of the fractal as it is.
     bool isSettled() const;
+    // What is beyond the three steps: a picture, suggestions, a choice. Remembered between runs.
+    void showMore(bool shown);
 
 signals:
     void message(const QString& sentence); // for the status bar
@@ -54,6 +57,8 @@ private:
     };
     using Work = std::function<Result(const std::stop_token&)>;
 
+    QToolButton* makeMoreButton();
+    void layMore();
     void connectParts();
     void bringTargetIntoView();
     void follow(const document::Change& change);
@@ -84,6 +89,8 @@ private:
     QLabel* m_refined; // what the last refinement has made of the numbers
     QLabel* m_shades;  // what is guaranteed of the weights that were fitted last
     SuggestionList* m_suggestions;
+    QWidget* m_more;
+    QToolButton* m_moreButton = nullptr;
     std::shared_ptr<const document::TracedPicture> m_suggestedFor; // the target
     document::EntryId m_suggested = document::EntryId::None;       // the entry that one of them was used in
     std::optional<document::MeasuredFractal> m_measured;

@@ -5,6 +5,7 @@
 #include "widgets/layout/vertical_scroll_area.h"
 #include "widgets/numbers/number_box.h"
 
+#include <QApplication>
 #include <QCheckBox>
 #include <QComboBox>
 #include <QDoubleSpinBox>
@@ -46,9 +47,9 @@ QGridLayout* gridOf(QWidget* box) {
 FitBox::FitBox(QWidget* parent) : QWidget(parent) {
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
+    m_start = makeStart();
     layout->addWidget(makeSearch());
     layout->addWidget(makeTasks());
-    layout->addWidget(makeProgress());
     setProgress(std::nullopt);
 }
 
@@ -109,15 +110,22 @@ QPushButton* FitBox::taskButton(const QString& text, const QString& tip, Task ta
     return button;
 }
 
+QWidget* FitBox::makeStart() {
+    auto* box = new QWidget(this);
+    auto* layout = new QVBoxLayout(box);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->addWidget(
+        taskButton(tr("Suggest"), tr("Find systems whose attractor looks like the target"), Task::Suggest));
+    layout->addWidget(makeProgress());
+    return box;
+}
+
 QWidget* FitBox::makeTasks() {
     auto* box = new QWidget(this);
     QGridLayout* grid = gridOf(box);
     grid->setColumnStretch(0, 1);
-    grid->addWidget(
-        taskButton(tr("Suggest"), tr("Find systems whose attractor looks like the target"), Task::Suggest), 0,
-        0);
     grid->addWidget(taskButton(tr("Add a Map"), tr("Add a map where the agreement is worst"), Task::AddMap),
-                    0, 1);
+                    0, 0, 1, 2);
     grid->addWidget(taskButton(tr("Refine Maps"),
                                tr("Move the maps so that their images of the target cover it better"),
                                Task::RefineMaps),
@@ -164,7 +172,12 @@ QWidget* FitBox::makeProgress() {
     connect(cancel, &QPushButton::clicked, this, &FitBox::cancelled);
     m_escape = new QShortcut(QKeySequence(Qt::Key_Escape), parentWidget());
     m_escape->setContext(Qt::WidgetWithChildrenShortcut);
-    connect(m_escape, &QShortcut::activated, this, &FitBox::cancelled);
+    connect(m_escape, &QShortcut::activated, this, [this] {
+        if (QWidget* list = QApplication::activePopupWidget()) // the key is for that
+            list->close();
+        else
+            emit cancelled();
+    });
     row->addWidget(m_progress, 1);
     row->addWidget(cancel);
     return m_busy;

@@ -28,6 +28,9 @@ public:
 
     explicit FitBox(QWidget* parent);
 
+    // The button that suggests, with the progress below it: for the panel to lay where it likes.
+    QWidget* start() const { return m_start; }
+
     collage::SearchOptions searchOptions() const;
     collage::Constraints constraints() const;
     bool refinesSelectedOnly() const;
@@ -46,6 +49,7 @@ private:
     QWidget* makeSearch();
     void addConstraints(QGridLayout* grid);
     QWidget* makeTasks();
+    QWidget* makeStart();
     QWidget* makeProgress();
     QPushButton* taskButton(const QString& text, const QString& tip, Task task);
     void enableTasks();
@@ -60,6 +64,7 @@ private:
     QCheckBox* m_selectedOnly = nullptr;
     QToolButton* m_lock = nullptr;
     QSpinBox* m_corners = nullptr;
+    QWidget* m_start = nullptr;
     QWidget* m_busy = nullptr;
     QProgressBar* m_progress = nullptr;
     QShortcut* m_escape = nullptr; // of the whole panel, while something is under way

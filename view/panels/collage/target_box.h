@@ -32,6 +32,9 @@ class TargetBox : public QWidget {
     Q_OBJECT
 
 public:
+    // How the picture is read and shown: for the panel to lay where it likes.
+    QWidget* controls() const { return m_controls; }
+
     explicit TargetBox(document::Document* document, QWidget* parent);
     ~TargetBox() override;
 

@@ -3,6 +3,7 @@
 
 #include "panels/timeline/ease_dialog.h"
 #include "panels/timeline/motion_dialog.h"
+#include "panels/timeline/stretch_dialog.h"
 #include "panels/timeline/timeline.h"
 
 #include <QMenu>
@@ -87,6 +88,8 @@ void showTrackMenu(Timeline& timeline, const QPoint& global, QWidget* parent) {
         custom->setCheckable(true);
         custom->setChecked(isEaseOfAll(timeline, Kind::Cubic));
         menu->addSeparator();
+        menu->addAction(Timeline::tr("Stretch Keys…"), &timeline,
+                        [&timeline, parent] { askToStretch(timeline, parent->window()); });
         menu->addAction(Timeline::tr("Copy Keys"), &timeline, [&timeline] { timeline.keys().copy(); });
     }
     QAction* paste = menu->addAction(Timeline::tr("Paste Keys at the Playhead"), &timeline,

@@ -10,7 +10,8 @@ namespace view {
 inline void growToFit(QWidget& window) {
     if (!window.isVisible()) return;
     window.layout()->activate();
-    const int needed = window.layout()->totalHeightForWidth(window.width());
+    const int wrapped = window.layout()->totalHeightForWidth(window.width()); // −1: nothing wraps
+    const int needed = wrapped < 0 ? window.layout()->totalSizeHint().height() : wrapped;
     if (window.height() < needed) window.resize(window.width(), needed);
 }
 

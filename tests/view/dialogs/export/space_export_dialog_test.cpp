@@ -7,15 +7,19 @@
 #include "support/named_test.h"
 #include "support/patient_tries.h"
 
+#include <QAbstractSpinBox>
+#include <QApplication>
 #include <QCheckBox>
 #include <QComboBox>
 #include <QDoubleSpinBox>
 #include <QFile>
 #include <QFileInfo>
 #include <QImage>
+#include <QLayout>
 #include <QSignalSpy>
 #include <QSpinBox>
 #include <QTemporaryDir>
+#include <QWindow>
 
 #include <cstdlib>
 #include <memory>
@@ -69,6 +73,38 @@ private slots:
         QVERIFY2(others == 0, qPrintable(QString::number(others)));
         m_dialog->setFormat(SpaceExportDialog::Format::Stl);
         QVERIFY(!m_dialog->preview().isVisible());
+    }
+
+    // A dialog that opens for a mesh has fewer rows than one for a picture.
+    void fieldsKeepTheirHeight() {
+        m_dialog->setFormat(SpaceExportDialog::Format::Stl);
+        QCoreApplication::processEvents();
+        m_dialog->resize(m_dialog->width(), m_dialog->minimumSizeHint().height());
+        QVERIFY(QTest::qWaitForWindowExposed(m_dialog.get()));
+        m_dialog->setFormat(SpaceExportDialog::Format::Png);
+        const auto squeezed = [this] {
+            QStringList names;
+            for (const auto* field : m_dialog->findChildren<QWidget*>())
+                if ((qobject_cast<const QComboBox*>(field) || qobject_cast<const QAbstractSpinBox*>(field)) &&
+                    field->isVisible() && field->height() < field->sizeHint().height())
+                    names << QString::fromLatin1(field->metaObject()->className());
+            return names;
+        };
+        QTRY_VERIFY2(squeezed().isEmpty(), qPrintable(squeezed().join(u' ')));
+        QVERIFY(m_dialog->height() >= m_dialog->layout()->totalSizeHint().height());
+    }
+
+    void escClosesTheOpenList() {
+        QVERIFY(QTest::qWaitForWindowActive(m_dialog.get()));
+        auto* format = m_dialog->findChild<QComboBox*>();
+        format->setFocus();
+        format->showPopup();
+        QTRY_VERIFY(QApplication::activePopupWidget());
+        QTest::keyClick(QApplication::activePopupWidget()->windowHandle(), Qt::Key_Escape);
+        QTRY_VERIFY(!QApplication::activePopupWidget());
+        QVERIFY(m_dialog->isVisible());
+        QTest::keyClick(m_dialog->windowHandle(), Qt::Key_Escape);
+        QTRY_VERIFY(!m_dialog->isVisible());
     }
 
     void escStopsBeforeItCloses() {

@@ -9,6 +9,7 @@
 #include <QComboBox>
 #include <QListWidget>
 #include <QPushButton>
+#include <QSet>
 #include <QSpinBox>
 
 #include <algorithm>
@@ -20,6 +21,7 @@ class RandomDialogTest : public QObject {
     Q_OBJECT
 
 private slots:
+    void itStartsWithAnotherSheetEachTime();
     void theChosenOneIsSeen();
     void theTilesFillTheGrid();
     void theChosenOneIsAdded();
@@ -62,6 +64,17 @@ void choose(QComboBox* box, int data) {
 }
 
 } // namespace
+
+void RandomDialogTest::itStartsWithAnotherSheetEachTime() {
+    document::Document document;
+    QSet<int> seeds;
+    for (int time = 0; time < 3; ++time) {
+        const RandomDialog dialog(&document);
+        for (const auto* box : dialog.findChildren<QSpinBox*>())
+            if (box->accessibleName().startsWith(QStringLiteral("Seed"))) seeds.insert(box->value());
+    }
+    QVERIFY(seeds.size() > 1); // all alike once in 10¹²
+}
 
 // The item in keyboard focus is not selected yet; the selected one is visible.
 void RandomDialogTest::theChosenOneIsSeen() {
@@ -116,13 +129,16 @@ void RandomDialogTest::theChosenOneIsAdded() {
     document::Document document;
     RandomDialog dialog(&document);
     QTRY_VERIFY_WITH_TIMEOUT(isFull(dialog), 60'000);
+    std::uint64_t seed = 0;
+    for (const auto* box : dialog.findChildren<QSpinBox*>())
+        if (box->accessibleName().startsWith(QStringLiteral("Seed"))) seed = std::uint64_t(box->value());
     gridOf(dialog)->setCurrentRow(5);
     add(dialog)->click();
     QCOMPARE(dialog.result(), int(QDialog::Accepted));
     QCOMPARE(document.file().entries.size(), 2);
     QCOMPARE(document.currentId(), document.file().entries[1].id);
     QVERIFY(document::isSameSystem(document.fractal(),
-                                   document::randomFractal({}, std::uint64_t{RandomDialog::count} + 5)));
+                                   document::randomFractal({}, seed * RandomDialog::count + 5)));
     QCOMPARE(document.fractal().name, QStringLiteral("random"));
     RandomDialog again(&document);
     QTRY_VERIFY_WITH_TIMEOUT(isFull(again), 60'000);

@@ -60,6 +60,23 @@ private slots:
         close();
     }
 
+    // A picture, Suggest, and a choice; all else is behind More.
+    void threeStepsAreEnough() {
+        m_panel->showMore(false);
+        traceLeaf();
+        QStringList seen;
+        for (const auto* button : m_panel->findChildren<QAbstractButton*>())
+            if (button->isVisible() && !button->text().isEmpty()) seen << button->text();
+        QVERIFY2(seen.contains(QStringLiteral("Suggest")), qPrintable(seen.join(u'|')));
+        QVERIFY2(seen.size() <= 6, qPrintable(seen.join(u'|')));
+        for (const char* hidden : {"Refine Maps", "Fit Weights", "Fit Cage"})
+            QVERIFY(!named<QPushButton>(QString::fromLatin1(hidden))->isVisible());
+        auto* more = named<QToolButton>(QStringLiteral("More ways to trace"));
+        QVERIFY(more->isVisible());
+        more->click();
+        QVERIFY(named<QPushButton>(QStringLiteral("Refine Maps"))->isVisible());
+    }
+
     void aPictureIsTracedAndMeasured() {
         QVERIFY(!named<QPushButton>(QStringLiteral("Suggest"))->isEnabled());
         const auto* note = named<QLabel>(

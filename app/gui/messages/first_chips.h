@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "messages/message_banner.h"
+
+class QAction;
+
+// What to try next, as a row of buttons at the bottom of the canvas. They go away by themselves: as soon as
+// one is pressed, as soon as the user does anything else, and after a while.
+class FirstChips : public MessageBanner {
+    Q_OBJECT
+
+public:
+    struct Chip {
+        QAction* action; // what the button does, and its icon
+        QString text;
+    };
+    static constexpr int usualPatience = 20'000; // milliseconds
+    FirstChips(QMainWindow* host, const QList<Chip>& chips, int patience = usualPatience);
+
+protected:
+    int widthFor(int room) const override;
+    QPoint topLeft() override;
+    void enterEvent(QEnterEvent* event) override;
+    void leaveEvent(QEvent* event) override;
+    void paintEvent(QPaintEvent*) override {} // only the buttons are seen
+
+private:
+    QTimer m_away;
+};

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "document/fractal/fractal_geometry.h"
+
+#include <functional>
+#include <optional>
+#include <vector>
+
+namespace document {
+
+// Everything that an animation in the plane shows, from its first moment to its last.
+struct MotionExtent {
+    // Contains the picture at each of the moments that were looked at; nullopt where none has a picture.
+    std::optional<Box> picture;
+    std::vector<ifs::Vector<2>> corners; // of the cage at these moments
+};
+
+// The smallest box around both.
+Box united(const Box& a, const Box& b);
+
+// Looks at evenly spaced moments and at the keys. An entry without an animation has a single moment.
+// `stopped` is asked before each; what is returned after it said yes means nothing. Any thread.
+MotionExtent motionExtent(
+    const Fractal& entry, const std::function<bool()>& stopped = [] { return false; });
+
+} // namespace document

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "canvas/items/overlay_item.h"
+
+#include <QPolygonF>
+
+#include <optional>
+#include <vector>
+
+namespace view {
+
+// Where a corner of the cage lies that the view does not show.
+struct BorderArrow {
+    QPointF at;      // the middle of the arrow, just inside the border
+    QPointF towards; // the corner, of length 1
+    int vertex = 0;  // the first of those that lie there
+    int others = 0;  // corners behind the same arrow
+};
+
+// One arrow at the border of `view` for each corner outside; corners in nearly the same place share one.
+std::vector<BorderArrow> borderArrows(const QPolygonF& corners, const QRectF& view);
+
+// These arrows, each with the number of its corner.
+class BorderArrowsItem : public OverlayItem {
+public:
+    void setView(const QRectF& view);
+    void setArrows(std::vector<BorderArrow> arrows);
+    const std::vector<BorderArrow>& arrows() const { return m_arrows; }
+    // The arrow under a position, within `reach` pixels of its middle.
+    std::optional<BorderArrow> arrowAt(const QPointF& position, double reach) const;
+    static constexpr double mouseReach = 14, fingerReach = 22;
+    void setHovered(int vertex); // its arrow is lit; −1: none
+    int hovered() const { return m_hovered; }
+
+    QRectF boundingRect() const override { return m_view; }
+    void paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidget*) override;
+
+private:
+    QRectF m_view;
+    std::vector<BorderArrow> m_arrows;
+    int m_hovered = -1;
+};
+
+} // namespace view

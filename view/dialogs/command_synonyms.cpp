@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: MIT
+#include "dialogs/command_synonyms.h"
+
+#include <QCoreApplication>
+#include <QStringList>
+
+namespace view {
+
+namespace {
+
+// What users of other programs type, and what the result is called. A translation has the words of its own
+// language, not translations of these.
+constexpr CommandSynonyms synonyms[] = {
+    {"MainWindow", "&Export Picture…",
+     QT_TRANSLATE_NOOP("view::CommandSynonyms", "render save image picture png svg pdf jpeg tiff webp exr "
+                                                "poster wallpaper stl obj ply glb mesh print 3d")},
+    {"MainWindow", "Export Ani&mation…",
+     QT_TRANSLATE_NOOP("view::CommandSynonyms",
+                       "render video movie film mp4 webm gif apng frames cluster slurm")},
+    {"MainWindow", "Export &Data…",
+     QT_TRANSLATE_NOOP("view::CommandSynonyms", "flame apophysis csv table points cloud ply ifstile save")},
+    {"MainWindow", "&Copy Picture", QT_TRANSLATE_NOOP("view::CommandSynonyms", "clipboard screenshot image")},
+    {"MainWindow", "&Print…", QT_TRANSLATE_NOOP("view::CommandSynonyms", "paper printer pdf page")},
+    {"MainWindow", "Print &Handout…",
+     QT_TRANSLATE_NOOP("view::CommandSynonyms", "worksheet class students exercise paper")},
+    {"MainWindow", "&Mutate…",
+     QT_TRANSLATE_NOOP("view::CommandSynonyms", "variations vary breed evolve grow similar mutation")},
+    {"MainWindow", "Add Ra&ndom Fractal…",
+     QT_TRANSLATE_NOOP("view::CommandSynonyms", "surprise chance lucky generate dice new")},
+    {"MainWindow", "Flip &Horizontally",
+     QT_TRANSLATE_NOOP("view::CommandSynonyms", "mirror reflect reverse")},
+    {"MainWindow", "Flip &Vertically",
+     QT_TRANSLATE_NOOP("view::CommandSynonyms", "mirror reflect upside down")},
+    {"MainWindow", "&Transform…",
+     QT_TRANSLATE_NOOP("view::CommandSynonyms", "rotate scale shear move shift turn size")},
+    {"MainWindow", "&Reset", QT_TRANSLATE_NOOP("view::CommandSynonyms", "undo original restore straighten")},
+    {"MainWindow", "Fit &Minimal Canonical Simplex",
+     QT_TRANSLATE_NOOP("view::CommandSynonyms", "hull triangle tight smallest")},
+    {"MainWindow", "&Bake", QT_TRANSLATE_NOOP("view::CommandSynonyms", "apply freeze write flatten")},
+    {"MainWindow", "&Duplicate Maps", QT_TRANSLATE_NOOP("view::CommandSynonyms", "copy clone")},
+    {"MainWindow", "&Fit", QT_TRANSLATE_NOOP("view::CommandSynonyms", "centre home whole zoom all")},
+    {"MainWindow", "F&ull Screen", QT_TRANSLATE_NOOP("view::CommandSynonyms", "maximise whole")},
+    {"MainWindow", "&Lift to Space", QT_TRANSLATE_NOOP("view::CommandSynonyms", "3d extrude solid")},
+    {"MainWindow", "&Preferences…",
+     QT_TRANSLATE_NOOP("view::CommandSynonyms",
+                       "settings options language theme dark light configuration motion")},
+    {"MainWindow", "&Keyboard and Mouse…",
+     QT_TRANSLATE_NOOP("view::CommandSynonyms", "shortcuts keys hotkeys gestures")},
+    {"MainWindow", "&User Guide", QT_TRANSLATE_NOOP("view::CommandSynonyms", "help manual documentation")},
+    {"MainWindow", "&Tour",
+     QT_TRANSLATE_NOOP("view::CommandSynonyms", "tutorial introduction beginner learn")},
+    {"MainWindow", "A&nimate", QT_TRANSLATE_NOOP("view::CommandSynonyms", "timeline motion movie keyframes")},
+    {"view::TimelinePanel", "Breeze", QT_TRANSLATE_NOOP("view::CommandSynonyms", "sway wind storm blow")},
+    {"view::TimelinePanel", "Orbit",
+     QT_TRANSLATE_NOOP("view::CommandSynonyms", "turntable spin rotate camera")},
+    {"view::TimelinePanel", "Turn", QT_TRANSLATE_NOOP("view::CommandSynonyms", "spin rotate")},
+    {"view::TimelinePanel", "Breathe", QT_TRANSLATE_NOOP("view::CommandSynonyms", "pulse grow shrink")},
+    {"view::TimelinePanel", "Palette Cycle", QT_TRANSLATE_NOOP("view::CommandSynonyms", "colours rainbow")},
+    {"view::TimelinePanel", "Zoom In Endlessly", QT_TRANSLATE_NOOP("view::CommandSynonyms", "infinite dive")},
+};
+
+// As a menu shows it, without what marks its key or a dialog.
+QString plainName(QString text) {
+    return text.remove(u'&').remove(u'…');
+}
+
+} // namespace
+
+std::span<const CommandSynonyms> commandSynonyms() {
+    return synonyms;
+}
+
+QString synonymsOf(const QString& name) {
+    QStringList words;
+    for (const CommandSynonyms& each : synonyms) {
+        const QString shown = plainName(QCoreApplication::translate(each.context, each.text));
+        if (shown.compare(name, Qt::CaseInsensitive) != 0) continue;
+        words << QCoreApplication::translate("view::CommandSynonyms", each.words)
+              << QString::fromUtf8(each.words) << plainName(QString::fromUtf8(each.text));
+    }
+    return words.join(u' ');
+}
+
+} // namespace view

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <QString>
+
+#include <span>
+
+namespace view {
+
+// Other words for a command: those of other programs, of the result, and everyday ones.
+struct CommandSynonyms {
+    const char* context; // the command's text in the source and its context, as translations have them
+    const char* text;
+    const char* words;
+};
+std::span<const CommandSynonyms> commandSynonyms();
+
+// The words for a command with this name, without its menus, in the user's language and in English; empty
+// where there are none.
+QString synonymsOf(const QString& name);
+
+} // namespace view
