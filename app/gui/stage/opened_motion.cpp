@@ -9,7 +9,10 @@
 OpenedMotion::OpenedMotion(Parts parts, QObject* parent) : QObject(parent), m_parts(std::move(parts)) {
     connect(m_parts.document, &document::Document::changed, this, [this](const document::Change& change) {
         using document::Change;
-        if (!(change.parts & (Change::Current | Change::File)) || std::exchange(m_isOpened, true)) return;
+        // What gets its first key meanwhile was not opened in motion.
+        const bool moves = document::animationFacts(m_parts.document->entryFractal()).has_value();
+        if (!(change.parts & (Change::Current | Change::File)) || !moves) return;
+        if (std::exchange(m_isOpened, true)) return;
         m_index = m_parts.document->undoStack()->index();
         QMetaObject::invokeMethod(this, &OpenedMotion::begin, Qt::QueuedConnection);
     });

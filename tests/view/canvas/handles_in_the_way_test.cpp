@@ -33,11 +33,14 @@ private slots:
         const Vector<2> middle = (vertices()[0] + vertices()[1]) / 2;
         drag(vertex(2), view::pixelOf(m_canvas->camera(), middle) - at({Kind::Vertex, 2}));
         m_canvas->fit();
-        QTRY_VERIFY(m_bridge->isCurrent());
+        const auto isFinished = [this] { // with as many samples as there will be
+            return m_bridge->isCurrent() && m_bridge->frame()->samples >= m_bridge->quality();
+        };
+        QTRY_VERIFY(isFinished());
         const QPointF start = at({Kind::Vertex, 0}), end = at({Kind::Vertex, 1});
         const QImage with = m_canvas->viewport()->grab().toImage();
         key(Qt::Key_H);
-        QTRY_VERIFY(m_bridge->isCurrent());
+        QTRY_VERIFY(isFinished());
         const QImage without = m_canvas->viewport()->grab().toImage();
         int same = 0, shown = 0;
         const QRgb ground = without.pixel(4, 4);
@@ -51,7 +54,8 @@ private slots:
                     120;
         }
         QVERIFY2(shown > 60, qPrintable(QString::number(shown)));
-        QVERIFY2(same > 120, qPrintable(QString::number(same)));
+        QVERIFY2(same > 60, // of which a line over it leaves a few
+                 qPrintable(QString::number(same)));
     }
 };
 

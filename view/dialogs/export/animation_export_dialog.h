@@ -42,6 +42,7 @@ public:
     void exportTo(const QString& path) override;
     void prepareCluster(const QString& folder); // what On a Cluster does once a folder is chosen
     bool mayClose();                            // asks the user while an export is under way
+    void escape() override { reject(); }        // which asks first
     void reject() override;
 
 protected:

@@ -36,11 +36,14 @@ ExportShell::ExportShell(QWidget* parent)
     connect(m_buttons, &QDialogButtonBox::rejected, this, &ExportShell::closeOrStop);
 }
 
-// Esc is the button: it stops before it closes. Closing the window does both at once. A shortcut would take
-// the key from an open list, too.
+void ExportShell::escape() {
+    m_close->click();
+}
+
+// Closing the window stops and closes at once. A shortcut would take the key from an open list, too.
 void ExportShell::keyPressEvent(QKeyEvent* event) {
     if (event->matches(QKeySequence::Cancel))
-        m_close->click();
+        escape();
     else
         QDialog::keyPressEvent(event);
 }

@@ -60,6 +60,7 @@ protected:
     virtual void whenFinished() {} // once it is idle again, before the outcome is said
 
     void say(const QString& sentence); // empty: nothing; with room for it
+    virtual void escape();             // what Esc does: as the button, it stops before it closes
     bool event(QEvent* event) override;
     void keyPressEvent(QKeyEvent* event) override;
     void enableButtons();
