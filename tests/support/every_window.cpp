@@ -44,7 +44,8 @@ bool isLeftOut(const QAction* action) {
                                 QKeySequence::Quit, QKeySequence::WhatsThis})
         if (QKeySequence::keyBindings(standard).contains(key)) return true;
     return key == QKeySequence(QStringLiteral("Ctrl+Shift+S")) ||
-           action->objectName() == QStringLiteral("save-for-other-programs");
+           action->objectName() == QStringLiteral("save-for-other-programs") ||
+           action->objectName() == QStringLiteral("export-web-page");
 }
 
 } // namespace

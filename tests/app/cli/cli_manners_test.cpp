@@ -359,7 +359,7 @@ void CliMannersTest::severalPicturesInOneCall() {
     // No name leads out of the folder.
     write("odd.ifs", "../odd {\n .5 0 0 .5 0 0 1\n}\n");
     QCOMPARE(run(render + "odd.ifs --entry all -o odd-%e.png").status, 0);
-    QVERIFY(QFile::exists(path("odd-.._odd.png")));
+    QVERIFY(QFile::exists(path("odd-_._odd.png")));
     // None is read in another order than it has.
     write("turned.ifs", "a\u202Egnp.b {\n .5 0 0 .5 0 0 1\n}\n");
     QCOMPARE(run(render + "turned.ifs --entry all -o %e.png").status, 0);
