@@ -181,11 +181,18 @@ expect "fail when no file was looked at" ends_with 1
 expect "leave no check without files" not called "^clang-\|^codespell"
 
 begin "everything"
-mkdir -p "$work/project/tests/farm" "$work/project/tests/web"
+mkdir -p "$work/project/"{tests/{farm,web,portable},resources/portable,build/release}
 fake farm <<<'echo "farm $*" >>"$LOG"'
 mv "$work/bin/farm" "$work/project/tests/farm/slurm_test.sh"
 fake web <<<'echo "web $*" >>"$LOG"'
 mv "$work/bin/web" "$work/project/tests/web/run.sh"
+fake barycage-cli <<<'echo barycage-cli 1.2.3'
+mv "$work/bin/barycage-cli" "$work/project/build/release"
+fake bundle.sh <<<'echo "bundle $*" >>"$LOG"'
+fake pack.sh <<<'echo "pack $*" >>"$LOG"; mkdir -p "$3"; touch "$3/$2.AppImage"'
+mv "$work/bin/"{bundle,pack}.sh "$work/project/resources/portable"
+fake portable_test.sh <<<'echo "portable $*" >>"$LOG"'
+mv "$work/bin/portable_test.sh" "$work/project/tests/portable"
 for folder in ifs attractor document io; do
   mkdir -p "$work/project/build/release/tests/$folder"
   fake some_tests <<<'[ "$1" != --list ] || echo some_test'
@@ -204,12 +211,14 @@ fake valgrind <<<'exit 99'
 dev test --all </dev/null
 expect "fails when parts do" ends_with 1
 parts=("release FAILED" "accessibility passed" "exports FAILED" "farm passed" "web passed" "asan passed" "tsan passed" "valgrind FAILED"
-  "coverage passed" "monkey FAILED" "fuzz passed")
+  "coverage passed" "monkey FAILED" "fuzz passed" "portable passed")
 results=$(tr -s ' ' <<<"${output##*Results}")
 for part in "${parts[@]}"; do
   expect "reports $part" grep -q "test $part" <<<"$results"
 done
 expect "opens pages" called "^web build/release/barycage-cli build/npm"
+expect "packs one file" called "^pack build/portable barycage-1.2.3-linux-"
+expect "runs that file" called "^portable dist/barycage-1.2.3-linux-"
 expect "draws on a farm" called "^farm build/release/barycage-cli resources/slurm"
 expect "looks at the window" called "^xvfb-run .*accessible_tree.py"
 expect "fuzzes after failures" called "^fuzz_guided "

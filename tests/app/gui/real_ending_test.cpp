@@ -172,7 +172,7 @@ private slots:
         QTRY_VERIFY_WITH_TIMEOUT(m_hand->activeTitle().startsWith(u"Barycage"_s), bound); // the progress
         activate();
         QTRY_VERIFY_WITH_TIMEOUT(isActive(u"a.ifs"_s), bound);
-        QVERIFY(press({"Control+q"}, [this] { return m_program->hasEnded(); }));
+        QVERIFY(edit({"Control+q"}, [this] { return m_program->hasEnded(); }));
         QCOMPARE(m_program->end(), std::optional(0));
     }
     void othersAreOpenedWhileAFileIsRead() {

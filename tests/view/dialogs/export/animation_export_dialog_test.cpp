@@ -463,7 +463,7 @@ void AnimationExportDialogTest::theHeadingOfAJobFolderIsTheName() {
     QTextDocument readme;
     readme.setMarkdown(QString::fromUtf8(contents(path(jobs[0] + QStringLiteral("/README.md")))));
     QCOMPARE(readme.firstBlock().text(),
-             QStringLiteral("*wind* <b>&amp;\uFFFD# \\[a](b)_1\uFFFD on a cluster"));
+             QStringLiteral("*wind* <b>&amp;_# \\[a](b)_1_ on a cluster"));
 }
 
 void AnimationExportDialogTest::slurmIsAskedForTheState_data() {
