@@ -32,15 +32,22 @@ QByteArray digestOf(const Snapshot& snapshot) {
     return hash.result().toHex();
 }
 
-const QString digestKey = QStringLiteral("digest");
+constexpr char digestMark[] = "\"digest\":\""; // quotes in texts are escaped, so there is no other
+constexpr qsizetype digestSize = 64;
 
-// Of all that the file says: its header without this digest, and what follows it.
-QString digestOf(QJsonObject header, const QByteArray& bytes) {
-    header.remove(digestKey);
+// Of all that the file says: the text of its header, with zeros in the place of the digest, and what follows.
+QByteArray digestOf(QByteArray header, qsizetype place, const QByteArray& bytes) {
+    header.replace(place, digestSize, QByteArray(digestSize, '0'));
     QCryptographicHash hash(QCryptographicHash::Sha256);
-    hash.addData(QJsonDocument(header).toJson(QJsonDocument::Compact));
+    hash.addData(header);
     hash.addData(bytes);
-    return QString::fromLatin1(hash.result().toHex());
+    return hash.result().toHex();
+}
+
+// Where the digest begins; -1 in files of earlier versions.
+qsizetype placeOfDigest(const QByteArray& header) {
+    const qsizetype mark = header.indexOf(digestMark);
+    return mark < 0 ? -1 : mark + qsizetype(sizeof digestMark) - 1;
 }
 
 std::optional<Snapshot> readJournal(const QString& path) {
@@ -65,8 +72,11 @@ QByteArray recoveryFile(const Snapshot& snapshot) {
         header[QStringLiteral("lesson")] = QString::fromUtf8(snapshot.lesson);
         header[QStringLiteral("lesson-path")] = snapshot.lessonPath;
     }
-    header[digestKey] = digestOf(header, snapshot.bytes);
-    return magic + QJsonDocument(header).toJson(QJsonDocument::Compact) + '\n' + snapshot.bytes;
+    header[QStringLiteral("digest")] = QString(digestSize, u'0');
+    QByteArray text = QJsonDocument(header).toJson(QJsonDocument::Compact);
+    const qsizetype place = placeOfDigest(text);
+    text.replace(place, digestSize, digestOf(text, place, snapshot.bytes));
+    return magic + text + '\n' + snapshot.bytes;
 }
 
 std::optional<Snapshot> snapshotIn(const QByteArray& data) {
@@ -74,7 +84,8 @@ std::optional<Snapshot> snapshotIn(const QByteArray& data) {
     const qsizetype start = qsizetype(sizeof magic) - 1;
     const qsizetype end = data.indexOf('\n', start);
     if (end < 0) return std::nullopt;
-    const QJsonObject header = QJsonDocument::fromJson(data.mid(start, end - start)).object();
+    const QByteArray text = data.mid(start, end - start);
+    const QJsonObject header = QJsonDocument::fromJson(text).object();
     Snapshot snapshot;
     snapshot.path = header[QLatin1String("path")].toString();
     snapshot.title = header[QLatin1String("title")].toString();
@@ -85,7 +96,8 @@ std::optional<Snapshot> snapshotIn(const QByteArray& data) {
     snapshot.lesson = header[QLatin1String("lesson")].toString().toUtf8();
     snapshot.lessonPath = header[QLatin1String("lesson-path")].toString();
     if (header[QLatin1String("sha256")].toString() != QLatin1String(digestOf(snapshot))) return std::nullopt;
-    if (header.contains(digestKey) && header[digestKey].toString() != digestOf(header, snapshot.bytes))
+    const qsizetype place = placeOfDigest(text);
+    if (place >= 0 && text.mid(place, digestSize) != digestOf(text, place, snapshot.bytes))
         return std::nullopt;
     return snapshot;
 }
