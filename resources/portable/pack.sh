@@ -22,7 +22,7 @@ cp -a "$tree" "$work/tree"
 install -m 755 "$here/apprun.sh" "$work/tree/AppRun"
 cp "$work"/tree/share/applications/*.desktop "$work"/tree/share/icons/hicolor/scalable/apps/*.svg "$work/tree"
 (cd "$work/tree" && ln -s -- *.svg .DirIcon)
-mksquashfs "$work/tree" "$work/files" -comp xz -b 1M -all-root -all-time "$SOURCE_DATE_EPOCH" \
+mksquashfs "$work/tree" "$work/files" -comp xz -Xbcj x86 -Xdict-size 100% -b 1M -all-root -all-time "$SOURCE_DATE_EPOCH" \
   -mkfs-time "$SOURCE_DATE_EPOCH" -noappend -quiet -no-progress
 cat "$work/runtime" "$work/files" >"$dist/$name.AppImage"
 chmod 755 "$dist/$name.AppImage"
