@@ -462,8 +462,7 @@ void AnimationExportDialogTest::theHeadingOfAJobFolderIsTheName() {
     QCOMPARE(jobs.size(), 1);
     QTextDocument readme;
     readme.setMarkdown(QString::fromUtf8(contents(path(jobs[0] + QStringLiteral("/README.md")))));
-    QCOMPARE(readme.firstBlock().text(),
-             QStringLiteral("*wind* <b>&amp;_# \\[a](b)_1_ on a cluster"));
+    QCOMPARE(readme.firstBlock().text(), QStringLiteral("*wind* <b>&amp;_# \\[a](b)_1_ on a cluster"));
 }
 
 void AnimationExportDialogTest::slurmIsAskedForTheState_data() {

@@ -264,7 +264,8 @@ private slots:
         }
         QTRY_VERIFY_WITH_TIMEOUT(bridge.isCurrent(), patience);
         QTRY_VERIFY_WITH_TIMEOUT(
-            valueOf(panel.facts(), QStringLiteral("Attractor")).startsWith(QStringLiteral("hyperbolic")), patience);
+            valueOf(panel.facts(), QStringLiteral("Attractor")).startsWith(QStringLiteral("hyperbolic")),
+            patience);
         support::handleEvents(); // it is laid out
         for (const auto* label : panel.findChildren<QLabel*>())
             if (label->isVisible() && label->wordWrap())
