@@ -15,15 +15,15 @@ tar --sort=name --mtime="@$SOURCE_DATE_EPOCH" --owner=0 --group=0 --numeric-owne
 
 mapfile -t fuse < <(pkg-config --cflags --libs fuse3 | tr ' ' '\n' | sed '/^$/d')
 g++ -std=c++20 -O2 -static -s "$here/runtime.cpp" -o "$work/runtime" \
-  -lsquashfuse_ll -lsquashfuse "${fuse[@]}" -llzma -lzstd -lz -llz4 -llzo2 -lpthread 2> >(grep -v dlopen >&2)
+  -lsquashfuse_ll -lsquashfuse "${fuse[@]}" -llzma -lzstd -lz -llz4 -llzo2 -lpthread 2> >(grep -v 'dlopen\|fuse_get_module' >&2)
 # The mark of an AppImage of type 2, in bytes of the header that are not used otherwise.
 printf 'AI\002' | dd of="$work/runtime" bs=1 seek=8 conv=notrunc status=none
 cp -a "$tree" "$work/tree"
 install -m 755 "$here/apprun.sh" "$work/tree/AppRun"
 cp "$work"/tree/share/applications/*.desktop "$work"/tree/share/icons/hicolor/scalable/apps/*.svg "$work/tree"
 (cd "$work/tree" && ln -s -- *.svg .DirIcon)
-mksquashfs "$work/tree" "$work/files" -comp xz -Xbcj x86 -Xdict-size 100% -b 1M -all-root -all-time "$SOURCE_DATE_EPOCH" \
-  -mkfs-time "$SOURCE_DATE_EPOCH" -noappend -quiet -no-progress
+mksquashfs "$work/tree" "$work/files" -comp xz -Xbcj x86 -Xdict-size 100% -b 1M -all-root \
+  -noappend -quiet -no-progress
 cat "$work/runtime" "$work/files" >"$dist/$name.AppImage"
 chmod 755 "$dist/$name.AppImage"
 (cd "$dist" && sha256sum -- * | grep -v ' SHA256SUMS$' >"$work/sums" && cp "$work/sums" SHA256SUMS)
