@@ -263,9 +263,8 @@ private slots:
             document.edit(QStringLiteral("x"), fractal);
         }
         QTRY_VERIFY_WITH_TIMEOUT(bridge.isCurrent(), patience);
-        QTRY_VERIFY_WITH_TIMEOUT(
-            valueOf(panel.facts(), QStringLiteral("Attractor")).startsWith(QStringLiteral("hyperbolic")),
-            patience);
+        QTRY_COMPARE_WITH_TIMEOUT(valueOf(panel.facts(), QStringLiteral("Attractor")),
+                                  QStringLiteral("hyperbolic, s = 0.5"), patience);
         support::handleEvents(); // it is laid out
         for (const auto* label : panel.findChildren<QLabel*>())
             if (label->isVisible() && label->wordWrap())
