@@ -75,18 +75,20 @@ void silenceLibraries() {
     });
 }
 
+int memoryIsShort() noexcept {
+    std::fputs("barycage-cli: error: There is not enough memory for this.\n", stderr);
+    return int(ExitStatus::CannotReadOrWrite);
+}
+
 // Whatever cannot be caught: before main(), in the destructor of a library, or in a thread.
 [[noreturn]] void endWithoutMemory() {
-    constexpr char sentence[] = "barycage-cli: error: There is not enough memory for this.\n";
     if (const auto thrown = std::current_exception()) {
         try {
             std::rethrow_exception(thrown);
         } catch (const std::bad_alloc&) {
-            std::fputs(sentence, stderr);
-            std::_Exit(int(ExitStatus::CannotReadOrWrite));
+            std::_Exit(memoryIsShort());
         } catch (const std::system_error&) { // no thread can be had
-            std::fputs(sentence, stderr);
-            std::_Exit(int(ExitStatus::CannotReadOrWrite));
+            std::_Exit(memoryIsShort());
         } catch (...) {
             std::abort();
         }
@@ -119,6 +121,5 @@ int main(int argc, char** argv) try {
                                 cli::stealCommand(), cli::pageCommand()});
     return int(run(program, words));
 } catch (const std::bad_alloc&) { // before anything could be read
-    std::fputs("barycage-cli: error: There is not enough memory for this.\n", stderr);
-    return int(ExitStatus::CannotReadOrWrite);
+    return memoryIsShort();
 }

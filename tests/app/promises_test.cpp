@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "support/named_test.h"
-#include "support/paths.h"
+#include "support/source_files.h"
 
 #include <QDir>
-#include <QDirIterator>
 #include <QFile>
 #include <QFileInfo>
 #include <QRegularExpression>
@@ -25,16 +24,6 @@ namespace {
 QString textOf(const QString& path) {
     QFile file(path);
     return file.open(QIODevice::ReadOnly) ? QString::fromUtf8(file.readAll()) : QString();
-}
-
-QStringList filesBelow(const QStringList& folders, const QStringList& names) {
-    QStringList files;
-    for (const QString& folder : folders) {
-        QDirIterator it(support::sourcePath(folder), names, QDir::Files, QDirIterator::Subdirectories);
-        while (it.hasNext())
-            files << it.next();
-    }
-    return files;
 }
 
 } // namespace
@@ -63,7 +52,7 @@ void PromisesTest::onlyThesePlacesReachOtherPrograms() {
     const QDir root(support::sourcePath({}));
     QSet<QString> met;
     const QStringList folders{QStringLiteral("app"), QStringLiteral("model"), QStringLiteral("view")};
-    const QStringList sources = filesBelow(
+    const QStringList sources = support::sourceFiles(
         folders, {QStringLiteral("*.h"), QStringLiteral("*.cpp"), QStringLiteral("CMakeLists.txt")});
     QVERIFY(sources.size() > 500);
     for (const QString& path : sources) {
@@ -85,9 +74,9 @@ void PromisesTest::theTestsOfThePageAreThere() {
     for (auto found = name.globalMatch(page); found.hasNext(); ++count) {
         const auto match = found.next();
         const QStringList files =
-            filesBelow({QStringLiteral("tests")},
-                       {match.captured(1) + QStringLiteral(".cpp"), match.captured(1) + QStringLiteral(".py"),
-                        match.captured(1) + QStringLiteral(".sh")});
+            support::sourceFiles({QStringLiteral("tests")}, {match.captured(1) + QStringLiteral(".cpp"),
+                                                             match.captured(1) + QStringLiteral(".py"),
+                                                             match.captured(1) + QStringLiteral(".sh")});
         QVERIFY2(files.size() == 1, qPrintable(match.captured()));
         const QString function = QStringLiteral("void %1()").arg(match.captured(2));
         QVERIFY2(match.captured(2).isEmpty() || textOf(files.front()).contains(function),

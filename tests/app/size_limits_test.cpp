@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "support/named_test.h"
-#include "support/paths.h"
+#include "support/source_files.h"
 
 #include <QDir>
-#include <QDirIterator>
 #include <QFile>
 #include <QRegularExpression>
 #include <QTest>
@@ -45,18 +44,8 @@ const QStringList tables{
     QStringLiteral("tests/io/table/table_reader_test.cpp: void tables_data()"),
 };
 
-QStringList sourcesIn(const QStringList& folders, const QStringList& names) {
-    QStringList files;
-    for (const QString& folder : folders) {
-        QDirIterator it(support::sourcePath(folder), names, QDir::Files, QDirIterator::Subdirectories);
-        while (it.hasNext())
-            files << it.next();
-    }
-    return files;
-}
-
 QStringList allSources() {
-    return sourcesIn(
+    return support::sourceFiles(
         {QStringLiteral("app"), QStringLiteral("model"), QStringLiteral("view"), QStringLiteral("tests")},
         {QStringLiteral("*.h"), QStringLiteral("*.cpp")});
 }

@@ -11,10 +11,8 @@
 #include <optional>
 
 namespace document {
-class ProcessLock;
-}
 
-namespace document {
+class ProcessLock;
 
 // What is needed to offer a window's unsaved work again.
 struct Snapshot {

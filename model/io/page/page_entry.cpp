@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "io/page/page_entry.h"
 
+#include "attractor/request/appearance_fields.h"
 #include "document/fractal/fractal_geometry.h"
 #include "document/fractal/space_geometry.h"
 #include "ifs/system/links.h"
@@ -137,15 +138,13 @@ void writeAppearance(JsonWriter& json, const document::Fractal& fractal) {
     json.key("appearance");
     json.beginObject();
     json.member("colourBy", int(appearance.colourBy));
-    json.member("brightness", appearance.brightness);
-    json.member("gamma", appearance.gamma);
-    json.member("contrast", appearance.contrast);
-    json.member("vibrancy", appearance.vibrancy);
+    for (const auto& number : attractor::appearanceNumbers)
+        json.member(number.key, appearance.*number.member);
     json.member("supersample", appearance.supersample);
-    json.key("plain");
-    writeColour(json, appearance.plain);
-    json.key("background");
-    writeColour(json, appearance.background);
+    for (const auto& [key, colour] : attractor::appearanceColours) {
+        json.key(key);
+        writeColour(json, appearance.*colour);
+    }
     json.key("stops");
     json.beginArray(Layout::Inline);
     for (const auto& stop : appearance.palette.stops)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "document/edits/timeline/animation_edits.h"
 
+#include "document/edits/key_frames.h"
 #include "document/edits/timeline/motion_edits.h"
 #include "document/fractal/space_geometry.h"
 #include "document/moments/animated_fractal.h"
@@ -14,15 +15,6 @@ namespace {
 
 const Track cage{Track::Kind::Cage};
 const Track first{Track::Kind::Map, {ifs::MapId(1)}};
-
-std::vector<int> framesOf(const Fractal& fractal, const Track& track) {
-    std::vector<int> frames;
-    for (const TrackKeys& one : tracksOf(fractal))
-        if (one.track == track)
-            for (const auto& key : one.keys)
-                frames.push_back(key.frame);
-    return frames;
-}
 
 // Keys of the cage at 0, 10 and 20, of the first map at 0 and 10; the length is 24.
 Fractal animated() {
@@ -134,14 +126,14 @@ void AnimationEditsTest::theCageOfAFreshSolidMoves() {
     solid = withTiming(std::move(solid), {{24, 1}, 24, animation::Loop::Off});
     const Fractal keyed = withKey(solid, cage, 10, std::nullopt);
     QVERIFY(space(keyed)->cage && space(keyed)->cage->current == shown.current);
-    QVERIFY(!framesOf(keyed, cage).empty());
+    QVERIFY(!keyFramesIn(keyed, cage).empty());
     QCOMPARE(space(frameAt(keyed, animation::moment(10)).fractal)->cage->current, shown.current);
 }
 
 void AnimationEditsTest::keysHaveTheValueShown() {
     const Fractal fractal = animated();
-    QCOMPARE(framesOf(fractal, cage), (std::vector<int>{0, 10, 20}));
-    QCOMPARE(framesOf(fractal, first), (std::vector<int>{0, 10}));
+    QCOMPARE(keyFramesIn(fractal, cage), (std::vector<int>{0, 10, 20}));
+    QCOMPARE(keyFramesIn(fractal, first), (std::vector<int>{0, 10}));
     const Fractal still = sierpinskiTriangle();
     for (const int frame : {0, 10, 20, 24}) { // at the keys and behind them, bit by bit
         const Fractal shown = frameAt(fractal, animation::moment(frame)).fractal;
@@ -168,11 +160,11 @@ void AnimationEditsTest::theCameraInSpaceIsKeyedWithoutTheOrbit() {
     attractor::OrbitCamera kept = seen;
     kept.size = {}; // of the window
     Fractal keyed = withKey(entry, camera, 12, seen);
-    QCOMPARE(framesOf(keyed, camera), (std::vector<int>{0, 12}));
+    QCOMPARE(keyFramesIn(keyed, camera), (std::vector<int>{0, 12}));
     QVERIFY(frameAt(keyed, animation::moment(12)).camera == kept);
     QCOMPARE(withKey(entry, camera, 12, attractor::View()).shape, // of the plane
              withTiming(entry, timingOf(entry)).shape);
-    QCOMPARE(framesOf(withKey(animated(), camera, 12, seen), camera), std::vector<int>());
+    QCOMPARE(keyFramesIn(withKey(animated(), camera, 12, seen), camera), std::vector<int>());
 
     space(entry)->animation.emplace().motions = {animation::Orbit<3>{1, {0, 0, 0}}};
     keyed = withKey(entry, camera, 12, seen);
@@ -191,9 +183,9 @@ void AnimationEditsTest::theLastKeyLeavesItsValue() {
     for (auto& key : keys)
         key.value.map = ifs::affineMap(0.25, 0, 0, 0.25, 1, 1);
     const std::vector<KeyAt> one{{first, 0}}, all{{first, 0}, {first, 10}};
-    QCOMPARE(framesOf(withoutKeys(fractal, one), first), std::vector<int>{10});
+    QCOMPARE(keyFramesIn(withoutKeys(fractal, one), first), std::vector<int>{10});
     const Fractal still = withoutKeys(fractal, all);
-    QVERIFY(framesOf(still, first).empty());
+    QVERIFY(keyFramesIn(still, first).empty());
     QCOMPARE(system2(still)->maps[0].map, keys.front().value.map);
     for (const int frame : {0, 10})
         QCOMPARE(frameAt(still, animation::moment(frame)).fractal,
@@ -203,26 +195,27 @@ void AnimationEditsTest::theLastKeyLeavesItsValue() {
 void AnimationEditsTest::keysMoveWithinTheAnimation() {
     const std::vector<KeyAt> keys{{cage, 10}, {first, 10}};
     const Fractal moved = withKeysMoved(animated(), keys, 5, KeyMove::Move);
-    QCOMPARE(framesOf(moved, cage), (std::vector<int>{0, 15, 20}));
-    QCOMPARE(framesOf(moved, first), (std::vector<int>{0, 15}));
+    QCOMPARE(keyFramesIn(moved, cage), (std::vector<int>{0, 15, 20}));
+    QCOMPARE(keyFramesIn(moved, first), (std::vector<int>{0, 15}));
     QCOMPARE(possibleMove(animated(), keys, 100, KeyMove::Move), 14);
     QCOMPARE(possibleMove(animated(), keys, -100, KeyMove::Move), -10);
     // What was at the new frame gives way.
-    QCOMPARE(framesOf(withKeysMoved(animated(), keys, 10, KeyMove::Move), cage), (std::vector<int>{0, 20}));
+    QCOMPARE(keyFramesIn(withKeysMoved(animated(), keys, 10, KeyMove::Move), cage),
+             (std::vector<int>{0, 20}));
     QCOMPARE(withKeysMoved(animated(), {}, 5, KeyMove::Move), animated());
 }
 
 void AnimationEditsTest::laterKeysComeAlong() {
     const std::vector<KeyAt> keys{{cage, 10}};
     const Fractal moved = withKeysMoved(animated(), keys, 7, KeyMove::Ripple);
-    QCOMPARE(framesOf(moved, cage), (std::vector<int>{0, 17, 27}));
-    QCOMPARE(framesOf(moved, first), (std::vector<int>{0, 10})); // not of this track
+    QCOMPARE(keyFramesIn(moved, cage), (std::vector<int>{0, 17, 27}));
+    QCOMPARE(keyFramesIn(moved, first), (std::vector<int>{0, 10})); // not of this track
     QCOMPARE(timingOf(moved).length, 27);
 }
 
 void AnimationEditsTest::copiesLeaveTheirOriginals() {
     const std::vector<KeyAt> keys{{cage, 0}, {cage, 10}};
-    QCOMPARE(framesOf(withKeysMoved(animated(), keys, 4, KeyMove::Copy), cage),
+    QCOMPARE(keyFramesIn(withKeysMoved(animated(), keys, 4, KeyMove::Copy), cage),
              (std::vector<int>{0, 4, 10, 14, 20}));
 }
 
@@ -231,8 +224,8 @@ void AnimationEditsTest::keysArePastedWhereTheyFit() {
     const auto copied = copiedKeys(animated(), keys);
     QCOMPARE(copied.size(), std::size_t(3));
     const Pasted pasted = withKeysPasted(animated(), copied, 12);
-    QCOMPARE(framesOf(pasted.fractal, cage), (std::vector<int>{0, 10, 12, 20, 22}));
-    QCOMPARE(framesOf(pasted.fractal, first), (std::vector<int>{0, 10, 12}));
+    QCOMPARE(keyFramesIn(pasted.fractal, cage), (std::vector<int>{0, 10, 12, 20, 22}));
+    QCOMPARE(keyFramesIn(pasted.fractal, first), (std::vector<int>{0, 10, 12}));
     QCOMPARE(pasted.keys.size(), std::size_t(3));
     QCOMPARE(withKeysPasted(animated(), copied, 20).keys.size(), std::size_t(2)); // one is behind the end
     Fractal square = sierpinskiTriangle();
@@ -250,7 +243,7 @@ void AnimationEditsTest::easesAreSet() {
 
 void AnimationEditsTest::shorterAnimationsLoseKeys() {
     const Fractal shorter = withTiming(animated(), {{30, 1}, 15, animation::Loop::Cycle});
-    QCOMPARE(framesOf(shorter, cage), (std::vector<int>{0, 10}));
+    QCOMPARE(keyFramesIn(shorter, cage), (std::vector<int>{0, 10}));
     QCOMPARE(timingOf(shorter), (Timing{{30, 1}, 15, animation::Loop::Cycle}));
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "document/edits/timeline/retiming.h"
 
+#include "document/edits/key_frames.h"
 #include "document/edits/timeline/animation_edits.h"
 #include "support/named_test.h"
 
@@ -24,15 +25,6 @@ namespace {
 
 const Track cageTrack{Track::Kind::Cage};
 const Track mapTrack{Track::Kind::Map, {ifs::MapId(1)}};
-
-std::vector<int> keyFramesIn(const Fractal& fractal, const Track& track) {
-    std::vector<int> frames;
-    for (const TrackKeys& one : tracksOf(fractal))
-        if (one.track == track)
-            for (const auto& key : one.keys)
-                frames.push_back(key.frame);
-    return frames;
-}
 
 // Keys of the cage at 0, 10, 20 and 30, of the first map at 0 and 15; the length is 40.
 Fractal stretchable() {

@@ -9,6 +9,7 @@
 #include "support/events.h"
 #include "support/named_test.h"
 #include "support/patient_tries.h"
+#include "view/panels/analysis/facts_support.h"
 #include "view/panels/maps_support.h"
 #include "widgets/numbers/number_text.h"
 
@@ -27,6 +28,7 @@
 #include <algorithm>
 #include <memory>
 
+using namespace facts_support;
 using namespace maps_support;
 
 namespace {
@@ -579,20 +581,6 @@ private slots:
         document.setFile(document::fileOf(maple()));
         QTRY_VERIFY_WITH_TIMEOUT(bridge.isCurrent(), 60'000);
         QCOMPARE(shownNames(), inThePlane);
-    }
-
-private:
-    static QList<view::Fact> factsOf(const document::Fractal& fractal) {
-        document::Analyser analyser;
-        const auto analysis = analyser.completed(
-            analyser.begun({.fractal = std::make_shared<const document::Fractal>(fractal), .outlines = {}}),
-            {});
-        return view::analysisFacts(std::make_shared<const document::Analysis>(*analysis));
-    }
-    static QString valueOf(const QList<view::Fact>& facts, const QString& name) {
-        for (const auto& fact : facts)
-            if (fact.name == name) return fact.value;
-        return {};
     }
 };
 

@@ -1,15 +1,12 @@
 // SPDX-License-Identifier: MIT
-#include "document/analysis/analysis.h"
-#include "panels/analysis/analysis_facts.h"
 #include "support/named_test.h"
+#include "view/panels/analysis/facts_support.h"
 #include "view/panels/maps_support.h"
 
 #include <QApplication>
 #include <QtTest>
 
-#include <algorithm>
-#include <memory>
-
+using namespace facts_support;
 using namespace maps_support;
 
 class ProvedFactsTest : public QObject {
@@ -46,20 +43,6 @@ private slots:
         const auto segment = factsOf(fractalOf({{.9, 0, 0, .9, 0, 0, 1}, {.9, 0, 0, .9, 1, 0, 1}}));
         QVERIFY(valueOf(segment, QStringLiteral("Dimension of the measure"))
                     .startsWith(QStringLiteral("at most 1 ")));
-    }
-
-private:
-    static QList<view::Fact> factsOf(const document::Fractal& fractal) {
-        document::Analyser analyser;
-        const auto analysis = analyser.completed(
-            analyser.begun({.fractal = std::make_shared<const document::Fractal>(fractal), .outlines = {}}),
-            {});
-        return view::analysisFacts(std::make_shared<const document::Analysis>(*analysis));
-    }
-    static QString valueOf(const QList<view::Fact>& facts, const QString& name) {
-        for (const auto& fact : facts)
-            if (fact.name == name) return fact.value;
-        return {};
     }
 };
 
