@@ -15,6 +15,7 @@
 #include <QCryptographicHash>
 #include <QImage>
 #include <QMap>
+#include <QPainter>
 
 #include <algorithm>
 #include <span>
@@ -78,20 +79,13 @@ QImage stillPicture(const document::Fractal& fractal) {
     return drawPicture(picture).image;
 }
 
-// JPEG in an address. What is transparent is shown on the dark or light ground that a page has.
+// A JPEG in an address, on white where the picture is transparent.
 QByteArray stillAddress(const document::Fractal& fractal) {
     const QImage drawn = stillPicture(fractal);
     if (drawn.isNull()) return {};
     QImage image(drawn.size(), QImage::Format_ARGB32_Premultiplied);
     image.fill(Qt::white);
-    for (int y = 0; y < image.height(); ++y) {
-        auto* to = reinterpret_cast<QRgb*>(image.scanLine(y));
-        const auto* from = reinterpret_cast<const QRgb*>(drawn.constScanLine(y));
-        for (int x = 0; x < image.width(); ++x) {
-            const int rest = 255 - qAlpha(from[x]);
-            to[x] = qRgba(qRed(from[x]) + rest, qGreen(from[x]) + rest, qBlue(from[x]) + rest, 255);
-        }
-    }
+    QPainter(&image).drawImage(0, 0, drawn);
     QBuffer file;
     file.open(QIODevice::WriteOnly);
     PictureFormat format;
