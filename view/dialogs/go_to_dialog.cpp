@@ -3,6 +3,7 @@
 
 #include "document/maps/map_names.h"
 #include "io/text/expression.h"
+#include "widgets/numbers/number_text.h"
 
 #include <QComboBox>
 #include <QDialogButtonBox>
@@ -10,7 +11,6 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QLineEdit>
-#include <QLocale>
 #include <QPushButton>
 #include <QRegularExpression>
 #include <QVBoxLayout>
@@ -18,15 +18,6 @@
 #include <utility>
 
 namespace view {
-
-namespace {
-
-// Every digit, so that the view is the same again.
-QString exactText(double value) {
-    return QString::number(value, 'g', QLocale::FloatingPointShortest);
-}
-
-} // namespace
 
 std::optional<ifs::Word> wordOf(const QString& address, std::size_t maps) {
     static const QRegularExpression between(QStringLiteral("[\\s,.…]+"));
@@ -75,7 +66,7 @@ GoToDialog::GoToDialog(std::shared_ptr<const document::Fractal> fractal, const a
 }
 
 QLineEdit* GoToDialog::numberField(double value, const QString& name, const QString& help) {
-    auto* field = new QLineEdit(exactText(value), this);
+    auto* field = new QLineEdit(fullNumber(value), this);
     field->setAccessibleName(name);
     field->setWhatsThis(help);
     field->setCursorPosition(0);
@@ -119,8 +110,8 @@ void GoToDialog::fillCentre(const ifs::Word& word) {
         m_note->setText(tr("No point has this address: a map in it is switched off, or does not contract."));
         return;
     }
-    m_x->setText(exactText(point->x()));
-    m_y->setText(exactText(point->y()));
+    m_x->setText(fullNumber(point->x()));
+    m_y->setText(fullNumber(point->y()));
     for (QLineEdit* field : {m_x, m_y})
         field->setCursorPosition(0);
 }
