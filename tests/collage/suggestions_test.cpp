@@ -287,7 +287,7 @@ private slots:
     void attractorsOfTheCollection() {
         const std::vector<Entry> entries = collection();
         QVERIFY(entries.size() > 40);
-        const std::size_t step = support::isThorough() ? 1 : entries.size() / 10;
+        const std::size_t step = support::isThorough() ? 1 : entries.size() / 5;
         int good = 0, all = 0;
         for (std::size_t i = 0; i < entries.size(); i += step) {
             const auto maps = drawings::fitted(entries[i].maps, entries[i].probabilities);

@@ -7,6 +7,7 @@
 #include <QFile>
 
 #include <atomic>
+#include <condition_variable>
 #include <cstdarg>
 #include <cstring>
 #include <dirent.h>
@@ -22,11 +23,13 @@ namespace {
 
 struct Drive {
     std::atomic<bool> isMounted = false;
+    bool isLate = false;
     QByteArray folder;
     std::chrono::milliseconds delay{0};
     std::thread::id window;
     std::atomic<int> waited = 0;
     std::mutex mutex;
+    std::condition_variable answering;
     QStringList noted;
 };
 
@@ -55,7 +58,8 @@ void meet(const char* function, const char* path) {
         return;
     if (std::this_thread::get_id() != met.window) {
         ++met.waited;
-        std::this_thread::sleep_for(met.delay); // this is the drive that answers late
+        std::unique_lock lock(met.mutex);
+        met.answering.wait_for(lock, met.delay, [&met] { return !met.isLate; });
         return;
     }
     const QString call = QLatin1String(function) + u' ' + QFile::decodeName(path) + trace();
@@ -156,11 +160,19 @@ SlowDisk::SlowDisk(const QString& folder, std::chrono::milliseconds delay) {
     mounted.window = std::this_thread::get_id();
     mounted.waited = 0;
     mounted.noted.clear();
+    mounted.isLate = true;
     mounted.isMounted = true;
 }
 
 SlowDisk::~SlowDisk() {
     drive().isMounted = false;
+    answer();
+}
+
+void SlowDisk::answer() {
+    const std::scoped_lock lock(drive().mutex);
+    drive().isLate = false;
+    drive().answering.notify_all();
 }
 
 QStringList SlowDisk::takeNoted() {

@@ -19,6 +19,7 @@ public:
 
     // Calls of this thread since the last time this was asked, such as “stat /mnt/a.ifs from view::f()”.
     QStringList takeNoted();
+    void answer();      // at once from now on, also to the calls that wait
     int waited() const; // how many calls of other threads have waited or are waiting
 };
 

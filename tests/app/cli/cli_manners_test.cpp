@@ -328,7 +328,7 @@ void CliMannersTest::whatAnInterruptLeavesIsSaid() {
                       ".5 .1 .5 1\n}\n");
     QProcess process;
     start(process,
-          "render slow.ifs --entry all -o cut-%e.png --size 9x9 --algorithm chaos-game --points 3e8 -j1");
+          "render slow.ifs --entry all -o cut-%e.png --size 9x9 --algorithm chaos-game --points 1e8 -j1");
     QTRY_VERIFY_WITH_TIMEOUT(process.waitForFinished(10) || !pictures("cut-quick.png").isEmpty(), 60'000);
     process.terminate();
     QVERIFY(process.waitForFinished(30'000));

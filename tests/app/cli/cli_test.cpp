@@ -360,8 +360,9 @@ void CliTest::problemsOfAWholeFileHaveAPlace() {
 }
 
 void CliTest::everyCommandTakesProgress() {
-    for (const char* command : {"info systems.ifs", "render systems.ifs -o progress.svg",
-                                "convert systems.ifs progress.ifs", "gallery systems.ifs -o progress.png"}) {
+    for (const char* command :
+         {"info systems.ifs --entry fern", "render systems.ifs -o progress.svg --depth 2",
+          "convert systems.ifs progress.ifs", "gallery systems.ifs -o progress.png --tile 40x40"}) {
         for (const char* when : {"never", "auto", "always"})
             QCOMPARE(run(QByteArray(command) + " --progress=" + when).status, 0);
         QCOMPARE(run(QByteArray(command) + " --progress=sometimes").status, 2);

@@ -3,6 +3,7 @@
 #include "support/named_test.h"
 #include "support/paths.h"
 #include "support/patient_tries.h"
+#include "support/thorough.h"
 
 #include <QDir>
 #include <QFile>
@@ -505,7 +506,7 @@ void CliVideoTest::killedAtAnyTimeLeavesWholeFiles() {
     const bool isNew = QFile::remove(path("a/" + whole.first().toUtf8()));
     QVERIFY(isNew);
     QRandomGenerator random(5);
-    for (int n = 0; n < 8; ++n) {
+    for (int n = 0; n < (support::isThorough() ? 8 : 3); ++n) {
         QProcess process;
         start(process, command);
         QVERIFY(process.waitForStarted());

@@ -368,13 +368,14 @@ void LargeFilesTest::framesOfManyMapsAreDragged() {
 
 void LargeFilesTest::branchesAreFoundAmongManyMaps() {
     QByteArray text = "overlapping {\n"; // every point has thousands of addresses
-    for (int i = 0; i < 10'000; ++i)
-        text += ".5 0 0 .5 " + QByteArray::number(i % 100 / 200.) + ' ' + QByteArray::number(i / 100 / 200.) +
-                " 1\n";
+    const int side = support::isThorough() ? 100 : 40;
+    for (int i = 0; i < side * side; ++i)
+        text += ".5 0 0 .5 " + QByteArray::number(i % side / (2. * side)) + ' ' +
+                QByteArray::number(i / side / (2. * side)) + " 1\n";
     openLarge(text + "}\n");
     auto* canvas = m_window->findChild<view::CanvasView*>();
     doing("branch tool", [&] { canvas->setTool(view::CanvasView::Tool::Branch); });
-    doing("choose a branch", [&] { canvas->tools().branchTool().choice().choose({5000, 1}); });
+    doing("choose a branch", [&] { canvas->tools().branchTool().choice().choose({side * side / 2, 1}); });
     doing("display", [&] { canvas->tools().branchTool().choice().setEdit(document::BranchEdit::Display); });
     doing("take it", [&] { QTest::keyClick(canvas, Qt::Key_Tab); });
     doing("nudge it", [&] { QTest::keyClick(canvas, Qt::Key_Right); });
@@ -421,7 +422,7 @@ void LargeFilesTest::aFolderIsBrowsed() {
     QCOMPARE(takeLate(), QString());
 }
 
-// But for those that ask for a file, a printer, or to leave. Every third, or all.
+// But for those that ask for a file, a printer, or to leave. Every sixth, or all.
 void LargeFilesTest::everyCommandIsChosen() {
     openLarge("many {\n" + rows(support::isThorough() ? 50'000 : 10'000) + "}\n");
     const QStringList left{QStringLiteral("Open…"),
@@ -447,7 +448,7 @@ void LargeFilesTest::everyCommandIsChosen() {
     int number = 0;
     for (const QPointer<QAction>& command : commands) {
         if (!command || !command->isEnabled()) continue;
-        if (number++ % 3 != 0 && !support::isThorough()) continue;
+        if (number++ % 6 != 0 && !support::isThorough()) continue;
         const QByteArray name = command->text().toUtf8();
         doing(name, [&] { command->trigger(); });
         (void)QTest::qWaitFor([] { return document::backgroundFinishes(0ms); },

@@ -78,7 +78,7 @@ double anonymousMegabytes() {
 } // namespace
 
 // A monkey at the desk: seeded random pointing, typing and choosing, on a real X server. After each of its
-// actions the documents must be in order. BARYCAGE_MONKEY_SECONDS: for how long, 30 without;
+// actions the documents must be in order. BARYCAGE_MONKEY_SECONDS: for how long, 15 without;
 // BARYCAGE_MONKEY_SEED: another course; BARYCAGE_MONKEY_LOG: what it does, as it does it; BARYCAGE_CORPUS: a
 // folder of files that it opens as well.
 class MonkeyTest : public WindowOnX {
@@ -182,7 +182,7 @@ void MonkeyTest::put(const QString& name, const QByteArray& bytes) {
 }
 
 void MonkeyTest::nothingBreaks() {
-    const int seconds = qEnvironmentVariable("BARYCAGE_MONKEY_SECONDS", QStringLiteral("30")).toInt();
+    const int seconds = qEnvironmentVariable("BARYCAGE_MONKEY_SECONDS", QStringLiteral("15")).toInt();
     const auto seed = qEnvironmentVariable("BARYCAGE_MONKEY_SEED", QStringLiteral("1")).toUInt();
     m_random.seed(seed);
     otherHandler = qInstallMessageHandler(takeWarning);

@@ -244,8 +244,9 @@ void SlowDiskTest::settingsAreReadAndWritten() {
     QCOMPARE(view::stored(QStringLiteral("dialogs/folder")).toString(), m_folder.path());
     view::store(QStringLiteral("dialogs/folder"), path("a.ifs"));
     QCOMPARE(view::stored(QStringLiteral("dialogs/folder")).toString(), path("a.ifs"));
+    QTRY_VERIFY(disk.waited() > 0);
+    disk.answer();
     QVERIFY(view::finishStoring());
-    QVERIFY(disk.waited() > 0);
     VERIFY_NOTHING_WAS_ASKED(disk);
 }
 
@@ -296,12 +297,13 @@ void SlowDiskTest::othersAreOpenedMeanwhile() {
     const QTemporaryDir quick;
     const QString here = quick.filePath(QStringLiteral("quick.ifs"));
     QVERIFY(QFile::copy(path("b.ifs"), here));
-    support::SlowDisk disk(m_folder.path(), 2s);
+    support::SlowDisk disk(m_folder.path(), 20s);
     bool wereMeanwhile = false;
     QTimer looking;
     connect(&looking, &QTimer::timeout, &looking, [&] {
         wereMeanwhile = wereMeanwhile || (windowOf(here) && shownProgress().size() == 2 &&
                                           !windowOf(path("a.ifs")) && !windowOf(path("c.ifs")));
+        if (wereMeanwhile) disk.answer();
     });
     looking.start(10);
     MainWindow::openEach({path("a.ifs"), path("c.ifs"), here});
@@ -318,12 +320,13 @@ void SlowDiskTest::unsavedWorkIsRecoveredMeanwhile() {
     const auto unsaved = [](const QString& of) {
         return WantedFile{of, document::Abandoned{{}, {of, of, 0, {}, "mine { .5 0 0 .5 0 0 1 }\n", {}}, {}}};
     };
-    support::SlowDisk disk(m_folder.path(), 2s);
+    support::SlowDisk disk(m_folder.path(), 20s);
     bool wasMeanwhile = false;
     QTimer looking;
     connect(&looking, &QTimer::timeout, &looking, [&] {
         wasMeanwhile = wasMeanwhile || (windowOf(here) && windowOf(here)->document().isModified() &&
                                         !windowOf(path("a.ifs")));
+        if (wasMeanwhile) disk.answer();
     });
     looking.start(10);
     MainWindow::openEach(QList{unsaved(path("a.ifs")), unsaved(here)});

@@ -143,7 +143,7 @@ constexpr double linear = 1.5; // nearer to it than to quadratic
 // whose memory is slower than its caches, and 2 where the time is quadratic.
 double growth(const std::function<double(int)>& effortFor) {
     constexpr int attempts = 12; // for the least of either, whatever else the machine does
-    constexpr int few = 2'000, factor = 32;
+    const int few = support::isThorough() ? 2'000 : 800, factor = 32;
     double least = std::numeric_limits<double>::infinity(), most = least, exponent = least;
     for (int i = 0; i < attempts && !(exponent < linear); ++i) {
         least = std::min(least, effortFor(few));

@@ -4,6 +4,7 @@
 #include "io/solid/openscad.h"
 #include "io/solid/solid_export.h"
 #include "support/named_test.h"
+#include "support/thorough.h"
 
 #include <QBuffer>
 #include <QElapsedTimer>
@@ -501,7 +502,7 @@ void SolidExportTest::hardSystemsEnd_data() {
         map.translation = canonical::randomVector<3>(random, 1);
         ifs::append<3>(many, map);
     }
-    for (int k = 0; k < 12; ++k)
+    for (int k = 0; k < (support::isThorough() ? 12 : 5); ++k)
         ifs::append<3>(overlapping,
                        {0.9 * ifs::Matrix<3>::Identity(), canonical::randomVector<3>(random, 1)});
     QTest::newRow("needle") << needle;
@@ -515,7 +516,8 @@ void SolidExportTest::hardSystemsEnd() {
     QFETCH(systems::System3, system);
     QElapsedTimer clock;
     clock.start();
-    const io::PrintableSolid solid = io::printableSolid(fractalOf(system), resolution(100));
+    const io::PrintableSolid solid =
+        io::printableSolid(fractalOf(system), resolution(support::isThorough() ? 100 : 40));
     QVERIFY2(clock.elapsed() < 240'000, qPrintable(QString::number(clock.elapsed())));
     QVERIFY(solid.failure ? !solid.failure->isEmpty() : !solid.mesh.triangles.empty());
 }
