@@ -31,6 +31,7 @@ private slots:
     void sourcesStandBesideTheirHeaders();
     void coreCompilesWithoutQt();
     void viewStartsNoThread();
+    void picturesOfTheClipboardAreFiles();
     void nothingReturnsASubrange();
     void decompositionsAreCompiledInFewFiles();
     void anonymousNamesAreUniqueInTheirFolder();
@@ -305,6 +306,22 @@ void LayeringTest::viewStartsNoThread() {
     QVERIFY(!files.isEmpty());
     for (const QString& path : files)
         QVERIFY2(!thread.match(contents(path)).hasMatch(), qPrintable(path));
+}
+
+// QClipboard::image() and QMimeData::imageData() decode in the window's thread whatever another program
+// offers. The one who may ask looks first whether the image is one of this program's own.
+void LayeringTest::picturesOfTheClipboardAreFiles() {
+    static const QRegularExpression decoding(
+        QStringLiteral("\\bimageData\\(|lipboard(\\(\\))?\\s*->\\s*(image|pixmap)\\("));
+    QStringList found;
+    for (const char* folder : {"app", "view"})
+        for (const QString& path : sourceFiles(support::sourcePath(QString::fromLatin1(folder))))
+            if (decoding.match(contents(path)).hasMatch()) found << QFileInfo(path).fileName();
+    QCOMPARE(found, QStringList{QStringLiteral("target_box.cpp")});
+    const QString text = contents(support::sourcePath(QStringLiteral("view/panels/collage/target_box.cpp")));
+    QCOMPARE(text.count(decoding), 1);
+    const qsizetype first = text.indexOf(QStringLiteral("inherits(\"QInternalMimeData\")"));
+    QVERIFY(first >= 0 && first < text.indexOf(decoding));
 }
 
 // Clang 14, with which the readers are fuzzed and the sources checked, cannot compile std::ranges::subrange

@@ -48,6 +48,28 @@ QByteArray animatedGif() {
     return QByteArray("GIF89a") + QByteArray::fromHex("10001000800000000000ffffff") + frame + frame + ';';
 }
 
+// A picture as other programs offer it: its file, and the promise of an image, for which Qt would decode the
+// file.
+class OfferedPicture : public QMimeData {
+public:
+    explicit OfferedPicture(const QByteArray& file) { setData(QStringLiteral("image/png"), file); }
+
+    QStringList formats() const override {
+        return {QStringLiteral("application/x-qt-image"), QStringLiteral("image/png")};
+    }
+    bool hasFormat(const QString& type) const override { return formats().contains(type); }
+    int timesDecoded() const { return m_decoded; }
+
+protected:
+    QVariant retrieveData(const QString& type, QMetaType wanted) const override {
+        if (type == QLatin1String("application/x-qt-image")) ++m_decoded;
+        return QMimeData::retrieveData(type, wanted);
+    }
+
+private:
+    mutable int m_decoded = 0;
+};
+
 } // namespace
 
 class CollagePanelTest : public CollagePanelFixture {
@@ -119,6 +141,20 @@ private slots:
         QGuiApplication::clipboard()->setText(QStringLiteral("no picture"));
         QTest::mouseClick(named<QToolButton>(QStringLiteral("Paste")), Qt::LeftButton);
         QCOMPARE(sentence(), QStringLiteral("There is no picture on the clipboard."));
+    }
+
+    // A picture may take all memory, or minutes: it is decoded beside the window, within the limits of files.
+    void theClipboardDecodesNoPicture() {
+        QByteArray bytes;
+        QBuffer buffer(&bytes);
+        buffer.open(QIODevice::WriteOnly);
+        QVERIFY(leaf(64).save(&buffer, "PNG"));
+        auto* offered = new OfferedPicture(bytes);
+        QGuiApplication::clipboard()->setMimeData(offered);
+        QTest::mouseClick(named<QToolButton>(QStringLiteral("Paste")), Qt::LeftButton);
+        settle();
+        QCOMPARE(m_panel->target()->traced()->mask.width, 64);
+        QCOMPARE(offered->timesDecoded(), 0);
     }
 
     void thresholdInvertAndCropChooseTheShape() {
