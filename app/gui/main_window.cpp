@@ -8,6 +8,7 @@
 #include "bars/zoom_box.h"
 #include "desktop/preferences.h"
 #include "desktop/settings.h"
+#include "desktop/shortcuts.h"
 #include "dialogs/paste_table_dialog.h"
 #include "files/collection_commands.h"
 #include "files/dropped_picture.h"
@@ -165,6 +166,9 @@ QDockWidget* MainWindow::dock(QWidget* panel, const QString& title, const QStrin
     made->setObjectName(id);
     made->setWidget(panel);
     addDockWidget(area, made);
+    made->toggleViewAction()->setObjectName(QStringLiteral("panel-") + id);
+    view::adoptShortcuts(*made->toggleViewAction());
+    addAction(made->toggleViewAction()); // so that its keys count while the menu bar is hidden
     m_viewMenu->panels()->addAction(made->toggleViewAction());
     made->toggleViewAction()->setStatusTip(tr("Show or hide the “%1” panel").arg(title));
     made->toggleViewAction()->setToolTip(made->toggleViewAction()->statusTip());
@@ -308,6 +312,7 @@ void MainWindow::createConstructionBar() {
     addToolBar(Qt::BottomToolBarArea, bar);
     bar->hide();
     QAction* shown = bar->toggleViewAction();
+    shown->setObjectName(QStringLiteral("how-it-is-built"));
     shown->setText(tr("&How It Is Built"));
     shown->setIcon(view::icon(QStringLiteral("construction")));
     shown->setShortcut(QKeySequence(tr("W")));

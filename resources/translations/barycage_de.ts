@@ -1021,10 +1021,6 @@
         <translation>Ctrl+,</translation>
     </message>
     <message>
-        <source>Language, theme, picture quality, and what opens at startup</source>
-        <translation>Sprache, Farben, Bildqualität und was beim Start geöffnet wird</translation>
-    </message>
-    <message>
         <source>&amp;Cage</source>
         <translation>&amp;Käfig</translation>
     </message>
@@ -2378,6 +2374,10 @@
     <message>
         <source>Show a centre and height, the point of an address, or a fixed point</source>
         <translation>Zeigt eine Mitte und Höhe, den Punkt einer Adresse oder einen Fixpunkt</translation>
+    </message>
+    <message>
+        <source>Language, theme, picture quality, shortcuts, and what opens at startup</source>
+        <translation>Sprache, Farben, Bildqualität, Tastenkürzel und was beim Start geöffnet wird</translation>
     </message>
 </context>
 <context>
@@ -11894,10 +11894,6 @@ Tasten: Bild auf und Bild ab wählen eine Marke, die Pfeile bewegen sie, Einfg f
         <translation>&amp;Bildqualität in Ruhe:</translation>
     </message>
     <message>
-        <source>Resets every setting in this dialog to its default.</source>
-        <translation>Setzt jede Wahl dieses Dialogs auf den Anfangswert zurück.</translation>
-    </message>
-    <message>
         <source>Not saved yet: %1.</source>
         <translation>Noch nicht gespeichert: %1.</translation>
     </message>
@@ -11956,6 +11952,22 @@ Tasten: Bild auf und Bild ab wählen eine Marke, die Pfeile bewegen sie, Einfg f
     <message>
         <source>&amp;Motion:</source>
         <translation>Be&amp;wegung:</translation>
+    </message>
+    <message>
+        <source>&amp;General</source>
+        <translation>&amp;Allgemein</translation>
+    </message>
+    <message>
+        <source>S&amp;hortcuts</source>
+        <translation>&amp;Tastenkürzel</translation>
+    </message>
+    <message>
+        <source>Resets every setting on this page to its default.</source>
+        <translation>Setzt alle Einstellungen dieser Seite auf ihre Vorgaben zurück.</translation>
+    </message>
+    <message>
+        <source>The settings of windows and pictures, and the keys of commands.</source>
+        <translation>Die Einstellungen von Fenstern und Bildern und die Tasten der Befehle.</translation>
     </message>
 </context>
 <context>
@@ -12274,6 +12286,13 @@ Tasten: Bild auf und Bild ab wählen eine Marke, die Pfeile bewegen sie, Einfg f
     <message>
         <source>Rename the view “%1” to “%2”</source>
         <translation>Die Ansicht „%1“ in „%2“ umbenennen</translation>
+    </message>
+</context>
+<context>
+    <name>view::Shortcuts</name>
+    <message>
+        <source>“%1” is used on the canvas and in fields. Choose other keys.</source>
+        <translation>„%1“ wird auf der Zeichenfläche und in Feldern gebraucht. Wählen Sie andere Tasten.</translation>
     </message>
 </context>
 <context>
@@ -12641,6 +12660,77 @@ Tasten: Bild auf und Bild ab wählen eine Marke, die Pfeile bewegen sie, Einfg f
     <message>
         <source>Shift + arrow keys, Esc</source>
         <translation>Umschalt + Pfeiltasten, Esc</translation>
+    </message>
+</context>
+<context>
+    <name>view::ShortcutsPage</name>
+    <message>
+        <source>&amp;Default</source>
+        <translation>&amp;Vorgabe</translation>
+    </message>
+    <message>
+        <source>S&amp;wap</source>
+        <translation>T&amp;auschen</translation>
+    </message>
+    <message>
+        <source>Find a command or keys</source>
+        <translation>Befehl oder Tasten suchen</translation>
+    </message>
+    <message>
+        <source>Commands</source>
+        <translation>Befehle</translation>
+    </message>
+    <message>
+        <source>Command</source>
+        <translation>Befehl</translation>
+    </message>
+    <message>
+        <source>Shortcut</source>
+        <translation>Tastenkürzel</translation>
+    </message>
+    <message>
+        <source>&amp;Shortcut:</source>
+        <translation>&amp;Kürzel:</translation>
+    </message>
+    <message>
+        <source>Press the keys that the selected command is to have. Tab goes on to the next field.</source>
+        <translation>Drücken Sie die Tasten, die der gewählte Befehl haben soll. Die Tabulatortaste führt zum nächsten Feld.</translation>
+    </message>
+    <message>
+        <source>Takes the keys from the selected command.</source>
+        <translation>Nimmt dem gewählten Befehl seine Tasten.</translation>
+    </message>
+    <message>
+        <source>Gives the selected command the keys that it has without your choice.</source>
+        <translation>Gibt dem gewählten Befehl die Tasten zurück, die er von Haus aus hat.</translation>
+    </message>
+    <message>
+        <source>Gives these keys to the selected command, and its present ones to the other.</source>
+        <translation>Gibt diese Tasten dem gewählten Befehl und dessen bisherige dem anderen.</translation>
+    </message>
+    <message>
+        <source>“%1” belongs to “%2”.</source>
+        <translation>„%1“ gehört zu „%2“.</translation>
+    </message>
+    <message>
+        <source>“%1” has no keys now.</source>
+        <translation>„%1“ hat jetzt keine Tasten.</translation>
+    </message>
+    <message>
+        <source>“%1” has “%2” now.</source>
+        <translation>„%1“ hat jetzt „%2“.</translation>
+    </message>
+    <message>
+        <source>Cl&amp;ear</source>
+        <translation>&amp;Entfernen</translation>
+    </message>
+    <message>
+        <source>Show only the commands whose name, synonyms or keys begin with these words.</source>
+        <translation>Zeigt nur die Befehle, deren Name, Synonyme oder Tasten mit diesen Wörtern beginnen.</translation>
+    </message>
+    <message>
+        <source>The commands of the menus and their keys; your own are bold. Select one to change its keys.</source>
+        <translation>Die Befehle der Menüs und ihre Tasten; Ihre eigenen sind fett. Wählen Sie einen Befehl, um seine Tasten zu ändern.</translation>
     </message>
 </context>
 <context>

@@ -1021,10 +1021,6 @@
         <translation>Ctrl+,</translation>
     </message>
     <message>
-        <source>Language, theme, picture quality, and what opens at startup</source>
-        <translation>Idioma, tema, calidad de la imagen en reposo, qué se abre al inicio</translation>
-    </message>
-    <message>
         <source>&amp;Cage</source>
         <translation>&amp;Jaula</translation>
     </message>
@@ -2378,6 +2374,10 @@
     <message>
         <source>Show a centre and height, the point of an address, or a fixed point</source>
         <translation>Muestra un centro y una altura, el punto de una dirección o un punto fijo</translation>
+    </message>
+    <message>
+        <source>Language, theme, picture quality, shortcuts, and what opens at startup</source>
+        <translation>Idioma, tema, calidad de la imagen, atajos y qué se abre al iniciar</translation>
     </message>
 </context>
 <context>
@@ -11894,10 +11894,6 @@ Teclas: Re Pág y Av Pág eligen una parada, las flechas la mueven, Ins añade u
         <translation>Ca&amp;lidad en reposo:</translation>
     </message>
     <message>
-        <source>Resets every setting in this dialog to its default.</source>
-        <translation>Devuelve todas las opciones de este diálogo a su valor inicial.</translation>
-    </message>
-    <message>
         <source>Not saved yet: %1.</source>
         <translation>Sin guardar: %1.</translation>
     </message>
@@ -11956,6 +11952,22 @@ Teclas: Re Pág y Av Pág eligen una parada, las flechas la mueven, Ins añade u
     <message>
         <source>&amp;Motion:</source>
         <translation>&amp;Movimiento:</translation>
+    </message>
+    <message>
+        <source>&amp;General</source>
+        <translation>&amp;General</translation>
+    </message>
+    <message>
+        <source>S&amp;hortcuts</source>
+        <translation>&amp;Atajos</translation>
+    </message>
+    <message>
+        <source>Resets every setting on this page to its default.</source>
+        <translation>Devuelve todos los ajustes de esta página a sus valores predeterminados.</translation>
+    </message>
+    <message>
+        <source>The settings of windows and pictures, and the keys of commands.</source>
+        <translation>Los ajustes de las ventanas y las imágenes, y las teclas de las órdenes.</translation>
     </message>
 </context>
 <context>
@@ -12274,6 +12286,13 @@ Teclas: Re Pág y Av Pág eligen una parada, las flechas la mueven, Ins añade u
     <message>
         <source>Rename the view “%1” to “%2”</source>
         <translation>Cambiar el nombre de la vista «%1» por «%2»</translation>
+    </message>
+</context>
+<context>
+    <name>view::Shortcuts</name>
+    <message>
+        <source>“%1” is used on the canvas and in fields. Choose other keys.</source>
+        <translation>«%1» se usa en el lienzo y en los campos. Elija otras teclas.</translation>
     </message>
 </context>
 <context>
@@ -12641,6 +12660,77 @@ Teclas: Re Pág y Av Pág eligen una parada, las flechas la mueven, Ins añade u
     <message>
         <source>Shift + arrow keys, Esc</source>
         <translation>Mayús + teclas de flecha, Esc</translation>
+    </message>
+</context>
+<context>
+    <name>view::ShortcutsPage</name>
+    <message>
+        <source>&amp;Default</source>
+        <translation>&amp;Predeterminado</translation>
+    </message>
+    <message>
+        <source>S&amp;wap</source>
+        <translation>&amp;Intercambiar</translation>
+    </message>
+    <message>
+        <source>Find a command or keys</source>
+        <translation>Buscar una orden o unas teclas</translation>
+    </message>
+    <message>
+        <source>Commands</source>
+        <translation>Órdenes</translation>
+    </message>
+    <message>
+        <source>Command</source>
+        <translation>Orden</translation>
+    </message>
+    <message>
+        <source>Shortcut</source>
+        <translation>Atajo</translation>
+    </message>
+    <message>
+        <source>&amp;Shortcut:</source>
+        <translation>Ata&amp;jo:</translation>
+    </message>
+    <message>
+        <source>Press the keys that the selected command is to have. Tab goes on to the next field.</source>
+        <translation>Pulse las teclas que tendrá la orden seleccionada. El tabulador pasa al campo siguiente.</translation>
+    </message>
+    <message>
+        <source>Takes the keys from the selected command.</source>
+        <translation>Quita las teclas de la orden seleccionada.</translation>
+    </message>
+    <message>
+        <source>Gives the selected command the keys that it has without your choice.</source>
+        <translation>Devuelve a la orden seleccionada las teclas que tiene de fábrica.</translation>
+    </message>
+    <message>
+        <source>Gives these keys to the selected command, and its present ones to the other.</source>
+        <translation>Da estas teclas a la orden seleccionada y las que esta tenía a la otra.</translation>
+    </message>
+    <message>
+        <source>“%1” belongs to “%2”.</source>
+        <translation>«%1» pertenece a «%2».</translation>
+    </message>
+    <message>
+        <source>“%1” has no keys now.</source>
+        <translation>«%1» ya no tiene teclas.</translation>
+    </message>
+    <message>
+        <source>“%1” has “%2” now.</source>
+        <translation>«%1» tiene ahora «%2».</translation>
+    </message>
+    <message>
+        <source>Cl&amp;ear</source>
+        <translation>&amp;Borrar</translation>
+    </message>
+    <message>
+        <source>Show only the commands whose name, synonyms or keys begin with these words.</source>
+        <translation>Muestra solo las órdenes cuyo nombre, sinónimos o teclas empiezan por estas palabras.</translation>
+    </message>
+    <message>
+        <source>The commands of the menus and their keys; your own are bold. Select one to change its keys.</source>
+        <translation>Las órdenes de los menús y sus teclas; las suyas están en negrita. Seleccione una para cambiar sus teclas.</translation>
     </message>
 </context>
 <context>

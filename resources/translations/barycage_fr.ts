@@ -1021,10 +1021,6 @@
         <translation>Ctrl+,</translation>
     </message>
     <message>
-        <source>Language, theme, picture quality, and what opens at startup</source>
-        <translation>Langue, thème, qualité de l’image au repos, fichiers ouverts au démarrage</translation>
-    </message>
-    <message>
         <source>&amp;Cage</source>
         <translation>&amp;Cage</translation>
     </message>
@@ -2378,6 +2374,10 @@
     <message>
         <source>Show a centre and height, the point of an address, or a fixed point</source>
         <translation>Montre un centre et une hauteur, le point d’une adresse ou un point fixe</translation>
+    </message>
+    <message>
+        <source>Language, theme, picture quality, shortcuts, and what opens at startup</source>
+        <translation>Langue, thème, qualité de l’image, raccourcis et ce qui s’ouvre au démarrage</translation>
     </message>
 </context>
 <context>
@@ -11894,10 +11894,6 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
         <translation>&amp;Qualité au repos :</translation>
     </message>
     <message>
-        <source>Resets every setting in this dialog to its default.</source>
-        <translation>Ramène tous les choix de ce dialogue à leur valeur initiale.</translation>
-    </message>
-    <message>
         <source>Not saved yet: %1.</source>
         <translation>Pas encore enregistré : %1.</translation>
     </message>
@@ -11956,6 +11952,22 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
     <message>
         <source>&amp;Motion:</source>
         <translation>&amp;Mouvement :</translation>
+    </message>
+    <message>
+        <source>&amp;General</source>
+        <translation>&amp;Général</translation>
+    </message>
+    <message>
+        <source>S&amp;hortcuts</source>
+        <translation>&amp;Raccourcis</translation>
+    </message>
+    <message>
+        <source>Resets every setting on this page to its default.</source>
+        <translation>Rétablit les valeurs par défaut de tous les réglages de cette page.</translation>
+    </message>
+    <message>
+        <source>The settings of windows and pictures, and the keys of commands.</source>
+        <translation>Les réglages des fenêtres et des images, et les touches des commandes.</translation>
     </message>
 </context>
 <context>
@@ -12274,6 +12286,13 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
     <message>
         <source>Rename the view “%1” to “%2”</source>
         <translation>Renommer la vue « %1 » en « %2 »</translation>
+    </message>
+</context>
+<context>
+    <name>view::Shortcuts</name>
+    <message>
+        <source>“%1” is used on the canvas and in fields. Choose other keys.</source>
+        <translation>« %1 » sert sur le canevas et dans les champs. Choisissez d’autres touches.</translation>
     </message>
 </context>
 <context>
@@ -12641,6 +12660,77 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
     <message>
         <source>Shift + arrow keys, Esc</source>
         <translation>Maj + touches fléchées, Échap</translation>
+    </message>
+</context>
+<context>
+    <name>view::ShortcutsPage</name>
+    <message>
+        <source>&amp;Default</source>
+        <translation>Par &amp;défaut</translation>
+    </message>
+    <message>
+        <source>S&amp;wap</source>
+        <translation>É&amp;changer</translation>
+    </message>
+    <message>
+        <source>Find a command or keys</source>
+        <translation>Chercher une commande ou des touches</translation>
+    </message>
+    <message>
+        <source>Commands</source>
+        <translation>Commandes</translation>
+    </message>
+    <message>
+        <source>Command</source>
+        <translation>Commande</translation>
+    </message>
+    <message>
+        <source>Shortcut</source>
+        <translation>Raccourci</translation>
+    </message>
+    <message>
+        <source>&amp;Shortcut:</source>
+        <translation>Racco&amp;urci :</translation>
+    </message>
+    <message>
+        <source>Press the keys that the selected command is to have. Tab goes on to the next field.</source>
+        <translation>Appuyez sur les touches que la commande choisie doit avoir. Tab passe au champ suivant.</translation>
+    </message>
+    <message>
+        <source>Takes the keys from the selected command.</source>
+        <translation>Retire les touches de la commande choisie.</translation>
+    </message>
+    <message>
+        <source>Gives the selected command the keys that it has without your choice.</source>
+        <translation>Rend à la commande choisie ses touches d’origine.</translation>
+    </message>
+    <message>
+        <source>Gives these keys to the selected command, and its present ones to the other.</source>
+        <translation>Donne ces touches à la commande choisie, et à l’autre celles qu’elle avait.</translation>
+    </message>
+    <message>
+        <source>“%1” belongs to “%2”.</source>
+        <translation>« %1 » appartient à « %2 ».</translation>
+    </message>
+    <message>
+        <source>“%1” has no keys now.</source>
+        <translation>« %1 » n’a plus de touches.</translation>
+    </message>
+    <message>
+        <source>“%1” has “%2” now.</source>
+        <translation>« %1 » a maintenant « %2 ».</translation>
+    </message>
+    <message>
+        <source>Cl&amp;ear</source>
+        <translation>&amp;Effacer</translation>
+    </message>
+    <message>
+        <source>Show only the commands whose name, synonyms or keys begin with these words.</source>
+        <translation>Montre seulement les commandes dont le nom, un synonyme ou les touches commencent par ces mots.</translation>
+    </message>
+    <message>
+        <source>The commands of the menus and their keys; your own are bold. Select one to change its keys.</source>
+        <translation>Les commandes des menus et leurs touches ; les vôtres sont en gras. Choisissez-en une pour changer ses touches.</translation>
     </message>
 </context>
 <context>

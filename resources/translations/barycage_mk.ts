@@ -1026,10 +1026,6 @@
         <translation>Ctrl+,</translation>
     </message>
     <message>
-        <source>Language, theme, picture quality, and what opens at startup</source>
-        <translation>Јазик, тема, квалитет на сликата во мирување, што се отвора на почетокот</translation>
-    </message>
-    <message>
         <source>&amp;Cage</source>
         <translation>&amp;Кафез</translation>
     </message>
@@ -2384,6 +2380,10 @@
     <message>
         <source>Show a centre and height, the point of an address, or a fixed point</source>
         <translation>Прикажува средина и висина, точка на адреса или неподвижна точка</translation>
+    </message>
+    <message>
+        <source>Language, theme, picture quality, shortcuts, and what opens at startup</source>
+        <translation>Јазик, тема, квалитет на сликата, кратенки и што се отвора при стартување</translation>
     </message>
 </context>
 <context>
@@ -11926,10 +11926,6 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
         <translation>&amp;Квалитет во мирување:</translation>
     </message>
     <message>
-        <source>Resets every setting in this dialog to its default.</source>
-        <translation>Ги враќа сите избори во овој дијалог на почетните.</translation>
-    </message>
-    <message>
         <source>Not saved yet: %1.</source>
         <translation>Сè уште не е зачувано: %1.</translation>
     </message>
@@ -11988,6 +11984,22 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
     <message>
         <source>&amp;Motion:</source>
         <translation>&amp;Движење:</translation>
+    </message>
+    <message>
+        <source>&amp;General</source>
+        <translation>&amp;Општо</translation>
+    </message>
+    <message>
+        <source>S&amp;hortcuts</source>
+        <translation>&amp;Кратенки</translation>
+    </message>
+    <message>
+        <source>Resets every setting on this page to its default.</source>
+        <translation>Ги враќа сите поставки на оваа страница на стандардните вредности.</translation>
+    </message>
+    <message>
+        <source>The settings of windows and pictures, and the keys of commands.</source>
+        <translation>Поставките на прозорците и сликите, и копчињата на наредбите.</translation>
     </message>
 </context>
 <context>
@@ -12307,6 +12319,13 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
     <message>
         <source>Rename the view “%1” to “%2”</source>
         <translation>Преименување на погледот „%1“ во „%2“</translation>
+    </message>
+</context>
+<context>
+    <name>view::Shortcuts</name>
+    <message>
+        <source>“%1” is used on the canvas and in fields. Choose other keys.</source>
+        <translation>„%1“ се користи на платното и во полињата. Изберете други копчиња.</translation>
     </message>
 </context>
 <context>
@@ -12674,6 +12693,77 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
     <message>
         <source>Shift + arrow keys, Esc</source>
         <translation>Shift + стрелките, Esc</translation>
+    </message>
+</context>
+<context>
+    <name>view::ShortcutsPage</name>
+    <message>
+        <source>&amp;Default</source>
+        <translation>&amp;Стандардно</translation>
+    </message>
+    <message>
+        <source>S&amp;wap</source>
+        <translation>&amp;Замени</translation>
+    </message>
+    <message>
+        <source>Find a command or keys</source>
+        <translation>Најди наредба или копчиња</translation>
+    </message>
+    <message>
+        <source>Commands</source>
+        <translation>Наредби</translation>
+    </message>
+    <message>
+        <source>Command</source>
+        <translation>Наредба</translation>
+    </message>
+    <message>
+        <source>Shortcut</source>
+        <translation>Кратенка</translation>
+    </message>
+    <message>
+        <source>&amp;Shortcut:</source>
+        <translation>К&amp;ратенка:</translation>
+    </message>
+    <message>
+        <source>Press the keys that the selected command is to have. Tab goes on to the next field.</source>
+        <translation>Притиснете ги копчињата што треба да ги има избраната наредба. Tab води на следното поле.</translation>
+    </message>
+    <message>
+        <source>Takes the keys from the selected command.</source>
+        <translation>Ги отстранува копчињата од избраната наредба.</translation>
+    </message>
+    <message>
+        <source>Gives the selected command the keys that it has without your choice.</source>
+        <translation>На избраната наредба ѝ ги враќа почетните копчиња.</translation>
+    </message>
+    <message>
+        <source>Gives these keys to the selected command, and its present ones to the other.</source>
+        <translation>Овие копчиња ѝ ги дава на избраната наредба, а нејзините на другата.</translation>
+    </message>
+    <message>
+        <source>“%1” belongs to “%2”.</source>
+        <translation>„%1“ ѝ припаѓа на „%2“.</translation>
+    </message>
+    <message>
+        <source>“%1” has no keys now.</source>
+        <translation>„%1“ сега нема копчиња.</translation>
+    </message>
+    <message>
+        <source>“%1” has “%2” now.</source>
+        <translation>„%1“ сега има „%2“.</translation>
+    </message>
+    <message>
+        <source>Cl&amp;ear</source>
+        <translation>&amp;Избриши</translation>
+    </message>
+    <message>
+        <source>Show only the commands whose name, synonyms or keys begin with these words.</source>
+        <translation>Ги прикажува само наредбите чие име, синоними или копчиња почнуваат со овие зборови.</translation>
+    </message>
+    <message>
+        <source>The commands of the menus and their keys; your own are bold. Select one to change its keys.</source>
+        <translation>Наредбите од менијата и нивните копчиња; вашите се задебелени. Изберете една за да ѝ ги смените копчињата.</translation>
     </message>
 </context>
 <context>

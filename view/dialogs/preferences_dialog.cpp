@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "dialogs/preferences_dialog.h"
 
+#include "dialogs/shortcuts_page.h"
 #include "widgets/layout/grow_to_fit.h"
 
 #include <QCheckBox>
@@ -11,6 +12,8 @@
 #include <QLabel>
 #include <QPushButton>
 #include <QSignalBlocker>
+#include <QTabWidget>
+#include <QVBoxLayout>
 
 namespace view {
 
@@ -81,8 +84,9 @@ void offerMotion(QComboBox* box) {
 
 } // namespace
 
-PreferencesDialog::PreferencesDialog(QWidget* parent)
+PreferencesDialog::PreferencesDialog(QWidget* parent, const QList<NamedAction>& commands)
     : QDialog(parent),
+      m_pages(new QTabWidget(this)),
       m_spoken(Preferences::spokenLanguage()),
       m_language(new QComboBox(this)),
       m_restart(new QLabel(tr("Restart to change the language."), this)),
@@ -106,8 +110,36 @@ PreferencesDialog::PreferencesDialog(QWidget* parent)
     explainFiles(m_reopen, m_keepPrevious);
     offerMotion(m_motion);
 
+    addPages(commands);
+
+    fill(Preferences::stored());
+    for (QComboBox* box : {m_language, m_theme, m_motion, m_quality, m_turning})
+        connect(box, &QComboBox::currentIndexChanged, this, &PreferencesDialog::take);
+    for (QCheckBox* box : {m_reopen, m_keepPrevious})
+        connect(box, &QCheckBox::toggled, this, &PreferencesDialog::take);
+}
+
+void PreferencesDialog::addPages(const QList<NamedAction>& commands) {
+    m_pages->addTab(generalPage(), tr("&General"));
+    if (!commands.isEmpty()) m_pages->addTab(new ShortcutsPage(commands, this), tr("S&hortcuts"));
+    m_pages->setTabBarAutoHide(true);
+    m_pages->setAccessibleName(tr("Preferences"));
+    m_pages->setWhatsThis(tr("The settings of windows and pictures, and the keys of commands."));
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close | QDialogButtonBox::RestoreDefaults, this);
-    auto* form = new QFormLayout(this);
+    auto* layout = new QVBoxLayout(this);
+    layout->addWidget(m_pages);
+    layout->addWidget(buttons);
+    connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
+    QPushButton* defaults = buttons->button(QDialogButtonBox::RestoreDefaults);
+    defaults->setAutoDefault(false);
+    buttons->button(QDialogButtonBox::Close)->setDefault(true);
+    defaults->setWhatsThis(tr("Resets every setting on this page to its default."));
+    connect(defaults, &QPushButton::clicked, this, &PreferencesDialog::restoreDefaults);
+}
+
+QWidget* PreferencesDialog::generalPage() {
+    auto* page = new QWidget(this);
+    auto* form = new QFormLayout(page);
     form->setHorizontalSpacing(16);
     form->addRow(tr("&Language:"), m_language);
     form->addRow(QString(), m_restart);
@@ -118,22 +150,14 @@ PreferencesDialog::PreferencesDialog(QWidget* parent)
     form->addRow(tr("Turning &solids:"), m_turning);
     form->addRow(QString(), m_reopen);
     form->addRow(QString(), m_keepPrevious);
-    form->addRow(buttons);
+    return page;
+}
 
-    fill(Preferences::stored());
-    for (QComboBox* box : {m_language, m_theme, m_motion, m_quality, m_turning})
-        connect(box, &QComboBox::currentIndexChanged, this, &PreferencesDialog::take);
-    for (QCheckBox* box : {m_reopen, m_keepPrevious})
-        connect(box, &QCheckBox::toggled, this, &PreferencesDialog::take);
-    connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
-    QPushButton* defaults = buttons->button(QDialogButtonBox::RestoreDefaults);
-    defaults->setAutoDefault(false);
-    buttons->button(QDialogButtonBox::Close)->setDefault(true);
-    defaults->setWhatsThis(tr("Resets every setting in this dialog to its default."));
-    connect(defaults, &QPushButton::clicked, this, [this] {
-        fill({});
-        take();
-    });
+void PreferencesDialog::restoreDefaults() {
+    if (auto* shortcuts = qobject_cast<ShortcutsPage*>(m_pages->currentWidget()))
+        return shortcuts->restoreDefaults();
+    fill({});
+    take();
 }
 
 QLayout* PreferencesDialog::restartRow() {

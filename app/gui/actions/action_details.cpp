@@ -13,7 +13,7 @@ struct Details {
 };
 
 struct Detail {
-    std::string_view icon;
+    std::string_view id; // of the action
     const char* text;
 };
 
@@ -105,8 +105,7 @@ constexpr Detail details[] = {
 
 } // namespace
 
-QString actionDetails(const char* icon) {
-    if (!icon) return {};
-    const auto* found = std::ranges::find(details, std::string_view(icon), &Detail::icon);
+QString actionDetails(std::string_view id) {
+    const auto* found = std::ranges::find(details, id, &Detail::id);
     return found == std::end(details) ? QString() : Details::tr(found->text);
 }

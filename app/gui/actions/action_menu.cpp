@@ -3,6 +3,7 @@
 
 #include "actions/action_details.h"
 #include "desktop/settings.h"
+#include "desktop/shortcuts.h"
 #include "widgets/icon.h"
 #include "widgets/text/tooltip_text.h"
 
@@ -17,23 +18,33 @@ ActionMenu::ActionMenu(const MenuContext& context, const QString& title)
 
 QAction* ActionMenu::create(const ActionSpec& spec) {
     auto* action = new QAction(spec.text, m_context.window);
-    if (spec.icon) action->setIcon(view::icon(QLatin1String(spec.icon)));
+    action->setObjectName(QLatin1String(spec.id));
+    action->setIcon(view::icon(QLatin1String(spec.icon ? spec.icon : spec.id)));
     action->setShortcut(spec.shortcut);
     action->setStatusTip(spec.tip);
     action->setToolTip(spec.tip); // view::Tooltips adds name and shortcut
-    action->setWhatsThis((spec.tip + QStringLiteral(". ") + actionDetails(spec.icon)).trimmed());
+    action->setWhatsThis((spec.tip + QStringLiteral(". ") + actionDetails(spec.id)).trimmed());
     addShared(action);
     return action;
 }
 
 void ActionMenu::addShared(QAction* action) {
     if (action->whatsThis().isEmpty()) action->setWhatsThis(action->statusTip() + u'.');
-    QStringList more{action->whatsThis(), tr("In the menu %1.").arg(title().remove(u'&'))};
-    if (const QString keys = action->shortcut().toString(QKeySequence::NativeText); !keys.isEmpty())
-        more << tr("Shortcut: %1").arg(keys);
-    action->setWhatsThis(more.join(u' '));
+    action->setWhatsThis(action->whatsThis() + u' ' + tr("In the menu %1.").arg(title().remove(u'&')));
+    view::adoptShortcuts(*action);
+    explainShortcut(action);
     addAction(action);
     m_context.window->addAction(action);
+}
+
+void ActionMenu::explainShortcut(QAction* action) {
+    const auto explain = [action, text = action->whatsThis()] {
+        const QString keys = action->shortcut().toString(QKeySequence::NativeText);
+        const QString whole = keys.isEmpty() ? text : text + u' ' + tr("Shortcut: %1").arg(keys);
+        if (action->whatsThis() != whole) action->setWhatsThis(whole);
+    };
+    explain();
+    connect(action, &QAction::changed, action, explain);
 }
 
 QAction* ActionMenu::add(const ActionSpec& spec, const std::function<void()>& operation) {
@@ -72,5 +83,6 @@ void ActionMenu::disableWhen(QAction* action, QString (*obstacle)(const document
         blocked->setEnabled(!why.isEmpty());
     };
     update();
+    connect(action, &QAction::changed, blocked, [action, blocked] { blocked->setKey(action->shortcut()); });
     connect(m_context.document, &document::Document::changed, action, update);
 }

@@ -16,12 +16,13 @@ class Stage;
 
 // What an action shows, and the keys that trigger it.
 struct ActionSpec {
-    const char* icon; // its name in the resources; nullptr for none
+    const char* id; // unique and never changed: the users' own shortcuts are stored under it
     QString text;
     QKeySequence shortcut;
     QString tip;                   // for the status bar and the tool tip
     const char* setting = nullptr; // where a toggle is stored between runs; nullptr: nowhere
     bool initially = false;        // the state of a toggle that was never stored
+    const char* icon = nullptr;    // its name in the resources; nullptr: that of the id, if there is one
 };
 
 // What the menus of a window act on.
@@ -41,10 +42,11 @@ class ActionMenu : public QMenu {
 public:
     ActionMenu(const MenuContext& context, const QString& title);
 
+    // The action's object name is the id.
     QAction* add(const ActionSpec& spec, const std::function<void()>& operation);
     // Calls `set` when the user switches it and, if the toggle has a setting, at once with the stored state.
     QAction* addToggle(const ActionSpec& spec, const std::function<void(bool)>& set);
-    void addShared(QAction* action); // made elsewhere
+    void addShared(QAction* action); // made elsewhere, with the id as its object name
 
     // The tool bar shows these actions side by side, apart from the next group.
     void addToolBarGroup(const QList<QAction*>& actions) { m_toolBarGroups.append(actions); }
@@ -57,6 +59,7 @@ protected:
 
 private:
     QAction* create(const ActionSpec& spec);
+    void explainShortcut(QAction* action); // in What's This, also when the user changes it
 
     MenuContext m_context;
     QList<QList<QAction*>> m_toolBarGroups;

@@ -104,26 +104,36 @@ LessonCommands::LessonCommands(const MenuContext& context, const LessonParts& pa
 
 void LessonCommands::createActions() {
     QAction* play = add(
-        {"play",
+        {"play-lesson",
          tr("&Play Lesson"),
          {},
-         tr("Play the lesson in full screen, from the beginning or from the step you clicked in the list")},
+         tr("Play the lesson in full screen, from the beginning or from the step you clicked in the list"),
+         nullptr,
+         false,
+         "play"},
         [this] { this->play(); });
-    QAction* next = add({nullptr, tr("&Next Step"), QKeySequence(Qt::Key_PageDown),
+    QAction* next = add({"next-step", tr("&Next Step"), QKeySequence(Qt::Key_PageDown),
                          tr("Show the next step of the lesson being played")},
                         [this] { m_player->showStep(m_player->step() + 1); });
-    QAction* back = add({nullptr, tr("Previous &Step"), QKeySequence(Qt::Key_PageUp),
+    QAction* back = add({"previous-step", tr("Previous &Step"), QKeySequence(Qt::Key_PageUp),
                          tr("Show the previous step of the lesson being played")},
                         [this] { m_player->showStep(m_player->step() - 1); });
     addSeparator();
     add({"add", tr("&Add Step"), {}, tr("Add a step to the lesson, with the current state of the window")},
         [this] { addStep(); });
-    QAction* save =
-        add({"save", tr("Save &Lesson…"), {}, tr("Save the lesson as a text that refers to its fractals")},
-            [this] { this->save(); });
-    QAction* saveAs = add(
-        {nullptr, tr("Sa&ve Lesson As…"), {}, tr("Save the lesson under another name or in another folder")},
-        [this] { this->saveAs(); });
+    QAction* save = add({"save-lesson",
+                         tr("Save &Lesson…"),
+                         {},
+                         tr("Save the lesson as a text that refers to its fractals"),
+                         nullptr,
+                         false,
+                         "save"},
+                        [this] { this->save(); });
+    QAction* saveAs = add({"save-lesson-as",
+                           tr("Sa&ve Lesson As…"),
+                           {},
+                           tr("Save the lesson under another name or in another folder")},
+                          [this] { this->saveAs(); });
     const auto update = [this, play, next, back, save, saveAs] {
         play->setEnabled(!m_notebook->lesson().steps.isEmpty() && !m_player->isPlaying());
         for (QAction* saving : {save, saveAs})

@@ -68,9 +68,10 @@ void AnimationMenu::addPlaying() {
     connect(new view::SpaceTap(space), &view::SpaceTap::tapped, this, [space, toggle] {
         if (!space->ball().focused()) toggle(); // there, Space looks along an axis
     });
-    add({nullptr, tr("P&revious Frame"), QKeySequence(tr(",")), tr("Move the playhead back one frame")},
+    add({"previous-frame", tr("P&revious Frame"), QKeySequence(tr(",")),
+         tr("Move the playhead back one frame")},
         [&timeline] { timeline.setFrame(timeline.frame() - 1); });
-    add({nullptr, tr("Ne&xt Frame"), QKeySequence(tr(".")), tr("Move the playhead forward one frame")},
+    add({"next-frame", tr("Ne&xt Frame"), QKeySequence(tr(".")), tr("Move the playhead forward one frame")},
         [&timeline] { timeline.setFrame(timeline.frame() + 1); });
     add({"key-previous", tr("Pre&vious Key"), QKeySequence(tr("Alt+,")),
          tr("Move the playhead to the previous key")},
@@ -90,12 +91,12 @@ void AnimationMenu::addKeys() {
     };
     add({"key", tr("Set &Key"), QKeySequence(tr("K")), tr("Key the current track at the playhead")},
         withTracks(&view::KeyCommands::set));
-    add({nullptr, tr("Set Keys of &All Tracks"), QKeySequence(tr("Shift+K")),
+    add({"set-keys-of-all-tracks", tr("Set Keys of &All Tracks"), QKeySequence(tr("Shift+K")),
          tr("Key all tracks that have keys at the playhead, or all tracks if none has")},
         withTracks(&view::KeyCommands::setInAll));
-    add({"remove", tr("&Delete Keys"), {}, tr("Delete the selected keys")},
+    add({"delete-keys", tr("&Delete Keys"), {}, tr("Delete the selected keys"), nullptr, false, "remove"},
         [&timeline] { timeline.keys().remove(); });
-    add({nullptr,
+    add({"stretch-keys",
          tr("Stretch Ke&ys…"),
          {},
          tr("Make a range of frames slower or faster: the keys of all tracks spread")},

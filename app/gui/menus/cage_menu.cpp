@@ -69,16 +69,16 @@ QList<QAction*> CageMenu::addOperations() {
         {"bake", tr("&Bake"), QKeySequence(tr("Ctrl+B")),
          tr("Write the placement into the code: the picture stays, and the coefficients change")});
     QAction* unbake = addOperation(&document::unbakeCage,
-                                   {nullptr,
+                                   {"unbake",
                                     tr("&Unbake"),
                                     {},
                                     tr("Extract the placement from the code: the picture stays, and the code "
                                        "is rewritten for the triangle (0, 0), (1, 0), (0, 1)")});
     QAction* regular = addOperation(
         &document::makeCageRegular,
-        {nullptr, tr("Make Re&gular"), {}, tr("Move the vertices to the nearest regular polygon")});
+        {"make-regular", tr("Make Re&gular"), {}, tr("Move the vertices to the nearest regular polygon")});
     QAction* invariantForm =
-        add({nullptr,
+        add({"affine-invariant-form",
              tr("Affine &Invariant Form…"),
              {},
              tr("Show every map as a matrix over the control triangle, with rows that sum to 1")},

@@ -47,7 +47,7 @@ EditMenu::EditMenu(const MenuContext& context, SnapshotCommands& snapshots)
     addFractals();
     addDimensions();
     addSeparator();
-    addToggle({nullptr,
+    addToggle({"allow-systems-without-an-attractor",
                tr("Allow Systems &without an Attractor"),
                {},
                tr("Let a drag of maps continue where an attractor is no longer guaranteed"),
@@ -58,13 +58,14 @@ EditMenu::EditMenu(const MenuContext& context, SnapshotCommands& snapshots)
                   stage->compare()->setAllowsNoAttractor(on);
               });
     add({"settings", tr("&Preferences…"), QKeySequence(tr("Ctrl+,")),
-         tr("Language, theme, picture quality, and what opens at startup")},
+         tr("Language, theme, picture quality, shortcuts, and what opens at startup")},
         [this] { showPreferences(); });
 }
 
 void EditMenu::addHistory() {
     QUndoStack* stack = context().document->undoStack();
     QAction* undo = stack->createUndoAction(context().window, tr("&Undo"));
+    undo->setObjectName(QStringLiteral("undo"));
     undo->setIconText(tr("&Undo").remove(u'&')); // whatever step it takes back
     undo->setShortcut(QKeySequence(tr("Ctrl+Z")));
     undo->setIcon(view::icon(QStringLiteral("undo")));
@@ -75,6 +76,7 @@ void EditMenu::addHistory() {
         if (QGuiApplication::mouseButtons() == Qt::NoButton || !stage->cancelGesture()) stack->undo();
     });
     QAction* redo = stack->createRedoAction(context().window, tr("&Redo"));
+    redo->setObjectName(QStringLiteral("redo"));
     redo->setIconText(tr("&Redo").remove(u'&'));
     redo->setShortcuts({QKeySequence(tr("Ctrl+Shift+Z")), QKeySequence(tr("Ctrl+Y"))});
     redo->setIcon(view::icon(QStringLiteral("redo")));
@@ -113,7 +115,7 @@ void EditMenu::addClipboard() {
         add({"remove", tr("&Delete"), QKeySequence::Delete, tr("Delete the selected maps or entries")},
             [commands] { commands.remove(); });
     QAction* all =
-        add({nullptr, tr("&Select All"), QKeySequence::SelectAll, tr("Select all maps or all entries")},
+        add({"select-all", tr("&Select All"), QKeySequence::SelectAll, tr("Select all maps or all entries")},
             [commands] { commands.selectAll(); });
     for (QAction* action : {duplicate, remove, all})
         action->setShortcutContext(Qt::WidgetShortcut);
@@ -123,13 +125,12 @@ void EditMenu::addFractals() {
     QAction* transform = add({"transform", tr("&Transform…"), QKeySequence(tr("Ctrl+T")),
                               tr("Rotate, scale, shear, reflect or move the whole fractal by exact amounts")},
                              [this] { openTransform(); });
-    QAction* mutate = add({nullptr, tr("&Mutate…"), QKeySequence(tr("Ctrl+M")),
+    QAction* mutate = add({"mutate", tr("&Mutate…"), QKeySequence(tr("Ctrl+M")),
                            tr("Breed variations of this fractal, or cross it with another one")},
                           [this] { openMutate(); });
     disableWhen(transform, &document::cageObstacle);
-    mutate->setObjectName(QStringLiteral("mutate"));
     disableWhen(mutate, &document::variationObstacle);
-    add({nullptr, tr("Add Ra&ndom Fractal…"), QKeySequence(tr("Ctrl+Shift+M")),
+    add({"add-random-fractal", tr("Add Ra&ndom Fractal…"), QKeySequence(tr("Ctrl+Shift+M")),
          tr("Choose from a sheet of random fractals and add one to the file")},
         [this] { addRandom(); });
 }
@@ -138,7 +139,7 @@ void EditMenu::addFractals() {
 void EditMenu::addDimensions() {
     document::Document* document = context().document;
     QAction* lift =
-        add({nullptr,
+        add({"lift-to-space",
              tr("&Lift to Space"),
              {},
              tr("Add a third dimension to every map; the picture stays flat until you move a map")},
@@ -150,7 +151,7 @@ void EditMenu::addDimensions() {
                 if (!loss.isEmpty()) context().messages->say(loss);
             });
     QAction* flatten =
-        add({nullptr,
+        add({"flatten-to-the-plane",
              tr("&Flatten to the Plane"),
              {},
              tr("Replace the solid by its projection along the first axis that every map keeps")},
@@ -200,7 +201,7 @@ void EditMenu::addRandom() {
 }
 
 void EditMenu::showPreferences() {
-    auto* dialog = new view::PreferencesDialog(context().window);
+    auto* dialog = new view::PreferencesDialog(context().window, view::actionsOf(*context().window));
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     QStringList unsaved;
     for (const SessionWindow* window : session::windows())

@@ -42,14 +42,14 @@ FileMenu::FileMenu(const MenuContext& context, FileCommands* commands, const Ope
     addSeparator();
     add({"close", tr("C&lose"), QKeySequence::Close, tr("Close this window")},
         [this] { this->context().window->close(); });
-    add({nullptr, tr("&Quit"), QKeySequence::Quit, tr("Close all windows")}, &session::quit);
+    add({"quit", tr("&Quit"), QKeySequence::Quit, tr("Close all windows")}, &session::quit);
     addToolBarGroup({m_open, m_save, m_export});
 }
 
 void FileMenu::addOpening(const std::function<void()>& openWindow) {
     add({"new", tr("&New"), QKeySequence::New, tr("Start with a Sierpiński triangle")},
         [this] { m_commands->startNew(); });
-    add({nullptr, tr("New &Window"), QKeySequence(tr("Ctrl+Shift+N")), tr("Open another window")},
+    add({"new-window", tr("New &Window"), QKeySequence(tr("Ctrl+Shift+N")), tr("Open another window")},
         openWindow);
     m_open = add({"open", tr("&Open…"), QKeySequence::Open, tr("Open a collection of fractals")},
                  [this] { m_commands->chooseAndOpen(); });
@@ -64,16 +64,14 @@ void FileMenu::addSaving() {
     add({"save-as", tr("Save &As…"), QKeySequence(tr("Ctrl+Shift+S")),
          tr("Save the file under another name")},
         [this] { m_commands->saveAs(); });
-    QAction* copy =
-        add({nullptr,
-             tr("Save a Copy &for Other Programs…"),
-             {},
-             tr("Save a copy with the placements written into the code and every map listed, so that other "
-                "programs draw what you see")},
-            [this] { m_commands->saveForOtherPrograms(); });
-    copy->setObjectName(QStringLiteral("save-for-other-programs"));
+    add({"save-for-other-programs",
+         tr("Save a Copy &for Other Programs…"),
+         {},
+         tr("Save a copy with the placements written into the code and every map listed, so that other "
+            "programs draw what you see")},
+        [this] { m_commands->saveForOtherPrograms(); });
     QAction* revert =
-        add({nullptr, tr("Re&vert"), {}, tr("Discard your changes and reload the file from disk")},
+        add({"revert", tr("Re&vert"), {}, tr("Discard your changes and reload the file from disk")},
             [this] { m_commands->revert(); });
     revert->setEnabled(false);
     connect(m_file, &OpenFile::pathChanged, revert,
@@ -81,20 +79,20 @@ void FileMenu::addSaving() {
 }
 
 void FileMenu::addPictures() {
-    m_export = add({"export", tr("&Export Picture…"), QKeySequence(tr("Ctrl+E")),
+    m_export = add({"export-picture", tr("&Export Picture…"), QKeySequence(tr("Ctrl+E")),
                     tr("Export the picture as PNG, SVG or PDF, framed as on the screen, or a solid as a mesh "
-                       "for 3D printing")},
+                       "for 3D printing"),
+                    nullptr, false, "export"},
                    [this] { exportPicture(); });
-    m_export->setObjectName(QStringLiteral("export-picture"));
-    add({nullptr, tr("Export Ani&mation…"), QKeySequence(tr("Ctrl+Alt+E")),
+    add({"export-animation", tr("Export Ani&mation…"), QKeySequence(tr("Ctrl+Alt+E")),
          tr("Export the animation as a video, an animated image or frames, on this computer or on a "
             "cluster")},
         [this] { exportAnimation(); });
-    add({nullptr, tr("Export &Data…"), QKeySequence(tr("Ctrl+Shift+E")),
+    add({"export-data", tr("Export &Data…"), QKeySequence(tr("Ctrl+Shift+E")),
          tr("Export the maps or points as a flame, for IFStile, as a table or a point cloud")},
         [this] { exportData(); });
     QAction* page =
-        add({nullptr,
+        add({"export-web-page",
              tr("Export We&b Page…"),
              {},
              tr("Export the fractal in its cage as one file for browsers, in which it can be dragged")},
@@ -102,16 +100,14 @@ void FileMenu::addPictures() {
                 const QString file = m_file->path();
                 exportWebPage(context(), file.isEmpty() ? QString() : QFileInfo(file).path());
             });
-    page->setObjectName(QStringLiteral("export-web-page"));
-    QAction* copy = add({"copy", tr("&Copy Picture"), QKeySequence(tr("Ctrl+Shift+C")),
-                         tr("Copy the picture to the clipboard")},
+    QAction* copy = add({"copy-picture", tr("&Copy Picture"), QKeySequence(tr("Ctrl+Shift+C")),
+                         tr("Copy the picture to the clipboard"), nullptr, false, "copy"},
                         [this] { copyPicture(); });
-    copy->setObjectName(QStringLiteral("copy-picture"));
     addMenu(new LatexMenu(context()));
     QAction* print = add(
         {"print", tr("&Print…"), QKeySequence::Print, tr("Print the picture, its name and its coefficients")},
         [this] { printPicture(); });
-    add({nullptr,
+    add({"print-handout",
          tr("Print &Handout…"),
          {},
          tr("Print entries for a class: pictures with cage, maps and formulas, or a blank worksheet")},

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "menus/help_menu.h"
 
+#include "desktop/shortcuts.h"
 #include "dialogs/command_palette.h"
 #include "dialogs/guide.h"
 #include "dialogs/shortcuts_dialog.h"
@@ -18,9 +19,9 @@ HelpMenu::HelpMenu(const MenuContext& context) : ActionMenu(context, tr("&Help")
         [this] { openPalette(); });
     add({"help", tr("&Keyboard and Mouse…"), QKeySequence(tr("Ctrl+/")), tr("Every shortcut and gesture")},
         [this] { showShortcuts(); });
-    add({nullptr, tr("&User Guide"), QKeySequence::HelpContents, tr("Read the user guide")},
+    add({"user-guide", tr("&User Guide"), QKeySequence::HelpContents, tr("Read the user guide")},
         [window] { view::showGuide(window); });
-    add({nullptr,
+    add({"tour",
          tr("&Tour"),
          {},
          tr("Six short steps that you do yourself: drag, squeeze, undo, collection, wind, export")},
@@ -29,10 +30,13 @@ HelpMenu::HelpMenu(const MenuContext& context) : ActionMenu(context, tr("&Help")
     what->setText(tr("&What’s This?"));
     what->setIcon(view::icon(QStringLiteral("help")));
     what->setStatusTip(tr("Click anything to see what it does"));
+    what->setObjectName(QStringLiteral("whats-this"));
+    view::adoptShortcuts(*what);
     addAction(what);
     addSeparator();
     add({"info", tr("&About Barycage"), {}, tr("Version and licence")}, [this] { showAbout(); });
-    add({nullptr, tr("About &Qt"), {}, tr("The toolkit this program is built with")}, &QApplication::aboutQt);
+    add({"about-qt", tr("About &Qt"), {}, tr("The toolkit this program is built with")},
+        &QApplication::aboutQt);
 }
 
 void HelpMenu::openPalette() {

@@ -11,18 +11,22 @@
 LatexMenu::LatexMenu(const MenuContext& context) : ActionMenu(context, tr("Copy as La&TeX")) {
     setToolTipsVisible(true);
     const auto fractal = [document = context.document] { return document->sharedFractal(); };
-    QAction* table = add({nullptr, tr("&Table of Maps"), {}, tr("Copy the coefficients as a tabular")},
-                         [this, fractal] { copy(&io::latexTable, fractal(), {}); });
+    QAction* table =
+        add({"copy-table-of-maps", tr("&Table of Maps"), {}, tr("Copy the coefficients as a tabular")},
+            [this, fractal] { copy(&io::latexTable, fractal(), {}); });
     QAction* matrices =
-        add({nullptr, tr("&Formulas with Matrices"), {}, tr("Copy each map as a matrix and a vector")},
+        add({"copy-formulas-with-matrices",
+             tr("&Formulas with Matrices"),
+             {},
+             tr("Copy each map as a matrix and a vector")},
             [this, fractal] { copy(&io::latexMatrices, fractal(), QStringLiteral("amsmath")); });
     QAction* form =
-        add({nullptr,
+        add({"copy-affine-invariant-form",
              tr("&Affine Invariant Form"),
              {},
              tr("Copy one matrix per map, in barycentric coordinates of the triangle")},
             [this, fractal] { copy(&io::latexInvariantForm, fractal(), QStringLiteral("amsmath")); });
-    QAction* figure = add({nullptr,
+    QAction* figure = add({"copy-figure-tikz",
                            tr("Fi&gure (TikZ)"),
                            {},
                            tr("Copy the cage and its images under the maps, with numbers and fixed points, "

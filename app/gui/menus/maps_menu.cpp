@@ -14,28 +14,28 @@ MapsMenu::MapsMenu(const MenuContext& context) : ActionMenu(context, tr("&Maps")
     addSeparator();
     addLayers();
     addSeparator();
-    addArrangement(this, Arrangement::FlipLeftRight, tr("Flip &Horizontally"),
+    addArrangement(this, Arrangement::FlipLeftRight, "flip-left-right", tr("Flip &Horizontally"),
                    tr("Mirror the selected maps about the vertical line through their centre"));
-    addArrangement(this, Arrangement::FlipUpDown, tr("Flip &Vertically"),
+    addArrangement(this, Arrangement::FlipUpDown, "flip-up-down", tr("Flip &Vertically"),
                    tr("Mirror the selected maps about the horizontal line through their centre"));
-    addArrangement(this, Arrangement::RotateLeft, tr("Rotate 90° &Left"),
+    addArrangement(this, Arrangement::RotateLeft, "rotate-left", tr("Rotate 90° &Left"),
                    tr("Rotate the selected maps counter-clockwise about their centre"));
-    addArrangement(this, Arrangement::RotateRight, tr("Rotate 90° &Right"),
+    addArrangement(this, Arrangement::RotateRight, "rotate-right", tr("Rotate 90° &Right"),
                    tr("Rotate the selected maps clockwise about their centre"));
     addSeparator();
     auto* align = new ActionMenu(context, tr("Ali&gn Centres"));
     addMenu(align);
-    addArrangement(align, Arrangement::AlignInRow, tr("In a &Row"),
+    addArrangement(align, Arrangement::AlignInRow, "align-in-row", tr("In a &Row"),
                    tr("Move the selected maps up or down until their centres are at the same height"));
-    addArrangement(align, Arrangement::AlignInColumn, tr("In a &Column"),
+    addArrangement(align, Arrangement::AlignInColumn, "align-in-column", tr("In a &Column"),
                    tr("Move the selected maps left or right until their centres are one below the other"));
     auto* distribute = new ActionMenu(context, tr("D&istribute Centres"));
     addMenu(distribute);
-    addArrangement(distribute, Arrangement::DistributeAcross, tr("&Horizontally"),
+    addArrangement(distribute, Arrangement::DistributeAcross, "distribute-across", tr("&Horizontally"),
                    tr("Space the centres of the selected maps evenly from left to right"));
-    addArrangement(distribute, Arrangement::DistributeUpwards, tr("&Vertically"),
+    addArrangement(distribute, Arrangement::DistributeUpwards, "distribute-upwards", tr("&Vertically"),
                    tr("Space the centres of the selected maps evenly from bottom to top"));
-    addArrangement(this, Arrangement::FitToCorners, tr("&Fit to Corners"),
+    addArrangement(this, Arrangement::FitToCorners, "fit-to-corners", tr("&Fit to Corners"),
                    tr("Move each selected map so that it leaves the nearest corner of the cage fixed"));
     for (ActionMenu* menu : {align, distribute})
         menu->setToolTipsVisible(true);
@@ -61,11 +61,17 @@ void MapsMenu::addList() {
         };
     };
     QAction* duplicate =
-        add({"duplicate", tr("&Duplicate Maps"), {}, tr("Duplicate the selected maps")},
+        add({"duplicate-maps",
+             tr("&Duplicate Maps"),
+             {},
+             tr("Duplicate the selected maps"),
+             nullptr,
+             false,
+             "duplicate"},
             withSelected(&view::MapsPanel::duplicateMaps,
                          [document](const document::Rows& rows) { return duplicateMaps(*document, rows); }));
     QAction* remove =
-        add({"remove", tr("D&elete Maps"), {}, tr("Delete the selected maps")},
+        add({"delete-maps", tr("D&elete Maps"), {}, tr("Delete the selected maps"), nullptr, false, "remove"},
             withSelected(&view::MapsPanel::deleteMaps,
                          [document, messages = context().messages](const document::Rows& rows) {
                              const QString locked = document::lockObstacle(document->fractal(), rows);
@@ -77,15 +83,15 @@ void MapsMenu::addList() {
                                  selected.push_back(system.maps[std::size_t(row)].id);
                              return selected;
                          }));
-    QAction* all =
-        add({nullptr, tr("Select &All Maps"), {}, tr("Select all maps")}, [canvas, document, panel] {
-            if (document::space(document->fractal())) return panel()->selectAllMaps();
-            std::vector<ifs::MapId> maps;
-            if (const document::System2* system = document::system2(document->fractal()))
-                for (const auto& map : system->maps)
-                    maps.push_back(map.id);
-            canvas->selectMaps(maps);
-        });
+    QAction* all = add({"select-all-maps", tr("Select &All Maps"), {}, tr("Select all maps")},
+                       [canvas, document, panel] {
+                           if (document::space(document->fractal())) return panel()->selectAllMaps();
+                           std::vector<ifs::MapId> maps;
+                           if (const document::System2* system = document::system2(document->fractal()))
+                               for (const auto& map : system->maps)
+                                   maps.push_back(map.id);
+                           canvas->selectMaps(maps);
+                       });
     for (QAction* action : {duplicate, remove, all})
         disableWhen(action, &document::cageObstacle);
 }
@@ -104,9 +110,9 @@ void MapsMenu::addLayers() {
         [panel] { panel()->toggleSolo(); });
 }
 
-void MapsMenu::addArrangement(ActionMenu* menu, Arrangement arrangement, const QString& text,
+void MapsMenu::addArrangement(ActionMenu* menu, Arrangement arrangement, const char* id, const QString& text,
                               const QString& tip) {
-    QAction* action = menu->add({nullptr, text, {}, tip}, [this, arrangement] {
+    QAction* action = menu->add({id, text, {}, tip}, [this, arrangement] {
         const auto failure = document::arrangeMaps(
             *context().document, context().canvas->canvas().selection().mapIndices(), arrangement);
         if (failure) context().messages->say(*failure);

@@ -14,6 +14,6 @@ public:
 private:
     void addList();
     void addLayers();
-    void addArrangement(ActionMenu* menu, document::MapsArrangement arrangement, const QString& text,
-                        const QString& tip);
+    void addArrangement(ActionMenu* menu, document::MapsArrangement arrangement, const char* id,
+                        const QString& text, const QString& tip);
 };

@@ -11,11 +11,12 @@
 #include <utility>
 
 SavedViewsMenu::SavedViewsMenu(const MenuContext& context) : ActionMenu(context, tr("Saved &Views")) {
-    QAction* save =
-        add({nullptr, tr("&Save View…"), {}, tr("Keep what the canvas shows under a name, with the fractal")},
-            [this] { this->save(); });
-    QAction* edit = add({nullptr, tr("&Edit Views…"), {}, tr("Go to saved views, rename or delete them")},
-                        [this] { openDialog(); });
+    QAction* save = add(
+        {"save-view", tr("&Save View…"), {}, tr("Keep what the canvas shows under a name, with the fractal")},
+        [this] { this->save(); });
+    QAction* edit =
+        add({"edit-views", tr("&Edit Views…"), {}, tr("Go to saved views, rename or delete them")},
+            [this] { openDialog(); });
     disableWhen(save, &document::cageObstacle);
     disableWhen(edit, &document::cageObstacle);
     addSeparator();

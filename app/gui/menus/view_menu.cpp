@@ -43,7 +43,7 @@ void ViewMenu::addZoom() {
                        [stage] { stage->zoomBy(1 / zoomStep); });
     add({"zoom-reset", tr("&100 %"), QKeySequence(tr("1")), tr("Show one unit as one hundred pixels")},
         [stage] { stage->resetZoom(); });
-    QAction* goTo = add({nullptr, tr("Go To…"), QKeySequence(tr("Ctrl+G")),
+    QAction* goTo = add({"go-to", tr("Go To…"), QKeySequence(tr("Ctrl+G")),
                          tr("Show a centre and height, the point of an address, or a fixed point")},
                         [this] { openGoTo(); });
     disableWhen(goTo, &document::planeObstacle);
@@ -67,14 +67,15 @@ void ViewMenu::addRotation() {
     auto* menu = new ActionMenu(context(), tr("Rotat&e View"));
     addMenu(menu);
     view::CanvasNavigation& navigation = context().canvas->navigation();
-    QAction* left = menu->add({nullptr, tr("Rotate View &Left"), QKeySequence(tr("Ctrl+[")),
+    QAction* left = menu->add({"rotate-view-left", tr("Rotate View &Left"), QKeySequence(tr("Ctrl+[")),
                                tr("Rotate the view counter-clockwise by 15°")},
                               [&navigation] { navigation.rotateBy(rotationStep); });
-    QAction* right = menu->add({nullptr, tr("Rotate View &Right"), QKeySequence(tr("Ctrl+]")),
+    QAction* right = menu->add({"rotate-view-right", tr("Rotate View &Right"), QKeySequence(tr("Ctrl+]")),
                                 tr("Rotate the view clockwise by 15°")},
                                [&navigation] { navigation.rotateBy(-rotationStep); });
-    QAction* reset = menu->add({nullptr, tr("Re&set Rotation"), {}, tr("Return the view to upright")},
-                               [&navigation] { navigation.resetRotation(); });
+    QAction* reset =
+        menu->add({"reset-rotation", tr("Re&set Rotation"), {}, tr("Return the view to upright")},
+                  [&navigation] { navigation.resetRotation(); });
     for (QAction* ofThePlane : {left, right, reset})
         disableWhen(ofThePlane, &document::planeObstacle);
 }
@@ -84,27 +85,33 @@ void ViewMenu::addCamera() {
     addMenu(menu);
     view::SpaceNavigation& space = context().stage->space()->navigation();
     const struct {
+        const char* id;
         QString text;
         QString tip;
         attractor::Direction direction;
     } views[] = {
-        {tr("&Front"), tr("Look from the front (1 on the keypad)"), view::directions::front},
-        {tr("&Back"), tr("Look from behind (Ctrl+1 on the keypad)"), view::directions::back},
-        {tr("&Right"), tr("Look from the right (3 on the keypad)"), view::directions::right},
-        {tr("&Left"), tr("Look from the left (Ctrl+3 on the keypad)"), view::directions::left},
-        {tr("&Top"), tr("Look down (7 on the keypad)"), view::directions::top},
-        {tr("B&ottom"), tr("Look up (Ctrl+7 on the keypad)"), view::directions::bottom},
-        {tr("&Isometric"), tr("Look from a corner (Home)"), view::directions::isometric},
+        {"look-from-front", tr("&Front"), tr("Look from the front (1 on the keypad)"),
+         view::directions::front},
+        {"look-from-back", tr("&Back"), tr("Look from behind (Ctrl+1 on the keypad)"),
+         view::directions::back},
+        {"look-from-right", tr("&Right"), tr("Look from the right (3 on the keypad)"),
+         view::directions::right},
+        {"look-from-left", tr("&Left"), tr("Look from the left (Ctrl+3 on the keypad)"),
+         view::directions::left},
+        {"look-from-top", tr("&Top"), tr("Look down (7 on the keypad)"), view::directions::top},
+        {"look-from-bottom", tr("B&ottom"), tr("Look up (Ctrl+7 on the keypad)"), view::directions::bottom},
+        {"look-from-isometric", tr("&Isometric"), tr("Look from a corner (Home)"),
+         view::directions::isometric},
     };
     for (const auto& view : views)
-        disableWhen(menu->add({nullptr, view.text, {}, view.tip},
+        disableWhen(menu->add({view.id, view.text, {}, view.tip},
                               [&space, to = view.direction] { space.lookFrom(to); }),
                     &document::spaceObstacle);
     menu->addSeparator();
     addPerspective(*menu);
     view::FourViews* solid = context().stage->views();
     QAction* four =
-        menu->addToggle({nullptr,
+        menu->addToggle({"four-views",
                          tr("Four &Views"),
                          {},
                          tr("Show the solid from the top, the front and the right, and in perspective"),
@@ -113,7 +120,7 @@ void ViewMenu::addCamera() {
                         [solid](bool on) { solid->showFour(on); });
     disableWhen(four, &document::spaceObstacle);
     QAction* zUp = menu->addToggle(
-        {nullptr,
+        {"z-up",
          tr("&Z Up"),
          {},
          tr("Point the z axis up, as in CAD programs; the fractal stays as it is"),
@@ -130,7 +137,7 @@ void ViewMenu::addPerspective(ActionMenu& menu) {
     const QString setting = QStringLiteral("space/perspective");
     view::SpaceNavigation& space = context().stage->space()->navigation();
     QAction* perspective = menu.addToggle(
-        {nullptr, tr("&Perspective"), {}, tr("Make distant parts look smaller (5 on the keypad)")},
+        {"perspective", tr("&Perspective"), {}, tr("Make distant parts look smaller (5 on the keypad)")},
         [&space, setting](bool on) {
             space.setPerspective(on);
             view::store(setting, space.isPerspectiveChosen());
@@ -144,15 +151,16 @@ void ViewMenu::addPerspective(ActionMenu& menu) {
 void ViewMenu::addStereo(ActionMenu& menu) {
     using attractor::Stereo;
     view::FourViews* views = context().stage->views();
-    const auto toggle = [views, &menu](Stereo stereo, const QString& text, const QString& tip) {
-        return menu.addToggle({nullptr, text, {}, tip}, [views, stereo](bool on) {
+    const auto toggle = [views, &menu](Stereo stereo, const char* id, const QString& text,
+                                       const QString& tip) {
+        return menu.addToggle({id, text, {}, tip}, [views, stereo](bool on) {
             if (on || views->stereo() == stereo) views->setStereo(on ? stereo : Stereo::None);
         });
     };
     menu.addSeparator();
-    QAction* sides = toggle(Stereo::SideBySide, tr("Stereo, &Side by Side"),
+    QAction* sides = toggle(Stereo::SideBySide, "stereo-side-by-side", tr("Stereo, &Side by Side"),
                             tr("Show the views of both eyes side by side, the left eye on the left"));
-    QAction* glasses = toggle(Stereo::Anaglyph, tr("Stereo, for Red and &Cyan Glasses"),
+    QAction* glasses = toggle(Stereo::Anaglyph, "stereo-red-cyan", tr("Stereo, for Red and &Cyan Glasses"),
                               tr("Show the views of both eyes in one picture, in red and cyan"));
     connect(sides, &QAction::toggled, glasses, [glasses](bool on) {
         if (on) glasses->setChecked(false);
@@ -187,7 +195,7 @@ void ViewMenu::addOverlays() {
     canvas->scene()->addItem(marks);
     connect(&canvas->options(), &view::CanvasOptions::mapNumbersVisibleChanged, canvas,
             [marks](bool on) { marks->setVisible(on); });
-    m_numbers = addToggle({nullptr, tr("&Numbers of Maps"), QKeySequence(tr("N")),
+    m_numbers = addToggle({"numbers-of-maps", tr("&Numbers of Maps"), QKeySequence(tr("N")),
                            tr("Show the number and the fixed point of each map"), "canvas/numbers", false},
                           [canvas](bool on) { canvas->options().setMapNumbersVisible(on); });
     connect(&canvas->options(), &view::CanvasOptions::mapNumbersVisibleChanged, m_numbers,
@@ -205,13 +213,13 @@ void ViewMenu::addSnapping() {
     auto* menu = new ActionMenu(context(), tr("&Snap To"));
     menu->setIcon(view::icon(QStringLiteral("snap")));
     addMenu(menu);
-    const std::tuple<view::SnapTo, QString, const char*> targets[] = {
-        {view::SnapTo::Grid, tr("&Grid"), "canvas/snap/grid"},
-        {view::SnapTo::Vertices, tr("&Vertices"), "canvas/snap/vertices"},
-        {view::SnapTo::Axes, tr("&Axes"), "canvas/snap/axes"},
+    const std::tuple<view::SnapTo, const char*, QString, const char*> targets[] = {
+        {view::SnapTo::Grid, "snap-to-grid", tr("&Grid"), "canvas/snap/grid"},
+        {view::SnapTo::Vertices, "snap-to-vertices", tr("&Vertices"), "canvas/snap/vertices"},
+        {view::SnapTo::Axes, "snap-to-axes", tr("&Axes"), "canvas/snap/axes"},
     };
-    for (const auto& [target, text, setting] : targets)
-        menu->addToggle({nullptr, text, {}, tr("Make dragged vertices snap to this"), setting},
+    for (const auto& [target, id, text, setting] : targets)
+        menu->addToggle({id, text, {}, tr("Make dragged vertices snap to this"), setting},
                         [canvas = context().canvas, target = target](bool on) {
                             canvas->options().setSnapping(canvas->options().snapping().setFlag(target, on));
                         });
@@ -220,7 +228,7 @@ void ViewMenu::addSnapping() {
 void ViewMenu::addTransformation() {
     view::TransformationView* transformation = context().stage->transformation();
     m_transformation = addToggle(
-        {nullptr, tr("Fractal &Transformation"), QKeySequence(tr("Ctrl+Shift+T")),
+        {"fractal-transformation", tr("Fractal &Transformation"), QKeySequence(tr("Ctrl+Shift+T")),
          tr("Show another entry beside this one, and colour this one by a picture placed on the other")},
         [transformation](bool on) { transformation->setTransformationShown(on); });
     disableWhen(m_transformation, &document::planeObstacle);
@@ -243,7 +251,7 @@ void ViewMenu::alternateWith(view::Construction* construction) {
 void ViewMenu::addCompare() {
     Stage* stage = context().stage;
     const view::ComparePane* pane = stage->compare();
-    QAction* compare = addToggle({nullptr, tr("Side &by Side"), QKeySequence(tr("Ctrl+Shift+B")),
+    QAction* compare = addToggle({"side-by-side", tr("Side &by Side"), QKeySequence(tr("Ctrl+Shift+B")),
                                   tr("Show another entry beside this one, to compare and edit both")},
                                  [stage](bool on) { stage->setCompared(on); });
     connect(pane, &view::ComparePane::closeRequested, compare, [compare] { compare->setChecked(false); });
@@ -252,12 +260,12 @@ void ViewMenu::addCompare() {
 
 void ViewMenu::addScreens(const std::function<void(bool)>& present) {
     m_fullScreen =
-        addToggle({nullptr, tr("F&ull Screen"), QKeySequence(tr("F11")), tr("Fill the whole screen")},
+        addToggle({"full-screen", tr("F&ull Screen"), QKeySequence(tr("F11")), tr("Fill the whole screen")},
                   [window = context().window](bool on) {
                       window->setWindowState(window->windowState().setFlag(Qt::WindowFullScreen, on));
                   });
     m_presentation = addToggle(
-        {nullptr, tr("P&resentation"), QKeySequence(tr("Shift+F11")),
+        {"presentation", tr("P&resentation"), QKeySequence(tr("Shift+F11")),
          tr("Show only the canvas in full screen, for example on a projector; press Esc to return")},
         present);
 }

@@ -7,13 +7,10 @@
 #include "view/panels/collage_panel_fixture.h"
 #include "widgets/layout/vertical_scroll_area.h"
 
-#include <QBuffer>
 #include <QCheckBox>
-#include <QClipboard>
 #include <QComboBox>
 #include <QDoubleSpinBox>
 #include <QGuiApplication>
-#include <QMimeData>
 #include <QProgressBar>
 #include <QScrollArea>
 #include <QSignalSpy>
@@ -47,28 +44,6 @@ QByteArray animatedGif() {
                              QByteArray::fromHex("0e848fa9cbed0fa39cb4da8bb3de05") + QByteArray(1, '\0');
     return QByteArray("GIF89a") + QByteArray::fromHex("10001000800000000000ffffff") + frame + frame + ';';
 }
-
-// A picture as other programs offer it: its file, and the promise of an image, for which Qt would decode the
-// file.
-class OfferedPicture : public QMimeData {
-public:
-    explicit OfferedPicture(const QByteArray& file) { setData(QStringLiteral("image/png"), file); }
-
-    QStringList formats() const override {
-        return {QStringLiteral("application/x-qt-image"), QStringLiteral("image/png")};
-    }
-    bool hasFormat(const QString& type) const override { return formats().contains(type); }
-    int timesDecoded() const { return m_decoded; }
-
-protected:
-    QVariant retrieveData(const QString& type, QMetaType wanted) const override {
-        if (type == QLatin1String("application/x-qt-image")) ++m_decoded;
-        return QMimeData::retrieveData(type, wanted);
-    }
-
-private:
-    mutable int m_decoded = 0;
-};
 
 } // namespace
 
@@ -116,45 +91,6 @@ private slots:
         QVERIFY2(number("Guarantee").contains(QStringLiteral("s = 0.5")), qPrintable(number("Guarantee")));
         QCOMPARE(steps(), 0); // a target is no step of the history
         QVERIFY(layer()->mark().has_value());
-    }
-
-    void thePictureMayComeFromTheClipboardOrAnEntry() {
-        QGuiApplication::clipboard()->setImage(leaf(96));
-        QTest::mouseClick(named<QToolButton>(QStringLiteral("Paste")), Qt::LeftButton);
-        settle();
-        QVERIFY(m_panel->target()->traced());
-        QCOMPARE(m_panel->target()->traced()->mask.width, 96);
-        // As other programs offer it: a file, which is not decoded by the clipboard.
-        QByteArray bytes;
-        QBuffer buffer(&bytes);
-        buffer.open(QIODevice::WriteOnly);
-        QVERIFY(leaf(64).save(&buffer, "PNG"));
-        auto* offered = new QMimeData;
-        offered->setData(QStringLiteral("image/png"), bytes);
-        QGuiApplication::clipboard()->setMimeData(offered);
-        QTest::mouseClick(named<QToolButton>(QStringLiteral("Paste")), Qt::LeftButton);
-        settle();
-        QCOMPARE(m_panel->target()->traced()->mask.width, 64);
-        m_panel->target()->take(m_document->sharedFractal());
-        settle();
-        QVERIFY(m_panel->target()->traced()->mask.width > 400); // the triangle
-        QGuiApplication::clipboard()->setText(QStringLiteral("no picture"));
-        QTest::mouseClick(named<QToolButton>(QStringLiteral("Paste")), Qt::LeftButton);
-        QCOMPARE(sentence(), QStringLiteral("There is no picture on the clipboard."));
-    }
-
-    // A picture may take all memory, or minutes: it is decoded beside the window, within the limits of files.
-    void theClipboardDecodesNoPicture() {
-        QByteArray bytes;
-        QBuffer buffer(&bytes);
-        buffer.open(QIODevice::WriteOnly);
-        QVERIFY(leaf(64).save(&buffer, "PNG"));
-        auto* offered = new OfferedPicture(bytes);
-        QGuiApplication::clipboard()->setMimeData(offered);
-        QTest::mouseClick(named<QToolButton>(QStringLiteral("Paste")), Qt::LeftButton);
-        settle();
-        QCOMPARE(m_panel->target()->traced()->mask.width, 64);
-        QCOMPARE(offered->timesDecoded(), 0);
     }
 
     void thresholdInvertAndCropChooseTheShape() {
