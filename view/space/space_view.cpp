@@ -19,6 +19,12 @@ namespace view {
 
 namespace {
 
+// Where there is a solid, that is known after a few pixels.
+bool showsNothing(const attractor::SolidFrame& frame) {
+    return std::ranges::all_of(frame.raster.keys,
+                               [](std::uint32_t key) { return key == attractor::emptyKey; });
+}
+
 // Of the box around what is displayed, where it is cut.
 std::vector<ifs::Vector<3>> cornersOfCut(const document::Fractal& fractal) {
     if (!document::space(fractal) || !fractal.inSpace.clip || !document::isSpaceExtentKnown(fractal))
@@ -113,10 +119,12 @@ void SpaceView::showNote() {
     const bool isSpokenFor = isFixed() && !m_definition.hasBegun();
     const auto frame = m_bridge->frame();
     const auto note = [&] {
-        return isFixed()
-                   ? QString()
-                   : noteInSpace(m_document->fractal(), frame ? frame->note : attractor::RenderNote::None,
-                                 frame && frame->isCoarse);
+        if (isFixed()) return QString();
+        const document::Fractal& fractal = m_document->fractal();
+        const QString found =
+            noteInSpace(fractal, frame ? frame->note : attractor::RenderNote::None, frame && frame->isCoarse);
+        const bool isCut = fractal.inSpace.clip.has_value(); // which no view brings back
+        return found.isEmpty() && !isCut && frame && showsNothing(*frame) ? nothingHere() : found;
     };
     const bool defines = m_definition.isActive();
     const bool isSilent = isSpokenFor || !areOverlaysShown(); // where a click would do nothing

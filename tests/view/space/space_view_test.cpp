@@ -48,6 +48,7 @@ private slots:
     void rewritingChangesTheCode();
     void cloudsAreShownAndAnswerWhatIsUnderThePointer();
     void whatIsProvedWaitsForNoPicture();
+    void anEmptyViewSaysSo();
 };
 
 void SpaceViewTest::itShowsTheSolidInItsTetrahedron() {
@@ -134,6 +135,24 @@ void SpaceViewTest::whatIsProvedWaitsForNoPicture() {
     QVERIFY(window.view->note().contains(QStringLiteral("no attractor")));
     window.document.undoStack()->undo();
     QVERIFY(!window.view->note().contains(QStringLiteral("attractor")));
+}
+
+void SpaceViewTest::anEmptyViewSaysSo() {
+    Window window;
+    QVERIFY(window.rests());
+    QVERIFY(window.view->note().isEmpty());
+    attractor::OrbitCamera away = window.camera();
+    away.target += ifs::Vector<3>(100, 100, 100);
+    window.view->navigation().moveTo(away);
+    QTRY_VERIFY2(window.view->note().startsWith(QStringLiteral("Nothing here.")),
+                 qPrintable(window.view->note()));
+    window.view->navigation().fit();
+    QTRY_VERIFY2(window.view->note().isEmpty(), qPrintable(window.view->note()));
+    document::Fractal cut = window.document.fractal();
+    cut.inSpace.clip = attractor::SpaceClip{{0, 0, 1}, 50, HUGE_VAL}; // beyond all of it
+    window.document.edit(QStringLiteral("Cut"), cut);
+    QVERIFY(window.rests());
+    QVERIFY2(window.view->note().isEmpty(), qPrintable(window.view->note()));
 }
 
 void SpaceViewTest::anEmptyPlaceOrbits() {

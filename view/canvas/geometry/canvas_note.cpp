@@ -165,6 +165,10 @@ QString noteOn(const document::Fractal& fractal, attractor::RenderNote note) {
     return {};
 }
 
+QString nothingHere() {
+    return Notes::tr("Nothing here. Press F to see the whole picture.");
+}
+
 QString noteInSpace(const document::Fractal& fractal, attractor::RenderNote note, bool isCoarse) {
     const document::System3* system = document::system3(fractal);
     if (!system) return {};

@@ -16,6 +16,9 @@ QString noteOn(const document::Fractal& fractal, attractor::RenderNote note);
 // The same of a system in space.
 QString noteInSpace(const document::Fractal& fractal, attractor::RenderNote note, bool isCoarse);
 
+// Said where a view shows none of the picture.
+QString nothingHere();
+
 // Why a drag of maps stops: the word, and what it does, that would take the attractor away. `system` has the
 // same maps taking part as those of `way`.
 template <int Dim>

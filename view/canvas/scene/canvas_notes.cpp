@@ -70,7 +70,7 @@ void CanvasNotes::describe(const document::Fractal& fractal, attractor::RenderNo
     m_text = noteOn(fractal, note);
     m_isWarning = !m_text.isEmpty() && m_text == document::cageWarning(fractal);
     if (isEmpty && (m_text.isEmpty() || m_isWarning)) {
-        m_text = tr("Nothing here. Press F to see the whole picture.");
+        m_text = nothingHere();
         m_isWarning = false;
     }
     if (m_text != m_dismissed) m_dismissed.clear();
