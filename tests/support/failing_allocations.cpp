@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // A library to be loaded before all others (LD_PRELOAD): allocation number BARYCAGE_FAILING of the program,
-// counted from 1, gets no memory, with `+` behind the number all from that one on. At the end, the number of
+// counted from 1, gets no memory, with `+` behind the number all from that one on. With `@` before it they
+// are counted from the moment when the program calls barycageBeginToFail(). At the end, the number of
 // allocations is written to the file that BARYCAGE_ALLOCATIONS names.
 #include <atomic>
 #include <cerrno>
@@ -29,13 +30,16 @@ bool isRefused() {
     return refused;
 }
 
-[[gnu::constructor(101)]] void begin() { // before other constructors
-    const char* const failing = std::getenv("BARYCAGE_FAILING");
-    if (!failing) return;
+void begin(const char* failing) {
     char* end = nullptr;
     which = std::strtol(failing, &end, 10);
     isLasting = *end == '+';
     made = 0;
+}
+
+[[gnu::constructor(101)]] void prepare() { // before other constructors
+    const char* const failing = std::getenv("BARYCAGE_FAILING");
+    if (failing && *failing != '@') begin(failing);
 }
 
 [[gnu::destructor]] void tell() {
@@ -49,6 +53,11 @@ bool isRefused() {
 } // namespace
 
 #define BARYCAGE_SEEN extern "C" __attribute__((visibility("default")))
+
+BARYCAGE_SEEN void barycageBeginToFail() {
+    const char* const failing = std::getenv("BARYCAGE_FAILING");
+    if (failing && *failing == '@') begin(failing + 1);
+}
 
 BARYCAGE_SEEN void* malloc(std::size_t size) noexcept {
     return isRefused() ? nullptr : __libc_malloc(size);

@@ -48,7 +48,9 @@ QByteArray bytesOf(const QString& path) {
     return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
 }
 
-Ended runWithAllocations(const QStringList& command, const QString& failing, const QString& counted) {
+Ended runWithAllocations(const QStringList& command, const QString& mark, const QString& which,
+                         const QString& counted) {
+    const QString failing = mark == markOfWriting() ? u'@' + which : which;
     QProcessEnvironment variables = environment();
     variables.insert(QStringLiteral("LD_PRELOAD"),
                      buildPath(QStringLiteral("tests/support/libfailing_allocations.so")));
@@ -77,12 +79,12 @@ Ended FaultyProgram::withFailingCall(int which, Lasting lasting) const {
 long FaultyProgram::allocations() const {
     const QTemporaryDir folder;
     const QString counted = folder.filePath(QStringLiteral("allocations"));
-    runWithAllocations(m_command, QStringLiteral("0"), counted);
+    runWithAllocations(m_command, m_mark, QStringLiteral("0"), counted);
     return bytesOf(counted).trimmed().toLong();
 }
 
 Ended FaultyProgram::withFailingAllocation(long which, Lasting lasting) const {
-    return runWithAllocations(m_command, numberOf(which, lasting), QStringLiteral("/dev/null"));
+    return runWithAllocations(m_command, m_mark, numberOf(which, lasting), QStringLiteral("/dev/null"));
 }
 
 std::vector<int> sampleOf(const QByteArrayList& calls, int most, int turn) {

@@ -25,7 +25,8 @@ enum class Lasting { No, Yes }; ///< whether what fails goes on failing from the
 /// A program one of whose system calls, or of whose requests for memory, fails.
 class FaultyProgram {
 public:
-    /// Calls are counted from the first one that names something that begins with `mark`.
+    /// Calls are counted from the first one that names something that begins with `mark`; requests for memory
+    /// from the start, or with the mark of the program `writing` from its begin() on.
     FaultyProgram(QStringList command, QString mark)
         : m_command(std::move(command)), m_mark(std::move(mark)) {}
 
@@ -47,6 +48,11 @@ private:
 std::vector<int> sampleOf(const QByteArrayList& calls, int most, int turn);
 /// The numbers of at most `most` of `count` allocations, evenly spaced, others for another `turn`.
 std::vector<long> sampleOf(long count, long most, int turn);
+
+/// The mark of the program `writing`.
+inline QString markOfWriting() {
+    return QStringLiteral("/barycage/begin");
+}
 
 /// All files of a folder, by name.
 QMap<QString, QByteArray> contentsOf(const QString& folder);
