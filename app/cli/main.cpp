@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <csignal>
 #include <cstdio>
+#include <cstdlib>
 #include <memory>
 #include <new>
 #include <string>
@@ -69,6 +70,8 @@ bool paintsLetters(const std::vector<std::string>& words) {
 // What libraries say of their own is no sentence of ours: whatever fails is reported by us.
 void silenceLibraries() {
     qInstallMessageHandler([](QtMsgType type, const QMessageLogContext&, const QString& text) {
+        // Qt goes on, and waits without end for the work of the thread that the system did not start.
+        if (text.startsWith(u"QThread::start: Thread creation error")) std::_Exit(cli::memoryIsShort());
         if (type != QtFatalMsg) return;
         std::fprintf(stderr, "barycage-cli: error: %s\n", qPrintable(text));
     });

@@ -7,6 +7,7 @@
 
 #include <QDir>
 #include <QFile>
+#include <QProcess>
 #include <QTest>
 
 #include <optional>
@@ -22,6 +23,9 @@ class CliFailuresTest : public CommandLineTest {
     Q_OBJECT
 
 private slots:
+    void noThreadIsWaitedFor_data();
+    void noThreadIsWaitedFor();
+    void startsWithoutMemory();
     void everyFileIsOldOrNew_data();
     void everyFileIsOldOrNew();
 
@@ -154,6 +158,66 @@ void CliFailuresTest::judge(const Ended& ended, const QByteArray& what) const {
         QVERIFY2(isNew || isOld || isWhole, (said + ": " + name.toUtf8()).constData());
     }
     if (ended.status == 0) QCOMPARE(ended.out, m_expectedOut);
+}
+
+void CliFailuresTest::noThreadIsWaitedFor_data() {
+    QTest::addColumn<QString>("command");
+    QTest::newRow("sheet") << QStringLiteral("gallery @p.ifs -o @o.png --tile 320x240");
+    QTest::newRow("png") << QStringLiteral("render @p.ifs -o @o.png --size 300x200 --points 100k");
+    QTest::newRow("exr") << QStringLiteral("render @p.ifs -o @o.exr --size 300x200 --points 100k");
+    QTest::newRow("frames") << QStringLiteral("animate @m.ifs -o @f.####.png --size 300x200 --points 10k");
+}
+
+// Qt waits without end for the work of threads that the system does not start.
+void CliFailuresTest::noThreadIsWaitedFor() {
+    QFETCH(const QString, command);
+    const auto calls = begin(command);
+    if (!calls) QSKIP("The kernel does not let a program answer the calls of another one.");
+    int threads = 0;
+    for (int i = 0; i < calls->size(); ++i) {
+        if (!calls->at(i).startsWith("clone")) continue;
+        ++threads;
+        judge(program(command).withFailingCall(i + 1, Lasting::No), "thread " + QByteArray::number(threads));
+        restore();
+        if (QTest::currentTestFailed()) return;
+    }
+    QVERIFY(threads > 0);
+}
+
+// A limit on memory ends the program with a sentence, from where its libraries are loaded on.
+void CliFailuresTest::startsWithoutMemory() {
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+    QSKIP("The sanitizers need more memory than that.");
+#endif
+    const QString line = QStringLiteral("ulimit -c 0; ulimit -v %1; exec %2 --version")
+                             .arg(QStringLiteral("%1"), support::buildPath(QStringLiteral("barycage-cli")));
+    const int step = support::isThorough() ? 50 : 1000; // KB
+    constexpr int notLoaded = 127;
+    int begun = 0;
+    for (int limit = 60'000, done = 0; done < 3 && limit < 1'000'000; limit += step) {
+        QProcess process;
+        process.start(QStringLiteral("sh"), {QStringLiteral("-c"), line.arg(limit)});
+        QVERIFY(process.waitForFinished(60'000));
+        QCOMPARE(process.exitStatus(), QProcess::NormalExit);
+        const QByteArray said = process.readAllStandardError();
+        const int status = process.exitCode();
+        QVERIFY2(status == 0 || status == 3 || (status == notLoaded && begun == 0),
+                 (QByteArray::number(status) + ": " + said).constData());
+        if (status == 3) QVERIFY2(said.contains("There is not enough memory for this."), said.constData());
+        begun += status == notLoaded ? 0 : 1;
+        done += status == 0 ? 1 : 0;
+    }
+    QVERIFY(begun > 0);
+    const FaultyProgram version(
+        {support::buildPath(QStringLiteral("barycage-cli")), QStringLiteral("--version")}, QString());
+    const long count = version.allocations();
+    QVERIFY(count > 100);
+    for (const long which : support::sampleOf(count, support::isThorough() ? count : 25, 0)) {
+        const Ended ended = version.withFailingAllocation(which, Lasting::No);
+        QVERIFY2(ended.status == 0 || ended.status == 3,
+                 ("allocation " + QByteArray::number(qint64(which)) + ": " + ended.err).constData());
+        QVERIFY(ended.status == 0 || ended.err.contains("There is not enough memory for this."));
+    }
 }
 
 void CliFailuresTest::everyFileIsOldOrNew() {
