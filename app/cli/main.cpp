@@ -7,6 +7,7 @@
 #include "options/usage_error.h"
 #include "process/messages.h"
 #include "process/output.h"
+#include "process/short_memory.h"
 
 #include <QGuiApplication>
 
@@ -14,7 +15,6 @@
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
-#include <exception>
 #include <memory>
 #include <new>
 #include <string>
@@ -70,39 +70,17 @@ bool paintsLetters(const std::vector<std::string>& words) {
 // What libraries say of their own is no sentence of ours: whatever fails is reported by us.
 void silenceLibraries() {
     qInstallMessageHandler([](QtMsgType type, const QMessageLogContext&, const QString& text) {
+        // Qt goes on, and waits without end for the work of the thread that the system did not start.
+        if (text.startsWith(u"QThread::start: Thread creation error")) std::_Exit(cli::memoryIsShort());
         if (type != QtFatalMsg) return;
         std::fprintf(stderr, "barycage-cli: error: %s\n", qPrintable(text));
     });
 }
 
-int memoryIsShort() noexcept {
-    std::fputs("barycage-cli: error: There is not enough memory for this.\n", stderr);
-    return int(ExitStatus::CannotReadOrWrite);
-}
-
-// Whatever cannot be caught: before main(), in the destructor of a library, or in a thread.
-[[noreturn]] void endWithoutMemory() {
-    if (const auto thrown = std::current_exception()) {
-        try {
-            std::rethrow_exception(thrown);
-        } catch (const std::bad_alloc&) {
-            std::_Exit(memoryIsShort());
-        } catch (const std::system_error&) { // no thread can be had
-            std::_Exit(memoryIsShort());
-        } catch (...) {
-            std::abort();
-        }
-    }
-    std::abort();
-}
-
-[[gnu::constructor(101)]] void prepareForLittleMemory() { // before other constructors
-    std::set_terminate(endWithoutMemory);
-}
-
 } // namespace
 
 int main(int argc, char** argv) try {
+    qputenv("QT_NO_GLIB", "1"); // whose loop of events is never used
     silenceLibraries();
     std::signal(SIGXFSZ, SIG_IGN); // a limit on the size of files is an error of writing, not the end
     const std::vector<std::string> words(argv + std::min(argc, 1), argv + argc);
@@ -121,5 +99,5 @@ int main(int argc, char** argv) try {
                                 cli::stealCommand(), cli::pageCommand()});
     return int(run(program, words));
 } catch (const std::bad_alloc&) { // before anything could be read
-    return memoryIsShort();
+    return cli::memoryIsShort();
 }

@@ -120,11 +120,13 @@ struct Looked {
     QSize size{};
     bool isDeep = false; // of 16 bits per channel
     bool hasOpacity = false;
+    bool isUnreadable = false;
 };
 
 Looked lookedAt(const QString& path) {
     const io::CheckedPng picture = io::checkedPng(path);
-    Looked looked{picture.damage, {}, picture.size, picture.bitsPerChannel > 8, picture.hasOpacity};
+    Looked looked{picture.damage,      {}, picture.size, picture.bitsPerChannel > 8, picture.hasOpacity,
+                  picture.isUnreadable};
     Marks& marks = looked.marks;
     const auto animation = picture.texts.find(io::animationRequestKeyword);
     if (animation != picture.texts.end()) marks.animation = animation->second;
@@ -153,7 +155,7 @@ public:
         for (int index = 0; index < int(m_numbers.size()); ++index) // rather than after all that come before
             if (const auto obstacle = obstacleOf(m_looked[numberOf(index)])) {
                 reportError(pathOf(index), *obstacle);
-                return ExitStatus::InputProblems;
+                return statusOf(m_looked[numberOf(index)]);
             }
         for (int index = 0; index < int(m_numbers.size()); ++index)
             if (const auto stranger = strangerAmong(m_looked[numberOf(index)].marks, index)) {
@@ -305,19 +307,24 @@ private:
     QImage read(int index) {
         const QString path = pathOf(index);
         const Looked now = lookedAt(path); // it may be another one by now
-        if (const auto obstacle = obstacleOf(now)) return refused(path, *obstacle);
-        if (const auto stranger = strangerAmong(now.marks, index)) return refused(path, *stranger);
+        if (const auto obstacle = obstacleOf(now)) refuse(path, *obstacle, statusOf(now));
+        if (const auto stranger = strangerAmong(now.marks, index)) refuse(path, *stranger);
         const io::Loaded loaded = io::loadFile(path);
-        if (loaded.failure) return refused(path, *loaded.failure);
+        if (loaded.failure) refuse(path, *loaded.failure, ExitStatus::CannotReadOrWrite);
         const io::DecodedPicture frame = io::decodedFrame(loaded.bytes, m_interrupt.token());
         if (frame.flaw && m_interrupt.token().stop_requested()) return {};
-        return frame.flaw ? refused(path, *frame.flaw) : frame.image;
+        if (frame.flaw) refuse(path, *frame.flaw);
+        return frame.image;
     }
 
-    QImage refused(const QString& path, const QString& sentence) {
+    static ExitStatus statusOf(const Looked& damaged) {
+        return damaged.isUnreadable ? ExitStatus::CannotReadOrWrite : ExitStatus::InputProblems;
+    }
+
+    [[noreturn]] void refuse(const QString& path, const QString& sentence,
+                             ExitStatus status = ExitStatus::InputProblems) {
         m_bar.clear();
-        reportError(path, sentence);
-        return {};
+        throw InputError{path, sentence, status};
     }
 
     const EncodeArguments& m_arguments;

@@ -442,14 +442,16 @@ private:
                 std::holds_alternative<io::MeshFormat>(m_plan.format) && !facts && !outcome.isShortOfMemory;
             return isRefused ? ExitStatus::InputProblems : ExitStatus::CannotReadOrWrite;
         }
-        if (facts && !isStandardOutput(output)) sayReport(io::summaryOf(*facts, m_plan.solid));
         ++m_filesWritten;
+        const bool isReported = facts && !isStandardOutput(output);
+        const ExitStatus reported =
+            isReported ? sayReport(io::summaryOf(*facts, m_plan.solid), output) : ExitStatus::Done;
         if (outcome.note != attractor::RenderNote::None)
             reportWarning(
                 inputName,
                 tr("“%1” may not have an attractor; the points show where orbits go before they escape.")
                     .arg(fractal->name));
-        return ExitStatus::Done;
+        return reported;
     }
 
     io::Export exportOf(const document::Fractal& fractal, std::optional<io::SolidFacts>& facts) const {

@@ -7,8 +7,10 @@
 #include "process/messages.h"
 
 #include "document/edits/dimension_edits.h"
+#include "io/file/standard_output.h"
 #include "io/text/number.h"
 
+#include <cerrno>
 #include <cmath>
 
 namespace cli {
@@ -113,8 +115,10 @@ std::optional<QString> liftWarning(const document::Fractal& lifted, const Dimens
         .arg(lifted.name, QString::fromLatin1(io::formatNumber(*change.scale)));
 }
 
-void sayReport(const QString& lines) {
-    (void)print(printable(lines).toUtf8());
+ExitStatus sayReport(const QString& lines, const QString& fileName) {
+    if (print(printable(lines).toUtf8())) return ExitStatus::Done;
+    reportError(fileName, io::cannotPrint(errno));
+    return ExitStatus::CannotReadOrWrite;
 }
 
 } // namespace cli

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "options/exit_status.h"
+
 #include "document/fractal_file.h"
 #include "io/solid/printable_solid.h"
 
@@ -47,6 +49,7 @@ std::optional<QString> changeDimension(document::Entry& entry, const DimensionCh
 // That what was lifted by a factor for z that does not contract has no attractor.
 std::optional<QString> liftWarning(const document::Fractal& lifted, const DimensionChange& change);
 
-void sayReport(const QString& lines); // on standard output
+// Prints lines on standard output, and says it of the file where that fails.
+ExitStatus sayReport(const QString& lines, const QString& fileName);
 
 } // namespace cli

@@ -122,8 +122,12 @@ bool isSumFile(const QString& output) {
 
 using AnySums = std::variant<io::PictureSums, io::SpaceSums>;
 
-template <class Loaded> AnySums loadedSums(const Loaded& loaded) {
-    if (loaded.failure) throw InputError{QStringLiteral("barycage-cli"), *loaded.failure};
+ExitStatus statusOf(const io::SumFiles& files) {
+    return files.isUnreadable() ? ExitStatus::CannotReadOrWrite : ExitStatus::InputProblems;
+}
+
+template <class Loaded> AnySums loadedSums(const Loaded& loaded, const io::SumFiles& files) {
+    if (loaded.failure) throw InputError{QStringLiteral("barycage-cli"), *loaded.failure, statusOf(files)};
     return loaded.sums;
 }
 
@@ -133,11 +137,9 @@ AnySums readSums(const QStringList& paths, int threads) {
     for (const QString& path : paths)
         noteRead(path);
     const auto files = std::make_shared<io::SumFiles>(paths);
-    if (files->failure())
-        throw InputError{program, *files->failure(),
-                         files->isUnreadable() ? ExitStatus::CannotReadOrWrite : ExitStatus::InputProblems};
-    return io::areOfSpace(*files) ? loadedSums(io::spaceSumsIn(files, threads))
-                                  : loadedSums(io::sumsIn(files, threads));
+    if (files->failure()) throw InputError{program, *files->failure(), statusOf(*files)};
+    return io::areOfSpace(*files) ? loadedSums(io::spaceSumsIn(files, threads), *files)
+                                  : loadedSums(io::sumsIn(files, threads), *files);
 }
 
 struct MergeArguments {

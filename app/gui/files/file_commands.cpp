@@ -172,27 +172,12 @@ QString FileCommands::targetRemark() const {
                : QString();
 }
 
-QString FileCommands::previousRemark() const {
-    const QString kept = io::previousVersionOf(m_file->name());
-    switch (m_file->previousVersion()) {
-    case io::Keeping::Nothing:
-        break;
-    case io::Keeping::Kept:
-        return tr("The previous version is %1.").arg(kept);
-    case io::Keeping::Foreign:
-        return tr("The previous version was not kept: there is already a file %1 that Barycage did not make.")
-            .arg(kept);
-    case io::Keeping::Refused:
-        return tr("The previous version could not be kept as %1.").arg(kept);
-    }
-    return {};
-}
-
 void FileCommands::reportSaved() {
     QString sentence = tr("Saved %1.").arg(m_file->name());
     if (m_file->otherNames() > 0)
         sentence += u' ' + tr("Other names of the file (hard links) keep the old contents.");
-    if (const QString remark = previousRemark(); !remark.isEmpty()) sentence += u' ' + remark;
+    const QString previous = remarkOn(m_file->previousVersion(), m_file->name());
+    if (!previous.isEmpty()) sentence += u' ' + previous;
     if (const QString remark = targetRemark(); !remark.isEmpty() && !m_hasRemarkedOnTarget) {
         sentence += u' ' + remark;
         m_hasRemarkedOnTarget = true;
@@ -250,10 +235,12 @@ void FileCommands::saveForOtherPrograms() {
     const QPointer<QMainWindow> window(m_context.window);
     if (!view::waitFor(QFuture<void>(work), tr("Saving “%1”…").arg(name), window) || !window) return;
     const Copy copy = work.takeResult();
-    const auto [isCancelled, failure] = view::saveBeside(path, copy.bytes, window);
+    const auto [saving, outcome] = saveKeeping(path, copy.bytes, window, m_file->versions());
+    const auto& [isCancelled, failure] = saving;
     if (isCancelled || !window) return;
     if (failure) return m_context.messages->fail(tr("%1 was not saved").arg(name), *failure);
     QString sentence = tr("Saved the copy %1.").arg(name);
+    if (const QString previous = remarkOn(outcome, name); !previous.isEmpty()) sentence += u' ' + previous;
     if (!copy.left.isEmpty())
         sentence +=
             u' ' + tr("Other programs still draw these entries differently: %1.").arg(list(copy.left));

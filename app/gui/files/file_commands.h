@@ -51,7 +51,6 @@ private:
     void reportOpened();
     void reportSaved();
     QString targetRemark() const;       // about the target of a collage, if there is one
-    QString previousRemark() const;     // about the version before the last save
     QString lostSnapshots() const;      // a sentence; empty: none
     QString discardedSnapshots() const; // besides these, when changes are given up
 

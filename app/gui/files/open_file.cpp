@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "files/open_file.h"
 
-#include "desktop/preferences.h"
-#include "desktop/settings.h"
 #include "document/fractal/fractal_geometry.h"
 #include "document/text/text.h"
 #include "document/tops/picture_paths.h"
@@ -42,8 +40,7 @@ struct Writing {
     document::FractalFile file; // as it reads when it is opened again
     QByteArray digest;
     int otherNames = 0; // of the file that was there
-    bool keepsPrevious = false;
-    QByteArray ownDigest; // of a previous version that is kept already
+    KeptVersions::Wish wish;
     io::KeptVersion kept;
 };
 
@@ -61,29 +58,9 @@ QFuture<void> writeBeside(const std::shared_ptr<Writing>& writing, const documen
                 if (promise.isCanceled()) return;
                 target.write(bytes.constData() + at, std::min(piece, bytes.size() - at));
             }
-            if (writing->keepsPrevious && !target.failure() && !promise.isCanceled())
-                writing->kept = io::keepPreviousVersion(path, writing->ownDigest);
+            if (!target.failure() && !promise.isCanceled()) writing->kept = writing->wish.fulfilled(path);
             if (!writing->isDecided.exchange(true)) writing->failure = target.commit();
         }));
-}
-
-// What was kept in which file, the latest last: only such a file is replaced.
-const QString keptKey = QStringLiteral("kept/versions");
-constexpr qsizetype maxRemembered = 200;
-
-QByteArray digestKept(const QString& path) {
-    for (const QString& line : view::stored(keptKey).toStringList())
-        if (line.section(u' ', 1) == path) return QByteArray::fromHex(line.section(u' ', 0, 0).toLatin1());
-    return {};
-}
-
-void rememberKept(const QString& path, const QByteArray& digest) {
-    QStringList lines = view::stored(keptKey).toStringList();
-    lines.removeIf([&](const QString& line) { return line.section(u' ', 1) == path; });
-    lines << QString::fromLatin1(digest.toHex()) + u' ' + path;
-    while (lines.size() > maxRemembered)
-        lines.removeFirst();
-    view::store(keptKey, lines);
 }
 
 OpenFile::OnDisk now(const QString& path, const QByteArray& known) {
@@ -205,7 +182,7 @@ io::Failure OpenFile::open(const QString& path, FileReading reading) {
     document::FractalFile before = m_document->file();
     m_document->setFile(std::move(collection.file));
     io::freeInBackground(std::move(before));
-    m_kept.clear();
+    m_versions.clear();
     // What was taken out of another format has no .ifs file to be saved to yet.
     if (collection.format == QLatin1String("fractint"))
         remember(path, digest);
@@ -285,9 +262,7 @@ std::optional<OpenFile::OnDisk> OpenFile::onDisk() {
 io::Failure OpenFile::write(const QString& path) {
     const QScopedValueRollback<bool> busy(m_isBusy, true);
     const auto writing = std::make_shared<Writing>();
-    const QString absolute = QFileInfo(path).absoluteFilePath();
-    writing->keepsPrevious = view::Preferences::stored().keepPrevious && !m_kept.contains(absolute);
-    writing->ownDigest = digestKept(absolute);
+    writing->wish = m_versions.wishFor(path);
     const auto inFolder = [from = m_path.isEmpty() ? QString() : QFileInfo(m_path).path(),
                            to = QFileInfo(path).absolutePath()](const document::FractalFile& of) {
         return document::withPicturesFoundFrom(of, from, to);
@@ -299,9 +274,8 @@ io::Failure OpenFile::write(const QString& path) {
         if (!writing->isDecided.exchange(true))
             return tr("Saving “%1” was cancelled. The file on disk is unchanged.").arg(file);
     work.waitForFinished(); // throws what went wrong besides
-    if (writing->kept.outcome == io::Keeping::Kept) rememberKept(absolute, writing->kept.digest);
+    m_versions.note(path, writing->kept, !writing->failure);
     if (writing->failure) return writing->failure;
-    m_kept << absolute;
     m_previous = writing->kept.outcome;
     m_otherNames = writing->otherNames;
     remember(path, writing->digest);

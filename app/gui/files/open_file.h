@@ -3,6 +3,7 @@
 
 #include "document/disk/journal.h"
 #include "document/document.h"
+#include "files/kept_versions.h"
 #include "files/open_claim.h"
 #include "io/collection_reader.h"
 #include "io/file/previous_version.h"
@@ -12,7 +13,6 @@
 #include <QFuture>
 #include <QObject>
 #include <QPointer>
-#include <QSet>
 #include <QString>
 
 #include <optional>
@@ -78,6 +78,7 @@ public:
     // What became of the version before the last save. The first save of a file in this window keeps it,
     // unless the user does not want that.
     io::Keeping previousVersion() const { return m_previous; }
+    KeptVersions& versions() { return m_versions; } // of whatever the window saves
 
 signals:
     void pathChanged();
@@ -108,7 +109,7 @@ private:
 
     int m_otherNames = 0;
     io::Keeping m_previous = io::Keeping::Nothing;
-    QSet<QString> m_kept; // files whose previous version is kept, or that there were none of
-    QString m_claimed;    // the path that it is for
+    KeptVersions m_versions;
+    QString m_claimed; // the path that it is for
     ClaimLock m_claim;
 };

@@ -3,6 +3,7 @@
 
 #include "actions/action_menu.h"
 #include "document/fractal_file.h"
+#include "document/text/text.h"
 #include "io/file/background.h"
 #include "io/page/page_export.h"
 #include "widgets/background/save_beside.h"
@@ -12,6 +13,8 @@
 #include <QCoreApplication>
 #include <QFileInfo>
 #include <QPointer>
+
+#include <new>
 
 namespace {
 
@@ -30,15 +33,25 @@ void exportWebPage(const MenuContext& context, const QString& folder) {
                                                 WindowText::tr("Web pages (*.html)"), QStringLiteral("html"));
     if (path.isEmpty()) return;
     const QString name = QFileInfo(path).fileName();
-    QFuture<QByteArray> work = io::inBackground<QByteArray>(
-        [page = std::move(page)](QPromise<QByteArray>& promise) { promise.addResult(io::pageOf(page)); });
+    QFuture<QByteArray> work =
+        io::inBackground<QByteArray>([page = std::move(page)](QPromise<QByteArray>& promise) {
+            try {
+                promise.addResult(io::pageOf(page));
+            } catch (const std::bad_alloc&) {
+                promise.addResult(QByteArray());
+            }
+        });
     const QPointer<QMainWindow> window(context.window);
     WindowMessages* const messages = context.messages;
     const QString saving = WindowText::tr("Saving “%1”…").arg(name);
     if (!view::waitFor(QFuture<void>(work), saving, window) || !window) return;
-    const auto [isCancelled, failure] = view::saveBeside(path, work.takeResult(), window);
+    const QByteArray text = work.takeResult();
+    const QString notSaved = WindowText::tr("%1 was not saved").arg(name);
+    if (text.isEmpty())
+        return messages->fail(notSaved, Text::tr("There is not enough memory for this picture."));
+    const auto [isCancelled, failure] = view::saveBeside(path, text, window);
     if (isCancelled || !window) return;
-    if (failure) return messages->fail(WindowText::tr("%1 was not saved").arg(name), *failure);
+    if (failure) return messages->fail(notSaved, *failure);
     messages->say(
         WindowText::tr("%1 was written. Open it in a browser, or mail it: it needs no network.").arg(name));
 }

@@ -435,7 +435,8 @@ bool LessonCommands::saveTo(const QString& path) {
     }
     m_notebook->setFile(reference);
     const QPointer<LessonCommands> self(this);
-    const view::Saving saving = view::saveBeside(path, io::writeLesson(m_notebook->lesson()), m_parts.window);
+    const auto [saving, outcome] =
+        saveKeeping(path, io::writeLesson(m_notebook->lesson()), m_parts.window, m_file->versions());
     if (!self || saving.isCancelled) return false;
     if (saving.failure) {
         context().messages->fail(tr("%1 was not saved").arg(name), *saving.failure);
@@ -445,6 +446,7 @@ bool LessonCommands::saveTo(const QString& path) {
     m_filePath = m_file->path();
     recent_files::add(path);
     QString sentence = tr("Saved %1.").arg(name);
+    if (const QString previous = remarkOn(outcome, name); !previous.isEmpty()) sentence += u' ' + previous;
     if (context().document->isModified()) sentence += u' ' + tr("The fractals have unsaved changes.");
     context().messages->say(sentence);
     return true;

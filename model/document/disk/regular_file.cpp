@@ -36,9 +36,10 @@ Opened openRegular(QFile& file, const QByteArray& name) {
     if (descriptor < 0 && errno == EWOULDBLOCK) // another program lets go of the file for this one
         descriptor = ::open(name.constData(), flags);
     if (descriptor < 0) return closed(errno);
-    if (::fstat(descriptor, &status) != 0 || !S_ISREG(status.st_mode)) {
+    const int error = ::fstat(descriptor, &status) == 0 ? 0 : errno;
+    if (error != 0 || !S_ISREG(status.st_mode)) {
         ::close(descriptor);
-        return {NotRegular};
+        return error != 0 ? closed(error) : Opened{NotRegular};
     }
     ::fcntl(descriptor, F_SETFL, ::fcntl(descriptor, F_GETFL) & ~O_NONBLOCK);
     if (file.open(descriptor, QIODevice::ReadOnly, QFileDevice::AutoCloseHandle)) return {};

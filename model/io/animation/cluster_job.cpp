@@ -10,6 +10,7 @@
 #include <QFile>
 
 #include <algorithm>
+#include <new>
 
 namespace io {
 
@@ -98,15 +99,26 @@ Failure fill(const QDir& folder, const ClusterJob& job) {
 WrittenJob writeClusterJob(const QString& parent, const ClusterJob& job) {
     const QString name = document::fileNamePart(document::UniqueNames().give(job.animation.entry.name)) +
                          QStringLiteral("-cluster");
-    QDir folder(parent);
+    const QDir folder(parent);
     QString unused = name;
     for (int number = 2; folder.exists(unused); ++number)
         unused = name + u'-' + QString::number(number);
-    if (!folder.mkdir(unused) || !folder.cd(unused))
-        return {{}, Text::tr("The folder %1 cannot be created.").arg(folder.filePath(unused))};
-    WrittenJob written{folder.path(), fill(folder, job)};
-    if (written.failure) folder.removeRecursively();
-    return written;
+    const QString path = folder.filePath(unused);
+    QDir made(path);
+    const WrittenJob failed{{}, Text::tr("The folder %1 cannot be created.").arg(path)};
+    if (!folder.mkdir(unused)) return failed;
+    try {
+        if (made.exists()) {
+            WrittenJob written{path, fill(made, job)};
+            if (written.failure) made.removeRecursively();
+            return written;
+        }
+        folder.rmdir(unused);
+        return failed;
+    } catch (const std::bad_alloc&) {
+        made.removeRecursively();
+        throw;
+    }
 }
 
 } // namespace io

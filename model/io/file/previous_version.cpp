@@ -5,6 +5,7 @@
 #include "io/file/save_file.h"
 
 #include <QCryptographicHash>
+#include <QRandomGenerator>
 
 #include <algorithm>
 #include <filesystem>
@@ -12,6 +13,7 @@
 
 #ifdef Q_OS_UNIX
 #include <cerrno>
+#include <cstdio>
 #include <fcntl.h>
 #include <sys/stat.h>
 #include <unistd.h>
@@ -59,10 +61,24 @@ bool keepAs(const QByteArray& name, const QByteArray& path, const QByteArray& by
     return (isFile && ::link(path.constData(), name.constData()) == 0) || copyAs(name, path, bytes);
 }
 
+// The version that has the name stays until the other one is there.
+bool keepInPlaceOf(const QByteArray& name, const QByteArray& path, const QByteArray& bytes) {
+    const QByteArray folder = path.left(path.lastIndexOf('/') + 1);
+    const QByteArray other =
+        folder + ".barycage-" + QByteArray::number(QRandomGenerator::system()->generate64(), 36);
+    if (!keepAs(other, path, bytes)) return false;
+    if (::rename(other.constData(), name.constData()) == 0) return true;
+    ::unlink(other.constData());
+    return false;
+}
+
 #else
 
 bool keepAs(const QByteArray& name, const QByteArray&, const QByteArray& bytes) {
     return !saveFile(pathOf(name), bytes);
+}
+bool keepInPlaceOf(const QByteArray& name, const QByteArray& path, const QByteArray& bytes) {
+    return keepAs(name, path, bytes);
 }
 
 #endif
@@ -87,10 +103,10 @@ KeptVersion keepPreviousVersion(const QString& path, const QByteArray& own) {
         const QByteArray other = digestOfVersion(kept.bytes);
         if (other == digest) return {Keeping::Kept, digest}; // from a save that was cancelled
         if (other != own) return {Keeping::Foreign, {}};
-        if (!fs::remove(name.toStdString(), error)) return {Keeping::Refused, {}};
     }
-    if (!keepAs(name, from, now.bytes)) return {Keeping::Refused, {}};
-    return {Keeping::Kept, digest};
+    const bool isKept =
+        fs::exists(there) ? keepInPlaceOf(name, from, now.bytes) : keepAs(name, from, now.bytes);
+    return isKept ? KeptVersion{Keeping::Kept, digest} : KeptVersion{Keeping::Refused, {}};
 }
 
 } // namespace io

@@ -302,8 +302,14 @@ Loaded load(const QString& path, Opening* open) {
     if (isLost(path)) return {{}, notUtf8(path)};
     const bool isResource = path.startsWith(u':');
     if (const Failure closed = isResource ? std::nullopt : whyClosed(target(path))) return {{}, closed};
-    if (!isResource && !fs::exists(native, error))
-        return {{}, Text::tr("“%1” does not exist.").arg(shown(path))};
+    const fs::file_status status = fs::status(native, error);
+    const bool isUnknown =
+        status.type() == fs::file_type::none && error != std::errc::filename_too_long && !isResource;
+    if (isUnknown)
+        return {{},
+                Text::tr("“%1” cannot be read: %2.")
+                    .arg(shown(path), QString::fromLocal8Bit(error.message().c_str()))};
+    if (!isResource && !fs::exists(status)) return {{}, Text::tr("“%1” does not exist.").arg(shown(path))};
     if (fs::is_directory(native, error))
         return {{}, Text::tr("“%1” is a folder, not a file.").arg(shown(path))};
     const QString tooLarge =

@@ -18,6 +18,8 @@
 #include <QPainter>
 
 #include <algorithm>
+#include <cstdint>
+#include <new>
 #include <span>
 
 namespace io {
@@ -79,11 +81,11 @@ QImage stillPicture(const document::Fractal& fractal) {
     return drawPicture(picture).image;
 }
 
-// A JPEG in an address, on white where the picture is transparent.
+// A JPEG in an address, on white where the picture is transparent. Only memory can be missing.
 QByteArray stillAddress(const document::Fractal& fractal) {
     const QImage drawn = stillPicture(fractal);
-    if (drawn.isNull()) return {};
     QImage image(drawn.size(), QImage::Format_ARGB32_Premultiplied);
+    if (drawn.isNull() || image.isNull()) throw std::bad_alloc();
     image.fill(Qt::white);
     QPainter(&image).drawImage(0, 0, drawn);
     QBuffer file;
@@ -97,8 +99,8 @@ QByteArray stillAddress(const document::Fractal& fractal) {
     for (int y = 0; y < image.height(); ++y)
         if (writer.writeRows(
                 std::span(reinterpret_cast<const std::uint32_t*>(image.constScanLine(y)), width)))
-            return {};
-    if (writer.finish()) return {};
+            throw std::bad_alloc();
+    if (writer.finish()) throw std::bad_alloc();
     return "data:image/jpeg;base64," + file.data().toBase64();
 }
 

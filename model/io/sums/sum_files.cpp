@@ -58,7 +58,10 @@ bool SumFiles::open(const QString& path) {
 }
 
 bool SumFiles::failed(const Part& part) {
-    if (!m_failure) m_failure = Text::tr("“%1”: %2").arg(part.path, *part.reader->failure());
+    if (m_failure) return false;
+    m_isUnreadable = part.file->error() != QFileDevice::NoError;
+    m_failure = m_isUnreadable ? Text::tr("“%1” cannot be read: %2.").arg(part.path, part.file->errorString())
+                               : Text::tr("“%1”: %2").arg(part.path, *part.reader->failure());
     return false;
 }
 

@@ -12,11 +12,16 @@
 #include <QApplication>
 #include <QDir>
 #include <QFile>
+#include <QFileDialog>
 #include <QFileInfo>
 #include <QKeySequence>
+#include <QLineEdit>
+#include <QMessageBox>
+#include <QPushButton>
 #include <QStatusBar>
 #include <QTemporaryDir>
 #include <QTest>
+#include <QTimer>
 
 #include <sys/stat.h>
 #include <unistd.h>
@@ -47,6 +52,27 @@ QString saveAs(MainWindow& window, const QString& name) {
     return window.statusBar()->currentMessage();
 }
 
+QAction* actionOf(const MainWindow& window, const QString& text) {
+    for (auto* found : window.findChildren<QAction*>())
+        if (found->text().remove(u'&') == text) return found;
+    qFatal("no such command");
+}
+
+// In the dialog that will ask for a file, and in the question whether to replace it.
+void answerWith(QTimer& answering, const QString& path) {
+    QObject::connect(&answering, &QTimer::timeout, &answering, [path] {
+        QWidget* const shown = QApplication::activeModalWidget();
+        if (auto* question = qobject_cast<QMessageBox*>(shown)) {
+            QPushButton* const yes = qobject_cast<QPushButton*>(question->button(QMessageBox::Yes));
+            yes ? yes->click() : question->reject(); // of a folder that is not read yet
+        } else if (auto* files = qobject_cast<QFileDialog*>(shown)) {
+            files->findChild<QLineEdit*>(QStringLiteral("fileNameEdit"))->setText(path);
+            QMetaObject::invokeMethod(files, "accept", Qt::QueuedConnection);
+        }
+    });
+    answering.start(50);
+}
+
 } // namespace
 
 // What saving replaces stays beside the file, and windows know of each other's files.
@@ -73,6 +99,8 @@ private slots:
     void behindALinkItIsACopy();
     void nobodyNeedHaveIt();
     void aNewFileHasNone();
+    void lessonsKeepTheirs();
+    void copiesKeepTheirs();
     void aFileOpenElsewhereIsSaid();
     void aClosedWindowGivesItsFileUp();
 
@@ -170,6 +198,42 @@ void PreviousVersionTest::aNewFileHasNone() {
     QVERIFY(!saveAs(*window, QStringLiteral("one")).contains(u'~'));
     QVERIFY(bytesOf(fresh).startsWith("one"));
     QVERIFY(!QFile::exists(fresh + u'~'));
+}
+
+// As the file itself: once in a sitting.
+void PreviousVersionTest::lessonsKeepTheirs() {
+    const QString path = m_folder->filePath(QStringLiteral("my.lesson"));
+    const QByteArray first = "lesson: Mine\nfile: maple.ifs\n\n## One\nentry: leaf\n\nText.\n";
+    putBytes(path, first);
+    auto* window = new MainWindow;
+    window->show();
+    QVERIFY(window->openPath(path));
+    for (const char* title : {"Second", "Third"}) {
+        actionOf(*window, QStringLiteral("Add Step"))->trigger();
+        actionOf(*window, QStringLiteral("Save Lesson…"))->trigger();
+        QVERIFY2(bytesOf(path) != first, title);
+        QCOMPARE(bytesOf(path + u'~'), first);
+        const QString said = window->statusBar()->currentMessage();
+        QCOMPARE(said.contains(QStringLiteral("my.lesson~")), title == QByteArray("Second"));
+    }
+}
+
+void PreviousVersionTest::copiesKeepTheirs() {
+    const QString path = m_folder->filePath(QStringLiteral("copy.ifs"));
+    const QByteArray before = "older { .5 0 0 .5 0 0 1 }\n";
+    putBytes(path, before);
+    MainWindow* window = opened();
+    for (const bool isFirst : {true, false}) {
+        QTimer answering;
+        answerWith(answering, path);
+        actionOf(*window, QStringLiteral("Save a Copy for Other Programs…"))->trigger();
+        answering.stop();
+        QVERIFY(bytesOf(path).startsWith("leaf"));
+        QCOMPARE(bytesOf(path + u'~'), before);
+        const QString said = window->statusBar()->currentMessage();
+        QVERIFY2(said.contains(QStringLiteral("copy.ifs~")) == isFirst, qPrintable(said));
+    }
+    QCOMPARE(bytesOf(m_path), firstVersion);
 }
 
 void PreviousVersionTest::aFileOpenElsewhereIsSaid() {

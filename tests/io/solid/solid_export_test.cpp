@@ -45,6 +45,7 @@ private slots:
     void openScadPartsLieOnTheAttractor();
     void whatHasNoSolid_data();
     void whatHasNoSolid();
+    void lowerThanTheLowestIsNotAdvised();
     void theHighestResolutionIsNamed();
     void hardSystemsEnd_data();
     void hardSystemsEnd();
@@ -454,6 +455,19 @@ void SolidExportTest::whatHasNoSolid_data() {
     for (int k = 0; k < 4; ++k)
         ifs::append<3>(far, systems::scaled(0.5, 5e8 + (k & 1), k >> 1, 0));
     QTest::newRow("far away") << far << resolution(100) << u"distance from the origin"_s;
+}
+
+void SolidExportTest::lowerThanTheLowestIsNotAdvised() {
+    systems::System3 slow; // whose words are as large as the whole, however long
+    ifs::append<3>(slow, systems::scaled(0.99999999, 0, 0, 0));
+    ifs::append<3>(slow, systems::scaled(0.99999999, 1, 0.3, 0.2));
+    const auto said = [&](int voxels) {
+        const auto solid = io::printableSolid(fractalOf(slow), resolution(voxels));
+        return solid.failure.value_or(QString());
+    };
+    QVERIFY(said(io::SolidOptions::leastOffered + 1).contains(u"Choose a lower resolution"));
+    QVERIFY(said(io::SolidOptions::leastOffered).contains(u"even at the lowest resolution"));
+    QVERIFY(!said(io::SolidOptions::leastOffered).contains(u"Choose"));
 }
 
 void SolidExportTest::whatHasNoSolid() {

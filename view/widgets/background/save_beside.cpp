@@ -11,6 +11,7 @@
 
 #include <atomic>
 #include <memory>
+#include <utility>
 
 namespace view {
 
@@ -24,13 +25,17 @@ struct Shared {
 
 } // namespace
 
-Saving saveBeside(const QString& path, const QByteArray& bytes, QWidget* window) {
+Saving saveBeside(const QString& path, const QByteArray& bytes, QWidget* window,
+                  std::function<void()> beforeReplacing) {
     const auto shared = std::make_shared<Shared>();
-    QFuture<void> work(io::inBackground<bool>(io::Lane::Saving, [shared, path, bytes](QPromise<bool>&) {
-        io::NewFile file(path);
-        if (!file.failure()) file.write(bytes);
-        if (!shared->isDecided.exchange(true)) shared->failure = file.commit();
-    }));
+    QFuture<void> work(io::inBackground<bool>(
+        io::Lane::Saving,
+        [shared, path, bytes, beforeReplacing = std::move(beforeReplacing)](QPromise<bool>&) {
+            io::NewFile file(path);
+            if (!file.failure()) file.write(bytes);
+            if (beforeReplacing && !file.failure() && !shared->isDecided) beforeReplacing();
+            if (!shared->isDecided.exchange(true)) shared->failure = file.commit();
+        }));
     const QString label = Text::tr("Saving “%1”…").arg(QFileInfo(path).fileName());
     const QPointer over(window);
     while (!waitFor(work, label, over)) // in the end it is cancelled, or saved

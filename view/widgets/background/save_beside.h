@@ -6,6 +6,8 @@
 #include <QByteArray>
 #include <QString>
 
+#include <functional>
+
 class QWidget;
 
 namespace view {
@@ -17,6 +19,8 @@ struct Saving {
 
 // io::saveFile() beside the window, whose events are handled meanwhile; when it takes longer than a moment,
 // under a dialog over `window` from which it can be cancelled. `window` may be gone afterwards.
-Saving saveBeside(const QString& path, const QByteArray& bytes, QWidget* window);
+// What is handed over is called in the thread that saves, before the file is replaced.
+Saving saveBeside(const QString& path, const QByteArray& bytes, QWidget* window,
+                  std::function<void()> beforeReplacing = {});
 
 } // namespace view

@@ -67,15 +67,12 @@ bool takeHeader(const QByteArray& header, CheckedPng& found, char* kind) {
 }
 
 CheckedPng damaged(const QString& sentence) {
-    return {sentence, {}, {}};
+    CheckedPng found;
+    found.damage = sentence;
+    return found;
 }
 
-} // namespace
-
-CheckedPng checkedPng(const QString& path) {
-    QFile file;
-    if (!document::openRegular(file, nativeName(path)).isOpen())
-        return damaged(Text::tr("The picture cannot be opened."));
+CheckedPng checked(QFile& file) {
     if (file.read(8) != QByteArray("\x89PNG\r\n\x1a\n", 8))
         return damaged(Text::tr("The file is not a PNG picture."));
     const auto incomplete = [] {
@@ -100,6 +97,18 @@ CheckedPng checkedPng(const QString& path) {
             found.texts[chunk->data.first(end)] = chunk->data.sliced(end + 1);
     }
     return hasPixels && file.atEnd() ? found : incomplete();
+}
+
+} // namespace
+
+CheckedPng checkedPng(const QString& path) {
+    QFile file;
+    const document::Opened opened = document::openRegular(file, nativeName(path));
+    CheckedPng found = opened.isOpen() ? checked(file) : damaged(Text::tr("The picture cannot be opened."));
+    const bool isReadingFailed = opened.isOpen() && file.error() != QFileDevice::NoError;
+    if (isReadingFailed) found = damaged(Text::tr("“%1” cannot be read: %2.").arg(path, file.errorString()));
+    found.isUnreadable = isReadingFailed || opened.state == document::Opened::State::Closed;
+    return found;
 }
 
 QSize pngSize(const QByteArray& bytes) {

@@ -14,6 +14,7 @@ namespace io {
 // and nothing follows.
 struct CheckedPng {
     std::optional<QString> damage; // why it is not complete, be it cut, damaged or not readable; a sentence
+    bool isUnreadable = false;     // the system does not give its bytes
     // The uncompressed Latin-1 texts (tEXt) whose keywords begin with "barycage:"; none where it is damaged.
     std::map<QByteArray, QByteArray> texts;
     QSize size;              // as its header says, like the rest; none where it is damaged

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "io/file/previous_version.h"
+#include "widgets/background/save_beside.h"
+
+#include <QByteArray>
+#include <QSet>
+#include <QString>
+
+class QWidget;
+
+// The previous versions of the files that a window saves: each is kept once in a sitting, unless the
+// preference is off. Which of them are ours outlives the program.
+class KeptVersions {
+public:
+    // What io::keepPreviousVersion() needs to know of a file; for any thread.
+    struct Wish {
+        bool isWanted = false;
+        QByteArray own;
+
+        io::KeptVersion fulfilled(const QString& path) const;
+    };
+    Wish wishFor(const QString& path) const;
+    // After saving was tried.
+    void note(const QString& path, const io::KeptVersion& kept, bool isSaved);
+    void clear() { m_seen.clear(); }
+
+private:
+    QSet<QString> m_seen; // files whose previous version is kept, or that there were none of
+};
+
+// What the user is told of the version before; empty when there is nothing to say. `name` is the file's.
+QString remarkOn(io::Keeping outcome, const QString& name);
+
+// view::saveBeside(), which keeps the previous version. `versions` is not used when the window is gone.
+struct KeepingSave {
+    view::Saving saving;
+    io::Keeping outcome = io::Keeping::Nothing;
+};
+KeepingSave saveKeeping(const QString& path, const QByteArray& bytes, QWidget* window,
+                        KeptVersions& versions);
