@@ -46,7 +46,7 @@ QMenu* makeFitMenu(QWidget* parent, const SpaceFits& fits) {
     for (int k = 0; k < 8; ++k) {
         const ifs::Orientation<3> orientation{(k & 1) != 0 ? -1 : 1, (k & 2) != 0 ? -1 : 1,
                                               (k & 4) != 0 ? -1 : 1};
-        menu->addAction(Text::tr("Canonical Simplex %1").arg(orientationText(orientation)), parent,
+        menu->addAction(Text::tr("Canonical Simplex %1").arg(document::orientationText(orientation)), parent,
                         [fits, orientation] { fits.tetrahedron(orientation); });
     }
     menu->addSeparator();

@@ -253,9 +253,11 @@ QString fitObstacle(const Fractal& fractal) {
     return {};
 }
 
-QString orientationText(const ifs::Orientation<2>& orientation) {
-    const auto sign = [](int s) { return s < 0 ? QStringLiteral("−") : QStringLiteral("+"); };
-    return QStringLiteral("(%1, %2)").arg(sign(orientation[0]), sign(orientation[1]));
+QString orientationText(std::span<const int> orientation) {
+    QStringList signs;
+    for (const int sign : orientation)
+        signs << (sign < 0 ? QStringLiteral("−") : QStringLiteral("+"));
+    return u'(' + signs.join(QStringLiteral(", ")) + u')';
 }
 
 } // namespace document

@@ -7,6 +7,7 @@
 #include <QString>
 
 #include <optional>
+#include <span>
 #include <vector>
 
 // Edits of the control cage as functions from fractal to fractal, and why they may not be possible.
@@ -65,6 +66,6 @@ std::optional<Fractal> withCageAround(const Fractal& fractal, PolygonChoice choi
 QString fitObstacle(const Fractal& fractal);
 
 // "(+, −)"
-QString orientationText(const ifs::Orientation<2>& orientation);
+QString orientationText(std::span<const int> orientation);
 
 } // namespace document
