@@ -7,13 +7,20 @@
 
 #include <QStringList>
 
+#include <vector>
+
 namespace io {
 
 namespace {
 
-// The keys that are null without the fact; nullopt: without any.
-QStringList keysWithout(std::optional<ifs::LongFact> fact) {
-    QStringList keys;
+// A key that is null without a fact.
+struct LateMember {
+    ifs::LongFact fact;
+    QString key;
+};
+
+std::vector<LateMember> findLateMembers() {
+    std::vector<LateMember> found;
     const ifs::Facts<2> none;
     const document::Shape<2> empty;
     const FactSource<2> source{.facts = none, .shape = &empty};
@@ -21,20 +28,26 @@ QStringList keysWithout(std::optional<ifs::LongFact> fact) {
         if (!row.lateWith) continue;
         JsonSchema object;
         JsonMembers members(object);
-        if (!fact || row.lateWith == fact)
-            for (const auto& list : row.members)
-                list(members);
+        for (const auto& list : row.members)
+            list(members);
         for (const auto& member : object.members)
-            if (member.isRequired) keys << member.key;
-        const bool isOfHull = row.lateWith == ifs::LongFact::Hull;
-        if (isOfHull && fact.value_or(ifs::LongFact::ExtremePoints) == ifs::LongFact::ExtremePoints)
-            keys << QStringLiteral("addresses"); // of its vertices
+            if (member.isRequired) found.push_back({*row.lateWith, member.key});
+        if (row.lateWith == ifs::LongFact::Hull) // a part of it
+            found.push_back({ifs::LongFact::ExtremePoints, QStringLiteral("addresses")});
     }
-    return keys;
+    return found;
+}
+
+const std::vector<LateMember>& lateMembers() {
+    static const std::vector<LateMember> members = findLateMembers();
+    return members;
 }
 
 void describeLateKey(JsonSchema& schema) {
-    schema = JsonSchema::oneOf(keysWithout({}));
+    QStringList keys;
+    for (const LateMember& member : lateMembers())
+        keys << member.key;
+    schema = JsonSchema::oneOf(keys);
     schema.remark = QStringLiteral("What was not computed within the --budget; it is null. Of the hull, only "
                                    "the addresses may be missing.");
 }
@@ -43,8 +56,8 @@ using LateKey = Described<QString, describeLateKey>;
 template <int Dim> std::vector<LateKey> lateKeys(const ifs::Facts<Dim>& facts) {
     std::vector<LateKey> keys;
     for (const ifs::LongFact fact : facts.late)
-        for (const QString& key : keysWithout(fact))
-            keys.push_back({key});
+        for (const LateMember& member : lateMembers())
+            if (member.fact == fact) keys.push_back({member.key});
     return keys;
 }
 
