@@ -12,7 +12,7 @@ namespace {
 
 // N of "hull:N".
 int fittedCorners(const std::string& id, const document::CornerCounts& counts, const QString& where,
-                    const std::string& text) {
+                  const std::string& text) {
     bool isNumber = false;
     const int corners = QString::fromStdString(text).toInt(&isNumber);
     if (!isNumber || corners < counts.least || corners > counts.most)

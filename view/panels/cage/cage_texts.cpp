@@ -118,8 +118,8 @@ QString enclosingSimplexText(const document::Fractal& fractal) {
         const auto simplex = ifs::minimalCanonicalSimplexOfImage(display, *support, spaceTolerance * size);
         const ifs::Vector<3> corner = io::withoutNoise(simplex.vertices[0], simplex.error);
         return Texts::tr("%1, leg %2, corner (%3, %4, %5)")
-            .arg(document::orientationText(simplex.orientation), shortNumber(simplex.leg), shortNumber(corner.x()),
-                 shortNumber(corner.y()), shortNumber(corner.z()));
+            .arg(document::orientationText(simplex.orientation), shortNumber(simplex.leg),
+                 shortNumber(corner.x()), shortNumber(corner.y()), shortNumber(corner.z()));
     }
     const auto simplex = displayedSimplex(fractal, document::SimplexChoice::Minimal);
     if (!simplex) return fitObstacle(fractal);
