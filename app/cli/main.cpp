@@ -9,6 +9,8 @@
 #include "process/output.h"
 #include "process/short_memory.h"
 
+#include "io/report/info_json.h"
+
 #include <QGuiApplication>
 
 #include <algorithm>
@@ -33,8 +35,10 @@ ExitStatus answer(const cli::Program& program, const cli::Call& call) {
 
 ExitStatus call(const cli::Program& program, const std::vector<std::string>& words) {
     if (words.size() == 2 && words.front() == "--describe") {
-        const std::string text = cli::describe(program, words.back());
-        return cli::writeOutput(QStringLiteral("-"), QByteArray::fromStdString(text));
+        const bool isSchema = words.back() == "schema";
+        return cli::writeOutput(QStringLiteral("-"),
+                                isSchema ? io::infoSchema()
+                                         : QByteArray::fromStdString(cli::describe(program, words.back())));
     }
     const cli::Call call = cli::parse(program, words);
     return call.question != cli::Question::None ? answer(program, call) : call.command->run();

@@ -280,6 +280,11 @@ Collection collectionOfUtf16(QByteArray text, const QString& path, const ReadOpt
 
 } // namespace
 
+QStringList collectionFormats() {
+    return QStringLiteral("fractint flame aifs table jpeg webp tiff exr png svg mp4 webm mkv gif unknown")
+        .split(u' ');
+}
+
 Collection readCollection(const QByteArray& bytes, const QString& path, const ReadOptions& options) {
     if (looksLikePng(bytes)) return {QStringLiteral("png"), fileOf(readPngSystem(bytes)), false};
     if (const QString format = looksLikeVideo(bytes); !format.isEmpty())

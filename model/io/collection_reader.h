@@ -7,15 +7,19 @@
 
 #include <QByteArray>
 #include <QString>
+#include <QStringList>
 
 namespace io {
 
 // What a file of any kind that can be opened holds. Only a Fractint collection may be written back in place.
 struct Collection {
-    QString format; // "fractint", "flame", "aifs", "table", "png", "svg", "unknown"
+    QString format; // one of collectionFormats()
     document::FractalFile file;
     bool isOrderAssumed = false; // of the columns of a table that does not say it
 };
+
+// The names of the formats that are told apart, and "unknown".
+QStringList collectionFormats();
 
 // How to understand what a format leaves open.
 struct ReadOptions {

@@ -197,10 +197,6 @@
         </translation>
     </message>
     <message>
-        <source>unknown: the error would be larger</source>
-        <translation>nicht bekannt: der Fehler wäre größer</translation>
-    </message>
-    <message>
         <source>Separation</source>
         <translation>Trennung</translation>
     </message>
@@ -314,10 +310,6 @@
         <translation>Der Attraktor reicht höchstens so weit über das Polyeder hinaus; bewiesen.</translation>
     </message>
     <message>
-        <source>at least %1</source>
-        <translation>mindestens %1</translation>
-    </message>
-    <message>
         <source>Tile area</source>
         <translation>Fläche der Kachel</translation>
     </message>
@@ -412,10 +404,6 @@
     <message>
         <source>There is no value: it is not proved that copies of the attractor cover the plane in this way.</source>
         <translation>Es gibt keinen Wert: Es ist nicht bewiesen, dass Kopien des Attraktors die Ebene auf diese Weise überdecken.</translation>
-    </message>
-    <message>
-        <source>at most %1</source>
-        <translation>höchstens %1</translation>
     </message>
     <message>
         <source>%1 (approximation)</source>

@@ -197,10 +197,6 @@
         </translation>
     </message>
     <message>
-        <source>unknown: the error would be larger</source>
-        <translation>desconocido: el error sería mayor</translation>
-    </message>
-    <message>
         <source>Separation</source>
         <translation>Separación</translation>
     </message>
@@ -314,10 +310,6 @@
         <translation>El atractor sobresale del poliedro a lo sumo esta distancia; certificado.</translation>
     </message>
     <message>
-        <source>at least %1</source>
-        <translation>al menos %1</translation>
-    </message>
-    <message>
         <source>Tile area</source>
         <translation>Área de la tesela</translation>
     </message>
@@ -412,10 +404,6 @@
     <message>
         <source>There is no value: it is not proved that copies of the attractor cover the plane in this way.</source>
         <translation>No hay valor: no está demostrado que las copias del atractor cubran el plano de esta manera.</translation>
-    </message>
-    <message>
-        <source>at most %1</source>
-        <translation>como máximo %1</translation>
     </message>
     <message>
         <source>%1 (approximation)</source>

@@ -197,10 +197,6 @@
         </translation>
     </message>
     <message>
-        <source>unknown: the error would be larger</source>
-        <translation>inconnu : l’erreur serait plus grande</translation>
-    </message>
-    <message>
         <source>Separation</source>
         <translation>Séparation</translation>
     </message>
@@ -314,10 +310,6 @@
         <translation>L’attracteur dépasse le polyèdre d’au plus cette distance&#x202f;; certifié.</translation>
     </message>
     <message>
-        <source>at least %1</source>
-        <translation>au moins %1</translation>
-    </message>
-    <message>
         <source>Tile area</source>
         <translation>Aire de la tuile</translation>
     </message>
@@ -412,10 +404,6 @@
     <message>
         <source>There is no value: it is not proved that copies of the attractor cover the plane in this way.</source>
         <translation>Il n’y a pas de valeur&#x202f;: il n’est pas prouvé que des copies de l’attracteur recouvrent le plan de cette façon.</translation>
-    </message>
-    <message>
-        <source>at most %1</source>
-        <translation>au plus %1</translation>
     </message>
     <message>
         <source>%1 (approximation)</source>

@@ -198,10 +198,6 @@
         </translation>
     </message>
     <message>
-        <source>unknown: the error would be larger</source>
-        <translation>непознато: грешката би била поголема</translation>
-    </message>
-    <message>
         <source>Separation</source>
         <translation>Раздвоеност</translation>
     </message>
@@ -315,10 +311,6 @@
         <translation>Атракторот излегува од полиедарот најмногу за толку; докажано.</translation>
     </message>
     <message>
-        <source>at least %1</source>
-        <translation>најмалку %1</translation>
-    </message>
-    <message>
         <source>Tile area</source>
         <translation>Плоштина на плочката</translation>
     </message>
@@ -413,10 +405,6 @@
     <message>
         <source>There is no value: it is not proved that copies of the attractor cover the plane in this way.</source>
         <translation>Нема вредност: не е докажано дека копии на атракторот ја покриваат рамнината на овој начин.</translation>
-    </message>
-    <message>
-        <source>at most %1</source>
-        <translation>најмногу %1</translation>
     </message>
     <message>
         <source>%1 (approximation)</source>

@@ -305,7 +305,7 @@ std::string describe(const Program& program, const std::string& reader) {
     if (reader == "fish") return fishTables(program);
     if (reader == "manual") return manualSections(program);
     if (reader == "frames") return frameOptionNames(program);
-    throw UsageError{tr("--describe bash, zsh, fish, manual or frames.")};
+    throw UsageError{tr("--describe bash, zsh, fish, manual, frames or schema.")};
 }
 
 } // namespace cli

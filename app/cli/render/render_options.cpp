@@ -360,8 +360,8 @@ void addLimitOptions(Command& command, RenderArguments& arguments) {
 
 void addSpaceOptions(Command& command, RenderArguments& arguments) {
     using attractor::Stereo;
-    static constexpr auto eyes = std::to_array<ifs::Named<Stereo>>(
-        {{Stereo::SideBySide, "side-by-side"}, {Stereo::Anaglyph, "anaglyph"}});
+    static constexpr std::span<const ifs::Named<Stereo>> all = ifs::names<Stereo>;
+    const auto eyes = all.subspan(1); // the first is none
     const OptionGroup group = command.group("In space");
     group
         .add("--orbit", "AZ,EL[,ROLL]", parsed(&arguments.orbit, orbitArgument),
@@ -404,7 +404,7 @@ void addSpaceOptions(Command& command, RenderArguments& arguments) {
                 "are in the units of n·p. By default the slice of the entry, if it has one.")
         .is(Picture | InSpace);
     group
-        .add("--stereo", "NAME", choice(&arguments.stereo, std::span<const ifs::Named<Stereo>>(eyes)),
+        .add("--stereo", "NAME", choice(&arguments.stereo, eyes),
              "side-by-side (left picture for the left eye) or anaglyph (red and cyan)")
         .moreOf("The eyes are a thirtieth of the distance to the target apart. Side by side, each "
                 "picture has half the width; in the anaglyph, red is before the left eye and cyan "

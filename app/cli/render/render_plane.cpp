@@ -6,6 +6,7 @@
 #include "process/arguments.h"
 #include "process/messages.h"
 #include "render/render_view.h"
+#include "render/rest_cage.h"
 
 #include "document/edits/cage/cage_edits.h"
 #include "document/fractal/fractal_geometry.h"
@@ -20,24 +21,10 @@ namespace cli {
 
 namespace {
 
-// N of "hull:N".
-int hullCorners(const std::string& text) {
-    constexpr int usual = 8;
-    if (text == "hull") return usual;
-    bool isNumber = false;
-    const int corners = QString::fromStdString(text.substr(5)).toInt(&isNumber);
-    if (!isNumber || corners < 3 || corners > 64)
-        throw UsageError{tr("--rest-cage hull:N must have 3 to 64 corners, not “%1”.")
-                             .arg(QString::fromStdString(text.substr(5)))};
-    return corners;
-}
-
-// A certified box, rectangle or hull around the attractor of the code.
-std::vector<ifs::Vector<2>> verticesAround(const document::Fractal& code, const std::string& text) {
-    using enum document::PolygonChoice;
-    const auto vertices = text == "box"         ? document::verticesAround(code, Box)
-                          : text == "rectangle" ? document::verticesAround(code, Rectangle)
-                                                : document::verticesAround(code, Hull, hullCorners(text));
+// A certified polygon around the attractor of the code.
+std::vector<ifs::Vector<2>> verticesAround(const document::Fractal& code, const AskedFit<2>& asked,
+                                           const std::string& text) {
+    const auto vertices = document::verticesAround(code, asked.fit.choice, asked.corners);
     if (!vertices)
         throw UsageError{tr("--rest-cage %1 cannot be used here: the system has no certified attractor.")
                              .arg(QString::fromStdString(text))};
@@ -49,10 +36,10 @@ std::vector<ifs::Vector<2>> restVertices(const document::Fractal& fractal, const
     if (!arguments.restCage) return document::effectiveCage(fractal).rest;
     const std::string& text = *arguments.restCage;
     if (text == "canonical") return document::canonicalCage(fractal).rest;
-    if (text == "box" || text == "rectangle" || text == "hull" || text.starts_with("hull:")) {
+    if (const auto asked = askedFit<2>(text)) {
         document::Fractal code = fractal;
         document::plane(code)->cage.reset();
-        return verticesAround(code, text);
+        return verticesAround(code, *asked, text);
     }
     return pointsArgument("--rest-cage", text);
 }

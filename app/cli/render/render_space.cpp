@@ -7,6 +7,7 @@
 #include "process/input.h"
 #include "process/messages.h"
 #include "process/output.h"
+#include "render/rest_cage.h"
 #include "render/solid_options.h"
 
 #include "attractor/samples/prepared_space.h"
@@ -125,34 +126,16 @@ Corners cornersArgument(const char* option, const std::string& text) {
     return corners;
 }
 
-// hull, of 16 corners, or hull:N; nullopt for other texts.
-std::optional<int> hullVertices(const std::string& text) {
-    constexpr int usual = 16;
-    if (text == "hull") return usual;
-    if (!text.starts_with("hull:")) return std::nullopt;
-    bool isNumber = false;
-    const int corners = quoted(text.substr(5)).toInt(&isNumber);
-    if (!isNumber || corners < 8 || corners > 24)
-        throw UsageError{tr("--rest-cage hull:N in space must have 8 to 24 corners, not “%1”.")
-                             .arg(quoted(text.substr(5)))};
-    return corners;
-}
-
 Corners restOf(const RenderArguments& options, const document::System3& system,
                const ifs::SupportFunction<3>* support) {
     const std::string text = options.restCage.value_or("canonical");
-    const std::optional<int> hull = hullVertices(text);
-    if (text != "canonical" && text != "box" && text != "octahedron" && !hull)
-        return cornersArgument("--rest-cage", text);
+    const auto asked = askedFit<3>(text);
+    if (text != "canonical" && !asked) return cornersArgument("--rest-cage", text);
     if (support == nullptr)
         throw UsageError{tr("--rest-cage %1 cannot be used here: the system has no certified attractor.")
                              .arg(quoted(text))};
-    using enum document::SpacePolyhedron;
-    if (hull) return document::verticesAround(system, *support, Hull, *hull);
-    return document::verticesAround(system, *support,
-                                    text == "box"          ? Box
-                                    : text == "octahedron" ? Octahedron
-                                                           : Simplex);
+    return asked ? document::verticesAround(system, *support, asked->fit.choice, asked->corners)
+                 : document::verticesAround(system, *support, document::SpacePolyhedron::Simplex);
 }
 
 // The stored one where none is asked for.

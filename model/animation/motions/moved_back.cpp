@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "animation/motions/moved_back.h"
 
+#include "animation/motions/motion_fields.h"
+
 #include <Eigen/LU>
 
 namespace animation {
@@ -9,10 +11,12 @@ namespace {
 
 // Of a motion w ↦ q + L(w − q) with q = w(reference).
 template <int Dim> ifs::Vector<Dim> referenceOf(const Motion<Dim>& motion) {
-    if (const auto* sway = std::get_if<Sway<Dim>>(&motion)) return sway->root;
-    if (const auto* turn = std::get_if<Turn<Dim>>(&motion)) return turn->reference;
-    if (const auto* breathe = std::get_if<Breathe<Dim>>(&motion)) return breathe->reference;
-    return ifs::Vector<Dim>::Zero();
+    struct : SkippedFields {
+        ifs::Vector<Dim> reference = ifs::Vector<Dim>::Zero();
+        void pivot(const ifs::Vector<Dim>& point) { reference = point; }
+    } found;
+    listFields(motion, found);
+    return found.reference;
 }
 
 // L of every map: what the motion makes of the identity.

@@ -1,17 +1,18 @@
 // SPDX-License-Identifier: MIT
 #include "io/exports/recipe_json.h"
 
+#include "ifs/names.h"
+
 #include <QJsonArray>
 
 #include <array>
 #include <cstddef>
-#include <utility>
 
 namespace io {
 
 namespace {
 
-template <class Value, std::size_t Count> using Names = std::array<std::pair<Value, const char*>, Count>;
+template <class Value, std::size_t Count> using Names = std::array<ifs::Named<Value>, Count>;
 
 constexpr Names<PictureFile, 6> pictureFiles{{{PictureFile::Png, "png"},
                                               {PictureFile::Jpeg, "jpeg"},
@@ -26,8 +27,6 @@ constexpr Names<ShapeStyle, 3> styles{
     {{ShapeStyle::Structured, "copies"}, {ShapeStyle::Outline, "outline"}, {ShapeStyle::Points, "points"}}};
 constexpr Names<MeshFormat, 4> meshes{
     {{MeshFormat::Stl, "stl"}, {MeshFormat::Obj, "obj"}, {MeshFormat::Glb, "glb"}, {MeshFormat::Ply, "ply"}}};
-constexpr Names<Stereo, 3> stereos{
-    {{Stereo::None, "none"}, {Stereo::SideBySide, "side-by-side"}, {Stereo::Anaglyph, "anaglyph"}}};
 constexpr Names<attractor::YAxis, 2> axes{{{attractor::YAxis::Up, "up"}, {attractor::YAxis::Down, "down"}}};
 using Projection = attractor::OrbitCamera::Projection;
 constexpr Names<Projection, 2> projections{
@@ -203,7 +202,7 @@ QJsonObject jsonOf(const SpaceRecipe& recipe) {
                      {QStringLiteral("height"), recipe.size.height},
                      {QStringLiteral("file"), nameOf(pictureFiles, recipe.file)},
                      {QStringLiteral("depth"), nameOf(depths, recipe.depth)},
-                     {QStringLiteral("stereo"), nameOf(stereos, recipe.stereo)},
+                     {QStringLiteral("stereo"), nameOf(ifs::names<Stereo>, recipe.stereo)},
                      {QStringLiteral("supersample"), recipe.supersample},
                      {QStringLiteral("dotsPerInch"), recipe.dotsPerInch},
                      {QStringLiteral("transparent"), recipe.isTransparent}};
@@ -217,7 +216,7 @@ bool read(const QJsonObject& json, SpaceRecipe& recipe) {
     fields.read("height", recipe.size.height);
     fields.read("file", recipe.file, pictureFiles);
     fields.read("depth", recipe.depth, depths);
-    fields.read("stereo", recipe.stereo, stereos);
+    fields.read("stereo", recipe.stereo, ifs::names<Stereo>);
     fields.read("supersample", recipe.supersample);
     fields.read("dotsPerInch", recipe.dotsPerInch);
     fields.read("transparent", recipe.isTransparent);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "io/fractint/animation_comments.h"
 
+#include "animation/motions/motion_fields.h"
 #include "document/fractal/recurring_branches.h"
 #include "document/text/text.h"
 #include "io/fractint/appearance_comments.h"
@@ -9,6 +10,7 @@
 
 #include <algorithm>
 #include <span>
+#include <string_view>
 #include <utility>
 
 namespace io {
@@ -102,74 +104,32 @@ QByteArrayList numbersOf(const std::vector<ifs::MapId>& ids, const document::Sha
     return numbers;
 }
 
-// One motion after the other.
-template <int Dim> class MotionLines {
-public:
-    explicit MotionLines(const document::Shape<Dim>& shape) : m_shape(shape) {}
+// The lines of a motion.
+template <int Dim> struct MotionLines {
+    const document::Shape<Dim>& shape;
+    QByteArrayList lines{};
 
-    QByteArrayList lines() && {
-        for (const auto& motion : m_shape.animation->motions)
-            std::visit([this](const auto& which) { write(which); }, motion);
-        return std::move(m_lines);
+    void maps(const MapIds& ids) {
+        if (!ids.empty()) lines << metadataLines("of", numbersOf(ids, shape));
     }
-
-private:
-    void begin(const char* kind) { m_lines << metadataLine("motion", kind); }
-    void of(const MapIds& ids) {
-        if (!ids.empty()) m_lines << metadataLines("of", numbersOf(ids, m_shape));
-    }
-    void count(int number) { m_lines << metadataLine("count", QByteArray::number(number)); }
-    void strength(double number) { m_lines << metadataLine("strength", formatNumber(number)); }
+    void count(int number) { lines << metadataLine("count", QByteArray::number(number)); }
+    void strength(double number) { lines << metadataLine("strength", formatNumber(number)); }
     void pivot(const ifs::Vector<Dim>& point) {
         QByteArrayList numbers;
         append<Dim>(numbers, point);
-        m_lines << metadataLines("pivot", numbers);
+        lines << metadataLines("pivot", numbers);
     }
-    void axis(const ifs::Vector<3>& direction) {
+    void axis(const ifs::Vector<3>& direction, animation::OrbitPivot pivot = animation::OrbitPivot::Centre) {
         QByteArrayList numbers;
         append<3>(numbers, direction);
-        if (Dim == 3) m_lines << metadataLines("axis", numbers);
+        if (Dim == 3 && pivot == animation::OrbitPivot::Centre) lines << metadataLines("axis", numbers);
     }
-
-    void write(const animation::Sway<Dim>& sway) {
-        begin("sway");
-        of(sway.maps);
-        strength(sway.strength);
-        pivot(sway.root);
-        axis(sway.axis);
-        for (const animation::Wave& wave : sway.waves) {
-            m_lines << metadataLine("wave", QByteArray::number(wave.cycles));
-            m_lines << metadataLines(
-                "value", {formatNumber(wave.amplitude), formatNumber(wave.phase), formatNumber(wave.lag)});
-        }
+    void waves(const std::vector<animation::Wave>& waves) {
+        for (const animation::Wave& wave : waves)
+            lines << metadataLine("wave", QByteArray::number(wave.cycles))
+                  << metadataLines("value", {formatNumber(wave.amplitude), formatNumber(wave.phase),
+                                             formatNumber(wave.lag)});
     }
-    void write(const animation::Turn<Dim>& turn) {
-        begin("turn");
-        of(turn.maps);
-        count(turn.turns);
-        pivot(turn.reference);
-        axis(turn.axis);
-    }
-    void write(const animation::Orbit<Dim>& orbit) {
-        begin("orbit");
-        count(orbit.turns);
-        pivot(orbit.centre);
-        if (orbit.pivot == animation::OrbitPivot::Centre) axis(orbit.axis);
-    }
-    void write(const animation::Breathe<Dim>& breathe) {
-        begin("breathe");
-        of(breathe.maps);
-        count(breathe.cycles);
-        strength(breathe.strength);
-        pivot(breathe.reference);
-    }
-    void write(const animation::PaletteCycle& cycle) {
-        begin("palette");
-        count(cycle.cycles);
-    }
-
-    const document::Shape<Dim>& m_shape;
-    QByteArrayList m_lines;
 };
 
 // Reading: what the lines mean in this dimension.
@@ -325,41 +285,47 @@ private:
         }
     }
 
-    void add(const Stored::Motion& motion) {
-        const bool hasMaps = motion.kind == "sway" || motion.kind == "turn" || motion.kind == "breathe";
-        fits(hasMaps || motion.maps.empty());
-        fits(motion.kind == "sway" || (motion.waves.empty() && motion.count));
-        fits(motion.strength.has_value() == (motion.kind == "sway" || motion.kind == "breathe"));
-        const int count = motion.count.value_or(0);
-        const double strength = motion.strength.value_or(0);
-        if (motion.kind == "sway") {
-            animation::Sway<Dim> sway{ids(motion.maps), strength, point(motion.pivot), axis(motion.axis), {}};
-            for (const Stored::Wave& wave : motion.waves)
-                if (fits(wave.values.size() == 3))
-                    sway.waves.push_back({wave.values[0], wave.cycles, wave.values[1], wave.values[2]});
-            fits(!motion.count);
-            m_animation.motions.push_back(std::move(sway));
-        } else if (motion.kind == "turn") {
-            m_animation.motions.push_back(
-                animation::Turn<Dim>{ids(motion.maps), count, point(motion.pivot), axis(motion.axis)});
-        } else if (motion.kind == "orbit") {
-            addOrbit(motion);
-        } else if (motion.kind == "breathe") {
-            m_animation.motions.push_back(
-                animation::Breathe<Dim>{ids(motion.maps), strength, count, point(motion.pivot)});
-        } else if (fits(motion.kind == "palette" && motion.pivot.empty())) {
-            m_animation.motions.push_back(animation::PaletteCycle{count});
-        }
-    }
+    // Takes what is stored of a motion; what is not taken must not be there.
+    struct MotionFields {
+        AnimationBuilder& builder;
+        Stored::Motion left;
 
-    // In space one without an axis goes about the target, as all of them did before axes were stored.
-    void addOrbit(const Stored::Motion& motion) {
-        animation::Orbit<Dim> orbit{motion.count.value_or(0), point(motion.pivot)};
-        if (Dim == 3 && motion.axis.empty())
-            orbit.pivot = animation::OrbitPivot::Target;
-        else if (Dim == 3)
-            orbit.axis = axis(motion.axis);
-        m_animation.motions.push_back(orbit);
+        void maps(MapIds& ids) { ids = builder.ids(std::exchange(left.maps, {})); }
+        void count(int& number) {
+            number = left.count.value_or(0);
+            builder.fits(std::exchange(left.count, {}).has_value());
+        }
+        void strength(double& number) {
+            number = left.strength.value_or(0);
+            builder.fits(std::exchange(left.strength, {}).has_value());
+        }
+        void pivot(ifs::Vector<Dim>& point) { point = builder.point(std::exchange(left.pivot, {})); }
+        void axis(ifs::Vector<3>& direction) { direction = builder.axis(left.axis); }
+        // In space one without an axis goes about the target, as all of them did before axes were stored.
+        void axis(ifs::Vector<3>& direction, animation::OrbitPivot& pivot) {
+            if (Dim == 3 && left.axis.empty())
+                pivot = animation::OrbitPivot::Target;
+            else if (Dim == 3)
+                axis(direction);
+        }
+        void waves(std::vector<animation::Wave>& waves) {
+            for (const Stored::Wave& wave : std::exchange(left.waves, {}))
+                if (builder.fits(wave.values.size() == 3))
+                    waves.push_back({wave.values[0], wave.cycles, wave.values[1], wave.values[2]});
+        }
+        bool isEmpty() const {
+            return left.maps.empty() && !left.count && !left.strength && left.pivot.empty() &&
+                   left.waves.empty();
+        }
+    };
+
+    void add(const Stored::Motion& stored) {
+        auto motion = animation::motionNamed<Dim>({stored.kind.constData(), std::size_t(stored.kind.size())});
+        if (!fits(motion.has_value())) return;
+        MotionFields fields{*this, stored};
+        animation::listFields(*motion, fields);
+        fits(fields.isEmpty());
+        m_animation.motions.push_back(*std::move(motion));
     }
 
     const Stored& m_stored;
@@ -392,7 +358,13 @@ template <int Dim> QByteArrayList animationComments(const document::Shape<Dim>& 
     if (!animation.look.empty()) lines << metadataLine("track", "look") << keyLines<Dim>(animation.look);
     if (!animation.camera.empty())
         lines << metadataLine("track", "camera") << keyLines<Dim>(animation.camera);
-    return lines << MotionLines<Dim>(shape).lines();
+    for (const auto& motion : animation.motions) {
+        MotionLines<Dim> fields{shape};
+        animation::listFields(motion, fields);
+        const std::string_view id = animation::idOf<Dim>(motion);
+        lines << metadataLine("motion", QByteArray(id.data(), qsizetype(id.size()))) << fields.lines;
+    }
+    return lines;
 }
 
 template <int Dim>
@@ -407,13 +379,14 @@ void renumberAnimation(document::Shape<Dim>& shape, const std::map<ifs::MapId, i
     std::erase_if(animation.branches,
                   [&](auto& track) { return !std::ranges::all_of(track.word, renumbered); });
     std::erase_if(animation.motions, [&](auto& motion) {
-        MapIds* maps = nullptr;
-        if (auto* sway = std::get_if<animation::Sway<Dim>>(&motion)) maps = &sway->maps;
-        if (auto* turn = std::get_if<animation::Turn<Dim>>(&motion)) maps = &turn->maps;
-        if (auto* breathe = std::get_if<animation::Breathe<Dim>>(&motion)) maps = &breathe->maps;
-        if (maps == nullptr || maps->empty()) return false;
-        std::erase_if(*maps, [&](ifs::MapId& id) { return !renumbered(id); });
-        return maps->empty();
+        struct : animation::SkippedFields {
+            MapIds* found = nullptr;
+            void maps(MapIds& ids) { found = &ids; }
+        } moved;
+        animation::listFields(motion, moved);
+        if (moved.found == nullptr || moved.found->empty()) return false;
+        std::erase_if(*moved.found, [&](ifs::MapId& id) { return !renumbered(id); });
+        return moved.found->empty();
     });
     const std::size_t vertices = shape.cage ? shape.cage->rest.size() : 0;
     if (!animation.cage.empty() && animation.cage.front().value.size() != vertices) animation.cage.clear();

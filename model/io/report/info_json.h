@@ -14,4 +14,7 @@ QByteArray infoJson(const InfoSubject& subject);
 // once.
 QByteArray listJson(const InfoSubject& subject, const QList<qsizetype>& numbers);
 
+// docs/info.schema.json: what all of these are.
+QByteArray infoSchema();
+
 } // namespace io

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "io/report/info_report.h"
 
+#include "document/moments/animated_fractal.h"
 #include "document/text/text.h"
-#include "ifs/links/linked_extent.h"
 #include "io/report/figure_error.h"
 
 #include <algorithm>
@@ -54,10 +54,8 @@ template ifs::Facts<2> factsFor(const ifs::IteratedFunctionSystem<2>&, const doc
 template ifs::Facts<3> factsFor(const ifs::IteratedFunctionSystem<3>&, const document::Entry&,
                                 const InfoSubject&);
 
-std::vector<std::optional<ifs::BoundingBox<2>>> partsOf(const ifs::IteratedFunctionSystem<2>& system,
-                                                        const ifs::Facts<2>& facts) {
-    if (facts.isLate(ifs::LongFact::Extents)) return {};
-    return ifs::boxesOfParts(facts.active, facts.existence, system.maps.size(), ifs::copiesOfEachMap(system));
+document::Fractal momentOf(const document::Entry& entry, const InfoSubject& subject) {
+    return subject.moment ? document::frameAt(*entry.fractal, *subject.moment).fractal : *entry.fractal;
 }
 
 } // namespace io

@@ -34,9 +34,7 @@ template <int Dim>
 ifs::Facts<Dim> factsFor(const ifs::IteratedFunctionSystem<Dim>& system, const document::Entry& entry,
                          const InfoSubject& subject);
 
-// The boxes of the parts of linked maps by the maps that make them, from the facts of the expanded system: no
-// box for a map that takes no part, none at all of maps that are not linked.
-std::vector<std::optional<ifs::BoundingBox<2>>> partsOf(const ifs::IteratedFunctionSystem<2>& system,
-                                                        const ifs::Facts<2>& facts);
+// The entry at the moment that the report is about.
+document::Fractal momentOf(const document::Entry& entry, const InfoSubject& subject);
 
 } // namespace io

@@ -27,6 +27,7 @@ public:
     void value(bool truth);
     void value(const QString& text);
     void null();
+    void token(const QByteArray& text) { raw(text); } // a value as it is written
 
     template <typename Value> void member(const char* name, const Value& v) {
         key(name);

@@ -120,7 +120,11 @@ def errors(value, schema, whole, path="$"):
 
 def main():
     program, schema_file, *files = sys.argv[1:]
-    schema = json.loads(Path(schema_file).read_text(encoding="utf-8"))
+    text = Path(schema_file).read_text(encoding="utf-8")
+    written = subprocess.run([program, "--describe", "schema"], stdout=subprocess.PIPE, check=True).stdout
+    if written.decode("utf-8") != text:
+        sys.exit(f"./dev describe renews {schema_file}")
+    schema = json.loads(text)
     with tempfile.TemporaryDirectory() as folder:
         odd = Path(folder) / "odd.ifs"
         odd.write_text(ODD, encoding="utf-8")

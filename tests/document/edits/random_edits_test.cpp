@@ -275,7 +275,8 @@ void RandomEditsTest::fitCage() {
     const Fractal& now = m_document->fractal();
     if (!document::system2(now)) return;
     if (any(2)) return put("fit triangle", withCageFitted(now, static_cast<document::SimplexChoice>(any(5))));
-    put("fit polygon", withCageAround(now, static_cast<document::PolygonChoice>(any(4)), 3 + any(4)));
+    const auto fits = document::cageFits<2>();
+    put("fit polygon", withCageAround(now, fits[std::size_t(any(int(fits.size())))].choice, 3 + any(4)));
 }
 
 void RandomEditsTest::link() {

@@ -30,13 +30,6 @@ struct Texts {
 
 } // namespace
 
-QString orientationText(const ifs::Orientation<3>& orientation) {
-    QStringList signs;
-    for (const int sign : orientation)
-        signs << (sign < 0 ? QStringLiteral("−") : QStringLiteral("+"));
-    return u'(' + signs.join(QStringLiteral(", ")) + u')';
-}
-
 QString cageStatus(const document::Fractal& fractal, const ifs::ControlCage<2>& cage) {
     const std::size_t count = cage.current.size();
     if (isAtRest(fractal))
@@ -125,8 +118,8 @@ QString enclosingSimplexText(const document::Fractal& fractal) {
         const auto simplex = ifs::minimalCanonicalSimplexOfImage(display, *support, spaceTolerance * size);
         const ifs::Vector<3> corner = io::withoutNoise(simplex.vertices[0], simplex.error);
         return Texts::tr("%1, leg %2, corner (%3, %4, %5)")
-            .arg(orientationText(simplex.orientation), shortNumber(simplex.leg), shortNumber(corner.x()),
-                 shortNumber(corner.y()), shortNumber(corner.z()));
+            .arg(document::orientationText(simplex.orientation), shortNumber(simplex.leg),
+                 shortNumber(corner.x()), shortNumber(corner.y()), shortNumber(corner.z()));
     }
     const auto simplex = displayedSimplex(fractal, document::SimplexChoice::Minimal);
     if (!simplex) return fitObstacle(fractal);

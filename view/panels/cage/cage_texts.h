@@ -19,9 +19,6 @@ template <int Dim> double roundingIn(const ifs::ControlCage<Dim>& cage);
 // The barycentric coordinates of the point, or why the cage gives it none.
 template <int Dim> QString barycentricText(const ifs::ControlCage<Dim>& cage, const ifs::Vector<Dim>& point);
 
-// "(+, −, +)"
-QString orientationText(const ifs::Orientation<3>& orientation);
-
 // The minimal canonical simplex of what is displayed, or why there is none. Takes long; any thread.
 QString enclosingSimplexText(const document::Fractal& fractal);
 

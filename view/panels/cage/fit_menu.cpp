@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "panels/cage/fit_menu.h"
 
+#include "document/edits/cage/cage_fits.h"
 #include "document/text/text.h"
 #include "panels/cage/cage_texts.h"
 
@@ -9,6 +10,27 @@
 #include <array>
 
 namespace view {
+
+namespace {
+
+// `fit` takes the choice and the number of corners.
+template <int Dim> void addFits(QMenu& menu, QWidget* parent, const auto& fit) {
+    for (const auto& row : document::cageFits<Dim>()) {
+        const QString title = Text::tr(row.title);
+        const auto add = [&](QMenu& to, const QString& text, int corners) {
+            to.addAction(text, parent, [fit, choice = row.choice, corners] { fit(choice, corners); });
+        };
+        if (row.corners.offered.empty()) {
+            add(menu, title, row.corners.usual);
+            continue;
+        }
+        QMenu* counts = menu.addMenu(title);
+        for (const int corners : row.corners.offered)
+            add(*counts, Text::tr("%n Corners", nullptr, corners), corners);
+    }
+}
+
+} // namespace
 
 QMenu* makeFitMenu(QWidget* parent, const PlaneFits& fits) {
     auto* menu = new QMenu(parent);
@@ -23,18 +45,7 @@ QMenu* makeFitMenu(QWidget* parent, const PlaneFits& fits) {
     for (std::size_t i = 0; i < choices.size(); ++i)
         add(Text::tr("Canonical Simplex %1").arg(document::orientationText(orientations[i])), choices[i]);
     menu->addSeparator();
-    menu->addAction(Text::tr("Bounding Box"), parent,
-                    [fits] { fits.polygon(document::PolygonChoice::Box, 4); });
-    menu->addAction(Text::tr("Smallest Rectangle"), parent,
-                    [fits] { fits.polygon(document::PolygonChoice::Rectangle, 4); });
-    const auto addPolygons = [&](const QString& title, document::PolygonChoice choice) {
-        QMenu* polygons = menu->addMenu(title);
-        for (const int corners : {3, 4, 5, 6, 8, 12, 16, 24})
-            polygons->addAction(Text::tr("%n Corners", nullptr, corners), parent,
-                                [fits, choice, corners] { fits.polygon(choice, corners); });
-    };
-    addPolygons(Text::tr("Convex Hull, Simplified to"), document::PolygonChoice::Hull);
-    addPolygons(Text::tr("Regular Polygon with"), document::PolygonChoice::Regular);
+    addFits<2>(*menu, parent, fits.polygon);
     return menu;
 }
 
@@ -46,21 +57,13 @@ QMenu* makeFitMenu(QWidget* parent, const SpaceFits& fits) {
     for (int k = 0; k < 8; ++k) {
         const ifs::Orientation<3> orientation{(k & 1) != 0 ? -1 : 1, (k & 2) != 0 ? -1 : 1,
                                               (k & 4) != 0 ? -1 : 1};
-        menu->addAction(Text::tr("Canonical Simplex %1").arg(orientationText(orientation)), parent,
+        menu->addAction(Text::tr("Canonical Simplex %1").arg(document::orientationText(orientation)), parent,
                         [fits, orientation] { fits.tetrahedron(orientation); });
     }
     menu->addSeparator();
     menu->addAction(Text::tr("Three Edges of the Bounding Box"), parent, [fits] { fits.box(); });
     menu->addSeparator();
-    using document::SpacePolyhedron;
-    menu->addAction(Text::tr("Bounding Box, Eight Corners"), parent,
-                    [fits] { fits.polyhedron(SpacePolyhedron::Box, 8); });
-    menu->addAction(Text::tr("Octahedron"), parent,
-                    [fits] { fits.polyhedron(SpacePolyhedron::Octahedron, 6); });
-    QMenu* hulls = menu->addMenu(Text::tr("Convex Hull, Simplified to"));
-    for (const int corners : {10, 12, 16, 20, 24})
-        hulls->addAction(Text::tr("%n Corners", nullptr, corners), parent,
-                         [fits, corners] { fits.polyhedron(SpacePolyhedron::Hull, corners); });
+    addFits<3>(*menu, parent, fits.polyhedron);
     return menu;
 }
 

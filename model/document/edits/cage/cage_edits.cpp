@@ -7,7 +7,6 @@
 #include "document/fractal/space_geometry.h"
 
 #include "document/text/text.h"
-#include "ifs/cage/hull_cage.h"
 
 #include <algorithm>
 
@@ -220,15 +219,8 @@ std::optional<std::vector<ifs::Vector<2>>> verticesAround(const Fractal& fractal
                                                           int corners) {
     const auto support = displayedSupport<2>(fractal);
     if (!support) return std::nullopt;
-    if (choice == PolygonChoice::Box) {
-        const auto box = ifs::boundingBox(*support);
-        const ifs::Vector<2> low = box.min.array() - box.error, high = box.max.array() + box.error;
-        return {{low, {high.x(), low.y()}, high, {low.x(), high.y()}}};
-    }
-    const auto around = ifs::enlargedHull(*support);
-    if (choice == PolygonChoice::Rectangle) return ifs::smallestRectangleAround(around);
-    return choice == PolygonChoice::Hull ? ifs::simplifiedHull(around, corners)
-                                         : ifs::regularPolygonAround(around, corners);
+    const auto fit = std::ranges::find(cageFits<2>(), choice, &CageFit<2>::choice);
+    return fit->around(*support, 0, corners);
 }
 
 std::optional<Fractal> withCageAround(const Fractal& fractal, PolygonChoice choice, int corners) {
@@ -253,9 +245,11 @@ QString fitObstacle(const Fractal& fractal) {
     return {};
 }
 
-QString orientationText(const ifs::Orientation<2>& orientation) {
-    const auto sign = [](int s) { return s < 0 ? QStringLiteral("−") : QStringLiteral("+"); };
-    return QStringLiteral("(%1, %2)").arg(sign(orientation[0]), sign(orientation[1]));
+QString orientationText(std::span<const int> orientation) {
+    QStringList signs;
+    for (const int sign : orientation)
+        signs << (sign < 0 ? QStringLiteral("−") : QStringLiteral("+"));
+    return u'(' + signs.join(QStringLiteral(", ")) + u')';
 }
 
 } // namespace document

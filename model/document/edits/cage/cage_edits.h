@@ -2,11 +2,13 @@
 #pragma once
 
 #include "document/document.h"
+#include "document/edits/cage/cage_fits.h"
 #include "ifs/extent/extent.h"
 
 #include <QString>
 
 #include <optional>
+#include <span>
 #include <vector>
 
 // Edits of the control cage as functions from fractal to fractal, and why they may not be possible.
@@ -54,10 +56,8 @@ QString cageWarning(const Fractal& fractal);
 enum class SimplexChoice { Minimal, PlusPlus, MinusPlus, PlusMinus, MinusMinus };
 std::optional<ifs::CanonicalSimplex<2>> displayedSimplex(const Fractal& fractal, SimplexChoice choice);
 std::optional<Fractal> withCageFitted(const Fractal& fractal, SimplexChoice choice);
-// The displayed picture's bounding box, the smallest rectangle of any direction, its convex hull simplified
-// from outside to so many corners, or the smallest regular polygon with so many, each certified to hold it;
-// nullopt as above. And the picture held by it.
-enum class PolygonChoice { Box, Rectangle, Hull, Regular };
+// Such a polygon around the displayed picture, certified to hold it; nullopt as above. And the picture held
+// by it.
 std::optional<std::vector<ifs::Vector<2>>> verticesAround(const Fractal& fractal, PolygonChoice choice,
                                                           int corners = 4);
 std::optional<Fractal> withCageAround(const Fractal& fractal, PolygonChoice choice, int corners = 4);
@@ -65,6 +65,6 @@ std::optional<Fractal> withCageAround(const Fractal& fractal, PolygonChoice choi
 QString fitObstacle(const Fractal& fractal);
 
 // "(+, −)"
-QString orientationText(const ifs::Orientation<2>& orientation);
+QString orientationText(std::span<const int> orientation);
 
 } // namespace document

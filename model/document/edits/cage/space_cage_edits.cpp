@@ -4,7 +4,6 @@
 #include "document/fractal/fractal_geometry.h"
 #include "document/fractal/space_geometry.h"
 #include "document/text/text.h"
-#include "ifs/cage/space_hull_cage.h"
 
 namespace document {
 
@@ -67,17 +66,9 @@ std::optional<Fractal> withTetrahedronFitted(const Fractal& fractal,
 
 std::vector<ifs::Vector<3>> verticesAround(const System3& system, const ifs::SupportFunction<3>& support,
                                            SpacePolyhedron choice, int corners) {
-    const double tolerance = extentTolerance(system) * support.radius();
-    switch (choice) {
-    case SpacePolyhedron::Simplex:
-        break;
-    case SpacePolyhedron::Box:
-        return ifs::boxCage(support, tolerance);
-    case SpacePolyhedron::Octahedron:
-        return ifs::octahedronCage(support, tolerance);
-    case SpacePolyhedron::Hull:
-        return ifs::hullCage(support, corners, tolerance);
-    }
+    for (const auto& fit : cageFits<3>())
+        if (fit.choice == choice)
+            return fit.around(support, extentTolerance(system) * support.radius(), corners);
     const ifs::Simplex<3> simplex = simplexAround(system, support);
     return {simplex.begin(), simplex.end()};
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "document/document.h"
+#include "document/edits/cage/cage_fits.h"
 #include "ifs/extent/extent.h"
 #include "ifs/extent/support_function.h"
 
@@ -27,10 +28,8 @@ std::optional<Fractal> withBoxFitted(const Fractal& fractal);
 // The same picture held by other vertices; nullopt while the placement is flat.
 std::optional<Fractal> withCageThrough(const Fractal& fractal, const std::vector<ifs::Vector<3>>& vertices);
 
-enum class SpacePolyhedron { Simplex, Box, Octahedron, Hull };
 // The vertices of such a polyhedron around an attractor with that extent, to within extentTolerance() of its
-// size: those of the minimal canonical simplex, eight corners of the box, six of an octahedron, or at most so
-// many of a hull (at least 8).
+// size, with at most so many corners if it is a hull.
 std::vector<ifs::Vector<3>> verticesAround(const ifs::IteratedFunctionSystem<3>& system,
                                            const ifs::SupportFunction<3>& support, SpacePolyhedron choice,
                                            int corners = 16);

@@ -34,7 +34,7 @@ private slots:
                                                {third, 0, 0, third, third, 0, 1},
                                                {third, 0, 0, third, 1, 0, 1}}));
         QCOMPARE(valueOf(digits, QStringLiteral("Hausdorff dimension")),
-                 QStringLiteral("0.876 (within rounding error)"));
+                 QStringLiteral("0.876 (finite type) (within rounding error)"));
         QCOMPARE(valueOf(digits, QStringLiteral("Open set condition")),
                  QStringLiteral("fails")); // 03 = 10, as stored
         const auto two = factsOf(
@@ -43,6 +43,15 @@ private slots:
         const auto segment = factsOf(fractalOf({{.9, 0, 0, .9, 0, 0, 1}, {.9, 0, 0, .9, 1, 0, 1}}));
         QVERIFY(valueOf(segment, QStringLiteral("Dimension of the measure"))
                     .startsWith(QStringLiteral("at most 1 ")));
+    }
+
+    // In the words of a report, with the digits of the panel.
+    void boundsAreSaidAsInReports() {
+        const QString radius = QStringLiteral("Joint spectral radius");
+        QCOMPARE(valueOf(factsOf(maple()), radius), QStringLiteral("between 0.7074 and 0.7123"));
+        for (const auto& fact : factsOf(document::sierpinskiTriangle()))
+            if (fact.name == radius)
+                QCOMPARE(fact.exact(), QStringLiteral("0.5")); // not between it and itself
     }
 };
 
