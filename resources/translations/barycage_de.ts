@@ -2379,6 +2379,22 @@
         <source>Show a centre and height, the point of an address, or a fixed point</source>
         <translation>Zeigt eine Mitte und Höhe, den Punkt einer Adresse oder einen Fixpunkt</translation>
     </message>
+    <message>
+        <source>S&amp;hadow</source>
+        <translation>S&amp;chatten</translation>
+    </message>
+    <message>
+        <source>Lay a flat, dark copy of the picture on the ground behind it</source>
+        <translation>Eine flache, dunkle Kopie des Bildes hinter ihm auf den Boden legen</translation>
+    </message>
+    <message>
+        <source>Add a shadow</source>
+        <translation>Schatten hinzufügen</translation>
+    </message>
+    <message>
+        <source>Remove the shadow</source>
+        <translation>Schatten entfernen</translation>
+    </message>
 </context>
 <context>
     <name>NumberField</name>
@@ -5497,6 +5513,18 @@
         <source>This entry has %1 maps; a web page can have at most %2.</source>
         <translation>Dieser Eintrag hat %1 Abbildungen; eine Webseite kann höchstens %2 haben.</translation>
     </message>
+    <message>
+        <source>A solid has no shadow on the ground. Move its light in the Appearance panel: the solid darkens the side that faces away from it.</source>
+        <translation>Ein Körper wirft keinen Schatten auf den Boden. Verschieben Sie sein Licht im Bereich „Aussehen“: Die abgewandte Seite des Körpers wird dunkel.</translation>
+    </message>
+    <message>
+        <source>This entry could not be read, so there is no picture to cast a shadow.</source>
+        <translation>Dieser Eintrag konnte nicht gelesen werden, also gibt es kein Bild, das einen Schatten wirft.</translation>
+    </message>
+    <message>
+        <source>its shadow</source>
+        <translation>seinen Schatten</translation>
+    </message>
 </context>
 <context>
     <name>Tour</name>
@@ -6489,6 +6517,34 @@
     <message>
         <source>The colours from the thinnest parts to the densest, along the addresses, or along the positions between which maps blend.</source>
         <translation>Die Farben von den dünnsten zu den dichtesten Teilen, die Adressen entlang oder entlang der Plätze, zwischen denen die Abbildungen mischen.</translation>
+    </message>
+    <message>
+        <source>Shadow</source>
+        <translation>Schatten</translation>
+    </message>
+    <message>
+        <source>Opacity of the shadow on the ground behind the picture; 0: no shadow</source>
+        <translation>Deckkraft des Schattens auf dem Boden hinter dem Bild; 0: kein Schatten</translation>
+    </message>
+    <message>
+        <source>The shadow is the picture once more: darker, flattened, and laid on the ground on which the picture stands. Drag its tip on the canvas to turn it.</source>
+        <translation>Der Schatten ist das Bild noch einmal: dunkler, flachgedrückt und auf den Boden gelegt, auf dem das Bild steht. Ziehen Sie auf der Zeichenfläche an seiner Spitze, um ihn zu drehen.</translation>
+    </message>
+    <message>
+        <source>Shadow sideways</source>
+        <translation>Schatten seitwärts</translation>
+    </message>
+    <message>
+        <source>How far to the right the shadow of what is 1 high ends; below 0, to the left</source>
+        <translation>Wie weit rechts der Schatten dessen endet, was 1 hoch ist; unter 0 links</translation>
+    </message>
+    <message>
+        <source>Shadow backwards</source>
+        <translation>Schatten nach hinten</translation>
+    </message>
+    <message>
+        <source>How far up the shadow of what is 1 high ends; below 0, it falls to the front</source>
+        <translation>Wie weit oben der Schatten dessen endet, was 1 hoch ist; unter 0 fällt er nach vorn</translation>
     </message>
 </context>
 <context>
@@ -8131,6 +8187,10 @@
     <message>
         <source>infinite dive</source>
         <translation>unendlich eintauchen hineinzoomen</translation>
+    </message>
+    <message>
+        <source>shade silhouette drop cast ground light sun</source>
+        <translation>Schattenwurf Silhouette Boden Licht Sonne dunkel</translation>
     </message>
 </context>
 <context>
@@ -12274,6 +12334,13 @@ Tasten: Bild auf und Bild ab wählen eine Marke, die Pfeile bewegen sie, Einfg f
     <message>
         <source>Rename the view “%1” to “%2”</source>
         <translation>Die Ansicht „%1“ in „%2“ umbenennen</translation>
+    </message>
+</context>
+<context>
+    <name>view::ShadowTool</name>
+    <message>
+        <source>Turn the shadow</source>
+        <translation>Schatten drehen</translation>
     </message>
 </context>
 <context>

@@ -2379,6 +2379,22 @@
         <source>Show a centre and height, the point of an address, or a fixed point</source>
         <translation>Muestra un centro y una altura, el punto de una dirección o un punto fijo</translation>
     </message>
+    <message>
+        <source>S&amp;hadow</source>
+        <translation>Som&amp;bra</translation>
+    </message>
+    <message>
+        <source>Lay a flat, dark copy of the picture on the ground behind it</source>
+        <translation>Tender en el suelo, detrás de la imagen, una copia plana y oscura de ella</translation>
+    </message>
+    <message>
+        <source>Add a shadow</source>
+        <translation>Añadir una sombra</translation>
+    </message>
+    <message>
+        <source>Remove the shadow</source>
+        <translation>Quitar la sombra</translation>
+    </message>
 </context>
 <context>
     <name>NumberField</name>
@@ -5497,6 +5513,18 @@
         <source>This entry has %1 maps; a web page can have at most %2.</source>
         <translation>Esta entrada tiene %1 aplicaciones; una página web puede tener %2 como máximo.</translation>
     </message>
+    <message>
+        <source>A solid has no shadow on the ground. Move its light in the Appearance panel: the solid darkens the side that faces away from it.</source>
+        <translation>Un sólido no proyecta sombra en el suelo. Mueva su luz en el panel Aspecto: el lado opuesto a ella se oscurece.</translation>
+    </message>
+    <message>
+        <source>This entry could not be read, so there is no picture to cast a shadow.</source>
+        <translation>No se pudo leer esta entrada, así que no hay imagen que proyecte una sombra.</translation>
+    </message>
+    <message>
+        <source>its shadow</source>
+        <translation>su sombra</translation>
+    </message>
 </context>
 <context>
     <name>Tour</name>
@@ -6489,6 +6517,34 @@
     <message>
         <source>The colours from the thinnest parts to the densest, along the addresses, or along the positions between which maps blend.</source>
         <translation>Los colores, de las partes más tenues a las más densas, a lo largo de las direcciones o de los lugares entre los que mezclan las aplicaciones.</translation>
+    </message>
+    <message>
+        <source>Shadow</source>
+        <translation>Sombra</translation>
+    </message>
+    <message>
+        <source>Opacity of the shadow on the ground behind the picture; 0: no shadow</source>
+        <translation>Opacidad de la sombra en el suelo detrás de la imagen; 0: sin sombra</translation>
+    </message>
+    <message>
+        <source>The shadow is the picture once more: darker, flattened, and laid on the ground on which the picture stands. Drag its tip on the canvas to turn it.</source>
+        <translation>La sombra es la imagen otra vez: más oscura, aplanada y tendida en el suelo en el que la imagen se apoya. Arrastre su punta en el lienzo para girarla.</translation>
+    </message>
+    <message>
+        <source>Shadow sideways</source>
+        <translation>Sombra de lado</translation>
+    </message>
+    <message>
+        <source>How far to the right the shadow of what is 1 high ends; below 0, to the left</source>
+        <translation>Cuán a la derecha termina la sombra de lo que mide 1 de alto; por debajo de 0, a la izquierda</translation>
+    </message>
+    <message>
+        <source>Shadow backwards</source>
+        <translation>Sombra hacia atrás</translation>
+    </message>
+    <message>
+        <source>How far up the shadow of what is 1 high ends; below 0, it falls to the front</source>
+        <translation>Cuán arriba termina la sombra de lo que mide 1 de alto; por debajo de 0 cae hacia delante</translation>
     </message>
 </context>
 <context>
@@ -8131,6 +8187,10 @@
     <message>
         <source>infinite dive</source>
         <translation>infinito sumergirse acercar</translation>
+    </message>
+    <message>
+        <source>shade silhouette drop cast ground light sun</source>
+        <translation>silueta suelo luz sol proyectar oscuro</translation>
     </message>
 </context>
 <context>
@@ -12274,6 +12334,13 @@ Teclas: Re Pág y Av Pág eligen una parada, las flechas la mueven, Ins añade u
     <message>
         <source>Rename the view “%1” to “%2”</source>
         <translation>Cambiar el nombre de la vista «%1» por «%2»</translation>
+    </message>
+</context>
+<context>
+    <name>view::ShadowTool</name>
+    <message>
+        <source>Turn the shadow</source>
+        <translation>Girar la sombra</translation>
     </message>
 </context>
 <context>

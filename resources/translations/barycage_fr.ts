@@ -2379,6 +2379,22 @@
         <source>Show a centre and height, the point of an address, or a fixed point</source>
         <translation>Montre un centre et une hauteur, le point d’une adresse ou un point fixe</translation>
     </message>
+    <message>
+        <source>S&amp;hadow</source>
+        <translation>Om&amp;bre</translation>
+    </message>
+    <message>
+        <source>Lay a flat, dark copy of the picture on the ground behind it</source>
+        <translation>Étendre au sol, derrière l’image, une copie plate et sombre</translation>
+    </message>
+    <message>
+        <source>Add a shadow</source>
+        <translation>Ajouter une ombre</translation>
+    </message>
+    <message>
+        <source>Remove the shadow</source>
+        <translation>Retirer l’ombre</translation>
+    </message>
 </context>
 <context>
     <name>NumberField</name>
@@ -5497,6 +5513,18 @@
         <source>This entry has %1 maps; a web page can have at most %2.</source>
         <translation>Cette entrée a %1 applications ; une page web peut en avoir %2 au plus.</translation>
     </message>
+    <message>
+        <source>A solid has no shadow on the ground. Move its light in the Appearance panel: the solid darkens the side that faces away from it.</source>
+        <translation>Un solide ne projette pas d’ombre au sol. Déplacez sa lumière dans le panneau Apparence : le côté opposé s’assombrit.</translation>
+    </message>
+    <message>
+        <source>This entry could not be read, so there is no picture to cast a shadow.</source>
+        <translation>Cette entrée n’a pas pu être lue : il n’y a donc pas d’image qui projette une ombre.</translation>
+    </message>
+    <message>
+        <source>its shadow</source>
+        <translation>son ombre</translation>
+    </message>
 </context>
 <context>
     <name>Tour</name>
@@ -6489,6 +6517,34 @@
     <message>
         <source>The colours from the thinnest parts to the densest, along the addresses, or along the positions between which maps blend.</source>
         <translation>Les couleurs, des parties les plus ténues aux plus denses, le long des adresses, ou le long des places entre lesquelles les applications mélangent.</translation>
+    </message>
+    <message>
+        <source>Shadow</source>
+        <translation>Ombre</translation>
+    </message>
+    <message>
+        <source>Opacity of the shadow on the ground behind the picture; 0: no shadow</source>
+        <translation>Opacité de l’ombre au sol derrière l’image ; 0 : pas d’ombre</translation>
+    </message>
+    <message>
+        <source>The shadow is the picture once more: darker, flattened, and laid on the ground on which the picture stands. Drag its tip on the canvas to turn it.</source>
+        <translation>L’ombre est l’image une seconde fois : plus sombre, aplatie et étendue sur le sol où l’image est posée. Faites glisser sa pointe sur le canevas pour la tourner.</translation>
+    </message>
+    <message>
+        <source>Shadow sideways</source>
+        <translation>Ombre de côté</translation>
+    </message>
+    <message>
+        <source>How far to the right the shadow of what is 1 high ends; below 0, to the left</source>
+        <translation>À quelle distance à droite finit l’ombre de ce qui est haut de 1 ; au-dessous de 0, à gauche</translation>
+    </message>
+    <message>
+        <source>Shadow backwards</source>
+        <translation>Ombre vers l’arrière</translation>
+    </message>
+    <message>
+        <source>How far up the shadow of what is 1 high ends; below 0, it falls to the front</source>
+        <translation>À quelle hauteur finit l’ombre de ce qui est haut de 1 ; au-dessous de 0, elle tombe vers l’avant</translation>
     </message>
 </context>
 <context>
@@ -8131,6 +8187,10 @@
     <message>
         <source>infinite dive</source>
         <translation>infini plongée</translation>
+    </message>
+    <message>
+        <source>shade silhouette drop cast ground light sun</source>
+        <translation>silhouette sol lumière soleil projeter sombre</translation>
     </message>
 </context>
 <context>
@@ -12274,6 +12334,13 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
     <message>
         <source>Rename the view “%1” to “%2”</source>
         <translation>Renommer la vue « %1 » en « %2 »</translation>
+    </message>
+</context>
+<context>
+    <name>view::ShadowTool</name>
+    <message>
+        <source>Turn the shadow</source>
+        <translation>Tourner l’ombre</translation>
     </message>
 </context>
 <context>

@@ -2385,6 +2385,22 @@
         <source>Show a centre and height, the point of an address, or a fixed point</source>
         <translation>Прикажува средина и висина, точка на адреса или неподвижна точка</translation>
     </message>
+    <message>
+        <source>S&amp;hadow</source>
+        <translation>Се&amp;нка</translation>
+    </message>
+    <message>
+        <source>Lay a flat, dark copy of the picture on the ground behind it</source>
+        <translation>Положи рамна, темна копија на сликата на подот зад неа</translation>
+    </message>
+    <message>
+        <source>Add a shadow</source>
+        <translation>Додај сенка</translation>
+    </message>
+    <message>
+        <source>Remove the shadow</source>
+        <translation>Отстрани ја сенката</translation>
+    </message>
 </context>
 <context>
     <name>NumberField</name>
@@ -5512,6 +5528,18 @@
         <source>This entry has %1 maps; a web page can have at most %2.</source>
         <translation>Овој запис има %1 пресликувања; една веб-страница може да има најмногу %2.</translation>
     </message>
+    <message>
+        <source>A solid has no shadow on the ground. Move its light in the Appearance panel: the solid darkens the side that faces away from it.</source>
+        <translation>Телото не фрла сенка на подот. Поместете ја неговата светлина во панелот „Изглед“: страната свртена од неа потемнува.</translation>
+    </message>
+    <message>
+        <source>This entry could not be read, so there is no picture to cast a shadow.</source>
+        <translation>Овој запис не можеше да се прочита, па нема слика што би фрлила сенка.</translation>
+    </message>
+    <message>
+        <source>its shadow</source>
+        <translation>неговата сенка</translation>
+    </message>
 </context>
 <context>
     <name>Tour</name>
@@ -6506,6 +6534,34 @@
     <message>
         <source>The colours from the thinnest parts to the densest, along the addresses, or along the positions between which maps blend.</source>
         <translation>Боите од најретките делови до најгустите, по адресите, или по местата меѓу кои мешаат пресликувањата.</translation>
+    </message>
+    <message>
+        <source>Shadow</source>
+        <translation>Сенка</translation>
+    </message>
+    <message>
+        <source>Opacity of the shadow on the ground behind the picture; 0: no shadow</source>
+        <translation>Непроѕирност на сенката на подот зад сликата; 0: без сенка</translation>
+    </message>
+    <message>
+        <source>The shadow is the picture once more: darker, flattened, and laid on the ground on which the picture stands. Drag its tip on the canvas to turn it.</source>
+        <translation>Сенката е истата слика уште еднаш: потемна, сплескана и положена на подот на кој стои сликата. Повлечете го нејзиниот врв на платното за да ја завртите.</translation>
+    </message>
+    <message>
+        <source>Shadow sideways</source>
+        <translation>Сенка настрана</translation>
+    </message>
+    <message>
+        <source>How far to the right the shadow of what is 1 high ends; below 0, to the left</source>
+        <translation>Колку надесно завршува сенката на она што е високо 1; под 0, налево</translation>
+    </message>
+    <message>
+        <source>Shadow backwards</source>
+        <translation>Сенка наназад</translation>
+    </message>
+    <message>
+        <source>How far up the shadow of what is 1 high ends; below 0, it falls to the front</source>
+        <translation>Колку горе завршува сенката на она што е високо 1; под 0 паѓа напред</translation>
     </message>
 </context>
 <context>
@@ -8149,6 +8205,10 @@
     <message>
         <source>infinite dive</source>
         <translation>бесконечно зумирање нурни</translation>
+    </message>
+    <message>
+        <source>shade silhouette drop cast ground light sun</source>
+        <translation>силуета под светлина сонце темно</translation>
     </message>
 </context>
 <context>
@@ -12307,6 +12367,13 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
     <message>
         <source>Rename the view “%1” to “%2”</source>
         <translation>Преименување на погледот „%1“ во „%2“</translation>
+    </message>
+</context>
+<context>
+    <name>view::ShadowTool</name>
+    <message>
+        <source>Turn the shadow</source>
+        <translation>Заврти ја сенката</translation>
     </message>
 </context>
 <context>

@@ -33,6 +33,8 @@ constexpr CommandSynonyms synonyms[] = {
      QT_TRANSLATE_NOOP("view::CommandSynonyms", "mirror reflect upside down")},
     {"MainWindow", "&Transform…",
      QT_TRANSLATE_NOOP("view::CommandSynonyms", "rotate scale shear move shift turn size")},
+    {"MainWindow", "S&hadow",
+     QT_TRANSLATE_NOOP("view::CommandSynonyms", "shade silhouette drop cast ground light sun")},
     {"MainWindow", "&Reset", QT_TRANSLATE_NOOP("view::CommandSynonyms", "undo original restore straighten")},
     {"MainWindow", "Fit &Minimal Canonical Simplex",
      QT_TRANSLATE_NOOP("view::CommandSynonyms", "hull triangle tight smallest")},

@@ -56,6 +56,12 @@ inline constexpr std::array numberOptions{
     NumberOption{&attractor::Appearance::vibrancy, "V",
                  "How far colours keep their hue, 0 to 1: at 0 the gamma acts on each channel, and colours "
                  "are paler"},
+    NumberOption{&attractor::Appearance::shadow, "O",
+                 "Opacity of the shadow on the ground behind the picture, 0 to 1: at 0 there is none"},
+    NumberOption{&attractor::Appearance::shadowLean, "X",
+                 "How far to the right the shadow of what is 1 high ends, -10 to 10"},
+    NumberOption{&attractor::Appearance::shadowLength, "Y",
+                 "How far up the shadow of what is 1 high ends, -10 to 10: below 0 it falls to the front"},
 };
 static_assert(numberOptions.size() == attractor::appearanceNumbers.size());
 const attractor::AppearanceNumber& numberOf(const NumberOption& option);

@@ -170,7 +170,8 @@ void addNumberOption(const OptionGroup& group, const NumberOption& option, std::
     const bool isFactor = number.scale == attractor::AppearanceNumber::Scale::Factor;
     const Value value = isFactor ? parsed(&place, positiveArgument)
                                  : parsed(&place, numberFrom(number.lowest, number.highest));
-    group.add(names, option.valueName, value, option.help, standard).is(Picture | Tone);
+    const bool isTone = number.part == attractor::AppearanceNumber::Part::Tone;
+    group.add(names, option.valueName, value, option.help, standard).is(Picture | (isTone ? Tone : InPlane));
 }
 
 void addColourOptions(Command& command, RenderArguments& arguments) {

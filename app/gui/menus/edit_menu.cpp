@@ -8,6 +8,7 @@
 #include "dialogs/variations/random_dialog.h"
 #include "document/edits/cage/cage_edits.h"
 #include "document/edits/dimension_edits.h"
+#include "document/edits/shadow_edits.h"
 #include "document/variations/variations.h"
 #include "menus/clipboard_commands.h"
 #include "menus/snapshot_commands.h"
@@ -45,6 +46,7 @@ EditMenu::EditMenu(const MenuContext& context, SnapshotCommands& snapshots)
     snapshots.addTo(*this);
     addSeparator();
     addFractals();
+    addShadow();
     addDimensions();
     addSeparator();
     addToggle({nullptr,
@@ -132,6 +134,24 @@ void EditMenu::addFractals() {
     add({nullptr, tr("Add Ra&ndom Fractal…"), QKeySequence(tr("Ctrl+Shift+M")),
          tr("Choose from a sheet of random fractals and add one to the file")},
         [this] { addRandom(); });
+}
+
+// Checked while the entry has one.
+void EditMenu::addShadow() {
+    document::Document* document = context().document;
+    QAction* shadow = addToggle(
+        {nullptr, tr("S&hadow"), {}, tr("Lay a flat, dark copy of the picture on the ground behind it")},
+        [this, document](bool on) {
+            if (on == document::hasShadow(document->fractal())) return;
+            document->edit(on ? tr("Add a shadow") : tr("Remove the shadow"),
+                           document::withShadow(document->fractal(), on));
+            if (on && context().canvas->navigation().isFitted())
+                context().stage->fit(); // it may reach beyond
+        });
+    connect(document, &document::Document::changed, shadow,
+            [document, shadow] { shadow->setChecked(document::hasShadow(document->fractal())); });
+    shadow->setChecked(document::hasShadow(document->fractal()));
+    disableWhen(shadow, &document::shadowObstacle);
 }
 
 // To space and back. The window follows the dimension of the entry.

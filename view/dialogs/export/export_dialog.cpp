@@ -93,8 +93,8 @@ ExportDialog::ExportDialog(document::Document* document, const attractor::Camera
     connectOptions();
     connect(&m_extent, &QFutureWatcherBase::finished, this, &ExportDialog::update);
     m_extent.setFuture(io::inBackground<std::optional<document::Box>>(
-        [fractal = m_fractal](QPromise<std::optional<document::Box>>& promise) {
-            promise.addResult(document::displayedBox(fractal));
+        [fractal = m_fractal, yAxis = m_camera.yAxis](QPromise<std::optional<document::Box>>& promise) {
+            promise.addResult(document::boxWithShadow(fractal, yAxis));
         }));
     update();
     resize(sizeHint().boundedTo({maxFirstWidth, QWIDGETSIZE_MAX}));
