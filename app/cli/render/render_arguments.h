@@ -84,6 +84,7 @@ struct SpaceOptions {
 
 struct ViewOptions {
     QSize size{1200, 900};              // 0: as the proportions want it
+    std::optional<QSizeF> millimetres;  // on paper, of which settlePaperSize() makes the size in pixels
     std::optional<NumberList> view;     // of three numbers in the plane, four in space
     std::optional<double> viewRotation; // degrees
     double margin = 5;                  // per cent of the picture
@@ -114,6 +115,7 @@ struct FileOptions {
     std::string format;
     std::optional<int> bits, quality;
     std::optional<double> dpi;
+    std::optional<double> pixelsOfShapes; // an inch; nullopt: those of SVG
     std::optional<io::ShapeStyle> svg;
     std::optional<int> depth;
 };
@@ -151,6 +153,9 @@ Option& addThreadsOption(const OptionGroup& group, std::optional<int>& threads);
 Option& addSimdOption(const OptionGroup& group, std::optional<std::string>& simd);
 Option& addSeedOption(const OptionGroup& group, std::uint64_t& seed);
 Option& addSizeOption(const OptionGroup& group, QSize& size);
+// What a size on paper is in pixels: of shapes, in whole pixels where tenths of a millimetre allow it; of
+// pixels, at the resolution that is given or at 300 dpi, which is stored. Nothing happens without one.
+void settlePaperSize(RenderArguments& arguments, bool hasShapes);
 Option& addBackgroundOption(const OptionGroup& group, std::optional<attractor::Rgba>& background);
 
 // Looks at what does not fit together before a file is read.
