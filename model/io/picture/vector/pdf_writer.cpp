@@ -267,7 +267,6 @@ private:
         m_content += text(attractor::Rgba{std::uint8_t(colour.red()), std::uint8_t(colour.green()),
                                           std::uint8_t(colour.blue()), 255}) +
                      " RG 1.5 w 1 j\n";
-        if (cage.rest != cage.current) m_content += "[4 4] 0 d\n" + polygon(cage.rest) + "S\n[] 0 d\n";
         m_content += polygon(cage.current) + "S\n";
     }
 

@@ -286,8 +286,7 @@ private:
         attribute("stroke", cageColour().name());
         attribute("stroke-width", QStringLiteral("1.5"));
         attribute("stroke-linejoin", QStringLiteral("round"));
-        if (cage.rest != cage.current) writePolygon("rest", cage.rest, QStringLiteral("4 4"));
-        writePolygon("current", cage.current, {});
+        writePolygon("current", cage.current);
         m_xml.writeEndElement();
     }
 
@@ -298,13 +297,12 @@ private:
         m_xml.writeEndElement();
     }
 
-    void writePolygon(const char* id, std::vector<ifs::Vector<2>> vertices, const QString& dashes) {
+    void writePolygon(const char* id, std::vector<ifs::Vector<2>> vertices) {
         for (auto& vertex : vertices)
             vertex = toPixel(m_camera, vertex);
         m_xml.writeEmptyElement(svg, QStringLiteral("polygon"));
         attribute("id", QLatin1String(id));
         attribute("points", pointList(vertices));
-        if (!dashes.isEmpty()) attribute("stroke-dasharray", dashes);
     }
 
     const document::Fractal& m_fractal;
