@@ -6066,22 +6066,6 @@
         <translation>Was die Bilder zeigen, wenn kein Schlüssel der Kamera es festlegt: was die Zeichenfläche zeigt, oder alles, was ins Bild kommt, mit kleinem Rand.</translation>
     </message>
     <message>
-        <source>Width</source>
-        <translation>Breite</translation>
-    </message>
-    <message>
-        <source>The width of the frames in pixels.</source>
-        <translation>Die Breite der Bilder in Pixeln.</translation>
-    </message>
-    <message>
-        <source>Height</source>
-        <translation>Höhe</translation>
-    </message>
-    <message>
-        <source>The height of the frames in pixels.</source>
-        <translation>Die Höhe der Bilder in Pixeln.</translation>
-    </message>
-    <message>
         <source>&amp;Size in pixels:</source>
         <translation>&amp;Größe in Pixeln:</translation>
     </message>
@@ -6314,6 +6298,18 @@
     <message>
         <source>&amp;Replace</source>
         <translation>E&amp;rsetzen</translation>
+    </message>
+    <message>
+        <source>Frame of the preview</source>
+        <translation>Bild der Vorschau</translation>
+    </message>
+    <message>
+        <source>The frame that the preview shows</source>
+        <translation>Das Bild, das die Vorschau zeigt</translation>
+    </message>
+    <message>
+        <source>Choose how many tasks share the frames, then click On a Cluster… again.</source>
+        <translation>Wählen Sie, wie viele Aufgaben sich die Bilder teilen, und klicken Sie noch einmal auf „Auf einem Cluster …“.</translation>
     </message>
 </context>
 <context>
@@ -9268,6 +9264,14 @@
         <source>Written to %1.</source>
         <translation>Geschrieben nach %1.</translation>
     </message>
+    <message>
+        <source>Show in Folder</source>
+        <translation>Im Ordner zeigen</translation>
+    </message>
+    <message>
+        <source>Shows the folder of the written file in the file manager.</source>
+        <translation>Zeigt den Ordner der geschriebenen Datei in der Dateiverwaltung.</translation>
+    </message>
 </context>
 <context>
     <name>view::ExportSizeEditor</name>
@@ -9473,10 +9477,6 @@
         <translation>Die ausgewählten Exporte, die fehlgeschlagen sind, noch einmal zeichnen.</translation>
     </message>
     <message>
-        <source>&amp;Open Folder</source>
-        <translation>&amp;Ordner öffnen</translation>
-    </message>
-    <message>
         <source>Show the folder of the selected export in the file manager.</source>
         <translation>Den Ordner des ausgewählten Exports in der Dateiverwaltung zeigen.</translation>
     </message>
@@ -9507,6 +9507,10 @@
     <message>
         <source>Cancel the selected exports and remove them from the list; files already written are kept.</source>
         <translation>Die ausgewählten Exporte abbrechen und von der Liste nehmen; schon geschriebene Dateien bleiben erhalten.</translation>
+    </message>
+    <message>
+        <source>Show in Folder</source>
+        <translation>Im Ordner zeigen</translation>
     </message>
 </context>
 <context>
@@ -9712,6 +9716,77 @@
     <message>
         <source>Right</source>
         <translation>Rechts</translation>
+    </message>
+</context>
+<context>
+    <name>view::FrameSizeEditor</name>
+    <message>
+        <source>Width</source>
+        <translation>Breite</translation>
+    </message>
+    <message>
+        <source>The width of the frames in pixels.</source>
+        <translation>Die Breite der Bilder in Pixeln.</translation>
+    </message>
+    <message>
+        <source>Height</source>
+        <translation>Höhe</translation>
+    </message>
+    <message>
+        <source>The height of the frames in pixels.</source>
+        <translation>Die Höhe der Bilder in Pixeln.</translation>
+    </message>
+    <message>
+        <source>Named size</source>
+        <translation>Benannte Größe</translation>
+    </message>
+    <message>
+        <source>Usual sizes of videos.</source>
+        <translation>Übliche Größen von Videos.</translation>
+    </message>
+    <message>
+        <source>Lock proportions</source>
+        <translation>Seitenverhältnis beibehalten</translation>
+    </message>
+    <message>
+        <source>Keep the proportions of the frames</source>
+        <translation>Das Seitenverhältnis der Bilder beibehalten</translation>
+    </message>
+    <message>
+        <source>Portrait or landscape</source>
+        <translation>Hoch- oder Querformat</translation>
+    </message>
+    <message>
+        <source>Swap width and height</source>
+        <translation>Breite und Höhe vertauschen</translation>
+    </message>
+    <message>
+        <source>Full HD: 1920 × 1080</source>
+        <translation>Full HD: 1920 × 1080</translation>
+    </message>
+    <message>
+        <source>HD: 1280 × 720</source>
+        <translation>HD: 1280 × 720</translation>
+    </message>
+    <message>
+        <source>4K: 3840 × 2160</source>
+        <translation>4K: 3840 × 2160</translation>
+    </message>
+    <message>
+        <source>Square: 1080 × 1080</source>
+        <translation>Quadrat: 1080 × 1080</translation>
+    </message>
+    <message>
+        <source>Portrait: 1080 × 1920</source>
+        <translation>Hochformat: 1080 × 1920</translation>
+    </message>
+    <message>
+        <source>For a message: 640 × 360</source>
+        <translation>Für eine Nachricht: 640 × 360</translation>
+    </message>
+    <message>
+        <source>Custom</source>
+        <translation>Benutzerdefiniert</translation>
     </message>
 </context>
 <context>

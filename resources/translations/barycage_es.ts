@@ -6066,22 +6066,6 @@
         <translation>Lo que muestran los fotogramas cuando ninguna clave de la cámara lo fija: lo que muestra el lienzo, o todo lo que llega a verse, con un pequeño margen.</translation>
     </message>
     <message>
-        <source>Width</source>
-        <translation>Anchura</translation>
-    </message>
-    <message>
-        <source>The width of the frames in pixels.</source>
-        <translation>El ancho de los fotogramas en píxeles.</translation>
-    </message>
-    <message>
-        <source>Height</source>
-        <translation>Altura</translation>
-    </message>
-    <message>
-        <source>The height of the frames in pixels.</source>
-        <translation>La altura de los fotogramas en píxeles.</translation>
-    </message>
-    <message>
         <source>&amp;Size in pixels:</source>
         <translation>Tamaño en píxele&amp;s:</translation>
     </message>
@@ -6314,6 +6298,18 @@
     <message>
         <source>&amp;Replace</source>
         <translation>&amp;Reemplazar</translation>
+    </message>
+    <message>
+        <source>Frame of the preview</source>
+        <translation>Fotograma de la vista previa</translation>
+    </message>
+    <message>
+        <source>The frame that the preview shows</source>
+        <translation>El fotograma que muestra la vista previa</translation>
+    </message>
+    <message>
+        <source>Choose how many tasks share the frames, then click On a Cluster… again.</source>
+        <translation>Elija cuántas tareas se reparten los fotogramas y vuelva a hacer clic en «En un clúster…».</translation>
     </message>
 </context>
 <context>
@@ -9268,6 +9264,14 @@
         <source>Written to %1.</source>
         <translation>Escrito en %1.</translation>
     </message>
+    <message>
+        <source>Show in Folder</source>
+        <translation>Mostrar en la carpeta</translation>
+    </message>
+    <message>
+        <source>Shows the folder of the written file in the file manager.</source>
+        <translation>Muestra la carpeta del archivo escrito en el gestor de archivos.</translation>
+    </message>
 </context>
 <context>
     <name>view::ExportSizeEditor</name>
@@ -9473,10 +9477,6 @@
         <translation>Volver a dibujar las exportaciones seleccionadas que fallaron.</translation>
     </message>
     <message>
-        <source>&amp;Open Folder</source>
-        <translation>Abrir la &amp;carpeta</translation>
-    </message>
-    <message>
         <source>Show the folder of the selected export in the file manager.</source>
         <translation>Mostrar la carpeta de la exportación seleccionada en el gestor de archivos.</translation>
     </message>
@@ -9507,6 +9507,10 @@
     <message>
         <source>Cancel the selected exports and remove them from the list; files already written are kept.</source>
         <translation>Cancelar las exportaciones seleccionadas y quitarlas de la lista; los archivos ya escritos se conservan.</translation>
+    </message>
+    <message>
+        <source>Show in Folder</source>
+        <translation>Mostrar en la carpeta</translation>
     </message>
 </context>
 <context>
@@ -9712,6 +9716,77 @@
     <message>
         <source>Right</source>
         <translation>Desde la derecha</translation>
+    </message>
+</context>
+<context>
+    <name>view::FrameSizeEditor</name>
+    <message>
+        <source>Width</source>
+        <translation>Anchura</translation>
+    </message>
+    <message>
+        <source>The width of the frames in pixels.</source>
+        <translation>La anchura de los fotogramas en píxeles.</translation>
+    </message>
+    <message>
+        <source>Height</source>
+        <translation>Altura</translation>
+    </message>
+    <message>
+        <source>The height of the frames in pixels.</source>
+        <translation>La altura de los fotogramas en píxeles.</translation>
+    </message>
+    <message>
+        <source>Named size</source>
+        <translation>Tamaño con nombre</translation>
+    </message>
+    <message>
+        <source>Usual sizes of videos.</source>
+        <translation>Tamaños habituales de vídeos.</translation>
+    </message>
+    <message>
+        <source>Lock proportions</source>
+        <translation>Mantener la proporción</translation>
+    </message>
+    <message>
+        <source>Keep the proportions of the frames</source>
+        <translation>Mantener la proporción de los fotogramas</translation>
+    </message>
+    <message>
+        <source>Portrait or landscape</source>
+        <translation>Vertical u horizontal</translation>
+    </message>
+    <message>
+        <source>Swap width and height</source>
+        <translation>Intercambiar anchura y altura</translation>
+    </message>
+    <message>
+        <source>Full HD: 1920 × 1080</source>
+        <translation>Full HD: 1920 × 1080</translation>
+    </message>
+    <message>
+        <source>HD: 1280 × 720</source>
+        <translation>HD: 1280 × 720</translation>
+    </message>
+    <message>
+        <source>4K: 3840 × 2160</source>
+        <translation>4K: 3840 × 2160</translation>
+    </message>
+    <message>
+        <source>Square: 1080 × 1080</source>
+        <translation>Cuadrado: 1080 × 1080</translation>
+    </message>
+    <message>
+        <source>Portrait: 1080 × 1920</source>
+        <translation>Vertical: 1080 × 1920</translation>
+    </message>
+    <message>
+        <source>For a message: 640 × 360</source>
+        <translation>Para un mensaje: 640 × 360</translation>
+    </message>
+    <message>
+        <source>Custom</source>
+        <translation>Personalizado</translation>
     </message>
 </context>
 <context>

@@ -6066,22 +6066,6 @@
         <translation>Ce que montrent les images quand aucune clé de la caméra ne le fixe : ce que montre le canevas, ou tout ce qui apparaît, avec une petite marge.</translation>
     </message>
     <message>
-        <source>Width</source>
-        <translation>Largeur</translation>
-    </message>
-    <message>
-        <source>The width of the frames in pixels.</source>
-        <translation>La largeur des images en pixels.</translation>
-    </message>
-    <message>
-        <source>Height</source>
-        <translation>Hauteur</translation>
-    </message>
-    <message>
-        <source>The height of the frames in pixels.</source>
-        <translation>La hauteur des images en pixels.</translation>
-    </message>
-    <message>
         <source>&amp;Size in pixels:</source>
         <translation>Taille en pixel&amp;s :</translation>
     </message>
@@ -6314,6 +6298,18 @@
     <message>
         <source>&amp;Replace</source>
         <translation>&amp;Remplacer</translation>
+    </message>
+    <message>
+        <source>Frame of the preview</source>
+        <translation>Image de l’aperçu</translation>
+    </message>
+    <message>
+        <source>The frame that the preview shows</source>
+        <translation>L’image que montre l’aperçu</translation>
+    </message>
+    <message>
+        <source>Choose how many tasks share the frames, then click On a Cluster… again.</source>
+        <translation>Choisissez combien de tâches se partagent les images, puis cliquez de nouveau sur « Sur une grappe… ».</translation>
     </message>
 </context>
 <context>
@@ -9268,6 +9264,14 @@
         <source>Written to %1.</source>
         <translation>Écrit dans %1.</translation>
     </message>
+    <message>
+        <source>Show in Folder</source>
+        <translation>Montrer dans le dossier</translation>
+    </message>
+    <message>
+        <source>Shows the folder of the written file in the file manager.</source>
+        <translation>Montre le dossier du fichier écrit dans le gestionnaire de fichiers.</translation>
+    </message>
 </context>
 <context>
     <name>view::ExportSizeEditor</name>
@@ -9473,10 +9477,6 @@
         <translation>Redessiner les exports sélectionnés qui ont échoué.</translation>
     </message>
     <message>
-        <source>&amp;Open Folder</source>
-        <translation>&amp;Ouvrir le dossier</translation>
-    </message>
-    <message>
         <source>Show the folder of the selected export in the file manager.</source>
         <translation>Afficher le dossier de l’export sélectionné dans le gestionnaire de fichiers.</translation>
     </message>
@@ -9507,6 +9507,10 @@
     <message>
         <source>Cancel the selected exports and remove them from the list; files already written are kept.</source>
         <translation>Annuler les exports sélectionnés et les retirer de la liste ; les fichiers déjà écrits sont conservés.</translation>
+    </message>
+    <message>
+        <source>Show in Folder</source>
+        <translation>Montrer dans le dossier</translation>
     </message>
 </context>
 <context>
@@ -9712,6 +9716,77 @@
     <message>
         <source>Right</source>
         <translation>Droite</translation>
+    </message>
+</context>
+<context>
+    <name>view::FrameSizeEditor</name>
+    <message>
+        <source>Width</source>
+        <translation>Largeur</translation>
+    </message>
+    <message>
+        <source>The width of the frames in pixels.</source>
+        <translation>La largeur des images en pixels.</translation>
+    </message>
+    <message>
+        <source>Height</source>
+        <translation>Hauteur</translation>
+    </message>
+    <message>
+        <source>The height of the frames in pixels.</source>
+        <translation>La hauteur des images en pixels.</translation>
+    </message>
+    <message>
+        <source>Named size</source>
+        <translation>Taille nommée</translation>
+    </message>
+    <message>
+        <source>Usual sizes of videos.</source>
+        <translation>Tailles usuelles de vidéos.</translation>
+    </message>
+    <message>
+        <source>Lock proportions</source>
+        <translation>Garder les proportions</translation>
+    </message>
+    <message>
+        <source>Keep the proportions of the frames</source>
+        <translation>Garder les proportions des images</translation>
+    </message>
+    <message>
+        <source>Portrait or landscape</source>
+        <translation>Portrait ou paysage</translation>
+    </message>
+    <message>
+        <source>Swap width and height</source>
+        <translation>Échanger largeur et hauteur</translation>
+    </message>
+    <message>
+        <source>Full HD: 1920 × 1080</source>
+        <translation>Full HD : 1920 × 1080</translation>
+    </message>
+    <message>
+        <source>HD: 1280 × 720</source>
+        <translation>HD : 1280 × 720</translation>
+    </message>
+    <message>
+        <source>4K: 3840 × 2160</source>
+        <translation>4K : 3840 × 2160</translation>
+    </message>
+    <message>
+        <source>Square: 1080 × 1080</source>
+        <translation>Carré : 1080 × 1080</translation>
+    </message>
+    <message>
+        <source>Portrait: 1080 × 1920</source>
+        <translation>Portrait : 1080 × 1920</translation>
+    </message>
+    <message>
+        <source>For a message: 640 × 360</source>
+        <translation>Pour un message : 640 × 360</translation>
+    </message>
+    <message>
+        <source>Custom</source>
+        <translation>Personnalisée</translation>
     </message>
 </context>
 <context>

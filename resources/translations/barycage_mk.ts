@@ -6081,22 +6081,6 @@
         <translation>Што покажуваат кадрите кога ниеден клуч на камерата не го одредува тоа: она што го покажува платното, или сè што се појавува, со мала маргина.</translation>
     </message>
     <message>
-        <source>Width</source>
-        <translation>Ширина</translation>
-    </message>
-    <message>
-        <source>The width of the frames in pixels.</source>
-        <translation>Ширината на кадрите во пиксели.</translation>
-    </message>
-    <message>
-        <source>Height</source>
-        <translation>Висина</translation>
-    </message>
-    <message>
-        <source>The height of the frames in pixels.</source>
-        <translation>Висината на кадрите во пиксели.</translation>
-    </message>
-    <message>
         <source>&amp;Size in pixels:</source>
         <translation>&amp;Големина во пиксели:</translation>
     </message>
@@ -6331,6 +6315,18 @@
     <message>
         <source>&amp;Replace</source>
         <translation>&amp;Замени</translation>
+    </message>
+    <message>
+        <source>Frame of the preview</source>
+        <translation>Кадар на прегледот</translation>
+    </message>
+    <message>
+        <source>The frame that the preview shows</source>
+        <translation>Кадарот што го покажува прегледот</translation>
+    </message>
+    <message>
+        <source>Choose how many tasks share the frames, then click On a Cluster… again.</source>
+        <translation>Изберете колку задачи ќе ги делат кадрите, па кликнете повторно на „На кластер…“.</translation>
     </message>
 </context>
 <context>
@@ -9296,6 +9292,14 @@
         <source>Written to %1.</source>
         <translation>Запишано во %1.</translation>
     </message>
+    <message>
+        <source>Show in Folder</source>
+        <translation>Покажи во папката</translation>
+    </message>
+    <message>
+        <source>Shows the folder of the written file in the file manager.</source>
+        <translation>Ја покажува папката на запишаната датотека во управувачот со датотеки.</translation>
+    </message>
 </context>
 <context>
     <name>view::ExportSizeEditor</name>
@@ -9504,10 +9508,6 @@
         <translation>Нацртај ги повторно избраните извози што не успеале.</translation>
     </message>
     <message>
-        <source>&amp;Open Folder</source>
-        <translation>Отвори &amp;папка</translation>
-    </message>
-    <message>
         <source>Show the folder of the selected export in the file manager.</source>
         <translation>Прикажи ја папката на избраниот извоз во управувачот со датотеки.</translation>
     </message>
@@ -9538,6 +9538,10 @@
     <message>
         <source>Cancel the selected exports and remove them from the list; files already written are kept.</source>
         <translation>Откажи ги избраните извози и тргни ги од списокот; веќе запишаните датотеки остануваат.</translation>
+    </message>
+    <message>
+        <source>Show in Folder</source>
+        <translation>Покажи во папката</translation>
     </message>
 </context>
 <context>
@@ -9743,6 +9747,77 @@
     <message>
         <source>Right</source>
         <translation>Оддесно</translation>
+    </message>
+</context>
+<context>
+    <name>view::FrameSizeEditor</name>
+    <message>
+        <source>Width</source>
+        <translation>Ширина</translation>
+    </message>
+    <message>
+        <source>The width of the frames in pixels.</source>
+        <translation>Ширината на кадрите во пиксели.</translation>
+    </message>
+    <message>
+        <source>Height</source>
+        <translation>Висина</translation>
+    </message>
+    <message>
+        <source>The height of the frames in pixels.</source>
+        <translation>Висината на кадрите во пиксели.</translation>
+    </message>
+    <message>
+        <source>Named size</source>
+        <translation>Именувана големина</translation>
+    </message>
+    <message>
+        <source>Usual sizes of videos.</source>
+        <translation>Вообичаени големини на видеа.</translation>
+    </message>
+    <message>
+        <source>Lock proportions</source>
+        <translation>Задржи го односот на страните</translation>
+    </message>
+    <message>
+        <source>Keep the proportions of the frames</source>
+        <translation>Задржи го односот на страните на кадрите</translation>
+    </message>
+    <message>
+        <source>Portrait or landscape</source>
+        <translation>Исправено или легнато</translation>
+    </message>
+    <message>
+        <source>Swap width and height</source>
+        <translation>Замени ги ширината и висината</translation>
+    </message>
+    <message>
+        <source>Full HD: 1920 × 1080</source>
+        <translation>Full HD: 1920 × 1080</translation>
+    </message>
+    <message>
+        <source>HD: 1280 × 720</source>
+        <translation>HD: 1280 × 720</translation>
+    </message>
+    <message>
+        <source>4K: 3840 × 2160</source>
+        <translation>4K: 3840 × 2160</translation>
+    </message>
+    <message>
+        <source>Square: 1080 × 1080</source>
+        <translation>Квадрат: 1080 × 1080</translation>
+    </message>
+    <message>
+        <source>Portrait: 1080 × 1920</source>
+        <translation>Исправено: 1080 × 1920</translation>
+    </message>
+    <message>
+        <source>For a message: 640 × 360</source>
+        <translation>За порака: 640 × 360</translation>
+    </message>
+    <message>
+        <source>Custom</source>
+        <translation>Приспособено</translation>
     </message>
 </context>
 <context>
