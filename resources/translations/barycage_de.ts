@@ -997,8 +997,8 @@
         <translation>Das ganze Fraktal nach Zahlen drehen, skalieren, scheren, spiegeln oder verschieben</translation>
     </message>
     <message>
-        <source>&amp;Mutate…</source>
-        <translation>&amp;Mutieren…</translation>
+        <source>&amp;Variations…</source>
+        <translation>&amp;Variationen…</translation>
     </message>
     <message>
         <source>Ctrl+M</source>
@@ -7347,8 +7347,8 @@
         <translation>Die Ecken auf das nächste regelmäßige Vieleck setzen</translation>
     </message>
     <message>
-        <source>&amp;Bake Placement into the Code</source>
-        <translation>Lage in den Code &amp;einrechnen</translation>
+        <source>&amp;Bake</source>
+        <translation>&amp;Einrechnen</translation>
     </message>
     <message>
         <source>Rewrites the maps so that they draw the picture as shown, with the cage at rest</source>
@@ -8093,8 +8093,8 @@
         <translation>Arbeitsblatt Klasse Schüler Übung Papier</translation>
     </message>
     <message>
-        <source>variations vary breed evolve grow similar mutation</source>
-        <translation>Variationen variieren züchten entwickeln ähnlich Mutation</translation>
+        <source>mutate mutation vary breed evolve grow similar</source>
+        <translation>mutieren Mutation variieren züchten entwickeln wachsen ähnlich</translation>
     </message>
     <message>
         <source>surprise chance lucky generate dice new</source>
@@ -8932,20 +8932,20 @@
         <translation>Größe:</translation>
     </message>
     <message>
-        <source>Draft: 25 samples per pixel</source>
+        <source>Draft: 25 points per pixel</source>
         <translation>Entwurf: 25 Punkte je Pixel</translation>
     </message>
     <message>
-        <source>Good: 100 samples per pixel</source>
+        <source>Good: 100 points per pixel</source>
         <translation>Gut: 100 Punkte je Pixel</translation>
     </message>
     <message>
-        <source>Fine: 400 samples per pixel</source>
+        <source>Fine: 400 points per pixel</source>
         <translation>Fein: 400 Punkte je Pixel</translation>
     </message>
     <message>
-        <source>Finest: 2000 samples per pixel</source>
-        <translation>Am feinsten: 2000 Punkte je Pixel</translation>
+        <source>Finest: 2000 points per pixel</source>
+        <translation>Feinste: 2000 Punkte je Pixel</translation>
     </message>
     <message>
         <source>Quality</source>
@@ -11583,16 +11583,16 @@ Tasten: Bild auf und Bild ab wählen eine Marke, die Pfeile bewegen sie, Einfg f
         <translation>Abwandlung %1</translation>
     </message>
     <message>
-        <source>Mutate</source>
-        <translation>Mutieren</translation>
+        <source>Use a variation</source>
+        <translation>Variation übernehmen</translation>
     </message>
     <message>
         <source>The parent is in the middle, its variations are around it. Click one, or press Enter on it, to make it the new parent. Double-click one to use it at once.</source>
         <translation>In der Mitte ist das Elternbild, ringsum sind seine Abwandlungen. Klicken Sie auf eine oder drücken Sie darauf die Eingabetaste, um sie zum neuen Elternbild zu machen. Ein Doppelklick verwendet sie sofort.</translation>
     </message>
     <message>
-        <source>&amp;Use the Parent</source>
-        <translation>&amp;Elternbild verwenden</translation>
+        <source>&amp;Use This One</source>
+        <translation>&amp;Dieses verwenden</translation>
     </message>
     <message>
         <source>The fractal in the middle replaces the one that you began with, in one step that you can undo.</source>
@@ -12005,8 +12005,8 @@ Tasten: Bild auf und Bild ab wählen eine Marke, die Pfeile bewegen sie, Einfg f
         <translation>Fein: 1000 Millionen Punkte</translation>
     </message>
     <message>
-        <source>Idle quality</source>
-        <translation>Bildqualität in Ruhe</translation>
+        <source>Picture at rest</source>
+        <translation>Bild in Ruhe</translation>
     </message>
     <message>
         <source>The number of points drawn while nothing moves. More points make a smoother picture and keep the processor busy for longer.</source>
@@ -12025,8 +12025,8 @@ Tasten: Bild auf und Bild ab wählen eine Marke, die Pfeile bewegen sie, Einfg f
         <translation>&amp;Farbschema:</translation>
     </message>
     <message>
-        <source>&amp;Idle quality:</source>
-        <translation>&amp;Bildqualität in Ruhe:</translation>
+        <source>&amp;Picture at rest:</source>
+        <translation>&amp;Bild in Ruhe:</translation>
     </message>
     <message>
         <source>Resets every setting in this dialog to its default.</source>
@@ -12045,16 +12045,16 @@ Tasten: Bild auf und Bild ab wählen eine Marke, die Pfeile bewegen sie, Einfg f
         <translation>Trackball</translation>
     </message>
     <message>
-        <source>Turning solids</source>
-        <translation>Körper drehen</translation>
+        <source>Solids turn like</source>
+        <translation>Körper drehen sich wie</translation>
     </message>
     <message>
         <source>How a drag turns a solid. On a turntable, vertical lines stay vertical. A trackball turns freely about the axes of the screen, even over the poles; to level the view again, look along an axis.</source>
         <translation>Wie Ziehen einen Körper dreht. Auf einem Drehteller bleibt Senkrechtes senkrecht. Ein Trackball dreht frei um die Achsen des Bildschirms, auch über die Pole; um die Ansicht wieder auszurichten, blicken Sie entlang einer Achse.</translation>
     </message>
     <message>
-        <source>Turning &amp;solids:</source>
-        <translation>&amp;Körper drehen:</translation>
+        <source>&amp;Solids turn like:</source>
+        <translation>&amp;Körper drehen sich wie:</translation>
     </message>
     <message>
         <source>Restart &amp;Now</source>
@@ -13646,8 +13646,8 @@ Tasten: Bild auf und Bild ab wählen eine Marke, die Pfeile bewegen sie, Einfg f
         <translation>Überlappung %1 %</translation>
     </message>
     <message>
-        <source>Guarantee %1 px</source>
-        <translation>Garantie %1 px</translation>
+        <source>Guaranteed within %1 px</source>
+        <translation>Garantiert bis auf %1 px</translation>
     </message>
     <message>
         <source>Suggestions</source>

@@ -997,8 +997,8 @@
         <translation>Girar, escalar, cizallar, reflejar o mover todo el fractal con números</translation>
     </message>
     <message>
-        <source>&amp;Mutate…</source>
-        <translation>&amp;Mutar…</translation>
+        <source>&amp;Variations…</source>
+        <translation>&amp;Variaciones…</translation>
     </message>
     <message>
         <source>Ctrl+M</source>
@@ -7347,8 +7347,8 @@
         <translation>Lleva los vértices al polígono regular más próximo</translation>
     </message>
     <message>
-        <source>&amp;Bake Placement into the Code</source>
-        <translation>I&amp;ncorporar la colocación al código</translation>
+        <source>&amp;Bake</source>
+        <translation>&amp;Incorporar</translation>
     </message>
     <message>
         <source>Rewrites the maps so that they draw the picture as shown, with the cage at rest</source>
@@ -8093,8 +8093,8 @@
         <translation>hoja clase alumnos ejercicio papel</translation>
     </message>
     <message>
-        <source>variations vary breed evolve grow similar mutation</source>
-        <translation>variaciones variar criar evolucionar parecidos mutación</translation>
+        <source>mutate mutation vary breed evolve grow similar</source>
+        <translation>mutar mutación variar criar evolucionar parecido</translation>
     </message>
     <message>
         <source>surprise chance lucky generate dice new</source>
@@ -8932,20 +8932,20 @@
         <translation>Tamaño:</translation>
     </message>
     <message>
-        <source>Draft: 25 samples per pixel</source>
-        <translation>Borrador: 25 muestras por píxel</translation>
+        <source>Draft: 25 points per pixel</source>
+        <translation>Borrador: 25 puntos por píxel</translation>
     </message>
     <message>
-        <source>Good: 100 samples per pixel</source>
-        <translation>Buena: 100 muestras por píxel</translation>
+        <source>Good: 100 points per pixel</source>
+        <translation>Buena: 100 puntos por píxel</translation>
     </message>
     <message>
-        <source>Fine: 400 samples per pixel</source>
-        <translation>Fina: 400 muestras por píxel</translation>
+        <source>Fine: 400 points per pixel</source>
+        <translation>Fina: 400 puntos por píxel</translation>
     </message>
     <message>
-        <source>Finest: 2000 samples per pixel</source>
-        <translation>Finísima: 2000 muestras por píxel</translation>
+        <source>Finest: 2000 points per pixel</source>
+        <translation>Finísima: 2000 puntos por píxel</translation>
     </message>
     <message>
         <source>Quality</source>
@@ -11583,16 +11583,16 @@ Teclas: Re Pág y Av Pág eligen una parada, las flechas la mueven, Ins añade u
         <translation>Variación %1</translation>
     </message>
     <message>
-        <source>Mutate</source>
-        <translation>Mutar</translation>
+        <source>Use a variation</source>
+        <translation>Usar una variación</translation>
     </message>
     <message>
         <source>The parent is in the middle, its variations are around it. Click one, or press Enter on it, to make it the new parent. Double-click one to use it at once.</source>
         <translation>El progenitor está en el centro y sus variaciones alrededor. Haga clic en una, o pulse Intro sobre ella, para convertirla en el nuevo progenitor. Con un doble clic se usa de inmediato.</translation>
     </message>
     <message>
-        <source>&amp;Use the Parent</source>
-        <translation>&amp;Usar el progenitor</translation>
+        <source>&amp;Use This One</source>
+        <translation>&amp;Usar este</translation>
     </message>
     <message>
         <source>The fractal in the middle replaces the one that you began with, in one step that you can undo.</source>
@@ -12005,8 +12005,8 @@ Teclas: Re Pág y Av Pág eligen una parada, las flechas la mueven, Ins añade u
         <translation>Fina: 1000 millones de puntos</translation>
     </message>
     <message>
-        <source>Idle quality</source>
-        <translation>Calidad en reposo</translation>
+        <source>Picture at rest</source>
+        <translation>Imagen en reposo</translation>
     </message>
     <message>
         <source>The number of points drawn while nothing moves. More points make a smoother picture and keep the processor busy for longer.</source>
@@ -12025,8 +12025,8 @@ Teclas: Re Pág y Av Pág eligen una parada, las flechas la mueven, Ins añade u
         <translation>&amp;Tema:</translation>
     </message>
     <message>
-        <source>&amp;Idle quality:</source>
-        <translation>Ca&amp;lidad en reposo:</translation>
+        <source>&amp;Picture at rest:</source>
+        <translation>Ima&amp;gen en reposo:</translation>
     </message>
     <message>
         <source>Resets every setting in this dialog to its default.</source>
@@ -12045,16 +12045,16 @@ Teclas: Re Pág y Av Pág eligen una parada, las flechas la mueven, Ins añade u
         <translation>Trackball</translation>
     </message>
     <message>
-        <source>Turning solids</source>
-        <translation>Giro de sólidos</translation>
+        <source>Solids turn like</source>
+        <translation>Los sólidos giran como</translation>
     </message>
     <message>
         <source>How a drag turns a solid. On a turntable, vertical lines stay vertical. A trackball turns freely about the axes of the screen, even over the poles; to level the view again, look along an axis.</source>
         <translation>Cómo gira un sólido al arrastrar. En un plato giratorio, lo vertical sigue vertical. Un trackball gira libremente sobre los ejes de la pantalla, también por encima de los polos; para nivelar la vista de nuevo, mire a lo largo de un eje.</translation>
     </message>
     <message>
-        <source>Turning &amp;solids:</source>
-        <translation>Giro de &amp;sólidos:</translation>
+        <source>&amp;Solids turn like:</source>
+        <translation>Los &amp;sólidos giran como:</translation>
     </message>
     <message>
         <source>Restart &amp;Now</source>
@@ -13646,8 +13646,8 @@ Teclas: Re Pág y Av Pág eligen una parada, las flechas la mueven, Ins añade u
         <translation>Solapamiento %1 %</translation>
     </message>
     <message>
-        <source>Guarantee %1 px</source>
-        <translation>Garantía %1 px</translation>
+        <source>Guaranteed within %1 px</source>
+        <translation>Garantizado a menos de %1 px</translation>
     </message>
     <message>
         <source>Suggestions</source>

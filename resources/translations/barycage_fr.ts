@@ -997,8 +997,8 @@
         <translation>Faire tourner, redimensionner, cisailler, réfléchir ou déplacer toute la fractale en saisissant des nombres</translation>
     </message>
     <message>
-        <source>&amp;Mutate…</source>
-        <translation>Faire &amp;muter…</translation>
+        <source>&amp;Variations…</source>
+        <translation>&amp;Variations…</translation>
     </message>
     <message>
         <source>Ctrl+M</source>
@@ -7347,8 +7347,8 @@
         <translation>Mettre les sommets sur le polygone régulier le plus proche</translation>
     </message>
     <message>
-        <source>&amp;Bake Placement into the Code</source>
-        <translation>In&amp;tégrer le placement au code</translation>
+        <source>&amp;Bake</source>
+        <translation>&amp;Intégrer au code</translation>
     </message>
     <message>
         <source>Rewrites the maps so that they draw the picture as shown, with the cage at rest</source>
@@ -8093,8 +8093,8 @@
         <translation>fiche classe élèves exercice papier</translation>
     </message>
     <message>
-        <source>variations vary breed evolve grow similar mutation</source>
-        <translation>variations varier élever évoluer semblables mutation</translation>
+        <source>mutate mutation vary breed evolve grow similar</source>
+        <translation>muter mutation varier élever évoluer semblable</translation>
     </message>
     <message>
         <source>surprise chance lucky generate dice new</source>
@@ -8932,20 +8932,20 @@
         <translation>Taille&#x202f;:</translation>
     </message>
     <message>
-        <source>Draft: 25 samples per pixel</source>
-        <translation>Brouillon&#x202f;: 25 échantillons par pixel</translation>
+        <source>Draft: 25 points per pixel</source>
+        <translation>Brouillon : 25 points par pixel</translation>
     </message>
     <message>
-        <source>Good: 100 samples per pixel</source>
-        <translation>Bonne&#x202f;: 100 échantillons par pixel</translation>
+        <source>Good: 100 points per pixel</source>
+        <translation>Bonne : 100 points par pixel</translation>
     </message>
     <message>
-        <source>Fine: 400 samples per pixel</source>
-        <translation>Fine&#x202f;: 400 échantillons par pixel</translation>
+        <source>Fine: 400 points per pixel</source>
+        <translation>Fine : 400 points par pixel</translation>
     </message>
     <message>
-        <source>Finest: 2000 samples per pixel</source>
-        <translation>Maximale&#x202f;: 2000 échantillons par pixel</translation>
+        <source>Finest: 2000 points per pixel</source>
+        <translation>Très fine : 2000 points par pixel</translation>
     </message>
     <message>
         <source>Quality</source>
@@ -11583,16 +11583,16 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
         <translation>Variation %1</translation>
     </message>
     <message>
-        <source>Mutate</source>
-        <translation>Faire muter</translation>
+        <source>Use a variation</source>
+        <translation>Utiliser une variation</translation>
     </message>
     <message>
         <source>The parent is in the middle, its variations are around it. Click one, or press Enter on it, to make it the new parent. Double-click one to use it at once.</source>
         <translation>Le parent est au milieu, ses variations sont autour. Cliquez sur l’une d’elles, ou appuyez sur Entrée, pour en faire le nouveau parent. Un double-clic l’utilise aussitôt.</translation>
     </message>
     <message>
-        <source>&amp;Use the Parent</source>
-        <translation>&amp;Utiliser le parent</translation>
+        <source>&amp;Use This One</source>
+        <translation>&amp;Utiliser celle-ci</translation>
     </message>
     <message>
         <source>The fractal in the middle replaces the one that you began with, in one step that you can undo.</source>
@@ -12005,8 +12005,8 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
         <translation>Fine&#x202f;: 1 milliard de points</translation>
     </message>
     <message>
-        <source>Idle quality</source>
-        <translation>Qualité au repos</translation>
+        <source>Picture at rest</source>
+        <translation>Image au repos</translation>
     </message>
     <message>
         <source>The number of points drawn while nothing moves. More points make a smoother picture and keep the processor busy for longer.</source>
@@ -12025,8 +12025,8 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
         <translation>&amp;Thème&#x202f;:</translation>
     </message>
     <message>
-        <source>&amp;Idle quality:</source>
-        <translation>&amp;Qualité au repos :</translation>
+        <source>&amp;Picture at rest:</source>
+        <translation>&amp;Image au repos :</translation>
     </message>
     <message>
         <source>Resets every setting in this dialog to its default.</source>
@@ -12045,16 +12045,16 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
         <translation>Trackball</translation>
     </message>
     <message>
-        <source>Turning solids</source>
-        <translation>Rotation des solides</translation>
+        <source>Solids turn like</source>
+        <translation>Les solides tournent comme</translation>
     </message>
     <message>
         <source>How a drag turns a solid. On a turntable, vertical lines stay vertical. A trackball turns freely about the axes of the screen, even over the poles; to level the view again, look along an axis.</source>
         <translation>Comment un solide tourne quand on le fait glisser. Sur un plateau tournant, ce qui est vertical le reste. Un trackball tourne librement autour des axes de l’écran, même au-delà des pôles ; pour remettre la vue d’aplomb, regardez le long d’un axe.</translation>
     </message>
     <message>
-        <source>Turning &amp;solids:</source>
-        <translation>Rotation des &amp;solides :</translation>
+        <source>&amp;Solids turn like:</source>
+        <translation>Les &amp;solides tournent comme :</translation>
     </message>
     <message>
         <source>Restart &amp;Now</source>
@@ -13646,8 +13646,8 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
         <translation>Recouvrement %1 %</translation>
     </message>
     <message>
-        <source>Guarantee %1 px</source>
-        <translation>Garantie %1 px</translation>
+        <source>Guaranteed within %1 px</source>
+        <translation>Garanti à %1 px près</translation>
     </message>
     <message>
         <source>Suggestions</source>

@@ -1002,8 +1002,8 @@
         <translation>Ротирај, скалирај, искоси, отсликај или премести го целиот фрактал со внесување броеви</translation>
     </message>
     <message>
-        <source>&amp;Mutate…</source>
-        <translation>&amp;Мутирај…</translation>
+        <source>&amp;Variations…</source>
+        <translation>&amp;Варијации…</translation>
     </message>
     <message>
         <source>Ctrl+M</source>
@@ -7364,8 +7364,8 @@
         <translation>Ги става темињата на правилниот многуаголник што им е најблизок</translation>
     </message>
     <message>
-        <source>&amp;Bake Placement into the Code</source>
-        <translation>Впи&amp;ши ја поставеноста во кодот</translation>
+        <source>&amp;Bake</source>
+        <translation>&amp;Впиши во кодот</translation>
     </message>
     <message>
         <source>Rewrites the maps so that they draw the picture as shown, with the cage at rest</source>
@@ -8111,8 +8111,8 @@
         <translation>работен лист час ученици вежба хартија</translation>
     </message>
     <message>
-        <source>variations vary breed evolve grow similar mutation</source>
-        <translation>варијации варирај одгледај еволуција слични мутација</translation>
+        <source>mutate mutation vary breed evolve grow similar</source>
+        <translation>мутирај мутација варирај одгледувај развивај слично</translation>
     </message>
     <message>
         <source>surprise chance lucky generate dice new</source>
@@ -8957,20 +8957,20 @@
         <translation>Големина:</translation>
     </message>
     <message>
-        <source>Draft: 25 samples per pixel</source>
-        <translation>Скица: 25 примероци по пиксел</translation>
+        <source>Draft: 25 points per pixel</source>
+        <translation>Нацрт: 25 точки по пиксел</translation>
     </message>
     <message>
-        <source>Good: 100 samples per pixel</source>
-        <translation>Добро: 100 примероци по пиксел</translation>
+        <source>Good: 100 points per pixel</source>
+        <translation>Добар: 100 точки по пиксел</translation>
     </message>
     <message>
-        <source>Fine: 400 samples per pixel</source>
-        <translation>Фино: 400 примероци по пиксел</translation>
+        <source>Fine: 400 points per pixel</source>
+        <translation>Фин: 400 точки по пиксел</translation>
     </message>
     <message>
-        <source>Finest: 2000 samples per pixel</source>
-        <translation>Најфино: 2000 примероци по пиксел</translation>
+        <source>Finest: 2000 points per pixel</source>
+        <translation>Најфин: 2000 точки по пиксел</translation>
     </message>
     <message>
         <source>Quality</source>
@@ -11615,16 +11615,16 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
         <translation>Варијанта %1</translation>
     </message>
     <message>
-        <source>Mutate</source>
-        <translation>Мутирање</translation>
+        <source>Use a variation</source>
+        <translation>Користи варијација</translation>
     </message>
     <message>
         <source>The parent is in the middle, its variations are around it. Click one, or press Enter on it, to make it the new parent. Double-click one to use it at once.</source>
         <translation>Родителот е во средината, а варијантите се околу него. Кликнете на една, или притиснете Enter на неа, за да стане нов родител. Со двоен клик веднаш се употребува.</translation>
     </message>
     <message>
-        <source>&amp;Use the Parent</source>
-        <translation>&amp;Употреби го родителот</translation>
+        <source>&amp;Use This One</source>
+        <translation>&amp;Користи го ова</translation>
     </message>
     <message>
         <source>The fractal in the middle replaces the one that you began with, in one step that you can undo.</source>
@@ -12037,8 +12037,8 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
         <translation>Фино: 1000 милиони точки</translation>
     </message>
     <message>
-        <source>Idle quality</source>
-        <translation>Квалитет во мирување</translation>
+        <source>Picture at rest</source>
+        <translation>Слика во мирување</translation>
     </message>
     <message>
         <source>The number of points drawn while nothing moves. More points make a smoother picture and keep the processor busy for longer.</source>
@@ -12057,8 +12057,8 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
         <translation>&amp;Тема:</translation>
     </message>
     <message>
-        <source>&amp;Idle quality:</source>
-        <translation>&amp;Квалитет во мирување:</translation>
+        <source>&amp;Picture at rest:</source>
+        <translation>&amp;Слика во мирување:</translation>
     </message>
     <message>
         <source>Resets every setting in this dialog to its default.</source>
@@ -12077,16 +12077,16 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
         <translation>Тракбол</translation>
     </message>
     <message>
-        <source>Turning solids</source>
-        <translation>Вртење на телата</translation>
+        <source>Solids turn like</source>
+        <translation>Телата се вртат како</translation>
     </message>
     <message>
         <source>How a drag turns a solid. On a turntable, vertical lines stay vertical. A trackball turns freely about the axes of the screen, even over the poles; to level the view again, look along an axis.</source>
         <translation>Како влечењето врти тело. На вртлива плоча, вертикалното останува вертикално. Тракболот врти слободно околу оските на екранот, и преку половите; за повторно да го исправите погледот, погледнете по должината на некоја оска.</translation>
     </message>
     <message>
-        <source>Turning &amp;solids:</source>
-        <translation>Вртење на &amp;телата:</translation>
+        <source>&amp;Solids turn like:</source>
+        <translation>&amp;Телата се вртат како:</translation>
     </message>
     <message>
         <source>Restart &amp;Now</source>
@@ -13680,8 +13680,8 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
         <translation>Преклоп %1 %</translation>
     </message>
     <message>
-        <source>Guarantee %1 px</source>
-        <translation>Гаранција %1 пкс</translation>
+        <source>Guaranteed within %1 px</source>
+        <translation>Загарантирано до %1 пкс</translation>
     </message>
     <message>
         <source>Suggestions</source>

@@ -125,7 +125,7 @@ void EditMenu::addFractals() {
     QAction* transform = add({"transform", tr("&Transform…"), QKeySequence(tr("Ctrl+T")),
                               tr("Rotate, scale, shear, reflect or move the whole fractal by exact amounts")},
                              [this] { openTransform(); });
-    QAction* mutate = add({nullptr, tr("&Mutate…"), QKeySequence(tr("Ctrl+M")),
+    QAction* mutate = add({nullptr, tr("&Variations…"), QKeySequence(tr("Ctrl+M")),
                            tr("Breed variations of this fractal, or cross it with another one")},
                           [this] { openMutate(); });
     disableWhen(transform, &document::cageObstacle);
