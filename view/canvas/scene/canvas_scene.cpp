@@ -137,8 +137,9 @@ void CanvasScene::follow(const document::Change& change) {
         requestLayout();
     }
     const bool hasPaths = !m_paths.vertices.empty() || !m_paths.maps.empty();
-    if (hasPaths && change.parts & Change::Time) requestLayout(); // the neighbouring keys are others
-    if (change.parts & Change::Name) requestLayout();             // with the names, what is locked
+    if (hasPaths && change.parts & Change::Time) requestLayout();          // the neighbouring keys are others
+    if (change.parts & Change::Name) requestLayout();                      // with the names, what is locked
+    if (change.parts & (Change::Appearance | Change::Time)) layoutKnobs(); // there may be a shadow now
     if (change.parts & (Change::System | Change::Cage | Change::Current | Change::File)) {
         requestLayout();
         m_selection.setMaps(m_selection.maps());   // those that are left
