@@ -9375,6 +9375,14 @@
         <source>The size of the picture, in pixels or on paper.</source>
         <translation>Die Größe des Bildes, in Pixeln oder auf Papier.</translation>
     </message>
+    <message>
+        <source>Portrait or landscape</source>
+        <translation>Hoch- oder Querformat</translation>
+    </message>
+    <message>
+        <source>Swap width and height</source>
+        <translation>Breite und Höhe vertauschen</translation>
+    </message>
 </context>
 <context>
     <name>view::ExportsModel</name>

@@ -9375,6 +9375,14 @@
         <source>The size of the picture, in pixels or on paper.</source>
         <translation>El tamaño de la imagen, en píxeles o en papel.</translation>
     </message>
+    <message>
+        <source>Portrait or landscape</source>
+        <translation>Vertical u horizontal</translation>
+    </message>
+    <message>
+        <source>Swap width and height</source>
+        <translation>Intercambiar anchura y altura</translation>
+    </message>
 </context>
 <context>
     <name>view::ExportsModel</name>

@@ -9375,6 +9375,14 @@
         <source>The size of the picture, in pixels or on paper.</source>
         <translation>La taille de l’image, en pixels ou sur le papier.</translation>
     </message>
+    <message>
+        <source>Portrait or landscape</source>
+        <translation>Portrait ou paysage</translation>
+    </message>
+    <message>
+        <source>Swap width and height</source>
+        <translation>Échanger largeur et hauteur</translation>
+    </message>
 </context>
 <context>
     <name>view::ExportsModel</name>

@@ -9403,6 +9403,14 @@
         <source>The size of the picture, in pixels or on paper.</source>
         <translation>Големината на сликата, во пиксели или на хартија.</translation>
     </message>
+    <message>
+        <source>Portrait or landscape</source>
+        <translation>Исправено или легнато</translation>
+    </message>
+    <message>
+        <source>Swap width and height</source>
+        <translation>Замени ги ширината и висината</translation>
+    </message>
 </context>
 <context>
     <name>view::ExportsModel</name>

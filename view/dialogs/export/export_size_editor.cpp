@@ -53,6 +53,7 @@ ExportSizeEditor::ExportSizeEditor(const QSize& screen, QWidget* parent)
       m_unit(new QComboBox(this)),
       m_named(new QComboBox(this)),
       m_lock(new QToolButton(this)),
+      m_turn(new QToolButton(this)),
       m_resolution(new WholeNumberBox(this)) {
     setWhatsThis(tr("The size of the picture, in pixels or on paper."));
     m_unit->addItems({tr("pixels"), tr("mm"), tr("inches")});
@@ -68,6 +69,9 @@ ExportSizeEditor::ExportSizeEditor(const QSize& screen, QWidget* parent)
     m_lock->setCheckable(true);
     m_lock->setChecked(true);
     m_lock->setToolTip(tr("Keep the proportions of the picture"));
+    m_turn->setIcon(icon(QStringLiteral("turn")));
+    m_turn->setAccessibleName(tr("Portrait or landscape"));
+    m_turn->setToolTip(tr("Swap width and height"));
     m_resolution->setRange(1, 9600);
     m_resolution->setValue(300);
     m_resolution->setSuffix(tr(" dpi"));
@@ -81,6 +85,7 @@ ExportSizeEditor::ExportSizeEditor(const QSize& screen, QWidget* parent)
     lengths->addStretch();
     auto* scales = new QHBoxLayout;
     scales->addWidget(m_named);
+    scales->addWidget(m_turn);
     scales->addWidget(m_resolution);
     scales->addStretch();
     auto* layout = new QVBoxLayout(this);
@@ -89,7 +94,8 @@ ExportSizeEditor::ExportSizeEditor(const QSize& screen, QWidget* parent)
     layout->addLayout(lengths);
 
     QWidget* before = m_named;
-    for (QWidget* widget : std::initializer_list<QWidget*>{m_resolution, m_width, m_height, m_unit, m_lock}) {
+    for (QWidget* widget :
+         std::initializer_list<QWidget*>{m_turn, m_resolution, m_width, m_height, m_unit, m_lock}) {
         setTabOrder(before, widget);
         before = widget;
     }
@@ -101,6 +107,10 @@ ExportSizeEditor::ExportSizeEditor(const QSize& screen, QWidget* parent)
     connect(m_unit, &QComboBox::currentIndexChanged, this, &ExportSizeEditor::changed);
     connect(m_resolution, &QSpinBox::valueChanged, this, &ExportSizeEditor::changed);
     connect(m_named, &QComboBox::activated, this, &ExportSizeEditor::takeNamedSize);
+    connect(m_turn, &QToolButton::clicked, this, [this] {
+        m_locked = m_locked.transposed();
+        setPixels(m_pixels.transposed());
+    });
     showSize();
 }
 

@@ -48,6 +48,7 @@ private:
     QComboBox* m_unit;
     QComboBox* m_named;
     QToolButton* m_lock;
+    QToolButton* m_turn;
     QSpinBox* m_resolution;
 };
 
