@@ -314,7 +314,8 @@ void ShapesTest::pdfShadowLooksLikeSvg() {
     difference /= side * side;
     // Dots leave no pixel whole.
     QVERIFY2(shadow > 200 || style == int(io::ShapeStyle::Points), qPrintable(QString::number(shadow)));
-    QVERIFY2(difference < 8, qPrintable(QString::number(difference)));
+    const double most = style == int(io::ShapeStyle::Points) ? 16 : 8; // dots are smoothed differently
+    QVERIFY2(difference < most, qPrintable(QString::number(difference)));
 }
 
 void ShapesTest::pdfGrowsLinearly() {

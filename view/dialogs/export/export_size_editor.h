@@ -34,6 +34,7 @@ signals:
 private:
     void addNamedSizes();
     void takeNamedSize();
+    void turn();
     double unitInPixels() const;
     void showSize();
     void takeWidth(double width);
