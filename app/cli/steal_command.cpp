@@ -326,7 +326,9 @@ std::optional<document::LaidPicture> laidPicture(const document::CoupledEntries&
         return document::LaidPicture{
             picture, attractor::worldToPixel(attractor::cameraOf(*arguments.pictureView, {width, height}))};
     if (!theft.view && theft.mode == document::TheftMode::StealColours) {
-        const ViewBox box = boxOfAttractor(entries.to);
+        document::Fractal to = entries.to;
+        to.appearance.shadow = 0; // has no colours to steal
+        const ViewBox box = boxOfAttractor(to);
         return document::LaidPicture{
             picture, attractor::worldToPixel(io::pictureCamera(width, height, box.min, box.max))};
     }

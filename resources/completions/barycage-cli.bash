@@ -94,7 +94,7 @@ _barycage_cli_options_of() {
       options=(--help --entry --json --names --list --frame --hull-tolerance --budget --no-dimension --progress --quiet)
       ;;
     render)
-      options=(--help --output --entry --size --margin --view --view-rotation --y-down --orbit --perspective --look --light --fog --slice --stereo --points --supersample --seed --threads --simd --palette --colour --color --gamma --brightness --contrast --vibrancy --background --bits --dpi --cage --rest-cage --frame --algorithm --iterations --part --band --resume --time-limit --memory-limit --to --svg --depth --quality --overlay --legend --list-palettes --dry-run --progress --quiet)
+      options=(--help --output --entry --size --margin --view --view-rotation --y-down --orbit --perspective --look --light --fog --slice --stereo --points --supersample --seed --threads --simd --palette --colour --color --gamma --brightness --contrast --vibrancy --shadow --shadow-lean --shadow-length --background --bits --dpi --cage --rest-cage --frame --algorithm --iterations --part --band --resume --time-limit --memory-limit --to --svg --depth --quality --overlay --legend --list-palettes --dry-run --progress --quiet)
       ;;
     convert)
       options=(--help --entry --to --overwrite --bake --strict --y-as-written --columns --in-columns --points --seed --voxel --resolution --wall --fill --longest --lift --flatten --symmetry --expand --progress --quiet)
@@ -103,7 +103,7 @@ _barycage_cli_options_of() {
       options=(--help --output --entry --palette --colour --color --title --columns --page --tile --paper --progress --quiet)
       ;;
     animate)
-      options=(--help --output --entry --frames --chunk --existing --fps --shutter --exposure --size --margin --view --view-rotation --y-down --orbit --perspective --look --light --fog --slice --stereo --points --supersample --seed --threads --simd --palette --colour --color --gamma --brightness --contrast --vibrancy --background --bits --dpi --progress --quiet)
+      options=(--help --output --entry --frames --chunk --existing --fps --shutter --exposure --size --margin --view --view-rotation --y-down --orbit --perspective --look --light --fog --slice --stereo --points --supersample --seed --threads --simd --palette --colour --color --gamma --brightness --contrast --vibrancy --shadow --shadow-lean --shadow-length --background --bits --dpi --progress --quiet)
       ;;
     encode)
       options=(--help --output --frames --dry-run --fps --progress --quiet)
@@ -161,6 +161,9 @@ _barycage_cli_value_of() {
       'render --brightness' | \
       'render --contrast' | \
       'render --vibrancy' | \
+      'render --shadow' | \
+      'render --shadow-lean' | \
+      'render --shadow-length' | \
       'render --dpi' | \
       'render --cage' | \
       'render --frame' | \
@@ -202,6 +205,9 @@ _barycage_cli_value_of() {
       'animate --brightness' | \
       'animate --contrast' | \
       'animate --vibrancy' | \
+      'animate --shadow' | \
+      'animate --shadow-lean' | \
+      'animate --shadow-length' | \
       'animate --dpi' | \
       'encode --fps' | \
       'morph --length' | \

@@ -985,10 +985,6 @@
         <translation>Das ganze Fraktal nach Zahlen drehen, skalieren, scheren, spiegeln oder verschieben</translation>
     </message>
     <message>
-        <source>&amp;Mutate…</source>
-        <translation>&amp;Mutieren…</translation>
-    </message>
-    <message>
         <source>Ctrl+M</source>
         <translation>Ctrl+M</translation>
     </message>
@@ -2366,6 +2362,26 @@
     <message>
         <source>Language, theme, picture quality, shortcuts, and what opens at startup</source>
         <translation>Sprache, Farben, Bildqualität, Tastenkürzel und was beim Start geöffnet wird</translation>
+    </message>
+    <message>
+        <source>&amp;Variations…</source>
+        <translation>&amp;Variationen…</translation>
+    </message>
+    <message>
+        <source>S&amp;hadow</source>
+        <translation>S&amp;chatten</translation>
+    </message>
+    <message>
+        <source>Lay a flat, dark copy of the picture on the ground behind it</source>
+        <translation>Eine flache, dunkle Kopie des Bildes hinter ihm auf den Boden legen</translation>
+    </message>
+    <message>
+        <source>Add a shadow</source>
+        <translation>Schatten hinzufügen</translation>
+    </message>
+    <message>
+        <source>Remove the shadow</source>
+        <translation>Schatten entfernen</translation>
     </message>
 </context>
 <context>
@@ -5485,6 +5501,18 @@
         <source>This entry has %1 maps; a web page can have at most %2.</source>
         <translation>Dieser Eintrag hat %1 Abbildungen; eine Webseite kann höchstens %2 haben.</translation>
     </message>
+    <message>
+        <source>A solid has no shadow on the ground. Move its light in the Appearance panel: the solid darkens the side that faces away from it.</source>
+        <translation>Ein Körper wirft keinen Schatten auf den Boden. Verschieben Sie sein Licht im Bereich „Aussehen“: Die abgewandte Seite des Körpers wird dunkel.</translation>
+    </message>
+    <message>
+        <source>This entry could not be read, so there is no picture to cast a shadow.</source>
+        <translation>Dieser Eintrag konnte nicht gelesen werden, also gibt es kein Bild, das einen Schatten wirft.</translation>
+    </message>
+    <message>
+        <source>its shadow</source>
+        <translation>seinen Schatten</translation>
+    </message>
 </context>
 <context>
     <name>Tour</name>
@@ -6026,22 +6054,6 @@
         <translation>Was die Bilder zeigen, wenn kein Schlüssel der Kamera es festlegt: was die Zeichenfläche zeigt, oder alles, was ins Bild kommt, mit kleinem Rand.</translation>
     </message>
     <message>
-        <source>Width</source>
-        <translation>Breite</translation>
-    </message>
-    <message>
-        <source>The width of the frames in pixels.</source>
-        <translation>Die Breite der Bilder in Pixeln.</translation>
-    </message>
-    <message>
-        <source>Height</source>
-        <translation>Höhe</translation>
-    </message>
-    <message>
-        <source>The height of the frames in pixels.</source>
-        <translation>Die Höhe der Bilder in Pixeln.</translation>
-    </message>
-    <message>
         <source>&amp;Size in pixels:</source>
         <translation>&amp;Größe in Pixeln:</translation>
     </message>
@@ -6275,6 +6287,18 @@
         <source>&amp;Replace</source>
         <translation>E&amp;rsetzen</translation>
     </message>
+    <message>
+        <source>Frame of the preview</source>
+        <translation>Bild der Vorschau</translation>
+    </message>
+    <message>
+        <source>The frame that the preview shows</source>
+        <translation>Das Bild, das die Vorschau zeigt</translation>
+    </message>
+    <message>
+        <source>Choose how many tasks share the frames, then click On a Cluster… again.</source>
+        <translation>Wählen Sie, wie viele Aufgaben sich die Bilder teilen, und klicken Sie noch einmal auf „Auf einem Cluster …“.</translation>
+    </message>
 </context>
 <context>
     <name>view::AppearancePanel</name>
@@ -6477,6 +6501,34 @@
     <message>
         <source>The colours from the thinnest parts to the densest, along the addresses, or along the positions between which maps blend.</source>
         <translation>Die Farben von den dünnsten zu den dichtesten Teilen, die Adressen entlang oder entlang der Plätze, zwischen denen die Abbildungen mischen.</translation>
+    </message>
+    <message>
+        <source>Shadow</source>
+        <translation>Schatten</translation>
+    </message>
+    <message>
+        <source>Opacity of the shadow on the ground behind the picture; 0: no shadow</source>
+        <translation>Deckkraft des Schattens auf dem Boden hinter dem Bild; 0: kein Schatten</translation>
+    </message>
+    <message>
+        <source>The shadow is the picture once more: darker, flattened, and laid on the ground on which the picture stands. Drag its tip on the canvas to turn it.</source>
+        <translation>Der Schatten ist das Bild noch einmal: dunkler, flachgedrückt und auf den Boden gelegt, auf dem das Bild steht. Ziehen Sie auf der Zeichenfläche an seiner Spitze, um ihn zu drehen.</translation>
+    </message>
+    <message>
+        <source>Shadow sideways</source>
+        <translation>Schatten seitwärts</translation>
+    </message>
+    <message>
+        <source>How far to the right the shadow of what is 1 high ends; below 0, to the left</source>
+        <translation>Wie weit rechts der Schatten dessen endet, was 1 hoch ist; unter 0 links</translation>
+    </message>
+    <message>
+        <source>Shadow backwards</source>
+        <translation>Schatten nach hinten</translation>
+    </message>
+    <message>
+        <source>How far up the shadow of what is 1 high ends; below 0, it falls to the front</source>
+        <translation>Wie weit oben der Schatten dessen endet, was 1 hoch ist; unter 0 fällt er nach vorn</translation>
     </message>
 </context>
 <context>
@@ -7283,10 +7335,6 @@
         <translation>Die Ecken auf das nächste regelmäßige Vieleck setzen</translation>
     </message>
     <message>
-        <source>&amp;Bake Placement into the Code</source>
-        <translation>Lage in den Code &amp;einrechnen</translation>
-    </message>
-    <message>
         <source>Rewrites the maps so that they draw the picture as shown, with the cage at rest</source>
         <translation>Die Abbildungen so umschreiben, dass sie zeichnen, was gezeigt wird, bei ruhendem Käfig</translation>
     </message>
@@ -7417,6 +7465,10 @@
     <message>
         <source>Returns the view to upright</source>
         <translation>Richtet die Ansicht wieder auf</translation>
+    </message>
+    <message>
+        <source>&amp;Bake</source>
+        <translation>&amp;Einrechnen</translation>
     </message>
 </context>
 <context>
@@ -8029,10 +8081,6 @@
         <translation>Arbeitsblatt Klasse Schüler Übung Papier</translation>
     </message>
     <message>
-        <source>variations vary breed evolve grow similar mutation</source>
-        <translation>Variationen variieren züchten entwickeln ähnlich Mutation</translation>
-    </message>
-    <message>
         <source>surprise chance lucky generate dice new</source>
         <translation>Überraschung Zufall erzeugen Würfel neu</translation>
     </message>
@@ -8119,6 +8167,14 @@
     <message>
         <source>infinite dive</source>
         <translation>unendlich eintauchen hineinzoomen</translation>
+    </message>
+    <message>
+        <source>mutate mutation vary breed evolve grow similar</source>
+        <translation>mutieren Mutation variieren züchten entwickeln wachsen ähnlich</translation>
+    </message>
+    <message>
+        <source>shade silhouette drop cast ground light sun</source>
+        <translation>Schattenwurf Silhouette Boden Licht Sonne dunkel</translation>
     </message>
 </context>
 <context>
@@ -8864,22 +8920,6 @@
         <translation>Größe:</translation>
     </message>
     <message>
-        <source>Draft: 25 samples per pixel</source>
-        <translation>Entwurf: 25 Punkte je Pixel</translation>
-    </message>
-    <message>
-        <source>Good: 100 samples per pixel</source>
-        <translation>Gut: 100 Punkte je Pixel</translation>
-    </message>
-    <message>
-        <source>Fine: 400 samples per pixel</source>
-        <translation>Fein: 400 Punkte je Pixel</translation>
-    </message>
-    <message>
-        <source>Finest: 2000 samples per pixel</source>
-        <translation>Am feinsten: 2000 Punkte je Pixel</translation>
-    </message>
-    <message>
         <source>Quality</source>
         <translation>Güte</translation>
     </message>
@@ -9099,6 +9139,22 @@
         <source>Guaranteed accuracy: %2. Copies drawn by programs that open the file: %1 (the limit is %3).</source>
         <translation>Garantierte Genauigkeit: %2. Kopien, die Programme beim Öffnen der Datei zeichnen: %1 (höchstens %3).</translation>
     </message>
+    <message>
+        <source>Draft: 25 points per pixel</source>
+        <translation>Entwurf: 25 Punkte je Pixel</translation>
+    </message>
+    <message>
+        <source>Good: 100 points per pixel</source>
+        <translation>Gut: 100 Punkte je Pixel</translation>
+    </message>
+    <message>
+        <source>Fine: 400 points per pixel</source>
+        <translation>Fein: 400 Punkte je Pixel</translation>
+    </message>
+    <message>
+        <source>Finest: 2000 points per pixel</source>
+        <translation>Feinste: 2000 Punkte je Pixel</translation>
+    </message>
 </context>
 <context>
     <name>view::ExportPreview</name>
@@ -9195,6 +9251,14 @@
     <message>
         <source>Written to %1.</source>
         <translation>Geschrieben nach %1.</translation>
+    </message>
+    <message>
+        <source>Show in Folder</source>
+        <translation>Im Ordner zeigen</translation>
+    </message>
+    <message>
+        <source>Shows the folder of the written file in the file manager.</source>
+        <translation>Zeigt den Ordner der geschriebenen Datei in der Dateiverwaltung.</translation>
     </message>
 </context>
 <context>
@@ -9299,6 +9363,14 @@
         <source>The size of the picture, in pixels or on paper.</source>
         <translation>Die Größe des Bildes, in Pixeln oder auf Papier.</translation>
     </message>
+    <message>
+        <source>Portrait or landscape</source>
+        <translation>Hoch- oder Querformat</translation>
+    </message>
+    <message>
+        <source>Swap width and height</source>
+        <translation>Breite und Höhe vertauschen</translation>
+    </message>
 </context>
 <context>
     <name>view::ExportsModel</name>
@@ -9401,10 +9473,6 @@
         <translation>Die ausgewählten Exporte, die fehlgeschlagen sind, noch einmal zeichnen.</translation>
     </message>
     <message>
-        <source>&amp;Open Folder</source>
-        <translation>&amp;Ordner öffnen</translation>
-    </message>
-    <message>
         <source>Show the folder of the selected export in the file manager.</source>
         <translation>Den Ordner des ausgewählten Exports in der Dateiverwaltung zeigen.</translation>
     </message>
@@ -9435,6 +9503,10 @@
     <message>
         <source>Cancel the selected exports and remove them from the list; files already written are kept.</source>
         <translation>Die ausgewählten Exporte abbrechen und von der Liste nehmen; schon geschriebene Dateien bleiben erhalten.</translation>
+    </message>
+    <message>
+        <source>Show in Folder</source>
+        <translation>Im Ordner zeigen</translation>
     </message>
 </context>
 <context>
@@ -9640,6 +9712,77 @@
     <message>
         <source>Right</source>
         <translation>Rechts</translation>
+    </message>
+</context>
+<context>
+    <name>view::FrameSizeEditor</name>
+    <message>
+        <source>Width</source>
+        <translation>Breite</translation>
+    </message>
+    <message>
+        <source>The width of the frames in pixels.</source>
+        <translation>Die Breite der Bilder in Pixeln.</translation>
+    </message>
+    <message>
+        <source>Height</source>
+        <translation>Höhe</translation>
+    </message>
+    <message>
+        <source>The height of the frames in pixels.</source>
+        <translation>Die Höhe der Bilder in Pixeln.</translation>
+    </message>
+    <message>
+        <source>Named size</source>
+        <translation>Benannte Größe</translation>
+    </message>
+    <message>
+        <source>Usual sizes of videos.</source>
+        <translation>Übliche Größen von Videos.</translation>
+    </message>
+    <message>
+        <source>Lock proportions</source>
+        <translation>Seitenverhältnis beibehalten</translation>
+    </message>
+    <message>
+        <source>Keep the proportions of the frames</source>
+        <translation>Das Seitenverhältnis der Bilder beibehalten</translation>
+    </message>
+    <message>
+        <source>Portrait or landscape</source>
+        <translation>Hoch- oder Querformat</translation>
+    </message>
+    <message>
+        <source>Swap width and height</source>
+        <translation>Breite und Höhe vertauschen</translation>
+    </message>
+    <message>
+        <source>Full HD: 1920 × 1080</source>
+        <translation>Full HD: 1920 × 1080</translation>
+    </message>
+    <message>
+        <source>HD: 1280 × 720</source>
+        <translation>HD: 1280 × 720</translation>
+    </message>
+    <message>
+        <source>4K: 3840 × 2160</source>
+        <translation>4K: 3840 × 2160</translation>
+    </message>
+    <message>
+        <source>Square: 1080 × 1080</source>
+        <translation>Quadrat: 1080 × 1080</translation>
+    </message>
+    <message>
+        <source>Portrait: 1080 × 1920</source>
+        <translation>Hochformat: 1080 × 1920</translation>
+    </message>
+    <message>
+        <source>For a message: 640 × 360</source>
+        <translation>Für eine Nachricht: 640 × 360</translation>
+    </message>
+    <message>
+        <source>Custom</source>
+        <translation>Benutzerdefiniert</translation>
     </message>
 </context>
 <context>
@@ -11436,16 +11579,8 @@ Tasten: Bild auf und Bild ab wählen eine Marke, die Pfeile bewegen sie, Einfg f
         <translation>Abwandlung %1</translation>
     </message>
     <message>
-        <source>Mutate</source>
-        <translation>Mutieren</translation>
-    </message>
-    <message>
         <source>The parent is in the middle, its variations are around it. Click one, or press Enter on it, to make it the new parent. Double-click one to use it at once.</source>
         <translation>In der Mitte ist das Elternbild, ringsum sind seine Abwandlungen. Klicken Sie auf eine oder drücken Sie darauf die Eingabetaste, um sie zum neuen Elternbild zu machen. Ein Doppelklick verwendet sie sofort.</translation>
-    </message>
-    <message>
-        <source>&amp;Use the Parent</source>
-        <translation>&amp;Elternbild verwenden</translation>
     </message>
     <message>
         <source>The fractal in the middle replaces the one that you began with, in one step that you can undo.</source>
@@ -11570,6 +11705,14 @@ Tasten: Bild auf und Bild ab wählen eine Marke, die Pfeile bewegen sie, Einfg f
     <message>
         <source>All maps are locked and keep their weights: the variations differ only in colours and, occasionally, in an added map. Many look like their parent.</source>
         <translation>Alle Abbildungen sind gesperrt und behalten ihre Gewichte: Die Abwandlungen unterscheiden sich nur in den Farben und ab und zu durch eine zusätzliche Abbildung. Viele gleichen dem Elternbild.</translation>
+    </message>
+    <message>
+        <source>&amp;Use This One</source>
+        <translation>&amp;Dieses verwenden</translation>
+    </message>
+    <message>
+        <source>Use a variation</source>
+        <translation>Variation übernehmen</translation>
     </message>
 </context>
 <context>
@@ -11858,10 +12001,6 @@ Tasten: Bild auf und Bild ab wählen eine Marke, die Pfeile bewegen sie, Einfg f
         <translation>Fein: 1000 Millionen Punkte</translation>
     </message>
     <message>
-        <source>Idle quality</source>
-        <translation>Bildqualität in Ruhe</translation>
-    </message>
-    <message>
         <source>The number of points drawn while nothing moves. More points make a smoother picture and keep the processor busy for longer.</source>
         <translation>Wie viele Punkte gezeichnet werden, solange sich nichts bewegt. Mehr Punkte machen ein glatteres Bild und beschäftigen den Prozessor länger.</translation>
     </message>
@@ -11878,10 +12017,6 @@ Tasten: Bild auf und Bild ab wählen eine Marke, die Pfeile bewegen sie, Einfg f
         <translation>&amp;Farbschema:</translation>
     </message>
     <message>
-        <source>&amp;Idle quality:</source>
-        <translation>&amp;Bildqualität in Ruhe:</translation>
-    </message>
-    <message>
         <source>Not saved yet: %1.</source>
         <translation>Noch nicht gespeichert: %1.</translation>
     </message>
@@ -11894,16 +12029,8 @@ Tasten: Bild auf und Bild ab wählen eine Marke, die Pfeile bewegen sie, Einfg f
         <translation>Trackball</translation>
     </message>
     <message>
-        <source>Turning solids</source>
-        <translation>Körper drehen</translation>
-    </message>
-    <message>
         <source>How a drag turns a solid. On a turntable, vertical lines stay vertical. A trackball turns freely about the axes of the screen, even over the poles; to level the view again, look along an axis.</source>
         <translation>Wie Ziehen einen Körper dreht. Auf einem Drehteller bleibt Senkrechtes senkrecht. Ein Trackball dreht frei um die Achsen des Bildschirms, auch über die Pole; um die Ansicht wieder auszurichten, blicken Sie entlang einer Achse.</translation>
-    </message>
-    <message>
-        <source>Turning &amp;solids:</source>
-        <translation>&amp;Körper drehen:</translation>
     </message>
     <message>
         <source>Restart &amp;Now</source>
@@ -11956,6 +12083,22 @@ Tasten: Bild auf und Bild ab wählen eine Marke, die Pfeile bewegen sie, Einfg f
     <message>
         <source>The settings of windows and pictures, and the keys of commands.</source>
         <translation>Die Einstellungen von Fenstern und Bildern und die Tasten der Befehle.</translation>
+    </message>
+    <message>
+        <source>Picture at rest</source>
+        <translation>Bild in Ruhe</translation>
+    </message>
+    <message>
+        <source>Solids turn like</source>
+        <translation>Körper drehen sich wie</translation>
+    </message>
+    <message>
+        <source>&amp;Picture at rest:</source>
+        <translation>&amp;Bild in Ruhe:</translation>
+    </message>
+    <message>
+        <source>&amp;Solids turn like:</source>
+        <translation>&amp;Körper drehen sich wie:</translation>
     </message>
 </context>
 <context>
@@ -12274,6 +12417,13 @@ Tasten: Bild auf und Bild ab wählen eine Marke, die Pfeile bewegen sie, Einfg f
     <message>
         <source>Rename the view “%1” to “%2”</source>
         <translation>Die Ansicht „%1“ in „%2“ umbenennen</translation>
+    </message>
+</context>
+<context>
+    <name>view::ShadowTool</name>
+    <message>
+        <source>Turn the shadow</source>
+        <translation>Schatten drehen</translation>
     </message>
 </context>
 <context>
@@ -13582,16 +13732,16 @@ Tasten: Bild auf und Bild ab wählen eine Marke, die Pfeile bewegen sie, Einfg f
         <translation>Überlappung %1 %</translation>
     </message>
     <message>
-        <source>Guarantee %1 px</source>
-        <translation>Garantie %1 px</translation>
-    </message>
-    <message>
         <source>Suggestions</source>
         <translation>Vorschläge</translation>
     </message>
     <message>
         <source>Click a suggestion to use it; undo goes back</source>
         <translation>Klicken Sie einen Vorschlag an, um ihn zu verwenden; Rückgängig führt zurück</translation>
+    </message>
+    <message>
+        <source>Guaranteed within %1 px</source>
+        <translation>Garantiert bis auf %1 px</translation>
     </message>
 </context>
 <context>

@@ -985,10 +985,6 @@
         <translation>Girar, escalar, cizallar, reflejar o mover todo el fractal con números</translation>
     </message>
     <message>
-        <source>&amp;Mutate…</source>
-        <translation>&amp;Mutar…</translation>
-    </message>
-    <message>
         <source>Ctrl+M</source>
         <translation>Ctrl+M</translation>
     </message>
@@ -2366,6 +2362,26 @@
     <message>
         <source>Language, theme, picture quality, shortcuts, and what opens at startup</source>
         <translation>Idioma, tema, calidad de la imagen, atajos y qué se abre al iniciar</translation>
+    </message>
+    <message>
+        <source>&amp;Variations…</source>
+        <translation>&amp;Variaciones…</translation>
+    </message>
+    <message>
+        <source>S&amp;hadow</source>
+        <translation>Som&amp;bra</translation>
+    </message>
+    <message>
+        <source>Lay a flat, dark copy of the picture on the ground behind it</source>
+        <translation>Tender en el suelo, detrás de la imagen, una copia plana y oscura de ella</translation>
+    </message>
+    <message>
+        <source>Add a shadow</source>
+        <translation>Añadir una sombra</translation>
+    </message>
+    <message>
+        <source>Remove the shadow</source>
+        <translation>Quitar la sombra</translation>
     </message>
 </context>
 <context>
@@ -5485,6 +5501,18 @@
         <source>This entry has %1 maps; a web page can have at most %2.</source>
         <translation>Esta entrada tiene %1 aplicaciones; una página web puede tener %2 como máximo.</translation>
     </message>
+    <message>
+        <source>A solid has no shadow on the ground. Move its light in the Appearance panel: the solid darkens the side that faces away from it.</source>
+        <translation>Un sólido no proyecta sombra en el suelo. Mueva su luz en el panel Aspecto: el lado opuesto a ella se oscurece.</translation>
+    </message>
+    <message>
+        <source>This entry could not be read, so there is no picture to cast a shadow.</source>
+        <translation>No se pudo leer esta entrada, así que no hay imagen que proyecte una sombra.</translation>
+    </message>
+    <message>
+        <source>its shadow</source>
+        <translation>su sombra</translation>
+    </message>
 </context>
 <context>
     <name>Tour</name>
@@ -6026,22 +6054,6 @@
         <translation>Lo que muestran los fotogramas cuando ninguna clave de la cámara lo fija: lo que muestra el lienzo, o todo lo que llega a verse, con un pequeño margen.</translation>
     </message>
     <message>
-        <source>Width</source>
-        <translation>Anchura</translation>
-    </message>
-    <message>
-        <source>The width of the frames in pixels.</source>
-        <translation>El ancho de los fotogramas en píxeles.</translation>
-    </message>
-    <message>
-        <source>Height</source>
-        <translation>Altura</translation>
-    </message>
-    <message>
-        <source>The height of the frames in pixels.</source>
-        <translation>La altura de los fotogramas en píxeles.</translation>
-    </message>
-    <message>
         <source>&amp;Size in pixels:</source>
         <translation>Tamaño en píxele&amp;s:</translation>
     </message>
@@ -6275,6 +6287,18 @@
         <source>&amp;Replace</source>
         <translation>&amp;Reemplazar</translation>
     </message>
+    <message>
+        <source>Frame of the preview</source>
+        <translation>Fotograma de la vista previa</translation>
+    </message>
+    <message>
+        <source>The frame that the preview shows</source>
+        <translation>El fotograma que muestra la vista previa</translation>
+    </message>
+    <message>
+        <source>Choose how many tasks share the frames, then click On a Cluster… again.</source>
+        <translation>Elija cuántas tareas se reparten los fotogramas y vuelva a hacer clic en «En un clúster…».</translation>
+    </message>
 </context>
 <context>
     <name>view::AppearancePanel</name>
@@ -6477,6 +6501,34 @@
     <message>
         <source>The colours from the thinnest parts to the densest, along the addresses, or along the positions between which maps blend.</source>
         <translation>Los colores, de las partes más tenues a las más densas, a lo largo de las direcciones o de los lugares entre los que mezclan las aplicaciones.</translation>
+    </message>
+    <message>
+        <source>Shadow</source>
+        <translation>Sombra</translation>
+    </message>
+    <message>
+        <source>Opacity of the shadow on the ground behind the picture; 0: no shadow</source>
+        <translation>Opacidad de la sombra en el suelo detrás de la imagen; 0: sin sombra</translation>
+    </message>
+    <message>
+        <source>The shadow is the picture once more: darker, flattened, and laid on the ground on which the picture stands. Drag its tip on the canvas to turn it.</source>
+        <translation>La sombra es la imagen otra vez: más oscura, aplanada y tendida en el suelo en el que la imagen se apoya. Arrastre su punta en el lienzo para girarla.</translation>
+    </message>
+    <message>
+        <source>Shadow sideways</source>
+        <translation>Sombra de lado</translation>
+    </message>
+    <message>
+        <source>How far to the right the shadow of what is 1 high ends; below 0, to the left</source>
+        <translation>Cuán a la derecha termina la sombra de lo que mide 1 de alto; por debajo de 0, a la izquierda</translation>
+    </message>
+    <message>
+        <source>Shadow backwards</source>
+        <translation>Sombra hacia atrás</translation>
+    </message>
+    <message>
+        <source>How far up the shadow of what is 1 high ends; below 0, it falls to the front</source>
+        <translation>Cuán arriba termina la sombra de lo que mide 1 de alto; por debajo de 0 cae hacia delante</translation>
     </message>
 </context>
 <context>
@@ -7283,10 +7335,6 @@
         <translation>Lleva los vértices al polígono regular más próximo</translation>
     </message>
     <message>
-        <source>&amp;Bake Placement into the Code</source>
-        <translation>I&amp;ncorporar la colocación al código</translation>
-    </message>
-    <message>
         <source>Rewrites the maps so that they draw the picture as shown, with the cage at rest</source>
         <translation>Reescribe las aplicaciones para que dibujen lo que se muestra, con la jaula en reposo</translation>
     </message>
@@ -7417,6 +7465,10 @@
     <message>
         <source>Returns the view to upright</source>
         <translation>Vuelve a enderezar la vista</translation>
+    </message>
+    <message>
+        <source>&amp;Bake</source>
+        <translation>&amp;Incorporar</translation>
     </message>
 </context>
 <context>
@@ -8029,10 +8081,6 @@
         <translation>hoja clase alumnos ejercicio papel</translation>
     </message>
     <message>
-        <source>variations vary breed evolve grow similar mutation</source>
-        <translation>variaciones variar criar evolucionar parecidos mutación</translation>
-    </message>
-    <message>
         <source>surprise chance lucky generate dice new</source>
         <translation>sorpresa azar suerte generar dado nuevo</translation>
     </message>
@@ -8119,6 +8167,14 @@
     <message>
         <source>infinite dive</source>
         <translation>infinito sumergirse acercar</translation>
+    </message>
+    <message>
+        <source>mutate mutation vary breed evolve grow similar</source>
+        <translation>mutar mutación variar criar evolucionar parecido</translation>
+    </message>
+    <message>
+        <source>shade silhouette drop cast ground light sun</source>
+        <translation>silueta suelo luz sol proyectar oscuro</translation>
     </message>
 </context>
 <context>
@@ -8864,22 +8920,6 @@
         <translation>Tamaño:</translation>
     </message>
     <message>
-        <source>Draft: 25 samples per pixel</source>
-        <translation>Borrador: 25 muestras por píxel</translation>
-    </message>
-    <message>
-        <source>Good: 100 samples per pixel</source>
-        <translation>Buena: 100 muestras por píxel</translation>
-    </message>
-    <message>
-        <source>Fine: 400 samples per pixel</source>
-        <translation>Fina: 400 muestras por píxel</translation>
-    </message>
-    <message>
-        <source>Finest: 2000 samples per pixel</source>
-        <translation>Finísima: 2000 muestras por píxel</translation>
-    </message>
-    <message>
         <source>Quality</source>
         <translation>Calidad</translation>
     </message>
@@ -9099,6 +9139,22 @@
         <source>Guaranteed accuracy: %2. Copies drawn by programs that open the file: %1 (the limit is %3).</source>
         <translation>Precisión garantizada: %2. Copias que dibujan los programas que abren el archivo: %1 (el límite es %3).</translation>
     </message>
+    <message>
+        <source>Draft: 25 points per pixel</source>
+        <translation>Borrador: 25 puntos por píxel</translation>
+    </message>
+    <message>
+        <source>Good: 100 points per pixel</source>
+        <translation>Buena: 100 puntos por píxel</translation>
+    </message>
+    <message>
+        <source>Fine: 400 points per pixel</source>
+        <translation>Fina: 400 puntos por píxel</translation>
+    </message>
+    <message>
+        <source>Finest: 2000 points per pixel</source>
+        <translation>Finísima: 2000 puntos por píxel</translation>
+    </message>
 </context>
 <context>
     <name>view::ExportPreview</name>
@@ -9195,6 +9251,14 @@
     <message>
         <source>Written to %1.</source>
         <translation>Escrito en %1.</translation>
+    </message>
+    <message>
+        <source>Show in Folder</source>
+        <translation>Mostrar en la carpeta</translation>
+    </message>
+    <message>
+        <source>Shows the folder of the written file in the file manager.</source>
+        <translation>Muestra la carpeta del archivo escrito en el gestor de archivos.</translation>
     </message>
 </context>
 <context>
@@ -9299,6 +9363,14 @@
         <source>The size of the picture, in pixels or on paper.</source>
         <translation>El tamaño de la imagen, en píxeles o en papel.</translation>
     </message>
+    <message>
+        <source>Portrait or landscape</source>
+        <translation>Vertical u horizontal</translation>
+    </message>
+    <message>
+        <source>Swap width and height</source>
+        <translation>Intercambiar anchura y altura</translation>
+    </message>
 </context>
 <context>
     <name>view::ExportsModel</name>
@@ -9401,10 +9473,6 @@
         <translation>Volver a dibujar las exportaciones seleccionadas que fallaron.</translation>
     </message>
     <message>
-        <source>&amp;Open Folder</source>
-        <translation>Abrir la &amp;carpeta</translation>
-    </message>
-    <message>
         <source>Show the folder of the selected export in the file manager.</source>
         <translation>Mostrar la carpeta de la exportación seleccionada en el gestor de archivos.</translation>
     </message>
@@ -9435,6 +9503,10 @@
     <message>
         <source>Cancel the selected exports and remove them from the list; files already written are kept.</source>
         <translation>Cancelar las exportaciones seleccionadas y quitarlas de la lista; los archivos ya escritos se conservan.</translation>
+    </message>
+    <message>
+        <source>Show in Folder</source>
+        <translation>Mostrar en la carpeta</translation>
     </message>
 </context>
 <context>
@@ -9640,6 +9712,77 @@
     <message>
         <source>Right</source>
         <translation>Desde la derecha</translation>
+    </message>
+</context>
+<context>
+    <name>view::FrameSizeEditor</name>
+    <message>
+        <source>Width</source>
+        <translation>Anchura</translation>
+    </message>
+    <message>
+        <source>The width of the frames in pixels.</source>
+        <translation>La anchura de los fotogramas en píxeles.</translation>
+    </message>
+    <message>
+        <source>Height</source>
+        <translation>Altura</translation>
+    </message>
+    <message>
+        <source>The height of the frames in pixels.</source>
+        <translation>La altura de los fotogramas en píxeles.</translation>
+    </message>
+    <message>
+        <source>Named size</source>
+        <translation>Tamaño con nombre</translation>
+    </message>
+    <message>
+        <source>Usual sizes of videos.</source>
+        <translation>Tamaños habituales de vídeos.</translation>
+    </message>
+    <message>
+        <source>Lock proportions</source>
+        <translation>Mantener la proporción</translation>
+    </message>
+    <message>
+        <source>Keep the proportions of the frames</source>
+        <translation>Mantener la proporción de los fotogramas</translation>
+    </message>
+    <message>
+        <source>Portrait or landscape</source>
+        <translation>Vertical u horizontal</translation>
+    </message>
+    <message>
+        <source>Swap width and height</source>
+        <translation>Intercambiar anchura y altura</translation>
+    </message>
+    <message>
+        <source>Full HD: 1920 × 1080</source>
+        <translation>Full HD: 1920 × 1080</translation>
+    </message>
+    <message>
+        <source>HD: 1280 × 720</source>
+        <translation>HD: 1280 × 720</translation>
+    </message>
+    <message>
+        <source>4K: 3840 × 2160</source>
+        <translation>4K: 3840 × 2160</translation>
+    </message>
+    <message>
+        <source>Square: 1080 × 1080</source>
+        <translation>Cuadrado: 1080 × 1080</translation>
+    </message>
+    <message>
+        <source>Portrait: 1080 × 1920</source>
+        <translation>Vertical: 1080 × 1920</translation>
+    </message>
+    <message>
+        <source>For a message: 640 × 360</source>
+        <translation>Para un mensaje: 640 × 360</translation>
+    </message>
+    <message>
+        <source>Custom</source>
+        <translation>Personalizado</translation>
     </message>
 </context>
 <context>
@@ -11436,16 +11579,8 @@ Teclas: Re Pág y Av Pág eligen una parada, las flechas la mueven, Ins añade u
         <translation>Variación %1</translation>
     </message>
     <message>
-        <source>Mutate</source>
-        <translation>Mutar</translation>
-    </message>
-    <message>
         <source>The parent is in the middle, its variations are around it. Click one, or press Enter on it, to make it the new parent. Double-click one to use it at once.</source>
         <translation>El progenitor está en el centro y sus variaciones alrededor. Haga clic en una, o pulse Intro sobre ella, para convertirla en el nuevo progenitor. Con un doble clic se usa de inmediato.</translation>
-    </message>
-    <message>
-        <source>&amp;Use the Parent</source>
-        <translation>&amp;Usar el progenitor</translation>
     </message>
     <message>
         <source>The fractal in the middle replaces the one that you began with, in one step that you can undo.</source>
@@ -11570,6 +11705,14 @@ Teclas: Re Pág y Av Pág eligen una parada, las flechas la mueven, Ins añade u
     <message>
         <source>All maps are locked and keep their weights: the variations differ only in colours and, occasionally, in an added map. Many look like their parent.</source>
         <translation>Todas las aplicaciones están bloqueadas y conservan sus pesos: las variaciones solo se distinguen por los colores y, de vez en cuando, por una aplicación añadida. Muchas son iguales a su progenitor.</translation>
+    </message>
+    <message>
+        <source>&amp;Use This One</source>
+        <translation>&amp;Usar este</translation>
+    </message>
+    <message>
+        <source>Use a variation</source>
+        <translation>Usar una variación</translation>
     </message>
 </context>
 <context>
@@ -11858,10 +12001,6 @@ Teclas: Re Pág y Av Pág eligen una parada, las flechas la mueven, Ins añade u
         <translation>Fina: 1000 millones de puntos</translation>
     </message>
     <message>
-        <source>Idle quality</source>
-        <translation>Calidad en reposo</translation>
-    </message>
-    <message>
         <source>The number of points drawn while nothing moves. More points make a smoother picture and keep the processor busy for longer.</source>
         <translation>Cuántos puntos se dibujan mientras nada se mueve. Con más puntos la imagen es más suave y el procesador está ocupado más tiempo.</translation>
     </message>
@@ -11878,10 +12017,6 @@ Teclas: Re Pág y Av Pág eligen una parada, las flechas la mueven, Ins añade u
         <translation>&amp;Tema:</translation>
     </message>
     <message>
-        <source>&amp;Idle quality:</source>
-        <translation>Ca&amp;lidad en reposo:</translation>
-    </message>
-    <message>
         <source>Not saved yet: %1.</source>
         <translation>Sin guardar: %1.</translation>
     </message>
@@ -11894,16 +12029,8 @@ Teclas: Re Pág y Av Pág eligen una parada, las flechas la mueven, Ins añade u
         <translation>Trackball</translation>
     </message>
     <message>
-        <source>Turning solids</source>
-        <translation>Giro de sólidos</translation>
-    </message>
-    <message>
         <source>How a drag turns a solid. On a turntable, vertical lines stay vertical. A trackball turns freely about the axes of the screen, even over the poles; to level the view again, look along an axis.</source>
         <translation>Cómo gira un sólido al arrastrar. En un plato giratorio, lo vertical sigue vertical. Un trackball gira libremente sobre los ejes de la pantalla, también por encima de los polos; para nivelar la vista de nuevo, mire a lo largo de un eje.</translation>
-    </message>
-    <message>
-        <source>Turning &amp;solids:</source>
-        <translation>Giro de &amp;sólidos:</translation>
     </message>
     <message>
         <source>Restart &amp;Now</source>
@@ -11956,6 +12083,22 @@ Teclas: Re Pág y Av Pág eligen una parada, las flechas la mueven, Ins añade u
     <message>
         <source>The settings of windows and pictures, and the keys of commands.</source>
         <translation>Los ajustes de las ventanas y las imágenes, y las teclas de las órdenes.</translation>
+    </message>
+    <message>
+        <source>Picture at rest</source>
+        <translation>Imagen en reposo</translation>
+    </message>
+    <message>
+        <source>Solids turn like</source>
+        <translation>Los sólidos giran como</translation>
+    </message>
+    <message>
+        <source>&amp;Picture at rest:</source>
+        <translation>Ima&amp;gen en reposo:</translation>
+    </message>
+    <message>
+        <source>&amp;Solids turn like:</source>
+        <translation>Los &amp;sólidos giran como:</translation>
     </message>
 </context>
 <context>
@@ -12274,6 +12417,13 @@ Teclas: Re Pág y Av Pág eligen una parada, las flechas la mueven, Ins añade u
     <message>
         <source>Rename the view “%1” to “%2”</source>
         <translation>Cambiar el nombre de la vista «%1» por «%2»</translation>
+    </message>
+</context>
+<context>
+    <name>view::ShadowTool</name>
+    <message>
+        <source>Turn the shadow</source>
+        <translation>Girar la sombra</translation>
     </message>
 </context>
 <context>
@@ -13582,16 +13732,16 @@ Teclas: Re Pág y Av Pág eligen una parada, las flechas la mueven, Ins añade u
         <translation>Solapamiento %1 %</translation>
     </message>
     <message>
-        <source>Guarantee %1 px</source>
-        <translation>Garantía %1 px</translation>
-    </message>
-    <message>
         <source>Suggestions</source>
         <translation>Sugerencias</translation>
     </message>
     <message>
         <source>Click a suggestion to use it; undo goes back</source>
         <translation>Haga clic en una sugerencia para usarla; deshacer la retira</translation>
+    </message>
+    <message>
+        <source>Guaranteed within %1 px</source>
+        <translation>Garantizado a menos de %1 px</translation>
     </message>
 </context>
 <context>

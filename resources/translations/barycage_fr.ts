@@ -985,10 +985,6 @@
         <translation>Faire tourner, redimensionner, cisailler, réfléchir ou déplacer toute la fractale en saisissant des nombres</translation>
     </message>
     <message>
-        <source>&amp;Mutate…</source>
-        <translation>Faire &amp;muter…</translation>
-    </message>
-    <message>
         <source>Ctrl+M</source>
         <translation>Ctrl+M</translation>
     </message>
@@ -2366,6 +2362,26 @@
     <message>
         <source>Language, theme, picture quality, shortcuts, and what opens at startup</source>
         <translation>Langue, thème, qualité de l’image, raccourcis et ce qui s’ouvre au démarrage</translation>
+    </message>
+    <message>
+        <source>&amp;Variations…</source>
+        <translation>&amp;Variations…</translation>
+    </message>
+    <message>
+        <source>S&amp;hadow</source>
+        <translation>Om&amp;bre</translation>
+    </message>
+    <message>
+        <source>Lay a flat, dark copy of the picture on the ground behind it</source>
+        <translation>Étendre au sol, derrière l’image, une copie plate et sombre</translation>
+    </message>
+    <message>
+        <source>Add a shadow</source>
+        <translation>Ajouter une ombre</translation>
+    </message>
+    <message>
+        <source>Remove the shadow</source>
+        <translation>Retirer l’ombre</translation>
     </message>
 </context>
 <context>
@@ -5485,6 +5501,18 @@
         <source>This entry has %1 maps; a web page can have at most %2.</source>
         <translation>Cette entrée a %1 applications ; une page web peut en avoir %2 au plus.</translation>
     </message>
+    <message>
+        <source>A solid has no shadow on the ground. Move its light in the Appearance panel: the solid darkens the side that faces away from it.</source>
+        <translation>Un solide ne projette pas d’ombre au sol. Déplacez sa lumière dans le panneau Apparence : le côté opposé s’assombrit.</translation>
+    </message>
+    <message>
+        <source>This entry could not be read, so there is no picture to cast a shadow.</source>
+        <translation>Cette entrée n’a pas pu être lue : il n’y a donc pas d’image qui projette une ombre.</translation>
+    </message>
+    <message>
+        <source>its shadow</source>
+        <translation>son ombre</translation>
+    </message>
 </context>
 <context>
     <name>Tour</name>
@@ -6026,22 +6054,6 @@
         <translation>Ce que montrent les images quand aucune clé de la caméra ne le fixe : ce que montre le canevas, ou tout ce qui apparaît, avec une petite marge.</translation>
     </message>
     <message>
-        <source>Width</source>
-        <translation>Largeur</translation>
-    </message>
-    <message>
-        <source>The width of the frames in pixels.</source>
-        <translation>La largeur des images en pixels.</translation>
-    </message>
-    <message>
-        <source>Height</source>
-        <translation>Hauteur</translation>
-    </message>
-    <message>
-        <source>The height of the frames in pixels.</source>
-        <translation>La hauteur des images en pixels.</translation>
-    </message>
-    <message>
         <source>&amp;Size in pixels:</source>
         <translation>Taille en pixel&amp;s :</translation>
     </message>
@@ -6275,6 +6287,18 @@
         <source>&amp;Replace</source>
         <translation>&amp;Remplacer</translation>
     </message>
+    <message>
+        <source>Frame of the preview</source>
+        <translation>Image de l’aperçu</translation>
+    </message>
+    <message>
+        <source>The frame that the preview shows</source>
+        <translation>L’image que montre l’aperçu</translation>
+    </message>
+    <message>
+        <source>Choose how many tasks share the frames, then click On a Cluster… again.</source>
+        <translation>Choisissez combien de tâches se partagent les images, puis cliquez de nouveau sur « Sur une grappe… ».</translation>
+    </message>
 </context>
 <context>
     <name>view::AppearancePanel</name>
@@ -6477,6 +6501,34 @@
     <message>
         <source>The colours from the thinnest parts to the densest, along the addresses, or along the positions between which maps blend.</source>
         <translation>Les couleurs, des parties les plus ténues aux plus denses, le long des adresses, ou le long des places entre lesquelles les applications mélangent.</translation>
+    </message>
+    <message>
+        <source>Shadow</source>
+        <translation>Ombre</translation>
+    </message>
+    <message>
+        <source>Opacity of the shadow on the ground behind the picture; 0: no shadow</source>
+        <translation>Opacité de l’ombre au sol derrière l’image ; 0 : pas d’ombre</translation>
+    </message>
+    <message>
+        <source>The shadow is the picture once more: darker, flattened, and laid on the ground on which the picture stands. Drag its tip on the canvas to turn it.</source>
+        <translation>L’ombre est l’image une seconde fois : plus sombre, aplatie et étendue sur le sol où l’image est posée. Faites glisser sa pointe sur le canevas pour la tourner.</translation>
+    </message>
+    <message>
+        <source>Shadow sideways</source>
+        <translation>Ombre de côté</translation>
+    </message>
+    <message>
+        <source>How far to the right the shadow of what is 1 high ends; below 0, to the left</source>
+        <translation>À quelle distance à droite finit l’ombre de ce qui est haut de 1 ; au-dessous de 0, à gauche</translation>
+    </message>
+    <message>
+        <source>Shadow backwards</source>
+        <translation>Ombre vers l’arrière</translation>
+    </message>
+    <message>
+        <source>How far up the shadow of what is 1 high ends; below 0, it falls to the front</source>
+        <translation>À quelle hauteur finit l’ombre de ce qui est haut de 1 ; au-dessous de 0, elle tombe vers l’avant</translation>
     </message>
 </context>
 <context>
@@ -7283,10 +7335,6 @@
         <translation>Mettre les sommets sur le polygone régulier le plus proche</translation>
     </message>
     <message>
-        <source>&amp;Bake Placement into the Code</source>
-        <translation>In&amp;tégrer le placement au code</translation>
-    </message>
-    <message>
         <source>Rewrites the maps so that they draw the picture as shown, with the cage at rest</source>
         <translation>Réécrire les applications pour qu’elles dessinent ce qui est montré, la cage étant au repos</translation>
     </message>
@@ -7417,6 +7465,10 @@
     <message>
         <source>Returns the view to upright</source>
         <translation>Redresse la vue</translation>
+    </message>
+    <message>
+        <source>&amp;Bake</source>
+        <translation>&amp;Intégrer au code</translation>
     </message>
 </context>
 <context>
@@ -8029,10 +8081,6 @@
         <translation>fiche classe élèves exercice papier</translation>
     </message>
     <message>
-        <source>variations vary breed evolve grow similar mutation</source>
-        <translation>variations varier élever évoluer semblables mutation</translation>
-    </message>
-    <message>
         <source>surprise chance lucky generate dice new</source>
         <translation>surprise hasard chance générer dé nouveau</translation>
     </message>
@@ -8119,6 +8167,14 @@
     <message>
         <source>infinite dive</source>
         <translation>infini plongée</translation>
+    </message>
+    <message>
+        <source>mutate mutation vary breed evolve grow similar</source>
+        <translation>muter mutation varier élever évoluer semblable</translation>
+    </message>
+    <message>
+        <source>shade silhouette drop cast ground light sun</source>
+        <translation>silhouette sol lumière soleil projeter sombre</translation>
     </message>
 </context>
 <context>
@@ -8864,22 +8920,6 @@
         <translation>Taille&#x202f;:</translation>
     </message>
     <message>
-        <source>Draft: 25 samples per pixel</source>
-        <translation>Brouillon&#x202f;: 25 échantillons par pixel</translation>
-    </message>
-    <message>
-        <source>Good: 100 samples per pixel</source>
-        <translation>Bonne&#x202f;: 100 échantillons par pixel</translation>
-    </message>
-    <message>
-        <source>Fine: 400 samples per pixel</source>
-        <translation>Fine&#x202f;: 400 échantillons par pixel</translation>
-    </message>
-    <message>
-        <source>Finest: 2000 samples per pixel</source>
-        <translation>Maximale&#x202f;: 2000 échantillons par pixel</translation>
-    </message>
-    <message>
         <source>Quality</source>
         <translation>Qualité</translation>
     </message>
@@ -9099,6 +9139,22 @@
         <source>Guaranteed accuracy: %2. Copies drawn by programs that open the file: %1 (the limit is %3).</source>
         <translation>Précision garantie : %2. Copies dessinées par les programmes qui ouvrent le fichier : %1 (la limite est %3).</translation>
     </message>
+    <message>
+        <source>Draft: 25 points per pixel</source>
+        <translation>Brouillon : 25 points par pixel</translation>
+    </message>
+    <message>
+        <source>Good: 100 points per pixel</source>
+        <translation>Bonne : 100 points par pixel</translation>
+    </message>
+    <message>
+        <source>Fine: 400 points per pixel</source>
+        <translation>Fine : 400 points par pixel</translation>
+    </message>
+    <message>
+        <source>Finest: 2000 points per pixel</source>
+        <translation>Très fine : 2000 points par pixel</translation>
+    </message>
 </context>
 <context>
     <name>view::ExportPreview</name>
@@ -9195,6 +9251,14 @@
     <message>
         <source>Written to %1.</source>
         <translation>Écrit dans %1.</translation>
+    </message>
+    <message>
+        <source>Show in Folder</source>
+        <translation>Montrer dans le dossier</translation>
+    </message>
+    <message>
+        <source>Shows the folder of the written file in the file manager.</source>
+        <translation>Montre le dossier du fichier écrit dans le gestionnaire de fichiers.</translation>
     </message>
 </context>
 <context>
@@ -9299,6 +9363,14 @@
         <source>The size of the picture, in pixels or on paper.</source>
         <translation>La taille de l’image, en pixels ou sur le papier.</translation>
     </message>
+    <message>
+        <source>Portrait or landscape</source>
+        <translation>Portrait ou paysage</translation>
+    </message>
+    <message>
+        <source>Swap width and height</source>
+        <translation>Échanger largeur et hauteur</translation>
+    </message>
 </context>
 <context>
     <name>view::ExportsModel</name>
@@ -9401,10 +9473,6 @@
         <translation>Redessiner les exports sélectionnés qui ont échoué.</translation>
     </message>
     <message>
-        <source>&amp;Open Folder</source>
-        <translation>&amp;Ouvrir le dossier</translation>
-    </message>
-    <message>
         <source>Show the folder of the selected export in the file manager.</source>
         <translation>Afficher le dossier de l’export sélectionné dans le gestionnaire de fichiers.</translation>
     </message>
@@ -9435,6 +9503,10 @@
     <message>
         <source>Cancel the selected exports and remove them from the list; files already written are kept.</source>
         <translation>Annuler les exports sélectionnés et les retirer de la liste ; les fichiers déjà écrits sont conservés.</translation>
+    </message>
+    <message>
+        <source>Show in Folder</source>
+        <translation>Montrer dans le dossier</translation>
     </message>
 </context>
 <context>
@@ -9640,6 +9712,77 @@
     <message>
         <source>Right</source>
         <translation>Droite</translation>
+    </message>
+</context>
+<context>
+    <name>view::FrameSizeEditor</name>
+    <message>
+        <source>Width</source>
+        <translation>Largeur</translation>
+    </message>
+    <message>
+        <source>The width of the frames in pixels.</source>
+        <translation>La largeur des images en pixels.</translation>
+    </message>
+    <message>
+        <source>Height</source>
+        <translation>Hauteur</translation>
+    </message>
+    <message>
+        <source>The height of the frames in pixels.</source>
+        <translation>La hauteur des images en pixels.</translation>
+    </message>
+    <message>
+        <source>Named size</source>
+        <translation>Taille nommée</translation>
+    </message>
+    <message>
+        <source>Usual sizes of videos.</source>
+        <translation>Tailles usuelles de vidéos.</translation>
+    </message>
+    <message>
+        <source>Lock proportions</source>
+        <translation>Garder les proportions</translation>
+    </message>
+    <message>
+        <source>Keep the proportions of the frames</source>
+        <translation>Garder les proportions des images</translation>
+    </message>
+    <message>
+        <source>Portrait or landscape</source>
+        <translation>Portrait ou paysage</translation>
+    </message>
+    <message>
+        <source>Swap width and height</source>
+        <translation>Échanger largeur et hauteur</translation>
+    </message>
+    <message>
+        <source>Full HD: 1920 × 1080</source>
+        <translation>Full HD : 1920 × 1080</translation>
+    </message>
+    <message>
+        <source>HD: 1280 × 720</source>
+        <translation>HD : 1280 × 720</translation>
+    </message>
+    <message>
+        <source>4K: 3840 × 2160</source>
+        <translation>4K : 3840 × 2160</translation>
+    </message>
+    <message>
+        <source>Square: 1080 × 1080</source>
+        <translation>Carré : 1080 × 1080</translation>
+    </message>
+    <message>
+        <source>Portrait: 1080 × 1920</source>
+        <translation>Portrait : 1080 × 1920</translation>
+    </message>
+    <message>
+        <source>For a message: 640 × 360</source>
+        <translation>Pour un message : 640 × 360</translation>
+    </message>
+    <message>
+        <source>Custom</source>
+        <translation>Personnalisée</translation>
     </message>
 </context>
 <context>
@@ -11436,16 +11579,8 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
         <translation>Variation %1</translation>
     </message>
     <message>
-        <source>Mutate</source>
-        <translation>Faire muter</translation>
-    </message>
-    <message>
         <source>The parent is in the middle, its variations are around it. Click one, or press Enter on it, to make it the new parent. Double-click one to use it at once.</source>
         <translation>Le parent est au milieu, ses variations sont autour. Cliquez sur l’une d’elles, ou appuyez sur Entrée, pour en faire le nouveau parent. Un double-clic l’utilise aussitôt.</translation>
-    </message>
-    <message>
-        <source>&amp;Use the Parent</source>
-        <translation>&amp;Utiliser le parent</translation>
     </message>
     <message>
         <source>The fractal in the middle replaces the one that you began with, in one step that you can undo.</source>
@@ -11570,6 +11705,14 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
     <message>
         <source>All maps are locked and keep their weights: the variations differ only in colours and, occasionally, in an added map. Many look like their parent.</source>
         <translation>Toutes les applications sont verrouillées et gardent leurs poids : les variations ne diffèrent que par les couleurs et, de temps en temps, par une application ajoutée. Beaucoup sont semblables à leur parent.</translation>
+    </message>
+    <message>
+        <source>&amp;Use This One</source>
+        <translation>&amp;Utiliser celle-ci</translation>
+    </message>
+    <message>
+        <source>Use a variation</source>
+        <translation>Utiliser une variation</translation>
     </message>
 </context>
 <context>
@@ -11858,10 +12001,6 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
         <translation>Fine&#x202f;: 1 milliard de points</translation>
     </message>
     <message>
-        <source>Idle quality</source>
-        <translation>Qualité au repos</translation>
-    </message>
-    <message>
         <source>The number of points drawn while nothing moves. More points make a smoother picture and keep the processor busy for longer.</source>
         <translation>Combien de points sont dessinés tant que rien ne bouge. Davantage de points donnent une image plus lisse et occupent le processeur plus longtemps.</translation>
     </message>
@@ -11878,10 +12017,6 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
         <translation>&amp;Thème&#x202f;:</translation>
     </message>
     <message>
-        <source>&amp;Idle quality:</source>
-        <translation>&amp;Qualité au repos :</translation>
-    </message>
-    <message>
         <source>Not saved yet: %1.</source>
         <translation>Pas encore enregistré : %1.</translation>
     </message>
@@ -11894,16 +12029,8 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
         <translation>Trackball</translation>
     </message>
     <message>
-        <source>Turning solids</source>
-        <translation>Rotation des solides</translation>
-    </message>
-    <message>
         <source>How a drag turns a solid. On a turntable, vertical lines stay vertical. A trackball turns freely about the axes of the screen, even over the poles; to level the view again, look along an axis.</source>
         <translation>Comment un solide tourne quand on le fait glisser. Sur un plateau tournant, ce qui est vertical le reste. Un trackball tourne librement autour des axes de l’écran, même au-delà des pôles ; pour remettre la vue d’aplomb, regardez le long d’un axe.</translation>
-    </message>
-    <message>
-        <source>Turning &amp;solids:</source>
-        <translation>Rotation des &amp;solides :</translation>
     </message>
     <message>
         <source>Restart &amp;Now</source>
@@ -11956,6 +12083,22 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
     <message>
         <source>The settings of windows and pictures, and the keys of commands.</source>
         <translation>Les réglages des fenêtres et des images, et les touches des commandes.</translation>
+    </message>
+    <message>
+        <source>Picture at rest</source>
+        <translation>Image au repos</translation>
+    </message>
+    <message>
+        <source>Solids turn like</source>
+        <translation>Les solides tournent comme</translation>
+    </message>
+    <message>
+        <source>&amp;Picture at rest:</source>
+        <translation>&amp;Image au repos :</translation>
+    </message>
+    <message>
+        <source>&amp;Solids turn like:</source>
+        <translation>Les &amp;solides tournent comme :</translation>
     </message>
 </context>
 <context>
@@ -12274,6 +12417,13 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
     <message>
         <source>Rename the view “%1” to “%2”</source>
         <translation>Renommer la vue « %1 » en « %2 »</translation>
+    </message>
+</context>
+<context>
+    <name>view::ShadowTool</name>
+    <message>
+        <source>Turn the shadow</source>
+        <translation>Tourner l’ombre</translation>
     </message>
 </context>
 <context>
@@ -13582,16 +13732,16 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
         <translation>Recouvrement %1 %</translation>
     </message>
     <message>
-        <source>Guarantee %1 px</source>
-        <translation>Garantie %1 px</translation>
-    </message>
-    <message>
         <source>Suggestions</source>
         <translation>Suggestions</translation>
     </message>
     <message>
         <source>Click a suggestion to use it; undo goes back</source>
         <translation>Cliquez sur une suggestion pour l’utiliser ; annuler revient en arrière</translation>
+    </message>
+    <message>
+        <source>Guaranteed within %1 px</source>
+        <translation>Garanti à %1 px près</translation>
     </message>
 </context>
 <context>

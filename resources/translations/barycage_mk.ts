@@ -990,10 +990,6 @@
         <translation>Ротирај, скалирај, искоси, отсликај или премести го целиот фрактал со внесување броеви</translation>
     </message>
     <message>
-        <source>&amp;Mutate…</source>
-        <translation>&amp;Мутирај…</translation>
-    </message>
-    <message>
         <source>Ctrl+M</source>
         <translation>Ctrl+M</translation>
     </message>
@@ -2372,6 +2368,26 @@
     <message>
         <source>Language, theme, picture quality, shortcuts, and what opens at startup</source>
         <translation>Јазик, тема, квалитет на сликата, кратенки и што се отвора при стартување</translation>
+    </message>
+    <message>
+        <source>&amp;Variations…</source>
+        <translation>&amp;Варијации…</translation>
+    </message>
+    <message>
+        <source>S&amp;hadow</source>
+        <translation>Се&amp;нка</translation>
+    </message>
+    <message>
+        <source>Lay a flat, dark copy of the picture on the ground behind it</source>
+        <translation>Положи рамна, темна копија на сликата на подот зад неа</translation>
+    </message>
+    <message>
+        <source>Add a shadow</source>
+        <translation>Додај сенка</translation>
+    </message>
+    <message>
+        <source>Remove the shadow</source>
+        <translation>Отстрани ја сенката</translation>
     </message>
 </context>
 <context>
@@ -5500,6 +5516,18 @@
         <source>This entry has %1 maps; a web page can have at most %2.</source>
         <translation>Овој запис има %1 пресликувања; една веб-страница може да има најмногу %2.</translation>
     </message>
+    <message>
+        <source>A solid has no shadow on the ground. Move its light in the Appearance panel: the solid darkens the side that faces away from it.</source>
+        <translation>Телото не фрла сенка на подот. Поместете ја неговата светлина во панелот „Изглед“: страната свртена од неа потемнува.</translation>
+    </message>
+    <message>
+        <source>This entry could not be read, so there is no picture to cast a shadow.</source>
+        <translation>Овој запис не можеше да се прочита, па нема слика што би фрлила сенка.</translation>
+    </message>
+    <message>
+        <source>its shadow</source>
+        <translation>неговата сенка</translation>
+    </message>
 </context>
 <context>
     <name>Tour</name>
@@ -6041,22 +6069,6 @@
         <translation>Што покажуваат кадрите кога ниеден клуч на камерата не го одредува тоа: она што го покажува платното, или сè што се појавува, со мала маргина.</translation>
     </message>
     <message>
-        <source>Width</source>
-        <translation>Ширина</translation>
-    </message>
-    <message>
-        <source>The width of the frames in pixels.</source>
-        <translation>Ширината на кадрите во пиксели.</translation>
-    </message>
-    <message>
-        <source>Height</source>
-        <translation>Висина</translation>
-    </message>
-    <message>
-        <source>The height of the frames in pixels.</source>
-        <translation>Висината на кадрите во пиксели.</translation>
-    </message>
-    <message>
         <source>&amp;Size in pixels:</source>
         <translation>&amp;Големина во пиксели:</translation>
     </message>
@@ -6292,6 +6304,18 @@
         <source>&amp;Replace</source>
         <translation>&amp;Замени</translation>
     </message>
+    <message>
+        <source>Frame of the preview</source>
+        <translation>Кадар на прегледот</translation>
+    </message>
+    <message>
+        <source>The frame that the preview shows</source>
+        <translation>Кадарот што го покажува прегледот</translation>
+    </message>
+    <message>
+        <source>Choose how many tasks share the frames, then click On a Cluster… again.</source>
+        <translation>Изберете колку задачи ќе ги делат кадрите, па кликнете повторно на „На кластер…“.</translation>
+    </message>
 </context>
 <context>
     <name>view::AppearancePanel</name>
@@ -6494,6 +6518,34 @@
     <message>
         <source>The colours from the thinnest parts to the densest, along the addresses, or along the positions between which maps blend.</source>
         <translation>Боите од најретките делови до најгустите, по адресите, или по местата меѓу кои мешаат пресликувањата.</translation>
+    </message>
+    <message>
+        <source>Shadow</source>
+        <translation>Сенка</translation>
+    </message>
+    <message>
+        <source>Opacity of the shadow on the ground behind the picture; 0: no shadow</source>
+        <translation>Непроѕирност на сенката на подот зад сликата; 0: без сенка</translation>
+    </message>
+    <message>
+        <source>The shadow is the picture once more: darker, flattened, and laid on the ground on which the picture stands. Drag its tip on the canvas to turn it.</source>
+        <translation>Сенката е истата слика уште еднаш: потемна, сплескана и положена на подот на кој стои сликата. Повлечете го нејзиниот врв на платното за да ја завртите.</translation>
+    </message>
+    <message>
+        <source>Shadow sideways</source>
+        <translation>Сенка настрана</translation>
+    </message>
+    <message>
+        <source>How far to the right the shadow of what is 1 high ends; below 0, to the left</source>
+        <translation>Колку надесно завршува сенката на она што е високо 1; под 0, налево</translation>
+    </message>
+    <message>
+        <source>Shadow backwards</source>
+        <translation>Сенка наназад</translation>
+    </message>
+    <message>
+        <source>How far up the shadow of what is 1 high ends; below 0, it falls to the front</source>
+        <translation>Колку горе завршува сенката на она што е високо 1; под 0 паѓа напред</translation>
     </message>
 </context>
 <context>
@@ -7300,10 +7352,6 @@
         <translation>Ги става темињата на правилниот многуаголник што им е најблизок</translation>
     </message>
     <message>
-        <source>&amp;Bake Placement into the Code</source>
-        <translation>Впи&amp;ши ја поставеноста во кодот</translation>
-    </message>
-    <message>
         <source>Rewrites the maps so that they draw the picture as shown, with the cage at rest</source>
         <translation>Ги менува пресликувањата така што го цртаат прикажаното, со кафезот во мирување</translation>
     </message>
@@ -7434,6 +7482,10 @@
     <message>
         <source>Returns the view to upright</source>
         <translation>Го исправа погледот</translation>
+    </message>
+    <message>
+        <source>&amp;Bake</source>
+        <translation>&amp;Впиши во кодот</translation>
     </message>
 </context>
 <context>
@@ -8047,10 +8099,6 @@
         <translation>работен лист час ученици вежба хартија</translation>
     </message>
     <message>
-        <source>variations vary breed evolve grow similar mutation</source>
-        <translation>варијации варирај одгледај еволуција слични мутација</translation>
-    </message>
-    <message>
         <source>surprise chance lucky generate dice new</source>
         <translation>изненадување случајност создај коцка нов</translation>
     </message>
@@ -8137,6 +8185,14 @@
     <message>
         <source>infinite dive</source>
         <translation>бесконечно зумирање нурни</translation>
+    </message>
+    <message>
+        <source>mutate mutation vary breed evolve grow similar</source>
+        <translation>мутирај мутација варирај одгледувај развивај слично</translation>
+    </message>
+    <message>
+        <source>shade silhouette drop cast ground light sun</source>
+        <translation>силуета под светлина сонце темно</translation>
     </message>
 </context>
 <context>
@@ -8889,22 +8945,6 @@
         <translation>Големина:</translation>
     </message>
     <message>
-        <source>Draft: 25 samples per pixel</source>
-        <translation>Скица: 25 примероци по пиксел</translation>
-    </message>
-    <message>
-        <source>Good: 100 samples per pixel</source>
-        <translation>Добро: 100 примероци по пиксел</translation>
-    </message>
-    <message>
-        <source>Fine: 400 samples per pixel</source>
-        <translation>Фино: 400 примероци по пиксел</translation>
-    </message>
-    <message>
-        <source>Finest: 2000 samples per pixel</source>
-        <translation>Најфино: 2000 примероци по пиксел</translation>
-    </message>
-    <message>
         <source>Quality</source>
         <translation>Квалитет</translation>
     </message>
@@ -9124,6 +9164,22 @@
         <source>Guaranteed accuracy: %2. Copies drawn by programs that open the file: %1 (the limit is %3).</source>
         <translation>Гарантирана точност: %2. Копии што ги цртаат програмите што ја отвораат датотеката: %1 (границата е %3).</translation>
     </message>
+    <message>
+        <source>Draft: 25 points per pixel</source>
+        <translation>Нацрт: 25 точки по пиксел</translation>
+    </message>
+    <message>
+        <source>Good: 100 points per pixel</source>
+        <translation>Добар: 100 точки по пиксел</translation>
+    </message>
+    <message>
+        <source>Fine: 400 points per pixel</source>
+        <translation>Фин: 400 точки по пиксел</translation>
+    </message>
+    <message>
+        <source>Finest: 2000 points per pixel</source>
+        <translation>Најфин: 2000 точки по пиксел</translation>
+    </message>
 </context>
 <context>
     <name>view::ExportPreview</name>
@@ -9223,6 +9279,14 @@
     <message>
         <source>Written to %1.</source>
         <translation>Запишано во %1.</translation>
+    </message>
+    <message>
+        <source>Show in Folder</source>
+        <translation>Покажи во папката</translation>
+    </message>
+    <message>
+        <source>Shows the folder of the written file in the file manager.</source>
+        <translation>Ја покажува папката на запишаната датотека во управувачот со датотеки.</translation>
     </message>
 </context>
 <context>
@@ -9326,6 +9390,14 @@
     <message>
         <source>The size of the picture, in pixels or on paper.</source>
         <translation>Големината на сликата, во пиксели или на хартија.</translation>
+    </message>
+    <message>
+        <source>Portrait or landscape</source>
+        <translation>Исправено или легнато</translation>
+    </message>
+    <message>
+        <source>Swap width and height</source>
+        <translation>Замени ги ширината и висината</translation>
     </message>
 </context>
 <context>
@@ -9432,10 +9504,6 @@
         <translation>Нацртај ги повторно избраните извози што не успеале.</translation>
     </message>
     <message>
-        <source>&amp;Open Folder</source>
-        <translation>Отвори &amp;папка</translation>
-    </message>
-    <message>
         <source>Show the folder of the selected export in the file manager.</source>
         <translation>Прикажи ја папката на избраниот извоз во управувачот со датотеки.</translation>
     </message>
@@ -9466,6 +9534,10 @@
     <message>
         <source>Cancel the selected exports and remove them from the list; files already written are kept.</source>
         <translation>Откажи ги избраните извози и тргни ги од списокот; веќе запишаните датотеки остануваат.</translation>
+    </message>
+    <message>
+        <source>Show in Folder</source>
+        <translation>Покажи во папката</translation>
     </message>
 </context>
 <context>
@@ -9671,6 +9743,77 @@
     <message>
         <source>Right</source>
         <translation>Оддесно</translation>
+    </message>
+</context>
+<context>
+    <name>view::FrameSizeEditor</name>
+    <message>
+        <source>Width</source>
+        <translation>Ширина</translation>
+    </message>
+    <message>
+        <source>The width of the frames in pixels.</source>
+        <translation>Ширината на кадрите во пиксели.</translation>
+    </message>
+    <message>
+        <source>Height</source>
+        <translation>Висина</translation>
+    </message>
+    <message>
+        <source>The height of the frames in pixels.</source>
+        <translation>Висината на кадрите во пиксели.</translation>
+    </message>
+    <message>
+        <source>Named size</source>
+        <translation>Именувана големина</translation>
+    </message>
+    <message>
+        <source>Usual sizes of videos.</source>
+        <translation>Вообичаени големини на видеа.</translation>
+    </message>
+    <message>
+        <source>Lock proportions</source>
+        <translation>Задржи го односот на страните</translation>
+    </message>
+    <message>
+        <source>Keep the proportions of the frames</source>
+        <translation>Задржи го односот на страните на кадрите</translation>
+    </message>
+    <message>
+        <source>Portrait or landscape</source>
+        <translation>Исправено или легнато</translation>
+    </message>
+    <message>
+        <source>Swap width and height</source>
+        <translation>Замени ги ширината и висината</translation>
+    </message>
+    <message>
+        <source>Full HD: 1920 × 1080</source>
+        <translation>Full HD: 1920 × 1080</translation>
+    </message>
+    <message>
+        <source>HD: 1280 × 720</source>
+        <translation>HD: 1280 × 720</translation>
+    </message>
+    <message>
+        <source>4K: 3840 × 2160</source>
+        <translation>4K: 3840 × 2160</translation>
+    </message>
+    <message>
+        <source>Square: 1080 × 1080</source>
+        <translation>Квадрат: 1080 × 1080</translation>
+    </message>
+    <message>
+        <source>Portrait: 1080 × 1920</source>
+        <translation>Исправено: 1080 × 1920</translation>
+    </message>
+    <message>
+        <source>For a message: 640 × 360</source>
+        <translation>За порака: 640 × 360</translation>
+    </message>
+    <message>
+        <source>Custom</source>
+        <translation>Приспособено</translation>
     </message>
 </context>
 <context>
@@ -11468,16 +11611,8 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
         <translation>Варијанта %1</translation>
     </message>
     <message>
-        <source>Mutate</source>
-        <translation>Мутирање</translation>
-    </message>
-    <message>
         <source>The parent is in the middle, its variations are around it. Click one, or press Enter on it, to make it the new parent. Double-click one to use it at once.</source>
         <translation>Родителот е во средината, а варијантите се околу него. Кликнете на една, или притиснете Enter на неа, за да стане нов родител. Со двоен клик веднаш се употребува.</translation>
-    </message>
-    <message>
-        <source>&amp;Use the Parent</source>
-        <translation>&amp;Употреби го родителот</translation>
     </message>
     <message>
         <source>The fractal in the middle replaces the one that you began with, in one step that you can undo.</source>
@@ -11602,6 +11737,14 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
     <message>
         <source>All maps are locked and keep their weights: the variations differ only in colours and, occasionally, in an added map. Many look like their parent.</source>
         <translation>Сите пресликувања се заклучени и ги задржуваат тежините: варијантите се разликуваат само по боите и, понекогаш, по некое додадено пресликување. Многу од нив се исти како родителот.</translation>
+    </message>
+    <message>
+        <source>&amp;Use This One</source>
+        <translation>&amp;Користи го ова</translation>
+    </message>
+    <message>
+        <source>Use a variation</source>
+        <translation>Користи варијација</translation>
     </message>
 </context>
 <context>
@@ -11890,10 +12033,6 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
         <translation>Фино: 1000 милиони точки</translation>
     </message>
     <message>
-        <source>Idle quality</source>
-        <translation>Квалитет во мирување</translation>
-    </message>
-    <message>
         <source>The number of points drawn while nothing moves. More points make a smoother picture and keep the processor busy for longer.</source>
         <translation>Колку точки се цртаат додека ништо не се движи. Со повеќе точки сликата е помазна, а процесорот е подолго зафатен.</translation>
     </message>
@@ -11910,10 +12049,6 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
         <translation>&amp;Тема:</translation>
     </message>
     <message>
-        <source>&amp;Idle quality:</source>
-        <translation>&amp;Квалитет во мирување:</translation>
-    </message>
-    <message>
         <source>Not saved yet: %1.</source>
         <translation>Сè уште не е зачувано: %1.</translation>
     </message>
@@ -11926,16 +12061,8 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
         <translation>Тракбол</translation>
     </message>
     <message>
-        <source>Turning solids</source>
-        <translation>Вртење на телата</translation>
-    </message>
-    <message>
         <source>How a drag turns a solid. On a turntable, vertical lines stay vertical. A trackball turns freely about the axes of the screen, even over the poles; to level the view again, look along an axis.</source>
         <translation>Како влечењето врти тело. На вртлива плоча, вертикалното останува вертикално. Тракболот врти слободно околу оските на екранот, и преку половите; за повторно да го исправите погледот, погледнете по должината на некоја оска.</translation>
-    </message>
-    <message>
-        <source>Turning &amp;solids:</source>
-        <translation>Вртење на &amp;телата:</translation>
     </message>
     <message>
         <source>Restart &amp;Now</source>
@@ -11988,6 +12115,22 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
     <message>
         <source>The settings of windows and pictures, and the keys of commands.</source>
         <translation>Поставките на прозорците и сликите, и копчињата на наредбите.</translation>
+    </message>
+    <message>
+        <source>Picture at rest</source>
+        <translation>Слика во мирување</translation>
+    </message>
+    <message>
+        <source>Solids turn like</source>
+        <translation>Телата се вртат како</translation>
+    </message>
+    <message>
+        <source>&amp;Picture at rest:</source>
+        <translation>&amp;Слика во мирување:</translation>
+    </message>
+    <message>
+        <source>&amp;Solids turn like:</source>
+        <translation>&amp;Телата се вртат како:</translation>
     </message>
 </context>
 <context>
@@ -12307,6 +12450,13 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
     <message>
         <source>Rename the view “%1” to “%2”</source>
         <translation>Преименување на погледот „%1“ во „%2“</translation>
+    </message>
+</context>
+<context>
+    <name>view::ShadowTool</name>
+    <message>
+        <source>Turn the shadow</source>
+        <translation>Заврти ја сенката</translation>
     </message>
 </context>
 <context>
@@ -13616,16 +13766,16 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
         <translation>Преклоп %1 %</translation>
     </message>
     <message>
-        <source>Guarantee %1 px</source>
-        <translation>Гаранција %1 пкс</translation>
-    </message>
-    <message>
         <source>Suggestions</source>
         <translation>Предлози</translation>
     </message>
     <message>
         <source>Click a suggestion to use it; undo goes back</source>
         <translation>Кликнете на предлог за да го користите; враќањето го поништува</translation>
+    </message>
+    <message>
+        <source>Guaranteed within %1 px</source>
+        <translation>Загарантирано до %1 пкс</translation>
     </message>
 </context>
 <context>

@@ -97,6 +97,8 @@ Complaint complaintAbout(const document::Fractal& fractal) {
         return QStringLiteral("brightness %1, gamma %2").arg(look.brightness).arg(look.gamma);
     if (!(look.contrast > 0) || !std::isfinite(look.contrast) || !(look.vibrancy >= 0 && look.vibrancy <= 1))
         return QStringLiteral("contrast %1, vibrancy %2").arg(look.contrast).arg(look.vibrancy);
+    if (!(look.shadow >= 0 && look.shadow <= 1) || !std::isfinite(look.shadowLean * look.shadowLength))
+        return QStringLiteral("shadow %1 %2 %3").arg(look.shadow).arg(look.shadowLean).arg(look.shadowLength);
     return {};
 }
 

@@ -168,7 +168,7 @@ void addCageActions(QMenu& menu, const MenuContext& context) {
     add(menu, Menu::tr("Make Re&gular"), Menu::tr("Moves the vertices to the nearest regular polygon"),
         attempt(context, [&document] { return makeCageRegular(document); }));
     const QString obstacle = bakeObstacle(document);
-    add(menu, Menu::tr("&Bake Placement into the Code"),
+    add(menu, Menu::tr("&Bake"),
         obstacle.isEmpty()
             ? Menu::tr("Rewrites the maps so that they draw the picture as shown, with the cage at rest")
             : obstacle,

@@ -81,10 +81,12 @@ void CanvasNavigation::fitAgain() {
     const auto fractal = moves ? document.currentEntry().fractal : document.sharedFractal();
     if (moves && fractal == m_moving) return fitTo(m_motion);
     m_sought = moves ? fractal : nullptr;
-    const QFuture<Extent> extent = io::inBackground<Extent>([fractal, moves](QPromise<Extent>& promise) {
-        promise.addResult(moves ? document::motionExtent(*fractal, [&] { return promise.isCanceled(); })
-                                : Extent{document::displayedBox(*fractal), {}});
-    });
+    const QFuture<Extent> extent =
+        io::inBackground<Extent>([fractal, moves, yAxis = m_scene.camera().yAxis](QPromise<Extent>& promise) {
+            promise.addResult(moves ? document::motionExtent(
+                                          *fractal, [&] { return promise.isCanceled(); }, yAxis)
+                                    : Extent{document::boxWithShadow(*fractal, yAxis), {}});
+        });
     if (io::finishesWithin(fitPatience, extent) && extent.resultCount() > 0) // most often it is known
         takeExtent(extent.result());
     else

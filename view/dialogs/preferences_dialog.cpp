@@ -48,7 +48,7 @@ void offerQuality(QComboBox* box) {
     box->addItem(PreferencesDialog::tr("Draft: 50 million points"), quint64(50'000'000));
     box->addItem(PreferencesDialog::tr("Good: 200 million points"), quint64(200'000'000));
     box->addItem(PreferencesDialog::tr("Fine: 1000 million points"), quint64(1'000'000'000));
-    box->setAccessibleName(PreferencesDialog::tr("Idle quality"));
+    box->setAccessibleName(PreferencesDialog::tr("Picture at rest"));
     box->setWhatsThis(
         PreferencesDialog::tr("The number of points drawn while nothing moves. More points make a smoother "
                               "picture and keep the processor busy for longer."));
@@ -57,7 +57,7 @@ void offerQuality(QComboBox* box) {
 void offerTurning(QComboBox* box) {
     box->addItem(PreferencesDialog::tr("Turntable"), false);
     box->addItem(PreferencesDialog::tr("Trackball"), true);
-    box->setAccessibleName(PreferencesDialog::tr("Turning solids"));
+    box->setAccessibleName(PreferencesDialog::tr("Solids turn like"));
     box->setWhatsThis(PreferencesDialog::tr(
         "How a drag turns a solid. On a turntable, vertical lines stay vertical. A trackball turns freely "
         "about the axes of the screen, even over the poles; to level the view again, look along an axis."));
@@ -146,8 +146,8 @@ QWidget* PreferencesDialog::generalPage() {
     form->addRow(QString(), restartRow());
     form->addRow(tr("&Theme:"), m_theme);
     form->addRow(tr("&Motion:"), m_motion);
-    form->addRow(tr("&Idle quality:"), m_quality);
-    form->addRow(tr("Turning &solids:"), m_turning);
+    form->addRow(tr("&Picture at rest:"), m_quality);
+    form->addRow(tr("&Solids turn like:"), m_turning);
     form->addRow(QString(), m_reopen);
     form->addRow(QString(), m_keepPrevious);
     return page;

@@ -32,7 +32,7 @@ bool looksTheSame(const document::Fractal& a, const document::Fractal& b) {
 // What the picture is to hold; nullopt when there is nothing to draw. Where no box is certified, the
 // corners of the cage hold the picture as a rule.
 std::optional<document::Box> boxToShow(const document::Fractal& fractal) {
-    if (auto box = document::displayedBox(fractal)) return box;
+    if (auto box = document::boxWithShadow(fractal, attractor::YAxis::Up)) return box;
     const ifs::ControlCage<2>* cage = document::cage2(fractal);
     if (!cage || cage->current.empty()) return std::nullopt;
     document::Box box{cage->current.front(), cage->current.front()};

@@ -21,7 +21,7 @@ constexpr double margin = 0.05; // around it
 io::Failure addShapes(io::PdfFile& file, const document::Fractal& fractal, const std::stop_token& stop) {
     attractor::Camera camera;
     camera.width = camera.height = side;
-    if (const auto box = document::displayedBox(fractal))
+    if (const auto box = document::boxWithShadow(fractal, attractor::YAxis::Up))
         camera = attractor::fitted(camera, box->min, box->max);
     return io::addPage(file, {fractal, camera, {}}, stop);
 }

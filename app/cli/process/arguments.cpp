@@ -131,6 +131,26 @@ QSize pictureSizeArgument(const std::string& option, const std::string& text) {
     return {sides[0], sides[1]};
 }
 
+std::optional<QSizeF> paperSizeArgument(const std::string& option, const std::string& text) {
+    constexpr double longest = 10'000; // millimetres
+    static const QRegularExpression form(
+        QStringLiteral("^(?:([0-9]+(?:\\.[0-9]+)?)mm)?x(?:([0-9]+(?:\\.[0-9]+)?)mm)?$"));
+    const QString given = QString::fromStdString(text).toLower();
+    if (!given.contains(QLatin1String("mm"))) return std::nullopt;
+    const auto match = form.match(given);
+    const auto isGood = [&](int side) {
+        const double length = match.captured(side).toDouble();
+        return match.captured(side).isEmpty() || (length >= 1 && length <= longest);
+    };
+    if (!match.hasMatch() || !isGood(1) || !isGood(2))
+        refuse(
+            option, text,
+            tr("on paper it must be a width and a height of 1 to %1 mm, such as 58mmx40mm; 58mmx and x40mm "
+               "keep the proportions of the picture.")
+                .arg(longest, 0, 'f', 0));
+    return QSizeF(match.captured(1).toDouble(), match.captured(2).toDouble());
+}
+
 QSize sizeArgument(const std::string& option, const std::string& text) {
     const QStringList parts = QString::fromStdString(text).toLower().split(u'x');
     bool good[2] = {false, false};

@@ -13,6 +13,7 @@
 #include "ifs/system/affine_map.h"
 
 #include <QSize>
+#include <QSizeF>
 
 #include <array>
 #include <chrono>
@@ -86,7 +87,9 @@ QSize sizeArgument(const std::string& option, const std::string& text); // "1200
 // "1200x900"; "1200x" and "x900" leave the other side, 0, to the proportions of what is drawn.
 QSize pictureSizeArgument(const std::string& option, const std::string& text);
 std::string sizeText(const QSize& size); // of such a size
-constexpr int maxSide = 1'000'000;       // pixels
+// "58mmx40mm"; "58mmx" and "x40mm" as above. nullopt: these are no lengths on paper.
+std::optional<QSizeF> paperSizeArgument(const std::string& option, const std::string& text);
+constexpr int maxSide = 1'000'000;                                                              // pixels
 std::vector<ifs::Vector<2>> pointsArgument(const std::string& option, const std::string& text); // "x,y x,y …"
 std::vector<ifs::Vector<2>> pointListArgument(const std::string& option,
                                               const std::string& text); // at least one

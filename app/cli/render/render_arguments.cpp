@@ -16,6 +16,7 @@
 #include <QStringList>
 
 #include <algorithm>
+#include <cmath>
 
 namespace cli {
 
@@ -67,12 +68,34 @@ io::SvgFormat shapesOf(const RenderArguments& arguments) {
     format.seed = arguments.seed;
     if (arguments.points) format.points = *arguments.points;
     format.overlay = arguments.overlay;
+    if (arguments.pixelsOfShapes) format.dotsPerInch = *arguments.pixelsOfShapes;
     return format;
 }
 
 const attractor::AppearanceNumber& numberOf(const NumberOption& option) {
     return *std::ranges::find(attractor::appearanceNumbers, option.member,
                               &attractor::AppearanceNumber::member);
+}
+
+void settlePaperSize(RenderArguments& arguments, bool hasShapes) {
+    if (!arguments.millimetres) return;
+    constexpr double inch = 25.4; // millimetres
+    const QSizeF& paper = *arguments.millimetres;
+    double perMillimetre = arguments.dpi.value_or(300) / inch;
+    if (hasShapes) {
+        const auto isWhole = [](double pixels) { return std::abs(pixels - std::round(pixels)) < 1e-6; };
+        perMillimetre = 4; // about that of SVG
+        while (perMillimetre < 10 &&
+               !(isWhole(perMillimetre * paper.width()) && isWhole(perMillimetre * paper.height())))
+            ++perMillimetre;
+        arguments.pixelsOfShapes = perMillimetre * inch;
+    } else {
+        arguments.dpi = perMillimetre * inch;
+    }
+    const auto side = [&](double length) {
+        return int(std::min(std::round(length * perMillimetre), double(maxSide)));
+    };
+    arguments.size = {side(paper.width()), side(paper.height())};
 }
 
 void applyAppearance(attractor::Appearance& appearance, const RenderArguments& arguments) {

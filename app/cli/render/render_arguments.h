@@ -56,6 +56,12 @@ inline constexpr std::array numberOptions{
     NumberOption{&attractor::Appearance::vibrancy, "V",
                  "How far colours keep their hue, 0 to 1: at 0 the gamma acts on each channel, and colours "
                  "are paler"},
+    NumberOption{&attractor::Appearance::shadow, "O",
+                 "Opacity of the shadow on the ground behind the picture, 0 to 1: at 0 there is none"},
+    NumberOption{&attractor::Appearance::shadowLean, "X",
+                 "How far to the right the shadow of what is 1 high ends, -10 to 10"},
+    NumberOption{&attractor::Appearance::shadowLength, "Y",
+                 "How far up the shadow of what is 1 high ends, -10 to 10: below 0 it falls to the front"},
 };
 static_assert(numberOptions.size() == attractor::appearanceNumbers.size());
 const attractor::AppearanceNumber& numberOf(const NumberOption& option);
@@ -78,6 +84,7 @@ struct SpaceOptions {
 
 struct ViewOptions {
     QSize size{1200, 900};              // 0: as the proportions want it
+    std::optional<QSizeF> millimetres;  // on paper, of which settlePaperSize() makes the size in pixels
     std::optional<NumberList> view;     // of three numbers in the plane, four in space
     std::optional<double> viewRotation; // degrees
     double margin = 5;                  // per cent of the picture
@@ -108,6 +115,7 @@ struct FileOptions {
     std::string format;
     std::optional<int> bits, quality;
     std::optional<double> dpi;
+    std::optional<double> pixelsOfShapes; // an inch; nullopt: those of SVG
     std::optional<io::ShapeStyle> svg;
     std::optional<int> depth;
 };
@@ -145,6 +153,9 @@ Option& addThreadsOption(const OptionGroup& group, std::optional<int>& threads);
 Option& addSimdOption(const OptionGroup& group, std::optional<std::string>& simd);
 Option& addSeedOption(const OptionGroup& group, std::uint64_t& seed);
 Option& addSizeOption(const OptionGroup& group, QSize& size);
+// What a size on paper is in pixels: of shapes, in whole pixels where tenths of a millimetre allow it; of
+// pixels, at the resolution that is given or at 300 dpi, which is stored. Nothing happens without one.
+void settlePaperSize(RenderArguments& arguments, bool hasShapes);
 Option& addBackgroundOption(const OptionGroup& group, std::optional<attractor::Rgba>& background);
 
 // Looks at what does not fit together before a file is read.

@@ -187,6 +187,7 @@ private:
         if (m_arguments.frame && !document::animationFacts(entry))
             reportWarning(name, tr("“%1” has no animation: it is drawn as it is in every frame.")
                                     .arg(printableLine(entry.name)));
+        settlePaperSize(m_arguments, isOfShapes(m_format) && document::plane(entry));
         if (document::space(entry)) return drawInSpace(task, before, all);
         refuseSpaceOptions(m_arguments);
         if (isOfShapes(m_format)) checkShapes(m_arguments);
@@ -257,7 +258,7 @@ private:
         return true;
     }
 
-    const RenderArguments& m_arguments;
+    RenderArguments m_arguments;
     Format m_format;
     Interrupt m_interrupt;
     ProgressBar m_bar;

@@ -170,7 +170,8 @@ void addNumberOption(const OptionGroup& group, const NumberOption& option, std::
     const bool isFactor = number.scale == attractor::AppearanceNumber::Scale::Factor;
     const Value value = isFactor ? parsed(&place, positiveArgument)
                                  : parsed(&place, numberFrom(number.lowest, number.highest));
-    group.add(names, option.valueName, value, option.help, standard).is(Picture | Tone);
+    const bool isTone = number.part == attractor::AppearanceNumber::Part::Tone;
+    group.add(names, option.valueName, value, option.help, standard).is(Picture | (isTone ? Tone : InPlane));
 }
 
 void addColourOptions(Command& command, RenderArguments& arguments) {
@@ -412,6 +413,23 @@ void addSpaceOptions(Command& command, RenderArguments& arguments) {
         .is(Picture | InSpace);
 }
 
+// Frames of an animation have pixels alone.
+void letSizeBeOnPaper(Command& command, RenderArguments& arguments) {
+    Option& size = command.option("--size");
+    size.place = Place(ReadValue([&arguments](const std::string& option, const std::string& text) {
+        arguments.millimetres = paperSizeArgument(option, text);
+        if (!arguments.millimetres)
+            arguments.size = pictureSizeArgument(option, text);
+        else
+            settlePaperSize(arguments, true); // until it is known what is drawn
+    }));
+    size.description =
+        "Width and height in pixels, or on paper, such as 58mmx40mm; 1200x, x900 or 58mmx keeps "
+        "the proportions of the fractal";
+    size.moreOf("On paper, .svg and .pdf have exactly this size; pictures of pixels have the resolution "
+                "of --dpi, else 300 dots per inch.");
+}
+
 } // namespace
 
 void addFrameOptions(Command& command, RenderArguments& arguments) {
@@ -442,6 +460,7 @@ void addRenderOptions(Command& command, RenderArguments& arguments) {
         .required();
     addEntriesOption(command, arguments.entries, "the first that can be read").is(Picture);
     addFrameOptions(command, arguments);
+    letSizeBeOnPaper(command, arguments);
     addCageOptions(command, arguments);
     addAlgorithmOptions(command, arguments);
     addPartOptions(command, arguments);

@@ -66,9 +66,14 @@ void applyCage(document::Fractal& fractal, const RenderArguments& arguments) {
 
 namespace {
 
+attractor::YAxis yAxisOf(const RenderArguments& arguments) {
+    return arguments.yDown ? attractor::YAxis::Down : attractor::YAxis::Up;
+}
+
 // The box of all steps, or of the attractor.
 ViewBox boxOf(const document::Fractal& fractal, const RenderArguments& arguments) {
-    if (arguments.algorithm != attractor::Algorithm::Deterministic) return boxOfAttractor(fractal);
+    if (arguments.algorithm != attractor::Algorithm::Deterministic)
+        return boxOfAttractor(fractal, yAxisOf(arguments));
     const Steps steps = arguments.steps();
     ViewBox box = boxOfIterate(fractal, steps.first);
     for (int n = steps.first + 1; n <= steps.last; ++n) {
@@ -119,7 +124,7 @@ QSize completed(QSize size, const ifs::Vector<2>& extent) {
 
 attractor::Camera cameraOf(const Shown& shown, const RenderArguments& arguments, const QString& fileName) {
     const QSize& size = arguments.size;
-    const auto yAxis = arguments.yDown ? attractor::YAxis::Down : attractor::YAxis::Up;
+    const attractor::YAxis yAxis = yAxisOf(arguments);
     const double rotation = attractor::rotationOf(arguments.viewRotation.value_or(0));
     if (arguments.view) {
         attractor::View view = viewArgument("--view", arguments.view->text);

@@ -20,7 +20,8 @@ Frames::Frames(const document::Fractal& entry, const RenderArguments& arguments)
     if (document::plane(entry)) applyAppearance(m_entry.appearance, arguments);
     if (!document::animationFacts(entry) || arguments.view || io::hasCameraKeys(entry)) return;
     if (document::plane(entry))
-        m_common.box = io::boxOfFrames(entry);
+        m_common.box =
+            io::boxOfFrames(m_entry, arguments.yDown ? attractor::YAxis::Down : attractor::YAxis::Up);
     else
         m_common.support = io::supportOfFrames(entry);
 }

@@ -196,7 +196,10 @@ bool FileCommands::saveAs() {
             : m_file->path();
     const QString path = view::chooseFileToSave(m_context.window, tr("Save As"), suggestion,
                                                 tr("Fractint collections (*.ifs)"), QStringLiteral("ifs"));
-    if (path.isEmpty()) return false;
+    return !path.isEmpty() && saveTo(path);
+}
+
+bool FileCommands::saveTo(const QString& path) {
     if (const io::Failure failure = m_file->saveAs(path)) {
         m_context.messages->fail(tr("%1 was not saved").arg(QFileInfo(path).fileName()), *failure);
         return false;

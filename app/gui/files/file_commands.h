@@ -31,6 +31,7 @@ public:
 
     bool save();
     bool saveAs();
+    bool saveTo(const QString& path); // as saveAs() once the file is chosen
     // With the placements written into the code and all maps listed; the file of the window stays as it is.
     void saveForOtherPrograms();
     void revert();

@@ -2,11 +2,13 @@
 #include "lessons/lesson_commands.h"
 
 #include "desktop/preferences.h"
+#include "document/text/unique_names.h"
 #include "files/file_commands.h"
 #include "files/open_file.h"
 #include "files/recent_files.h"
 #include "io/file/background.h"
 #include "io/file/named_path.h"
+#include "io/file/slow_disk.h"
 #include "io/fractint/fractint_reader.h"
 #include "io/lesson/lesson_writer.h"
 #include "messages/save_question.h"
@@ -400,26 +402,43 @@ bool LessonCommands::maybeSave() {
     }
 }
 
-// The lesson refers to the file of its fractals.
-bool LessonCommands::isReadyToSave() {
-    if (m_notebook->isEmpty() || m_player->isPlaying()) return false;
-    return !m_file->path().isEmpty() || m_commands->saveAs();
+bool LessonCommands::isReadyToSave() const {
+    return !m_notebook->isEmpty() && !m_player->isPlaying();
+}
+
+// The lesson refers to the file of its fractals. Those that have none yet get one of the same name, so that
+// only the lesson is asked for; a file that is there already is left alone.
+bool LessonCommands::saveFractalsBeside(const QString& lesson) {
+    if (!m_file->path().isEmpty()) return true;
+    const QFileInfo info(lesson);
+    const QString base = info.dir().filePath(info.completeBaseName());
+    QString path = base + QStringLiteral(".ifs");
+    constexpr int mostTries = 100;
+    for (int k = 2; k < mostTries && io::answerSoon([path] { return QFile::exists(path); }).value_or(true);
+         ++k)
+        path = QStringLiteral("%1-%2.ifs").arg(base).arg(k);
+    return m_commands->saveTo(path);
 }
 
 bool LessonCommands::save() {
-    if (m_notebook->path().isEmpty()) return saveAs();
-    return isReadyToSave() && saveTo(m_notebook->path());
+    const QString path = m_notebook->path();
+    if (path.isEmpty()) return saveAs();
+    return isReadyToSave() && saveFractalsBeside(path) && saveTo(path);
 }
 
 bool LessonCommands::saveAs() {
     if (!isReadyToSave()) return false;
+    const bool hasFile = !m_file->path().isEmpty();
     const QFileInfo fractals(m_file->path());
     QString suggestion = m_notebook->path();
     if (suggestion.isEmpty())
-        suggestion = fractals.dir().filePath(fractals.completeBaseName() + QStringLiteral(".lesson"));
+        suggestion =
+            hasFile
+                ? fractals.dir().filePath(fractals.completeBaseName() + QStringLiteral(".lesson"))
+                : document::uniqueName({}, context().document->fractal().name) + QStringLiteral(".lesson");
     const QString path = view::chooseFileToSave(m_parts.window, tr("Save Lesson"), suggestion,
                                                 tr("Lessons (*.lesson)"), QStringLiteral("lesson"));
-    return !path.isEmpty() && saveTo(path);
+    return !path.isEmpty() && saveFractalsBeside(path) && saveTo(path);
 }
 
 bool LessonCommands::saveTo(const QString& path) {

@@ -55,7 +55,8 @@ private:
     void showPanel();
     bool save();
     bool saveAs();
-    bool isReadyToSave();
+    bool isReadyToSave() const;
+    bool saveFractalsBeside(const QString& lesson);
     bool saveTo(const QString& path);
     void addStep();
     void play();

@@ -8,6 +8,7 @@
 #include "dialogs/variations/random_dialog.h"
 #include "document/edits/cage/cage_edits.h"
 #include "document/edits/dimension_edits.h"
+#include "document/edits/shadow_edits.h"
 #include "document/variations/variations.h"
 #include "menus/clipboard_commands.h"
 #include "menus/snapshot_commands.h"
@@ -45,6 +46,7 @@ EditMenu::EditMenu(const MenuContext& context, SnapshotCommands& snapshots)
     snapshots.addTo(*this);
     addSeparator();
     addFractals();
+    addShadow();
     addDimensions();
     addSeparator();
     addToggle({"allow-systems-without-an-attractor",
@@ -125,7 +127,7 @@ void EditMenu::addFractals() {
     QAction* transform = add({"transform", tr("&Transform…"), QKeySequence(tr("Ctrl+T")),
                               tr("Rotate, scale, shear, reflect or move the whole fractal by exact amounts")},
                              [this] { openTransform(); });
-    QAction* mutate = add({"mutate", tr("&Mutate…"), QKeySequence(tr("Ctrl+M")),
+    QAction* mutate = add({"mutate", tr("&Variations…"), QKeySequence(tr("Ctrl+M")),
                            tr("Breed variations of this fractal, or cross it with another one")},
                           [this] { openMutate(); });
     disableWhen(transform, &document::cageObstacle);
@@ -133,6 +135,24 @@ void EditMenu::addFractals() {
     add({"add-random-fractal", tr("Add Ra&ndom Fractal…"), QKeySequence(tr("Ctrl+Shift+M")),
          tr("Choose from a sheet of random fractals and add one to the file")},
         [this] { addRandom(); });
+}
+
+// Checked while the entry has one.
+void EditMenu::addShadow() {
+    document::Document* document = context().document;
+    QAction* shadow = addToggle(
+        {"shadow", tr("S&hadow"), {}, tr("Lay a flat, dark copy of the picture on the ground behind it")},
+        [this, document](bool on) {
+            if (on == document::hasShadow(document->fractal())) return;
+            document->edit(on ? tr("Add a shadow") : tr("Remove the shadow"),
+                           document::withShadow(document->fractal(), on));
+            if (on && context().canvas->navigation().isFitted())
+                context().stage->fit(); // it may reach beyond
+        });
+    connect(document, &document::Document::changed, shadow,
+            [document, shadow] { shadow->setChecked(document::hasShadow(document->fractal())); });
+    shadow->setChecked(document::hasShadow(document->fractal()));
+    disableWhen(shadow, &document::shadowObstacle);
 }
 
 // To space and back. The window follows the dimension of the entry.

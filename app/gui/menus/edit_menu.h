@@ -20,6 +20,7 @@ private:
     void addHistory();
     void addClipboard();
     void addFractals();
+    void addShadow();
     void addDimensions();
     void openTransform();
     void openMutate();

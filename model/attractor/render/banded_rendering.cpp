@@ -3,11 +3,16 @@
 
 #include "attractor/arithmetic/arithmetic.h"
 #include "attractor/folds/density_fold.h"
+#include "attractor/light/shadow_layer.h"
 #include "attractor/render/render_state.h"
+#include "attractor/request/shadow.h"
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
+#include <optional>
 #include <utility>
+#include <vector>
 
 namespace attractor {
 
@@ -16,6 +21,7 @@ namespace {
 using Progress = BandedRendering::Progress;
 
 constexpr double shareOfMeasuring = 0.1;  // of the progress of the first band
+constexpr double shareOfPicture = 0.6;    // of the progress of a picture with a shadow
 constexpr double maxRelativeMeasure = 16; // of a moment to the first one
 
 void tell(const Progress& progress, double fraction) {
@@ -29,7 +35,10 @@ struct BandedRendering::State {
     std::optional<Exposure> exposure; // of the whole picture
     std::optional<DividedPicture> divided;
     std::vector<RenderRequest> moments; // of a shutter
+    std::unique_ptr<State> shadow;      // nullptr: the picture has none
+    ShadowLayer layer;                  // of the shadow
 
+    void start(RenderRequest request);
     bool drawPass(std::uint64_t number, const std::stop_token& stop, const Progress& progress);
     bool draw(int firstRow, int rows, std::uint64_t number, const std::stop_token& stop);
     bool drawAll(int firstRow, int rows, const std::stop_token& stop, const Progress& progress);
@@ -42,7 +51,21 @@ struct BandedRendering::State {
     template <class Pixel>
     bool band(int firstRow, int rows, std::span<Pixel> pixels, const std::stop_token& stop,
               const Progress& progress);
+    template <class Pixel>
+    bool layOverShadow(int firstRow, int rows, std::span<Pixel> pixels, const std::stop_token& stop,
+                       const Progress& progress);
 };
+
+void BandedRendering::State::start(RenderRequest request) {
+    if (std::optional<RenderRequest> ofShadow = shadowRequest(request)) {
+        shadow = std::make_unique<State>();
+        shadow->start(*std::move(ofShadow));
+        layer = {request.appearance.shadow, request.appearance.background};
+        request = requestAboveShadow(std::move(request));
+    }
+    render.start(std::move(request));
+    render.rewind(0, 0);
+}
 
 bool BandedRendering::State::drawPass(std::uint64_t number, const std::stop_token& stop,
                                       const Progress& progress) {
@@ -176,16 +199,32 @@ bool BandedRendering::State::band(int firstRow, int rows, std::span<Pixel> pixel
     if (pixels.empty()) return true;
     const double begin = exposure ? 0 : shareOfMeasuring;
     if (!exposure && !measure(stop)) return false;
-    const auto drawing = [&](double fraction) { tell(progress, begin + (1 - begin) * fraction); };
+    const double end = shadow ? shareOfPicture : 1;
+    const auto drawing = [&](double fraction) { tell(progress, end * (begin + (1 - begin) * fraction)); };
     if (!drawAll(firstRow, rows, stop, drawing)) return false;
     if (!render.fold().tone(*exposure, pixels, stop)) return false;
+    if (shadow && !layOverShadow(firstRow, rows, pixels, stop,
+                                 [&](double fraction) { tell(progress, end + (1 - end) * fraction); }))
+        return false;
     tell(progress, 1);
     return true;
 }
 
+// The shadow has its own mean density, which follows from its size, and else the exposure of the picture.
+template <class Pixel>
+bool BandedRendering::State::layOverShadow(int firstRow, int rows, std::span<Pixel> pixels,
+                                           const std::stop_token& stop, const Progress& progress) {
+    if (!shadow->exposure && !shadow->measure(stop)) return false;
+    shadow->exposure->whitePoint = exposure->whitePoint;
+    shadow->exposure->gain = exposure->gain;
+    std::vector<Pixel> under(pixels.size());
+    if (!shadow->band(firstRow, rows, std::span<Pixel>(under), stop, progress)) return false;
+    layer.putUnder(pixels, under);
+    return true;
+}
+
 BandedRendering::BandedRendering(RenderRequest request) : m_state(std::make_unique<State>()) {
-    m_state->render.start(std::move(request));
-    m_state->render.rewind(0, 0);
+    m_state->start(std::move(request));
 }
 
 BandedRendering::~BandedRendering() = default;
@@ -199,7 +238,8 @@ std::size_t BandedRendering::bytesPerRow(const RenderRequest& request) {
     const std::size_t cell = coloursSamples(request.appearance.colourBy)
                                  ? threads * (sizeof(ColourCell) + sizeof(CellSums::Sum))
                                  : threads * sizeof(std::uint32_t) + sizeof(std::uint64_t);
-    return static_cast<std::size_t>(std::max(1, request.camera.width)) * side * side * cell;
+    const std::size_t layers = hasShadow(request) ? 2 : 1;
+    return static_cast<std::size_t>(std::max(1, request.camera.width)) * side * side * cell * layers;
 }
 
 int BandedRendering::rowsWithin(const RenderRequest& request, std::size_t bytes) {
@@ -222,15 +262,31 @@ bool BandedRendering::band(int firstRow, int rows, std::span<Rgba16> pixels, con
 }
 
 void BandedRendering::divide(DividedPicture picture) {
-    m_state->divided = std::move(picture);
+    State& state = *m_state;
+    if (state.shadow && !picture.passes.empty()) { // drawn here whole, with the samples of all passes
+        double samples = 0;
+        for (const DividedPicture::Pass& pass : picture.passes)
+            samples += static_cast<double>(pass.samples);
+        RenderRequest ofShadow = state.shadow->render.request();
+        const double passes =
+            samples / static_cast<double>(std::max<std::uint64_t>(1, picture.passes.front().samples));
+        ofShadow.samples = static_cast<std::uint64_t>(static_cast<double>(ofShadow.samples) * passes);
+        state.shadow->start(std::move(ofShadow));
+    }
+    state.divided = std::move(picture);
 }
 
 void BandedRendering::openShutter(std::vector<RenderRequest> moments) {
-    m_state->moments = std::move(moments);
-    for (RenderRequest& moment : m_state->moments) {
-        moment.samples = std::max<std::uint64_t>(1, moment.samples / m_state->moments.size());
-        moment.threads = m_state->render.request().threads;
+    State& state = *m_state;
+    if (state.shadow) state.shadow->moments.clear();
+    for (RenderRequest& moment : moments) {
+        moment.samples = std::max<std::uint64_t>(1, moment.samples / moments.size());
+        moment.threads = state.render.request().threads;
+        if (!state.shadow) continue;
+        state.shadow->moments.push_back(shadowRequest(moment).value_or(state.shadow->render.request()));
+        moment = requestAboveShadow(std::move(moment));
     }
+    state.moments = std::move(moments);
 }
 
 std::uint64_t BandedRendering::units(std::span<const std::uint64_t> samples) const {

@@ -1,23 +1,56 @@
 // SPDX-License-Identifier: MIT
 #include "attractor/render/renderer.h"
 
+#include "attractor/light/shadow_layer.h"
 #include "attractor/render/render_state.h"
+#include "attractor/request/shadow.h"
 
 #include <algorithm>
 #include <chrono>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <vector>
 
 namespace attractor {
 
+namespace {
+
+bool isCaughtUp(RenderState& render, const std::stop_token& stop) {
+    return !render.fold().interrupted() || render.complete(stop);
+}
+
+} // namespace
+
 struct Rendering::State {
     RenderState render;
+    RenderRequest request; // the picture and its shadow
+    std::unique_ptr<RenderState> shadow;
+    std::vector<std::uint32_t> shadowPixels;
     int passes = 0;
     double milliseconds = 0; // of the last one
 
     // What a stop has left of the present pass.
     bool catchUp(const std::stop_token& stop) {
-        return !render.fold().interrupted() || render.complete(stop);
+        return isCaughtUp(render, stop) && (!shadow || isCaughtUp(*shadow, stop));
     }
+    void layOverShadow(Frame& frame, const std::stop_token& stop);
 };
+
+// The shadow is as bright as the picture: with its own mean density, which follows from its size, the white
+// point and the gain of the picture, and as far from the mean as the picture is while it adapts.
+void Rendering::State::layOverShadow(Frame& frame, const std::stop_token& stop) {
+    const std::optional<Exposure> own = shadow->fold().exposure(stop);
+    if (!own) return;
+    Exposure shown = frame.shown;
+    shown.meanDensity = frame.exposure.meanDensity > 0
+                            ? own->meanDensity * frame.shown.meanDensity / frame.exposure.meanDensity
+                            : own->meanDensity;
+    shadowPixels.resize(frame.pixels.size());
+    if (!shadow->fold().tone(shown, shadowPixels, stop)) return;
+    ShadowLayer{request.appearance.shadow, request.appearance.background}.putUnder(frame.pixels,
+                                                                                   shadowPixels);
+}
 
 Rendering::Rendering(RenderRequest request) : m_state(std::make_unique<State>()) {
     restart(std::move(request));
@@ -28,8 +61,16 @@ Rendering::Rendering(Rendering&&) noexcept = default;
 Rendering& Rendering::operator=(Rendering&&) noexcept = default;
 
 void Rendering::restart(RenderRequest request) {
-    m_state->render.start(std::move(request));
+    std::optional<RenderRequest> shadow = shadowRequest(request);
+    m_state->request = request;
+    m_state->render.start(shadow ? requestAboveShadow(std::move(request)) : std::move(request));
     m_state->render.rewind(0, m_state->render.request().camera.height);
+    if (!shadow) m_state->shadow.reset();
+    if (shadow) {
+        if (!m_state->shadow) m_state->shadow = std::make_unique<RenderState>();
+        m_state->shadow->start(*std::move(shadow));
+        m_state->shadow->rewind(0, m_state->request.camera.height);
+    }
     m_state->passes = 0;
     m_state->milliseconds = 0;
 }
@@ -38,8 +79,11 @@ bool Rendering::refine(std::stop_token stop, std::uint64_t samples) {
     const auto begin = std::chrono::steady_clock::now();
     RenderState& render = m_state->render;
     if (!m_state->catchUp(stop)) return false;
-    render.fold().begin(samples > 0 ? samples : render.request().samples);
-    if (!render.complete(stop)) return false;
+    const std::uint64_t pass = samples > 0 ? samples : render.request().samples;
+    render.fold().begin(pass);
+    RenderState* const shadow = m_state->shadow.get();
+    if (shadow) shadow->fold().begin(shadowSamples(m_state->request, pass));
+    if (!render.complete(stop) || (shadow && !shadow->complete(stop))) return false;
     ++m_state->passes;
     const std::chrono::duration<double, std::milli> time = std::chrono::steady_clock::now() - begin;
     m_state->milliseconds = time.count();
@@ -47,7 +91,7 @@ bool Rendering::refine(std::stop_token stop, std::uint64_t samples) {
 }
 
 bool Rendering::finished() const {
-    return m_state->render.finished();
+    return m_state->render.finished() && (!m_state->shadow || m_state->shadow->finished());
 }
 
 Exposure Rendering::exposure(std::stop_token stop) const {
@@ -57,7 +101,7 @@ Exposure Rendering::exposure(std::stop_token stop) const {
 
 Frame Rendering::frame(Frame reuse, std::stop_token stop, const std::optional<Exposure>& other) const {
     m_state->catchUp(stop);
-    const RenderRequest& request = m_state->render.request();
+    const RenderRequest& request = m_state->request;
     Fold& fold = m_state->render.fold();
     Frame result;
     result.pixels = std::move(reuse.pixels);
@@ -79,6 +123,7 @@ Frame Rendering::frame(Frame reuse, std::stop_token stop, const std::optional<Ex
     result.exposure = *exposure;
     result.shown = other ? *other : *exposure;
     fold.tone(result.shown, result.pixels, stop);
+    if (m_state->shadow) m_state->layOverShadow(result, stop);
     return result;
 }
 

@@ -53,6 +53,9 @@ struct Appearance {
     double gamma = 2.2;               // > 0
     double contrast = 1;              // > 0; above 1, light and dark part from the middle
     double vibrancy = 1;              // 0 … 1; below 1, the gamma acts in part on each channel, and pales
+    double shadow = 0;                // 0 … 1, opacity of the shadow on the ground; 0: none
+    double shadowLean = 0.6;          // how far to the right, and
+    double shadowLength = 0.4;        // how far up, the shadow of what stands one unit above the ground ends
     int supersample = 1;              // 1 … 4
 
     friend bool operator==(const Appearance&, const Appearance&) = default;

@@ -16,6 +16,7 @@ struct AppearanceNumber {
         Even,   // keys and sliders change it by constant differences
     };
     enum class InKeys { Always, IfUnusual }; // whether a key of an animation stores the usual value
+    enum class Part { Tone, Shadow };        // of the picture; only a picture in the plane has a shadow
 
     const char* key; // in files; the option is this with two dashes
     double Appearance::*member;
@@ -23,6 +24,7 @@ struct AppearanceNumber {
     double lowest; // excluded if the scale is one of factors
     double highest;
     InKeys inKeys = InKeys::IfUnusual;
+    Part part = Part::Tone;
 
     // False for what is out of range or not a number.
     constexpr bool accepts(double value) const {
@@ -31,6 +33,7 @@ struct AppearanceNumber {
 };
 
 inline constexpr double largestAppearanceNumber = std::numeric_limits<double>::max();
+inline constexpr double longestShadow = 10; // of what is one unit high
 inline constexpr std::array appearanceNumbers{
     AppearanceNumber{"brightness", &Appearance::brightness, AppearanceNumber::Scale::Factor, 0,
                      largestAppearanceNumber, AppearanceNumber::InKeys::Always},
@@ -39,6 +42,13 @@ inline constexpr std::array appearanceNumbers{
     AppearanceNumber{"contrast", &Appearance::contrast, AppearanceNumber::Scale::Factor, 0,
                      largestAppearanceNumber},
     AppearanceNumber{"vibrancy", &Appearance::vibrancy, AppearanceNumber::Scale::Even, 0, 1},
+    AppearanceNumber{"shadow", &Appearance::shadow, AppearanceNumber::Scale::Even, 0, 1,
+                     AppearanceNumber::InKeys::IfUnusual, AppearanceNumber::Part::Shadow},
+    AppearanceNumber{"shadow-lean", &Appearance::shadowLean, AppearanceNumber::Scale::Even, -longestShadow,
+                     longestShadow, AppearanceNumber::InKeys::IfUnusual, AppearanceNumber::Part::Shadow},
+    AppearanceNumber{"shadow-length", &Appearance::shadowLength, AppearanceNumber::Scale::Even,
+                     -longestShadow, longestShadow, AppearanceNumber::InKeys::IfUnusual,
+                     AppearanceNumber::Part::Shadow},
 };
 
 struct AppearanceColour {

@@ -5,6 +5,7 @@
 #include "attractor/request/camera.h"
 #include "ifs/cage/control_cage.h"
 #include "ifs/names.h"
+#include "ifs/system/affine_map.h"
 #include "ifs/system/branch.h"
 #include "ifs/system/iterated_function_system.h"
 
@@ -38,6 +39,8 @@ struct RenderRequest {
     std::optional<ifs::ControlCage<2>> cage; // nullopt: the code is drawn as it is
     std::vector<ifs::MovedBranch<2>> moved;  // before the cage; words over indices in the system
     Appearance appearance;
+    // Takes the picture to its shadow, in world coordinates; nullopt: it has none. See shadowRequest().
+    std::optional<ifs::AffineMap<2>> shadow;
     Camera camera;
     Algorithm algorithm = Algorithm::Density;
     std::uint64_t samples = 10'000'000; // Density: samples in one pass, all spent on words that meet the view

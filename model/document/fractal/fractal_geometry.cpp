@@ -2,6 +2,7 @@
 #include "document/fractal/fractal_geometry.h"
 
 #include "attractor/cut/address_cut.h"
+#include "attractor/request/shadow.h"
 #include "document/fractal/recurring_branches.h"
 #include "ifs/extent/extent.h"
 #include "ifs/links/linked_existence.h"
@@ -22,8 +23,8 @@ namespace {
 constexpr double relativeTolerance = 1e-10;
 
 // Of the words of a fine cut, in the smallest picture that holds the current vertices with room to spare.
-std::optional<Box> boxOfBend(const Fractal& fractal, const ifs::Placement& placement) {
-    const std::vector<ifs::Vector<2>>& vertices = cage2(fractal)->current;
+std::optional<Box> boxOfBend(const Fractal& fractal, const ifs::Placement& placement,
+                             const std::vector<ifs::Vector<2>>& vertices) {
     ifs::Vector<2> low = vertices[0];
     ifs::Vector<2> high = low;
     for (const ifs::Vector<2>& vertex : vertices) {
@@ -182,11 +183,15 @@ attractor::RenderRequest renderRequest(const Fractal& fractal, const attractor::
     }
     request.moved = movedBranches(fractal);
     request.appearance = fractal.appearance;
+    request.shadow = shadowMap(fractal, camera.yAxis);
     request.camera = camera;
     return request;
 }
 
-std::optional<Box> displayedBox(const Fractal& fractal) {
+namespace {
+
+// Of the picture moved by `map`.
+std::optional<Box> boxOf(const Fractal& fractal, const ifs::AffineMap<2>& map) {
     const auto support = supportFunction(fractal);
     const auto linked = linkedExtent(fractal);
     if (!support && !linked) return std::nullopt;
@@ -199,13 +204,16 @@ std::optional<Box> displayedBox(const Fractal& fractal) {
         return h.value + h.error;
     };
     const ifs::Placement placed = placement(fractal);
-    if (placed.bend() != nullptr) return boxOfBend(fractal, placed);
+    if (placed.bend() != nullptr) {
+        const ifs::ControlCage<2> cage = attractor::movedCage(*cage2(fractal), map);
+        return boxOfBend(fractal, {cage, placed.bend()->coordinates()}, cage.current);
+    }
     const std::vector<ifs::AffineMap<2>> pieces = shownPieces(*plane(fractal));
     // h_{M(A)}(u) = h_A(Mᵀu) + ⟨u, t⟩
     const auto extent = [&](const ifs::Vector<2>& u) {
         double farthest = -HUGE_VAL;
         for (const ifs::AffineMap<2>& piece : pieces) {
-            const ifs::AffineMap<2> display = placed.affine() * piece;
+            const ifs::AffineMap<2> display = map * placed.affine() * piece;
             farthest =
                 std::max(farthest, height(display.linear.transpose() * u) + u.dot(display.translation));
         }
@@ -214,6 +222,28 @@ std::optional<Box> displayedBox(const Fractal& fractal) {
     const Box box{{-extent({-1, 0}), -extent({0, -1})}, {extent({1, 0}), extent({0, 1})}};
     if (!box.min.allFinite() || !box.max.allFinite()) return std::nullopt;
     return box;
+}
+
+} // namespace
+
+std::optional<Box> displayedBox(const Fractal& fractal) {
+    return boxOf(fractal, {});
+}
+
+std::optional<ifs::AffineMap<2>> shadowMap(const Fractal& fractal, attractor::YAxis yAxis) {
+    if (!(fractal.appearance.shadow > 0) || !plane(fractal)) return std::nullopt;
+    const auto box = displayedBox(fractal);
+    if (!box) return std::nullopt;
+    const double ground = yAxis == attractor::YAxis::Up ? box->min.y() : box->max.y();
+    return attractor::shadowMap(fractal.appearance, ground, yAxis);
+}
+
+std::optional<Box> boxWithShadow(const Fractal& fractal, attractor::YAxis yAxis) {
+    std::optional<Box> box = displayedBox(fractal);
+    const auto map = box ? shadowMap(fractal, yAxis) : std::nullopt;
+    const auto fallen = map ? boxOf(fractal, *map) : std::nullopt;
+    if (!fallen) return box;
+    return Box{box->min.cwiseMin(fallen->min), box->max.cwiseMax(fallen->max)};
 }
 
 } // namespace document

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "attractor/request/camera.h"
 #include "attractor/request/render_request.h"
 #include "document/fractal/fractal.h"
 #include "ifs/cage/control_cage.h"
@@ -55,6 +56,9 @@ std::optional<ifs::IteratedFunctionSystem<Dim>> effectiveSystem(const Fractal& f
 // The extent of its attractor, without the branches that are moved; nullopt where it has none.
 template <int Dim> std::optional<ifs::SupportFunction<Dim>> displayedSupport(const Fractal& fractal);
 
+// What takes the displayed picture to its shadow, whose ground is the lowest line of the picture as the y
+// axis has it; nullopt where it has none, or the attractor has no certified box.
+std::optional<ifs::AffineMap<2>> shadowMap(const Fractal& fractal, attractor::YAxis yAxis);
 // The request that draws the fractal through the camera with default quality.
 attractor::RenderRequest renderRequest(const Fractal& fractal, const attractor::Camera& camera);
 
@@ -65,5 +69,7 @@ struct Box {
     ifs::Vector<2> max;
 };
 std::optional<Box> displayedBox(const Fractal& fractal);
+// The same with the shadow.
+std::optional<Box> boxWithShadow(const Fractal& fractal, attractor::YAxis yAxis);
 
 } // namespace document

@@ -20,8 +20,8 @@ Fractal heldByItsCage(Fractal entry) {
     return entry;
 }
 
-void addMoment(MotionExtent& extent, const Fractal& shown) {
-    if (const auto box = displayedBox(shown))
+void addMoment(MotionExtent& extent, const Fractal& shown, attractor::YAxis yAxis) {
+    if (const auto box = boxWithShadow(shown, yAxis))
         extent.picture = extent.picture ? united(*extent.picture, *box) : *box;
     if (const auto* cage = cage2(shown))
         extent.corners.insert(extent.corners.end(), cage->current.begin(), cage->current.end());
@@ -43,14 +43,15 @@ Box united(const Box& a, const Box& b) {
     return {a.min.cwiseMin(b.min), a.max.cwiseMax(b.max)};
 }
 
-MotionExtent motionExtent(const Fractal& entry, const std::function<bool()>& stopped) {
+MotionExtent motionExtent(const Fractal& entry, const std::function<bool()>& stopped,
+                          attractor::YAxis yAxis) {
     MotionExtent extent;
     const Shape<2>* shape = plane(entry);
     if (!shape) return extent;
     const Fractal held = heldByItsCage(entry);
     const auto facts = animationFacts(entry);
     if (!facts) {
-        addMoment(extent, held);
+        addMoment(extent, held, yAxis);
         return extent;
     }
     std::vector<animation::Moment> looked = moments(*facts, evenMoments);
@@ -58,7 +59,7 @@ MotionExtent motionExtent(const Fractal& entry, const std::function<bool()>& sto
         looked.push_back(animation::moment(frame));
     for (const animation::Moment& moment : looked) {
         if (stopped()) break;
-        addMoment(extent, frameAt(held, moment).fractal);
+        addMoment(extent, frameAt(held, moment).fractal, yAxis);
     }
     return extent;
 }

@@ -19,9 +19,10 @@ struct MotionExtent {
 // The smallest box around both.
 Box united(const Box& a, const Box& b);
 
-// Looks at evenly spaced moments and at the keys. An entry without an animation has a single moment.
-// `stopped` is asked before each; what is returned after it said yes means nothing. Any thread.
+// With the shadow. Looks at evenly spaced moments and at the keys. An entry without an animation has a single
+// moment. `stopped` is asked before each; what is returned after it said yes means nothing. Any thread.
 MotionExtent motionExtent(
-    const Fractal& entry, const std::function<bool()>& stopped = [] { return false; });
+    const Fractal& entry, const std::function<bool()>& stopped = [] { return false; },
+    attractor::YAxis yAxis = attractor::YAxis::Up);
 
 } // namespace document

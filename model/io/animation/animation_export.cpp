@@ -13,6 +13,9 @@
 #include <QFileInfo>
 
 #include <algorithm>
+#include <memory>
+#include <new>
+#include <utility>
 
 namespace io {
 
@@ -220,6 +223,22 @@ QStringList replacedFiles(const AnimationExport& unkeyed, const QString& path) {
 
 Failure animationObstacle(const AnimationExport& what) {
     return what.format ? videoObstacle(settingsOf(what)) : Failure();
+}
+
+std::optional<QImage> framePreview(AnimationExport what, int frame, const QSize& pixels,
+                                   const std::stop_token& stop) {
+    constexpr std::uint64_t perPixel = 40;
+    if (pixels.isEmpty()) return std::nullopt;
+    what = withViewKeyed(std::move(what));
+    what.size = pixels;
+    what.points = perPixel * std::uint64_t(pixels.width()) * std::uint64_t(pixels.height());
+    try {
+        FrameDrawing drawing(std::make_unique<PlainFrames>(what), {0, Exposing::Each});
+        const QImage image = drawing.draw(frame, {}, stop).image;
+        return image.isNull() || stop.stop_requested() ? std::nullopt : std::optional(image);
+    } catch (const std::bad_alloc&) {
+        return std::nullopt;
+    }
 }
 
 ExportOutcome exportAnimation(const AnimationExport& what, const QString& path, const Progress& progress,

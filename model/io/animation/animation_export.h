@@ -5,11 +5,13 @@
 #include "io/animation/frame_drawing.h"
 #include "io/video/format/video_format.h"
 
+#include <QImage>
 #include <QSize>
 #include <QStringList>
 
 #include <cstdint>
 #include <optional>
+#include <stop_token>
 #include <vector>
 
 namespace io {
@@ -45,6 +47,11 @@ QStringList replacedFiles(const AnimationExport& what, const QString& path);
 
 // Why it cannot be written: an encoder is missing, or the format does not have this size or rate.
 Failure animationObstacle(const AnimationExport& what);
+
+// A frame in so many pixels, as bright as it is by itself, for a dialog. nullopt when stopped, and where
+// there is no room for it.
+std::optional<QImage> framePreview(AnimationExport what, int frame, const QSize& pixels,
+                                   const std::stop_token& stop = {});
 
 // Draws the frames one after the other and writes them. A video appears whole or not at all. So does each
 // picture; those that are complete and of the same request stay as they are, so that stopped work goes on

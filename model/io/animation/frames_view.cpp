@@ -72,8 +72,8 @@ FrameSupport supportOf(const document::Shape<3>& shape) {
 
 } // namespace
 
-ViewBox boxOfAttractor(const document::Fractal& fractal) {
-    if (const auto box = document::displayedBox(fractal)) return {box->min, box->max, true};
+ViewBox boxOfAttractor(const document::Fractal& fractal, attractor::YAxis yAxis) {
+    if (const auto box = document::boxWithShadow(fractal, yAxis)) return {box->min, box->max, true};
     const attractor::PreparedSystem system =
         attractor::prepared(*document::system2(fractal), document::movedBranches(fractal));
     const ifs::Placement toDisplay = document::placement(fractal);
@@ -88,11 +88,11 @@ ViewBox boxOfAttractor(const document::Fractal& fractal) {
     return box;
 }
 
-ViewBox boxOfFrames(const document::Fractal& entry) {
+ViewBox boxOfFrames(const document::Fractal& entry, attractor::YAxis yAxis) {
     constexpr int maxMoments = 121;
     std::optional<ViewBox> found, lost;
     for (const animation::Moment& moment : sampled(entry, maxMoments)) {
-        const ViewBox next = boxOfAttractor(document::frameAt(entry, moment).fractal);
+        const ViewBox next = boxOfAttractor(document::frameAt(entry, moment).fractal, yAxis);
         std::optional<ViewBox>& all = !next.certified && isLost(entry, moment) ? lost : found;
         if (!all) all = next;
         all->min = all->min.cwiseMin(next.min);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "animation/paths/camera_path.h"
+#include "attractor/request/camera.h"
 #include "attractor/request/orbit_camera.h"
 #include "document/fractal/fractal.h"
 
@@ -16,12 +17,13 @@ struct ViewBox {
     bool certified = true; // false: where orbits spend most of their time
 };
 
-ViewBox boxOfAttractor(const document::Fractal& fractal); // in the plane, as displayed, under its cage
+// In the plane, as displayed, under its cage and with its shadow.
+ViewBox boxOfAttractor(const document::Fractal& fractal, attractor::YAxis yAxis = attractor::YAxis::Up);
 
 // Of an entry with an animation, at up to 121 moments in the plane and 33 in space: margins cover what is
 // between them. Moments that are proved to have no attractor, whose points escape, count only where no other
 // does.
-ViewBox boxOfFrames(const document::Fractal& entry);
+ViewBox boxOfFrames(const document::Fractal& entry, attractor::YAxis yAxis = attractor::YAxis::Up);
 // In space, as a camera sees them that has not gone round yet: turns about a pivot are taken back. Those
 // about the target of the camera are not, because the target is not known.
 attractor::Support supportOfFrames(const document::Fractal& entry);

@@ -138,8 +138,9 @@ void writeAppearance(JsonWriter& json, const document::Fractal& fractal) {
     json.key("appearance");
     json.beginObject();
     json.member("colourBy", int(appearance.colourBy));
-    for (const auto& number : attractor::appearanceNumbers)
-        json.member(number.key, appearance.*number.member);
+    for (const auto& number : attractor::appearanceNumbers) // the engine of pages draws no shadow
+        if (number.part == attractor::AppearanceNumber::Part::Tone)
+            json.member(number.key, appearance.*number.member);
     json.member("supersample", appearance.supersample);
     for (const auto& [key, colour] : attractor::appearanceColours) {
         json.key(key);

@@ -187,7 +187,7 @@ private:
         if (document::space(fractal)) return drawnInSpace(fractal);
         constexpr std::size_t cells = 64U << 20; // bytes
         if (!document::system2(fractal)) return {};
-        const auto box = document::displayedBox(fractal);
+        const auto box = document::boxWithShadow(fractal, attractor::YAxis::Up);
         if (!box) return {};
         attractor::Camera camera;
         camera.width = m_layout.tile.width();

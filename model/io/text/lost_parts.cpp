@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "io/text/lost_parts.h"
 
+#include "attractor/request/appearance_fields.h"
 #include "document/edits/cage/cage_edits.h"
 #include "document/edits/maps/map_locks.h"
 #include "document/edits/maps/symmetry_edits.h"
@@ -76,6 +77,10 @@ std::optional<QString> lostParts(const KeptParts& kept, const document::Fractal&
         rest.contrast = usual.contrast;
         rest.vibrancy = usual.vibrancy;
     }
+    if (rest.shadow > 0) lost << Text::tr("its shadow");
+    for (const auto& number : attractor::appearanceNumbers)
+        if (number.part == attractor::AppearanceNumber::Part::Shadow)
+            rest.*number.member = usual.*number.member;
     if (!(rest == usual)) lost << Text::tr("its other colour settings");
     if (lost.isEmpty()) return std::nullopt;
     const QString last = lost.takeLast();

@@ -44,6 +44,8 @@ const std::vector<const char*> inPlane{
     "--size 48x36 --points 20000 --brightness 9",
     "--size 48x36 --points 20000 --contrast 2",
     "--size 48x36 --points 20000 --vibrancy 0.5",
+    "--size 48x36 --points 20000 --shadow 0.5",
+    "--size 48x36 --points 20000 --shadow 0.5 --shadow-lean 2",
     "--size 48x36 --points 20000 --margin 6",
     "--size 48x36 --points 20000 --background black",
     "--size 48x36 --points 20000 --palette Fern",

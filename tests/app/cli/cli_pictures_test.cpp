@@ -6,9 +6,13 @@
 #include <QFile>
 #include <QImage>
 #include <QProcess>
+#include <QRegularExpression>
 #include <QTest>
 #include <QXmlStreamReader>
 #include <QtEndian>
+
+#include <cmath>
+#include <tuple>
 
 // The kinds of files that barycage-cli render and gallery write, and what explains a picture.
 class CliPicturesTest : public CommandLineTest {
@@ -32,6 +36,7 @@ private slots:
     void sheetsAreWrittenInEveryFormat();
     void largeTilesTakeLittleMemory();
     void pagesOfASheet();
+    void sizesOnPaperAreExact();
 
 private:
     QImage picture(const QByteArray& options) const;
@@ -337,6 +342,39 @@ void CliPicturesTest::pagesOfASheet() {
     QCOMPARE(pages("--page 200x2000"), 1);
     for (const QByteArray page : {"A9", "10x10", "axb", "297", "100x6000"})
         QCOMPARE(pages("--page " + page), -1);
+}
+
+// In millimetres, whatever is drawn.
+void CliPicturesTest::sizesOnPaperAreExact() {
+    const auto draw = [&](const QByteArray& options) {
+        return run("render systems.ifs --points 20000 " + options).status;
+    };
+    for (const auto& [size, width, height] :
+         {std::tuple("58mmx40mm", "58mm", "40mm"), std::tuple("101.6MMx76.2mm", "101.6mm", "76.2mm")}) {
+        QCOMPARE(run(QByteArray("render systems.ifs -o paper.svg --size ") + size).status, 0);
+        QXmlStreamReader xml(read("paper.svg"));
+        QVERIFY(xml.readNextStartElement());
+        QCOMPARE(xml.attributes().value(QLatin1String("width")).toString(), QLatin1String(width));
+        QCOMPARE(xml.attributes().value(QLatin1String("height")).toString(), QLatin1String(height));
+    }
+    QCOMPARE(run("render systems.ifs -o paper.pdf --size 58mmx40mm").status, 0);
+    static const QRegularExpression box(QStringLiteral("/MediaBox ?\\[0 0 ([0-9.]+) ([0-9.]+)\\]"));
+    const auto page = box.match(QString::fromLatin1(read("paper.pdf")));
+    QVERIFY(page.hasMatch());
+    QVERIFY(std::abs(page.captured(1).toDouble() - 58 / 25.4 * 72) < 0.01);
+    QVERIFY(std::abs(page.captured(2).toDouble() - 40 / 25.4 * 72) < 0.01);
+    QCOMPARE(draw("-o paper.png --size 58mmx40mm --dpi 254"), 0);
+    QCOMPARE(QImage(path("paper.png")).size(), QSize(580, 400));
+    QCOMPARE(QImage(path("paper.png")).dotsPerMeterX(), 10'000);
+    QCOMPARE(draw("-o paper.png --size 25.4mmx12.7mm"), 0);
+    QCOMPARE(QImage(path("paper.png")).size(), QSize(300, 150));
+    QCOMPARE(QImage(path("paper.png")).dotsPerMeterX(), 11'811);
+    QCOMPARE(draw("-o paper.png --size 25.4mmx"), 0);
+    QCOMPARE(QImage(path("paper.png")).width(), 300);
+    for (const QByteArray wrong :
+         {"58mmx40", "58x40mm", "0mmx40mm", "mmxmm", "-1mmx2mm", "58mmx40mmx", "1e3mmx2mm"})
+        QCOMPARE(draw("-o wrong.png --size " + wrong), 2);
+    QVERIFY(!QFile::exists(path("wrong.png")));
 }
 
 BARYCAGE_TEST(CliPicturesTest, QCoreApplication);

@@ -310,6 +310,8 @@ void CliRenderTest::pictureOptionsCount() {
     QCOMPARE(draw("--supersample 3").status, 0);
     QCOMPARE(draw("--contrast 3").status, 0);
     QCOMPARE(draw("--vibrancy 0.2").status, 0);
+    QCOMPARE(draw("--shadow 0.5").status, 0);
+    QCOMPARE(draw("--shadow 0.5 --shadow-lean -1 --shadow-length -0.5").status, 0);
     QCOMPARE(draw("--colour map --contrast 0.5 --vibrancy 0").status, 0);
     QCOMPARE(draw("--palette ink").status, 0);
     QCOMPARE(draw("--palette p.gpl").status, 0);

@@ -178,6 +178,7 @@ void CliSolidTest::optionsThatMakeNoSenseAreRefused_data() {
     QTest::newRow("gamma") << QByteArray("--look ink --gamma 2") << QByteArray("--gamma");
     QTest::newRow("contrast") << QByteArray("--contrast 2") << QByteArray("--contrast");
     QTest::newRow("vibrancy") << QByteArray("--look normals --vibrancy 0") << QByteArray("--vibrancy");
+    QTest::newRow("shadow") << QByteArray("--shadow 0.5") << QByteArray("--shadow");
     QTest::newRow("ink") << QByteArray("--look ink --light 0,0") << QByteArray("--light");
     QTest::newRow("normals") << QByteArray("--look normals --fog 1") << QByteArray("--fog");
     QTest::newRow("cloud") << QByteArray("--look cloud --light 0,0") << QByteArray("only to solids");

@@ -98,6 +98,8 @@ void CliTest::wrongUsage_data() {
     row("render systems.ifs -o x.png --contrast 0");
     row("render systems.ifs -o x.png --vibrancy 1.5");
     row("render systems.ifs -o x.png --vibrancy -1");
+    row("render systems.ifs -o x.png --shadow 2");
+    row("render systems.ifs -o x.png --shadow-lean 11");
     row("render systems.ifs -o x.svg --contrast 2");
     row("render systems.ifs -o x.pdf --vibrancy 0");
     row("render systems.ifs -o x.png --bits 12");

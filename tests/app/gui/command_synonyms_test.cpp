@@ -59,7 +59,8 @@ void CommandSynonymsTest::wordsOfOthersFindTheirCommand_data() {
     row("en", "turntable", "Orbit");
     row("en", "mp4", "Export Animation");
     row("en", "worksheet", "Print Handout");
-    row("en", "breed", "Mutate");
+    row("en", "breed", "Variations");
+    row("en", "mutate", "Variations");
     row("en", "mirror", "Flip Horizontally");
     row("de", "stl", "Bild exportieren");
     row("de", "Drehteller", "Umlauf");

@@ -278,7 +278,7 @@ void LargeFilesTest::openDialogs() {
         QFAIL(name);
     };
     doing("affine invariant form", [&] { choose("Affine Invariant Form…"); });
-    doing("mutate", [&] { choose("Mutate…"); });
+    doing("mutate", [&] { choose("Variations…"); });
     auto* ring = m_window->findChild<view::VariationRing*>();
     QTRY_VERIFY(!view::PictureTiles::shown(ring->indexFromItem(ring->childItem(0))).pixmap.isNull());
     doing("leave the dialogs", [&] {

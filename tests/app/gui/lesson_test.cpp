@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "app/gui/choose_file.h"
 #include "app/gui/window_fixture.h"
 #include "document/edits/cage/cage_edits.h"
 #include "document/fractal/fractal_geometry.h"
@@ -85,22 +86,6 @@ private:
                 if (auto* box = qobject_cast<QMessageBox*>(widget); box && box->isVisible())
                     box->button(button)->click();
         });
-    }
-    // In the dialog that will ask for one.
-    void chooseFile(QTimer& answering, const QString& path) {
-        connect(&answering, &QTimer::timeout, this, [path] {
-            QWidget* shown = QApplication::activeModalWidget();
-            auto* files = qobject_cast<QFileDialog*>(shown);
-            auto* complaint = qobject_cast<QMessageBox*>(shown); // of a folder that is not read yet
-            if (complaint && qobject_cast<QFileDialog*>(complaint->parentWidget()))
-                return complaint->reject();
-            if (!files) return;
-            // Once more until it has been taken.
-            files->findChild<QLineEdit*>(u"fileNameEdit"_s)->setText(path);
-            // Not at once: while the complaint that may follow is shown, this timer is to go on.
-            QMetaObject::invokeMethod(files, "accept", Qt::QueuedConnection);
-        });
-        answering.start(50);
     }
     QStringList failures() const {
         QStringList said;
@@ -394,7 +379,7 @@ void LessonTest::lessonsMayStandElsewhere() {
     action(u"Add Step"_s)->trigger();
     {
         QTimer answering;
-        chooseFile(answering, path);
+        support::chooseFile(answering, path);
         action(u"Save Lesson As…"_s)->trigger();
     }
     QVERIFY(!notebook()->isModified());
@@ -486,7 +471,7 @@ void LessonTest::fractalsThatAreGoneAreFound() {
         if (button->text() == u"&Find…"_s) find = button;
     QVERIFY(find);
     QTimer answering;
-    chooseFile(answering, renamed);
+    support::chooseFile(answering, renamed);
     find->click();
     QTRY_COMPARE(m_window->path(), renamed);
     QTRY_COMPARE(notebook()->lesson().file, u"renamed.ifs"_s);

@@ -177,7 +177,7 @@ void RealEntriesTest::aVariationIsPicked() {
     QVERIFY(clickOnChild(7));
     QTRY_COMPARE(line->count(), 3);
     QCOMPARE(steps(), 0);
-    click(named<QPushButton>(*dialog, QStringLiteral("Use the Parent")));
+    click(named<QPushButton>(*dialog, QStringLiteral("Use This One")));
     QTRY_VERIFY(!visible<view::MutateDialog>());
     QCOMPARE(steps(), 1);
     QVERIFY(!document::isSameSystem(fractal(), before));

@@ -389,6 +389,9 @@ void RandomEditsTest::changeLook() {
     look.brightness = anyIn(0.1, 300);
     look.contrast = any(3) ? 1 : anyIn(0.2, 5);
     look.vibrancy = any(3) ? 1 : anyIn(0, 1);
+    look.shadow = any(3) ? 0 : anyIn(0, 1);
+    look.shadowLean = anyIn(-3, 3);
+    look.shadowLength = anyIn(-3, 3);
     look.plain = {std::uint8_t(any(256)), std::uint8_t(any(256)), 7, 255};
     look.background.alpha = any(2) ? 255 : 0;
     if (mapCount() > 0)

@@ -80,6 +80,8 @@ const QByteArrayList everything{
     "look gamma 2",
     "look contrast 1.5",
     "look vibrancy 0",
+    "look shadow 0.5",
+    "look shadow-lean -2",
     "key 10 smooth",
     "look colour-by density",
     "look palette Two Colours",
@@ -144,6 +146,9 @@ private slots:
         QCOMPARE(animation->branches[1].word.size(), 3u);
         QCOMPARE(animation->look[0].value.contrast, 1.5);
         QCOMPARE(animation->look[0].value.vibrancy, 0.0);
+        QCOMPARE(animation->look[0].value.shadow, 0.5);
+        QCOMPARE(animation->look[0].value.shadowLean, -2.0);
+        QCOMPARE(animation->look[1].value.shadow, 0.0);
         QCOMPARE(animation->look[1].value.contrast, 1.0); // as in files that do not know it
         QCOMPARE(animation->look[1].value.vibrancy, 1.0);
         QCOMPARE(animation->look[1].value.palette.name, std::string("Two Colours"));
@@ -322,6 +327,7 @@ private slots:
         row("look gamma 2", "look light 10");
         row("look contrast 1.5", "look contrast 0");
         row("look vibrancy 0", "look vibrancy 1.5");
+        row("look shadow 0.5", "look shadow 2");
         row("value 0 1.5 10 1", "value 0 1.5 0 1");
         row("motion turn", "motion fly");
         row("of 1 3", "of 1 4");

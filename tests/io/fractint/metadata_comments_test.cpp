@@ -198,6 +198,9 @@ void MetadataCommentsTest::everythingComesBack() {
     appearance.gamma = .3;
     appearance.contrast = 1. / 3;
     appearance.vibrancy = 0;
+    appearance.shadow = 2. / 3;
+    appearance.shadowLean = -1.25;
+    appearance.shadowLength = 0;
     appearance.supersample = 3;
     appearance.mapColours[map(fractal, 0).id] = {1, 2, 3, 4};
     appearance.mapColours[map(fractal, 3).id] = {5, 6, 7, 255};
@@ -348,6 +351,9 @@ void MetadataCommentsTest::understood_data() {
                              "contrast 0.25",
                              "vibrancy 0",
                              "vibrancy 1",
+                             "shadow 0.5",
+                             "shadow-lean -10",
+                             "shadow-length 0.25",
                              "supersample 4",
                              "deformation bend",
                              "deformation affine-fit",
@@ -384,6 +390,10 @@ void MetadataCommentsTest::understood_data() {
                              "vibrancy -0.1",
                              "vibrancy 1.01",
                              "vibrancy nan",
+                             "shadow -0.1",
+                             "shadow 1.1",
+                             "shadow-lean 11",
+                             "shadow-length inf",
                              "supersample 5",
                              "supersample 1.5",
                              "supersample 0",

@@ -10,6 +10,7 @@
 #include <QStandardPaths>
 #include <QTest>
 
+#include <algorithm>
 #include <cmath>
 
 using namespace io;
@@ -76,6 +77,56 @@ private slots:
     void outlinesHaveNoBackground();
     void fewerPixelsShowTheSameShapes();
     void endsWhenStopped();
+
+    // Darker than the picture and behind it, in the preview as in the file, and where the renderer has it.
+    void theShadowIsDrawnBehindThePicture_data() {
+        QTest::addColumn<int>("style");
+        QTest::newRow("structured") << int(ShapeStyle::Structured);
+        QTest::newRow("points") << int(ShapeStyle::Points);
+    }
+    void theShadowIsDrawnBehindThePicture() {
+        QFETCH(const int, style);
+        document::Fractal fractal = previewed(canonical::maple());
+        fractal.appearance.colourBy = attractor::ColourBy::Plain;
+        fractal.appearance.plain = {200, 200, 200, 255};
+        fractal.appearance.background = {255, 255, 255, 255};
+        const auto box = document::displayedBox(fractal);
+        fractal.appearance.shadow = 0.8;
+        fractal.appearance.shadowLean = 1.5;
+        attractor::Camera camera;
+        camera.width = 400;
+        camera.height = 200;
+        const auto both = document::boxWithShadow(fractal, camera.yAxis);
+        camera = attractor::fitted(camera, both->min, both->max);
+        SvgFormat format;
+        format.style = ShapeStyle(style);
+        const auto preview = shapePreview(fractal, camera, format);
+        QVERIFY(preview);
+        document::Fractal plain = fractal;
+        plain.appearance.shadow = 0;
+        const auto without = shapePreview(plain, camera, format);
+        const SvgPicture file = svgPicture(fractal, camera, format);
+        const qsizetype at = file.bytes.indexOf("id=\"shadow\" opacity=\"0.8\"");
+        QVERIFY(at > 0);
+        QVERIFY(at < std::max(file.bytes.indexOf("id=\"attractor\""), file.bytes.indexOf("id=\"points\"")));
+        QVERIFY(!svgPicture(plain, camera, format).bytes.contains("id=\"shadow\""));
+        int dark = 0, outside = 0;
+        const double edge = toPixel(camera, box->max).x();
+        for (int y = 0; y < camera.height; ++y)
+            for (int x = 0; x < camera.width; ++x) {
+                const bool isDarker = qGreen(preview->pixel(x, y)) < qGreen(without->pixel(x, y)) - 40;
+                dark += isDarker;
+                outside += isDarker && x > edge;
+            }
+        QVERIFY2(dark > 300, qPrintable(QString::number(dark)));
+        QVERIFY2(outside > 50, qPrintable(QString::number(outside)));
+        const QImage shown = shownSvg(file);
+        if (shown.isNull()) return;
+        const double difference = meanDifference(shown, *preview);
+        QVERIFY2(difference < 6, qPrintable(QString::number(difference)));
+        const double otherwise = meanDifference(shown, *without);
+        QVERIFY2(otherwise > difference + 0.5, qPrintable(QString::number(otherwise)));
+    }
 };
 
 void ShapePreviewTest::isWhatTheFileShows_data() {

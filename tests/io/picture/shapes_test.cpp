@@ -36,6 +36,8 @@ private slots:
     void inkscapeAndChromiumDrawTheSame();
     void pdfLooksLikeSvg_data() { pictures(); }
     void pdfLooksLikeSvg();
+    void pdfShadowLooksLikeSvg_data();
+    void pdfShadowLooksLikeSvg();
     void pdfGrowsLinearly();
     void pdfTableIsRight();
     void outlineIsOnePath();
@@ -279,6 +281,41 @@ void ShapesTest::pdfLooksLikeSvg() {
         QCOMPARE(missing(svg, pdf, distance), 0);
         QCOMPARE(missing(pdf, svg, distance), 0);
     }
+}
+
+void ShapesTest::pdfShadowLooksLikeSvg_data() {
+    QTest::addColumn<int>("style");
+    QTest::newRow("structured") << int(io::ShapeStyle::Structured);
+    QTest::newRow("points") << int(io::ShapeStyle::Points);
+}
+
+// Its copies lie over each other, and are no darker there.
+void ShapesTest::pdfShadowLooksLikeSvg() {
+    QFETCH(const int, style);
+    document::Fractal fractal = fractalOf(0);
+    fractal.appearance.plain = {220, 40, 40, 255};
+    fractal.appearance.shadow = 0.5;
+    attractor::Camera camera;
+    camera.width = camera.height = side;
+    const auto box = document::boxWithShadow(fractal, camera.yAxis);
+    camera = attractor::fitted(camera, box->min, box->max);
+    const io::SvgFormat format{{}, io::CageVisibility::Hidden, io::ShapeStyle(style), 20'000};
+    const QImage svg = svgImage(io::svgPicture(fractal, camera, format).bytes);
+    const QImage pdf = pdfImage(io::pdfPicture({{fractal, camera, format}}).bytes);
+    if (svg.isNull() || pdf.isNull()) QSKIP("rsvg-convert or pdftocairo is not installed");
+    double difference = 0;
+    int shadow = 0; // half of (88, 16, 16) on white
+    for (int y = 0; y < side; ++y)
+        for (int x = 0; x < side; ++x) {
+            const QRgb a = svg.pixel(x, y), b = pdf.pixel(x, y);
+            difference += std::abs(qRed(a) - qRed(b)) + std::abs(qGreen(a) - qGreen(b));
+            shadow += std::abs(qRed(b) - 172) < 8 && std::abs(qGreen(b) - 136) < 8;
+        }
+    difference /= side * side;
+    // Dots leave no pixel whole.
+    QVERIFY2(shadow > 200 || style == int(io::ShapeStyle::Points), qPrintable(QString::number(shadow)));
+    const double most = style == int(io::ShapeStyle::Points) ? 16 : 8; // dots are smoothed differently
+    QVERIFY2(difference < most, qPrintable(QString::number(difference)));
 }
 
 void ShapesTest::pdfGrowsLinearly() {

@@ -446,11 +446,9 @@ void SvgWriterTest::triangleIsDrawnWhenAsked() {
     document::plane(fractal)->cage->current[0] = {0, 0};
     const Parsed file = parsed(svgPicture(fractal, camera, {1, CageVisibility::Shown}).bytes);
     const auto& current = file.polygons.at(QStringLiteral("current"));
-    const auto& rest = file.polygons.at(QStringLiteral("rest"));
-    for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t i = 0; i < 3; ++i)
         QVERIFY((current[i] - toPixel(camera, document::plane(fractal)->cage->current[i])).norm() < 1e-9);
-        QVERIFY((rest[i] - toPixel(camera, document::plane(fractal)->cage->rest[i])).norm() < 1e-9);
-    }
+    QVERIFY(!file.polygons.count(QStringLiteral("rest"))); // as on the canvas
 }
 
 void SvgWriterTest::looksLikeTheRendering() {

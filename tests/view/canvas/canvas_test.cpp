@@ -129,7 +129,7 @@ private slots:
         if (isCage)
             m_document->edit(QStringLiteral("symmetric"),
                              document::withSymmetry(m_document->fractal(), symmetry));
-        QCOMPARE(scene().symmetry().knob().has_value(), isCage);
+        QCOMPARE(scene().knobs().symmetry.knob().has_value(), isCage);
         for (int map = isCage ? -1 : 0; map < (isCage ? 0 : scene().handles().childCount()); ++map)
             for (int i = 0; i < 3; ++i)
                 parts.push_back({Kind::Vertex, i, map});
@@ -144,7 +144,7 @@ private slots:
             std::vector<QPointF> positions;
             for (const CanvasPart& part : parts)
                 positions.push_back(at(part));
-            if (const auto knob = scene().symmetry().knob()) positions.push_back(*knob);
+            if (const auto knob = scene().knobs().symmetry.knob()) positions.push_back(*knob);
             return positions;
         };
         for (std::size_t k = 0; k < handles().size(); ++k) {

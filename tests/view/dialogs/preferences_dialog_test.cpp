@@ -77,7 +77,7 @@ void PreferencesDialogTest::choicesAreStoredAndTold() {
     dialog.show();
     QSignalSpy told(&dialog, &PreferencesDialog::changed);
     choose(box(dialog, QStringLiteral("Theme")), int(Preferences::Theme::Dark));
-    choose(box(dialog, QStringLiteral("Idle quality")), quint64(1'000'000'000));
+    choose(box(dialog, QStringLiteral("Picture at rest")), quint64(1'000'000'000));
     QLabel* restart = nullptr;
     for (auto* label : dialog.findChildren<QLabel*>())
         if (label->text().contains(QStringLiteral("Restart"))) restart = label;

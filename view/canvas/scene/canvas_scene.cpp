@@ -6,8 +6,10 @@
 #include "canvas/items/border_arrows_item.h"
 #include "canvas/items/cage_item.h"
 #include "canvas/items/motion_path_item.h"
+#include "canvas/items/shadow_item.h"
 #include "canvas/items/symmetry_item.h"
 #include "canvas/scene/frame_layout.h"
+#include "canvas/scene/shadow_layout.h"
 #include "canvas/scene/symmetry_layout.h"
 #include "document/fractal/fractal_geometry.h"
 
@@ -50,6 +52,7 @@ CanvasScene::CanvasScene(document::Document* document, QObject* parent)
       m_grid(std::make_unique<GridItem>()),
       m_pathItem(std::make_unique<MotionPathItem>()),
       m_symmetryItem(std::make_unique<SymmetryItem>()),
+      m_shadowItem(std::make_unique<ShadowItem>()),
       m_cageItem(std::make_unique<CageItem>()),
       m_mapFrames(std::make_unique<MapFramesItem>()),
       m_gizmo(std::make_unique<GizmoItem>()) {
@@ -88,7 +91,8 @@ std::vector<OverlayItem*> CanvasScene::overlays() {
         items.insert(items.end(), more.begin(), more.end());
     };
     add(m_marks.itemsBelowHandles());
-    add({m_pathItem.get(), m_cageItem.get(), m_mapFrames.get(), m_gizmo.get(), m_symmetryItem.get()});
+    add({m_pathItem.get(), m_cageItem.get(), m_mapFrames.get(), m_gizmo.get(), m_symmetryItem.get(),
+         m_shadowItem.get()});
     add(m_marks.itemsAboveHandles());
     add(m_notes.items());
     return items;
@@ -133,8 +137,9 @@ void CanvasScene::follow(const document::Change& change) {
         requestLayout();
     }
     const bool hasPaths = !m_paths.vertices.empty() || !m_paths.maps.empty();
-    if (hasPaths && change.parts & Change::Time) requestLayout(); // the neighbouring keys are others
-    if (change.parts & Change::Name) requestLayout();             // with the names, what is locked
+    if (hasPaths && change.parts & Change::Time) requestLayout();          // the neighbouring keys are others
+    if (change.parts & Change::Name) requestLayout();                      // with the names, what is locked
+    if (change.parts & (Change::Appearance | Change::Time)) layoutKnobs(); // there may be a shadow now
     if (change.parts & (Change::System | Change::Cage | Change::Current | Change::File)) {
         requestLayout();
         m_selection.setMaps(m_selection.maps());   // those that are left
@@ -203,7 +208,7 @@ void CanvasScene::layoutItems() {
     m_marks.borderArrows().setArrows(borderArrows(cagePolygon(), sceneRect()));
     layoutFrames();
     layoutPaths();
-    layoutSymmetry();
+    layoutKnobs();
     if (m_handles.cage()) {
         m_gizmoLayout = gizmoLayout(pixelsOf(m_camera, m_handles.heldPoints()),
                                     pixelOf(m_camera, m_handles.pivot()), sceneRect());
@@ -216,8 +221,9 @@ void CanvasScene::layoutItems() {
     updateVisibility();
 }
 
-void CanvasScene::layoutSymmetry() {
+void CanvasScene::layoutKnobs() {
     m_symmetryItem->setMarks(symmetryLayout(m_document->fractal(), m_camera));
+    m_shadowItem->setMarks(shadowLayout(m_document->fractal(), m_camera));
 }
 
 // Those that can be taken now.
@@ -234,7 +240,8 @@ std::vector<QPointF> CanvasScene::handlePositions() const {
     if (m_handles.isAnythingHeld())
         for (const QPointF& knob : {m_gizmoLayout.pivot, m_gizmoLayout.rotate, m_gizmoLayout.scale})
             positions.push_back(knob);
-    if (const auto knob = m_symmetryItem->knob()) positions.push_back(*knob);
+    for (const auto& knob : {m_symmetryItem->knob(), m_shadowItem->knob()})
+        if (knob) positions.push_back(*knob);
     std::vector<QPointF> others;
     for (const MapFrame& frame : frames())
         if (!frame.selected && !frame.isLocked && others.size() <= maxCorners)
@@ -350,6 +357,7 @@ void CanvasScene::updateVisibility() {
     m_mapFrames->setVisible(cage);
     m_pathItem->setVisible(cage);
     m_symmetryItem->setVisible(cage);
+    m_shadowItem->setVisible(cage);
     m_gizmo->setVisible(cage && m_handles.isAnythingHeld());
     m_notes.avoid(handlePositions());
 }

@@ -24,6 +24,7 @@ namespace view {
 class AttractorItem;
 class CageItem;
 class MotionPathItem;
+class ShadowItem;
 class SymmetryItem;
 
 // What is on the canvas, in device-independent pixels of the view, y down; the camera leads to the plane.
@@ -49,7 +50,12 @@ public:
     const TransientMarks& marks() const { return m_marks; }
     CanvasNotes& notes() { return m_notes; }
     GridItem& grid() const { return *m_grid; }
-    SymmetryItem& symmetry() const { return *m_symmetryItem; }
+    // What has a handle of its own, whichever tool is in use.
+    struct Knobs {
+        SymmetryItem& symmetry;
+        ShadowItem& shadow;
+    };
+    Knobs knobs() const { return {*m_symmetryItem, *m_shadowItem}; }
 
     QPolygonF cagePolygon() const;
     const std::vector<MapFrame>& frames() const { return m_mapFrames->frames(); } // by index
@@ -96,7 +102,7 @@ private:
     void layoutItems(); // all that depends on camera, cage and maps
     void layoutFrames();
     void layoutPaths();
-    void layoutSymmetry();
+    void layoutKnobs();                                     // of symmetry and shadow
     const std::vector<document::MotionPath>& paths() const; // of what is in hand
     std::vector<QPolygonF> ghosts() const;
     std::vector<QPointF> handlePositions() const;
@@ -129,6 +135,7 @@ private:
     std::unique_ptr<GridItem> m_grid;
     std::unique_ptr<MotionPathItem> m_pathItem;
     std::unique_ptr<SymmetryItem> m_symmetryItem;
+    std::unique_ptr<ShadowItem> m_shadowItem;
     std::unique_ptr<CageItem> m_cageItem;
     std::unique_ptr<MapFramesItem> m_mapFrames;
     std::unique_ptr<GizmoItem> m_gizmo;

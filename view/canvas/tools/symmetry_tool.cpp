@@ -13,7 +13,7 @@ namespace view {
 
 bool SymmetryTool::isAt(const Pointer& pointer) const {
     const double radius = pointer.reach == Reach::Touch ? 20 : 11; // pixels
-    const auto knob = m_scene.symmetry().knob();
+    const auto knob = m_scene.knobs().symmetry.knob();
     return knob && QLineF(*knob, pointer.position).length() <= radius;
 }
 
@@ -22,7 +22,7 @@ void SymmetryTool::press(const Pointer& pointer) {
     m_displayed = document::placement(fractal)(document::system2(fractal)->symmetry.centre);
     m_session.press(pointer.position);
     m_session.open(tr("Move the centre of the symmetry"));
-    m_scene.symmetry().setHeld(true);
+    m_scene.knobs().symmetry.setHeld(true);
     emit cursorChanged();
 }
 
@@ -55,7 +55,7 @@ bool SymmetryTool::cancel() {
 void SymmetryTool::end() {
     m_displayed.reset();
     m_scene.marks().showSnap(std::nullopt);
-    m_scene.symmetry().setHeld(false);
+    m_scene.knobs().symmetry.setHeld(false);
     emit cursorChanged();
 }
 

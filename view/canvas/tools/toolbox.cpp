@@ -14,10 +14,12 @@ Toolbox::Toolbox(CanvasScene& scene, CanvasOptions& options)
       m_mapsTool(scene),
       m_branchTool(scene),
       m_defineTool(scene),
-      m_symmetryTool(scene) {
-    for (CanvasTool* tool : {static_cast<CanvasTool*>(&m_cageTool), static_cast<CanvasTool*>(&m_mapsTool),
-                             static_cast<CanvasTool*>(&m_branchTool), static_cast<CanvasTool*>(&m_defineTool),
-                             static_cast<CanvasTool*>(&m_symmetryTool)}) {
+      m_symmetryTool(scene),
+      m_shadowTool(scene) {
+    for (CanvasTool* tool :
+         {static_cast<CanvasTool*>(&m_cageTool), static_cast<CanvasTool*>(&m_mapsTool),
+          static_cast<CanvasTool*>(&m_branchTool), static_cast<CanvasTool*>(&m_defineTool),
+          static_cast<CanvasTool*>(&m_symmetryTool), static_cast<CanvasTool*>(&m_shadowTool)}) {
         connect(tool, &CanvasTool::message, this, &Toolbox::message);
         connect(tool, &CanvasTool::cursorChanged, this, &Toolbox::cursorChanged);
         connect(tool, &CanvasTool::finished, this, [this] { setTool(Tool::Cage); });
@@ -29,19 +31,21 @@ Toolbox::Toolbox(CanvasScene& scene, CanvasOptions& options)
 
 void Toolbox::stop() {
     m_symmetryTool.stop();
+    m_shadowTool.stop();
     if (m_document) active().stop();
 }
 
 CanvasTool& Toolbox::active() {
     if (m_symmetryTool.isBusy()) return m_symmetryTool;
+    if (m_shadowTool.isBusy()) return m_shadowTool;
     if (PolygonTool* tool = polygonTool()) return *tool;
     return m_defineTool;
 }
 
 CanvasTool& Toolbox::toolAt(const Pointer& pointer) {
-    if (m_tool != Tool::DefineTriangle && !active().isBusy() && m_symmetryTool.isAt(pointer))
-        return m_symmetryTool;
-    return active();
+    if (m_tool == Tool::DefineTriangle || active().isBusy()) return active();
+    if (m_symmetryTool.isAt(pointer)) return m_symmetryTool;
+    return m_shadowTool.isAt(pointer) ? m_shadowTool : active();
 }
 
 PolygonTool* Toolbox::polygonTool() {
@@ -66,6 +70,7 @@ void Toolbox::setTool(Tool tool) {
     if (tool != Tool::Cage) m_options.setOverlaysVisible(true);
     emit used();
     m_symmetryTool.stop();
+    m_shadowTool.stop();
     active().stop();
     m_tool = tool;
     active().start();

@@ -5,6 +5,7 @@
 #include "canvas/tools/branch_tool.h"
 #include "canvas/tools/cage_tool.h"
 #include "canvas/tools/define_tool.h"
+#include "canvas/tools/shadow_tool.h"
 #include "canvas/tools/symmetry_tool.h"
 
 #include <QPointer>
@@ -25,7 +26,7 @@ public:
     Tool tool() const { return m_tool; }
     void stop(); // what is held is let go
     CanvasTool& active();
-    // The tool that a press there goes to: the one in use, or that of the handle of a symmetry.
+    // The tool that a press there goes to: the one in use, or that of the handle of a symmetry or a shadow.
     CanvasTool& toolAt(const Pointer& pointer);
     PolygonTool* polygonTool(); // the tool in use when it takes polygons, else nullptr
 
@@ -52,6 +53,7 @@ private:
     BranchTool m_branchTool;
     DefineTool m_defineTool;
     SymmetryTool m_symmetryTool;
+    ShadowTool m_shadowTool;
     Tool m_tool = Tool::Cage;
 };
 

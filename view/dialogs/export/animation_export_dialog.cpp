@@ -2,7 +2,9 @@
 #include "dialogs/export/animation_export_dialog.h"
 
 #include "bridges/attractor_watch.h"
+#include "dialogs/animation/frame_size_editor.h"
 #include "dialogs/export/cluster_queue.h"
+#include "dialogs/export/export_preview.h"
 #include "dialogs/export/last_export.h"
 #include "document/text/unique_names.h"
 #include "io/animation/frames_view.h"
@@ -20,6 +22,7 @@
 #include <QMessageBox>
 #include <QPointer>
 #include <QPushButton>
+#include <QSlider>
 #include <QSpinBox>
 #include <QVBoxLayout>
 
@@ -29,7 +32,6 @@ namespace view {
 
 namespace {
 
-constexpr int maxFrameSide = 16'384;
 constexpr int usualPointsPerPixel = 100;
 const QString animationKind = QStringLiteral("animation");
 // Of a format of the list, as the settings have it.
@@ -93,7 +95,7 @@ AnimationExportDialog::AnimationExportDialog(document::Document* document, const
     layout->addLayout(m_form);
     createPlan(options);
     layout->addStretch();
-    lay(options, nullptr, Qt::Vertical);
+    lay(options, createPreview(), Qt::Horizontal);
     createButtons();
     connect(m_queue, &ClusterQueue::stateChanged, this, &AnimationExportDialog::say);
     connect(m_queue, &ClusterQueue::finished, this, [this] { m_cluster->setEnabled(true); });
@@ -124,22 +126,35 @@ void AnimationExportDialog::createFormat() {
     if (document::space(m_entry)) setSection(Section::Animation); // a camera that goes round shows it all
     m_form->addRow(tr("Sect&ion:"), m_section);
     m_form->setRowVisible(m_section, !io::hasCameraKeys(m_entry));
-    m_width = spinBox(tr("Width"), 16, maxFrameSide, 1920, tr("The width of the frames in pixels."));
-    m_height = spinBox(tr("Height"), 16, maxFrameSide, 1080, tr("The height of the frames in pixels."));
-    m_form->addRow(tr("&Size in pixels:"), pair(m_width, QStringLiteral("×"), m_height));
+    createSize();
+    connect(m_format, &QComboBox::currentIndexChanged, this, [this] {
+        say({}); // what it says is of another file
+        proposeSize();
+        update();
+    });
+    connect(m_section, &QComboBox::currentIndexChanged, this, &AnimationExportDialog::showPreview);
+}
+
+// As of the last export, for the format that it had.
+void AnimationExportDialog::createSize() {
+    m_size = new FrameSizeEditor;
+    m_form->addRow(tr("&Size in pixels:"), m_size);
     const LastExport last = lastExport(animationKind);
     for (int format = 0; format < m_format->count(); ++format)
         if (formatName(format) == last.format) m_format->setCurrentIndex(format);
-    if (const QStringList sides = last.size.split(u' '); sides.size() == 2) {
-        m_width->setValue(sides[0].toInt());
-        m_height->setValue(sides[1].toInt());
-    }
-    connect(m_format, &QComboBox::currentIndexChanged, this, [this] {
-        say({}); // what it says is of another file
-        update();
-    });
-    for (QSpinBox* side : {m_width, m_height})
-        connect(side, &QSpinBox::valueChanged, this, &AnimationExportDialog::update);
+    const QStringList sides = last.size.split(u' ');
+    if (sides.size() == 2)
+        m_size->setFrameSize({sides[0].toInt(), sides[1].toInt()});
+    else
+        proposeSize();
+    connect(m_size, &FrameSizeEditor::edited, this, [this] { m_isSizeProposed = false; });
+    connect(m_size, &FrameSizeEditor::changed, this, &AnimationExportDialog::update);
+}
+
+// Of an animated image in 256 colours, mail and web pages want a small one.
+void AnimationExportDialog::proposeSize() {
+    if (m_isSizeProposed)
+        m_size->setFrameSize(m_format->currentIndex() == Gif ? QSize(640, 360) : QSize(1920, 1080));
 }
 
 void AnimationExportDialog::createFrames() {
@@ -180,6 +195,32 @@ void AnimationExportDialog::createFrames() {
     m_tasks = spinBox(tr("Tasks on a cluster"), 1, 10'000, 8,
                       tr("How many cluster tasks share the frames when you choose On a Cluster."));
     m_form->addRow(tr("&Tasks on a cluster:"), m_tasks);
+    m_form->setRowVisible(m_tasks, ClusterQueue::isAvailable());
+}
+
+QWidget* AnimationExportDialog::createPreview() {
+    auto* side = new QWidget(this);
+    m_preview = new ExportPreview(side);
+    m_previewed = new QSlider(Qt::Horizontal, side);
+    const int last = io::frameCount(m_entry) - 1;
+    m_previewed->setRange(0, last);
+    m_previewed->setValue(last / 2);
+    m_previewed->setAccessibleName(tr("Frame of the preview"));
+    m_previewed->setToolTip(tr("The frame that the preview shows"));
+    auto* layout = new QVBoxLayout(side);
+    layout->setContentsMargins({});
+    layout->addWidget(m_preview, 1);
+    layout->addWidget(m_previewed);
+    connect(m_previewed, &QSlider::valueChanged, this, &AnimationExportDialog::showPreview);
+    return side;
+}
+
+void AnimationExportDialog::showPreview() {
+    if (m_preview == nullptr) return;
+    m_preview->show(m_size->size(), [what = chosen(), frame = m_previewed->value()](
+                                        const QSize& pixels, const std::stop_token& stop) {
+        return io::framePreview(what, frame, pixels, stop);
+    });
 }
 
 void AnimationExportDialog::createPlan(QWidget* options) {
@@ -256,7 +297,7 @@ io::AnimationExport AnimationExportDialog::chosen() const {
     const bool isWhole = Section(m_section->currentIndex()) == Section::Animation;
     if (solid && isWhole && !io::hasCameraKeys(m_entry)) what.seenFrom = *solid;
     if (m_format->currentIndex() != Pictures) what.format = io::VideoFormat(m_format->currentIndex());
-    what.size = {m_width->value(), m_height->value()};
+    what.size = m_size->size();
     const int perPixel = m_quality->currentData().toInt();
     if (perPixel != usualPointsPerPixel)
         what.points =
@@ -284,10 +325,12 @@ void AnimationExportDialog::update() {
     m_obstacle = io::animationObstacle(what);
     if (m_obstacle) say(*m_obstacle);
     enableButtons();
+    showPreview();
 }
 
 void AnimationExportDialog::adoptEnding(const QString& path) {
     const auto format = io::videoFormat(QFileInfo(path).suffix());
+    m_isSizeProposed = false; // what was shown is what is written
     if (format && m_format->currentIndex() != Pictures) m_format->setCurrentIndex(int(*format));
 }
 
@@ -303,7 +346,7 @@ QString AnimationExportDialog::chosenFile() {
                          suffix(), !isPictures);
     if (path.isEmpty()) return {};
     adoptEnding(path);
-    const QString size = QStringLiteral("%1 %2").arg(m_width->value()).arg(m_height->value());
+    const QString size = QStringLiteral("%1 %2").arg(m_size->size().width()).arg(m_size->size().height());
     rememberExport(animationKind, {formatName(m_format->currentIndex()), size}, path);
     const QString number = io::framePath(QStringLiteral(".png"), m_first->value(), m_last->value());
     const QString file =
@@ -357,6 +400,11 @@ QString AnimationExportDialog::sentenceFor(const io::ExportOutcome& outcome, con
 }
 
 void AnimationExportDialog::chooseFolder() {
+    if (!m_form->isRowVisible(m_tasks)) { // Slurm was not found: the folder is for another computer
+        m_form->setRowVisible(m_tasks, true);
+        m_tasks->setFocus();
+        return say(tr("Choose how many tasks share the frames, then click On a Cluster… again."));
+    }
     const QString folder = view::chooseFolder(this, tr("Folder That the Cluster Can Read and Write"));
     if (!folder.isEmpty()) prepareCluster(folder);
 }
@@ -381,6 +429,7 @@ void AnimationExportDialog::prepareCluster(const QString& folder) {
         m_cluster->setEnabled(false);
         m_queue->submit(written.folder);
     }
+    offerFolderOf(written.folder + u'/');
     emit exported(written.folder);
 }
 

@@ -18,12 +18,15 @@ class QComboBox;
 class QFormLayout;
 class QLabel;
 class QPushButton;
+class QSlider;
 class QSpinBox;
 
 namespace view {
 
 class AttractorWatch;
 class ClusterQueue;
+class ExportPreview;
+class FrameSizeEditor;
 
 // Exports the animation of the current entry as it is when the dialog opens: as a video, as pictures, or as a
 // folder from which a cluster draws it. Closing the dialog while it works asks first.
@@ -54,7 +57,11 @@ protected:
 private:
     void createFormat();
     void createFrames();
+    void createSize();
     void createPlan(QWidget* options);
+    QWidget* createPreview();
+    void proposeSize();
+    void showPreview();
     void createButtons();
     void adoptEnding(const QString& path); // a video of the format that the file is named after
     io::AnimationExport chosen() const;
@@ -70,14 +77,16 @@ private:
     QFormLayout* m_form = nullptr;
     QComboBox* m_format = nullptr;
     QComboBox* m_section = nullptr;
-    QSpinBox* m_width = nullptr;
-    QSpinBox* m_height = nullptr;
+    FrameSizeEditor* m_size = nullptr;
+    bool m_isSizeProposed = true; // nobody has chosen it
     QSpinBox* m_first = nullptr;
     QSpinBox* m_last = nullptr;
     QComboBox* m_quality = nullptr;
     QSpinBox* m_shutter = nullptr;
     QComboBox* m_exposure = nullptr;
-    QSpinBox* m_tasks = nullptr;
+    QSpinBox* m_tasks = nullptr; // shown where there is Slurm, or once a cluster was asked for
+    ExportPreview* m_preview = nullptr;
+    QSlider* m_previewed = nullptr; // frame
     QLabel* m_plan = nullptr;
     QLabel* m_lost = nullptr; // says when there is no attractor
     QPushButton* m_cluster = nullptr;

@@ -93,8 +93,8 @@ ExportDialog::ExportDialog(document::Document* document, const attractor::Camera
     connectOptions();
     connect(&m_extent, &QFutureWatcherBase::finished, this, &ExportDialog::update);
     m_extent.setFuture(io::inBackground<std::optional<document::Box>>(
-        [fractal = m_fractal](QPromise<std::optional<document::Box>>& promise) {
-            promise.addResult(document::displayedBox(fractal));
+        [fractal = m_fractal, yAxis = m_camera.yAxis](QPromise<std::optional<document::Box>>& promise) {
+            promise.addResult(document::boxWithShadow(fractal, yAxis));
         }));
     update();
     resize(sizeHint().boundedTo({maxFirstWidth, QWIDGETSIZE_MAX}));
@@ -143,10 +143,10 @@ void ExportDialog::createFormat() {
 
 void ExportDialog::createPngOptions() {
     m_quality = new QComboBox(m_options);
-    m_quality->addItem(tr("Draft: 25 samples per pixel"), 25);
-    m_quality->addItem(tr("Good: 100 samples per pixel"), 100);
-    m_quality->addItem(tr("Fine: 400 samples per pixel"), 400);
-    m_quality->addItem(tr("Finest: 2000 samples per pixel"), 2000);
+    m_quality->addItem(tr("Draft: 25 points per pixel"), 25);
+    m_quality->addItem(tr("Good: 100 points per pixel"), 100);
+    m_quality->addItem(tr("Fine: 400 points per pixel"), 400);
+    m_quality->addItem(tr("Finest: 2000 points per pixel"), 2000);
     m_quality->setCurrentIndex(1);
     m_quality->setAccessibleName(tr("Quality"));
     m_quality->setWhatsThis(tr(

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "dialogs/export/export_shell.h"
 
+#include "desktop/show_in_folder.h"
 #include "dialogs/export/enqueue.h"
 #include "dialogs/export/export_progress.h"
 #include "dialogs/export/start_export.h"
@@ -30,6 +31,10 @@ ExportShell::ExportShell(QWidget* parent)
     m_message->hide();
     m_start = m_buttons->addButton(tr("&Export…"), QDialogButtonBox::AcceptRole);
     m_close = m_buttons->addButton(QDialogButtonBox::Close);
+    m_showInFolder =
+        addButton(tr("Show in Folder"), tr("Shows the folder of the written file in the file manager."));
+    m_showInFolder->hide();
+    connect(m_showInFolder, &QPushButton::clicked, this, [this] { showInFolder(m_written); });
     connect(m_buttons, &QDialogButtonBox::accepted, this, [this] {
         if (const QString path = chosenFile(); !path.isEmpty()) exportTo(path);
     });
@@ -79,6 +84,7 @@ void ExportShell::setStartHelp(const QString& text) const {
 QPushButton* ExportShell::addButton(const QString& text, const QString& help) const {
     QPushButton* button = m_buttons->addButton(text, QDialogButtonBox::ActionRole);
     button->setWhatsThis(help);
+    if (m_showInFolder != nullptr) m_showInFolder->hide(); // the box shows all buttons when it gets one more
     return button;
 }
 
@@ -136,6 +142,7 @@ void ExportShell::start(io::Export what, const QString& path, const QString& fir
 void ExportShell::begin(std::function<void()> stop, const QString& firstStep) {
     m_stop = std::move(stop);
     say({});
+    m_showInFolder->hide();
     m_progress->begin(firstStep);
     m_options->setEnabled(false);
     m_close->setText(tr("&Stop"));
@@ -155,8 +162,14 @@ void ExportShell::finish(const io::ExportOutcome& outcome, const QString& path) 
     whenFinished();
     enableButtons();
     say(sentenceFor(outcome, path));
+    if (!outcome.failure && !outcome.stopped) offerFolderOf(path);
     if (outcome.failure && !outcome.stopped) emit failed(*outcome.failure);
     if (!outcome.failure && !outcome.stopped) emit exported(path);
+}
+
+void ExportShell::offerFolderOf(const QString& path) {
+    m_written = path;
+    m_showInFolder->show();
 }
 
 QString ExportShell::sentenceFor(const io::ExportOutcome& outcome, const QString& path) const {

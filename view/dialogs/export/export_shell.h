@@ -69,6 +69,7 @@ protected:
     void begin(std::function<void()> stop, const QString& firstStep = {});
     void setFraction(double fraction);
     void finish(const io::ExportOutcome& outcome, const QString& path);
+    void offerFolderOf(const QString& path); // of what was written
 
 private:
     void closeOrStop();
@@ -80,6 +81,8 @@ private:
     QPushButton* m_start = nullptr;
     QPushButton* m_enqueue = nullptr;
     QPushButton* m_close = nullptr;
+    QPushButton* m_showInFolder = nullptr; // visible once something was written
+    QString m_written;                     // what it shows
     ExportQueue* m_queue = nullptr;
     std::function<void()> m_stop;         // while it works
     std::unique_ptr<io::ExportJob> m_job; // last: stops before the rest goes

@@ -37,6 +37,24 @@ QDoubleSpinBox* lengthField(const QString& name, QWidget* parent) {
     return field;
 }
 
+QToolButton* lockButton(QWidget* parent) {
+    auto* button = new QToolButton(parent);
+    button->setIcon(icon(QStringLiteral("lock"))); // the text would widen the dialogs beyond small screens
+    button->setAccessibleName(ExportSizeEditor::tr("Lock proportions"));
+    button->setCheckable(true);
+    button->setChecked(true);
+    button->setToolTip(ExportSizeEditor::tr("Keep the proportions of the picture"));
+    return button;
+}
+
+QToolButton* turnButton(QWidget* parent) {
+    auto* button = new QToolButton(parent);
+    button->setIcon(icon(QStringLiteral("turn")));
+    button->setAccessibleName(ExportSizeEditor::tr("Portrait or landscape"));
+    button->setToolTip(ExportSizeEditor::tr("Swap width and height"));
+    return button;
+}
+
 int rounded(double pixels) {
     return std::clamp(int(std::lround(pixels)), 1, maxSide);
 }
@@ -52,7 +70,8 @@ ExportSizeEditor::ExportSizeEditor(const QSize& screen, QWidget* parent)
       m_height(lengthField(tr("Height"), this)),
       m_unit(new QComboBox(this)),
       m_named(new QComboBox(this)),
-      m_lock(new QToolButton(this)),
+      m_lock(lockButton(this)),
+      m_turn(turnButton(this)),
       m_resolution(new WholeNumberBox(this)) {
     setWhatsThis(tr("The size of the picture, in pixels or on paper."));
     m_unit->addItems({tr("pixels"), tr("mm"), tr("inches")});
@@ -63,11 +82,6 @@ ExportSizeEditor::ExportSizeEditor(const QSize& screen, QWidget* parent)
     m_named->setWhatsThis(tr("The size of the picture on the screen or a multiple of it, of a common screen, "
                              "or of a sheet of paper. Everything that the window shows stays in the picture; "
                              "if the proportions differ, the picture shows more around it."));
-    m_lock->setIcon(icon(QStringLiteral("lock"))); // the text would widen the dialogs beyond small screens
-    m_lock->setAccessibleName(tr("Lock proportions"));
-    m_lock->setCheckable(true);
-    m_lock->setChecked(true);
-    m_lock->setToolTip(tr("Keep the proportions of the picture"));
     m_resolution->setRange(1, 9600);
     m_resolution->setValue(300);
     m_resolution->setSuffix(tr(" dpi"));
@@ -81,6 +95,7 @@ ExportSizeEditor::ExportSizeEditor(const QSize& screen, QWidget* parent)
     lengths->addStretch();
     auto* scales = new QHBoxLayout;
     scales->addWidget(m_named);
+    scales->addWidget(m_turn);
     scales->addWidget(m_resolution);
     scales->addStretch();
     auto* layout = new QVBoxLayout(this);
@@ -89,7 +104,8 @@ ExportSizeEditor::ExportSizeEditor(const QSize& screen, QWidget* parent)
     layout->addLayout(lengths);
 
     QWidget* before = m_named;
-    for (QWidget* widget : std::initializer_list<QWidget*>{m_resolution, m_width, m_height, m_unit, m_lock}) {
+    for (QWidget* widget :
+         std::initializer_list<QWidget*>{m_turn, m_resolution, m_width, m_height, m_unit, m_lock}) {
         setTabOrder(before, widget);
         before = widget;
     }
@@ -101,6 +117,7 @@ ExportSizeEditor::ExportSizeEditor(const QSize& screen, QWidget* parent)
     connect(m_unit, &QComboBox::currentIndexChanged, this, &ExportSizeEditor::changed);
     connect(m_resolution, &QSpinBox::valueChanged, this, &ExportSizeEditor::changed);
     connect(m_named, &QComboBox::activated, this, &ExportSizeEditor::takeNamedSize);
+    connect(m_turn, &QToolButton::clicked, this, &ExportSizeEditor::turn);
     showSize();
 }
 
@@ -126,6 +143,11 @@ void ExportSizeEditor::addNamedSizes() {
     add(tr("A3 at 300 dpi"), sheet(420, 297), true);
     m_named->insertSeparator(m_named->count());
     m_named->addItem(tr("Custom"));
+}
+
+void ExportSizeEditor::turn() {
+    m_locked = m_locked.transposed();
+    setPixels(m_pixels.transposed());
 }
 
 void ExportSizeEditor::takeNamedSize() {

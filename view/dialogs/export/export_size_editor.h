@@ -34,6 +34,7 @@ signals:
 private:
     void addNamedSizes();
     void takeNamedSize();
+    void turn();
     double unitInPixels() const;
     void showSize();
     void takeWidth(double width);
@@ -48,6 +49,7 @@ private:
     QComboBox* m_unit;
     QComboBox* m_named;
     QToolButton* m_lock;
+    QToolButton* m_turn;
     QSpinBox* m_resolution;
 };
 

@@ -170,7 +170,7 @@ std::vector<std::shared_ptr<const document::Fractal>> HandoutDialog::chosen() co
 io::PngExport handoutPicture(const document::Fractal& fractal, const HandoutOptions& options) {
     const document::Fractal printed = onPaper(fractal);
     ifs::Vector<2> low = ifs::Vector<2>::Constant(0), high = ifs::Vector<2>::Constant(1);
-    if (const auto box = document::displayedBox(fractal)) {
+    if (const auto box = document::boxWithShadow(fractal, attractor::YAxis::Up)) {
         low = box->min;
         high = box->max;
     }

@@ -403,14 +403,33 @@ QStringList cornerTexts(const ifs::ControlCage<3>& cage) {
     return lines;
 }
 
+namespace {
+
+// How many entries are beside each other, and how many above each other.
+struct HandoutGrid {
+    int columns = 1;
+    int rows = 1;
+};
+
+// Where there are fewer entries than a page takes, these have all of it.
+HandoutGrid handoutGrid(int perPage, std::size_t items, bool isLandscape) {
+    int cells = perPage;
+    for (const int fewer : {4, 2, 1})
+        if (fewer < cells && items <= std::size_t(fewer)) cells = fewer;
+    const int shorter = cells <= 2 ? 1 : 2;
+    const int longer = std::max(1, cells / shorter);
+    return isLandscape ? HandoutGrid{longer, shorter} : HandoutGrid{shorter, longer};
+}
+
+} // namespace
+
 void paintHandout(QPainter& painter, const QRectF& page, std::span<const HandoutItem> items,
                   const HandoutOptions& options, const std::function<void()>& newPage) {
     if (page.isEmpty()) return; // of a printer that is not set up
     painter.setRenderHint(QPainter::Antialiasing);
-    const double line = page.height() / (options.perPage <= 2 ? 62 : 78);
+    const auto [columns, rows] = handoutGrid(options.perPage, items.size(), page.width() > page.height());
+    const double line = std::max(page.width(), page.height()) / (columns * rows <= 2 ? 62 : 78);
     const double top = options.hasNameLine ? 2.4 * line : 0;
-    const int columns = options.perPage <= 2 ? 1 : 2;
-    const int rows = std::max(1, options.perPage / columns);
     const double gap = 1.6 * line;
     const QSizeF size((page.width() - gap * (columns - 1)) / columns,
                       (page.height() - top - gap * (rows - 1)) / rows);

@@ -45,7 +45,7 @@ attractor::Camera withoutTurnedMargins(const document::Box& box, attractor::Came
 
 // What the canvas shows without its empty sides, which are the cage's.
 attractor::Camera withoutMargins(const document::Fractal& fractal, attractor::Camera camera) {
-    const auto box = document::displayedBox(fractal);
+    const auto box = document::boxWithShadow(fractal, camera.yAxis);
     if (!box || camera.width < 1 || camera.height < 1) return camera;
     if (camera.rotation != 0) return withoutTurnedMargins(*box, camera);
     const ifs::Vector<2> half = ifs::Vector<2>(camera.width, camera.height) / (2 * camera.pixelsPerUnit);

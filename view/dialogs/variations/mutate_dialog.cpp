@@ -64,7 +64,7 @@ MutateDialog::MutateDialog(document::Document* document, QWidget* parent, const 
     controls->layout()->setContentsMargins({});
     columns->addWidget(new VerticalScrollArea(controls, this)); // in large fonts it needs more height
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Cancel, this);
-    m_use = buttons->addButton(tr("&Use the Parent"), QDialogButtonBox::AcceptRole);
+    m_use = buttons->addButton(tr("&Use This One"), QDialogButtonBox::AcceptRole);
     m_use->setWhatsThis(
         tr("The fractal in the middle replaces the one that you began with, in one step that you "
            "can undo."));
@@ -349,7 +349,7 @@ void MutateDialog::follow() {
 
 void MutateDialog::accept() {
     if (m_generation == 0) return;
-    m_document->edit(tr("Mutate"), *middle());
+    m_document->edit(tr("Use a variation"), *middle());
     QDialog::accept();
 }
 

@@ -293,7 +293,7 @@ void AppearancePanel::showUses() {
     m_form->setRowVisible(m_colourBy, isPlane || used.colourBy);
     m_form->setRowVisible(m_gradientRow, isPlane || used.palette);
     m_form->setRowVisible(m_plain, isPlane || used.plain);
-    m_numbers->setVisible(isPlane || used.tone);
+    m_numbers->setVisible(isPlane || used.tone, isPlane);
     m_form->setRowVisible(m_supersampling, isPlane || used.tone);
     m_form->setRowVisible(m_mapColours, isPlane || used.mapColours);
     m_editor->setVisible(m_editGradient->isChecked() && (isPlane || used.palette));

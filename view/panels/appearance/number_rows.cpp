@@ -54,6 +54,26 @@ const std::array numberTexts{
                                  "keeps its hue. At 0, the gamma acts on red, green and blue as well, and "
                                  "colours are paler. Flames have the same setting."),
                0, 1},
+    NumberText{
+        &Appearance::shadow, QT_TRANSLATE_NOOP("view::AppearancePanel", "Shadow"),
+        QT_TRANSLATE_NOOP("view::AppearancePanel",
+                          "Opacity of the shadow on the ground behind the picture; 0: no shadow"),
+        QT_TRANSLATE_NOOP("view::AppearancePanel",
+                          "The shadow is the picture once more: darker, flattened, and laid on the "
+                          "ground on which the picture stands. Drag its tip on the canvas to turn it."),
+        0, 1},
+    NumberText{
+        &Appearance::shadowLean, QT_TRANSLATE_NOOP("view::AppearancePanel", "Shadow sideways"),
+        QT_TRANSLATE_NOOP("view::AppearancePanel",
+                          "How far to the right the shadow of what is 1 high ends; below 0, to the left"),
+        nullptr, -3, 3,
+        NumberRange{-attractor::longestShadow, attractor::longestShadow, NumberRange::Ends::Closed}},
+    NumberText{
+        &Appearance::shadowLength, QT_TRANSLATE_NOOP("view::AppearancePanel", "Shadow backwards"),
+        QT_TRANSLATE_NOOP("view::AppearancePanel",
+                          "How far up the shadow of what is 1 high ends; below 0, it falls to the front"),
+        nullptr, -3, 3,
+        NumberRange{-attractor::longestShadow, attractor::longestShadow, NumberRange::Ends::Closed}},
 };
 static_assert(std::tuple_size_v<decltype(numberTexts)> == attractor::appearanceNumbers.size());
 
@@ -99,11 +119,23 @@ AppearanceSlider* NumberRows::slider(double Appearance::*member) const {
 void NumberRows::follow(const Appearance& appearance) {
     for (const AppearanceNumber& number : attractor::appearanceNumbers)
         slider(number.member)->setValue(appearance.*number.member);
+    m_hasShadow = appearance.shadow > 0;
+    showRows();
 }
 
-void NumberRows::setVisible(bool isVisible) {
-    for (AppearanceSlider* slider : m_sliders)
-        m_form->setRowVisible(slider, isVisible);
+void NumberRows::setVisible(bool tones, bool shadow) {
+    m_showsTones = tones;
+    m_showsShadow = shadow;
+    showRows();
+}
+
+// Where a shadow falls is asked only while there is one.
+void NumberRows::showRows() {
+    for (const AppearanceNumber& number : attractor::appearanceNumbers) {
+        const bool isTone = number.part == AppearanceNumber::Part::Tone;
+        const bool isUsed = m_hasShadow || number.member == &Appearance::shadow;
+        m_form->setRowVisible(slider(number.member), isTone ? m_showsTones : m_showsShadow && isUsed);
+    }
 }
 
 } // namespace view

@@ -24,14 +24,18 @@ public:
 
     AppearanceSlider* slider(double attractor::Appearance::*member) const;
     void follow(const attractor::Appearance& appearance);
-    void setVisible(bool isVisible);
+    void setVisible(bool tones, bool shadow);
 
 private:
+    void showRows();
     void addRow(const attractor::AppearanceNumber& number, QWidget* parent);
 
     QFormLayout* m_form;
     document::LiveEdit m_edit;
     std::vector<AppearanceSlider*> m_sliders; // as in appearanceNumbers
+    bool m_showsTones = true;
+    bool m_showsShadow = true;
+    bool m_hasShadow = false;
 };
 
 } // namespace view

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "panels/exports/exports_panel.h"
 
+#include "desktop/show_in_folder.h"
 #include "panels/exports/exports_delegate.h"
 #include "panels/exports/exports_model.h"
 #include "widgets/flat_buttons.h"
@@ -8,11 +9,8 @@
 #include "widgets/icon.h"
 
 #include <QAction>
-#include <QDesktopServices>
-#include <QFileInfo>
 #include <QLabel>
 #include <QListView>
-#include <QUrl>
 #include <QVBoxLayout>
 
 #include <algorithm>
@@ -95,7 +93,7 @@ void ExportsPanel::createActions() {
         for (const QString& id : selectedIds())
             m_queue->retry(id);
     });
-    m_folder = addAction(QStringLiteral("open"), tr("&Open Folder"),
+    m_folder = addAction(QStringLiteral("open"), tr("Show in Folder"),
                          tr("Show the folder of the selected export in the file manager."));
     connect(m_folder, &QAction::triggered, this, &ExportsPanel::openFolder);
     m_remove = addAction(
@@ -132,7 +130,7 @@ void ExportsPanel::moveSelected(int by) {
 
 void ExportsPanel::openFolder() {
     const QString path = m_list->currentIndex().data(ExportsModel::PathRole).toString();
-    if (!path.isEmpty()) QDesktopServices::openUrl(QUrl::fromLocalFile(QFileInfo(path).path()));
+    showInFolder(path);
 }
 
 void ExportsPanel::keepSelection() {

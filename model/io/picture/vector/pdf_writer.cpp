@@ -70,11 +70,11 @@ public:
             content += ringPath(mapped(copy.map, bar)) + "f\n";
         return content;
     }
-    QByteArray resources() const { // without the brackets of their dictionary
+    QByteArray list() const { // names and objects
         QByteArray list;
         for (const auto& [level, form] : m_forms)
             list += "/L" + QByteArray::number(level) + ' ' + pdfReference(form.object);
-        return "/XObject<<" + list + ">>";
+        return list;
     }
 
 private:
@@ -167,7 +167,7 @@ public:
         else if (format.style == ShapeStyle::Outline)
             addOutline(leafUnion(levels, depth, stop));
         else
-            addPoints(shapePoints(fractal, camera, format.points, format.seed));
+            resources = addPoints();
         if (format.cage == CageVisibility::Shown) addCage();
         if (format.overlay != PictureOverlay()) {
             const OverlayMarks marks = overlayMarks(fractal, camera, format.overlay);
@@ -188,16 +188,46 @@ private:
                      text(double(m_page.camera.height)) + " re f\n";
     }
 
+    // Resources without the brackets of their dictionary, as from the functions below.
     QByteArray addCopies(const ifs::CopyHierarchy& levels, int depth) {
         Forms forms(m_file, levels, depth);
-        const attractor::Rgba all = shapeColour(m_page.fractal.appearance);
-        m_content += "q " + text(levels.display()) + " cm\n" + text(all) + " rg\n";
+        const auto shadow = shapeShadow(m_page.fractal, m_page.camera);
+        const QByteArray behind =
+            shadow ? copies(shadow->fractal, shadow->map * levels.display(), levels, depth, forms)
+                   : QByteArray();
+        const QByteArray front = copies(m_page.fractal, levels.display(), levels, depth, forms);
+        QByteArray list = forms.list();
+        if (shadow) list += addShadow(behind, "/XObject<<" + list + ">>");
+        m_content += front;
+        return "/XObject<<" + list + ">>";
+    }
+
+    static QByteArray copies(const document::Fractal& fractal, const ifs::AffineMap<2>& display,
+                             const ifs::CopyHierarchy& levels, int depth, Forms& forms) {
+        const attractor::Rgba all = shapeColour(fractal.appearance);
+        QByteArray content = "q " + text(display) + " cm\n" + text(all) + " rg\n";
         for (const ifs::Copy& copy : levels.picture(depth)) {
-            m_content += text(shapeColour(m_page.fractal, levels, copy).value_or(all)) + " rg\n";
-            m_content += forms.drawn(copy);
+            content += text(shapeColour(fractal, levels, copy).value_or(all)) + " rg\n";
+            content += forms.drawn(copy);
         }
-        m_content += "Q\n";
-        return forms.resources();
+        return content + "Q\n";
+    }
+
+    // As one transparent group, so that what lies over each other in it is no darker.
+    QByteArray addShadow(const QByteArray& content, const QByteArray& resources) {
+        const int object =
+            m_file.addStream("/Type/XObject/Subtype/Form/BBox[0 0 " + text(double(m_page.camera.width)) +
+                                 ' ' + text(double(m_page.camera.height)) +
+                                 "]/Group<</S/Transparency>>/Resources<<" + resources + ">>",
+                             content);
+        const int state = m_file.addStream(
+            "/Type/XObject/Subtype/Form/BBox[0 0 " + text(double(m_page.camera.width)) + ' ' +
+                text(double(m_page.camera.height)) + "]/Resources<</ExtGState<</Shade<</ca " +
+                text(m_page.fractal.appearance.shadow) + ">>>>/XObject<</Shapes " + pdfReference(object) +
+                ">>>>",
+            "/Shade gs /Shapes Do\n");
+        m_content += "q /Shadow Do Q\n";
+        return "/Shadow " + pdfReference(state);
     }
 
     void addOutline(const std::vector<Ring>& rings) {
@@ -209,16 +239,26 @@ private:
         m_content += "S\n";
     }
 
-    void addPoints(const std::vector<ColouredPoints>& groups) {
-        m_content += "1 w 1 J\n"; // round ends: a line without length is a dot
-        for (const ColouredPoints& group : groups) {
-            m_content += text(group.colour) + " RG\n";
+    QByteArray addPoints() {
+        const auto shadow = shapeShadow(m_page.fractal, m_page.camera);
+        QByteArray resources;
+        if (shadow) resources = "/XObject<<" + addShadow(points(shadow->fractal), {}) + ">>";
+        m_content += points(m_page.fractal);
+        return resources;
+    }
+
+    QByteArray points(const document::Fractal& fractal) const {
+        const SvgFormat& format = m_page.format;
+        QByteArray content = "1 w 1 J\n"; // round ends: a line without length is a dot
+        for (const ColouredPoints& group : shapePoints(fractal, m_page.camera, format.points, format.seed)) {
+            content += text(group.colour) + " RG\n";
             for (const auto& point : group.points) {
                 const QByteArray position = text(rounded(point));
-                m_content += position + " m " + position + " l\n";
+                content += position + " m " + position + " l\n";
             }
-            m_content += "S\n";
+            content += "S\n";
         }
+        return content;
     }
 
     void addCage() {
@@ -227,7 +267,6 @@ private:
         m_content += text(attractor::Rgba{std::uint8_t(colour.red()), std::uint8_t(colour.green()),
                                           std::uint8_t(colour.blue()), 255}) +
                      " RG 1.5 w 1 j\n";
-        if (cage.rest != cage.current) m_content += "[4 4] 0 d\n" + polygon(cage.rest) + "S\n[] 0 d\n";
         m_content += polygon(cage.current) + "S\n";
     }
 

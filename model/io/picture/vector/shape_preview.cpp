@@ -51,23 +51,14 @@ public:
         painter.setRenderHint(QPainter::Antialiasing);
         if (format.style != ShapeStyle::Outline)
             painter.fillRect(m_image.rect(), colourOf(m_fractal.appearance.background));
-        switch (format.style) {
-        case ShapeStyle::Structured:
-            drawCopies(painter, levels, previewDepth(levels, format));
-            break;
-        case ShapeStyle::Outline:
+        if (format.style == ShapeStyle::Outline) {
             painter.setPen(Qt::black);
             for (const Ring& ring : leafUnion(levels, previewDepth(levels, format), m_stop))
                 painter.drawPolygon(polygon(ring, {}));
-            break;
-        case ShapeStyle::Points:
-            for (const auto& [colour, points] :
-                 shapePoints(m_fractal, m_camera, std::min(format.points, maxDots), format.seed)) {
-                painter.setPen(QPen(colourOf(colour), 1, Qt::SolidLine, Qt::RoundCap));
-                for (const auto& point : points)
-                    painter.drawPoint(QPointF(point.x(), point.y()));
-            }
-            break;
+        } else {
+            if (const auto shadow = shapeShadow(m_fractal, m_camera))
+                drawShadow(painter, *shadow, levels, format);
+            drawShapes(painter, m_fractal, levels.display(), levels, format);
         }
         painter.end();
         if (format.cage == CageVisibility::Shown) paintCage(m_image, m_fractal, m_camera);
@@ -75,16 +66,44 @@ public:
     }
 
 private:
-    void drawCopies(QPainter& painter, const ifs::CopyHierarchy& levels, int depth) {
+    void drawShadow(QPainter& painter, const ShapeShadow& shadow, const ifs::CopyHierarchy& levels,
+                    const SvgFormat& format) {
+        QImage layer(m_image.size(), m_image.format());
+        layer.fill(Qt::transparent);
+        QPainter onLayer(&layer);
+        onLayer.setRenderHint(QPainter::Antialiasing);
+        drawShapes(onLayer, shadow.fractal, shadow.map * levels.display(), levels, format);
+        onLayer.end();
+        painter.setOpacity(shadow.opacity);
+        painter.drawImage(0, 0, layer);
+        painter.setOpacity(1);
+    }
+
+    void drawShapes(QPainter& painter, const document::Fractal& fractal, const ifs::AffineMap<2>& display,
+                    const ifs::CopyHierarchy& levels, const SvgFormat& format) {
+        if (format.style == ShapeStyle::Structured) {
+            drawCopies(painter, fractal, display, levels, previewDepth(levels, format));
+            return;
+        }
+        for (const auto& [colour, points] :
+             shapePoints(fractal, m_camera, std::min(format.points, maxDots), format.seed)) {
+            painter.setPen(QPen(colourOf(colour), 1, Qt::SolidLine, Qt::RoundCap));
+            for (const auto& point : points)
+                painter.drawPoint(QPointF(point.x(), point.y()));
+        }
+    }
+
+    void drawCopies(QPainter& painter, const document::Fractal& fractal, const ifs::AffineMap<2>& display,
+                    const ifs::CopyHierarchy& levels, int depth) {
         m_outline = levels.outline(depth);
         m_copies.clear();
         for (int level = 0; level <= depth; ++level)
             m_copies.push_back(level == 0 ? std::vector<ifs::Copy>() : levels.copies(level, depth));
-        const attractor::Rgba all = shapeColour(m_fractal.appearance);
+        const attractor::Rgba all = shapeColour(fractal.appearance);
         painter.setPen(Qt::NoPen);
         for (const ifs::Copy& copy : levels.picture(depth)) {
-            painter.setBrush(colourOf(shapeColour(m_fractal, levels, copy).value_or(all)));
-            drawCopy(painter, levels, copy, levels.display() * copy.map);
+            painter.setBrush(colourOf(shapeColour(fractal, levels, copy).value_or(all)));
+            drawCopy(painter, levels, copy, display * copy.map);
         }
     }
 

@@ -2,6 +2,7 @@
 #include "io/picture/vector/svg_shapes.h"
 
 #include "attractor/request/colour_coordinates.h"
+#include "attractor/request/shadow.h"
 #include "attractor/samples/chaos_game.h"
 #include "attractor/samples/prepared_system.h"
 #include "document/fractal/fractal_geometry.h"
@@ -189,6 +190,18 @@ std::vector<ColouredPoints> shapePoints(const document::Fractal& fractal, const 
     for (auto& [group, coloured] : groups)
         result.push_back(std::move(coloured));
     return result;
+}
+
+std::optional<ShapeShadow> shapeShadow(const document::Fractal& fractal, const attractor::Camera& camera) {
+    const auto inWorld = document::shadowMap(fractal, camera.yAxis);
+    const ifs::AffineMap<2> seen = worldToPixel(camera);
+    const auto unseen = ifs::inverse<2>(seen);
+    if (!inWorld || !unseen) return std::nullopt;
+    ShapeShadow shadow{fractal, seen * *inWorld * *unseen, fractal.appearance.shadow};
+    document::Shape<2>& shape = *document::plane(shadow.fractal);
+    shape.cage = attractor::movedCage(shape.cage, *inWorld);
+    shadow.fractal.appearance = attractor::shadowAppearance(fractal.appearance, shape.system);
+    return shadow;
 }
 
 } // namespace io

@@ -7,6 +7,7 @@
 #include "attractor/request/camera.h"
 #include "document/fractal/fractal.h"
 
+#include <optional>
 #include <stop_token>
 #include <vector>
 
@@ -38,5 +39,14 @@ struct ColouredPoints {
 };
 std::vector<ColouredPoints> shapePoints(const document::Fractal& fractal, const attractor::Camera& camera,
                                         std::uint64_t points, std::uint64_t seed);
+
+// The shadow of a picture of shapes: the same shapes in the colours of `fractal`, as seen in `fractal` itself
+// or taken there by `map`, in pixels. nullopt where the picture has none.
+struct ShapeShadow {
+    document::Fractal fractal;
+    ifs::AffineMap<2> map;
+    double opacity = 1; // of all of them together
+};
+std::optional<ShapeShadow> shapeShadow(const document::Fractal& fractal, const attractor::Camera& camera);
 
 } // namespace io

@@ -81,7 +81,17 @@ public:
             const ifs::MergedCopies merged(levels, depth);
             writeDefinitions(levels, merged, depth);
             writeBackground();
-            writeAttractor(levels, merged);
+            if (const auto shadow = shapeShadow(m_fractal, m_camera)) {
+                startElement("g");
+                attribute("id", QStringLiteral("shadow"));
+                attribute("opacity", svgText(shadow->opacity));
+                writeCopies(shadow->fractal, shadow->map * levels.display(), levels, merged);
+                m_xml.writeEndElement();
+            }
+            startElement("g");
+            attribute("id", QStringLiteral("attractor"));
+            writeCopies(m_fractal, levels.display(), levels, merged);
+            m_xml.writeEndElement();
         });
     }
 
@@ -100,23 +110,34 @@ public:
         });
     }
 
-    QByteArray points(const std::vector<ColouredPoints>& groups) {
+    QByteArray points() {
         return picture([&] {
             writeBackground();
+            if (const auto shadow = shapeShadow(m_fractal, m_camera)) {
+                startElement("g");
+                attribute("id", QStringLiteral("shadow"));
+                attribute("opacity", svgText(shadow->opacity));
+                writePoints(shadow->fractal);
+                m_xml.writeEndElement();
+            }
             startElement("g");
             attribute("id", QStringLiteral("points"));
-            attribute("stroke-linecap", QStringLiteral("round")); // a line without length is a dot
-            for (const ColouredPoints& group : groups) {
-                QString path;
-                for (const auto& point : group.points)
-                    path += QLatin1Char('M') + pixels(point) + QLatin1String("h0");
-                startPath({}, path, svgText(group.colour));
-            }
+            writePoints(m_fractal);
             m_xml.writeEndElement();
         });
     }
 
 private:
+    void writePoints(const document::Fractal& fractal) {
+        attribute("stroke-linecap", QStringLiteral("round")); // a line without length is a dot
+        for (const ColouredPoints& group : shapePoints(fractal, m_camera, m_format.points, m_format.seed)) {
+            QString path;
+            for (const auto& point : group.points)
+                path += QLatin1Char('M') + pixels(point) + QLatin1String("h0");
+            startPath({}, path, svgText(group.colour));
+        }
+    }
+
     template <typename Content> QByteArray picture(const Content& content) {
         startSvg(
             m_xml,
@@ -246,16 +267,15 @@ private:
         if (colour.alpha != 255) attribute("fill-opacity", svgText(colour.alpha / 255.0));
     }
 
-    void writeAttractor(const ifs::CopyHierarchy& levels, const ifs::MergedCopies& merged) {
-        startElement("g");
-        attribute("id", QStringLiteral("attractor"));
-        attribute("transform", svgText(levels.display()));
-        attribute("fill", svgText(shapeColour(m_fractal.appearance)));
+    // Into the element that is open, in the colours of the fractal.
+    void writeCopies(const document::Fractal& fractal, const ifs::AffineMap<2>& display,
+                     const ifs::CopyHierarchy& levels, const ifs::MergedCopies& merged) {
+        attribute("transform", svgText(display));
+        attribute("fill", svgText(shapeColour(fractal.appearance)));
         for (const ifs::Copy& copy : merged.picture()) {
             writeCopy(copy);
-            if (const auto colour = shapeColour(m_fractal, levels, copy)) attribute("fill", svgText(*colour));
+            if (const auto colour = shapeColour(fractal, levels, copy)) attribute("fill", svgText(*colour));
         }
-        m_xml.writeEndElement();
     }
 
     void writeCage() {
@@ -266,8 +286,7 @@ private:
         attribute("stroke", cageColour().name());
         attribute("stroke-width", QStringLiteral("1.5"));
         attribute("stroke-linejoin", QStringLiteral("round"));
-        if (cage.rest != cage.current) writePolygon("rest", cage.rest, QStringLiteral("4 4"));
-        writePolygon("current", cage.current, {});
+        writePolygon("current", cage.current);
         m_xml.writeEndElement();
     }
 
@@ -278,13 +297,12 @@ private:
         m_xml.writeEndElement();
     }
 
-    void writePolygon(const char* id, std::vector<ifs::Vector<2>> vertices, const QString& dashes) {
+    void writePolygon(const char* id, std::vector<ifs::Vector<2>> vertices) {
         for (auto& vertex : vertices)
             vertex = toPixel(m_camera, vertex);
         m_xml.writeEmptyElement(svg, QStringLiteral("polygon"));
         attribute("id", QLatin1String(id));
         attribute("points", pointList(vertices));
-        if (!dashes.isEmpty()) attribute("stroke-dasharray", dashes);
     }
 
     const document::Fractal& m_fractal;
@@ -346,7 +364,7 @@ SvgPicture svgPicture(const document::Fractal& fractal, const attractor::Camera&
     case ShapeStyle::Outline:
         return outlinePicture(fractal, camera, *levels.levels, format, stop);
     case ShapeStyle::Points:
-        picture.bytes = writer.points(shapePoints(fractal, camera, format.points, format.seed));
+        picture.bytes = writer.points();
         break;
     }
     return picture;

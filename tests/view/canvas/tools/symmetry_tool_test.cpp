@@ -19,18 +19,18 @@ private:
                                    ifs::Symmetry<2>{ifs::SymmetryGroup::Rotation, 5, 0, {0.5, 0.25}}));
     }
     const Vector<2>& centre() const { return system().symmetry.centre; }
-    QPointF knob() const { return scene().symmetry().knob().value_or(QPointF(-100, -100)); }
+    QPointF knob() const { return scene().knobs().symmetry.knob().value_or(QPointF(-100, -100)); }
 
 private slots:
     void init() { open(); }
     void cleanup() { close(); }
 
     void onlyASymmetryHasAHandle() {
-        QVERIFY(!scene().symmetry().knob());
+        QVERIFY(!scene().knobs().symmetry.knob());
         makeSymmetric();
-        QVERIFY(scene().symmetry().knob());
+        QVERIFY(scene().knobs().symmetry.knob());
         m_document->undoStack()->undo();
-        QVERIFY(!scene().symmetry().knob());
+        QVERIFY(!scene().knobs().symmetry.knob());
     }
 
     void aDragIsOneStep() {
@@ -98,7 +98,7 @@ private slots:
         drag(from, {20, 20});
         QVERIFY(centre() != Vector<2>(0.5, 0.25));
         key(Qt::Key_H);
-        QVERIFY(!scene().symmetry().knob());
+        QVERIFY(!scene().knobs().symmetry.knob());
     }
 };
 

@@ -34,6 +34,7 @@
 #include <QTextBlock>
 #include <QTextDocument>
 #include <QTimer>
+#include <QToolButton>
 
 #include <memory>
 
@@ -73,6 +74,11 @@ private:
         for (auto* widget : m_dialog->findChildren<Widget*>())
             if (widget->accessibleName() == name) return widget;
         return nullptr;
+    }
+    void setSize(const QSize& size) {
+        named<QToolButton>(QStringLiteral("Lock proportions"))->setChecked(false);
+        number(QStringLiteral("Width"))->setValue(size.width());
+        number(QStringLiteral("Height"))->setValue(size.height());
     }
     void open(const document::Fractal& entry);
     bool exported(Dialog::Format format, const QString& name);
@@ -140,8 +146,7 @@ void AnimationExportDialogTest::open(const document::Fractal& entry) {
     }
     m_dialog = std::make_unique<Dialog>(m_document.get(), camera);
     m_dialog->show();
-    number(QStringLiteral("Width"))->setValue(64);
-    number(QStringLiteral("Height"))->setValue(48);
+    setSize({64, 48});
 }
 
 void AnimationExportDialogTest::prepare(const QString& folder) {
@@ -333,8 +338,7 @@ void AnimationExportDialogTest::editingGoesOn() {
 }
 
 void AnimationExportDialogTest::stoppingLeavesNothing() {
-    number(QStringLiteral("Width"))->setValue(1600);
-    number(QStringLiteral("Height"))->setValue(1200);
+    setSize({1600, 1200});
     named<QComboBox>(QStringLiteral("Quality"))->setCurrentIndex(3);
     m_dialog->setFormat(Dialog::Mp4);
     m_dialog->exportTo(path("a.mp4"));
@@ -350,8 +354,7 @@ void AnimationExportDialogTest::stoppingLeavesNothing() {
 }
 
 void AnimationExportDialogTest::closingAsksFirst() {
-    number(QStringLiteral("Width"))->setValue(1600);
-    number(QStringLiteral("Height"))->setValue(1200);
+    setSize({1600, 1200});
     named<QComboBox>(QStringLiteral("Quality"))->setCurrentIndex(3);
     m_dialog->setFormat(Dialog::Mp4);
     m_dialog->show();
@@ -403,8 +406,7 @@ void AnimationExportDialogTest::theEndingDecidesTheFormat() {
 }
 
 void AnimationExportDialogTest::theTimeLeftIsSaid() {
-    number(QStringLiteral("Width"))->setValue(1600);
-    number(QStringLiteral("Height"))->setValue(1200);
+    setSize({1600, 1200});
     named<QComboBox>(QStringLiteral("Quality"))->setCurrentIndex(3);
     auto* left = named<QLabel>(QStringLiteral("Time left"));
     QVERIFY(left && !left->isVisible());
@@ -420,7 +422,7 @@ void AnimationExportDialogTest::failuresAreSaid() {
 }
 
 void AnimationExportDialogTest::whatAFormatLacksIsSaid() {
-    number(QStringLiteral("Width"))->setValue(65);
+    setSize({65, 48});
     QVERIFY(named<QLabel>(QStringLiteral("Summary of the export"))->text().contains(QStringLiteral("even")));
     number(QStringLiteral("Width"))->setValue(64);
     QVERIFY(!named<QLabel>(QStringLiteral("Summary of the export"))->text().contains(QStringLiteral("even")));

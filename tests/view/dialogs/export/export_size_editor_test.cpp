@@ -6,6 +6,7 @@
 #include <QDoubleSpinBox>
 #include <QSpinBox>
 #include <QTest>
+#include <QToolButton>
 
 using namespace view;
 
@@ -16,6 +17,7 @@ private slots:
     void sizeKeepsItsShape();
     void sizesAreChosenByName();
     void lengthsFollowTheResolution();
+    void sheetsStandOrLie();
 
 private:
     template <typename Widget> static Widget* named(QWidget& parent, const char* name) {
@@ -37,6 +39,23 @@ void ExportSizeEditorTest::sizeKeepsItsShape() {
     QCOMPARE(named<QDoubleSpinBox>(editor, "Height")->value(), 75'000.0);
     named<QDoubleSpinBox>(editor, "Width")->setValue(100'000);
     QCOMPARE(editor.pixels(), QSize(100'000, 75'000));
+}
+
+void ExportSizeEditorTest::sheetsStandOrLie() {
+    ExportSizeEditor editor({160, 120});
+    auto* turn = named<QToolButton>(editor, "Portrait or landscape");
+    QVERIFY(turn);
+    turn->click();
+    QCOMPARE(editor.pixels(), QSize(120, 160));
+    named<QDoubleSpinBox>(editor, "Width")->setValue(300); // in the proportions that it has now
+    QCOMPARE(editor.pixels(), QSize(300, 400));
+    auto* sizes = named<QComboBox>(editor, "Named size");
+    const int a4 = sizes->findText(QStringLiteral("A4"), Qt::MatchStartsWith);
+    sizes->setCurrentIndex(a4);
+    emit sizes->activated(a4);
+    turn->click();
+    QCOMPARE(editor.pixels(), QSize(2480, 3508));
+    QCOMPARE(sizes->currentIndex(), a4); // a sheet that stands is still one
 }
 
 void ExportSizeEditorTest::sizesAreChosenByName() {

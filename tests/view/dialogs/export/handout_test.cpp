@@ -118,11 +118,13 @@ private slots:
             HandoutOptions options;
             options.perPage = perPage;
             const auto page = [&](double first, double second) {
-                return pagesOf({withLongNumbers<2>(*item().fractal, first, second)}, options).front();
+                const HandoutItem one = withLongNumbers<2>(*item().fractal, first, second);
+                return pagesOf(std::vector<HandoutItem>(std::size_t(perPage), one), options).front();
             };
             QVERIFY2(page(0.1111, 0.1112) != page(0.1112, 0.1111), qPrintable(QString::number(perPage)));
             const auto solid = [&](double first, double second) {
-                return pagesOf({withLongNumbers<3>(tetrahedron(), first, second)}, options).front();
+                const HandoutItem one = withLongNumbers<3>(tetrahedron(), first, second);
+                return pagesOf(std::vector<HandoutItem>(std::size_t(perPage), one), options).front();
             };
             QVERIFY2(solid(0.1111, 0.1112) != solid(0.1112, 0.1111), qPrintable(QString::number(perPage)));
         }
@@ -140,6 +142,28 @@ private slots:
                 QVERIFY(count(page, false) > 100); // name and formulas
             }
         }
+    }
+
+    // A single entry has the page to itself, and on a sheet that lies, entries stand side by side.
+    void entriesUseThePage() {
+        HandoutOptions options;
+        options.perPage = 1;
+        const QImage alone = pagesOf({item()}, options).front();
+        for (const int perPage : {2, 4, 6}) {
+            options.perPage = perPage;
+            QVERIFY(pagesOf({item()}, options).front() == alone);
+        }
+        options.perPage = 2;
+        QImage page(850, 600, QImage::Format_RGB32);
+        page.fill(Qt::white);
+        QPainter painter(&page);
+        paintHandout(painter, QRectF(20, 20, 810, 560), std::vector<HandoutItem>(2, item()), options,
+                     [] { QFAIL("one page is enough"); });
+        painter.end();
+        const int left = count(page.copy(0, 0, 425, 600), true),
+                  right = count(page.copy(425, 0, 425, 600), true);
+        QVERIFY2(left > 2000 && std::abs(left - right) < left / 20,
+                 qPrintable(QStringLiteral("%1 %2").arg(left).arg(right)));
     }
 
     void aTaskSheetHasNoPictureAndNoNumbersOfMaps() {
@@ -168,7 +192,8 @@ private slots:
                 HandoutOptions options;
                 options.perPage = perPage;
                 options.kind = kind;
-                const QImage page = pagesOf({item(400)}, options).front();
+                const std::vector<HandoutItem> items(std::size_t(perPage), item(400));
+                const QImage page = pagesOf(items, options).front();
                 for (int x = 0; x < page.width(); ++x) {
                     QCOMPARE(page.pixel(x, 0), 0xffffffff);
                     QCOMPARE(page.pixel(x, page.height() - 1), 0xffffffff);

@@ -25,6 +25,7 @@
 #include <QTemporaryDir>
 #include <QTest>
 #include <QTimer>
+#include <QToolButton>
 
 #include <functional>
 #include <memory>
@@ -165,6 +166,7 @@ void LastExportTest::animations() {
     };
     auto dialog = open();
     dialog->setFormat(view::AnimationExportDialog::Pictures);
+    named<QToolButton>(*dialog, "Lock proportions")->setChecked(false);
     named<QSpinBox>(*dialog, "Width")->setValue(32);
     named<QSpinBox>(*dialog, "Height")->setValue(24);
     exportAs(*dialog, path("a.0.png"));

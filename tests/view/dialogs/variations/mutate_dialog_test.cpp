@@ -72,7 +72,7 @@ QPushButton* button(const MutateDialog& dialog, const QString& text) {
 }
 
 QPushButton* use(const MutateDialog& dialog) {
-    return button(dialog, QStringLiteral("Use the Parent"));
+    return button(dialog, QStringLiteral("Use This One"));
 }
 
 QListWidget* lineOf(const MutateDialog& dialog) {

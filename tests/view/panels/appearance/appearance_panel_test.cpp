@@ -302,6 +302,23 @@ private slots:
         }
     }
 
+    void whereAShadowFallsIsAskedWhileThereIsOne() {
+        const auto* shadow = m_panel->numbers()->slider(&attractor::Appearance::shadow);
+        const auto* lean = m_panel->numbers()->slider(&attractor::Appearance::shadowLean);
+        const auto* length = m_panel->numbers()->slider(&attractor::Appearance::shadowLength);
+        QVERIFY(shadow->isVisibleTo(m_panel.get()) && !lean->isVisibleTo(m_panel.get()) &&
+                !length->isVisibleTo(m_panel.get()));
+        shadow->slider()->setValue(200);
+        QTRY_COMPARE(m_document->undoStack()->count(), 1);
+        QCOMPARE(appearance().shadow, 0.5);
+        QVERIFY(lean->isVisibleTo(m_panel.get()) && length->isVisibleTo(m_panel.get()));
+        length->slider()->setValue(0);
+        QTRY_COMPARE(m_document->undoStack()->count(), 2);
+        QCOMPARE(appearance().shadowLength, -3.0);
+        m_document->undoStack()->setIndex(0);
+        QVERIFY(!lean->isVisibleTo(m_panel.get()));
+    }
+
     void aTypedContrastIsWithinReason() {
         view::NumberField* field = m_panel->numbers()->slider(&attractor::Appearance::contrast)->field();
         field->setFocus();

@@ -60,6 +60,7 @@ private slots:
                                        m_panel->numbers()->slider(&attractor::Appearance::contrast),
                                        m_panel->numbers()->slider(&attractor::Appearance::vibrancy)})
                 QCOMPARE(slider->isVisible(), shown.tone);
+            QVERIFY(!m_panel->numbers()->slider(&attractor::Appearance::shadow)->isVisible());
         }
         QCOMPARE(m_document->undoStack()->count(), 5); // stone was there
         m_document->undoStack()->setIndex(0);

@@ -328,7 +328,7 @@ private slots:
         QVERIFY(list->count() > 0);
         QCOMPARE(steps(), 0);
         QVERIFY(list->item(0)->text().contains(QStringLiteral("Mean distance")));
-        QVERIFY(list->item(0)->text().contains(QStringLiteral("Guarantee")));
+        QVERIFY(list->item(0)->text().contains(QStringLiteral("Guaranteed within")));
         // Each has a picture: more than one colour.
         const auto isDrawn = [&](int row) {
             const QImage picture = list->item(row)->icon().pixmap(list->iconSize()).toImage();

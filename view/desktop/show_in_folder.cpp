@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: MIT
+#include "desktop/show_in_folder.h"
+
+#include <QDesktopServices>
+#include <QFileInfo>
+#include <QUrl>
+
+namespace view {
+
+// Nothing asks here what the path is, because its drive may not answer: a path that ends in a slash is a
+// folder.
+void showInFolder(const QString& path) {
+    if (!path.isEmpty()) QDesktopServices::openUrl(QUrl::fromLocalFile(QFileInfo(path).path()));
+}
+
+} // namespace view
