@@ -38,7 +38,7 @@ void PromisesTest::onlyThesePlacesReachOtherPrograms_data() {
         {QStringLiteral("app/gui/main.cpp"), QStringLiteral("view/dialogs/export/cluster_queue")});
     row("shells and forks", R"((?:\bstd::|[^\w:]::)system\s*\(|\bsystem\s*\(\s*"|[^\w]fork\s*\(\s*\))", {});
     row("the desktop", R"(\bQDesktopServices::|setOpenExternalLinks)",
-        {QStringLiteral("view/panels/exports/exports_panel.cpp"), QStringLiteral("view/dialogs/guide.cpp")});
+        {QStringLiteral("view/desktop/show_in_folder.cpp"), QStringLiteral("view/dialogs/guide.cpp")});
     row("the network", R"(\bQNetwork|\bQTcp|\bQUdp|\bQLocalSocket|\bQSsl|[^\w]socket\s*\()", {});
     row("libraries", R"(\bQPluginLoader|\bQLibrary\b|\bdlopen\s*\()",
         {QStringLiteral("model/io/video/libav/library.cpp")});

@@ -46,6 +46,7 @@ const std::vector<const char*> inPlane{
     "--size 48x36 --points 20000 --vibrancy 0.5",
     "--size 48x36 --points 20000 --shadow 0.5",
     "--size 48x36 --points 20000 --shadow 0.5 --shadow-lean 2",
+    "--size 48x36 --points 20000 --shadow 0.5 --shadow-length -0.4",
     "--size 48x36 --points 20000 --margin 6",
     "--size 48x36 --points 20000 --background black",
     "--size 48x36 --points 20000 --palette Fern",
