@@ -47,6 +47,7 @@ void RealDialogsTest::transformsAsPlacement() {
         const ifs::Vector<2> turned = cage().current[(i + 1) % 3] - cage().current[i];
         QVERIFY((turned - ifs::Vector<2>(-edge.y(), edge.x())).norm() < 1e-12);
     }
+    QTRY_VERIFY(support::isInPlace(&window())); // the window manager gives the keyboard back
     hand().key("Control+s");
     QTRY_VERIFY(!window().isWindowModified());
     QCOMPARE(document::plane(savedEntry(path))->cage, document::plane(fractal())->cage);
@@ -80,6 +81,7 @@ void RealDialogsTest::transformsAsCode() {
         QVERIFY((maps[i].map.linear - old[i].map.linear).norm() < 1e-12);
         QVERIFY((maps[i].map.translation - 2 * old[i].map.translation).norm() < 1e-12);
     }
+    QTRY_VERIFY(support::isInPlace(&window())); // the window manager gives the keyboard back
     hand().key("Control+s");
     QTRY_VERIFY(!window().isWindowModified());
     QVERIFY(document::isSameSystem(savedEntry(path), fractal()));
