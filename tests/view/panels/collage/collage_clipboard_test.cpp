@@ -2,7 +2,6 @@
 #include "support/named_test.h"
 #include "view/panels/collage_panel_fixture.h"
 
-#include <QBuffer>
 #include <QClipboard>
 #include <QGuiApplication>
 #include <QMimeData>
@@ -52,12 +51,8 @@ private slots:
         QVERIFY(m_panel->target()->traced());
         QCOMPARE(m_panel->target()->traced()->mask.width, 96);
         // As other programs offer it: a file, which is not decoded by the clipboard.
-        QByteArray bytes;
-        QBuffer buffer(&bytes);
-        buffer.open(QIODevice::WriteOnly);
-        QVERIFY(leaf(64).save(&buffer, "PNG"));
         auto* offered = new QMimeData;
-        offered->setData(QStringLiteral("image/png"), bytes);
+        offered->setData(QStringLiteral("image/png"), encoded(leaf(64), "PNG"));
         QGuiApplication::clipboard()->setMimeData(offered);
         QTest::mouseClick(named<QToolButton>(QStringLiteral("Paste")), Qt::LeftButton);
         settle();
@@ -72,11 +67,7 @@ private slots:
 
     // A picture may take all memory, or minutes: it is decoded beside the window, within the limits of files.
     void theClipboardDecodesNoPicture() {
-        QByteArray bytes;
-        QBuffer buffer(&bytes);
-        buffer.open(QIODevice::WriteOnly);
-        QVERIFY(leaf(64).save(&buffer, "PNG"));
-        auto* offered = new OfferedPicture(bytes);
+        auto* offered = new OfferedPicture(encoded(leaf(64), "PNG"));
         QGuiApplication::clipboard()->setMimeData(offered);
         QTest::mouseClick(named<QToolButton>(QStringLiteral("Paste")), Qt::LeftButton);
         settle();
