@@ -173,10 +173,10 @@ for script in submit-animation.sh submit-picture.sh; do
 done
 
 # One of each kind, or all.
-hostile=('{= system("touch canary") =}' '{}' '{//}' '$(touch canary)' '`touch canary`' '"' "'" $'end\n' '%A %a %j' '%%'
-  '##.##' '--' '*' '~' '{{Param.X}}' '\' $'\xff.')
+hostile=('{= system("touch canary") =}' '{}' '{#}' '{/}' '$(touch canary)' '`touch canary`' '"' "'" $'end\n' '%A %a %j'
+  '%n' '#' '--' '*' '~' '{{Param.X}}' '\' $'\xff.')
 if [ -n "${BARYCAGE_ALL:-}" ]; then
-  hostile+=('{#}' '{/}' '{.}' '{%}' '{1}' '{= $_=1 =}' $'a\nb' $'end\n\n' '%n' '%3' '#' '; touch canary;'
+  hostile+=('{//}' '{.}' '{%}' '{1}' '{= $_=1 =}' $'a\nb' $'end\n\n' '%%' '%3' '##.##' '; touch canary;'
     '& touch canary &' '-o' '?[a]' 'two  words ' 'back\slash' '\\n' $'\u202e' '!!' '$HOME' $'\t' '+x' '(x)' '<x>' 'a,b')
 fi
 for name in "${hostile[@]}"; do
