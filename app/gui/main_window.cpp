@@ -19,12 +19,14 @@
 #include "lessons/lesson_commands.h"
 #include "menus/animation_menu.h"
 #include "menus/cage_menu.h"
+#include "menus/discover_menu.h"
 #include "menus/edit_menu.h"
 #include "menus/file_menu.h"
 #include "menus/help_menu.h"
 #include "menus/maps_menu.h"
 #include "menus/saved_views_menu.h"
 #include "menus/snapshot_commands.h"
+#include "menus/teach_menu.h"
 #include "menus/view_menu.h"
 #include "messages/flame_banner.h"
 #include "panels/analysis/analysis_panel.h"
@@ -143,21 +145,30 @@ void MainWindow::createMenus() {
         window->openFirstPicture();
         window->show();
     });
-    m_editMenu = new EditMenu(context, *m_snapshots);
+    auto* edit = new EditMenu(context, *m_snapshots);
     auto* cage = new CageMenu(context);
     auto* maps = new MapsMenu(context);
     m_animationMenu = new AnimationMenu(context, m_timeline);
-    m_viewMenu = new ViewMenu(context, [this](bool on) { present(on); });
+    m_viewMenu = new ViewMenu(context);
+    m_discoverMenu = new DiscoverMenu(context, [this] { showCollection(); });
+    m_teachMenu = new TeachMenu(context, [this](bool on) { present(on); });
     m_lessons = new LessonCommands(context, {this, &m_document, m_stage, m_analysis, m_construction},
-                                   m_viewMenu->presentation());
-    m_viewMenu->addMenu(m_lessons);
+                                   m_teachMenu->presentation());
     createConstructionBar();
+    m_teachMenu->addMenu(m_lessons);
+    m_teachMenu->addHandout(&m_file);
     createOptionsBar();
-    m_menus = {file, m_editMenu, cage, maps, m_animationMenu, m_viewMenu, new HelpMenu(context)};
-    for (ActionMenu* menu : m_menus) {
+    m_menus = {file,
+               edit,
+               cage,
+               maps,
+               m_animationMenu,
+               m_viewMenu,
+               m_discoverMenu,
+               m_teachMenu,
+               new HelpMenu(context)};
+    for (ActionMenu* menu : m_menus)
         menuBar()->addMenu(menu);
-        menu->setToolTipsVisible(true); // disabled actions explain themselves there
-    }
 }
 
 QDockWidget* MainWindow::dock(QWidget* panel, const QString& title, const QString& id,
@@ -216,6 +227,8 @@ void MainWindow::createPanels() {
         previous = next;
     }
     createCollage(previous);
+    for (const char* late : {"analysis", "history"}) // they come with View, Panels
+        findChild<QDockWidget*>(QLatin1String(late))->hide();
     auto* links = new view::LinksPanel(&m_document);
     QDockWidget* linksDock = dock(links, tr("Links"), QStringLiteral("links"), Qt::RightDockWidgetArea);
     tabifyDockWidget(previous, linksDock);
@@ -236,8 +249,26 @@ void MainWindow::createPanels() {
     connect(appearance, &view::AppearancePanel::message, m_messages, &WindowMessages::say);
     connect(cage, &view::CagePanel::defineRequested, m_canvas,
             [this] { m_canvas->setTool(view::CanvasView::Tool::DefineTriangle); });
-    connectCollection(collection,
-                      {&m_document, &m_file, m_fileCommands, [this] { m_viewMenu->showTransformation(); }});
+    showWithSeveralEntries(entriesDock);
+    connectCollection(
+        collection, {&m_document, &m_file, m_fileCommands, [this] { m_discoverMenu->showTransformation(); }});
+}
+
+// The list of entries appears with the first file of several, but not with the first picture, whose other
+// entries nobody asked for. From then on the layout is the user's.
+void MainWindow::showWithSeveralEntries(QDockWidget* entries) {
+    entries->hide();
+    connect(&m_document, &document::Document::changed, entries,
+            [this, entries](const document::Change& change) {
+                using document::Change;
+                const QString setting = QStringLiteral("window/entriesAppeared");
+                const bool isNews = change.parts & (Change::File | Change::Entries) && !m_opensFirstPicture;
+                if (!isNews || m_document.file().entries.size() < 2 || m_room->isSmall() ||
+                    menuBar()->isHidden() || view::stored(setting, false).toBool())
+                    return;
+                view::store(setting, true);
+                entries->show();
+            });
 }
 
 void MainWindow::createProblems() {
@@ -259,6 +290,7 @@ void MainWindow::createCollage(QDockWidget* neighbour) {
                                 QStringLiteral("collage"), Qt::RightDockWidgetArea);
     tabifyDockWidget(neighbour, collage);
     collage->hide();
+    m_discoverMenu->addCollage(collage->toggleViewAction());
     connect(m_collage, &view::CollagePanel::message, m_messages, &WindowMessages::say);
 }
 
@@ -313,19 +345,18 @@ void MainWindow::createConstructionBar() {
     bar->hide();
     QAction* shown = bar->toggleViewAction();
     shown->setObjectName(QStringLiteral("how-it-is-built"));
-    shown->setText(tr("&How It Is Built"));
+    shown->setText(tr("How It Is &Built"));
     shown->setIcon(view::icon(QStringLiteral("construction")));
     shown->setShortcut(QKeySequence(tr("W")));
     shown->setStatusTip(
         tr("Watch the attractor being built: in steps of the deterministic algorithm, or by the chaos game"));
     shown->setWhatsThis(shown->statusTip() + QStringLiteral(". ") + actionDetails("construction"));
     bar->setWhatsThis(shown->whatsThis());
-    m_viewMenu->addShared(shown);
-    m_viewMenu->addToolBarGroup({shown});
+    m_teachMenu->addShared(shown);
     connect(bar, &QToolBar::visibilityChanged, this, [this, bar](bool visible) {
         if (!visible) takeFocusFrom(bar);
     });
-    m_viewMenu->alternateWith(m_construction);
+    m_discoverMenu->alternateWith(m_construction);
     connect(shown, &QAction::toggled, m_construction, [this](bool on) {
         if (!on) m_construction->setMode(view::Construction::Mode::Density);
     });
@@ -358,6 +389,7 @@ void MainWindow::createToolBar() {
     bar->setObjectName(QStringLiteral("tools"));
     bar->setMovable(false);
     bar->setIconSize({22, 22});
+    bar->setToolButtonStyle(Qt::ToolButtonTextUnderIcon);
     for (const ActionMenu* menu : m_menus)
         for (const QList<QAction*>& group : menu->toolBarGroups()) {
             if (!bar->actions().isEmpty()) bar->addSeparator();
@@ -416,7 +448,7 @@ void MainWindow::connectDocument() {
 }
 
 void MainWindow::addRandom() {
-    m_editMenu->addRandom();
+    m_discoverMenu->addRandom();
 }
 
 void MainWindow::adopt(const view::Preferences& preferences) {
@@ -456,7 +488,7 @@ void MainWindow::closeEvent(QCloseEvent* event) {
     const bool isReading = m_file.isReading(); // whoever waits for that still uses the window
     if (!std::exchange(m_mayClose, false) && !mayClose(Leaving::Window)) return event->ignore();
     m_mayClose = false;
-    const bool presents = m_viewMenu->presentation()->isChecked();
+    const bool presents = m_teachMenu->presentation()->isChecked();
     if (!presents) m_room->showHiddenPanels();
     view::store(QStringLiteral("window/geometry"), presents ? m_before.geometry : saveGeometry());
     view::store(QStringLiteral("window/state"), presents ? m_before.layout : saveState());
@@ -509,8 +541,8 @@ void MainWindow::present(bool on) {
 
 // Whatever has the focus takes it first.
 void MainWindow::keyPressEvent(QKeyEvent* event) {
-    if (event->key() == Qt::Key_Escape && m_viewMenu->presentation()->isChecked())
-        m_viewMenu->presentation()->setChecked(false);
+    if (event->key() == Qt::Key_Escape && m_teachMenu->presentation()->isChecked())
+        m_teachMenu->presentation()->setChecked(false);
     else if (event->key() == Qt::Key_F6)
         walkFocus(*this, event->modifiers().testFlag(Qt::ShiftModifier) ? -1 : 1);
     else

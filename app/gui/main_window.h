@@ -14,7 +14,7 @@
 
 class ActionMenu;
 class AnimationMenu;
-class EditMenu;
+class DiscoverMenu;
 class FileCommands;
 class FirstMinute;
 class LessonCommands;
@@ -24,6 +24,7 @@ class RoomForPicture;
 class SnapshotCommands;
 class Stage;
 class StatusLine;
+class TeachMenu;
 class ViewMenu;
 class WindowMessages;
 namespace view {
@@ -80,6 +81,7 @@ private:
     void createPanels();
     void createTimeline();
     void createLesson();
+    void showWithSeveralEntries(QDockWidget* entries);
     void createProblems();
     void createCollage(QDockWidget* neighbour);
     void createConstructionBar();
@@ -102,6 +104,7 @@ private:
     view::Construction* m_construction;
     Stage* m_stage;
     RoomForPicture* m_room;
+    bool m_opensFirstPicture = false;
     bool m_isAsItWasLeft = false; // the layout of the panels
     bool m_mayClose = false;      // the user has been asked
     view::CanvasView* m_canvas;   // of the plane
@@ -112,8 +115,9 @@ private:
     FileCommands* m_fileCommands;
     SnapshotCommands* m_snapshots;
 
-    EditMenu* m_editMenu = nullptr;
     ViewMenu* m_viewMenu = nullptr;
+    DiscoverMenu* m_discoverMenu = nullptr;
+    TeachMenu* m_teachMenu = nullptr;
     AnimationMenu* m_animationMenu = nullptr;
     LessonCommands* m_lessons = nullptr;
     QList<ActionMenu*> m_menus;

@@ -12,6 +12,7 @@
 
 #include <QAction>
 #include <QFileInfo>
+#include <QScopedValueRollback>
 
 #include <utility>
 
@@ -20,7 +21,10 @@
 void MainWindow::openFirstPicture() {
     FirstPicture first = firstPicture();
     if (first.file.entries.isEmpty()) return;
-    m_file.startFrom(std::move(first.file), first.maple);
+    {
+        const QScopedValueRollback opening(m_opensFirstPicture, true);
+        m_file.startFrom(std::move(first.file), first.maple);
+    }
     if (FirstMinute::isOver()) return;
     if (!m_firstMinute) {
         const auto action = [this](const char* name) { return findChild<QAction*>(QLatin1String(name)); };

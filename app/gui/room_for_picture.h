@@ -22,6 +22,7 @@ public:
     void windowResized(const QSize& before);
     // However small the window is, before its layout is stored; false: none was hidden.
     bool showHiddenPanels();
+    bool isSmall() const; // too small for panels on the left
 
 protected:
     bool eventFilter(QObject* watched, QEvent* event) override;
@@ -29,7 +30,6 @@ protected:
 private:
     QList<QDockWidget*> panels() const;
     QList<QDockWidget*> columns() const; // one panel of each side
-    bool isSmall() const;
     void hideLeftPanels();
     void rememberWidths();
     void divide();

@@ -59,10 +59,6 @@
         <translation>Der Käfig gehört dazu, wo das wenig Platz kostet. Das Fraktal selbst ändert sich nicht.</translation>
     </message>
     <message>
-        <source>The spacing of its lines follows the zoom. Vertices snap to it if this is chosen under View › Snap To.</source>
-        <translation>Der Abstand der Linien folgt der Vergrößerung. Ecken rasten daran ein, wenn das unter Ansicht › Einrasten an gewählt ist.</translation>
-    </message>
-    <message>
         <source>Only the view is flipped: coefficients and coordinates do not change.</source>
         <translation>Nur die Ansicht wird gespiegelt: Koeffizienten und Koordinaten ändern sich nicht.</translation>
     </message>
@@ -109,6 +105,10 @@
     <message>
         <source>Shift + wheel chooses how deep the branch is. The bar under the canvas says what the drag changes: a new map for this branch, the last map of its address, only this branch, or this branch and the same one inside it.</source>
         <translation>Umschalt + Mausrad wählt, wie tief der Ast liegt. Die Leiste unter der Zeichenfläche sagt, was der Zug ändert: eine neue Abbildung für diesen Ast, die letzte Abbildung seiner Adresse, nur diesen Ast oder diesen Ast und denselben in ihm.</translation>
+    </message>
+    <message>
+        <source>The spacing of its lines follows the zoom. Vertices snap to it if this is chosen under View › Canvas › Snap To.</source>
+        <translation>Der Abstand seiner Linien folgt dem Zoom. Ecken rasten daran ein, wenn das unter Ansicht › Zeichenfläche › Einrasten an gewählt ist.</translation>
     </message>
 </context>
 <context>
@@ -1213,10 +1213,6 @@
         <translation>Wie er entsteht</translation>
     </message>
     <message>
-        <source>&amp;How It Is Built</source>
-        <translation>&amp;Wie er entsteht</translation>
-    </message>
-    <message>
         <source>W</source>
         <translation>W</translation>
     </message>
@@ -1279,10 +1275,6 @@
     <message>
         <source>About &amp;Qt</source>
         <translation>Über &amp;Qt</translation>
-    </message>
-    <message>
-        <source>The toolkit this program is built with</source>
-        <translation>Das Toolkit, mit dem dieses Programm gebaut ist</translation>
     </message>
     <message>
         <source>Tools</source>
@@ -1442,7 +1434,7 @@
     </message>
     <message>
         <source>&amp;Maps</source>
-        <translation>A&amp;bbildungen</translation>
+        <translation>Abbi&amp;ldungen</translation>
     </message>
     <message>
         <source>Flip &amp;Horizontally</source>
@@ -2061,10 +2053,6 @@
         <translation>Die Nummer und den Fixpunkt jeder Abbildung zeigen</translation>
     </message>
     <message>
-        <source>Rotat&amp;e View</source>
-        <translation>Ansicht &amp;drehen</translation>
-    </message>
-    <message>
         <source>Rotate View &amp;Left</source>
         <translation>Ansicht nach &amp;links drehen</translation>
     </message>
@@ -2348,10 +2336,6 @@
         <translation>Sechs kurze Schritte, die Sie selbst tun: ziehen, quetschen, rückgängig machen, Sammlung, Wind, Export</translation>
     </message>
     <message>
-        <source>Go To…</source>
-        <translation>Gehe zu…</translation>
-    </message>
-    <message>
         <source>Ctrl+G</source>
         <translation>Ctrl+G</translation>
     </message>
@@ -2382,6 +2366,86 @@
     <message>
         <source>Remove the shadow</source>
         <translation>Schatten entfernen</translation>
+    </message>
+    <message>
+        <source>Animate</source>
+        <translation>Animieren</translation>
+    </message>
+    <message>
+        <source>&amp;Keys and Frames</source>
+        <translation>&amp;Schlüssel und Bilder</translation>
+    </message>
+    <message>
+        <source>Branch</source>
+        <translation>Ast</translation>
+    </message>
+    <message>
+        <source>M&amp;ore</source>
+        <translation>&amp;Mehr</translation>
+    </message>
+    <message>
+        <source>&amp;Discover</source>
+        <translation>&amp;Entdecken</translation>
+    </message>
+    <message>
+        <source>&amp;Collection</source>
+        <translation>&amp;Sammlung</translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+O</source>
+        <translation>Ctrl+Shift+O</translation>
+    </message>
+    <message>
+        <source>Search the fractals that come with the program, and your favourites</source>
+        <translation>Die mitgelieferten Fraktale und Ihre Favoriten durchsuchen</translation>
+    </message>
+    <message>
+        <source>S&amp;napshots</source>
+        <translation>Sch&amp;nappschüsse</translation>
+    </message>
+    <message>
+        <source>&amp;Fractal</source>
+        <translation>&amp;Fraktal</translation>
+    </message>
+    <message>
+        <source>&amp;Export</source>
+        <translation>&amp;Exportieren</translation>
+    </message>
+    <message>
+        <source>Save</source>
+        <translation>Speichern</translation>
+    </message>
+    <message>
+        <source>Export</source>
+        <translation>Exportieren</translation>
+    </message>
+    <message>
+        <source>&amp;Selected Maps</source>
+        <translation>Aus&amp;gewählte Abbildungen</translation>
+    </message>
+    <message>
+        <source>&amp;Teach</source>
+        <translation>&amp;Unterrichten</translation>
+    </message>
+    <message>
+        <source>&amp;Navigate</source>
+        <translation>&amp;Navigieren</translation>
+    </message>
+    <message>
+        <source>&amp;Go To…</source>
+        <translation>&amp;Gehe zu…</translation>
+    </message>
+    <message>
+        <source>Fit</source>
+        <translation>Einpassen</translation>
+    </message>
+    <message>
+        <source>&amp;Canvas</source>
+        <translation>&amp;Zeichenfläche</translation>
+    </message>
+    <message>
+        <source>How It Is &amp;Built</source>
+        <translation>&amp;Wie er entsteht</translation>
     </message>
 </context>
 <context>
@@ -9441,10 +9505,6 @@
         <translation>Die Exporte, von oben nach unten gezeichnet.</translation>
     </message>
     <message>
-        <source>No exports are waiting. Choose Add to Queue in File › Export Picture… to draw pictures one after another while you continue editing.</source>
-        <translation>Keine Exporte warten. Wählen Sie „In die Warteschlange“ unter „Datei › Bild exportieren…“, um Bilder nacheinander zu zeichnen, während Sie weiterarbeiten.</translation>
-    </message>
-    <message>
         <source>&amp;Pause</source>
         <translation>An&amp;halten</translation>
     </message>
@@ -9507,6 +9567,10 @@
     <message>
         <source>Show in Folder</source>
         <translation>Im Ordner zeigen</translation>
+    </message>
+    <message>
+        <source>No exports are waiting. Choose Add to Queue in File › Export › Export Picture… to draw pictures one after another while you continue editing.</source>
+        <translation>Keine Exporte warten. Wählen Sie „In die Warteschlange“ unter „Datei › Exportieren › Bild exportieren…“, um Bilder nacheinander zu zeichnen, während Sie weiterarbeiten.</translation>
     </message>
 </context>
 <context>

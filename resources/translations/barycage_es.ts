@@ -59,10 +59,6 @@
         <translation>La jaula se incluye cuando ocupa poco espacio. El fractal en sí no cambia.</translation>
     </message>
     <message>
-        <source>The spacing of its lines follows the zoom. Vertices snap to it if this is chosen under View › Snap To.</source>
-        <translation>La distancia entre las líneas sigue al zoom. Los vértices se ajustan a ella si así se elige en el menú Ver.</translation>
-    </message>
-    <message>
         <source>Only the view is flipped: coefficients and coordinates do not change.</source>
         <translation>Solo se invierte la vista: ni los coeficientes ni las coordenadas cambian.</translation>
     </message>
@@ -109,6 +105,10 @@
     <message>
         <source>Shift + wheel chooses how deep the branch is. The bar under the canvas says what the drag changes: a new map for this branch, the last map of its address, only this branch, or this branch and the same one inside it.</source>
         <translation>Mayús + rueda elige la profundidad de la rama. La barra bajo el lienzo dice qué cambia el arrastre: una aplicación nueva para esta rama, la última aplicación de su dirección, solo esta rama, o esta rama y la misma dentro de ella.</translation>
+    </message>
+    <message>
+        <source>The spacing of its lines follows the zoom. Vertices snap to it if this is chosen under View › Canvas › Snap To.</source>
+        <translation>La separación de sus líneas sigue al zoom. Los vértices se ajustan a ella si así se elige en Ver › Lienzo › Enganchar a.</translation>
     </message>
 </context>
 <context>
@@ -1213,10 +1213,6 @@
         <translation>Cómo se construye</translation>
     </message>
     <message>
-        <source>&amp;How It Is Built</source>
-        <translation>Cómo se const&amp;ruye</translation>
-    </message>
-    <message>
         <source>W</source>
         <translation>W</translation>
     </message>
@@ -1279,10 +1275,6 @@
     <message>
         <source>About &amp;Qt</source>
         <translation>Acerca de &amp;Qt</translation>
-    </message>
-    <message>
-        <source>The toolkit this program is built with</source>
-        <translation>La biblioteca con la que está hecho este programa</translation>
     </message>
     <message>
         <source>Tools</source>
@@ -2061,10 +2053,6 @@
         <translation>Mostrar el número y el punto fijo de cada aplicación</translation>
     </message>
     <message>
-        <source>Rotat&amp;e View</source>
-        <translation>&amp;Girar la vista</translation>
-    </message>
-    <message>
         <source>Rotate View &amp;Left</source>
         <translation>Girar la vista a la &amp;izquierda</translation>
     </message>
@@ -2348,10 +2336,6 @@
         <translation>Seis pasos breves que da usted mismo: arrastrar, aplastar, deshacer, colección, viento, exportar</translation>
     </message>
     <message>
-        <source>Go To…</source>
-        <translation>Ir a…</translation>
-    </message>
-    <message>
         <source>Ctrl+G</source>
         <translation>Ctrl+G</translation>
     </message>
@@ -2382,6 +2366,86 @@
     <message>
         <source>Remove the shadow</source>
         <translation>Quitar la sombra</translation>
+    </message>
+    <message>
+        <source>Animate</source>
+        <translation>Animar</translation>
+    </message>
+    <message>
+        <source>&amp;Keys and Frames</source>
+        <translation>&amp;Claves y fotogramas</translation>
+    </message>
+    <message>
+        <source>Branch</source>
+        <translation>Rama</translation>
+    </message>
+    <message>
+        <source>M&amp;ore</source>
+        <translation>&amp;Más</translation>
+    </message>
+    <message>
+        <source>&amp;Discover</source>
+        <translation>&amp;Descubrir</translation>
+    </message>
+    <message>
+        <source>&amp;Collection</source>
+        <translation>&amp;Colección</translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+O</source>
+        <translation>Ctrl+Shift+O</translation>
+    </message>
+    <message>
+        <source>Search the fractals that come with the program, and your favourites</source>
+        <translation>Buscar entre los fractales incluidos en el programa y sus favoritos</translation>
+    </message>
+    <message>
+        <source>S&amp;napshots</source>
+        <translation>I&amp;nstantáneas</translation>
+    </message>
+    <message>
+        <source>&amp;Fractal</source>
+        <translation>&amp;Fractal</translation>
+    </message>
+    <message>
+        <source>&amp;Export</source>
+        <translation>&amp;Exportar</translation>
+    </message>
+    <message>
+        <source>Save</source>
+        <translation>Guardar</translation>
+    </message>
+    <message>
+        <source>Export</source>
+        <translation>Exportar</translation>
+    </message>
+    <message>
+        <source>&amp;Selected Maps</source>
+        <translation>Aplicaciones &amp;seleccionadas</translation>
+    </message>
+    <message>
+        <source>&amp;Teach</source>
+        <translation>En&amp;señar</translation>
+    </message>
+    <message>
+        <source>&amp;Navigate</source>
+        <translation>&amp;Navegar</translation>
+    </message>
+    <message>
+        <source>&amp;Go To…</source>
+        <translation>&amp;Ir a…</translation>
+    </message>
+    <message>
+        <source>Fit</source>
+        <translation>Ajustar</translation>
+    </message>
+    <message>
+        <source>&amp;Canvas</source>
+        <translation>&amp;Lienzo</translation>
+    </message>
+    <message>
+        <source>How It Is &amp;Built</source>
+        <translation>Cómo se const&amp;ruye</translation>
     </message>
 </context>
 <context>
@@ -9441,10 +9505,6 @@
         <translation>Las exportaciones, dibujadas de arriba abajo.</translation>
     </message>
     <message>
-        <source>No exports are waiting. Choose Add to Queue in File › Export Picture… to draw pictures one after another while you continue editing.</source>
-        <translation>No hay exportaciones en espera. Elija Añadir a la cola en Archivo › Exportar imagen… para dibujar imágenes una tras otra mientras sigue editando.</translation>
-    </message>
-    <message>
         <source>&amp;Pause</source>
         <translation>&amp;Pausa</translation>
     </message>
@@ -9507,6 +9567,10 @@
     <message>
         <source>Show in Folder</source>
         <translation>Mostrar en la carpeta</translation>
+    </message>
+    <message>
+        <source>No exports are waiting. Choose Add to Queue in File › Export › Export Picture… to draw pictures one after another while you continue editing.</source>
+        <translation>No hay exportaciones en espera. Elija Añadir a la cola en Archivo › Exportar › Exportar imagen… para dibujar imágenes una tras otra mientras sigue editando.</translation>
     </message>
 </context>
 <context>

@@ -59,10 +59,6 @@
         <translation>La cage est comprise là où cela prend peu de place. La fractale elle-même ne change pas.</translation>
     </message>
     <message>
-        <source>The spacing of its lines follows the zoom. Vertices snap to it if this is chosen under View › Snap To.</source>
-        <translation>L’écart des lignes suit le zoom. Les sommets s’y alignent si cela est choisi dans le menu Affichage.</translation>
-    </message>
-    <message>
         <source>Only the view is flipped: coefficients and coordinates do not change.</source>
         <translation>Seule la vue est retournée&#x202f;: ni les coefficients ni les coordonnées ne changent.</translation>
     </message>
@@ -109,6 +105,10 @@
     <message>
         <source>Shift + wheel chooses how deep the branch is. The bar under the canvas says what the drag changes: a new map for this branch, the last map of its address, only this branch, or this branch and the same one inside it.</source>
         <translation>Maj + molette choisit la profondeur de la branche. La barre sous le canevas dit ce que le glissement modifie&#x202f;: une nouvelle application pour cette branche, la dernière application de son adresse, cette branche seule, ou cette branche et la même à l’intérieur.</translation>
+    </message>
+    <message>
+        <source>The spacing of its lines follows the zoom. Vertices snap to it if this is chosen under View › Canvas › Snap To.</source>
+        <translation>L’écartement de ses lignes suit le zoom. Les sommets s’y accrochent si c’est choisi sous Affichage › Zone de dessin › Accrochage.</translation>
     </message>
 </context>
 <context>
@@ -1213,10 +1213,6 @@
         <translation>Construction de l’attracteur</translation>
     </message>
     <message>
-        <source>&amp;How It Is Built</source>
-        <translation>Construction de l’attrac&amp;teur</translation>
-    </message>
-    <message>
         <source>W</source>
         <translation>W</translation>
     </message>
@@ -1279,10 +1275,6 @@
     <message>
         <source>About &amp;Qt</source>
         <translation>À propos de &amp;Qt</translation>
-    </message>
-    <message>
-        <source>The toolkit this program is built with</source>
-        <translation>La bibliothèque avec laquelle ce programme est construit</translation>
     </message>
     <message>
         <source>Tools</source>
@@ -2061,10 +2053,6 @@
         <translation>Afficher le numéro et le point fixe de chaque application</translation>
     </message>
     <message>
-        <source>Rotat&amp;e View</source>
-        <translation>&amp;Faire pivoter la vue</translation>
-    </message>
-    <message>
         <source>Rotate View &amp;Left</source>
         <translation>Faire pivoter la vue à &amp;gauche</translation>
     </message>
@@ -2348,10 +2336,6 @@
         <translation>Six courtes étapes que vous faites vous-même : glisser, écraser, annuler, collection, vent, export</translation>
     </message>
     <message>
-        <source>Go To…</source>
-        <translation>Aller à…</translation>
-    </message>
-    <message>
         <source>Ctrl+G</source>
         <translation>Ctrl+G</translation>
     </message>
@@ -2382,6 +2366,86 @@
     <message>
         <source>Remove the shadow</source>
         <translation>Retirer l’ombre</translation>
+    </message>
+    <message>
+        <source>Animate</source>
+        <translation>Animer</translation>
+    </message>
+    <message>
+        <source>&amp;Keys and Frames</source>
+        <translation>&amp;Clés et images</translation>
+    </message>
+    <message>
+        <source>Branch</source>
+        <translation>Branche</translation>
+    </message>
+    <message>
+        <source>M&amp;ore</source>
+        <translation>&amp;Plus</translation>
+    </message>
+    <message>
+        <source>&amp;Discover</source>
+        <translation>Décou&amp;vrir</translation>
+    </message>
+    <message>
+        <source>&amp;Collection</source>
+        <translation>&amp;Collection</translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+O</source>
+        <translation>Ctrl+Shift+O</translation>
+    </message>
+    <message>
+        <source>Search the fractals that come with the program, and your favourites</source>
+        <translation>Chercher parmi les fractales fournies avec le programme et vos favorites</translation>
+    </message>
+    <message>
+        <source>S&amp;napshots</source>
+        <translation>I&amp;nstantanés</translation>
+    </message>
+    <message>
+        <source>&amp;Fractal</source>
+        <translation>&amp;Fractale</translation>
+    </message>
+    <message>
+        <source>&amp;Export</source>
+        <translation>&amp;Exporter</translation>
+    </message>
+    <message>
+        <source>Save</source>
+        <translation>Enregistrer</translation>
+    </message>
+    <message>
+        <source>Export</source>
+        <translation>Exporter</translation>
+    </message>
+    <message>
+        <source>&amp;Selected Maps</source>
+        <translation>Applications &amp;sélectionnées</translation>
+    </message>
+    <message>
+        <source>&amp;Teach</source>
+        <translation>&amp;Enseigner</translation>
+    </message>
+    <message>
+        <source>&amp;Navigate</source>
+        <translation>&amp;Naviguer</translation>
+    </message>
+    <message>
+        <source>&amp;Go To…</source>
+        <translation>&amp;Aller à…</translation>
+    </message>
+    <message>
+        <source>Fit</source>
+        <translation>Ajuster</translation>
+    </message>
+    <message>
+        <source>&amp;Canvas</source>
+        <translation>&amp;Zone de dessin</translation>
+    </message>
+    <message>
+        <source>How It Is &amp;Built</source>
+        <translation>Construction de l’attrac&amp;teur</translation>
     </message>
 </context>
 <context>
@@ -9441,10 +9505,6 @@
         <translation>Les exports, dessinés de haut en bas.</translation>
     </message>
     <message>
-        <source>No exports are waiting. Choose Add to Queue in File › Export Picture… to draw pictures one after another while you continue editing.</source>
-        <translation>Aucun export n’attend. Choisissez Ajouter à la file d’attente dans Fichier › Exporter l’image… pour dessiner des images l’une après l’autre pendant que vous continuez.</translation>
-    </message>
-    <message>
         <source>&amp;Pause</source>
         <translation>&amp;Pause</translation>
     </message>
@@ -9507,6 +9567,10 @@
     <message>
         <source>Show in Folder</source>
         <translation>Montrer dans le dossier</translation>
+    </message>
+    <message>
+        <source>No exports are waiting. Choose Add to Queue in File › Export › Export Picture… to draw pictures one after another while you continue editing.</source>
+        <translation>Aucun export n’attend. Choisissez Ajouter à la file d’attente dans Fichier › Exporter › Exporter l’image… pour dessiner des images l’une après l’autre pendant que vous continuez.</translation>
     </message>
 </context>
 <context>

@@ -59,10 +59,6 @@
         <translation>Кафезот е вклучен кога тоа бара малку простор. Самиот фрактал не се менува.</translation>
     </message>
     <message>
-        <source>The spacing of its lines follows the zoom. Vertices snap to it if this is chosen under View › Snap To.</source>
-        <translation>Растојанието на линиите го следи зумот. Темињата се лепат за мрежата ако тоа е избрано во менито Приказ.</translation>
-    </message>
-    <message>
         <source>Only the view is flipped: coefficients and coordinates do not change.</source>
         <translation>Се превртува само приказот: коефициентите и координатите не се менуваат.</translation>
     </message>
@@ -109,6 +105,10 @@
     <message>
         <source>Shift + wheel chooses how deep the branch is. The bar under the canvas says what the drag changes: a new map for this branch, the last map of its address, only this branch, or this branch and the same one inside it.</source>
         <translation>Shift + тркалце избира колку длабока е гранката. Лентата под платното кажува што менува влечењето: ново пресликување за гранката, последното пресликување од нејзината адреса, само оваа гранка, или оваа гранка и истата внатре во неа.</translation>
+    </message>
+    <message>
+        <source>The spacing of its lines follows the zoom. Vertices snap to it if this is chosen under View › Canvas › Snap To.</source>
+        <translation>Растојанието меѓу линиите го следи зумот. Темињата се припојуваат на неа ако тоа е избрано во Приказ › Платно › Прилепи кон.</translation>
     </message>
 </context>
 <context>
@@ -1218,10 +1218,6 @@
         <translation>Како се гради</translation>
     </message>
     <message>
-        <source>&amp;How It Is Built</source>
-        <translation>&amp;Како се гради</translation>
-    </message>
-    <message>
         <source>W</source>
         <translation>W</translation>
     </message>
@@ -1284,10 +1280,6 @@
     <message>
         <source>About &amp;Qt</source>
         <translation>З&amp;а Qt</translation>
-    </message>
-    <message>
-        <source>The toolkit this program is built with</source>
-        <translation>Библиотеката со која е изградена оваа програма</translation>
     </message>
     <message>
         <source>Tools</source>
@@ -2066,10 +2058,6 @@
         <translation>Прикажи ги бројот и неподвижната точка на секое пресликување</translation>
     </message>
     <message>
-        <source>Rotat&amp;e View</source>
-        <translation>Св&amp;рти го погледот</translation>
-    </message>
-    <message>
         <source>Rotate View &amp;Left</source>
         <translation>Сврти го погледот на&amp;лево</translation>
     </message>
@@ -2354,10 +2342,6 @@
         <translation>Шест кратки чекори што ги правите сами: влечење, стискање, поништување, збирка, ветер, извоз</translation>
     </message>
     <message>
-        <source>Go To…</source>
-        <translation>Оди на…</translation>
-    </message>
-    <message>
         <source>Ctrl+G</source>
         <translation>Ctrl+G</translation>
     </message>
@@ -2388,6 +2372,86 @@
     <message>
         <source>Remove the shadow</source>
         <translation>Отстрани ја сенката</translation>
+    </message>
+    <message>
+        <source>Animate</source>
+        <translation>Анимирај</translation>
+    </message>
+    <message>
+        <source>&amp;Keys and Frames</source>
+        <translation>&amp;Клучеви и кадри</translation>
+    </message>
+    <message>
+        <source>Branch</source>
+        <translation>Гранка</translation>
+    </message>
+    <message>
+        <source>M&amp;ore</source>
+        <translation>Пове&amp;ќе</translation>
+    </message>
+    <message>
+        <source>&amp;Discover</source>
+        <translation>Отк&amp;ривање</translation>
+    </message>
+    <message>
+        <source>&amp;Collection</source>
+        <translation>&amp;Збирка</translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+O</source>
+        <translation>Ctrl+Shift+O</translation>
+    </message>
+    <message>
+        <source>Search the fractals that come with the program, and your favourites</source>
+        <translation>Пребарај ги фракталите што доаѓаат со програмата и твоите омилени</translation>
+    </message>
+    <message>
+        <source>S&amp;napshots</source>
+        <translation>С&amp;нимки</translation>
+    </message>
+    <message>
+        <source>&amp;Fractal</source>
+        <translation>&amp;Фрактал</translation>
+    </message>
+    <message>
+        <source>&amp;Export</source>
+        <translation>Изве&amp;зи</translation>
+    </message>
+    <message>
+        <source>Save</source>
+        <translation>Зачувај</translation>
+    </message>
+    <message>
+        <source>Export</source>
+        <translation>Извези</translation>
+    </message>
+    <message>
+        <source>&amp;Selected Maps</source>
+        <translation>&amp;Избрани пресликувања</translation>
+    </message>
+    <message>
+        <source>&amp;Teach</source>
+        <translation>&amp;Настава</translation>
+    </message>
+    <message>
+        <source>&amp;Navigate</source>
+        <translation>&amp;Движење</translation>
+    </message>
+    <message>
+        <source>&amp;Go To…</source>
+        <translation>&amp;Оди на…</translation>
+    </message>
+    <message>
+        <source>Fit</source>
+        <translation>Вклопи</translation>
+    </message>
+    <message>
+        <source>&amp;Canvas</source>
+        <translation>П&amp;латно</translation>
+    </message>
+    <message>
+        <source>How It Is &amp;Built</source>
+        <translation>&amp;Како се гради</translation>
     </message>
 </context>
 <context>
@@ -9472,10 +9536,6 @@
         <translation>Извозите, цртани од горе надолу.</translation>
     </message>
     <message>
-        <source>No exports are waiting. Choose Add to Queue in File › Export Picture… to draw pictures one after another while you continue editing.</source>
-        <translation>Нема извози што чекаат. Изберете „Додај во редот“ во „Датотека › Извези слика…“ за да се цртаат слики една по друга додека уредувате.</translation>
-    </message>
-    <message>
         <source>&amp;Pause</source>
         <translation>&amp;Паузирај</translation>
     </message>
@@ -9538,6 +9598,10 @@
     <message>
         <source>Show in Folder</source>
         <translation>Покажи во папката</translation>
+    </message>
+    <message>
+        <source>No exports are waiting. Choose Add to Queue in File › Export › Export Picture… to draw pictures one after another while you continue editing.</source>
+        <translation>Нема извози што чекаат. Изберете „Додај во редот“ во „Датотека › Извези › Извези слика…“ за да се цртаат слики една по друга додека уредувате.</translation>
     </message>
 </context>
 <context>

@@ -13,7 +13,7 @@ class QStandardItemModel;
 
 namespace view {
 
-// An action and where it is found: through the menus ("View › Snap To › Grid"), in a panel ("Maps › Add") or
+// An action and where it is found: through the menus ("View › Canvas › Snap To › Grid"), in a panel ("Maps › Add") or
 // in a bar ("How It Is Built › Chaos Game"). A button that has no action has one here, which clicks it, and
 // so has a field with a label, which is gone to ("Appearance › Brightness").
 struct NamedAction {

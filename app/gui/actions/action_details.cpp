@@ -64,7 +64,7 @@ constexpr Detail details[] = {
                 "ActionDetails",
                 "The cage is included if that needs little space. The fractal itself does not change.")},
     {"grid", QT_TRANSLATE_NOOP("ActionDetails", "The spacing of its lines follows the zoom. Vertices snap to "
-                                                "it if this is chosen under View › Snap To.")},
+                                                "it if this is chosen under View › Canvas › Snap To.")},
     {"y-axis", QT_TRANSLATE_NOOP("ActionDetails",
                                  "Only the view is flipped: coefficients and coordinates do not change.")},
     {"hide", QT_TRANSLATE_NOOP("ActionDetails",

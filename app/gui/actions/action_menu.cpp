@@ -14,7 +14,9 @@
 #include <utility>
 
 ActionMenu::ActionMenu(const MenuContext& context, const QString& title)
-    : QMenu(title, context.window->menuBar()), m_context(context) {}
+    : QMenu(title, context.window->menuBar()), m_context(context) {
+    setToolTipsVisible(true); // disabled actions explain themselves there
+}
 
 QAction* ActionMenu::create(const ActionSpec& spec) {
     auto* action = new QAction(spec.text, m_context.window);
@@ -65,6 +67,15 @@ QAction* ActionMenu::addToggle(const ActionSpec& spec, const std::function<void(
         set(action->isChecked());
     }
     return action;
+}
+
+void ActionMenu::addToolBarGroup(const QList<std::pair<QAction*, QString>>& actions) {
+    QList<QAction*> group;
+    for (const auto& [action, name] : actions) {
+        action->setIconText(name);
+        group << action;
+    }
+    m_toolBarGroups << group;
 }
 
 void ActionMenu::disableWhen(QAction* action, QString (*obstacle)(const document::Fractal&)) {

@@ -48,8 +48,8 @@ public:
     QAction* addToggle(const ActionSpec& spec, const std::function<void(bool)>& set);
     void addShared(QAction* action); // made elsewhere, with the id as its object name
 
-    // The tool bar shows these actions side by side, apart from the next group.
-    void addToolBarGroup(const QList<QAction*>& actions) { m_toolBarGroups.append(actions); }
+    // The tool bar shows these actions side by side, apart from the next group, with short names.
+    void addToolBarGroup(const QList<std::pair<QAction*, QString>>& actions);
     const QList<QList<QAction*>>& toolBarGroups() const { return m_toolBarGroups; }
 
 protected:

@@ -23,13 +23,11 @@ AnimationMenu::AnimationMenu(const MenuContext& context, view::TimelinePanel* pa
         }
     });
     m_animate->setCheckable(true);
-    addToolBarGroup({m_animate});
-    addSeparator();
+    addToolBarGroup({{m_animate, tr("Animate")}});
     addPlaying();
     addSeparator();
-    addKeys();
-    addSeparator();
     addMenu(panel->motionMenu());
+    addKeys();
     panel->timeline().setCameraSource([context]() -> document::SeenCamera {
         if (!context.stage->showsSpace() && context.canvas->camera().height <= 0) return std::nullopt;
         return context.stage->camera();
@@ -68,19 +66,11 @@ void AnimationMenu::addPlaying() {
     connect(new view::SpaceTap(space), &view::SpaceTap::tapped, this, [space, toggle] {
         if (!space->ball().focused()) toggle(); // there, Space looks along an axis
     });
-    add({"previous-frame", tr("P&revious Frame"), QKeySequence(tr(",")),
-         tr("Move the playhead back one frame")},
-        [&timeline] { timeline.setFrame(timeline.frame() - 1); });
-    add({"next-frame", tr("Ne&xt Frame"), QKeySequence(tr(".")), tr("Move the playhead forward one frame")},
-        [&timeline] { timeline.setFrame(timeline.frame() + 1); });
-    add({"key-previous", tr("Pre&vious Key"), QKeySequence(tr("Alt+,")),
-         tr("Move the playhead to the previous key")},
-        [&timeline] { timeline.stepToKey(-1); });
-    add({"key-next", tr("Nex&t Key"), QKeySequence(tr("Alt+.")), tr("Move the playhead to the next key")},
-        [&timeline] { timeline.stepToKey(1); });
 }
 
 void AnimationMenu::addKeys() {
+    auto* menu = new ActionMenu(context(), tr("&Keys and Frames"));
+    addMenu(menu);
     view::Timeline& timeline = m_panel->timeline();
     const auto withTracks = [this](void (view::KeyCommands::*set)()) {
         return [this, set] {
@@ -89,21 +79,35 @@ void AnimationMenu::addKeys() {
             (m_panel->timeline().keys().*set)();
         };
     };
-    add({"key", tr("Set &Key"), QKeySequence(tr("K")), tr("Key the current track at the playhead")},
-        withTracks(&view::KeyCommands::set));
-    add({"set-keys-of-all-tracks", tr("Set Keys of &All Tracks"), QKeySequence(tr("Shift+K")),
-         tr("Key all tracks that have keys at the playhead, or all tracks if none has")},
-        withTracks(&view::KeyCommands::setInAll));
-    add({"delete-keys", tr("&Delete Keys"), {}, tr("Delete the selected keys"), nullptr, false, "remove"},
+    menu->add({"key", tr("Set &Key"), QKeySequence(tr("K")), tr("Key the current track at the playhead")},
+              withTracks(&view::KeyCommands::set));
+    menu->add({"set-keys-of-all-tracks", tr("Set Keys of &All Tracks"), QKeySequence(tr("Shift+K")),
+               tr("Key all tracks that have keys at the playhead, or all tracks if none has")},
+              withTracks(&view::KeyCommands::setInAll));
+    menu->add(
+        {"delete-keys", tr("&Delete Keys"), {}, tr("Delete the selected keys"), nullptr, false, "remove"},
         [&timeline] { timeline.keys().remove(); });
-    add({"stretch-keys",
-         tr("Stretch Ke&ys…"),
-         {},
-         tr("Make a range of frames slower or faster: the keys of all tracks spread")},
-        [&timeline, window = context().window] {
-            if (timeline.isEmpty())
-                emit timeline.message(tr("There are no keys to stretch. Choose Set Key first."));
-            else
-                view::askToStretch(timeline, window);
-        });
+    menu->add({"stretch-keys",
+               tr("Stretch Ke&ys…"),
+               {},
+               tr("Make a range of frames slower or faster: the keys of all tracks spread")},
+              [&timeline, window = context().window] {
+                  if (timeline.isEmpty())
+                      emit timeline.message(tr("There are no keys to stretch. Choose Set Key first."));
+                  else
+                      view::askToStretch(timeline, window);
+              });
+    menu->addSeparator();
+    menu->add({"previous-frame", tr("P&revious Frame"), QKeySequence(tr(",")),
+               tr("Move the playhead back one frame")},
+              [&timeline] { timeline.setFrame(timeline.frame() - 1); });
+    menu->add(
+        {"next-frame", tr("Ne&xt Frame"), QKeySequence(tr(".")), tr("Move the playhead forward one frame")},
+        [&timeline] { timeline.setFrame(timeline.frame() + 1); });
+    menu->add({"key-previous", tr("Pre&vious Key"), QKeySequence(tr("Alt+,")),
+               tr("Move the playhead to the previous key")},
+              [&timeline] { timeline.stepToKey(-1); });
+    menu->add(
+        {"key-next", tr("Nex&t Key"), QKeySequence(tr("Alt+.")), tr("Move the playhead to the next key")},
+        [&timeline] { timeline.stepToKey(1); });
 }

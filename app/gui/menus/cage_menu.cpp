@@ -9,14 +9,13 @@
 #include <QActionGroup>
 
 CageMenu::CageMenu(const MenuContext& context) : ActionMenu(context, tr("&Cage")) {
-    const QList<QAction*> tools = addTools();
+    addTools();
     addSeparator();
-    addToolBarGroup(tools + addOperations());
-    addSeparator();
-    addModes();
+    addOperations();
+    addMore();
 }
 
-QList<QAction*> CageMenu::addTools() {
+void CageMenu::addTools() {
     const std::pair<Tool, ActionSpec> specs[] = {
         {Tool::Cage,
          {"cage", tr("&Drag the Cage"), QKeySequence(tr("C")), tr("Drag the corners of the cage")}},
@@ -39,7 +38,7 @@ QList<QAction*> CageMenu::addTools() {
     };
     connect(context().stage, &Stage::switched, tools.last(), nameDefinition);
     nameDefinition();
-    return tools;
+    addToolBarGroup({{tools[0], tr("Cage")}, {tools[1], tr("Maps")}, {tools[2], tr("Branch")}});
 }
 
 QAction* CageMenu::addTool(QActionGroup* group, Tool tool, const ActionSpec& spec) {
@@ -54,69 +53,73 @@ QAction* CageMenu::addTool(QActionGroup* group, Tool tool, const ActionSpec& spe
     return action;
 }
 
-QList<QAction*> CageMenu::addOperations() {
-    QAction* fitSimplex = addOperation(&document::fitMinimalCanonicalSimplex,
+void CageMenu::addOperations() {
+    QAction* reset = addOperation(
+        *this, &document::resetCage,
+        {"reset", tr("&Reset"), {}, tr("Return the cage to rest: the picture shows the code as it is")});
+    QAction* bake = addOperation(
+        *this, &document::bakeCage,
+        {"bake", tr("&Bake"), QKeySequence(tr("Ctrl+B")),
+         tr("Write the placement into the code: the picture stays, and the coefficients change")});
+    disableWhen(reset, &document::resetObstacle);
+    disableWhen(bake, &document::bakeObstacle);
+}
+
+void CageMenu::addMore() {
+    auto* menu = new ActionMenu(context(), tr("M&ore"));
+    addMenu(menu);
+    QAction* fitSimplex = addOperation(*menu, &document::fitMinimalCanonicalSimplex,
                                        {"fit-simplex",
                                         tr("Fit &Minimal Canonical Simplex"),
                                         {},
                                         tr("Fit the smallest isosceles right triangle with legs parallel to "
                                            "the axes around the attractor")});
-    QAction* reset = addOperation(
-        &document::resetCage,
-        {"reset", tr("&Reset"), {}, tr("Return the cage to rest: the picture shows the code as it is")});
-    QAction* bake = addOperation(
-        &document::bakeCage,
-        {"bake", tr("&Bake"), QKeySequence(tr("Ctrl+B")),
-         tr("Write the placement into the code: the picture stays, and the coefficients change")});
-    QAction* unbake = addOperation(&document::unbakeCage,
+    QAction* regular = addOperation(
+        *menu, &document::makeCageRegular,
+        {"make-regular", tr("Make Re&gular"), {}, tr("Move the vertices to the nearest regular polygon")});
+    QAction* unbake = addOperation(*menu, &document::unbakeCage,
                                    {"unbake",
                                     tr("&Unbake"),
                                     {},
                                     tr("Extract the placement from the code: the picture stays, and the code "
                                        "is rewritten for the triangle (0, 0), (1, 0), (0, 1)")});
-    QAction* regular = addOperation(
-        &document::makeCageRegular,
-        {"make-regular", tr("Make Re&gular"), {}, tr("Move the vertices to the nearest regular polygon")});
     QAction* invariantForm =
-        add({"affine-invariant-form",
-             tr("Affine &Invariant Form…"),
-             {},
-             tr("Show every map as a matrix over the control triangle, with rows that sum to 1")},
-            [this] { showInvariantForm(); });
-    disableWhen(reset, &document::resetObstacle);
-    disableWhen(bake, &document::bakeObstacle);
+        menu->add({"affine-invariant-form",
+                   tr("Affine &Invariant Form…"),
+                   {},
+                   tr("Show every map as a matrix over the control triangle, with rows that sum to 1")},
+                  [this] { showInvariantForm(); });
     disableWhen(unbake, &document::unbakeObstacle);
     disableWhen(fitSimplex, &document::cageObstacle);
     for (QAction* action : {regular, invariantForm})
         disableWhen(action, &document::planeObstacle);
-    return {fitSimplex, reset, bake};
+    menu->addSeparator();
+    addModes(*menu);
 }
 
-QAction* CageMenu::addOperation(Operation operation, const ActionSpec& spec) {
-    return add(spec, [this, operation] {
+QAction* CageMenu::addOperation(ActionMenu& menu, Operation operation, const ActionSpec& spec) {
+    return menu.add(spec, [this, operation] {
         if (const auto sentence = operation(*context().document)) context().messages->say(*sentence);
     });
 }
 
-void CageMenu::addModes() {
-    auto* group = new QActionGroup(this);
-    QAction* place = addMode(
-        group, document::CageMode::Place,
-        {"place", tr("&Place"), {}, tr("Moving the cage moves the picture; the code does not change")});
-    QAction* rewrite = addMode(group, document::CageMode::Rewrite,
-                               {"rewrite", tr("Re&write"), {}, tr("Moving the cage rewrites the code")});
-    addToolBarGroup({place, rewrite});
-}
-
-QAction* CageMenu::addMode(QActionGroup* group, document::CageMode mode, const ActionSpec& spec) {
+void CageMenu::addModes(ActionMenu& menu) {
     document::Document* document = context().document;
-    QAction* action = add(spec, [document, mode] { document->setCageMode(mode); });
-    action->setCheckable(true);
-    action->setChecked(document->cageMode() == mode);
-    group->addAction(action);
-    connect(document, &document::Document::cageModeChanged, action,
-            [action, mode](document::CageMode now) { action->setChecked(now == mode); });
-    return action;
+    auto* group = new QActionGroup(this);
+    const std::pair<document::CageMode, ActionSpec> modes[] = {
+        {document::CageMode::Place,
+         {"place", tr("&Place"), {}, tr("Moving the cage moves the picture; the code does not change")}},
+        {document::CageMode::Rewrite,
+         {"rewrite", tr("Re&write"), {}, tr("Moving the cage rewrites the code")}},
+    };
+    for (const auto& [mode, spec] : modes) {
+        QAction* action = menu.add(spec, [document, mode = mode] { document->setCageMode(mode); });
+        action->setCheckable(true);
+        action->setChecked(document->cageMode() == mode);
+        group->addAction(action);
+        connect(document, &document::Document::cageModeChanged, action,
+                [action, mode = mode](document::CageMode now) { action->setChecked(now == mode); });
+    }
 }
 
 void CageMenu::showInvariantForm() {

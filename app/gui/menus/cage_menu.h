@@ -19,11 +19,11 @@ private:
     // Returns why nothing was done, if so.
     using Operation = std::optional<QString> (*)(document::Document&);
 
-    QList<QAction*> addTools();
-    QList<QAction*> addOperations(); // those for the tool bar
-    void addModes();
+    void addTools();
+    void addOperations();
+    void addMore(); // what is rarely needed
+    void addModes(ActionMenu& menu);
     QAction* addTool(QActionGroup* group, Tool tool, const ActionSpec& spec);
-    QAction* addOperation(Operation operation, const ActionSpec& spec);
-    QAction* addMode(QActionGroup* group, document::CageMode mode, const ActionSpec& spec);
+    QAction* addOperation(ActionMenu& menu, Operation operation, const ActionSpec& spec);
     void showInvariantForm();
 };

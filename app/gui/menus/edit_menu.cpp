@@ -4,12 +4,9 @@
 #include "desktop/theme.h"
 #include "dialogs/preferences_dialog.h"
 #include "dialogs/transform_dialog.h"
-#include "dialogs/variations/mutate_dialog.h"
-#include "dialogs/variations/random_dialog.h"
 #include "document/edits/cage/cage_edits.h"
 #include "document/edits/dimension_edits.h"
 #include "document/edits/shadow_edits.h"
-#include "document/variations/variations.h"
 #include "menus/clipboard_commands.h"
 #include "menus/snapshot_commands.h"
 #include "session/session.h"
@@ -43,25 +40,37 @@ EditMenu::EditMenu(const MenuContext& context, SnapshotCommands& snapshots)
     addSeparator();
     addClipboard();
     addSeparator();
-    snapshots.addTo(*this);
+    addFractal();
+    auto* kept = new ActionMenu(context, tr("S&napshots"));
+    addMenu(kept);
+    snapshots.addTo(*kept);
     addSeparator();
-    addFractals();
-    addShadow();
-    addDimensions();
-    addSeparator();
-    addToggle({"allow-systems-without-an-attractor",
-               tr("Allow Systems &without an Attractor"),
-               {},
-               tr("Let a drag of maps continue where an attractor is no longer guaranteed"),
-               "edit/allowNoAttractor"},
-              [canvas = context.canvas, stage = context.stage](bool on) {
-                  canvas->tools().setAllowsNoAttractor(on);
-                  stage->views()->setAllowsNoAttractor(on);
-                  stage->compare()->setAllowsNoAttractor(on);
-              });
     add({"settings", tr("&Preferences…"), QKeySequence(tr("Ctrl+,")),
          tr("Language, theme, picture quality, shortcuts, and what opens at startup")},
         [this] { showPreferences(); });
+}
+
+void EditMenu::addFractal() {
+    auto* menu = new ActionMenu(context(), tr("&Fractal"));
+    addMenu(menu);
+    QAction* transform =
+        menu->add({"transform", tr("&Transform…"), QKeySequence(tr("Ctrl+T")),
+                   tr("Rotate, scale, shear, reflect or move the whole fractal by exact amounts")},
+                  [this] { openTransform(); });
+    disableWhen(transform, &document::cageObstacle);
+    addShadow(*menu);
+    addDimensions(*menu);
+    menu->addSeparator();
+    menu->addToggle({"allow-systems-without-an-attractor",
+                     tr("Allow Systems &without an Attractor"),
+                     {},
+                     tr("Let a drag of maps continue where an attractor is no longer guaranteed"),
+                     "edit/allowNoAttractor"},
+                    [canvas = context().canvas, stage = context().stage](bool on) {
+                        canvas->tools().setAllowsNoAttractor(on);
+                        stage->views()->setAllowsNoAttractor(on);
+                        stage->compare()->setAllowsNoAttractor(on);
+                    });
 }
 
 void EditMenu::addHistory() {
@@ -94,7 +103,7 @@ void EditMenu::addHistory() {
             [undo, showStep](const QString& step) { showStep(undo, tr("&Undo"), step); });
     connect(stack, &QUndoStack::redoTextChanged, redo,
             [redo, showStep](const QString& step) { showStep(redo, tr("&Redo"), step); });
-    addToolBarGroup({undo, redo});
+    addToolBarGroup({{undo, tr("&Undo").remove(u'&')}, {redo, tr("&Redo").remove(u'&')}});
 }
 
 // Of the maps or the entries, whichever have the focus. The keys that many widgets take for themselves are
@@ -123,24 +132,10 @@ void EditMenu::addClipboard() {
         action->setShortcutContext(Qt::WidgetShortcut);
 }
 
-void EditMenu::addFractals() {
-    QAction* transform = add({"transform", tr("&Transform…"), QKeySequence(tr("Ctrl+T")),
-                              tr("Rotate, scale, shear, reflect or move the whole fractal by exact amounts")},
-                             [this] { openTransform(); });
-    QAction* mutate = add({"mutate", tr("&Variations…"), QKeySequence(tr("Ctrl+M")),
-                           tr("Breed variations of this fractal, or cross it with another one")},
-                          [this] { openMutate(); });
-    disableWhen(transform, &document::cageObstacle);
-    disableWhen(mutate, &document::variationObstacle);
-    add({"add-random-fractal", tr("Add Ra&ndom Fractal…"), QKeySequence(tr("Ctrl+Shift+M")),
-         tr("Choose from a sheet of random fractals and add one to the file")},
-        [this] { addRandom(); });
-}
-
 // Checked while the entry has one.
-void EditMenu::addShadow() {
+void EditMenu::addShadow(ActionMenu& menu) {
     document::Document* document = context().document;
-    QAction* shadow = addToggle(
+    QAction* shadow = menu.addToggle(
         {"shadow", tr("S&hadow"), {}, tr("Lay a flat, dark copy of the picture on the ground behind it")},
         [this, document](bool on) {
             if (on == document::hasShadow(document->fractal())) return;
@@ -156,33 +151,33 @@ void EditMenu::addShadow() {
 }
 
 // To space and back. The window follows the dimension of the entry.
-void EditMenu::addDimensions() {
+void EditMenu::addDimensions(ActionMenu& menu) {
     document::Document* document = context().document;
     QAction* lift =
-        add({"lift-to-space",
-             tr("&Lift to Space"),
-             {},
-             tr("Add a third dimension to every map; the picture stays flat until you move a map")},
-            [this, document] {
-                const QString loss = document::dimensionLoss(document->entryFractal());
-                auto lifted = document::lifted(document->fractal());
-                if (!lifted) return;
-                document->edit(tr("Lift to Space"), *std::move(lifted));
-                if (!loss.isEmpty()) context().messages->say(loss);
-            });
+        menu.add({"lift-to-space",
+                  tr("&Lift to Space"),
+                  {},
+                  tr("Add a third dimension to every map; the picture stays flat until you move a map")},
+                 [this, document] {
+                     const QString loss = document::dimensionLoss(document->entryFractal());
+                     auto lifted = document::lifted(document->fractal());
+                     if (!lifted) return;
+                     document->edit(tr("Lift to Space"), *std::move(lifted));
+                     if (!loss.isEmpty()) context().messages->say(loss);
+                 });
     QAction* flatten =
-        add({"flatten-to-the-plane",
-             tr("&Flatten to the Plane"),
-             {},
-             tr("Replace the solid by its projection along the first axis that every map keeps")},
-            [this, document] {
-                const QString loss = document::dimensionLoss(document->entryFractal());
-                const auto axis = flatAxis(document->fractal());
-                auto projection = axis ? document::flattened(document->fractal(), *axis) : std::nullopt;
-                if (!projection) return;
-                document->edit(tr("Flatten to the Plane"), *std::move(projection));
-                if (!loss.isEmpty()) context().messages->say(loss);
-            });
+        menu.add({"flatten-to-the-plane",
+                  tr("&Flatten to the Plane"),
+                  {},
+                  tr("Replace the solid by its projection along the first axis that every map keeps")},
+                 [this, document] {
+                     const QString loss = document::dimensionLoss(document->entryFractal());
+                     const auto axis = flatAxis(document->fractal());
+                     auto projection = axis ? document::flattened(document->fractal(), *axis) : std::nullopt;
+                     if (!projection) return;
+                     document->edit(tr("Flatten to the Plane"), *std::move(projection));
+                     if (!loss.isEmpty()) context().messages->say(loss);
+                 });
     disableWhen(lift, &document::liftObstacle);
     disableWhen(flatten, &projectionObstacle);
     const auto warn = [document, lift, flatten] { // the tips are those of disableWhen() so far
@@ -201,23 +196,6 @@ void EditMenu::openTransform() {
     auto* dialog = new view::TransformDialog(context().document, context().window);
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     dialog->open(); // modal: another edit would end the preview
-}
-
-void EditMenu::openMutate() {
-    view::MutateDialog::Descent& left = m_descents[context().document->currentId()];
-    auto* dialog = new view::MutateDialog(context().document, context().window, left);
-    dialog->setAttribute(Qt::WA_DeleteOnClose);
-    left = {};
-    QObject::connect(dialog, &QDialog::rejected, dialog, [&left, dialog] {
-        if (dialog->descent().line.size() > 1) left = dialog->descent();
-    });
-    dialog->open();
-}
-
-void EditMenu::addRandom() {
-    auto* dialog = new view::RandomDialog(context().document, context().window);
-    dialog->setAttribute(Qt::WA_DeleteOnClose);
-    dialog->open();
 }
 
 void EditMenu::showPreferences() {

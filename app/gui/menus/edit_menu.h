@@ -2,9 +2,6 @@
 #pragma once
 
 #include "actions/action_menu.h"
-#include "dialogs/variations/mutate_dialog.h"
-
-#include <map>
 
 class SnapshotCommands;
 
@@ -14,17 +11,12 @@ class EditMenu : public ActionMenu {
 public:
     EditMenu(const MenuContext& context, SnapshotCommands& snapshots);
 
-    void addRandom(); // a fractal that the user picks out of many
-
 private:
     void addHistory();
     void addClipboard();
-    void addFractals();
-    void addShadow();
-    void addDimensions();
+    void addFractal();
+    void addShadow(ActionMenu& menu);
+    void addDimensions(ActionMenu& menu);
     void openTransform();
-    void openMutate();
     void showPreferences();
-
-    std::map<document::EntryId, view::MutateDialog::Descent> m_descents; // left without using them
 };

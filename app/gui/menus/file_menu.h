@@ -16,18 +16,12 @@ public:
 private:
     void addOpening(const std::function<void()>& openWindow);
     void addSaving();
-    void addPictures();
     void fillRecent();
-    void exportPicture();
     void printPicture();
-    void exportAnimation();
-    void exportData();
-    void copyPicture();
 
     FileCommands* m_commands;
     const OpenFile* m_file;
     QMenu* m_recent = nullptr;
     QAction* m_open = nullptr;
     QAction* m_save = nullptr;
-    QAction* m_export = nullptr;
 };

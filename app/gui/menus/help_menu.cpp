@@ -10,6 +10,7 @@
 
 #include <QApplication>
 #include <QMessageBox>
+#include <QPushButton>
 #include <QWhatsThis>
 
 HelpMenu::HelpMenu(const MenuContext& context) : ActionMenu(context, tr("&Help")) {
@@ -35,8 +36,6 @@ HelpMenu::HelpMenu(const MenuContext& context) : ActionMenu(context, tr("&Help")
     addAction(what);
     addSeparator();
     add({"info", tr("&About Barycage"), {}, tr("Version and licence")}, [this] { showAbout(); });
-    add({"about-qt", tr("About &Qt"), {}, tr("The toolkit this program is built with")},
-        &QApplication::aboutQt);
 }
 
 void HelpMenu::openPalette() {
@@ -66,5 +65,7 @@ void HelpMenu::showAbout() {
                     QMessageBox::Ok, context().window);
     box.setTextFormat(Qt::RichText);
     box.setIconPixmap(context().window->windowIcon().pixmap(64));
+    const QPushButton* toolkit = box.addButton(tr("About &Qt"), QMessageBox::HelpRole);
     box.exec();
+    if (box.clickedButton() == toolkit) QApplication::aboutQt();
 }

@@ -10,38 +10,37 @@
 using Arrangement = document::MapsArrangement;
 
 MapsMenu::MapsMenu(const MenuContext& context) : ActionMenu(context, tr("&Maps")) {
-    addList();
-    addSeparator();
+    auto* selected = new ActionMenu(context, tr("&Selected Maps"));
+    addList(*selected);
     addLayers();
-    addSeparator();
-    addArrangement(this, Arrangement::FlipLeftRight, "flip-left-right", tr("Flip &Horizontally"),
+    addMenu(selected);
+    selected->addSeparator();
+    addArrangement(selected, Arrangement::FlipLeftRight, "flip-left-right", tr("Flip &Horizontally"),
                    tr("Mirror the selected maps about the vertical line through their centre"));
-    addArrangement(this, Arrangement::FlipUpDown, "flip-up-down", tr("Flip &Vertically"),
+    addArrangement(selected, Arrangement::FlipUpDown, "flip-up-down", tr("Flip &Vertically"),
                    tr("Mirror the selected maps about the horizontal line through their centre"));
-    addArrangement(this, Arrangement::RotateLeft, "rotate-left", tr("Rotate 90° &Left"),
+    addArrangement(selected, Arrangement::RotateLeft, "rotate-left", tr("Rotate 90° &Left"),
                    tr("Rotate the selected maps counter-clockwise about their centre"));
-    addArrangement(this, Arrangement::RotateRight, "rotate-right", tr("Rotate 90° &Right"),
+    addArrangement(selected, Arrangement::RotateRight, "rotate-right", tr("Rotate 90° &Right"),
                    tr("Rotate the selected maps clockwise about their centre"));
-    addSeparator();
+    selected->addSeparator();
     auto* align = new ActionMenu(context, tr("Ali&gn Centres"));
-    addMenu(align);
+    selected->addMenu(align);
     addArrangement(align, Arrangement::AlignInRow, "align-in-row", tr("In a &Row"),
                    tr("Move the selected maps up or down until their centres are at the same height"));
     addArrangement(align, Arrangement::AlignInColumn, "align-in-column", tr("In a &Column"),
                    tr("Move the selected maps left or right until their centres are one below the other"));
     auto* distribute = new ActionMenu(context, tr("D&istribute Centres"));
-    addMenu(distribute);
+    selected->addMenu(distribute);
     addArrangement(distribute, Arrangement::DistributeAcross, "distribute-across", tr("&Horizontally"),
                    tr("Space the centres of the selected maps evenly from left to right"));
     addArrangement(distribute, Arrangement::DistributeUpwards, "distribute-upwards", tr("&Vertically"),
                    tr("Space the centres of the selected maps evenly from bottom to top"));
-    addArrangement(this, Arrangement::FitToCorners, "fit-to-corners", tr("&Fit to Corners"),
+    addArrangement(selected, Arrangement::FitToCorners, "fit-to-corners", tr("&Fit to Corners"),
                    tr("Move each selected map so that it leaves the nearest corner of the cage fixed"));
-    for (ActionMenu* menu : {align, distribute})
-        menu->setToolTipsVisible(true);
 }
 
-void MapsMenu::addList() {
+void MapsMenu::addList(ActionMenu& ofSelected) {
     view::CanvasView* canvas = context().canvas;
     document::Document* document = context().document;
     const auto panel = [window = context().window] { return window->findChild<view::MapsPanel*>(); };
@@ -61,28 +60,29 @@ void MapsMenu::addList() {
         };
     };
     QAction* duplicate =
-        add({"duplicate-maps",
-             tr("&Duplicate Maps"),
-             {},
-             tr("Duplicate the selected maps"),
-             nullptr,
-             false,
-             "duplicate"},
-            withSelected(&view::MapsPanel::duplicateMaps,
-                         [document](const document::Rows& rows) { return duplicateMaps(*document, rows); }));
-    QAction* remove =
-        add({"delete-maps", tr("D&elete Maps"), {}, tr("Delete the selected maps"), nullptr, false, "remove"},
-            withSelected(&view::MapsPanel::deleteMaps,
-                         [document, messages = context().messages](const document::Rows& rows) {
-                             const QString locked = document::lockObstacle(document->fractal(), rows);
-                             if (locked.isEmpty()) return deleteMaps(*document, rows);
-                             messages->say(locked);
-                             const document::System2& system = *document::system2(document->fractal());
-                             std::vector<ifs::MapId> selected;
-                             for (const int row : rows)
-                                 selected.push_back(system.maps[std::size_t(row)].id);
-                             return selected;
-                         }));
+        ofSelected.add({"duplicate-maps",
+                        tr("&Duplicate Maps"),
+                        {},
+                        tr("Duplicate the selected maps"),
+                        nullptr,
+                        false,
+                        "duplicate"},
+                       withSelected(&view::MapsPanel::duplicateMaps, [document](const document::Rows& rows) {
+                           return duplicateMaps(*document, rows);
+                       }));
+    QAction* remove = ofSelected.add(
+        {"delete-maps", tr("D&elete Maps"), {}, tr("Delete the selected maps"), nullptr, false, "remove"},
+        withSelected(&view::MapsPanel::deleteMaps,
+                     [document, messages = context().messages](const document::Rows& rows) {
+                         const QString locked = document::lockObstacle(document->fractal(), rows);
+                         if (locked.isEmpty()) return deleteMaps(*document, rows);
+                         messages->say(locked);
+                         const document::System2& system = *document::system2(document->fractal());
+                         std::vector<ifs::MapId> selected;
+                         for (const int row : rows)
+                             selected.push_back(system.maps[std::size_t(row)].id);
+                         return selected;
+                     }));
     QAction* all = add({"select-all-maps", tr("Select &All Maps"), {}, tr("Select all maps")},
                        [canvas, document, panel] {
                            if (document::space(document->fractal())) return panel()->selectAllMaps();

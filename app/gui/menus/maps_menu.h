@@ -12,7 +12,7 @@ public:
     explicit MapsMenu(const MenuContext& context);
 
 private:
-    void addList();
+    void addList(ActionMenu& ofSelected);
     void addLayers();
     void addArrangement(ActionMenu* menu, document::MapsArrangement arrangement, const char* id,
                         const QString& text, const QString& tip);

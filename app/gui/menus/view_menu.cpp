@@ -18,38 +18,42 @@ constexpr double rotationStep = 15; // degrees
 
 } // namespace
 
-ViewMenu::ViewMenu(const MenuContext& context, const std::function<void(bool)>& present)
-    : ActionMenu(context, tr("&View")) {
+ViewMenu::ViewMenu(const MenuContext& context) : ActionMenu(context, tr("&View")) {
     addZoom();
-    addRotation();
-    addCamera();
     addSeparator();
     addOverlays();
-    addSnapping();
-    addTransformation();
     addCompare();
     addSeparator();
     m_panels = addMenu(tr("&Panels"));
-    addScreens(present);
+    m_fullScreen =
+        addToggle({"full-screen", tr("F&ull Screen"), QKeySequence(tr("F11")), tr("Fill the whole screen")},
+                  [window = context.window](bool on) {
+                      window->setWindowState(window->windowState().setFlag(Qt::WindowFullScreen, on));
+                  });
 }
 
 void ViewMenu::addZoom() {
     Stage* stage = context().stage;
     QAction* fit = add({"fit", tr("&Fit"), QKeySequence(tr("F")), tr("Show the whole fractal")},
                        [stage] { stage->fit(); });
-    QAction* in = add({"zoom-in", tr("Zoom &In"), QKeySequence::ZoomIn, tr("Zoom in")},
-                      [stage] { stage->zoomBy(zoomStep); });
-    QAction* out = add({"zoom-out", tr("Zoom &Out"), QKeySequence::ZoomOut, tr("Zoom out")},
-                       [stage] { stage->zoomBy(1 / zoomStep); });
-    add({"zoom-reset", tr("&100 %"), QKeySequence(tr("1")), tr("Show one unit as one hundred pixels")},
-        [stage] { stage->resetZoom(); });
-    QAction* goTo = add({"go-to", tr("Go To…"), QKeySequence(tr("Ctrl+G")),
-                         tr("Show a centre and height, the point of an address, or a fixed point")},
-                        [this] { openGoTo(); });
+    auto* menu = new ActionMenu(context(), tr("&Navigate"));
+    addMenu(menu);
+    menu->add({"zoom-in", tr("Zoom &In"), QKeySequence::ZoomIn, tr("Zoom in")},
+              [stage] { stage->zoomBy(zoomStep); });
+    menu->add({"zoom-out", tr("Zoom &Out"), QKeySequence::ZoomOut, tr("Zoom out")},
+              [stage] { stage->zoomBy(1 / zoomStep); });
+    menu->add({"zoom-reset", tr("&100 %"), QKeySequence(tr("1")), tr("Show one unit as one hundred pixels")},
+              [stage] { stage->resetZoom(); });
+    QAction* goTo = menu->add({"go-to", tr("&Go To…"), QKeySequence(tr("Ctrl+G")),
+                               tr("Show a centre and height, the point of an address, or a fixed point")},
+                              [this] { openGoTo(); });
     disableWhen(goTo, &document::planeObstacle);
+    menu->addSeparator();
+    addRotation(*menu);
+    addCamera(*menu);
     m_savedViews = new SavedViewsMenu(context());
     addMenu(m_savedViews);
-    addToolBarGroup({fit, in, out});
+    addToolBarGroup({{fit, tr("Fit")}});
 }
 
 void ViewMenu::openGoTo() {
@@ -63,26 +67,23 @@ void ViewMenu::openGoTo() {
     dialog->open();
 }
 
-void ViewMenu::addRotation() {
-    auto* menu = new ActionMenu(context(), tr("Rotat&e View"));
-    addMenu(menu);
+void ViewMenu::addRotation(ActionMenu& menu) {
     view::CanvasNavigation& navigation = context().canvas->navigation();
-    QAction* left = menu->add({"rotate-view-left", tr("Rotate View &Left"), QKeySequence(tr("Ctrl+[")),
-                               tr("Rotate the view counter-clockwise by 15°")},
-                              [&navigation] { navigation.rotateBy(rotationStep); });
-    QAction* right = menu->add({"rotate-view-right", tr("Rotate View &Right"), QKeySequence(tr("Ctrl+]")),
-                                tr("Rotate the view clockwise by 15°")},
-                               [&navigation] { navigation.rotateBy(-rotationStep); });
-    QAction* reset =
-        menu->add({"reset-rotation", tr("Re&set Rotation"), {}, tr("Return the view to upright")},
-                  [&navigation] { navigation.resetRotation(); });
+    QAction* left = menu.add({"rotate-view-left", tr("Rotate View &Left"), QKeySequence(tr("Ctrl+[")),
+                              tr("Rotate the view counter-clockwise by 15°")},
+                             [&navigation] { navigation.rotateBy(rotationStep); });
+    QAction* right = menu.add({"rotate-view-right", tr("Rotate View &Right"), QKeySequence(tr("Ctrl+]")),
+                               tr("Rotate the view clockwise by 15°")},
+                              [&navigation] { navigation.rotateBy(-rotationStep); });
+    QAction* reset = menu.add({"reset-rotation", tr("Re&set Rotation"), {}, tr("Return the view to upright")},
+                              [&navigation] { navigation.resetRotation(); });
     for (QAction* ofThePlane : {left, right, reset})
         disableWhen(ofThePlane, &document::planeObstacle);
 }
 
-void ViewMenu::addCamera() {
+void ViewMenu::addCamera(ActionMenu& navigation) {
     auto* menu = new ActionMenu(context(), tr("Ca&mera"));
-    addMenu(menu);
+    navigation.addMenu(menu);
     view::SpaceNavigation& space = context().stage->space()->navigation();
     const struct {
         const char* id;
@@ -173,21 +174,23 @@ void ViewMenu::addStereo(ActionMenu& menu) {
 }
 
 void ViewMenu::addOverlays() {
+    auto* menu = new ActionMenu(context(), tr("&Canvas"));
+    addMenu(menu);
     view::CanvasView* canvas = context().canvas;
-    QAction* grid =
-        addToggle({"grid", tr("&Grid"), QKeySequence(tr("G")), tr("Show the grid"), "canvas/grid", true},
-                  [canvas](bool on) { canvas->options().setGridVisible(on); });
+    QAction* grid = menu->addToggle(
+        {"grid", tr("&Grid"), QKeySequence(tr("G")), tr("Show the grid"), "canvas/grid", true},
+        [canvas](bool on) { canvas->options().setGridVisible(on); });
     connect(&canvas->options(), &view::CanvasOptions::gridVisibleChanged, grid, &QAction::setChecked);
-    QAction* axes =
-        addToggle({"axes", tr("&Axes"), QKeySequence(tr("A")), tr("Show the axes"), "canvas/axes", true},
-                  [canvas](bool on) { canvas->options().setAxesVisible(on); });
+    QAction* axes = menu->addToggle(
+        {"axes", tr("&Axes"), QKeySequence(tr("A")), tr("Show the axes"), "canvas/axes", true},
+        [canvas](bool on) { canvas->options().setAxesVisible(on); });
     connect(&canvas->options(), &view::CanvasOptions::axesVisibleChanged, axes, &QAction::setChecked);
     QAction* downwards =
-        addToggle({"y-axis", tr("&Y Axis Down"), QKeySequence(tr("Y")),
-                   tr("Point the y axis down, as in window coordinates")},
-                  [canvas](bool on) {
-                      canvas->navigation().setYAxis(on ? attractor::YAxis::Down : attractor::YAxis::Up);
-                  });
+        menu->addToggle({"y-axis", tr("&Y Axis Down"), QKeySequence(tr("Y")),
+                         tr("Point the y axis down, as in window coordinates")},
+                        [canvas](bool on) {
+                            canvas->navigation().setYAxis(on ? attractor::YAxis::Down : attractor::YAxis::Up);
+                        });
     connect(&canvas->navigation(), &view::CanvasNavigation::cameraChanged, downwards, [canvas, downwards] {
         downwards->setChecked(canvas->navigation().yAxis() == attractor::YAxis::Down); // by a saved view
     });
@@ -195,24 +198,26 @@ void ViewMenu::addOverlays() {
     canvas->scene()->addItem(marks);
     connect(&canvas->options(), &view::CanvasOptions::mapNumbersVisibleChanged, canvas,
             [marks](bool on) { marks->setVisible(on); });
-    m_numbers = addToggle({"numbers-of-maps", tr("&Numbers of Maps"), QKeySequence(tr("N")),
-                           tr("Show the number and the fixed point of each map"), "canvas/numbers", false},
-                          [canvas](bool on) { canvas->options().setMapNumbersVisible(on); });
+    m_numbers =
+        menu->addToggle({"numbers-of-maps", tr("&Numbers of Maps"), QKeySequence(tr("N")),
+                         tr("Show the number and the fixed point of each map"), "canvas/numbers", false},
+                        [canvas](bool on) { canvas->options().setMapNumbersVisible(on); });
     connect(&canvas->options(), &view::CanvasOptions::mapNumbersVisibleChanged, m_numbers,
             &QAction::setChecked);
     for (QAction* ofThePlane : {grid, axes, downwards, m_numbers})
         disableWhen(ofThePlane, &document::planeObstacle);
-    QAction* hide = addToggle({"hide", tr("Only the Pi&cture"), QKeySequence(tr("H")),
-                               tr("Hide everything on the canvas except the picture")},
-                              [canvas](bool on) { canvas->options().setOverlaysVisible(!on); });
+    QAction* hide = menu->addToggle({"hide", tr("Only the Pi&cture"), QKeySequence(tr("H")),
+                                     tr("Hide everything on the canvas except the picture")},
+                                    [canvas](bool on) { canvas->options().setOverlaysVisible(!on); });
     connect(&canvas->options(), &view::CanvasOptions::overlaysVisibleChanged, hide,
             [hide](bool on) { hide->setChecked(!on); });
+    addSnapping(*menu);
 }
 
-void ViewMenu::addSnapping() {
+void ViewMenu::addSnapping(ActionMenu& canvas) {
     auto* menu = new ActionMenu(context(), tr("&Snap To"));
     menu->setIcon(view::icon(QStringLiteral("snap")));
-    addMenu(menu);
+    canvas.addMenu(menu);
     const std::tuple<view::SnapTo, const char*, QString, const char*> targets[] = {
         {view::SnapTo::Grid, "snap-to-grid", tr("&Grid"), "canvas/snap/grid"},
         {view::SnapTo::Vertices, "snap-to-vertices", tr("&Vertices"), "canvas/snap/vertices"},
@@ -225,29 +230,6 @@ void ViewMenu::addSnapping() {
                         });
 }
 
-void ViewMenu::addTransformation() {
-    view::TransformationView* transformation = context().stage->transformation();
-    m_transformation = addToggle(
-        {"fractal-transformation", tr("Fractal &Transformation"), QKeySequence(tr("Ctrl+Shift+T")),
-         tr("Show another entry beside this one, and colour this one by a picture placed on the other")},
-        [transformation](bool on) { transformation->setTransformationShown(on); });
-    disableWhen(m_transformation, &document::planeObstacle);
-    connect(transformation, &view::TransformationView::message, context().messages, &WindowMessages::say);
-}
-
-void ViewMenu::alternateWith(view::Construction* construction) {
-    using view::Construction;
-    connect(construction, &Construction::starting, m_transformation, [this] {
-        if (!m_transformation->isChecked()) return;
-        m_transformation->setChecked(false);
-        context().messages->say(
-            tr("The fractal transformation was hidden to show how the attractor is built."));
-    });
-    connect(m_transformation, &QAction::toggled, construction, [construction](bool on) {
-        if (on) construction->setMode(Construction::Mode::Density);
-    });
-}
-
 void ViewMenu::addCompare() {
     Stage* stage = context().stage;
     const view::ComparePane* pane = stage->compare();
@@ -256,16 +238,4 @@ void ViewMenu::addCompare() {
                                  [stage](bool on) { stage->setCompared(on); });
     connect(pane, &view::ComparePane::closeRequested, compare, [compare] { compare->setChecked(false); });
     connect(pane, &view::ComparePane::message, context().messages, &WindowMessages::say);
-}
-
-void ViewMenu::addScreens(const std::function<void(bool)>& present) {
-    m_fullScreen =
-        addToggle({"full-screen", tr("F&ull Screen"), QKeySequence(tr("F11")), tr("Fill the whole screen")},
-                  [window = context().window](bool on) {
-                      window->setWindowState(window->windowState().setFlag(Qt::WindowFullScreen, on));
-                  });
-    m_presentation = addToggle(
-        {"presentation", tr("P&resentation"), QKeySequence(tr("Shift+F11")),
-         tr("Show only the canvas in full screen, for example on a projector; press Esc to return")},
-        present);
 }

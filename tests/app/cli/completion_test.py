@@ -81,6 +81,8 @@ class Shell:
         self.home = Path(tempfile.mkdtemp(prefix="completion-"))
         self.folder = self.home / "work"
         self.folder.mkdir()
+        # Without this folder fish reads every manual page of the machine in the background.
+        (self.home / ".local/share/fish/generated_completions").mkdir(parents=True)
         self.record = self.home / "record"
         self.install_recorder(program)
         self.output = b""

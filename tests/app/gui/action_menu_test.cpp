@@ -193,11 +193,12 @@ void ActionMenuTest::cageCommandsAreOfferedWhereTheyDoSomething() {
     };
     const auto offers = [&](bool reset, bool bake, bool unbake) {
         return offered("Cage › Reset") == reset && offered("Cage › Bake") == bake &&
-               offered("Cage › Unbake") == unbake;
+               offered("Cage › More › Unbake") == unbake;
     };
-    const QList<const char*> ofThePlane{"Cage › Make Regular", "Cage › Affine Invariant Form"};
-    const QList<const char*> ofBoth{"File › Export Picture", "File › Copy Picture", "File › Print",
-                                    "Edit › Transform", "Cage › Fit Minimal Canonical Simplex"};
+    const QList<const char*> ofThePlane{"Cage › More › Make Regular", "Cage › More › Affine Invariant Form"};
+    const QList<const char*> ofBoth{"File › Export › Export Picture", "File › Export › Copy Picture",
+                                    "File › Print", "Edit › Fractal › Transform",
+                                    "Cage › More › Fit Minimal Canonical Simplex"};
     QVERIFY(std::all_of(ofThePlane.begin(), ofThePlane.end(), offered));
     QVERIFY(offers(false, false, true)); // at rest
     document::Fractal fractal = document.fractal();

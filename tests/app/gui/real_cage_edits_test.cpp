@@ -39,7 +39,7 @@ void RealCageEditsTest::theMinimalSimplexIsFitted() {
         hand().clickAt(middle + corner);
     QTRY_COMPARE(steps(), 1);
     QVERIFY(vertices() != canonical);
-    choose({QStringLiteral("Cage"), QStringLiteral("Fit Minimal Canonical Simplex")});
+    choose({QStringLiteral("Cage"), QStringLiteral("More"), QStringLiteral("Fit Minimal Canonical Simplex")});
     QTRY_COMPARE(steps(), 2);
     for (std::size_t i = 0; i < 3; ++i)
         QVERIFY((vertices()[i] - canonical[i]).norm() * pixelsPerUnit() < 1);
@@ -58,7 +58,7 @@ void RealCageEditsTest::aPlacementIsBakedAndUnbaked() {
     QCOMPARE(vertices(), placed);
     QVERIFY(cage().rest == cage().current);
 
-    choose({QStringLiteral("Cage"), QStringLiteral("Unbake")});
+    choose({QStringLiteral("Cage"), QStringLiteral("More"), QStringLiteral("Unbake")});
     QTRY_COMPARE(steps(), 3);
     QCOMPARE(vertices(), placed);
     QCOMPARE(cage().rest, (std::vector<Vector<2>>{{0, 0}, {1, 0}, {0, 1}}));
@@ -70,7 +70,7 @@ void RealCageEditsTest::aPlacementIsBakedAndUnbaked() {
 void RealCageEditsTest::rewritingChangesTheCode() {
     const document::System2 before = code();
     const std::vector<Vector<2>> held = vertices();
-    choose({QStringLiteral("Cage"), QStringLiteral("Rewrite")});
+    choose({QStringLiteral("Cage"), QStringLiteral("More"), QStringLiteral("Rewrite")});
     dragBy(insideTheCage(), {-40, -30});
     QTRY_COMPARE(steps(), 1);
     const Vector<2> shift = vertices()[0] - held[0];

@@ -271,21 +271,26 @@ void RealCageTest::shiftConstrains() {
 
 void RealCageTest::draggedVerticesSnap() {
     const std::vector<Vector<2>> held = vertices();
-    choose({QStringLiteral("View"), QStringLiteral("Snap To"), QStringLiteral("Vertices")});
+    choose({QStringLiteral("View"), QStringLiteral("Canvas"), QStringLiteral("Snap To"),
+            QStringLiteral("Vertices")});
     hand().drag(vertex(0), {vertex(0) + QPoint(10, 10), vertex(1) + QPoint(5, -4)});
     QTRY_COMPARE(vertices()[0], held[1]);
     hand().key("Control+z");
 
-    choose({QStringLiteral("View"), QStringLiteral("Snap To"), QStringLiteral("Vertices")});
-    choose({QStringLiteral("View"), QStringLiteral("Snap To"), QStringLiteral("Axes")});
+    choose({QStringLiteral("View"), QStringLiteral("Canvas"), QStringLiteral("Snap To"),
+            QStringLiteral("Vertices")});
+    choose({QStringLiteral("View"), QStringLiteral("Canvas"), QStringLiteral("Snap To"),
+            QStringLiteral("Axes")});
     hand().drag(vertex(2),
                 {vertex(2) + QPoint(10, 10), onScreen(Vector<2>(0, held[2].y() / 2)) + QPoint(4, 0)});
     QTRY_COMPARE(vertices()[2].x(), 0.0);
     QVERIFY(vertices()[2].y() != 0.0);
     hand().key("Control+z");
 
-    choose({QStringLiteral("View"), QStringLiteral("Snap To"), QStringLiteral("Axes")});
-    choose({QStringLiteral("View"), QStringLiteral("Snap To"), QStringLiteral("Grid")});
+    choose({QStringLiteral("View"), QStringLiteral("Canvas"), QStringLiteral("Snap To"),
+            QStringLiteral("Axes")});
+    choose({QStringLiteral("View"), QStringLiteral("Canvas"), QStringLiteral("Snap To"),
+            QStringLiteral("Grid")});
     const double grid = view::gridSpacing(pixelsPerUnit()).minor;
     const Vector<2> crossing = (held[1] / grid).array().round().matrix() * grid + Vector<2>(-2, 3) * grid;
     hand().drag(vertex(1), {vertex(1) + QPoint(-10, -10), onScreen(crossing) + QPoint(3, -3)});
@@ -334,7 +339,8 @@ void RealCageTest::flatAndMirroredPicturesAreSavedAndOpened() {
     const QString path = copyOfCollection(QStringLiteral("paper"));
     window().openPath(path);
     const std::vector<Vector<2>> held = vertices();
-    choose({QStringLiteral("View"), QStringLiteral("Snap To"), QStringLiteral("Vertices")});
+    choose({QStringLiteral("View"), QStringLiteral("Canvas"), QStringLiteral("Snap To"),
+            QStringLiteral("Vertices")});
     hand().drag(vertex(2), {vertex(2) + QPoint(10, 10), vertex(0) + QPoint(3, 3)}); // flat
     QTRY_COMPARE(vertices()[2], held[0]);
     hand().key("Control+s");
@@ -347,7 +353,8 @@ void RealCageTest::flatAndMirroredPicturesAreSavedAndOpened() {
     hand().wheel(-4); // what is fitted is flat now
     hand().drag(vertex(2), {vertex(2) + QPoint(10, 10), onScreen(held[2])});
     QTRY_VERIFY((vertices()[2] - held[2]).norm() * pixelsPerUnit() < 1);
-    choose({QStringLiteral("View"), QStringLiteral("Snap To"), QStringLiteral("Vertices")});
+    choose({QStringLiteral("View"), QStringLiteral("Canvas"), QStringLiteral("Snap To"),
+            QStringLiteral("Vertices")});
     hand().drag(vertex(0), {vertex(0) + QPoint(10, 10), onScreen(held[1] + held[2] - held[0])}); // mirrored
     hand().key("Control+s");
     QTRY_VERIFY(!window().isWindowModified());

@@ -176,7 +176,8 @@ void RealMapsTest::aDragStopsWhereTheAttractorWouldBeLost() {
 }
 
 void RealMapsTest::orGoesOnWhenThatIsAllowed() {
-    choose({QStringLiteral("Edit"), QStringLiteral("Allow Systems without an Attractor")});
+    choose({QStringLiteral("Edit"), QStringLiteral("Fractal"),
+            QStringLiteral("Allow Systems without an Attractor")});
     zoomOut(5);
     const QPoint far(onCanvas({8, 8}));
     const QPoint start = handle({Kind::Vertex, 1, 2});
@@ -253,11 +254,11 @@ void RealMapsTest::theMapsMenuArranges() {
     const document::System2 before = code();
     choose({QStringLiteral("Maps"), QStringLiteral("Select All Maps")});
     QTRY_COMPARE(canvas().selectedMaps().size(), before.maps.size());
-    choose({QStringLiteral("Maps"), QStringLiteral("Flip Horizontally")});
+    choose({QStringLiteral("Maps"), QStringLiteral("Selected Maps"), QStringLiteral("Flip Horizontally")});
     QTRY_COMPARE(steps(), 1);
     for (std::size_t k = 0; k < before.maps.size(); ++k)
         QVERIFY(map(k).linear.determinant() * before.maps[k].map.linear.determinant() < 0);
-    choose({QStringLiteral("Maps"), QStringLiteral("Flip Horizontally")});
+    choose({QStringLiteral("Maps"), QStringLiteral("Selected Maps"), QStringLiteral("Flip Horizontally")});
     QTRY_COMPARE(steps(), 2);
     for (std::size_t k = 0; k < before.maps.size(); ++k)
         QVERIFY((map(k).linear - before.maps[k].map.linear).norm() < 1e-12);

@@ -283,17 +283,20 @@ void RealSnapshotsTest::letTheCameraRest() const {
 void RealSnapshotsTest::aViewOfASolidIsSaved() {
     window().openPath(copyOfCollection(QStringLiteral("space_sponges")));
     QVERIFY(document::space(fractal()));
-    const auto chooseView = [this](const char* menu, const char* view) {
-        choose({QStringLiteral("View"), QLatin1String(menu), QLatin1String(view)});
+    const auto chooseView = [this](const QStringList& view) {
+        choose(QStringList(QStringLiteral("View")) + view);
         letTheCameraRest();
     };
-    chooseView("Camera", "Isometric");
+    const auto look = [chooseView](const char* view) {
+        chooseView({QStringLiteral("Navigate"), QStringLiteral("Camera"), QLatin1String(view)});
+    };
+    look("Isometric");
     saveView("corner");
     QTRY_COMPARE(views().size(), std::size_t{1});
     const auto saved = std::get<attractor::OrbitCamera>(views().front().camera);
-    chooseView("Camera", "Top");
-    chooseView("Camera", "Perspective");
-    chooseView("Saved Views", "corner");
+    look("Top");
+    look("Perspective");
+    chooseView({QStringLiteral("Saved Views"), QStringLiteral("corner")});
     saveView("again");
     QTRY_COMPARE(views().size(), std::size_t{2});
     const auto found = std::get<attractor::OrbitCamera>(views().back().camera);

@@ -20,7 +20,7 @@ class ShadowCommandTest : public WindowFixture {
 private:
     static QAction* shadowOf(const MainWindow& window) {
         for (const view::NamedAction& action : view::actionsOf(window))
-            if (action.path == QString::fromUtf8("Edit › Shadow")) return action.action;
+            if (action.path == QString::fromUtf8("Edit › Fractal › Shadow")) return action.action;
         return nullptr;
     }
 

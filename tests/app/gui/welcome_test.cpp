@@ -97,7 +97,7 @@ private slots:
         };
         QTest::newRow("tour") << trigger(QStringLiteral("&Tour"));
         QTest::newRow("command") << trigger(QStringLiteral("&Grid"));
-        QTest::newRow("bar") << trigger(QStringLiteral("&How It Is Built"));
+        QTest::newRow("bar") << trigger(QStringLiteral("How It Is &Built"));
         QTest::newRow("tool") << Done([](MainWindow& window) {
             window.findChild<view::CanvasView*>()->setTool(view::CanvasView::Tool::Maps);
         });

@@ -42,7 +42,7 @@ ExportsPanel::ExportsPanel(ExportQueue* queue, QWidget* parent)
         tr("The exports that you have added to the queue. They are drawn one after another, from top to "
            "bottom, while you continue editing. Exports that are not finished when "
            "you quit continue the next time you start Barycage."));
-    m_empty->setText(tr("No exports are waiting. Choose Add to Queue in File › Export Picture… to draw "
+    m_empty->setText(tr("No exports are waiting. Choose Add to Queue in File › Export › Export Picture… to draw "
                         "pictures one after another while you continue editing."));
     m_empty->setWordWrap(true);
     m_empty->setAlignment(Qt::AlignCenter);

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "actions/action_menu.h"
+#include "dialogs/variations/mutate_dialog.h"
+
+#include <map>
+
+namespace view {
+class Construction;
+}
+
+// Where fractals come from, and what two of them make together.
+class DiscoverMenu : public ActionMenu {
+    Q_DECLARE_TR_FUNCTIONS(MainWindow)
+
+public:
+    // `showCollection` lets the user search the collection.
+    DiscoverMenu(const MenuContext& context, const std::function<void()>& showCollection);
+
+    void addRandom(); // a fractal that the user picks out of many
+    void addCollage(QAction* panel);
+    void showTransformation() { m_transformation->setChecked(true); } // where the entry allows it
+    // Both draw on the canvas of the plane: a transformation and a construction end each other.
+    void alternateWith(view::Construction* construction);
+
+private:
+    void addTransformation();
+    void openMutate();
+
+    std::map<document::EntryId, view::MutateDialog::Descent> m_descents; // left without using them
+    QAction* m_transformation = nullptr;
+};

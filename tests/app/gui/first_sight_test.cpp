@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: MIT
+#include "dialogs/command_palette.h"
+#include "support/named_test.h"
+#include "window_fixture.h"
+
+#include <QDockWidget>
+#include <QMenu>
+#include <QMenuBar>
+#include <QTest>
+#include <QToolBar>
+#include <QToolButton>
+
+#include <algorithm>
+
+// What meets somebody who opens the program for the first time: few things, with names.
+class FirstSightTest : public WindowFixture {
+    Q_OBJECT
+
+private slots:
+    void menusAreShort();
+    void buttonsAreFewAndHaveNames();
+    void panelsAreFew();
+    void theListOfEntriesComesWithEntries();
+    void theListOfEntriesStaysAway();
+    void whatIsNotSeenIsFound_data();
+    void whatIsNotSeenIsFound();
+
+private:
+    bool isThere(const char* panel) const {
+        return !m_window->findChild<QDockWidget*>(QLatin1String(panel))->isHidden();
+    }
+};
+
+// A menu of a menu is one item.
+void FirstSightTest::menusAreShort() {
+    int count = 0;
+    for (const QAction* menu : m_window->menuBar()->actions()) {
+        const QList<QAction*> items = menu->menu()->actions();
+        count += int(std::ranges::count_if(
+            items, [](const QAction* item) { return item->isVisible() && !item->isSeparator(); }));
+    }
+    QVERIFY2(count <= 60, qPrintable(QString::number(count)));
+}
+
+void FirstSightTest::buttonsAreFewAndHaveNames() {
+    const auto* bar = m_window->findChild<QToolBar*>(QStringLiteral("tools"));
+    int count = 0;
+    for (QAction* action : bar->actions()) {
+        if (action->isSeparator()) continue;
+        ++count;
+        const auto* button = qobject_cast<QToolButton*>(bar->widgetForAction(action));
+        QCOMPARE(button->toolButtonStyle(), Qt::ToolButtonTextUnderIcon);
+        const QString name = button->text();
+        QVERIFY2(!name.isEmpty() && name.size() <= 12 && !name.contains(u'…'), qPrintable(name));
+        QVERIFY2(button->width() >= button->fontMetrics().horizontalAdvance(name), qPrintable(name));
+    }
+    QVERIFY2(count <= 10, qPrintable(QString::number(count)));
+}
+
+void FirstSightTest::panelsAreFew() {
+    QStringList seen;
+    for (const auto* panel : m_window->findChildren<QDockWidget*>())
+        if (!panel->isHidden()) seen << panel->objectName();
+    QVERIFY2(seen.size() <= 4, qPrintable(seen.join(u' ')));
+    QVERIFY(isThere("maps") && isThere("cage") && isThere("appearance") && isThere("collection"));
+}
+
+void FirstSightTest::theListOfEntriesComesWithEntries() {
+    QVERIFY(!isThere("entries"));
+    QVERIFY(m_window->openPath(QFINDTESTDATA("../../../ifs_library/ferns.ifs")));
+    QTRY_VERIFY(isThere("entries"));
+    // It is the user's now: what he closes stays closed.
+    m_window->findChild<QDockWidget*>(QStringLiteral("entries"))->close();
+    QVERIFY(m_window->openPath(QFINDTESTDATA("../../../ifs_library/dragons.ifs")));
+    QTRY_VERIFY(m_window->path().endsWith(QLatin1String("dragons.ifs")));
+    QVERIFY(!isThere("entries"));
+}
+
+void FirstSightTest::theListOfEntriesStaysAway() {
+    document::Document& document = m_window->document();
+    document::Fractal fractal = document.fractal();
+    fractal.name = QStringLiteral("another name");
+    document.edit(QStringLiteral("Rename"), fractal);
+    QVERIFY(!isThere("entries"));
+}
+
+void FirstSightTest::whatIsNotSeenIsFound_data() {
+    QTest::addColumn<QString>("id");
+    for (const char* id : {"zoom-in", "reset", "bake", "unbake", "place", "rewrite", "define", "fit-simplex",
+                           "how-it-is-built", "duplicate-maps", "key", "shadow", "snapshot", "collection",
+                           "panel-analysis", "panel-history", "panel-entries", "perspective"})
+        QTest::newRow(id) << QString::fromLatin1(id);
+}
+
+void FirstSightTest::whatIsNotSeenIsFound() {
+    QFETCH(QString, id);
+    const QList<view::NamedAction> found = view::actionsOf(*m_window);
+    QVERIFY(std::ranges::any_of(
+        found, [&](const view::NamedAction& command) { return command.action->objectName() == id; }));
+}
+
+BARYCAGE_TEST(FirstSightTest, QApplication);
+#include "first_sight_test.moc"
