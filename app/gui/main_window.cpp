@@ -384,12 +384,17 @@ void MainWindow::createOptionsBar() {
     m_optionsBar->setWhatsThis(shown->whatsThis());
 }
 
+void MainWindow::showLabels(bool shown) {
+    if (auto* bar = findChild<QToolBar*>(QStringLiteral("tools")))
+        bar->setToolButtonStyle(shown ? Qt::ToolButtonTextUnderIcon : Qt::ToolButtonIconOnly);
+}
+
 void MainWindow::createToolBar() {
     QToolBar* bar = addToolBar(tr("Tools"));
     bar->setObjectName(QStringLiteral("tools"));
     bar->setMovable(false);
     bar->setIconSize({22, 22});
-    bar->setToolButtonStyle(Qt::ToolButtonTextUnderIcon);
+    showLabels(view::Preferences::stored().labels);
     for (const ActionMenu* menu : m_menus)
         for (const QList<QAction*>& group : menu->toolBarGroups()) {
             if (!bar->actions().isEmpty()) bar->addSeparator();
@@ -455,6 +460,7 @@ void MainWindow::adopt(const view::Preferences& preferences) {
     m_bridge->setQuality(preferences.quality);
     m_stage->space()->navigation().setTrackball(preferences.trackball);
     m_stage->compare()->setTrackball(preferences.trackball);
+    showLabels(preferences.labels);
 }
 
 void MainWindow::showCollection() {

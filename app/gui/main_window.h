@@ -87,6 +87,7 @@ private:
     void createConstructionBar();
     void createOptionsBar();
     void createToolBar();
+    void showLabels(bool shown); // names under the symbols of the tool bar
     void connectDocument();
     QDockWidget* dock(QWidget* panel, const QString& title, const QString& id, Qt::DockWidgetArea area);
 

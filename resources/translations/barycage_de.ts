@@ -2384,7 +2384,7 @@
         <translation>&amp;Mehr</translation>
     </message>
     <message>
-        <source>&amp;Discover</source>
+        <source>D&amp;iscover</source>
         <translation>&amp;Entdecken</translation>
     </message>
     <message>
@@ -7255,6 +7255,10 @@
     <message>
         <source>Nothing here. Press F to see the whole picture.</source>
         <translation>Hier ist nichts. Drücken Sie F, um das ganze Bild zu sehen.</translation>
+    </message>
+    <message>
+        <source>Moving the cage rewrites the code</source>
+        <translation>Den Käfig zu bewegen schreibt den Code um</translation>
     </message>
 </context>
 <context>
@@ -12163,6 +12167,14 @@ Tasten: Bild auf und Bild ab wählen eine Marke, die Pfeile bewegen sie, Einfg f
     <message>
         <source>&amp;Solids turn like:</source>
         <translation>&amp;Körper drehen sich wie:</translation>
+    </message>
+    <message>
+        <source>&amp;Names under the symbols of the toolbar</source>
+        <translation>&amp;Namen unter den Symbolen der Werkzeugleiste</translation>
+    </message>
+    <message>
+        <source>When this is on, the toolbar shows the name of each command under its symbol.</source>
+        <translation>Ist das an, zeigt die Werkzeugleiste den Namen jedes Befehls unter seinem Symbol.</translation>
     </message>
 </context>
 <context>

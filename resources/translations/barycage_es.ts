@@ -2384,7 +2384,7 @@
         <translation>&amp;Más</translation>
     </message>
     <message>
-        <source>&amp;Discover</source>
+        <source>D&amp;iscover</source>
         <translation>&amp;Descubrir</translation>
     </message>
     <message>
@@ -7255,6 +7255,10 @@
     <message>
         <source>Nothing here. Press F to see the whole picture.</source>
         <translation>Aquí no hay nada. Pulse F para ver toda la imagen.</translation>
+    </message>
+    <message>
+        <source>Moving the cage rewrites the code</source>
+        <translation>Mover la jaula reescribe el código</translation>
     </message>
 </context>
 <context>
@@ -12163,6 +12167,14 @@ Teclas: Re Pág y Av Pág eligen una parada, las flechas la mueven, Ins añade u
     <message>
         <source>&amp;Solids turn like:</source>
         <translation>Los &amp;sólidos giran como:</translation>
+    </message>
+    <message>
+        <source>&amp;Names under the symbols of the toolbar</source>
+        <translation>&amp;Nombres bajo los símbolos de la barra de herramientas</translation>
+    </message>
+    <message>
+        <source>When this is on, the toolbar shows the name of each command under its symbol.</source>
+        <translation>Si está activado, la barra de herramientas muestra el nombre de cada orden bajo su símbolo.</translation>
     </message>
 </context>
 <context>

@@ -2384,7 +2384,7 @@
         <translation>&amp;Plus</translation>
     </message>
     <message>
-        <source>&amp;Discover</source>
+        <source>D&amp;iscover</source>
         <translation>Décou&amp;vrir</translation>
     </message>
     <message>
@@ -7255,6 +7255,10 @@
     <message>
         <source>Nothing here. Press F to see the whole picture.</source>
         <translation>Rien ici. Appuyez sur F pour voir toute l’image.</translation>
+    </message>
+    <message>
+        <source>Moving the cage rewrites the code</source>
+        <translation>Déplacer la cage réécrit le code</translation>
     </message>
 </context>
 <context>
@@ -12163,6 +12167,14 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
     <message>
         <source>&amp;Solids turn like:</source>
         <translation>Les &amp;solides tournent comme :</translation>
+    </message>
+    <message>
+        <source>&amp;Names under the symbols of the toolbar</source>
+        <translation>&amp;Noms sous les symboles de la barre d’outils</translation>
+    </message>
+    <message>
+        <source>When this is on, the toolbar shows the name of each command under its symbol.</source>
+        <translation>Si cette case est cochée, la barre d’outils montre le nom de chaque commande sous son symbole.</translation>
     </message>
 </context>
 <context>

@@ -2390,7 +2390,7 @@
         <translation>Пове&amp;ќе</translation>
     </message>
     <message>
-        <source>&amp;Discover</source>
+        <source>D&amp;iscover</source>
         <translation>Отк&amp;ривање</translation>
     </message>
     <message>
@@ -7272,6 +7272,10 @@
     <message>
         <source>Nothing here. Press F to see the whole picture.</source>
         <translation>Тука нема ништо. Притиснете F за да ја видите целата слика.</translation>
+    </message>
+    <message>
+        <source>Moving the cage rewrites the code</source>
+        <translation>Поместувањето на кафезот го менува кодот</translation>
     </message>
 </context>
 <context>
@@ -12195,6 +12199,14 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
     <message>
         <source>&amp;Solids turn like:</source>
         <translation>&amp;Телата се вртат како:</translation>
+    </message>
+    <message>
+        <source>&amp;Names under the symbols of the toolbar</source>
+        <translation>&amp;Имиња под симболите на лентата со алатки</translation>
+    </message>
+    <message>
+        <source>When this is on, the toolbar shows the name of each command under its symbol.</source>
+        <translation>Кога е вклучено, лентата со алатки го покажува името на секоја наредба под нејзиниот симбол.</translation>
     </message>
 </context>
 <context>

@@ -18,6 +18,7 @@ const QString motionKey = QStringLiteral("preferences/motion");
 const QString qualityKey = QStringLiteral("preferences/quality");
 const QString trackballKey = QStringLiteral("preferences/trackball");
 const QString keepPreviousKey = QStringLiteral("preferences/keepPrevious");
+const QString labelsKey = QStringLiteral("preferences/labels");
 const QString reopenKey = QStringLiteral("preferences/reopen");
 
 constexpr char spoken[] = "spokenLanguage"; // a property of the application
@@ -46,6 +47,7 @@ Preferences Preferences::stored() {
                                               1'000'000, 100'000'000'000);
     found.trackball = view::stored(trackballKey, found.trackball).toBool();
     found.reopen = view::stored(reopenKey, found.reopen).toBool();
+    found.labels = view::stored(labelsKey, found.labels).toBool();
     found.keepPrevious = view::stored(keepPreviousKey, found.keepPrevious).toBool();
     return found;
 }
@@ -61,6 +63,7 @@ void Preferences::store() const {
     view::store(qualityKey, quint64(quality));
     view::store(trackballKey, trackball);
     view::store(reopenKey, reopen);
+    view::store(labelsKey, labels);
     view::store(keepPreviousKey, keepPrevious);
 }
 

@@ -18,6 +18,7 @@ struct Preferences {
     bool trackball = false;              // solids turn freely, not as on a turntable
     bool reopen = false;                 // the files of the last time, at the start
     bool keepPrevious = true;            // versions of files, when they are saved for the first time
+    bool labels = true;                  // names under the symbols of the tool bar
     Motion motion = Motion::Desktop;     // of what moves without having been asked to
 
     static Preferences stored();

@@ -35,9 +35,10 @@ namespace {
 constexpr int actionRole = Qt::UserRole;
 constexpr int guideRow = -1; // in place of the index of an action
 
-// The name of the command, which for Undo is not that of the step.
+// The text of the action, unless the name of the command is another: that of Undo is not the step's.
 QString nameOf(const QAction* action) {
-    return action->iconText().remove(u'&').remove(u'…');
+    const QVariant name = action->property(commandName);
+    return (name.isValid() ? name.toString() : action->text()).remove(u'&').remove(u'…');
 }
 
 QString below(const QString& path, const QString& name) {

@@ -13,14 +13,17 @@ class QStandardItemModel;
 
 namespace view {
 
-// An action and where it is found: through the menus ("View › Canvas › Snap To › Grid"), in a panel ("Maps › Add") or
-// in a bar ("How It Is Built › Chaos Game"). A button that has no action has one here, which clicks it, and
-// so has a field with a label, which is gone to ("Appearance › Brightness").
+// An action and where it is found: through the menus ("View › Canvas › Snap To › Grid"), in a panel
+// ("Maps › Add") or in a bar ("How It Is Built › Chaos Game"). A button that has no action has one here,
+// which clicks it, and so has a field with a label, which is gone to ("Appearance › Brightness").
 struct NamedAction {
     QAction* action;
     QString path;
     QWidget* panel = nullptr; // or bar, that has it; null: the menu bar
 };
+// A property of actions whose text is not the name of the command.
+inline constexpr char commandName[] = "commandName";
+
 QList<NamedAction> actionsOf(const QWidget* menuBar);
 // Those of the menu bar, then those of the panels and bars that no menu has.
 QList<NamedAction> actionsOf(const QMainWindow& window);

@@ -95,6 +95,7 @@ PreferencesDialog::PreferencesDialog(QWidget* parent, const QList<NamedAction>& 
       m_motion(new QComboBox(this)),
       m_quality(new QComboBox(this)),
       m_turning(new QComboBox(this)),
+      m_labels(new QCheckBox(tr("&Names under the symbols of the toolbar"), this)),
       m_reopen(new QCheckBox(tr("Re&open last files on startup"), this)),
       m_keepPrevious(new QCheckBox(tr("&Keep the previous version of files"), this)) {
     setWindowTitle(tr("Preferences"));
@@ -109,13 +110,15 @@ PreferencesDialog::PreferencesDialog(QWidget* parent, const QList<NamedAction>& 
     offerTurning(m_turning);
     explainFiles(m_reopen, m_keepPrevious);
     offerMotion(m_motion);
+    m_labels->setWhatsThis(
+        tr("When this is on, the toolbar shows the name of each command under its symbol."));
 
     addPages(commands);
 
     fill(Preferences::stored());
     for (QComboBox* box : {m_language, m_theme, m_motion, m_quality, m_turning})
         connect(box, &QComboBox::currentIndexChanged, this, &PreferencesDialog::take);
-    for (QCheckBox* box : {m_reopen, m_keepPrevious})
+    for (QCheckBox* box : {m_labels, m_reopen, m_keepPrevious})
         connect(box, &QCheckBox::toggled, this, &PreferencesDialog::take);
 }
 
@@ -148,6 +151,7 @@ QWidget* PreferencesDialog::generalPage() {
     form->addRow(tr("&Motion:"), m_motion);
     form->addRow(tr("&Picture at rest:"), m_quality);
     form->addRow(tr("&Solids turn like:"), m_turning);
+    form->addRow(QString(), m_labels);
     form->addRow(QString(), m_reopen);
     form->addRow(QString(), m_keepPrevious);
     return page;
@@ -180,7 +184,8 @@ void PreferencesDialog::fill(const Preferences& preferences) {
     choose(m_motion, int(preferences.motion));
     choose(m_quality, quint64(preferences.quality));
     choose(m_turning, preferences.trackball);
-    const QSignalBlocker quiet(m_reopen), quietToo(m_keepPrevious);
+    const QSignalBlocker quiet(m_reopen), quietToo(m_keepPrevious), quietLabels(m_labels);
+    m_labels->setChecked(preferences.labels);
     m_reopen->setChecked(preferences.reopen);
     m_keepPrevious->setChecked(preferences.keepPrevious);
     showRestart(preferences.language != m_spoken);
@@ -205,6 +210,7 @@ void PreferencesDialog::take() {
     chosen.motion = Preferences::Motion(m_motion->currentData().toInt());
     chosen.quality = m_quality->currentData().toULongLong();
     chosen.trackball = m_turning->currentData().toBool();
+    chosen.labels = m_labels->isChecked();
     chosen.reopen = m_reopen->isChecked();
     chosen.keepPrevious = m_keepPrevious->isChecked();
     showRestart(chosen.language != m_spoken);

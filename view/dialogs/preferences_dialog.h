@@ -49,6 +49,7 @@ private:
     QComboBox* m_motion;
     QComboBox* m_quality;
     QComboBox* m_turning;
+    QCheckBox* m_labels;
     QCheckBox* m_reopen;
     QCheckBox* m_keepPrevious;
 };

@@ -74,6 +74,7 @@ SpaceView::SpaceView(document::Document* document, SolidBridge* bridge, QWidget*
         scene()->addItem(item);
     setUpWidget();
     connect(document, &document::Document::changed, this, &SpaceView::followDocument);
+    connect(document, &document::Document::cageModeChanged, this, &SpaceView::showNote);
     connect(bridge, &SolidBridge::frameChanged, this, [this] {
         m_solid->setFrame(m_bridge->frame());
         if (m_bridge->isCurrent()) {
@@ -130,7 +131,8 @@ void SpaceView::showNote() {
     const bool isSilent = isSpokenFor || !areOverlaysShown(); // where a click would do nothing
     QString said = !defines ? m_stop : isSilent ? QString() : m_definition.prompt();
     if (said.isEmpty()) said = note();
-    if (said.isEmpty() && !defines && !isSpokenFor) said = m_branch.prompt(); // least urgent
+    if (said.isEmpty() && !defines && !isSpokenFor) said = m_branch.prompt();
+    if (said.isEmpty() && !isFixed()) said = modeNote(m_document->cageMode()); // least urgent
     m_note->setText(said);
 }
 

@@ -8,7 +8,7 @@
 #include "stage/stage.h"
 
 DiscoverMenu::DiscoverMenu(const MenuContext& context, const std::function<void()>& showCollection)
-    : ActionMenu(context, tr("&Discover")) {
+    : ActionMenu(context, tr("D&iscover")) {
     add({"collection", tr("&Collection"), QKeySequence(tr("Ctrl+Shift+O")),
          tr("Search the fractals that come with the program, and your favourites")},
         showCollection);

@@ -2,6 +2,7 @@
 #include "menus/edit_menu.h"
 
 #include "desktop/theme.h"
+#include "dialogs/command_palette.h"
 #include "dialogs/preferences_dialog.h"
 #include "dialogs/transform_dialog.h"
 #include "document/edits/cage/cage_edits.h"
@@ -77,7 +78,7 @@ void EditMenu::addHistory() {
     QUndoStack* stack = context().document->undoStack();
     QAction* undo = stack->createUndoAction(context().window, tr("&Undo"));
     undo->setObjectName(QStringLiteral("undo"));
-    undo->setIconText(tr("&Undo").remove(u'&')); // whatever step it takes back
+    undo->setProperty(view::commandName, tr("&Undo")); // whatever step it takes back
     undo->setShortcut(QKeySequence(tr("Ctrl+Z")));
     undo->setIcon(view::icon(QStringLiteral("undo")));
     undo->setStatusTip(tr("Undo the last edit"));
@@ -88,7 +89,7 @@ void EditMenu::addHistory() {
     });
     QAction* redo = stack->createRedoAction(context().window, tr("&Redo"));
     redo->setObjectName(QStringLiteral("redo"));
-    redo->setIconText(tr("&Redo").remove(u'&'));
+    redo->setProperty(view::commandName, tr("&Redo"));
     redo->setShortcuts({QKeySequence(tr("Ctrl+Shift+Z")), QKeySequence(tr("Ctrl+Y"))});
     redo->setIcon(view::icon(QStringLiteral("redo")));
     redo->setStatusTip(tr("Redo the last edit that was undone"));

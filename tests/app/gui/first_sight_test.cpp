@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "desktop/preferences.h"
 #include "dialogs/command_palette.h"
 #include "support/named_test.h"
 #include "window_fixture.h"
@@ -19,6 +20,7 @@ class FirstSightTest : public WindowFixture {
 private slots:
     void menusAreShort();
     void buttonsAreFewAndHaveNames();
+    void namesAreAMatterOfTaste();
     void panelsAreFew();
     void theListOfEntriesComesWithEntries();
     void theListOfEntriesStaysAway();
@@ -55,6 +57,19 @@ void FirstSightTest::buttonsAreFewAndHaveNames() {
         QVERIFY2(button->width() >= button->fontMetrics().horizontalAdvance(name), qPrintable(name));
     }
     QVERIFY2(count <= 10, qPrintable(QString::number(count)));
+}
+
+void FirstSightTest::namesAreAMatterOfTaste() {
+    const auto* bar = m_window->findChild<QToolBar*>(QStringLiteral("tools"));
+    view::Preferences preferences = view::Preferences::stored();
+    preferences.labels = false;
+    m_window->adopt(preferences);
+    QCOMPARE(bar->toolButtonStyle(), Qt::ToolButtonIconOnly);
+    preferences.store();
+    const MainWindow next;
+    QCOMPARE(next.findChild<QToolBar*>(QStringLiteral("tools"))->toolButtonStyle(), Qt::ToolButtonIconOnly);
+    m_window->adopt({});
+    QCOMPARE(bar->toolButtonStyle(), Qt::ToolButtonTextUnderIcon);
 }
 
 void FirstSightTest::panelsAreFew() {

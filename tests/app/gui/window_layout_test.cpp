@@ -99,6 +99,7 @@ void WindowLayoutTest::aSmallWindowIsHalfPicture() {
     MainWindow* window = shown({});
     const auto* canvas = window->findChild<view::CanvasView*>();
     auto* entries = window->findChild<QDockWidget*>(QStringLiteral("entries"));
+    entries->show();
     window->resize(1200, 780);
     QVERIFY(QTest::qWaitForWindowExposed(window));
     QTRY_VERIFY(entries->isVisible());
@@ -129,6 +130,7 @@ void WindowLayoutTest::panelsTakeTheirWidthsBack() {
     support::forgetSettings();
     MainWindow* window = shown({});
     auto* entries = window->findChild<QDockWidget*>(QStringLiteral("entries"));
+    entries->show();
     QVERIFY(QTest::qWaitForWindowExposed(window));
     window->resize(1600, 900);
     window->resizeDocks({entries}, {310}, Qt::Horizontal);
@@ -175,6 +177,8 @@ void WindowLayoutTest::panelsAreWhereTheyWereLeft() {
     first->resize(1200, 700);
     QVERIFY(panel(first, "collection")->isVisible() && !panel(first, "maps")->isFloating());
     panel(first, "collection")->close();
+    for (const char* id : {"history", "analysis"})
+        panel(first, id)->show();
     panel(first, "history")->setFloating(true);
     first->addDockWidget(Qt::LeftDockWidgetArea, panel(first, "analysis"));
     panel(first, "appearance")->raise();
@@ -254,6 +258,7 @@ void WindowLayoutTest::aPresentationPutsAwayWhatIsNotCanvas() {
     window->resize(1000, 700);
     auto* canvas = window->findChild<view::CanvasView*>();
     auto* analysis = window->findChild<QDockWidget*>(QStringLiteral("analysis"));
+    analysis->show();
     analysis->raise();
     QTRY_VERIFY(!analysis->visibleRegion().isEmpty());
     const QSize before = canvas->size();
@@ -479,6 +484,7 @@ void WindowLayoutTest::aSolidFitsASmallWindow() {
     QVERIFY(QTest::qWaitForWindowExposed(&window));
     QCOMPARE(document::dimension(window.document().fractal()), 3);
     for (const char* name : {"cage", "appearance", "analysis", "history", "maps"}) {
+        window.findChild<QDockWidget*>(QLatin1String(name))->show();
         window.findChild<QDockWidget*>(QLatin1String(name))->raise();
         support::handleEvents();
         QCOMPARE(window.height(), height);

@@ -521,7 +521,9 @@ private slots:
     }
 
     void rewriteModeLeavesTheCageAtRest() {
+        QVERIFY(m_canvas->note().isEmpty());
         m_document->setCageMode(document::CageMode::Rewrite);
+        QVERIFY(!m_canvas->note().isEmpty()); // a sign that says so
         drag(vertex(1), QPointF(40, -30));
         const document::Fractal& fractal = m_document->fractal();
         QVERIFY(document::plane(fractal)->cage &&
@@ -531,6 +533,8 @@ private slots:
         m_document->undoStack()->undo();
         QVERIFY(*document::system2(m_document->fractal()) ==
                 *document::system2(document::sierpinskiTriangle()));
+        m_document->setCageMode(document::CageMode::Place);
+        QVERIFY(m_canvas->note().isEmpty());
     }
 
     void saysWhyThereIsNoPicture() {

@@ -91,7 +91,9 @@ void SpaceViewTest::thePlaneOfASliceIsDraggedInOneStep() {
 void SpaceViewTest::rewritingChangesTheCode() {
     Window window;
     QVERIFY(window.rests());
+    QVERIFY(window.view->note().isEmpty());
     window.document.setCageMode(document::CageMode::Rewrite);
+    QVERIFY(!window.view->note().isEmpty()); // a sign that says so
     const document::Fractal before = window.document.fractal();
     window.drag(window.handle(1), window.handle(1) + QPoint(40, -30));
     QCOMPARE(window.document.undoStack()->count(), 1);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "canvas/geometry/canvas_note.h"
 
+#include "document/document.h"
 #include "document/edits/cage/cage_edits.h"
 #include "document/fractal/fractal_geometry.h"
 #include "ifs/links/linked_existence.h"
@@ -167,6 +168,10 @@ QString noteOn(const document::Fractal& fractal, attractor::RenderNote note) {
 
 QString nothingHere() {
     return Notes::tr("Nothing here. Press F to see the whole picture.");
+}
+
+QString modeNote(document::CageMode mode) {
+    return mode == document::CageMode::Rewrite ? Notes::tr("Moving the cage rewrites the code") : QString();
 }
 
 QString noteInSpace(const document::Fractal& fractal, attractor::RenderNote note, bool isCoarse) {

@@ -7,6 +7,10 @@
 
 #include <QString>
 
+namespace document {
+enum class CageMode;
+}
+
 namespace view {
 
 // Why the canvas does not show what one would expect, as whole sentences; empty when it does. The note is
@@ -18,6 +22,9 @@ QString noteInSpace(const document::Fractal& fractal, attractor::RenderNote note
 
 // Said where a view shows none of the picture.
 QString nothingHere();
+
+// What moving the cage does, where that is not what one expects; empty where it is.
+QString modeNote(document::CageMode mode);
 
 // Why a drag of maps stops: the word, and what it does, that would take the attractor away. `system` has the
 // same maps taking part as those of `way`.

@@ -78,9 +78,15 @@ void CanvasNotes::describe(const document::Fractal& fractal, attractor::RenderNo
 }
 
 void CanvasNotes::say() {
-    m_noteItem.setDismissible(m_isWarning);
-    m_noteItem.setText(m_text == m_dismissed ? QString() : m_text);
+    const bool isSaid = !m_text.isEmpty() && m_text != m_dismissed;
+    m_noteItem.setDismissible(m_isWarning && isSaid);
+    m_noteItem.setText(isSaid ? m_text : m_mode);
     avoid(m_handles);
+}
+
+void CanvasNotes::setMode(const QString& note) {
+    m_mode = note;
+    say();
 }
 
 bool CanvasNotes::dismissAt(const QPointF& position) {
@@ -88,7 +94,7 @@ bool CanvasNotes::dismissAt(const QPointF& position) {
 }
 
 bool CanvasNotes::dismiss() {
-    if (!m_isWarning || m_noteItem.text().isEmpty()) return false;
+    if (!m_isWarning || m_noteItem.text() != m_text) return false;
     m_dismissed = m_text;
     say();
     return true;

@@ -28,7 +28,9 @@ public:
     // A warning that tells nothing new can be put away, by a click on it or by Esc, until there is another.
     bool dismissAt(const QPointF& position); // whether there was one, in pixels
     bool dismiss();
-    QString note() const { return m_noteItem.text(); } // the sentence about the picture, if one is shown
+    QString note() const { return m_noteItem.text(); } // the sentence at the top, if one is shown
+
+    void setMode(const QString& note); // shown while there is nothing to say about the picture
 
     void setPrompt(const QString& prompt); // what the tool asks for; empty: none
     void setHint(const QString& hint);     // shown while there is no prompt
@@ -43,7 +45,8 @@ private:
 
     attractor::RenderNote m_described = attractor::RenderNote::None;
     bool m_isEmpty = false;
-    QString m_text;      // about the picture, shown or dismissed
+    QString m_text; // about the picture, shown or dismissed
+    QString m_mode;
     QString m_dismissed; // the warning that was put away
     bool m_isWarning = false;
     bool m_isStale = true;

@@ -2,6 +2,7 @@
 #include "canvas/scene/canvas_scene.h"
 
 #include "canvas/geometry/canvas_geometry.h"
+#include "canvas/geometry/canvas_note.h"
 #include "canvas/items/attractor_item.h"
 #include "canvas/items/border_arrows_item.h"
 #include "canvas/items/cage_item.h"
@@ -76,6 +77,9 @@ CanvasScene::CanvasScene(document::Document* document, QObject* parent)
         requestLayout();
     });
     connect(document, &document::Document::changed, this, &CanvasScene::follow);
+    connect(document, &document::Document::cageModeChanged, this,
+            [this](document::CageMode mode) { m_notes.setMode(modeNote(mode)); });
+    m_notes.setMode(modeNote(document->cageMode()));
     follow({document::Change::Everything});
 }
 
