@@ -268,6 +268,8 @@ void MainWindow::showWithSeveralEntries(QDockWidget* entries) {
                     return;
                 view::store(setting, true);
                 entries->show();
+                resizeDocks({entries, findChild<QDockWidget*>(QStringLiteral("collection"))}, {1, 1},
+                            Qt::Vertical);
             });
 }
 

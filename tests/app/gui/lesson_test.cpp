@@ -289,6 +289,8 @@ void LessonTest::editsAreTakenBackAtEveryStep() {
 }
 
 void LessonTest::theTextCoversNothing() {
+    auto* analysis = m_window->findChild<QDockWidget*>(u"analysis"_s);
+    analysis->show(); // and is there again after the lesson
     recordThree();
     document().undoStack()->setClean();
     action(u"Play Lesson"_s)->trigger();
@@ -301,8 +303,6 @@ void LessonTest::theTextCoversNothing() {
     QTRY_COMPARE_WITH_TIMEOUT(card()->height() > m_window->height() * 9 / 10, true, 60'000);
     QVERIFY(canvas()->width() > m_window->width() / 2);
     // A step may show panels; the next one need not.
-    auto* analysis = m_window->findChild<QDockWidget*>(u"analysis"_s);
-    analysis->show(); // before the lesson
     document::LessonState state = notebook()->lesson().steps[0].state;
     QTest::keyClick(canvas(), Qt::Key_Escape);
     state.panels = {u"analysis"_s, u"nothing-of-this-name"_s};

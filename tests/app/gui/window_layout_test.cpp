@@ -312,6 +312,8 @@ void WindowLayoutTest::namesOfPanelsAreSeenWhole() {
     QVERIFY(translator.load(QStringLiteral(":/translations/barycage_%1.qm").arg(language)));
     QVERIFY(QCoreApplication::installTranslator(&translator));
     MainWindow* window = shown({});
+    for (const char* id : {"analysis", "history"})
+        window->findChild<QDockWidget*>(QLatin1String(id))->show();
     window->resize(1024, 768);
     QVERIFY(QTest::qWaitForWindowExposed(window));
     int names = 0;
