@@ -35,6 +35,9 @@ private slots:
     void nothingReturnsASubrange();
     void decompositionsAreCompiledInFewFiles();
     void anonymousNamesAreUniqueInTheirFolder();
+    void listsAreChosenByValue();
+    void choicesByRowAreFound_data();
+    void choicesByRowAreFound();
 };
 
 namespace {
@@ -403,6 +406,59 @@ void LayeringTest::anonymousNamesAreUniqueInTheirFolder() {
             }
         }
     QVERIFY2(firsts.size() > 1000, "few names were found: the test looks at the wrong places");
+}
+
+// A list of choices whose rows are numbers: widgets/choices.h gives each row the value that it stands for.
+static QString choiceByRow(const QString& text) {
+    static const QRegularExpression pattern(QStringLiteral(
+        "setCurrentIndex\\(\\d|->addItems\\(|currentIndex\\(\\) *(==|!=|[<>]=?|[-+]) *-?\\d|"
+        "\\[(int|std::size_t)?\\(?\\w+->currentIndex\\(\\)|"
+        "\\b([A-Z][a-z]\\w*|at|static_cast<[^>]*>)\\((std::size_t\\()?\\w+->currentIndex\\(\\)(?!\\.)"));
+    return pattern.match(text).captured();
+}
+
+void LayeringTest::listsAreChosenByValue() {
+    const QStringList exempt{QStringLiteral("choices.h"),
+                             QStringLiteral("preferences_dialog.cpp")}; // for what no row stands
+    int seen = 0;
+    for (const char* top : {"app/gui", "view", "tests/app", "tests/support", "tests/view"})
+        for (const QString& path : sourceFiles(support::sourcePath(QString::fromLatin1(top)))) {
+            if (exempt.contains(QFileInfo(path).fileName()) ||
+                path.endsWith(QLatin1String("layering_test.cpp")))
+                continue;
+            ++seen;
+            const QString found = choiceByRow(contents(path));
+            QVERIFY2(found.isEmpty(), qPrintable(path + QStringLiteral(": ") + found));
+        }
+    QVERIFY(seen > 300);
+}
+
+void LayeringTest::choicesByRowAreFound_data() {
+    QTest::addColumn<QString>("text");
+    QTest::addColumn<bool>("isOne");
+    const auto row = [](const char* text, bool isOne) {
+        QTest::newRow(text) << QString::fromLatin1(text) << isOne;
+    };
+    row("box->setCurrentIndex(2);", true);
+    row("box->setCurrentIndex(-1);", false); // none
+    row("m_box->addItems({tr(\"one\")});", true);
+    row("if (m_box->currentIndex() > 0) return;", true);
+    row("return m_views[m_box->currentIndex() - 1];", true);
+    row("return kinds[m_box->currentIndex()].file;", true);
+    row("return names.at(m_box->currentIndex());", true);
+    row("return Section(m_box->currentIndex()) == Section::View;", true);
+    row("return static_cast<Format>(m_box->currentIndex());", true);
+    row("support::choose(box, Format::Png);", false);
+    row("m_list->setCurrentIndex(index);", false);
+    row("const int row = m_table->currentIndex().row();", false);
+    row("showEntry(m_list->currentIndex().row());", false);
+    row("m_list->scrollTo(m_list->currentIndex());", false);
+}
+
+void LayeringTest::choicesByRowAreFound() {
+    QFETCH(QString, text);
+    QFETCH(bool, isOne);
+    QCOMPARE(!choiceByRow(text).isEmpty(), isOne);
 }
 
 BARYCAGE_TEST(LayeringTest);

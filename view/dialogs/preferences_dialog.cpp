@@ -2,6 +2,7 @@
 #include "dialogs/preferences_dialog.h"
 
 #include "dialogs/shortcuts_page.h"
+#include "widgets/choices.h"
 #include "widgets/layout/grow_to_fit.h"
 
 #include <QCheckBox>
@@ -30,24 +31,24 @@ const QList<std::pair<QString, QString>>& languages() {
     return list;
 }
 
-void choose(QComboBox* box, const QVariant& value) {
+template <class Value> void fillIn(QComboBox* box, const Value& value) {
     const QSignalBlocker quiet(box);
-    box->setCurrentIndex(std::max(0, box->findData(value)));
+    if (!chooseValue(box, value)) box->setCurrentIndex(0);
 }
 
 void offerThemes(QComboBox* box) {
-    box->addItem(PreferencesDialog::tr("System default"), int(Preferences::Theme::Desktop));
-    box->addItem(PreferencesDialog::tr("Light"), int(Preferences::Theme::Light));
-    box->addItem(PreferencesDialog::tr("Dark"), int(Preferences::Theme::Dark));
+    addChoice(box, PreferencesDialog::tr("System default"), Preferences::Theme::Desktop);
+    addChoice(box, PreferencesDialog::tr("Light"), Preferences::Theme::Light);
+    addChoice(box, PreferencesDialog::tr("Dark"), Preferences::Theme::Dark);
     box->setAccessibleName(PreferencesDialog::tr("Theme"));
     box->setWhatsThis(
         PreferencesDialog::tr("The colours of windows and panels. The picture keeps its own colours."));
 }
 
 void offerQuality(QComboBox* box) {
-    box->addItem(PreferencesDialog::tr("Draft: 50 million points"), quint64(50'000'000));
-    box->addItem(PreferencesDialog::tr("Good: 200 million points"), quint64(200'000'000));
-    box->addItem(PreferencesDialog::tr("Fine: 1000 million points"), quint64(1'000'000'000));
+    addChoice(box, PreferencesDialog::tr("Draft: 50 million points"), quint64(50'000'000));
+    addChoice(box, PreferencesDialog::tr("Good: 200 million points"), quint64(200'000'000));
+    addChoice(box, PreferencesDialog::tr("Fine: 1000 million points"), quint64(1'000'000'000));
     box->setAccessibleName(PreferencesDialog::tr("Picture at rest"));
     box->setWhatsThis(
         PreferencesDialog::tr("The number of points drawn while nothing moves. More points make a smoother "
@@ -55,8 +56,8 @@ void offerQuality(QComboBox* box) {
 }
 
 void offerTurning(QComboBox* box) {
-    box->addItem(PreferencesDialog::tr("Turntable"), false);
-    box->addItem(PreferencesDialog::tr("Trackball"), true);
+    addChoice(box, PreferencesDialog::tr("Turntable"), false);
+    addChoice(box, PreferencesDialog::tr("Trackball"), true);
     box->setAccessibleName(PreferencesDialog::tr("Solids turn like"));
     box->setWhatsThis(PreferencesDialog::tr(
         "How a drag turns a solid. On a turntable, vertical lines stay vertical. A trackball turns freely "
@@ -73,9 +74,9 @@ void explainFiles(QCheckBox* reopen, QCheckBox* keepPrevious) {
 }
 
 void offerMotion(QComboBox* box) {
-    box->addItem(PreferencesDialog::tr("System default"), int(Preferences::Motion::Desktop));
-    box->addItem(PreferencesDialog::tr("Play when opened"), int(Preferences::Motion::Full));
-    box->addItem(PreferencesDialog::tr("Still until played"), int(Preferences::Motion::Reduced));
+    addChoice(box, PreferencesDialog::tr("System default"), Preferences::Motion::Desktop);
+    addChoice(box, PreferencesDialog::tr("Play when opened"), Preferences::Motion::Full);
+    addChoice(box, PreferencesDialog::tr("Still until played"), Preferences::Motion::Reduced);
     box->setAccessibleName(PreferencesDialog::tr("Motion"));
     box->setWhatsThis(PreferencesDialog::tr(
         "Whether an entry that moves plays as soon as it is opened. When your desktop asks for less motion, "
@@ -98,9 +99,9 @@ PreferencesDialog::PreferencesDialog(QWidget* parent, const QList<NamedAction>& 
       m_reopen(new QCheckBox(tr("Re&open last files on startup"), this)),
       m_keepPrevious(new QCheckBox(tr("&Keep the previous version of files"), this)) {
     setWindowTitle(tr("Preferences"));
-    m_language->addItem(tr("System default"), QString());
+    addChoice(m_language, tr("System default"), QString());
     for (const auto& [code, name] : languages())
-        m_language->addItem(name, code);
+        addChoice(m_language, name, code);
     m_language->setAccessibleName(tr("Language"));
     m_language->setWhatsThis(tr("The language of menus and messages. Files and numbers are the same in every "
                                 "language."));
@@ -175,11 +176,11 @@ QLayout* PreferencesDialog::restartRow() {
 }
 
 void PreferencesDialog::fill(const Preferences& preferences) {
-    choose(m_language, preferences.language);
-    choose(m_theme, int(preferences.theme));
-    choose(m_motion, int(preferences.motion));
-    choose(m_quality, quint64(preferences.quality));
-    choose(m_turning, preferences.trackball);
+    fillIn(m_language, preferences.language);
+    fillIn(m_theme, preferences.theme);
+    fillIn(m_motion, preferences.motion);
+    fillIn(m_quality, quint64(preferences.quality));
+    fillIn(m_turning, preferences.trackball);
     const QSignalBlocker quiet(m_reopen), quietToo(m_keepPrevious);
     m_reopen->setChecked(preferences.reopen);
     m_keepPrevious->setChecked(preferences.keepPrevious);
@@ -200,11 +201,11 @@ void PreferencesDialog::setUnsaved(const QStringList& names) {
 
 void PreferencesDialog::take() {
     Preferences chosen;
-    chosen.language = m_language->currentData().toString();
-    chosen.theme = Preferences::Theme(m_theme->currentData().toInt());
-    chosen.motion = Preferences::Motion(m_motion->currentData().toInt());
-    chosen.quality = m_quality->currentData().toULongLong();
-    chosen.trackball = m_turning->currentData().toBool();
+    chosen.language = chosenValue<QString>(m_language);
+    chosen.theme = chosenValue<Preferences::Theme>(m_theme);
+    chosen.motion = chosenValue<Preferences::Motion>(m_motion);
+    chosen.quality = chosenValue<quint64>(m_quality);
+    chosen.trackball = chosenValue<bool>(m_turning);
     chosen.reopen = m_reopen->isChecked();
     chosen.keepPrevious = m_keepPrevious->isChecked();
     showRestart(chosen.language != m_spoken);

@@ -8,6 +8,7 @@
 #include "document/fractal/fractal_geometry.h"
 #include "space/space_view.h"
 #include "stage/stage.h"
+#include "support/choose.h"
 #include "support/events.h"
 #include "support/named_test.h"
 
@@ -172,8 +173,7 @@ void CompareTest::entriesChangePlaces() {
     pane()->setViewsLinked(true);
     canvas()->navigation().zoomBy(2);
     const attractor::Camera camera = canvas()->camera();
-    entries()->setCurrentIndex(entries()->findText(u"b"_s));
-    emit entries()->activated(entries()->currentIndex());
+    support::choose(entries(), idOf(u"b"_s));
     QCOMPARE(shown(), u"b"_s);
     support::handleEvents();
     for (const view::CanvasView* each : {canvas(), pane()->plane()}) {
@@ -190,10 +190,7 @@ void CompareTest::rotationsGoWithTheEntries() {
     const auto rotations = [this] {
         return QList<double>{canvas()->navigation().rotation(), pane()->plane()->navigation().rotation()};
     };
-    const auto showBeside = [this](const QString& name) {
-        entries()->setCurrentIndex(entries()->findText(name));
-        emit entries()->activated(entries()->currentIndex());
-    };
+    const auto showBeside = [this](const QString& name) { support::choose(entries(), idOf(name)); };
     canvas()->navigation().rotateBy(30);
     pane()->plane()->navigation().rotateBy(-45);
     document().setCurrent(idOf(u"b"_s)); // they change places
@@ -345,7 +342,7 @@ void CompareTest::branchesOfBothAreDragged() {
     document().undoStack()->undo();
     QVERIFY(*document().file().entries[1].fractal == before);
     // Put Back is about the same entry.
-    bar->edit()->setCurrentIndex(2); // Only here
+    support::choose(bar->edit(), document::BranchEdit::Display);
     QTRY_VERIFY(other->navigation().pointNear(pixel()));
     QTest::mouseClick(other->viewport(), Qt::LeftButton, {}, pixel());
     QCOMPARE(choice.branch().size(), std::size_t(3));

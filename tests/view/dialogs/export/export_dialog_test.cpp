@@ -11,6 +11,7 @@
 #include "document/fractal/space_geometry.h"
 #include "io/picture/png/png_system.h"
 #include "io/picture/vector/svg_system.h"
+#include "support/choose.h"
 #include "support/named_test.h"
 #include "support/patient_tries.h"
 #include "view/panels/maps_support.h"
@@ -230,7 +231,7 @@ void ExportDialogTest::theEndingOfTheNameDecides() {
     dialog.show();
     for (auto* box : dialog.findChildren<QCheckBox*>())
         if (box->text().contains(QStringLiteral("background"))) box->setChecked(true);
-    named<QComboBox>(dialog, "Colour depth")->setCurrentIndex(1);
+    support::choose(named<QComboBox>(dialog, "Colour depth"), io::PngFormat::Depth::Bits16);
     QSignalSpy exported(&dialog, &ExportDialog::exported);
     const QString path =
         m_folder.filePath(QStringLiteral("by name.") + QLatin1String(QTest::currentDataTag()));
@@ -274,8 +275,8 @@ void ExportDialogTest::shapesAreAsLargeAsTheSheet() {
     ExportDialog dialog(&document, camera());
     dialog.show();
     auto* sizes = named<QComboBox>(dialog, "Named size");
-    sizes->setCurrentIndex(sizes->findText(QStringLiteral("A4"), Qt::MatchStartsWith));
-    emit sizes->activated(sizes->currentIndex());
+    support::choose(sizes,
+                    sizes->itemData(sizes->findText(QStringLiteral("A4"), Qt::MatchStartsWith)).toSize());
     const auto written = [&](const char* format, const QString& name) {
         chooseFormat(dialog, format);
         QSignalSpy exported(&dialog, &ExportDialog::exported);
@@ -287,9 +288,9 @@ void ExportDialogTest::shapesAreAsLargeAsTheSheet() {
     auto* plan = named<QLabel>(dialog, "Description of the picture");
     QTRY_VERIFY(plan->text().contains(QStringLiteral(" mm. ")));
     auto* unit = named<QComboBox>(dialog, "Unit of length");
-    unit->setCurrentIndex(0);
+    support::choose(unit, ExportSizeEditor::Unit::Pixels);
     QTRY_VERIFY(plan->text().contains(QStringLiteral(" px. ")));
-    unit->setCurrentIndex(1);
+    support::choose(unit, ExportSizeEditor::Unit::Millimetres);
     QVERIFY2(svg.contains("width=\"297mm\" height=\"210mm\" viewBox=\"0 0 3508 2480\""),
              svg.left(400).constData());
     const QByteArray pdf = written("PDF", QStringLiteral("a4.pdf"));
@@ -371,7 +372,7 @@ void ExportDialogTest::closingWhileExportingIsSafe() {
         ExportDialog dialog(&document, camera());
         dialog.show();
         dialog.findChild<ExportSizeEditor*>()->setPixels({4000, 3000});
-        named<QComboBox>(dialog, "Quality")->setCurrentIndex(3);
+        support::choose(named<QComboBox>(dialog, "Quality"), 2000);
         dialog.exportTo(path);
         QTRY_VERIFY_WITH_TIMEOUT(dialog.findChild<QProgressBar*>()->value() > 0, 60'000);
     }
