@@ -6,6 +6,7 @@
 #include "bridges/render_bridge.h"
 #include "bridges/solid_bridge.h"
 #include "canvas/canvas_view.h"
+#include "docks/panels.h"
 #include "document/document.h"
 #include "files/open_each.h"
 #include "files/open_file.h"
@@ -57,6 +58,7 @@ public:
     void addRandom();      // picked out of many
 
     document::Document& document() { return m_document; }
+    const Panels& panels() const { return m_panels; }
     QString path() const override { return m_file.path(); }
     void adopt(const view::Preferences& preferences) override;
     Recovery& recovery() override { return m_recovery; }
@@ -81,12 +83,12 @@ private:
     void createTimeline();
     void createLesson();
     void createProblems();
-    void createCollage(QDockWidget* neighbour);
+    void createCollage();
     void createConstructionBar();
     void createOptionsBar();
     void createToolBar();
     void connectDocument();
-    QDockWidget* dock(QWidget* panel, const QString& title, const QString& id, Qt::DockWidgetArea area);
+    QDockWidget* dock(Panel panel, QWidget* content);
 
     void updateTitle();
     void restoreLayout();
@@ -101,6 +103,7 @@ private:
     view::AnalysisBridge* m_analysis;
     view::Construction* m_construction;
     Stage* m_stage;
+    Panels m_panels;
     RoomForPicture* m_room;
     bool m_isAsItWasLeft = false; // the layout of the panels
     bool m_mayClose = false;      // the user has been asked
