@@ -36,6 +36,8 @@ private slots:
     void decompositionsAreCompiledInFewFiles();
     void anonymousNamesAreUniqueInTheirFolder();
     void listsAreChosenByValue();
+    void panelsAreNotSearchedByName();
+    void fixedWaitsAreFew();
     void choicesByRowAreFound_data();
     void choicesByRowAreFound();
 };
@@ -419,6 +421,7 @@ static QString choiceByRow(const QString& text) {
 
 void LayeringTest::listsAreChosenByValue() {
     const QStringList exempt{QStringLiteral("choices.h"),
+                             QStringLiteral("wheel_test.cpp"),          // a list that stands for nothing
                              QStringLiteral("preferences_dialog.cpp")}; // for what no row stands
     int seen = 0;
     for (const char* top : {"app/gui", "view", "tests/app", "tests/support", "tests/view"})
@@ -431,6 +434,28 @@ void LayeringTest::listsAreChosenByValue() {
             QVERIFY2(found.isEmpty(), qPrintable(path + QStringLiteral(": ") + found));
         }
     QVERIFY(seen > 300);
+}
+
+// app/gui/docks/panels.h knows the panels of a window.
+void LayeringTest::panelsAreNotSearchedByName() {
+    static const QRegularExpression search(QStringLiteral("findChild<QDockWidget"));
+    const QStringList files = sourceFiles(support::sourcePath(QStringLiteral("app/gui")));
+    QVERIFY(files.size() > 100);
+    for (const QString& path : files)
+        QVERIFY2(!search.match(contents(path)).hasMatch(), qPrintable(path));
+}
+
+// Tests wait for conditions. Where nothing tells when something is over, the line or that before says so.
+void LayeringTest::fixedWaitsAreFew() {
+    static const QRegularExpression wait(
+        QStringLiteral("qWait\\(|qSleep\\(|QThread::[mu]?sleep\\(|sleep_for\\(|\\busleep\\("));
+    QStringList found;
+    for (const QString& path : sourceFiles(support::sourcePath(QStringLiteral("tests"))))
+        if (!path.contains(QLatin1String("/bench/")))
+            for (const QString& line : contents(path).split(u'\n'))
+                if (wait.match(line).hasMatch()) found << path + QStringLiteral(": ") + line.trimmed();
+    QVERIFY(!found.isEmpty());
+    QVERIFY2(found.size() <= 15, qPrintable(found.join(u'\n')));
 }
 
 void LayeringTest::choicesByRowAreFound_data() {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "canvas/canvas_view.h"
+#include "dialogs/export/export_dialog.h"
 #include "dialogs/export/export_preview.h"
 #include "io/collection_reader.h"
 #include "io/file/save_file.h"
