@@ -19,6 +19,7 @@
 #include "stage/stage.h"
 #include "support/background_rest.h"
 #include "support/choose.h"
+#include "support/commands.h"
 #include "support/named_test.h"
 #include "support/patient_tries.h"
 #include "transformation/theft_export_dialog.h"
@@ -78,11 +79,7 @@ private:
     view::TransformationView* view() const { return m_window->findChild<view::TransformationView*>(); }
     view::CanvasView* canvas() const { return m_window->findChild<Stage*>()->plane(); }
     int steps() { return document().undoStack()->count(); }
-    void toggle() {
-        for (QAction* action : m_window->findChildren<QAction*>())
-            if (action->text() == QStringLiteral("Fractal &Transformation")) return action->trigger();
-        QFAIL("no such action");
-    }
+    void toggle() { support::command(*m_window, "fractal-transformation")->trigger(); }
     void choose(const QString& entry) { // of a menu of the bar
         for (const QToolButton* button : view()->bar()->findChildren<QToolButton*>())
             if (const QMenu* menu = button->menu())
