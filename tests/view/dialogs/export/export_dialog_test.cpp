@@ -33,6 +33,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <initializer_list>
 
 using namespace view;
 
@@ -84,10 +85,8 @@ private:
             if (child->accessibleName() == QLatin1String(name)) return child;
         return nullptr;
     }
-    static void chooseFormat(QWidget& dialog, const char* name) {
-        auto* format = named<QComboBox>(dialog, "Format");
-        format->setCurrentIndex(format->findText(QLatin1String(name), Qt::MatchStartsWith));
-        QVERIFY(format->currentIndex() >= 0);
+    static void chooseFormat(QWidget& dialog, const ExportDialog::File& file) {
+        support::choose(named<QComboBox>(dialog, "Format"), file);
     }
     QTemporaryDir m_folder;
 };
@@ -206,7 +205,7 @@ void ExportDialogTest::framesTheAttractor() {
     QVERIFY((seen.center() - picture.rect().center()).manhattanLength() <= 4);
     auto* result = named<QLabel>(dialog, "Result");
     QVERIFY(result->isVisible());
-    chooseFormat(dialog, "SVG");
+    chooseFormat(dialog, io::ShapeFile::Svg);
     QVERIFY(!result->isVisible());
 }
 
@@ -260,7 +259,7 @@ void ExportDialogTest::writesSvg() {
     document::Document document;
     ExportDialog dialog(&document, camera());
     dialog.show();
-    chooseFormat(dialog, "SVG");
+    chooseFormat(dialog, io::ShapeFile::Svg);
     QSignalSpy exported(&dialog, &ExportDialog::exported);
     const QString path = m_folder.filePath(QStringLiteral("a.svg"));
     dialog.exportTo(path);
@@ -277,14 +276,14 @@ void ExportDialogTest::shapesAreAsLargeAsTheSheet() {
     auto* sizes = named<QComboBox>(dialog, "Named size");
     support::choose(sizes,
                     sizes->itemData(sizes->findText(QStringLiteral("A4"), Qt::MatchStartsWith)).toSize());
-    const auto written = [&](const char* format, const QString& name) {
+    const auto written = [&](const ExportDialog::File& format, const QString& name) {
         chooseFormat(dialog, format);
         QSignalSpy exported(&dialog, &ExportDialog::exported);
         dialog.exportTo(m_folder.filePath(name));
         QFile file(m_folder.filePath(name));
         return exported.wait(20'000) && file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
     };
-    const QByteArray svg = written("SVG", QStringLiteral("a4.svg"));
+    const QByteArray svg = written(io::ShapeFile::Svg, QStringLiteral("a4.svg"));
     auto* plan = named<QLabel>(dialog, "Description of the picture");
     QTRY_VERIFY(plan->text().contains(QStringLiteral(" mm. ")));
     auto* unit = named<QComboBox>(dialog, "Unit of length");
@@ -293,7 +292,7 @@ void ExportDialogTest::shapesAreAsLargeAsTheSheet() {
     support::choose(unit, ExportSizeEditor::Unit::Millimetres);
     QVERIFY2(svg.contains("width=\"297mm\" height=\"210mm\" viewBox=\"0 0 3508 2480\""),
              svg.left(400).constData());
-    const QByteArray pdf = written("PDF", QStringLiteral("a4.pdf"));
+    const QByteArray pdf = written(io::ShapeFile::Pdf, QStringLiteral("a4.pdf"));
     static const QRegularExpression box(QStringLiteral("/MediaBox ?\\[0 0 ([0-9.]+) ([0-9.]+)"));
     const auto page = box.match(QString::fromLatin1(pdf));
     QVERIFY2(std::abs(page.captured(1).toDouble() - 841.92) < 0.01 &&
@@ -305,7 +304,7 @@ void ExportDialogTest::saysWhatTheSvgWillBe() {
     document::Document document;
     ExportDialog dialog(&document, camera());
     dialog.show();
-    chooseFormat(dialog, "SVG");
+    chooseFormat(dialog, io::ShapeFile::Svg);
     auto* plan = named<QLabel>(dialog, "Description of the picture");
     QTRY_VERIFY(plan->text().contains(QStringLiteral("Copies drawn by")));
     const QString automatic = plan->text();
@@ -331,7 +330,7 @@ void ExportDialogTest::saysWhenAPixelNeedsMore() {
         document.setFile(document::fileOf(maps_support::maple()));
         ExportDialog dialog(&document, fitted(view, {-6, -5}, {6, 6}));
         dialog.show();
-        chooseFormat(dialog, "SVG");
+        chooseFormat(dialog, io::ShapeFile::Svg);
         auto* plan = named<QLabel>(dialog, "Description of the picture");
         QTRY_VERIFY(plan->text().contains(QStringLiteral("Copies drawn by")));
         QVERIFY(!plan->text().contains(remark));
@@ -345,7 +344,7 @@ void ExportDialogTest::saysWhenAPixelNeedsMore() {
     document.setFile(document::fileOf(ice));
     ExportDialog dialog(&document, fitted(view, {0, -.05}, {1, .4}));
     dialog.show();
-    chooseFormat(dialog, "SVG");
+    chooseFormat(dialog, io::ShapeFile::Svg);
     auto* plan = named<QLabel>(dialog, "Description of the picture");
     QTRY_VERIFY(plan->text().contains(remark));
     QVERIFY(plan->text().contains(QStringLiteral("the limit is 400\u202f000")));
@@ -384,10 +383,12 @@ void ExportDialogTest::aSmallScreenHoldsIt() {
     document::Document document;
     ExportDialog dialog(&document, camera());
     dialog.setQueue(nullptr);
-    for (const char* format : {"PNG", "TIFF", "SVG"}) {
+    for (const ExportDialog::File& format : std::initializer_list<ExportDialog::File>{
+             io::PictureFile::Png, io::PictureFile::Tiff, io::ShapeFile::Svg}) {
         chooseFormat(dialog, format);
-        QVERIFY2(dialog.minimumSizeHint().width() <= 780, format);
-        QVERIFY2(dialog.width() <= 780, format);
+        const QString shown = named<QComboBox>(dialog, "Format")->currentText();
+        QVERIFY2(dialog.minimumSizeHint().width() <= 780, qPrintable(shown));
+        QVERIFY2(dialog.width() <= 780, qPrintable(shown));
     }
 }
 
