@@ -2,7 +2,6 @@
 #include "main_window.h"
 
 #include "actions/action_details.h"
-#include "actions/panel_texts.h"
 #include "bars/construction_bar.h"
 #include "bars/tool_options_bar.h"
 #include "bars/zoom_box.h"
@@ -97,8 +96,10 @@ MainWindow::MainWindow(QWidget* parent)
       m_collage(new view::CollagePanel(&m_document, m_canvas, this)),
       m_status(new StatusLine(this)),
       m_messages(new WindowMessages(this)),
-      m_fileCommands(new FileCommands({this, &m_document, m_canvas, m_messages, m_stage}, &m_file)),
-      m_snapshots(new SnapshotCommands({this, &m_document, m_canvas, m_messages, m_stage}, m_bridge)) {
+      m_fileCommands(
+          new FileCommands({this, &m_document, m_canvas, m_messages, m_stage, &m_panels}, &m_file)),
+      m_snapshots(
+          new SnapshotCommands({this, &m_document, m_canvas, m_messages, m_stage, &m_panels}, m_bridge)) {
     setAttribute(Qt::WA_DeleteOnClose);
     setAcceptDrops(true);
     setDockNestingEnabled(true);
@@ -112,10 +113,8 @@ MainWindow::MainWindow(QWidget* parent)
     createPanels();
     createTimeline();
     createLesson();
-    m_snapshots->setDock(dock(m_snapshots->makePanel(), tr("Snapshots"), QStringLiteral("snapshots"),
-                              Qt::BottomDockWidgetArea));
+    m_snapshots->setDock(dock(Panel::Snapshots, m_snapshots->makePanel()));
     m_fileCommands->setSnapshots(m_snapshots->snapshots());
-    explainPanels(*this);
     createToolBar();
     auto* zoom = new view::ZoomBox(m_canvas);
     m_status->addPermanentWidget(zoom);
@@ -139,7 +138,7 @@ MainWindow::~MainWindow() {
 }
 
 void MainWindow::createMenus() {
-    const MenuContext context{this, &m_document, m_canvas, m_messages, m_stage};
+    const MenuContext context{this, &m_document, m_canvas, m_messages, m_stage, &m_panels};
     auto* file = new FileMenu(context, m_fileCommands, &m_file, [] {
         auto* window = new MainWindow;
         window->openFirstPicture();
@@ -171,18 +170,22 @@ void MainWindow::createMenus() {
         menuBar()->addMenu(menu);
 }
 
-QDockWidget* MainWindow::dock(QWidget* panel, const QString& title, const QString& id,
-                              Qt::DockWidgetArea area) {
-    auto* made = new QDockWidget(title, this);
-    made->setObjectName(id);
-    made->setWidget(panel);
-    addDockWidget(area, made);
-    made->toggleViewAction()->setObjectName(QStringLiteral("panel-") + id);
+QDockWidget* MainWindow::dock(Panel panel, QWidget* content) {
+    const PanelFacts facts = factsOf(panel);
+    auto* made = new QDockWidget(facts.title, this);
+    m_panels.add(panel, made);
+    made->setObjectName(QLatin1String(ifs::nameOf(panel)));
+    made->setWidget(content);
+    made->setWhatsThis(facts.whatsThis);
+    addDockWidget(facts.area, made);
+    made->toggleViewAction()->setObjectName(QStringLiteral("panel-") + made->objectName());
     view::adoptShortcuts(*made->toggleViewAction());
     addAction(made->toggleViewAction()); // so that its keys count while the menu bar is hidden
     m_viewMenu->panels()->addAction(made->toggleViewAction());
-    made->toggleViewAction()->setStatusTip(tr("Show or hide the “%1” panel").arg(title));
+    made->toggleViewAction()->setStatusTip(tr("Show or hide the “%1” panel").arg(facts.title));
     made->toggleViewAction()->setToolTip(made->toggleViewAction()->statusTip());
+    made->toggleViewAction()->setWhatsThis(made->toggleViewAction()->statusTip() + QStringLiteral(". ") +
+                                           facts.whatsThis);
     // Behind another tab it is not hidden but shown. Queued: as it was before the action.
     connect(
         made, &QDockWidget::visibilityChanged, made,
@@ -208,36 +211,27 @@ void MainWindow::createPanels() {
     auto* analysis = new view::AnalysisPanel(&m_document, m_analysis);
     analysis->addOutlineAction(m_viewMenu->numbers(), tr("Map numbers"));
 
-    QDockWidget* entriesDock =
-        dock(entries, tr("Entries"), QStringLiteral("entries"), Qt::LeftDockWidgetArea);
-    QDockWidget* collectionDock =
-        dock(collection, tr("Collection"), QStringLiteral("collection"), Qt::LeftDockWidgetArea);
-    splitDockWidget(entriesDock, collectionDock, Qt::Vertical);
-    QDockWidget* mapsDock = dock(maps, tr("Maps"), QStringLiteral("maps"), Qt::RightDockWidgetArea);
-    QDockWidget* previous = mapsDock;
+    dock(Panel::Entries, entries);
+    splitDockWidget(m_panels.dock(Panel::Entries), dock(Panel::Collection, collection), Qt::Vertical);
+    QDockWidget* previous = dock(Panel::Maps, maps);
     for (QDockWidget* next :
-         {dock(new view::VerticalScrollArea(cage), tr("Cage"), QStringLiteral("cage"),
-               Qt::RightDockWidgetArea),
-          dock(new view::VerticalScrollArea(appearance), tr("Appearance"), QStringLiteral("appearance"),
-               Qt::RightDockWidgetArea),
-          dock(analysis, tr("Analysis"), QStringLiteral("analysis"), Qt::RightDockWidgetArea),
-          dock(new view::HistoryPanel(&m_document), tr("History"), QStringLiteral("history"),
-               Qt::RightDockWidgetArea)}) {
+         {dock(Panel::Cage, new view::VerticalScrollArea(cage)),
+          dock(Panel::Appearance, new view::VerticalScrollArea(appearance)), dock(Panel::Analysis, analysis),
+          dock(Panel::History, new view::HistoryPanel(&m_document))}) {
         tabifyDockWidget(previous, next);
         previous = next;
     }
-    createCollage(previous);
-    for (const char* late : {"analysis", "history"}) // they come with View, Panels
-        findChild<QDockWidget*>(QLatin1String(late))->hide();
+    createCollage();
+    for (const Panel late : {Panel::Analysis, Panel::History}) // they come with View, Panels
+        m_panels.dock(late)->hide();
     auto* links = new view::LinksPanel(&m_document);
-    QDockWidget* linksDock = dock(links, tr("Links"), QStringLiteral("links"), Qt::RightDockWidgetArea);
+    QDockWidget* linksDock = dock(Panel::Links, links);
     tabifyDockWidget(previous, linksDock);
     linksDock->hide();
-    QDockWidget* exportsDock = dock(new view::ExportsPanel(exports::queue()), tr("Exports"),
-                                    QStringLiteral("exports"), Qt::RightDockWidgetArea);
+    QDockWidget* exportsDock = dock(Panel::Exports, new view::ExportsPanel(exports::queue()));
     tabifyDockWidget(previous, exportsDock);
     exports::connectPanel(exportsDock, m_messages);
-    mapsDock->raise();
+    m_panels.dock(Panel::Maps)->raise();
     createProblems();
 
     connectMaps(maps, m_canvas, m_stage, m_document, m_messages);
@@ -249,14 +243,15 @@ void MainWindow::createPanels() {
     connect(appearance, &view::AppearancePanel::message, m_messages, &WindowMessages::say);
     connect(cage, &view::CagePanel::defineRequested, m_canvas,
             [this] { m_canvas->setTool(view::CanvasView::Tool::DefineTriangle); });
-    showWithSeveralEntries(entriesDock);
+    showEntriesWithSeveral();
     connectCollection(
         collection, {&m_document, &m_file, m_fileCommands, [this] { m_discoverMenu->showTransformation(); }});
 }
 
 // The list of entries appears with the first file of several, but not with the first picture, whose other
 // entries nobody asked for. From then on the layout is the user's.
-void MainWindow::showWithSeveralEntries(QDockWidget* entries) {
+void MainWindow::showEntriesWithSeveral() {
+    QDockWidget* entries = m_panels.dock(Panel::Entries);
     entries->hide();
     connect(&m_document, &document::Document::changed, entries,
             [this, entries](const document::Change& change) {
@@ -268,15 +263,13 @@ void MainWindow::showWithSeveralEntries(QDockWidget* entries) {
                     return;
                 view::store(setting, true);
                 entries->show();
-                resizeDocks({entries, findChild<QDockWidget*>(QStringLiteral("collection"))}, {1, 1},
-                            Qt::Vertical);
+                resizeDocks({entries, m_panels.dock(Panel::Collection)}, {1, 1}, Qt::Vertical);
             });
 }
 
 void MainWindow::createProblems() {
     auto* problems = new view::ProblemsPanel(&m_document);
-    QDockWidget* problemsDock =
-        dock(problems, tr("Problems"), QStringLiteral("problems"), Qt::BottomDockWidgetArea);
+    QDockWidget* problemsDock = dock(Panel::Problems, problems);
     problemsDock->hide();
     connect(problems, &view::ProblemsPanel::countChanged, problemsDock, [this, problemsDock](int count) {
         const bool appears = count > 0 && problemsDock->isHidden();
@@ -287,18 +280,16 @@ void MainWindow::createProblems() {
             [this, problems] { problems->setFileName(m_file.name()); });
 }
 
-void MainWindow::createCollage(QDockWidget* neighbour) {
-    QDockWidget* collage = dock(new view::VerticalScrollArea(m_collage), tr("Collage"),
-                                QStringLiteral("collage"), Qt::RightDockWidgetArea);
-    tabifyDockWidget(neighbour, collage);
+void MainWindow::createCollage() {
+    QDockWidget* collage = dock(Panel::Collage, new view::VerticalScrollArea(m_collage));
+    tabifyDockWidget(m_panels.dock(Panel::History), collage);
     collage->hide();
     m_discoverMenu->addCollage(collage->toggleViewAction());
     connect(m_collage, &view::CollagePanel::message, m_messages, &WindowMessages::say);
 }
 
 void MainWindow::createTimeline() {
-    QDockWidget* timeline =
-        dock(m_timeline, tr("Timeline"), QStringLiteral("timeline"), Qt::BottomDockWidgetArea);
+    QDockWidget* timeline = dock(Panel::Timeline, m_timeline);
     timeline->hide();
     m_animationMenu->setDock(timeline);
     const auto count = [this] { m_timeline->timeline().playback().countPicture(); };
@@ -313,12 +304,11 @@ void MainWindow::createTimeline() {
 }
 
 void MainWindow::createLesson() {
-    QDockWidget* lesson =
-        dock(m_lessons->panel(), tr("Lesson"), QStringLiteral("lesson"), Qt::RightDockWidgetArea);
-    tabifyDockWidget(findChild<QDockWidget*>(QStringLiteral("history")), lesson);
+    QDockWidget* lesson = dock(Panel::Lesson, m_lessons->panel());
+    tabifyDockWidget(m_panels.dock(Panel::History), lesson);
     lesson->hide();
-    findChild<QDockWidget*>(QStringLiteral("maps"))->raise(); // what becomes a tab takes the front
-    m_lessons->setDock(lesson);
+    m_panels.dock(Panel::Maps)->raise(); // what becomes a tab takes the front
+    m_lessons->setPanels(m_panels);
     m_lessons->setFiles(m_fileCommands, &m_file);
     m_recovery.follow(&m_lessons->notebook());
     m_lessons->addBuiltIn(m_lessons->addMenu(tr("&Ready-Made Lessons")), [] {
@@ -466,10 +456,8 @@ void MainWindow::adopt(const view::Preferences& preferences) {
 }
 
 void MainWindow::showCollection() {
-    auto* dock = findChild<QDockWidget*>(QStringLiteral("collection"));
-    dock->show();
-    dock->raise();
-    if (auto* search = dock->findChild<QLineEdit*>()) search->setFocus();
+    m_panels.show(Panel::Collection);
+    if (auto* search = m_panels.dock(Panel::Collection)->findChild<QLineEdit*>()) search->setFocus();
 }
 
 void MainWindow::updateTitle() {
@@ -511,9 +499,8 @@ void MainWindow::closeEvent(QCloseEvent* event) {
 
 void MainWindow::restoreLayout() {
     const double larger = fontMetrics().averageCharWidth() / usualLetter;
-    resizeDocks(
-        {findChild<QDockWidget*>(QStringLiteral("entries")), findChild<QDockWidget*>(QStringLiteral("maps"))},
-        {int(260 * larger), int(430 * larger)}, Qt::Horizontal);
+    resizeDocks({m_panels.dock(Panel::Entries), m_panels.dock(Panel::Maps)},
+                {int(260 * larger), int(430 * larger)}, Qt::Horizontal);
     placeWindow(this, view::stored(QStringLiteral("window/geometry")).toByteArray());
     m_isAsItWasLeft = restoreStoredLayout(this, view::stored(QStringLiteral("window/state")).toByteArray());
     if (!toolBarBreak(m_optionsBar)) insertToolBarBreak(m_optionsBar); // as earlier versions left it
@@ -582,7 +569,7 @@ void MainWindow::dropEvent(QDropEvent* event) {
     QMetaObject::invokeMethod(
         this,
         [this, paths, self = QPointer(this)] {
-            if (takeAsTarget(paths, *this, *m_collage) || !self) return;
+            if (takeAsTarget(paths, *this, m_panels, *m_collage) || !self) return;
             const QStringList agreed = askWhichToOpen(paths, this);
             if (!agreed.isEmpty() && self && m_fileCommands->maybeSave()) openEach(agreed, this);
         },

@@ -6,6 +6,7 @@
 #include "bridges/render_bridge.h"
 #include "bridges/solid_bridge.h"
 #include "canvas/canvas_view.h"
+#include "docks/panels.h"
 #include "document/document.h"
 #include "files/open_each.h"
 #include "files/open_file.h"
@@ -58,6 +59,7 @@ public:
     void addRandom();      // picked out of many
 
     document::Document& document() { return m_document; }
+    const Panels& panels() const { return m_panels; }
     QString path() const override { return m_file.path(); }
     void adopt(const view::Preferences& preferences) override;
     Recovery& recovery() override { return m_recovery; }
@@ -81,15 +83,15 @@ private:
     void createPanels();
     void createTimeline();
     void createLesson();
-    void showWithSeveralEntries(QDockWidget* entries);
+    void showEntriesWithSeveral();
     void createProblems();
-    void createCollage(QDockWidget* neighbour);
+    void createCollage();
     void createConstructionBar();
     void createOptionsBar();
     void createToolBar();
     void showLabels(bool shown); // names under the symbols of the tool bar
     void connectDocument();
-    QDockWidget* dock(QWidget* panel, const QString& title, const QString& id, Qt::DockWidgetArea area);
+    QDockWidget* dock(Panel panel, QWidget* content);
 
     void updateTitle();
     void restoreLayout();
@@ -104,6 +106,7 @@ private:
     view::AnalysisBridge* m_analysis;
     view::Construction* m_construction;
     Stage* m_stage;
+    Panels m_panels;
     RoomForPicture* m_room;
     bool m_opensFirstPicture = false;
     bool m_isAsItWasLeft = false; // the layout of the panels

@@ -35,6 +35,11 @@ private slots:
     void nothingReturnsASubrange();
     void decompositionsAreCompiledInFewFiles();
     void anonymousNamesAreUniqueInTheirFolder();
+    void listsAreChosenByValue();
+    void panelsAreNotSearchedByName();
+    void fixedWaitsAreFew();
+    void choicesByRowAreFound_data();
+    void choicesByRowAreFound();
 };
 
 namespace {
@@ -403,6 +408,84 @@ void LayeringTest::anonymousNamesAreUniqueInTheirFolder() {
             }
         }
     QVERIFY2(firsts.size() > 1000, "few names were found: the test looks at the wrong places");
+}
+
+// A list of choices whose rows are numbers: widgets/choices.h gives each row the value that it stands for.
+static QString choiceByRow(const QString& text) {
+    static const QRegularExpression pattern(QStringLiteral(
+        "setCurrentIndex\\(\\d|currentIndex\\(\\) *(==|!=|[<>]=?|[-+]) *-?\\d|"
+        "\\[(int|std::size_t)?\\(?\\w+->currentIndex\\(\\)|"
+        "\\b([A-Z][a-z]\\w*|at|static_cast<[^>]*>)\\((std::size_t\\()?\\w+->currentIndex\\(\\)(?!\\.)"));
+    return pattern.match(text).captured();
+}
+
+void LayeringTest::listsAreChosenByValue() {
+    const QStringList exempt{QStringLiteral("choices.h"),
+                             QStringLiteral("preferences_dialog.cpp")}; // for what no row stands
+    int seen = 0;
+    for (const char* top : {"app/gui", "view", "tests/app", "tests/support", "tests/view"})
+        for (const QString& path : sourceFiles(support::sourcePath(QString::fromLatin1(top)))) {
+            if (exempt.contains(QFileInfo(path).fileName()) ||
+                path.endsWith(QLatin1String("layering_test.cpp")))
+                continue;
+            ++seen;
+            const QString text = contents(path);
+            const QString found = choiceByRow(text);
+            QVERIFY2(found.isEmpty(), qPrintable(path + QStringLiteral(": ") + found));
+            const bool isTest =
+                QByteArray(top).startsWith("tests/"); // may fill a list that stands for nothing
+            QVERIFY2(isTest || !text.contains(QStringLiteral("->addItems(")), qPrintable(path));
+        }
+    QVERIFY(seen > 300);
+}
+
+// app/gui/docks/panels.h knows the panels of a window.
+void LayeringTest::panelsAreNotSearchedByName() {
+    static const QRegularExpression search(QStringLiteral("findChild<QDockWidget"));
+    const QStringList files = sourceFiles(support::sourcePath(QStringLiteral("app/gui")));
+    QVERIFY(files.size() > 100);
+    for (const QString& path : files)
+        QVERIFY2(!search.match(contents(path)).hasMatch(), qPrintable(path));
+}
+
+// Tests wait for conditions. Where nothing tells when something is over, the line or that before says so.
+void LayeringTest::fixedWaitsAreFew() {
+    static const QRegularExpression wait(
+        QStringLiteral("qWait\\(|qSleep\\(|QThread::[mu]?sleep\\(|sleep_for\\(|\\busleep\\("));
+    QStringList found;
+    for (const QString& path : sourceFiles(support::sourcePath(QStringLiteral("tests"))))
+        if (!path.contains(QLatin1String("/bench/")))
+            for (const QString& line : contents(path).split(u'\n'))
+                if (wait.match(line).hasMatch()) found << path + QStringLiteral(": ") + line.trimmed();
+    QVERIFY(!found.isEmpty());
+    QVERIFY2(found.size() <= 15, qPrintable(found.join(u'\n')));
+}
+
+void LayeringTest::choicesByRowAreFound_data() {
+    QTest::addColumn<QString>("text");
+    QTest::addColumn<bool>("isOne");
+    const auto row = [](const char* text, bool isOne) {
+        QTest::newRow(text) << QString::fromLatin1(text) << isOne;
+    };
+    row("box->setCurrentIndex(2);", true);
+    row("box->setCurrentIndex(-1);", false); // none
+    row("if (m_box->currentIndex() > 0) return;", true);
+    row("return m_views[m_box->currentIndex() - 1];", true);
+    row("return kinds[m_box->currentIndex()].file;", true);
+    row("return names.at(m_box->currentIndex());", true);
+    row("return Section(m_box->currentIndex()) == Section::View;", true);
+    row("return static_cast<Format>(m_box->currentIndex());", true);
+    row("support::choose(box, Format::Png);", false);
+    row("m_list->setCurrentIndex(index);", false);
+    row("const int row = m_table->currentIndex().row();", false);
+    row("showEntry(m_list->currentIndex().row());", false);
+    row("m_list->scrollTo(m_list->currentIndex());", false);
+}
+
+void LayeringTest::choicesByRowAreFound() {
+    QFETCH(QString, text);
+    QFETCH(bool, isOne);
+    QCOMPARE(!choiceByRow(text).isEmpty(), isOne);
 }
 
 BARYCAGE_TEST(LayeringTest);

@@ -11,6 +11,7 @@
 #include "document/fractal/fractal_geometry.h"
 #include "document/tops/theft_thread.h"
 #include "ifs/system/links.h"
+#include "support/fractals.h"
 
 #include <algorithm>
 #include <chrono>
@@ -93,19 +94,13 @@ std::vector<Ratio> tops(int repetitions) {
             {"tops.recolour.vs_tone_map", recolouring.time / toning.time, "<= 2.5"}};
 }
 
-document::Fractal fractalOf(const System& system) {
-    document::Fractal fractal;
-    fractal.shape = document::Shape<2>{system};
-    return fractal;
-}
-
 // Milliseconds from the move of a cage to both finished pictures, side by side, with two threads, sorted.
 std::vector<double> cageDrag(int moves) {
     constexpr int warm = 60; // until the number of points fits the machine
     document::TheftJob job;
-    const document::Fractal fern = fractalOf(systems::fern());
+    const document::Fractal fern = support::fractalOf(systems::fern());
     ifs::ControlCage<2> cage = ifs::polygonAtRest<2>({{-3, 0}, {3, 0}, {0, 10}});
-    job.to.fractal = std::make_shared<const document::Fractal>(fractalOf(systems::maple()));
+    job.to.fractal = std::make_shared<const document::Fractal>(support::fractalOf(systems::maple()));
     const auto camera = [](const document::Fractal& fractal) {
         Camera made;
         made.width = width / 2;

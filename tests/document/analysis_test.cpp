@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "document/analysis/analysis_thread.h"
 #include "document/fractal/fractal_geometry.h"
+#include "support/fractals.h"
 #include "support/named_test.h"
 
 #include <QtTest>
@@ -25,8 +26,7 @@ Fractal placedSierpinski(std::vector<Vector<2>> current) {
     System2 system;
     for (const auto& shift : {Vector<2>(0, 0), Vector<2>(.5, 0), Vector<2>(0, .5)})
         ifs::append(system, {ifs::Matrix<2>::Identity() / 2, shift}, 1);
-    Fractal fractal;
-    fractal.shape = Shape<2>{std::move(system)};
+    Fractal fractal = support::fractalOf(std::move(system));
     std::vector<Vector<2>> rest{{0, 0}, {1, 0}, {0, 1}};
     if (current.size() == 4) rest = {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
     plane(fractal)->cage = ifs::ControlCage<2>{std::move(rest), std::move(current)};
@@ -210,8 +210,7 @@ private slots:
         System2 system;
         ifs::append(system, ifs::affineMap(.5, .2, 0, .3, 0, 0));
         ifs::append(system, ifs::affineMap(.5, 0, .3, .4, 1, 0));
-        Fractal fractal;
-        fractal.shape = Shape<2>{system};
+        Fractal fractal = support::fractalOf(system);
         const auto request = requestFor(fractal);
         QVERIFY(!analyser.completed(analyser.begun(request), stop.get_token()));
         const auto later = analyser.completed(analyser.begun(request), {}); // nothing half known was kept

@@ -9,7 +9,7 @@ using namespace document;
 
 namespace {
 
-Fractal fractalOf(const std::vector<ifs::AffineMap<2>>& maps, const animation::Animation<2>& animation) {
+Fractal animated(const std::vector<ifs::AffineMap<2>>& maps, const animation::Animation<2>& animation) {
     Shape<2> shape;
     for (const auto& map : maps)
         ifs::append(shape.system, map, 0.5);
@@ -35,7 +35,7 @@ private slots:
         animation::Animation<2> moving;
         moving.length = 8;
         moving.maps = {{ifs::MapId(2), {key(0, half), key(8, ifs::affineMap(.25, 0, 0, .25, 1, 0))}}};
-        const Fractal fractal = fractalOf({half, half}, moving);
+        const Fractal fractal = animated({half, half}, moving);
         const Fractal frame = frameAt(fractal, animation::moment(4)).fractal;
         QVERIFY(!plane(frame)->animation);
         QCOMPARE(system2(frame)->maps[1].map.linear(0, 0), 0.375);
@@ -52,7 +52,7 @@ private slots:
         animation::Animation<2> moving;
         moving.length = 4;
         moving.motions = {animation::Orbit<2>{1, {0, 0}}};
-        const Fractal fractal = fractalOf(
+        const Fractal fractal = animated(
             {half, ifs::affineMap(.5, 0, 0, .5, .5, 0), ifs::affineMap(.5, 0, 0, .5, 0, .5)}, moving);
         const Fractal frame = frameAt(fractal, animation::moment(1)).fractal;
         const ifs::Vector<2> shown = placement(frame)(ifs::Vector<2>(1, 0));
@@ -68,7 +68,7 @@ private slots:
         moving.maps = {{ifs::MapId(1), {key(0, up), key(32, down)}},
                        {ifs::MapId(2), {key(0, up), key(32, down)}}};
         moving.maps[0].keys[0].ease.kind = animation::Ease::Kind::Hold; // the second is ahead
-        const Fractal fractal = fractalOf({up, up}, moving);
+        const Fractal fractal = animated({up, up}, moving);
         QVERIFY(!animation::commonNorm(moving, *system2(fractal)));
         const auto lost = firstWithoutAttractor(fractal);
         QVERIFY(lost.has_value());
@@ -88,7 +88,7 @@ private slots:
         moving.length = 200;
         const auto wide = ifs::affineMap(1.3, 0, 0, 1.3, 0, 0);
         moving.maps = {{ifs::MapId(1), {key(101, half), key(103, wide), key(105, half)}}};
-        auto lost = firstWithoutAttractor(fractalOf({half, half}, moving));
+        auto lost = firstWithoutAttractor(animated({half, half}, moving));
         QVERIFY(lost.has_value());
         QVERIFY(lost->moment.numerator == 102 || lost->moment.numerator == 103);
 
@@ -96,7 +96,7 @@ private slots:
         breathing.length = 48;
         breathing.motions = {animation::Breathe<2>{{}, 0.9, 16, {0, 0}}};
         const auto large = ifs::affineMap(.8, 0, 0, .8, 0, 0);
-        const Fractal fractal = fractalOf({large, large}, breathing);
+        const Fractal fractal = animated({large, large}, breathing);
         lost = firstWithoutAttractor(fractal);
         QVERIFY(lost.has_value());
         QCOMPARE(lost->moment, animation::moment(1));
@@ -108,7 +108,7 @@ private slots:
         moving.length = 32;
         moving.motions = {animation::Breathe<2>{{}, 0.5, 1, {0, 0}}};
         const auto wide = ifs::affineMap(.8, 0, 0, .8, 0, 0);
-        const Fractal fractal = fractalOf({wide, ifs::affineMap(.8, 0, 0, .8, 1, 0)}, moving);
+        const Fractal fractal = animated({wide, ifs::affineMap(.8, 0, 0, .8, 1, 0)}, moving);
         QVERIFY(firstWithoutAttractor(fractal).has_value());
         const Fractal safe = withSafeStrength(fractal, 0);
         QVERIFY(!firstWithoutAttractor(safe));

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "document/fractal/fractal.h"
 #include "document/fractal/fractal_geometry.h"
+#include "support/fractals.h"
 #include "support/named_test.h"
 
 #include <QtTest>
@@ -17,9 +18,7 @@ Fractal gasket() {
     for (const ifs::Vector<2>& corner :
          {ifs::Vector<2>(0, 0), ifs::Vector<2>(0.5, 0), ifs::Vector<2>(0, 0.5)})
         ifs::append(system, ifs::affineMap(0.5, 0, 0, 0.5, corner.x(), corner.y()), 1.0 / 3);
-    Fractal fractal;
-    fractal.shape = document::Shape<2>{system};
-    return fractal;
+    return support::fractalOf(system);
 }
 
 bool isNear(const ifs::Vector<2>& a, const ifs::Vector<2>& b) {

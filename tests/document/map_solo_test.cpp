@@ -6,6 +6,7 @@
 #include "document/maps/map_points.h"
 #include "document/maps/map_solo.h"
 #include "ifs/system/links.h"
+#include "support/fractals.h"
 #include "support/named_test.h"
 
 #include <QTest>
@@ -38,9 +39,7 @@ Fractal spaceFractal() {
     for (const ifs::Vector<3>& corner :
          {ifs::Vector<3>(0, 0, 0), ifs::Vector<3>(1, 0, 0), ifs::Vector<3>(0, 1, 0), ifs::Vector<3>(0, 0, 1)})
         ifs::append<3>(system, {ifs::Matrix<3>::Identity() / 2, corner / 2}, 1.0);
-    Fractal fractal;
-    fractal.shape = Shape<3>{system};
-    return fractal;
+    return support::fractalOf(system);
 }
 
 int coloured(const QImage& picture, const QRect& area) {

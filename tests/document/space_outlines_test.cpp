@@ -2,6 +2,7 @@
 #include "attractor/space_systems.h"
 #include "document/analysis/analysis.h"
 #include "document/fractal/space_geometry.h"
+#include "support/fractals.h"
 #include "support/named_test.h"
 
 #include <QtTest>
@@ -14,9 +15,7 @@ using ifs::Vector;
 namespace {
 
 Fractal menger() {
-    Fractal fractal;
-    fractal.shape = Shape<3>{systems::menger()};
-    return fractal;
+    return support::fractalOf(systems::menger());
 }
 
 std::vector<SpaceOutline> shapesOf(const Fractal& fractal, std::set<Outline> outlines, int depth = 1) {

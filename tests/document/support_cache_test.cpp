@@ -4,6 +4,7 @@
 #include "document/fractal/fractal.h"
 #include "document/fractal/fractal_geometry.h"
 #include "document/fractal/space_geometry.h"
+#include "support/fractals.h"
 #include "support/named_test.h"
 
 #include <QtTest>
@@ -43,12 +44,6 @@ Fractal shell(std::size_t count) {
     return fractal;
 }
 
-Fractal fractalOf(document::System2 system) {
-    Fractal fractal;
-    fractal.shape = document::Shape<2>{std::move(system)};
-    return fractal;
-}
-
 } // namespace
 
 class SupportCacheTest : public QObject {
@@ -81,7 +76,7 @@ private slots:
     }
 
     void copiesOfAFractalShareIt() {
-        const Fractal fractal = fractalOf(ring(1));
+        const Fractal fractal = support::fractalOf(ring(1));
         Fractal moved = fractal;
         document::plane(moved)->cage = document::effectiveCage(fractal);
         document::plane(moved)->cage->current[0] *= 2;
@@ -93,15 +88,15 @@ private slots:
     }
 
     void itIsNoPartOfTheValue() {
-        const Fractal fractal = fractalOf(ring(1));
-        const Fractal alike = fractalOf(ring(1));
+        const Fractal fractal = support::fractalOf(ring(1));
+        const Fractal alike = support::fractalOf(ring(1));
         const auto support = document::supportFunction(fractal);
         QVERIFY(fractal == alike);
         QVERIFY(document::supportFunction(alike) != support); // nothing is known beyond a fractal's copies
         Fractal from = fractal;
         const Fractal to = std::move(from);
         QCOMPARE(document::supportFunction(to), support);
-        from = fractalOf(ring(1)); // what was moved from can be used again
+        from = support::fractalOf(ring(1)); // what was moved from can be used again
         QVERIFY(document::supportFunction(from));
     }
 
@@ -140,7 +135,7 @@ private slots:
     }
 
     void manyThreadsMayAsk() {
-        const Fractal fractal = fractalOf(ring(1));
+        const Fractal fractal = support::fractalOf(ring(1));
         std::vector<std::thread> threads;
         std::vector<std::shared_ptr<const ifs::SupportFunction<2>>> found(8);
         for (auto& support : found)

@@ -155,13 +155,14 @@ void WindowOnX::type(QWidget* field, const QString& text) {
     hand().key("Tab");
 }
 
-void WindowOnX::pick(QComboBox* box, int index) {
+void WindowOnX::pickRow(QComboBox* box, int row) {
+    QVERIFY(row >= 0);
     click(box);
     hand().key("Home");
-    for (int i = 0; i < index; ++i)
+    for (int i = 0; i < row; ++i)
         hand().key("Down");
     hand().key("Return");
-    QVERIFY(waitFor([&] { return box->currentIndex() == index; }));
+    QVERIFY(waitFor([&] { return box->currentIndex() == row; }));
 }
 
 QAction* WindowOnX::chooseFrom(const QMenu* menu, const QString& name) {

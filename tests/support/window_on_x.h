@@ -9,6 +9,7 @@
 #include "support/place_on_x.h"
 #include "support/watchdog.h"
 #include "support/x_input.h"
+#include "widgets/choices.h"
 
 #include <QApplication>
 #include <QPointer>
@@ -22,7 +23,6 @@
 #include <utility>
 
 class QAbstractItemView;
-class QComboBox;
 class QDialog;
 class QMenu;
 class QModelIndex;
@@ -93,7 +93,9 @@ protected:
     void click(const QWidget* widget) { hand().clickAt(middleOf(widget)); }
     void clickOn(QAbstractItemView* list, const QModelIndex& index); // scrolls to it first
     void type(QWidget* field, const QString& text);                  // instead of what is in it, then Tab
-    void pick(QComboBox* box, int index);
+    template <class Value> void pick(QComboBox* box, const Value& value) {
+        pickRow(box, box->findData(view::choiceData(value)));
+    }
     QAction* chooseFrom(const QMenu* menu, const QString& name);      // that opens; names without "&"
     void showPanel(const QString& title);                             // by its tab
     QDialog* openDialog(const char* shortcut, const char* className); // null when none appears
@@ -155,6 +157,8 @@ protected:
     void photograph(const QString& name) const; // of the screen, into the folder that BARYCAGE_KEEP names
 
 private:
+    void pickRow(QComboBox* box, int row);
+
     QPointer<MainWindow> m_window;
     std::unique_ptr<XInput> m_hand;
     QTemporaryDir m_folder;

@@ -10,6 +10,7 @@
 #include "document/maps/space_map_handles.h"
 #include "ifs/cage/map_handles.h"
 #include "space/space_view.h"
+#include "widgets/choices.h"
 #include "widgets/numbers/number_box.h"
 #include "widgets/text/elided_label.h"
 
@@ -102,20 +103,20 @@ QWidget* BranchBar::makeBranch() {
         "The address of the clicked point, outermost map first; the bold part is the address of the branch"));
     auto* editLabel = new QLabel(tr("Chan&ge"), row);
     m_edit = new QComboBox(row);
-    const auto add = [this](const QString& name, const QString& explanation) {
-        m_edit->addItem(name);
-        m_edit->setItemData(m_edit->count() - 1, explanation, Qt::ToolTipRole);
-    };
-    add(tr("New map for this branch"),
+    using document::BranchEdit;
+    addChoice(
+        m_edit, tr("New map for this branch"), BranchEdit::OwnMap,
         tr("Gives this branch and each of its sibling branches a map of its own. The change appears again at "
            "all smaller scales."));
-    add(tr("Last map of the address"),
+    addChoice(
+        m_edit, tr("Last map of the address"), BranchEdit::LastMap,
         tr("The system keeps its number of maps. All branches that this map makes change in the same way."));
-    add(tr("Only here"), tr("The code does not change. Only this branch is shown in another position; the "
-                            "same change does not appear at other scales."));
-    add(tr("Here and inside it"),
-        tr("The code does not change. This branch is shown in another position, and so is the same branch "
-           "inside it, again and again: a frond curls up. Nothing beside it changes."));
+    addChoice(m_edit, tr("Only here"), BranchEdit::Display,
+              tr("The code does not change. Only this branch is shown in another position; the "
+                 "same change does not appear at other scales."));
+    addChoice(m_edit, tr("Here and inside it"), BranchEdit::Inside,
+              tr("The code does not change. This branch is shown in another position, and so is the same "
+                 "branch inside it, again and again: a frond curls up. Nothing beside it changes."));
     m_edit->setAccessibleName(tr("What editing the branch changes"));
     for (QWidget* yields : {static_cast<QWidget*>(m_edit), static_cast<QWidget*>(m_address)})
         yields->setMinimumWidth(minLetters * fontMetrics().averageCharWidth());
@@ -136,14 +137,12 @@ QWidget* BranchBar::makeBranch() {
     layout->addWidget(m_putBack);
     connect(m_putBack, &QPushButton::clicked, this, &BranchBar::putBack);
     connect(m_depth, &QSpinBox::valueChanged, &choice(), &BranchChoice::setDepth);
-    connect(m_edit, &QComboBox::currentIndexChanged, this, [this](int index) {
-        constexpr std::array edits{document::BranchEdit::OwnMap, document::BranchEdit::LastMap,
-                                   document::BranchEdit::Display, document::BranchEdit::Inside};
-        choice().setEdit(edits.at(std::size_t(index)));
-        m_edit->setWhatsThis(m_edit->itemData(index, Qt::ToolTipRole).toString());
+    connect(m_edit, &QComboBox::currentIndexChanged, this, [this] {
+        choice().setEdit(chosenValue<BranchEdit>(m_edit));
+        m_edit->setWhatsThis(m_edit->currentData(Qt::ToolTipRole).toString());
     });
     m_edit->setToolTip(tr("What changes in the code when you drag the branch"));
-    m_edit->setWhatsThis(m_edit->itemData(0, Qt::ToolTipRole).toString());
+    m_edit->setWhatsThis(m_edit->currentData(Qt::ToolTipRole).toString());
     return row;
 }
 

@@ -4,6 +4,7 @@
 #include "bars/die.h"
 #include "bars/start_shape_box.h"
 #include "bridges/construction.h"
+#include "widgets/choices.h"
 #include "widgets/flat_buttons.h"
 #include "widgets/icon.h"
 #include "widgets/numbers/number_text.h"
@@ -113,8 +114,8 @@ QWidget* ConstructionBar::makeChaosGame() {
     m_speed->setWhatsThis(tr("How many jumps the chaos game makes per second. At up to ten per second, the "
                              "die shows each map that is rolled."));
     for (const int speed : {1, 10, 100, 1'000, 10'000, 100'000})
-        m_speed->addItem(tr("%1/s", "jumps per second").arg(groupedNumber(speed)), double(speed));
-    m_speed->setCurrentIndex(m_speed->findData(m_construction->speed()));
+        addChoice(m_speed, tr("%1/s", "jumps per second").arg(groupedNumber(speed)), double(speed));
+    chooseValue(m_speed, m_construction->speed());
     m_die = new Die(page);
     m_count = new ElidedLabel(page);
     m_count->setMinimumWidth(fewLetters * fontMetrics().averageCharWidth());
@@ -135,7 +136,7 @@ QWidget* ConstructionBar::makeChaosGame() {
     connect(m_run, &QToolButton::clicked, this,
             [this] { m_construction->setRunning(!m_construction->isRunning()); });
     connect(m_speed, &QComboBox::activated, this,
-            [this] { m_construction->setSpeed(m_speed->currentData().toDouble()); });
+            [this] { m_construction->setSpeed(chosenValue<double>(m_speed)); });
     return page;
 }
 

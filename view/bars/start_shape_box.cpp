@@ -2,6 +2,7 @@
 #include "bars/start_shape_box.h"
 
 #include "bridges/steps_bridge.h"
+#include "widgets/choices.h"
 #include "widgets/file_dialogs.h"
 #include "widgets/text/tooltip_text.h"
 
@@ -25,7 +26,10 @@ StartShapeBox::StartShapeBox(StepsBridge* steps, QWidget* parent)
     : QWidget(parent), m_steps(steps), m_choice(new QComboBox(this)), m_letter(new QLineEdit(this)) {
     auto* label = new QLabel(tr("&From"), this);
     label->setBuddy(m_choice);
-    m_choice->addItems({tr("The Cage"), tr("A Square"), tr("A Letter"), tr("A Picture…")});
+    addChoice(m_choice, tr("The Cage"), Start::Cage);
+    addChoice(m_choice, tr("A Square"), Start::Square);
+    addChoice(m_choice, tr("A Letter"), Start::Letter);
+    addChoice(m_choice, tr("A Picture…"), Start::Picture);
     m_choice->setAccessibleName(tr("What the steps start from"));
     m_choice->setWhatsThis(tr("What the steps start from. Whatever you choose, the images get closer to the "
                               "same attractor: a square, a letter that you type, or the dark shape in a "
@@ -48,8 +52,8 @@ StartShapeBox::StartShapeBox(StepsBridge* steps, QWidget* parent)
     follow();
 }
 
-void StartShapeBox::choose(int index) {
-    const auto start = Start(index);
+void StartShapeBox::choose() {
+    const auto start = chosenValue<Start>(m_choice);
     if (start != Start::Picture) {
         m_steps->setStart(start);
         if (start == Start::Letter) {
@@ -65,7 +69,7 @@ void StartShapeBox::choose(int index) {
 
 void StartShapeBox::follow() {
     const QSignalBlocker quiet(m_choice);
-    m_choice->setCurrentIndex(int(m_steps->start()));
+    chooseValue(m_choice, m_steps->start());
     m_choice->setToolTip(m_steps->start() == Start::Picture ? tooltipText(m_steps->pictureName())
                                                             : tr("What the steps start from"));
     m_letter->setVisible(m_steps->start() == Start::Letter);

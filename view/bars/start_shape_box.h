@@ -21,7 +21,7 @@ public:
     QLineEdit* letter() const { return m_letter; }
 
 private:
-    void choose(int index);
+    void choose();
     void follow();
 
     StepsBridge* m_steps;

@@ -2,6 +2,7 @@
 #include "bars/zoom_box.h"
 
 #include "canvas/canvas_view.h"
+#include "widgets/choices.h"
 #include "widgets/numbers/number_field.h"
 #include "widgets/text/tooltip_text.h"
 
@@ -20,6 +21,7 @@ namespace {
 
 constexpr double maxPlain = 1e6; // percent: above, powers of ten are shorter
 constexpr double minGrouped = 1e4;
+constexpr double fitted = 0; // in place of a factor
 
 const NumberRange positive{0.0, std::nullopt, NumberRange::Ends::Open};
 
@@ -40,9 +42,9 @@ ZoomBox::ZoomBox(CanvasView* canvas, QWidget* parent) : QComboBox(parent), m_can
                   "or choose one"));
     setWhatsThis(tr("Zoom in percent: at 100 %, one unit of the plane is 100 pixels long. Type a number, or "
                     "choose a value, a saved view, or Fit, which shows the whole attractor."));
-    addItem(tr("Fit"));
+    addChoice(this, tr("Fit"), fitted);
     for (const double factor : {0.25, 0.5, 1.0, 2.0, 5.0, 10.0, 100.0, 1000.0})
-        addItem(textOf(factor), factor);
+        addChoice(this, textOf(factor), factor);
     m_factors = count();
     setMinimumContentsLength(11);
     lineEdit()->installEventFilter(this);
@@ -62,7 +64,7 @@ void ZoomBox::setViews(const QStringList& names) {
         removeItem(count() - 1);
     if (!names.isEmpty()) insertSeparator(count());
     for (const QString& name : names)
-        addItem(name, name);
+        addChoice(this, name, name);
     constexpr int widest = 240; // pixels
     view()->setMinimumWidth(std::min(view()->sizeHintForColumn(0) + 24, widest));
     showZoom();
@@ -76,12 +78,13 @@ QString ZoomBox::textOf(double factor) {
 }
 
 void ZoomBox::choose(int index) {
-    if (index == 0)
+    const QVariant choice = itemData(index);
+    if (choice.userType() == QMetaType::QString)
+        emit viewChosen(choice.toString());
+    else if (choice == fitted)
         m_canvas->fit();
-    else if (index > m_factors) // that one is the separator
-        emit viewChosen(itemData(index).toString());
-    else if (const double factor = itemData(index).toDouble(); factor > 0)
-        m_canvas->navigation().setZoom(factor);
+    else if (choice.isValid())
+        m_canvas->navigation().setZoom(choice.toDouble());
     m_canvas->setFocus();
     showZoom();
 }

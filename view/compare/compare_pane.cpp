@@ -6,6 +6,7 @@
 #include "bridges/solid_bridge.h"
 #include "canvas/canvas_view.h"
 #include "space/space_view.h"
+#include "widgets/choices.h"
 #include "widgets/flat_buttons.h"
 #include "widgets/whats_this.h"
 
@@ -124,8 +125,7 @@ void ComparePane::createHeader() {
     layout->setSpacing(0);
     layout->addLayout(header);
     layout->addWidget(m_views, 1);
-    connect(m_entries, &QComboBox::activated, this,
-            [this](int row) { setEntry(EntryId(m_entries->itemData(row).toUInt())); });
+    connect(m_entries, &QComboBox::activated, this, [this] { setEntry(chosenValue<EntryId>(m_entries)); });
     connect(close, &QToolButton::clicked, this, &ComparePane::closeRequested);
     connect(m_link, &QToolButton::toggled, this, [this](bool on) {
         if (!on) return;
@@ -295,7 +295,7 @@ void ComparePane::refresh() {
     const QSignalBlocker quiet(m_entries);
     m_entries->clear();
     for (const document::Entry& entry : file.entries)
-        if (entry.id != current) m_entries->addItem(entry.fractal->name, uint(entry.id));
+        if (entry.id != current) addChoice(m_entries, entry.fractal->name, entry.id);
     m_entries->setEnabled(m_entries->count() > 0);
     changeTo(wanted);
 }
@@ -309,7 +309,7 @@ void ComparePane::changeTo(EntryId entry) {
         turn(*m_otherPlane, m_partner->document());
     }
     const QSignalBlocker quiet(m_entries);
-    m_entries->setCurrentIndex(m_entries->findData(uint(m_partner->id())));
+    chooseValue(m_entries, m_partner->id());
     showEntry();
 }
 

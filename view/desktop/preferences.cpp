@@ -2,24 +2,65 @@
 #include "desktop/preferences.h"
 
 #include "desktop/settings.h"
+#include "ifs/names.h"
 
 #include <QCoreApplication>
 #include <QVariant>
 
 #include <algorithm>
+#include <tuple>
+#include <type_traits>
+
+// As the settings have them.
+template <>
+inline constexpr auto ifs::names<view::Preferences::Theme> =
+    std::to_array<ifs::Named<view::Preferences::Theme>>({{view::Preferences::Theme::Desktop, "desktop"},
+                                                         {view::Preferences::Theme::Light, "light"},
+                                                         {view::Preferences::Theme::Dark, "dark"}});
+template <>
+inline constexpr auto ifs::names<view::Preferences::Motion> =
+    std::to_array<ifs::Named<view::Preferences::Motion>>({{view::Preferences::Motion::Desktop, "desktop"},
+                                                          {view::Preferences::Motion::Reduced, "reduced"},
+                                                          {view::Preferences::Motion::Full, "full"}});
 
 namespace view {
 
 namespace {
 
-const QString languageKey = QStringLiteral("preferences/language");
-const QString themeKey = QStringLiteral("preferences/theme");
-const QString motionKey = QStringLiteral("preferences/motion");
-const QString qualityKey = QStringLiteral("preferences/quality");
-const QString trackballKey = QStringLiteral("preferences/trackball");
-const QString keepPreviousKey = QStringLiteral("preferences/keepPrevious");
-const QString labelsKey = QStringLiteral("preferences/labels");
-const QString reopenKey = QStringLiteral("preferences/reopen");
+template <class Value> struct PreferenceRow {
+    const char* key; // never changes
+    Value Preferences::*member;
+};
+
+constexpr std::tuple preferenceRows{
+    PreferenceRow{"preferences/language", &Preferences::language},
+    PreferenceRow{"preferences/theme", &Preferences::theme},
+    PreferenceRow{"preferences/motion", &Preferences::motion},
+    PreferenceRow{"preferences/quality", &Preferences::quality},
+    PreferenceRow{"preferences/trackball", &Preferences::trackball},
+    PreferenceRow{"preferences/labels", &Preferences::labels},
+    PreferenceRow{"preferences/reopen", &Preferences::reopen},
+    PreferenceRow{"preferences/keepPrevious", &Preferences::keepPrevious},
+};
+
+template <class Value> QVariant inSettings(const Value& value) {
+    if constexpr (std::is_enum_v<Value>)
+        return QString::fromLatin1(ifs::nameOf(value));
+    else if constexpr (std::is_same_v<Value, std::uint64_t>)
+        return quint64(value);
+    else
+        return value;
+}
+
+template <class Value> Value fromSettings(const QVariant& found, const Value& otherwise) {
+    if (!found.isValid()) return otherwise;
+    if constexpr (std::is_enum_v<Value>)
+        return ifs::named<Value>(found.toString().toStdString()).value_or(otherwise);
+    else if constexpr (std::is_same_v<Value, std::uint64_t>)
+        return std::clamp<std::uint64_t>(found.toULongLong(), 1'000'000, 100'000'000'000);
+    else
+        return found.value<Value>();
+}
 
 constexpr char spoken[] = "spokenLanguage"; // a property of the application
 
@@ -36,35 +77,18 @@ void Preferences::setSpokenLanguage(const QString& language) {
 
 Preferences Preferences::stored() {
     Preferences found;
-    found.language = view::stored(languageKey).toString();
-    const QString theme = view::stored(themeKey).toString();
-    if (theme == QLatin1String("light")) found.theme = Theme::Light;
-    if (theme == QLatin1String("dark")) found.theme = Theme::Dark;
-    const QString motion = view::stored(motionKey).toString();
-    if (motion == QLatin1String("reduced")) found.motion = Motion::Reduced;
-    if (motion == QLatin1String("full")) found.motion = Motion::Full;
-    found.quality = std::clamp<std::uint64_t>(view::stored(qualityKey, quint64(found.quality)).toULongLong(),
-                                              1'000'000, 100'000'000'000);
-    found.trackball = view::stored(trackballKey, found.trackball).toBool();
-    found.reopen = view::stored(reopenKey, found.reopen).toBool();
-    found.labels = view::stored(labelsKey, found.labels).toBool();
-    found.keepPrevious = view::stored(keepPreviousKey, found.keepPrevious).toBool();
+    const auto read = [&found](const auto& row) {
+        found.*row.member = fromSettings(view::stored(QLatin1String(row.key)), found.*row.member);
+    };
+    std::apply([&read](const auto&... row) { (read(row), ...); }, preferenceRows);
     return found;
 }
 
 void Preferences::store() const {
-    view::store(languageKey, language);
-    view::store(themeKey, theme == Theme::Light  ? QStringLiteral("light")
-                          : theme == Theme::Dark ? QStringLiteral("dark")
-                                                 : QStringLiteral("desktop"));
-    view::store(motionKey, motion == Motion::Reduced ? QStringLiteral("reduced")
-                           : motion == Motion::Full  ? QStringLiteral("full")
-                                                     : QStringLiteral("desktop"));
-    view::store(qualityKey, quint64(quality));
-    view::store(trackballKey, trackball);
-    view::store(reopenKey, reopen);
-    view::store(labelsKey, labels);
-    view::store(keepPreviousKey, keepPrevious);
+    const auto write = [this](const auto& row) {
+        view::store(QLatin1String(row.key), inSettings(this->*row.member));
+    };
+    std::apply([&write](const auto&... row) { (write(row), ...); }, preferenceRows);
 }
 
 } // namespace view

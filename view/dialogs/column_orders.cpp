@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "dialogs/column_orders.h"
 
+#include "widgets/choices.h"
+
 #include <QComboBox>
 #include <QLineEdit>
 #include <QVBoxLayout>
@@ -22,8 +24,8 @@ ColumnOrders::ColumnOrders(const QString& whatsThis, QWidget* parent)
           {tr("p a b c d e f: the weight first"), QStringLiteral("p a b c d e f")},
           {tr("r s theta phi e f p: scales, and angles in degrees"), QStringLiteral("r s theta phi e f p")},
           {tr("a b c d e f, and cumulative weights"), cumulative}})
-        m_known->addItem(text, names);
-    m_known->addItem(tr("Other…"));
+        addChoice(m_known, text, names);
+    addChoice(m_known, tr("Other…"), QString());
     m_known->setAccessibleName(tr("Order of the columns"));
     m_known->setWhatsThis(whatsThis);
     m_typed->setAccessibleName(tr("Column names in order"));
@@ -37,15 +39,16 @@ ColumnOrders::ColumnOrders(const QString& whatsThis, QWidget* parent)
     layout->setContentsMargins(0, 0, 0, 0);
     layout->addWidget(m_known);
     layout->addWidget(m_typed);
-    connect(m_known, &QComboBox::currentIndexChanged, this, [this](int index) {
-        m_typed->setVisible(index == count());
-        if (index < count())
-            m_typed->setText(m_known->currentData().toString()); // to begin the other one with
+    connect(m_known, &QComboBox::currentIndexChanged, this, [this] {
+        const auto order = chosenValue<QString>(m_known);
+        m_typed->setVisible(order.isEmpty());
+        if (!order.isEmpty())
+            m_typed->setText(order); // to begin the other one with
         else
             m_typed->setFocus();
         emit changed();
     });
-    m_typed->setText(m_known->currentData().toString());
+    m_typed->setText(chosenValue<QString>(m_known));
     connect(m_typed, &QLineEdit::textEdited, this, &ColumnOrders::changed);
 }
 
@@ -57,16 +60,19 @@ QString ColumnOrders::obstacle() const {
     return io::columnsObstacle(m_typed->text());
 }
 
-int ColumnOrders::count() const {
-    return m_known->count() - 1;
+QStringList ColumnOrders::known() const {
+    QStringList orders;
+    for (int row = 0; row < m_known->count(); ++row)
+        if (const QString order = m_known->itemData(row).toString(); !order.isEmpty()) orders << order;
+    return orders;
 }
 
-void ColumnOrders::choose(int index) {
-    m_known->setCurrentIndex(index);
+void ColumnOrders::choose(const QString& order) {
+    chooseValue(m_known, order);
 }
 
 void ColumnOrders::chooseCumulative() {
-    choose(m_known->findData(cumulative));
+    choose(cumulative);
 }
 
 bool ColumnOrders::isFractints() const {

@@ -3,6 +3,7 @@
 
 #include "io/table/table_columns.h"
 
+#include <QStringList>
 #include <QWidget>
 
 class QComboBox;
@@ -21,8 +22,8 @@ public:
     io::TableColumns columns() const; // Fractint's while what is typed is no order
     QString obstacle() const;         // why it is none, as a sentence; empty when it is one
 
-    int count() const; // of the known ones
-    void choose(int index);
+    QStringList known() const; // by the names of the columns, as in "a b c d e f p"
+    void choose(const QString& order);
     void chooseCumulative(); // Fractint's order, but for its weights
     bool isFractints() const;
 

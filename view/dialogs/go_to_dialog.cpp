@@ -3,6 +3,7 @@
 
 #include "document/maps/map_names.h"
 #include "io/text/expression.h"
+#include "widgets/choices.h"
 #include "widgets/numbers/number_text.h"
 
 #include <QComboBox>
@@ -18,6 +19,12 @@
 #include <utility>
 
 namespace view {
+
+namespace {
+
+constexpr int noMap = -1;
+
+} // namespace
 
 std::optional<ifs::Word> wordOf(const QString& address, std::size_t maps) {
     static const QRegularExpression between(QStringLiteral("[\\s,.…]+"));
@@ -49,11 +56,11 @@ GoToDialog::GoToDialog(std::shared_ptr<const document::Fractal> fractal, const a
     m_address->setAccessibleName(tr("Address"));
     m_address->setWhatsThis(tr("Numbers of maps, as the status bar shows them for the point under the "
                                "pointer. They repeat, and the centre becomes the point that they lead to."));
-    m_map->addItem(tr("Choose a map"));
+    addChoice(m_map, tr("Choose a map"), noMap);
     const auto* system = document::system2(*m_fractal);
     const std::size_t maps = system ? system->maps.size() : 0;
     for (std::size_t index = 0; index < maps; ++index)
-        m_map->addItem(tr("Map %1").arg(document::mapTitle(*m_fractal, index)));
+        addChoice(m_map, tr("Map %1").arg(document::mapTitle(*m_fractal, index)), int(index));
     m_map->setAccessibleName(tr("Fixed point"));
     m_map->setWhatsThis(tr("The centre becomes the point that this map leaves where it is."));
     layFields();
@@ -117,7 +124,7 @@ void GoToDialog::fillCentre(const ifs::Word& word) {
 }
 
 void GoToDialog::readAddress() {
-    m_map->setCurrentIndex(0);
+    chooseValue(m_map, noMap);
     m_note->clear();
     const auto* system = document::system2(*m_fractal);
     const std::size_t maps = system ? system->maps.size() : 0;
@@ -131,7 +138,7 @@ void GoToDialog::readAddress() {
 void GoToDialog::chooseMap() {
     m_address->clear();
     m_note->clear();
-    if (m_map->currentIndex() > 0) fillCentre({m_map->currentIndex() - 1});
+    if (const int map = chosenValue<int>(m_map); map != noMap) fillCentre({map});
 }
 
 std::optional<attractor::View> GoToDialog::view() const {

@@ -103,14 +103,15 @@ void PasteTableDialog::askForColumns(document::Document* document, const QString
 
 // The first order in which every map contracts.
 void PasteTableDialog::guess() {
-    for (int i = 0; i < m_columns->count(); ++i) {
-        m_columns->choose(i);
+    const QStringList orders = m_columns->known();
+    for (const QString& order : orders) {
+        m_columns->choose(order);
         const io::Table table = io::readTable(m_text, m_columns->columns());
         if (!errorsOf(table).isEmpty() || !stretching(table.rows).isEmpty()) continue;
         if (m_columns->isFractints() && addUpToOneOrHundred(table.rows)) m_columns->chooseCumulative();
         return;
     }
-    m_columns->choose(0);
+    m_columns->choose(orders.first());
 }
 
 void PasteTableDialog::update() {

@@ -2,6 +2,7 @@
 #include "dialogs/preferences_dialog.h"
 
 #include "dialogs/shortcuts_page.h"
+#include "widgets/choices.h"
 #include "widgets/layout/grow_to_fit.h"
 
 #include <QCheckBox>
@@ -11,7 +12,7 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
-#include <QSignalBlocker>
+#include <QScopedValueRollback>
 #include <QTabWidget>
 #include <QVBoxLayout>
 
@@ -22,104 +23,21 @@ namespace {
 // Each in itself, so that whoever does not read the present one finds theirs.
 const QList<std::pair<QString, QString>>& languages() {
     static const QList<std::pair<QString, QString>> list{
-        {QStringLiteral("en"), QStringLiteral("English")},
-        {QStringLiteral("de"), QStringLiteral("Deutsch")},
-        {QStringLiteral("es"), QStringLiteral("Español")},
-        {QStringLiteral("fr"), QStringLiteral("Français")},
-        {QStringLiteral("mk"), QStringLiteral("Македонски")}};
+        {QStringLiteral("English"), QStringLiteral("en")},
+        {QStringLiteral("Deutsch"), QStringLiteral("de")},
+        {QStringLiteral("Español"), QStringLiteral("es")},
+        {QStringLiteral("Français"), QStringLiteral("fr")},
+        {QStringLiteral("Македонски"), QStringLiteral("mk")}};
     return list;
-}
-
-void choose(QComboBox* box, const QVariant& value) {
-    const QSignalBlocker quiet(box);
-    box->setCurrentIndex(std::max(0, box->findData(value)));
-}
-
-void offerThemes(QComboBox* box) {
-    box->addItem(PreferencesDialog::tr("System default"), int(Preferences::Theme::Desktop));
-    box->addItem(PreferencesDialog::tr("Light"), int(Preferences::Theme::Light));
-    box->addItem(PreferencesDialog::tr("Dark"), int(Preferences::Theme::Dark));
-    box->setAccessibleName(PreferencesDialog::tr("Theme"));
-    box->setWhatsThis(
-        PreferencesDialog::tr("The colours of windows and panels. The picture keeps its own colours."));
-}
-
-void offerQuality(QComboBox* box) {
-    box->addItem(PreferencesDialog::tr("Draft: 50 million points"), quint64(50'000'000));
-    box->addItem(PreferencesDialog::tr("Good: 200 million points"), quint64(200'000'000));
-    box->addItem(PreferencesDialog::tr("Fine: 1000 million points"), quint64(1'000'000'000));
-    box->setAccessibleName(PreferencesDialog::tr("Picture at rest"));
-    box->setWhatsThis(
-        PreferencesDialog::tr("The number of points drawn while nothing moves. More points make a smoother "
-                              "picture and keep the processor busy for longer."));
-}
-
-void offerTurning(QComboBox* box) {
-    box->addItem(PreferencesDialog::tr("Turntable"), false);
-    box->addItem(PreferencesDialog::tr("Trackball"), true);
-    box->setAccessibleName(PreferencesDialog::tr("Solids turn like"));
-    box->setWhatsThis(PreferencesDialog::tr(
-        "How a drag turns a solid. On a turntable, vertical lines stay vertical. A trackball turns freely "
-        "about the axes of the screen, even over the poles; to level the view again, look along an axis."));
-}
-
-void explainFiles(QCheckBox* reopen, QCheckBox* keepPrevious) {
-    reopen->setWhatsThis(
-        PreferencesDialog::tr("When this is on, Barycage reopens the files that were open when you closed "
-                              "it, each in its own window."));
-    keepPrevious->setWhatsThis(PreferencesDialog::tr(
-        "When this is on, the first time that you save a file after opening it, the version before stays "
-        "beside it under the same name with “~” behind it, such as maple.ifs~."));
-}
-
-void offerMotion(QComboBox* box) {
-    box->addItem(PreferencesDialog::tr("System default"), int(Preferences::Motion::Desktop));
-    box->addItem(PreferencesDialog::tr("Play when opened"), int(Preferences::Motion::Full));
-    box->addItem(PreferencesDialog::tr("Still until played"), int(Preferences::Motion::Reduced));
-    box->setAccessibleName(PreferencesDialog::tr("Motion"));
-    box->setWhatsThis(PreferencesDialog::tr(
-        "Whether an entry that moves plays as soon as it is opened. When your desktop asks for less motion, "
-        "the system default shows a still picture until you press Play."));
 }
 
 } // namespace
 
 PreferencesDialog::PreferencesDialog(QWidget* parent, const QList<NamedAction>& commands)
-    : QDialog(parent),
-      m_pages(new QTabWidget(this)),
-      m_spoken(Preferences::spokenLanguage()),
-      m_language(new QComboBox(this)),
-      m_restart(new QLabel(tr("Restart to change the language."), this)),
-      m_restartNow(new QPushButton(tr("Restart &Now"), this)),
-      m_theme(new QComboBox(this)),
-      m_motion(new QComboBox(this)),
-      m_quality(new QComboBox(this)),
-      m_turning(new QComboBox(this)),
-      m_labels(new QCheckBox(tr("&Names under the symbols of the toolbar"), this)),
-      m_reopen(new QCheckBox(tr("Re&open last files on startup"), this)),
-      m_keepPrevious(new QCheckBox(tr("&Keep the previous version of files"), this)) {
+    : QDialog(parent), m_pages(new QTabWidget(this)), m_spoken(Preferences::spokenLanguage()) {
     setWindowTitle(tr("Preferences"));
-    m_language->addItem(tr("System default"), QString());
-    for (const auto& [code, name] : languages())
-        m_language->addItem(name, code);
-    m_language->setAccessibleName(tr("Language"));
-    m_language->setWhatsThis(tr("The language of menus and messages. Files and numbers are the same in every "
-                                "language."));
-    offerThemes(m_theme);
-    offerQuality(m_quality);
-    offerTurning(m_turning);
-    explainFiles(m_reopen, m_keepPrevious);
-    offerMotion(m_motion);
-    m_labels->setWhatsThis(
-        tr("When this is on, the toolbar shows the name of each command under its symbol."));
-
     addPages(commands);
-
     fill(Preferences::stored());
-    for (QComboBox* box : {m_language, m_theme, m_motion, m_quality, m_turning})
-        connect(box, &QComboBox::currentIndexChanged, this, &PreferencesDialog::take);
-    for (QCheckBox* box : {m_labels, m_reopen, m_keepPrevious})
-        connect(box, &QCheckBox::toggled, this, &PreferencesDialog::take);
 }
 
 void PreferencesDialog::addPages(const QList<NamedAction>& commands) {
@@ -140,20 +58,82 @@ void PreferencesDialog::addPages(const QList<NamedAction>& commands) {
     connect(defaults, &QPushButton::clicked, this, &PreferencesDialog::restoreDefaults);
 }
 
+template <class Value>
+QComboBox* PreferencesDialog::list(Value Preferences::*member, const QString& name, const QString& whatsThis,
+                                   const QList<std::pair<QString, Value>>& choices) {
+    auto* box = new QComboBox(this);
+    for (const auto& [text, value] : choices)
+        addChoice(box, text, value);
+    box->setAccessibleName(name);
+    box->setWhatsThis(whatsThis);
+    const auto show = [box, member](const Preferences& preferences) {
+        if (!chooseValue(box, preferences.*member)) box->setCurrentIndex(0);
+    };
+    m_fields.push_back(
+        {show, [box, member](Preferences& preferences) { preferences.*member = chosenValue<Value>(box); }});
+    connect(box, &QComboBox::currentIndexChanged, this, &PreferencesDialog::take);
+    return box;
+}
+
+QCheckBox* PreferencesDialog::checkBox(bool Preferences::*member, const QString& text,
+                                       const QString& whatsThis) {
+    auto* box = new QCheckBox(text, this);
+    box->setWhatsThis(whatsThis);
+    m_fields.push_back(
+        {[box, member](const Preferences& preferences) { box->setChecked(preferences.*member); },
+         [box, member](Preferences& preferences) { preferences.*member = box->isChecked(); }});
+    connect(box, &QCheckBox::toggled, this, &PreferencesDialog::take);
+    return box;
+}
+
 QWidget* PreferencesDialog::generalPage() {
+    using Theme = Preferences::Theme;
+    using Motion = Preferences::Motion;
     auto* page = new QWidget(this);
     auto* form = new QFormLayout(page);
     form->setHorizontalSpacing(16);
-    form->addRow(tr("&Language:"), m_language);
-    form->addRow(QString(), m_restart);
-    form->addRow(QString(), restartRow());
-    form->addRow(tr("&Theme:"), m_theme);
-    form->addRow(tr("&Motion:"), m_motion);
-    form->addRow(tr("&Picture at rest:"), m_quality);
-    form->addRow(tr("&Solids turn like:"), m_turning);
-    form->addRow(QString(), m_labels);
-    form->addRow(QString(), m_reopen);
-    form->addRow(QString(), m_keepPrevious);
+    addLanguage(form);
+    form->addRow(tr("&Theme:"),
+                 list(&Preferences::theme, tr("Theme"),
+                      tr("The colours of windows and panels. The picture keeps its own colours."),
+                      {{tr("System default"), Theme::Desktop},
+                       {tr("Light"), Theme::Light},
+                       {tr("Dark"), Theme::Dark}}));
+    form->addRow(tr("&Motion:"),
+                 list(&Preferences::motion, tr("Motion"),
+                      tr("Whether an entry that moves plays as soon as it is opened. When your desktop asks "
+                         "for less motion, the system default shows a still picture until you press Play."),
+                      {{tr("System default"), Motion::Desktop},
+                       {tr("Play when opened"), Motion::Full},
+                       {tr("Still until played"), Motion::Reduced}}));
+    form->addRow(
+        tr("&Picture at rest:"),
+        list(&Preferences::quality, tr("Picture at rest"),
+             tr("The number of points drawn while nothing moves. More points make a smoother picture "
+                "and keep the processor busy for longer."),
+             {{tr("Draft: 50 million points"), 50'000'000},
+              {tr("Good: 200 million points"), 200'000'000},
+              {tr("Fine: 1000 million points"), 1'000'000'000}}));
+    form->addRow(
+        tr("&Solids turn like:"),
+        list(&Preferences::trackball, tr("Solids turn like"),
+             tr("How a drag turns a solid. On a turntable, vertical lines stay vertical. A trackball turns "
+                "freely about the axes of the screen, even over the poles; to level the view again, look "
+                "along "
+                "an axis."),
+             {{tr("Turntable"), false}, {tr("Trackball"), true}}));
+    form->addRow(
+        QString(),
+        checkBox(&Preferences::labels, tr("&Names under the symbols of the toolbar"),
+                 tr("When this is on, the toolbar shows the name of each command under its symbol.")));
+    form->addRow(QString(), checkBox(&Preferences::reopen, tr("Re&open last files on startup"),
+                                     tr("When this is on, Barycage reopens the files that were open when you "
+                                        "closed it, each in its own window.")));
+    form->addRow(QString(),
+                 checkBox(&Preferences::keepPrevious, tr("&Keep the previous version of files"),
+                          tr("When this is on, the first time that you save a file after opening it, the "
+                             "version before stays beside it under the same name with “~” behind it, such as "
+                             "maple.ifs~.")));
     return page;
 }
 
@@ -164,9 +144,16 @@ void PreferencesDialog::restoreDefaults() {
     take();
 }
 
-QLayout* PreferencesDialog::restartRow() {
+void PreferencesDialog::addLanguage(QFormLayout* form) {
+    form->addRow(tr("&Language:"),
+                 list(&Preferences::language, tr("Language"),
+                      tr("The language of menus and messages. Files and numbers are the same in every "
+                         "language."),
+                      QList<std::pair<QString, QString>>{{tr("System default"), QString()}} + languages()));
+    m_restart = new QLabel(tr("Restart to change the language."), this);
     m_restart->setForegroundRole(QPalette::PlaceholderText);
     m_restart->setWordWrap(true);
+    m_restartNow = new QPushButton(tr("Restart &Now"), this);
     m_restartNow->setAutoDefault(false);
     m_restartNow->setWhatsThis(
         tr("Closes all windows, asking about unsaved changes first, and opens the same "
@@ -175,19 +162,14 @@ QLayout* PreferencesDialog::restartRow() {
     auto* row = new QHBoxLayout;
     row->addWidget(m_restartNow);
     row->addStretch();
-    return row;
+    form->addRow(QString(), m_restart);
+    form->addRow(QString(), row);
 }
 
 void PreferencesDialog::fill(const Preferences& preferences) {
-    choose(m_language, preferences.language);
-    choose(m_theme, int(preferences.theme));
-    choose(m_motion, int(preferences.motion));
-    choose(m_quality, quint64(preferences.quality));
-    choose(m_turning, preferences.trackball);
-    const QSignalBlocker quiet(m_reopen), quietToo(m_keepPrevious), quietLabels(m_labels);
-    m_labels->setChecked(preferences.labels);
-    m_reopen->setChecked(preferences.reopen);
-    m_keepPrevious->setChecked(preferences.keepPrevious);
+    const QScopedValueRollback filling(m_isFilling, true);
+    for (const Field& field : m_fields)
+        field.show(preferences);
     showRestart(preferences.language != m_spoken);
 }
 
@@ -204,15 +186,10 @@ void PreferencesDialog::setUnsaved(const QStringList& names) {
 }
 
 void PreferencesDialog::take() {
+    if (m_isFilling) return;
     Preferences chosen;
-    chosen.language = m_language->currentData().toString();
-    chosen.theme = Preferences::Theme(m_theme->currentData().toInt());
-    chosen.motion = Preferences::Motion(m_motion->currentData().toInt());
-    chosen.quality = m_quality->currentData().toULongLong();
-    chosen.trackball = m_turning->currentData().toBool();
-    chosen.labels = m_labels->isChecked();
-    chosen.reopen = m_reopen->isChecked();
-    chosen.keepPrevious = m_keepPrevious->isChecked();
+    for (const Field& field : m_fields)
+        field.take(chosen);
     showRestart(chosen.language != m_spoken);
     growToFit(*this);
     chosen.store();

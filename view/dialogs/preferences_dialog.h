@@ -5,11 +5,16 @@
 #include "dialogs/command_palette.h"
 
 #include <QDialog>
+#include <QList>
+
+#include <functional>
+#include <utility>
+#include <vector>
 
 class QCheckBox;
 class QComboBox;
+class QFormLayout;
 class QLabel;
-class QLayout;
 class QPushButton;
 class QTabWidget;
 
@@ -34,24 +39,27 @@ signals:
 private:
     void addPages(const QList<NamedAction>& commands);
     QWidget* generalPage();
-    QLayout* restartRow();
+    void addLanguage(QFormLayout* form);
     void restoreDefaults();
+    // A row of the page: the widget for one preference, which it shows and takes.
+    template <class Value>
+    QComboBox* list(Value Preferences::*member, const QString& name, const QString& whatsThis,
+                    const QList<std::pair<QString, Value>>& choices);
+    QCheckBox* checkBox(bool Preferences::*member, const QString& text, const QString& whatsThis);
     void fill(const Preferences& preferences);
     void take();
     void showRestart(bool shown);
 
     QTabWidget* m_pages;
     QString m_spoken; // the choice of language when the dialog was opened
-    QComboBox* m_language;
-    QLabel* m_restart;
-    QPushButton* m_restartNow;
-    QComboBox* m_theme;
-    QComboBox* m_motion;
-    QComboBox* m_quality;
-    QComboBox* m_turning;
-    QCheckBox* m_labels;
-    QCheckBox* m_reopen;
-    QCheckBox* m_keepPrevious;
+    QLabel* m_restart = nullptr;
+    QPushButton* m_restartNow = nullptr;
+    struct Field {
+        std::function<void(const Preferences&)> show;
+        std::function<void(Preferences&)> take;
+    };
+    std::vector<Field> m_fields; // of the rows
+    bool m_isFilling = false;
 };
 
 } // namespace view

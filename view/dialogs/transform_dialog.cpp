@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "dialogs/transform_dialog.h"
 
+#include "widgets/choices.h"
 #include "widgets/numbers/number_field.h"
 
 #include <QButtonGroup>
@@ -21,8 +22,6 @@ namespace view {
 namespace {
 
 enum class About { Origin, BoxMiddle, Mean, Typed };
-
-enum class AxisChoice { X, Y, Z, Typed };
 
 constexpr std::array<double, TransformDialog::ValueCount> neutral{0, 1, 1, 1,  0, 0, 0, 0,
                                                                   0, 0, 0, 90, 0, 1, 0};
@@ -158,14 +157,14 @@ QWidget* TransformDialog::makeAbout() {
     m_about->setAccessibleName(tr("Fixed point"));
     m_about->setWhatsThis(
         tr("The point about which the fractal is rotated, scaled and reflected; it stays where it is."));
-    m_about->addItem(tr("the origin"), static_cast<int>(About::Origin));
-    m_about->addItem(tr("the centre of the picture’s box"), static_cast<int>(About::BoxMiddle));
-    m_about->addItem(tr("the mean of the invariant measure"), static_cast<int>(About::Mean));
-    m_about->addItem(tr("a point of your choice"), static_cast<int>(About::Typed));
+    addChoice(m_about, tr("the origin"), About::Origin);
+    addChoice(m_about, tr("the centre of the picture’s box"), About::BoxMiddle);
+    addChoice(m_about, tr("the mean of the invariant measure"), About::Mean);
+    addChoice(m_about, tr("a point of your choice"), About::Typed);
     const document::Fractal& fractal = m_document->fractal();
     const bool hasBox = m_dimension == 2 ? document::middleOfBox<2>(fractal).has_value()
                                          : document::middleOfBox<3>(fractal).has_value();
-    m_about->setCurrentIndex(hasBox ? 1 : 0);
+    chooseValue(m_about, hasBox ? About::BoxMiddle : About::Origin);
     connect(m_about, &QComboBox::activated, this, &TransformDialog::chooseAbout);
     return m_about;
 }
@@ -194,9 +193,11 @@ QWidget* TransformDialog::makeAxis() {
     m_axis = new QComboBox(this);
     m_axis->setAccessibleName(tr("Axis of the rotation"));
     m_axis->setWhatsThis(tr("The axis of the rotation; it passes through the fixed point."));
-    m_axis->addItems(
-        {tr("the x axis"), tr("the y axis"), tr("the z axis"), tr("a direction of your choice")});
-    m_axis->setCurrentIndex(static_cast<int>(AxisChoice::Y));
+    addChoice(m_axis, tr("the x axis"), AxisChoice::X);
+    addChoice(m_axis, tr("the y axis"), AxisChoice::Y);
+    addChoice(m_axis, tr("the z axis"), AxisChoice::Z);
+    addChoice(m_axis, tr("a direction of your choice"), AxisChoice::Typed);
+    chooseValue(m_axis, AxisChoice::Y);
     connect(m_axis, &QComboBox::activated, this, &TransformDialog::chooseAxis);
     return m_axis;
 }
@@ -224,8 +225,8 @@ void TransformDialog::follow(Value edited) {
         for (const Value other : {ScaleX, ScaleY, ScaleZ})
             if (other != edited && m_fields[other])
                 m_fields[other]->setValue(from->value(), from->typedText());
-    if (edited >= AboutX && edited <= AboutZ) m_about->setCurrentIndex(static_cast<int>(About::Typed));
-    if (edited >= AxisX && edited <= AxisZ) m_axis->setCurrentIndex(static_cast<int>(AxisChoice::Typed));
+    if (edited >= AboutX && edited <= AboutZ) chooseValue(m_about, About::Typed);
+    if (edited >= AxisX && edited <= AxisZ) chooseValue(m_axis, AxisChoice::Typed);
 }
 
 TransformDialog::Mode TransformDialog::mode() const {
@@ -238,7 +239,7 @@ void TransformDialog::setMode(Mode mode) {
 
 template <int Dim> std::optional<ifs::Vector<Dim>> TransformDialog::chosenPoint() const {
     const document::Fractal& before = m_edit.before();
-    switch (static_cast<About>(m_about->currentData().toInt())) {
+    switch (chosenValue<About>(m_about)) {
     case About::Origin:
         return ifs::Vector<Dim>::Zero();
     case About::BoxMiddle:
@@ -252,13 +253,13 @@ template <int Dim> std::optional<ifs::Vector<Dim>> TransformDialog::chosenPoint(
 }
 
 void TransformDialog::chooseAbout() {
-    if (static_cast<About>(m_about->currentData().toInt()) == About::Typed) {
+    if (chosenValue<About>(m_about) == About::Typed) {
         m_fields[AboutX]->setFocus();
         return;
     }
     const auto fill = [this](const auto& point) {
         if (!point) { // no such point: leave the choice at what is shown
-            m_about->setCurrentIndex(static_cast<int>(About::Typed));
+            chooseValue(m_about, About::Typed);
             return false;
         }
         for (int k = 0; k < point->size(); ++k)
@@ -269,7 +270,7 @@ void TransformDialog::chooseAbout() {
 }
 
 void TransformDialog::chooseAxis() {
-    const auto choice = static_cast<AxisChoice>(m_axis->currentIndex());
+    const auto choice = chosenValue<AxisChoice>(m_axis);
     if (choice == AxisChoice::Typed) {
         m_fields[AxisX]->setFocus();
         return;
@@ -354,7 +355,7 @@ void TransformDialog::startAgain() {
     for (std::size_t value = 0; value < ValueCount; ++value)
         if (m_fields[value]) m_fields[value]->setValue(neutral[value]);
     if (m_reflect) m_reflect->setChecked(false);
-    if (m_axis) m_axis->setCurrentIndex(static_cast<int>(AxisChoice::Y));
+    if (m_axis) chooseValue(m_axis, AxisChoice::Y);
     chooseAbout();
 }
 

@@ -30,6 +30,7 @@ public:
     explicit TransformDialog(document::Document* document, QWidget* parent = nullptr);
 
     enum class Mode { Place, Rewrite };
+    enum class AxisChoice { X, Y, Z, Typed };
     void setMode(Mode mode);
     Mode mode() const;
 

@@ -9,6 +9,7 @@
 #include "document/fractal_file.h"
 #include "io/file/background.h"
 #include "transformation/theft_export.h"
+#include "widgets/choices.h"
 #include "widgets/file_dialogs.h"
 #include "widgets/text/tooltip_text.h"
 
@@ -54,7 +55,8 @@ TheftExportDialog::~TheftExportDialog() {
 void TheftExportDialog::createOptions() {
     m_options = new QWidget(this);
     m_section = new QComboBox(m_options);
-    m_section->addItems({tr("The view on the canvas"), tr("The whole attractor")});
+    addChoice(m_section, tr("The view on the canvas"), Section::View);
+    addChoice(m_section, tr("The whole attractor"), Section::Attractor);
     m_section->setAccessibleName(tr("Section"));
     m_section->setWhatsThis(
         tr("What the picture shows: the view on the canvas, or the whole attractor with a small margin."));
@@ -70,7 +72,7 @@ void TheftExportDialog::createOptions() {
 }
 
 void TheftExportDialog::setSection(Section section) {
-    m_section->setCurrentIndex(int(section));
+    chooseValue(m_section, section);
 }
 
 void TheftExportDialog::setFolder(const QString& folder) {
@@ -83,14 +85,13 @@ QSize TheftExportDialog::pixels() const {
 
 attractor::Camera TheftExportDialog::camera(const QSize& size) const {
     const attractor::Camera camera = resized(m_job.from.camera, size);
-    if (Section(m_section->currentIndex()) == Section::View) return camera;
+    if (chosenValue<Section>(m_section) == Section::View) return camera;
     const std::optional<document::Box> box = m_extent.result(); // waits
     return box ? attractor::fitted(camera, box->min, box->max) : camera;
 }
 
 void TheftExportDialog::update() {
-    const bool isKnown =
-        Section(m_section->currentIndex()) == Section::View || m_extent.future().isFinished();
+    const bool isKnown = chosenValue<Section>(m_section) == Section::View || m_extent.future().isFinished();
     if (!isKnown) return m_preview->show(pixels(), nullptr);
     m_preview->show(pixels(),
                     [job = m_job, whole = camera(pixels())](const QSize& size, const std::stop_token& stop) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "transformation/transformation_bar.h"
 
+#include "widgets/choices.h"
 #include "widgets/flat_buttons.h"
 #include "widgets/menus/menu_button.h"
 #include "widgets/text/elided_label.h"
@@ -89,11 +90,11 @@ TransformationBar::TransformationBar(QWidget* parent)
       m_status(new ElidedLabel(this)) {
     setAccessibleName(tr("Fractal transformation"));
     m_mode->setMinimumContentsLength(moreLetters);
-    m_mode->addItem(tr("Steal Colours"), int(TheftMode::StealColours));
-    m_mode->addItem(tr("Transform a Picture"), int(TheftMode::TransformPicture));
-    m_mode->addItem(tr("Deformation Grid"), int(TheftMode::DeformationGrid));
-    m_mode->addItem(tr("Filter: Reduce"), int(TheftMode::Reduce));
-    m_mode->addItem(tr("Filter: Posterise"), int(TheftMode::Posterise));
+    addChoice(m_mode, tr("Steal Colours"), TheftMode::StealColours);
+    addChoice(m_mode, tr("Transform a Picture"), TheftMode::TransformPicture);
+    addChoice(m_mode, tr("Deformation Grid"), TheftMode::DeformationGrid);
+    addChoice(m_mode, tr("Filter: Reduce"), TheftMode::Reduce);
+    addChoice(m_mode, tr("Filter: Posterise"), TheftMode::Posterise);
     addPictures();
     addStarters();
     m_export = flatButton(QString(), tr("Export…"), tr("Save the stolen picture as PNG"), this);
@@ -127,9 +128,8 @@ TransformationBar::TransformationBar(QWidget* parent)
     m_rows->addLayout(last);
 
     connect(m_partner, &QComboBox::activated, this,
-            [this](int row) { emit partnerChosen(document::EntryId(m_partner->itemData(row).toUInt())); });
-    connect(m_mode, &QComboBox::activated, this,
-            [this](int row) { emit modeChosen(TheftMode(m_mode->itemData(row).toInt())); });
+            [this] { emit partnerChosen(chosenValue<document::EntryId>(m_partner)); });
+    connect(m_mode, &QComboBox::activated, this, [this] { emit modeChosen(chosenValue<TheftMode>(m_mode)); });
     connect(m_export, &QToolButton::clicked, this, &TransformationBar::exportWanted);
     connect(m_overlay, &QToolButton::toggled, this, &TransformationBar::overlaid);
     connect(m_stack, &QToolButton::toggled, this, &TransformationBar::stacked);
@@ -186,12 +186,12 @@ void TransformationBar::show(const document::FractalFile& file, document::EntryI
         if (entry.id == current)
             m_from->setText(tr("%1 →").arg(entry.fractal->name));
         else if (document::plane(*entry.fractal))
-            m_partner->addItem(entry.fractal->name, uint(entry.id));
+            addChoice(m_partner, entry.fractal->name, entry.id);
     }
     m_from->setMaximumWidth(m_from->sizeHint().width());
-    m_partner->setCurrentIndex(m_partner->findData(uint(partner)));
+    chooseValue(m_partner, partner);
     m_partner->setEnabled(m_partner->count() > 0);
-    m_mode->setCurrentIndex(m_mode->findData(int(theft.mode)));
+    chooseValue(m_mode, theft.mode);
     m_embed->setEnabled(!theft.picture.isEmpty());
     m_embed->setChecked(!theft.embedded.isEmpty());
     m_picture->setEnabled(theft.mode != TheftMode::DeformationGrid);

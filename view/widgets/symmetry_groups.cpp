@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "widgets/symmetry_groups.h"
 #include "document/text/text.h"
+#include "widgets/choices.h"
 
 #include <QComboBox>
 #include <QSignalBlocker>
@@ -24,7 +25,7 @@ bool hasMirrors(ifs::SymmetryGroup group) {
 void fillSymmetryGroups(QComboBox* box, int dimension) {
     const QSignalBlocker quiet(box);
     box->clear();
-    const auto add = [&](const QString& text, ifs::SymmetryGroup group) { box->addItem(text, int(group)); };
+    const auto add = [box](const QString& text, ifs::SymmetryGroup group) { addChoice(box, text, group); };
     add(Text::tr("None"), None);
     add(Text::tr("Mirror"), Mirror);
     add(Text::tr("Rotation"), Rotation);
@@ -36,7 +37,7 @@ void fillSymmetryGroups(QComboBox* box, int dimension) {
 }
 
 ifs::SymmetryGroup chosenSymmetryGroup(const QComboBox* box) {
-    return static_cast<ifs::SymmetryGroup>(box->currentData().toInt());
+    return chosenValue<ifs::SymmetryGroup>(box);
 }
 
 } // namespace view

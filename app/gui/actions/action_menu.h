@@ -12,6 +12,7 @@
 
 #include <functional>
 
+class Panels;
 class Stage;
 
 // What an action shows, and the keys that trigger it.
@@ -32,6 +33,7 @@ struct MenuContext {
     view::CanvasView* canvas;
     WindowMessages* messages;
     Stage* stage; // shows the canvas, or the window into space
+    const Panels* panels;
 };
 
 // A menu that builds its actions from specs. They belong to the window, too, so that their shortcuts work

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "files/dropped_picture.h"
 
+#include "docks/panels.h"
 #include "document/text/text.h"
 #include "io/file/background.h"
 #include "io/file/save_file.h"
@@ -11,7 +12,6 @@
 #include "panels/collage/target_box.h"
 #include "widgets/background/wait_for.h"
 
-#include <QDockWidget>
 #include <QFileInfo>
 #include <QMainWindow>
 
@@ -39,11 +39,10 @@ bool isPlainPicture(const QString& path, QWidget* window) {
 
 } // namespace
 
-bool takeAsTarget(const QStringList& paths, QMainWindow& window, view::CollagePanel& panel) {
+bool takeAsTarget(const QStringList& paths, QMainWindow& window, const Panels& panels,
+                  view::CollagePanel& panel) {
     if (paths.size() != 1 || !isPlainPicture(paths.front(), &window)) return false;
-    auto* dock = window.findChild<QDockWidget*>(QStringLiteral("collage"));
-    dock->show();
-    dock->raise();
+    panels.show(Panel::Collage);
     panel.target()->read(paths.front());
     return true;
 }

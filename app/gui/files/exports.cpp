@@ -43,12 +43,6 @@ void connectPanel(QDockWidget* panel, WindowMessages* messages) {
     });
 }
 
-void showPanel(const QMainWindow& window) {
-    auto* panel = window.findChild<QDockWidget*>(QStringLiteral("exports"));
-    panel->show();
-    panel->raise();
-}
-
 namespace {
 
 // Whether its export may be stopped, or has ended before anybody answered.

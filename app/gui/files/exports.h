@@ -20,7 +20,6 @@ view::ExportQueue* queue();
 
 // The panel of a window, hidden at first: it appears with what earlier runs have left.
 void connectPanel(QDockWidget* panel, WindowMessages* messages);
-void showPanel(const QMainWindow& window);
 
 // A window closes, and the program with it or with the last one: whether it may, which the user is asked
 // while an animation is exported from this window or exports are not done.

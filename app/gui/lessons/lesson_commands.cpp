@@ -2,6 +2,7 @@
 #include "lessons/lesson_commands.h"
 
 #include "desktop/preferences.h"
+#include "docks/panels.h"
 #include "document/text/unique_names.h"
 #include "files/file_commands.h"
 #include "files/open_file.h"
@@ -187,13 +188,13 @@ void LessonCommands::setFiles(FileCommands* commands, OpenFile* file) {
     });
 }
 
-void LessonCommands::setDock(QDockWidget* dock) {
-    m_dock = dock;
-    QList<QPair<QString, QString>> panels;
-    for (const auto* each : m_parts.window->findChildren<QDockWidget*>(Qt::FindDirectChildrenOnly))
-        if (each != dock && each->objectName() != QLatin1String("problems"))
-            panels.append({each->objectName(), each->windowTitle()});
-    m_panel->setPanels(panels);
+void LessonCommands::setPanels(const Panels& panels) {
+    m_dock = panels.dock(Panel::Lesson);
+    QList<QPair<QString, QString>> offered;
+    for (const auto& [panel, id] : ifs::names<Panel>)
+        if (panels.dock(panel) && panel != Panel::Lesson && panel != Panel::Problems)
+            offered.append({QLatin1String(id), factsOf(panel).title});
+    m_panel->setPanels(offered);
 }
 
 // Steps that nobody saved stay until the user gives them up: they may be all that is left.

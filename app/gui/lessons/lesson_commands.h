@@ -8,6 +8,7 @@
 
 class FileCommands;
 class OpenFile;
+class Panels;
 class QDockWidget;
 namespace view {
 class LessonPanel;
@@ -23,7 +24,7 @@ public:
 
     void setFiles(FileCommands* commands, OpenFile* file); // which it then follows
     view::LessonPanel* panel() const { return m_panel; }
-    void setDock(QDockWidget* dock); // that holds the panel
+    void setPanels(const Panels& panels); // those that lessons show, and its own
 
     bool open(const QString& path); // the lesson and its file; reports what failed
     bool maybeSave();               // ends the lesson, asks about unsaved steps; false: the user cancelled

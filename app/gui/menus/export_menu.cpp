@@ -8,6 +8,7 @@
 #include "dialogs/export/export_dialog.h"
 #include "dialogs/export/export_progress.h"
 #include "dialogs/export/space_export_dialog.h"
+#include "docks/panels.h"
 #include "document/edits/cage/cage_edits.h"
 #include "document/moments/animated_fractal.h"
 #include "files/exports.h"
@@ -86,14 +87,14 @@ void ExportMenu::exportPicture() {
         space->setAttribute(Qt::WA_DeleteOnClose);
         space->setQueue(exports::queue());
         connect(space, &view::SpaceExportDialog::queued, context().window,
-                [window = context().window] { exports::showPanel(*window); });
+                [panels = context().panels] { panels->show(Panel::Exports); });
         return space->show();
     }
     auto* dialog = new view::ExportDialog(context().document, context().canvas->camera(), context().window);
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     dialog->setQueue(exports::queue());
     connect(dialog, &view::ExportDialog::queued, context().window,
-            [window = context().window] { exports::showPanel(*window); });
+            [panels = context().panels] { panels->show(Panel::Exports); });
     if (context().canvas->navigation().isFitted()) dialog->setSection(view::ExportDialog::Section::Attractor);
     const QString folder = QFileInfo(m_file->path()).absolutePath();
     const auto isWritable = [folder] { return QFileInfo(folder).isWritable(); };

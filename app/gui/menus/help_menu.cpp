@@ -26,7 +26,7 @@ HelpMenu::HelpMenu(const MenuContext& context) : ActionMenu(context, tr("&Help")
          tr("&Tour"),
          {},
          tr("Six short steps that you do yourself: drag, squeeze, undo, collection, wind, export")},
-        [window, document = context.document] { Tour::start(window, document); });
+        [context] { Tour::start(context.window, context.document, *context.panels); });
     QAction* what = QWhatsThis::createAction(window);
     what->setText(tr("&What’s This?"));
     what->setIcon(view::icon(QStringLiteral("help")));

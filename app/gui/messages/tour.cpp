@@ -18,6 +18,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -28,38 +29,49 @@ constexpr int gap = 3; // between the frame and its target
 // What a step is done by.
 enum class Deed { Drag, Squeeze, Undo, Open, Move, Export, GoOn, EditMap, ChooseBranch };
 
-// The canvas or a panel of the window, by its object name.
 struct Step {
     Deed deed;
-    const char* target; // empty: the canvas
+    std::optional<Panel> target; // none: the canvas
     const char* title;
     const char* text;
     int column = -1; // of the table of maps, that is spoken of
 };
 
 constexpr Step steps[] = {
-    {Deed::Drag, "", QT_TRANSLATE_NOOP("Tour", "Drag"),
+    {Deed::Drag,
+     {},
+     QT_TRANSLATE_NOOP("Tour", "Drag"),
      QT_TRANSLATE_NOOP("Tour", "Drag a corner of the triangle: the whole picture follows.")},
-    {Deed::Squeeze, "", QT_TRANSLATE_NOOP("Tour", "Squeeze"),
+    {Deed::Squeeze,
+     {},
+     QT_TRANSLATE_NOOP("Tour", "Squeeze"),
      QT_TRANSLATE_NOOP("Tour", "Push a corner onto the opposite side until the picture is flat, then pull it "
                                "open again.")},
-    {Deed::Undo, "", QT_TRANSLATE_NOOP("Tour", "Undo"),
+    {Deed::Undo,
+     {},
+     QT_TRANSLATE_NOOP("Tour", "Undo"),
      QT_TRANSLATE_NOOP("Tour", "Press Ctrl+Z to take back what you have just done.")},
-    {Deed::Open, "collection", QT_TRANSLATE_NOOP("Tour", "Collection"),
+    {Deed::Open, Panel::Collection, QT_TRANSLATE_NOOP("Tour", "Collection"),
      QT_TRANSLATE_NOOP("Tour", "Double-click a picture of the collection that you like.")},
-    {Deed::Move, "timeline", QT_TRANSLATE_NOOP("Tour", "Wind"),
+    {Deed::Move, Panel::Timeline, QT_TRANSLATE_NOOP("Tour", "Wind"),
      QT_TRANSLATE_NOOP("Tour", "Press Wind in the timeline and watch the picture sway.")},
-    {Deed::Export, "", QT_TRANSLATE_NOOP("Tour", "Export"),
+    {Deed::Export,
+     {},
+     QT_TRANSLATE_NOOP("Tour", "Export"),
      QT_TRANSLATE_NOOP("Tour", "Press Ctrl+E to save the picture for others.")},
-    {Deed::GoOn, "", QT_TRANSLATE_NOOP("Tour", "That Is It"),
+    {Deed::GoOn,
+     {},
+     QT_TRANSLATE_NOOP("Tour", "That Is It"),
      QT_TRANSLATE_NOOP("Tour", "Three more steps show what the picture is made of.")},
-    {Deed::EditMap, "maps", QT_TRANSLATE_NOOP("Tour", "Map"),
+    {Deed::EditMap, Panel::Maps, QT_TRANSLATE_NOOP("Tour", "Map"),
      QT_TRANSLATE_NOOP("Tour", "Each row is a map that makes one smaller copy of the whole: double-click a "
                                "number and type another.")},
-    {Deed::ChooseBranch, "", QT_TRANSLATE_NOOP("Tour", "Address"),
+    {Deed::ChooseBranch,
+     {},
+     QT_TRANSLATE_NOOP("Tour", "Address"),
      QT_TRANSLATE_NOOP("Tour", "Click a point: the maps that lead there are its address, and you hold the "
                                "branch that they make.")},
-    {Deed::EditMap, "maps", QT_TRANSLATE_NOOP("Tour", "Norm"),
+    {Deed::EditMap, Panel::Maps, QT_TRANSLATE_NOOP("Tour", "Norm"),
      QT_TRANSLATE_NOOP("Tour",
                        "‖A‖ is how far a map stretches at most: change a number, and keep it below 1."),
      view::MapsModel::Contraction},
@@ -86,15 +98,16 @@ protected:
 
 } // namespace
 
-void Tour::start(QMainWindow* window, document::Document* document) {
+void Tour::start(QMainWindow* window, document::Document* document, const Panels& panels) {
     for (Tour* old : window->findChildren<Tour*>(Qt::FindDirectChildrenOnly))
         delete old;
-    (new Tour(window, document))->showStep(0);
+    (new Tour(window, document, panels))->showStep(0);
 }
 
-Tour::Tour(QMainWindow* host, document::Document* document)
+Tour::Tour(QMainWindow* host, document::Document* document, const Panels& panels)
     : MessageBanner(host),
       m_document(document),
+      m_panels(panels),
       m_mark(new Mark(host)),
       m_progress(new QLabel(this)),
       m_title(createTitle()),
@@ -242,13 +255,11 @@ void Tour::keepSize() {
 }
 
 void Tour::point(int step) {
-    const QString name = QString::fromLatin1(steps[step].target);
-    auto* dock = name.isEmpty() ? nullptr : host()->findChild<QDockWidget*>(name);
+    const std::optional<::Panel> panel = steps[step].target;
     auto* canvas = host()->findChild<view::CanvasView*>();
-    if (dock) {
-        dock->show();
-        dock->raise();
-        m_target = dock;
+    if (panel) {
+        m_panels.show(*panel);
+        m_target = m_panels.dock(*panel);
     } else if (canvas) {
         using Tool = view::CanvasView::Tool;
         canvas->options().setOverlaysVisible(true);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "docks/panels.h"
 #include "document/document.h"
 #include "messages/message_banner.h"
 
@@ -18,7 +19,7 @@ class Tour : public MessageBanner {
 
 public:
     // The newest tour of the window, from its first step.
-    static void start(QMainWindow* window, document::Document* document);
+    static void start(QMainWindow* window, document::Document* document, const Panels& panels);
 
     static constexpr int handSteps = 6;    // by the hand; after them the tour asks whether to go on
     static constexpr int rest = handSteps; // the step that asks
@@ -29,7 +30,7 @@ protected:
     QPoint topLeft() override;
 
 private:
-    Tour(QMainWindow* host, document::Document* document);
+    Tour(QMainWindow* host, document::Document* document, const Panels& panels);
     ~Tour() override;
 
     void connectDeeds();
@@ -43,6 +44,7 @@ private:
     bool isFlat() const; // the cage
 
     document::Document* m_document;
+    Panels m_panels;
     QPointer<QWidget> m_mark; // the frame around the target
     QPointer<QWidget> m_target;
     int m_step = -1;

@@ -10,6 +10,7 @@
 #include "session_fixture.h"
 #include "space/space_view.h"
 #include "stage/stage.h"
+#include "support/commands.h"
 #include "support/named_test.h"
 #include "welcome.h"
 
@@ -466,13 +467,8 @@ void ActionMenuTest::otherDimensionsAreOneStep() {
     MainWindow* window = shown({});
     document::Document& document = window->document();
     document.setFile(document::fileOf(fractal));
-    const auto actionOf = [window](const QString& name) {
-        const QList<QAction*> all = window->findChildren<QAction*>();
-        return *std::ranges::find_if(
-            all, [&](const QAction* action) { return action->text().remove(u'&') == name; });
-    };
-    QAction* lift = actionOf(QStringLiteral("Lift to Space"));
-    QAction* flatten = actionOf(QStringLiteral("Flatten to the Plane"));
+    QAction* lift = support::command(*window, "lift-to-space");
+    QAction* flatten = support::command(*window, "flatten-to-the-plane");
     const auto tells = [](const QAction* action, const QString& what) {
         return action->statusTip().contains(what) && action->toolTip().contains(what);
     };

@@ -8,6 +8,8 @@
 #include "document/fractal/fractal_geometry.h"
 #include "space/space_view.h"
 #include "stage/stage.h"
+#include "support/choose.h"
+#include "support/commands.h"
 #include "support/events.h"
 #include "support/named_test.h"
 
@@ -172,8 +174,7 @@ void CompareTest::entriesChangePlaces() {
     pane()->setViewsLinked(true);
     canvas()->navigation().zoomBy(2);
     const attractor::Camera camera = canvas()->camera();
-    entries()->setCurrentIndex(entries()->findText(u"b"_s));
-    emit entries()->activated(entries()->currentIndex());
+    support::choose(entries(), idOf(u"b"_s));
     QCOMPARE(shown(), u"b"_s);
     support::handleEvents();
     for (const view::CanvasView* each : {canvas(), pane()->plane()}) {
@@ -190,10 +191,7 @@ void CompareTest::rotationsGoWithTheEntries() {
     const auto rotations = [this] {
         return QList<double>{canvas()->navigation().rotation(), pane()->plane()->navigation().rotation()};
     };
-    const auto showBeside = [this](const QString& name) {
-        entries()->setCurrentIndex(entries()->findText(name));
-        emit entries()->activated(entries()->currentIndex());
-    };
+    const auto showBeside = [this](const QString& name) { support::choose(entries(), idOf(name)); };
     canvas()->navigation().rotateBy(30);
     pane()->plane()->navigation().rotateBy(-45);
     document().setCurrent(idOf(u"b"_s)); // they change places
@@ -203,8 +201,7 @@ void CompareTest::rotationsGoWithTheEntries() {
     QCOMPARE(rotations(), QList<double>({-45, 0}));
     showBeside(u"a"_s);
     QCOMPARE(rotations(), QList<double>({-45, 30}));
-    for (QAction* action : m_window->findChildren<QAction*>())
-        if (action->text().remove(u'&') == u"Presentation"_s) action->trigger();
+    support::command(*m_window, "presentation")->trigger();
     document().setCurrent(idOf(u"a"_s));
     QCOMPARE(rotations(), QList<double>({30, -45}));
     document().setCurrent(idOf(u"c"_s)); // in place of a
@@ -345,7 +342,7 @@ void CompareTest::branchesOfBothAreDragged() {
     document().undoStack()->undo();
     QVERIFY(*document().file().entries[1].fractal == before);
     // Put Back is about the same entry.
-    bar->edit()->setCurrentIndex(2); // Only here
+    support::choose(bar->edit(), document::BranchEdit::Display);
     QTRY_VERIFY(other->navigation().pointNear(pixel()));
     QTest::mouseClick(other->viewport(), Qt::LeftButton, {}, pixel());
     QCOMPARE(choice.branch().size(), std::size_t(3));
@@ -366,19 +363,15 @@ void CompareTest::waysOfTheWindowHoldForBoth() {
     const QByteArray solid = " (3D) {\n .5 0 0 0 .5 0 0 0 .5 0 0 0 1\n .5 0 0 0 .5 0 0 0 .5 .5 .5 .5 1\n"
                              " .5 0 0 0 .5 0 0 0 .5 .5 0 0 1\n}\n";
     open("a" + solid + "b" + solid);
-    const auto choose = [this](const QString& name) {
-        for (QAction* action : m_window->findChildren<QAction*>())
-            if (action->text().remove(u'&') == name) return action->trigger();
-        QFAIL(qPrintable(name));
-    };
-    choose(u"Z Up"_s);
+    const auto choose = [this](const char* id) { support::command(*m_window, id)->trigger(); };
+    choose("z-up");
     QTest::keyClick(m_window.get(), Qt::Key_B, Qt::ControlModifier | Qt::ShiftModifier);
     QTRY_VERIFY(pane()->isVisible() && pane()->space()->isVisible());
     view::SpaceView* own = m_window->findChild<Stage*>()->space();
     view::SpaceView* other = pane()->space();
     QCOMPARE(other->navigation().upAxis(), attractor::UpAxis::Z);
     pane()->setViewsLinked(true);
-    choose(u"Z Up"_s);
+    choose("z-up");
     QCOMPARE(other->navigation().upAxis(), attractor::UpAxis::Y);
     const auto turned = own->navigation().camera().orientation.coeffs();
     QVERIFY(other->navigation().camera().orientation.coeffs() == turned);
@@ -410,9 +403,9 @@ void CompareTest::waysOfTheWindowHoldForBoth() {
         return stopped;
     };
     QVERIFY(isStopped());
-    choose(u"Allow Systems without an Attractor"_s);
+    choose("allow-systems-without-an-attractor");
     QVERIFY(!isStopped());
-    choose(u"Allow Systems without an Attractor"_s);
+    choose("allow-systems-without-an-attractor");
     QVERIFY(isStopped());
     QCOMPARE(document().undoStack()->count(), 0);
 }

@@ -4,6 +4,7 @@
 #include "app/gui/window_fixture.h"
 #include "panels/maps/symmetry_row.h"
 #include "space/space_view.h"
+#include "support/choose.h"
 #include "support/named_test.h"
 
 #include <QComboBox>
@@ -41,10 +42,8 @@ private:
                 map.map.translation *= factor;
         document().edit(u"Scale"_s, changed);
     }
-    void chooseSymmetry(int group) const {
-        QComboBox* groups = m_window->findChild<view::SymmetryRow*>()->groups();
-        groups->setCurrentIndex(group);
-        emit groups->activated(group);
+    void chooseSymmetry(ifs::SymmetryGroup group) const {
+        support::choose(m_window->findChild<view::SymmetryRow*>()->groups(), group);
     }
     // Until what is searched in the background has been found.
     void awaitFit(const attractor::Camera& before) const { QTRY_VERIFY(!(plane().camera() == before)); }
@@ -53,7 +52,7 @@ private:
 void FittedViewsTest::undoOfASymmetryTakesTheViewBack() {
     plane().fit();
     const attractor::Camera before = plane().camera();
-    chooseSymmetry(1);
+    chooseSymmetry(ifs::SymmetryGroup::Mirror);
     awaitFit(before);
     const attractor::Camera symmetric = plane().camera();
     history().undo();
@@ -83,7 +82,7 @@ void FittedViewsTest::undoTakesBackAFitAfterTheEdit() {
 
 void FittedViewsTest::theViewThatTheUserMovedStays() {
     plane().fit();
-    chooseSymmetry(1);
+    chooseSymmetry(ifs::SymmetryGroup::Mirror);
     plane().zoomBy(3);
     const attractor::Camera zoomed = plane().camera();
     history().undo();

@@ -12,6 +12,7 @@
 #include "panels/maps/maps_model.h"
 #include "panels/maps/maps_panel.h"
 #include "support/background_rest.h"
+#include "support/commands.h"
 #include "support/named_test.h"
 #include "support/own_settings.h"
 #include "support/patient_tries.h"
@@ -272,13 +273,9 @@ void LargeFilesTest::editMaps(int count) {
 }
 
 void LargeFilesTest::openDialogs() {
-    const auto choose = [this](const char* name) {
-        for (QAction* action : m_window->findChildren<QAction*>())
-            if (action->text().remove(u'&') == QString::fromUtf8(name)) return action->trigger();
-        QFAIL(name);
-    };
-    doing("affine invariant form", [&] { choose("Affine Invariant Form…"); });
-    doing("mutate", [&] { choose("Variations…"); });
+    const auto choose = [this](const char* id) { support::command(*m_window, id)->trigger(); };
+    doing("affine invariant form", [&] { choose("affine-invariant-form"); });
+    doing("mutate", [&] { choose("mutate"); });
     auto* ring = m_window->findChild<view::VariationRing*>();
     QTRY_VERIFY(!view::PictureTiles::shown(ring->indexFromItem(ring->childItem(0))).pixmap.isNull());
     doing("leave the dialogs", [&] {

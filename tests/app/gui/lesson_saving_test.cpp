@@ -2,6 +2,7 @@
 #include "app/gui/choose_file.h"
 #include "app/gui/session_fixture.h"
 #include "panels/lesson/lesson_notebook.h"
+#include "support/commands.h"
 #include "support/named_test.h"
 
 #include <QAction>
@@ -20,11 +21,7 @@ private slots:
 // The fractals, which have no file yet, are saved beside it, and over nothing.
 void LessonSavingTest::aNewLessonAsksForOneFile() {
     MainWindow* window = shown({});
-    const auto action = [window](const char* text) -> QAction* {
-        for (auto* each : window->findChildren<QAction*>())
-            if (each->text().remove(u'&') == QString::fromUtf8(text)) return each;
-        return nullptr;
-    };
+    const auto command = [window](const char* id) { return support::command(*window, id); };
     auto* notebook = window->findChild<view::LessonNotebook*>();
     const QTemporaryDir folder;
     const QString path = folder.filePath(QStringLiteral("mine.lesson"));
@@ -32,8 +29,8 @@ void LessonSavingTest::aNewLessonAsksForOneFile() {
     QVERIFY(taken.open(QIODevice::WriteOnly));
     taken.write("other {\n .5 0 0 .5 0 0 1\n}\n");
     taken.close();
-    QVERIFY(window->path().isEmpty() && notebook && action("Add Step") && action("Save Lesson…"));
-    action("Add Step")->trigger();
+    QVERIFY(window->path().isEmpty() && notebook);
+    command("add")->trigger();
     int dialogs = 0;
     const QWidget* last = nullptr;
     QTimer counting;
@@ -45,7 +42,7 @@ void LessonSavingTest::aNewLessonAsksForOneFile() {
     counting.start(5);
     QTimer answering;
     support::chooseFile(answering, path);
-    action("Save Lesson…")->trigger();
+    command("save-lesson")->trigger();
     answering.stop();
     QCOMPARE(dialogs, 1);
     QCOMPARE(window->path(), folder.filePath(QStringLiteral("mine-2.ifs")));

@@ -11,6 +11,7 @@
 #include "session/session.h"
 #include "space/space_view.h"
 #include "support/background_rest.h"
+#include "support/commands.h"
 #include "support/named_test.h"
 
 #include <QAction>
@@ -57,6 +58,7 @@ private:
     view::CanvasView* canvas() const { return m_window->findChild<view::CanvasView*>(); }
     view::LessonNotebook* notebook() const { return m_window->findChild<view::LessonNotebook*>(); }
     view::LessonCard* card() const { return m_window->findChild<view::LessonCard*>(); }
+    QAction* command(const char* id) const { return support::command(*m_window, id); }
     QAction* action(const QString& text) const {
         for (auto* found : m_window->findChildren<QAction*>())
             if (found->text().remove(u'&') == text) return found;
@@ -111,7 +113,7 @@ void write(const QString& path, const QByteArray& bytes) {
 // One of the maple with its cage moved, one of the flower zoomed in, one of steps.
 void LessonTest::recordThree() {
     moveCorner(0.5);
-    action(u"Add Step"_s)->trigger();
+    command("add")->trigger();
     QCOMPARE(m_window->focusWidget()->accessibleName(), u"Title of the step"_s); // what is typed is its text
     notebook()->setStepTitle(u"First"_s);
     notebook()->setText(u"Look at the corner."_s);
@@ -119,7 +121,7 @@ void LessonTest::recordThree() {
     document().setCurrent(idOf(u"flower"_s));
     canvas()->navigation().zoomBy(3);
     canvas()->setTool(view::CanvasView::Tool::Maps);
-    action(u"Add Step"_s)->trigger();
+    command("add")->trigger();
     notebook()->setText(u"Two maps."_s);
     canvas()->setTool(view::CanvasView::Tool::Cage);
     document().setCurrent(idOf(u"maple"_s));
@@ -127,7 +129,7 @@ void LessonTest::recordThree() {
     construction->setMode(view::Construction::Mode::Steps);
     construction->setStep(2);
     canvas()->options().setGridVisible(false);
-    action(u"Add Step"_s)->trigger();
+    command("add")->trigger();
     notebook()->setText(u"Two steps."_s);
     construction->setMode(view::Construction::Mode::Density);
     canvas()->options().setGridVisible(true);
@@ -166,13 +168,13 @@ void LessonTest::stepsKeepHowAFittedViewIsTurned() {
     plane.rotateBy(30);
     plane.setYAxis(attractor::YAxis::Down);
     plane.fit();
-    action(u"Add Step"_s)->trigger();
+    command("add")->trigger();
     const double turned = plane.rotation();
     QVERIFY(turned != 0);
     plane.resetRotation();
     plane.setYAxis(attractor::YAxis::Up);
     plane.fit();
-    action(u"Add Step"_s)->trigger();
+    command("add")->trigger();
     show(0);
     QCOMPARE(plane.rotation(), turned);
     QCOMPARE(plane.yAxis(), attractor::YAxis::Down);
@@ -196,9 +198,9 @@ void LessonTest::stepsKeepHowAFittedViewIsTurned() {
         return camera.orientation.coeffs();
     };
     const auto first = lookFrom(70);
-    action(u"Add Step"_s)->trigger();
+    command("add")->trigger();
     lookFrom(-20);
-    action(u"Play Lesson"_s)->trigger();
+    command("play-lesson")->trigger();
     QCOMPARE(space.camera().orientation.coeffs(), first);
     QVERIFY(space.isFitted());
     const auto before = lookFrom(10);
@@ -221,7 +223,7 @@ void LessonTest::playingChangesNothing() {
     auto* maps = m_window->findChild<QDockWidget*>(u"maps"_s);
     auto* bar = m_window->findChild<QToolBar*>(u"construction"_s);
 
-    action(u"Play Lesson"_s)->trigger();
+    command("play-lesson")->trigger();
     QTRY_VERIFY(m_window->isFullScreen() && card() && card()->isVisible());
     QVERIFY(maps->isHidden() && !m_window->menuBar()->isVisible());
     QVERIFY(shownText().contains(u"First"_s) && shownText().contains(u"1 of 3"_s));
@@ -258,7 +260,7 @@ void LessonTest::playingChangesNothing() {
 void LessonTest::editsAreTakenBackAtEveryStep() {
     recordThree();
     document().undoStack()->setClean();
-    action(u"Play Lesson"_s)->trigger();
+    command("play-lesson")->trigger();
     const document::Fractal shown = document().fractal();
     moveCorner(1);
     moveCorner(1);
@@ -275,7 +277,7 @@ void LessonTest::editsAreTakenBackAtEveryStep() {
     QVERIFY(document().fractal() == made);
     document().undoStack()->setClean();
     // Undo beyond the beginning of the lesson does no harm.
-    action(u"Play Lesson"_s)->trigger();
+    command("play-lesson")->trigger();
     document().undoStack()->setIndex(0);
     moveCorner(3);
     for (int i = 0; i < 2; ++i) {
@@ -293,7 +295,7 @@ void LessonTest::theTextCoversNothing() {
     analysis->show(); // and is there again after the lesson
     recordThree();
     document().undoStack()->setClean();
-    action(u"Play Lesson"_s)->trigger();
+    command("play-lesson")->trigger();
     QTRY_VERIFY(m_window->isFullScreen() && card()->isVisible());
     const auto global = [](const QWidget* widget) {
         return QRect(widget->mapToGlobal(QPoint()), widget->size());
@@ -307,7 +309,7 @@ void LessonTest::theTextCoversNothing() {
     QTest::keyClick(canvas(), Qt::Key_Escape);
     state.panels = {u"analysis"_s, u"nothing-of-this-name"_s};
     notebook()->setState(state);
-    action(u"Play Lesson"_s)->trigger();
+    command("play-lesson")->trigger();
     QTRY_VERIFY(analysis->isVisible());
     QTest::keyClick(canvas(), Qt::Key_PageDown);
     QVERIFY(analysis->isHidden());
@@ -322,11 +324,11 @@ void LessonTest::theFileIsNotSavedMeanwhile() {
     write(path, "a {\n .5 0 0 .5 0 0 1\n}\n");
     QVERIFY(m_window->openPath(path));
     canvas()->options().setAxesVisible(true);
-    action(u"Add Step"_s)->trigger();
+    command("add")->trigger();
     document::LessonState state = notebook()->lesson().steps[0].state;
     state.colourBy = attractor::ColourBy::Map; // not as in the file
     notebook()->setState(state);
-    action(u"Play Lesson"_s)->trigger();
+    command("play-lesson")->trigger();
     QVERIFY(document().isModified());
     QTest::keyClick(canvas(), Qt::Key_S, Qt::ControlModifier);
     QVERIFY(canvas()->hint().contains(u"Esc"_s));
@@ -351,9 +353,9 @@ void LessonTest::lessonsAreSavedAndOpened() {
     QVERIFY(!notebook()->isModified() && !document().isModified());
     QVERIFY(m_window->findChild<QDockWidget*>(u"lesson"_s)->isVisible());
     // Saved where it comes from; the fractals are left alone.
-    action(u"Add Step"_s)->trigger();
+    command("add")->trigger();
     notebook()->setText(u"More."_s);
-    action(u"Save Lesson…"_s)->trigger();
+    command("save-lesson")->trigger();
     QVERIFY(!notebook()->isModified());
     QFile saved(path);
     QVERIFY(saved.open(QIODevice::ReadOnly));
@@ -377,11 +379,11 @@ void LessonTest::lessonsMayStandElsewhere() {
     const QString path = folder.filePath(u"course/my.lesson"_s);
     write(fractals, "a {\n .5 0 0 .5 0 0 1\n .5 0 0 .5 .5 0 1\n}\n");
     QVERIFY(m_window->openPath(fractals));
-    action(u"Add Step"_s)->trigger();
+    command("add")->trigger();
     {
         QTimer answering;
         support::chooseFile(answering, path);
-        action(u"Save Lesson As…"_s)->trigger();
+        command("save-lesson-as")->trigger();
     }
     QVERIFY(!notebook()->isModified());
     QCOMPARE(notebook()->path(), path);
@@ -390,7 +392,7 @@ void LessonTest::lessonsMayStandElsewhere() {
     QVERIFY(saved.readAll().contains("\nfile: ../fractals/a.ifs\n"));
     // It stays there without another question.
     notebook()->setText(u"More."_s);
-    action(u"Save Lesson…"_s)->trigger();
+    command("save-lesson")->trigger();
     QVERIFY(!notebook()->isModified() && !QFile::exists(folder.filePath(u"fractals/my.lesson"_s)));
     QVERIFY(m_window->openPath(path));
     QCOMPARE(m_window->path(), fractals);
@@ -409,7 +411,7 @@ void LessonTest::unsavedStepsAreAskedFor() {
     const QString path = folder.filePath(u"a.ifs"_s);
     write(path, "a {\n .5 0 0 .5 0 0 1\n}\n");
     QVERIFY(m_window->openPath(path));
-    action(u"Add Step"_s)->trigger();
+    command("add")->trigger();
     answer(QMessageBox::Cancel);
     m_window->close();
     QVERIFY(m_window->isVisible());
@@ -438,7 +440,7 @@ void LessonTest::unsavedStepsAreRecovered() {
     };
     write(path, "a {\n .5 0 0 .5 0 0 1\n}\n");
     QVERIFY(m_window->openPath(path));
-    action(u"Add Step"_s)->trigger();
+    command("add")->trigger();
     notebook()->setText(u"Keep me."_s);
     QTRY_VERIFY_WITH_TIMEOUT(kept().lesson.contains("Keep me."), 60'000);
     const document::Snapshot snapshot = kept();
@@ -477,7 +479,7 @@ void LessonTest::fractalsThatAreGoneAreFound() {
     QTRY_COMPARE(m_window->path(), renamed);
     QTRY_COMPARE(notebook()->lesson().file, u"renamed.ifs"_s);
     QVERIFY(notebook()->isModified() && !document().isModified());
-    action(u"Save Lesson…"_s)->trigger();
+    command("save-lesson")->trigger();
     QVERIFY(!notebook()->isModified());
     QFile saved(path);
     QVERIFY(saved.open(QIODevice::ReadOnly));
@@ -523,7 +525,7 @@ void LessonTest::entriesAndCagesMayBeGone() {
                 "## 5\nentry: solid\nview: orbit 0 0 0 0 0 0 1 3\ncage: 0 0 0, 2 0 0, 0 2 0, 0 0 2\n\n"
                 "## 6\nentry: a\nview: orbit 0 0 0 0 0 0 1 3\nview: area 1e30 1e30 1e-30 1e30\n");
     QVERIFY(m_window->openPath(path));
-    action(u"Play Lesson"_s)->trigger();
+    command("play-lesson")->trigger();
     QTRY_VERIFY(card()->isVisible());
     QVERIFY(canvas()->hint().contains(u"gone"_s));
     for (int step = 1; step < 6; ++step) {
@@ -571,7 +573,7 @@ void LessonTest::theWindowMayCloseMeanwhile() {
     recordThree();
     document().undoStack()->setClean();
     notebook()->history()->setClean();
-    action(u"Play Lesson"_s)->trigger();
+    command("play-lesson")->trigger();
     QTRY_VERIFY(card()->isVisible());
     moveCorner(1);
     m_window.reset();

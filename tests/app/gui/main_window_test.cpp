@@ -15,6 +15,8 @@
 #include "space/four_views.h"
 #include "space/space_view.h"
 #include "stage/stage.h"
+#include "support/choose.h"
+#include "support/commands.h"
 #include "support/forget_settings.h"
 #include "support/named_test.h"
 #include "support/paths.h"
@@ -112,7 +114,8 @@ void MainWindowTest::preferencesReachEveryWindow() {
     auto* dialog = first->findChild<view::PreferencesDialog*>();
     QVERIFY(dialog);
     for (auto* box : dialog->findChildren<QComboBox*>())
-        if (const int fine = box->findData(quint64(1'000'000'000)); fine >= 0) box->setCurrentIndex(fine);
+        if (box->accessibleName() == QStringLiteral("Picture at rest"))
+            support::choose(box, quint64(1'000'000'000));
     QCOMPARE(quality(first), std::uint64_t(1'000'000'000));
     QCOMPARE(quality(second), std::uint64_t(1'000'000'000));
     QCOMPARE(quality(shown({})), std::uint64_t(1'000'000'000));
@@ -510,18 +513,17 @@ void MainWindowTest::flamesAreReadEitherWayUp() {
 void MainWindowTest::theMenuCopiesAsLatex() {
     MainWindow* window = shown({});
     window->openFirstPicture();
-    const auto copied = [&](const QString& text) {
+    const auto copied = [&](const char* id) {
         QGuiApplication::clipboard()->setText(QStringLiteral("before"));
-        for (QAction* action : window->findChildren<QAction*>())
-            if (action->text() == text) action->trigger();
+        support::command(*window, id)->trigger();
         return QTest::qWaitFor(
             [] { return QGuiApplication::clipboard()->text() != QStringLiteral("before"); }, 60'000);
     };
-    QVERIFY(copied(QStringLiteral("&Table of Maps")));
+    QVERIFY(copied("copy-table-of-maps"));
     const QString table = QGuiApplication::clipboard()->text();
     QVERIFY(table.contains(QStringLiteral("\\begin{tabular}")));
     QCOMPARE(table.count(QStringLiteral("\\\\")), 5); // the head and four maps
-    QVERIFY(copied(QStringLiteral("Fi&gure (TikZ)")));
+    QVERIFY(copied("copy-figure-tikz"));
     QVERIFY(QGuiApplication::clipboard()->text().startsWith(QStringLiteral("\\begin{tikzpicture}")));
 }
 
@@ -561,9 +563,7 @@ void MainWindowTest::theMapsAreNumberedOnTheCanvas() {
     window->openFirstPicture();
     QVERIFY(QTest::qWaitForWindowExposed(window));
     auto* canvas = window->findChild<view::CanvasView*>();
-    QAction* numbers = nullptr;
-    for (QAction* action : window->findChildren<QAction*>())
-        if (action->text() == QStringLiteral("&Numbers of Maps")) numbers = action;
+    auto* numbers = support::command(*window, "numbers-of-maps");
     QVERIFY(numbers && !numbers->isChecked());
     QTRY_VERIFY(!canvas->picture().isNull());
     // No event comes between them: the picture is the same in all three.

@@ -13,6 +13,7 @@
 #include "space/four_views.h"
 #include "space/space_maps.h"
 #include "stage/stage.h"
+#include "support/commands.h"
 #include "support/named_test.h"
 
 #include <QAction>
@@ -65,11 +66,7 @@ private:
         QVERIFY(stage()->showsSpace());
         stage()->takeFocus();
     }
-    void choose(const QString& text) {
-        for (QAction* action : m_window->findChildren<QAction*>())
-            if (action->text() == text) return action->trigger();
-        QFAIL(qPrintable(text));
-    }
+    void choose(const char* id) { support::command(*m_window, id)->trigger(); }
 };
 
 void MapsConnectionsTest::theCanvasHoldsTheSelectedRow() {
@@ -290,9 +287,9 @@ void MapsConnectionsTest::nothingIsOfferedSideBySide() {
 void MapsConnectionsTest::copyAndPasteAreOfMaps() {
     showCube();
     press(stage()->space(), Qt::Key_3, Qt::AltModifier);
-    choose(QStringLiteral("Cop&y"));
+    choose("copy");
     QVERIFY(view::holdsOurMaps(*QGuiApplication::clipboard()->mimeData()));
-    choose(QStringLiteral("P&aste"));
+    choose("paste");
     QCOMPARE(document().file().entries.size(), 1);
     QCOMPARE(panel()->model()->rowCount(), 9);
     const auto& maps = document::system3(document().fractal())->maps;

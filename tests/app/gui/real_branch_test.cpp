@@ -129,7 +129,7 @@ void RealBranchTest::theStatusBarForgetsTheHandleBefore() {
 
 void RealBranchTest::theLastMapOfItsAddressChanges() {
     const document::System2 before = code();
-    pick(bar().edit(), 1);
+    pick(bar().edit(), document::BranchEdit::LastMap);
     select({1, 2, 0});
     dragBy(handle({Kind::Vertex, 2, 0}), {7, 6});
     QTRY_COMPARE(steps(), 1);
@@ -141,7 +141,7 @@ void RealBranchTest::theLastMapOfItsAddressChanges() {
 // Also in a file that was saved and opened again.
 void RealBranchTest::aBranchIsShownElsewhereAndPutBack() {
     const document::Fractal before = fractal();
-    pick(bar().edit(), 2);
+    pick(bar().edit(), document::BranchEdit::Display);
     select({2, 1, 0});
     QVERIFY(!bar().putBackButton()->isVisible());
     const QPoint corner = handle({Kind::Vertex, 0, 0});

@@ -120,13 +120,13 @@ void RealDialogsTest::theColoursOfTheProgramAreChosen() {
     QDialog* dialog = openDialog("Control+comma", "view::PreferencesDialog");
     QVERIFY(dialog);
     auto* theme = named<QComboBox>(*dialog, QStringLiteral("Theme"));
-    pick(theme, 2);
+    pick(theme, view::Preferences::Theme::Dark);
     QTRY_VERIFY(lightness() < 100);
     photograph(QStringLiteral("dark.png"));
-    pick(theme, 1);
+    pick(theme, view::Preferences::Theme::Light);
     QTRY_VERIFY(lightness() > 200);
     click(named<QPushButton>(*dialog, QStringLiteral("Restore Defaults")));
-    QTRY_COMPARE(theme->currentIndex(), 0);
+    QTRY_COMPARE(view::chosenValue<view::Preferences::Theme>(theme), view::Preferences::Theme::Desktop);
     hand().key("Escape");
     QTRY_VERIFY(!visible<QDialog>());
 }

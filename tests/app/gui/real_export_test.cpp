@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "canvas/canvas_view.h"
+#include "dialogs/export/export_dialog.h"
 #include "dialogs/export/export_preview.h"
 #include "io/collection_reader.h"
 #include "io/file/save_file.h"
@@ -83,16 +84,16 @@ void RealExportTest::exportsPng() {
 }
 
 void RealExportTest::exportsShapes_data() {
-    QTest::addColumn<int>("format");
-    QTest::newRow("svg") << 5;
-    QTest::newRow("pdf") << 6;
+    QTest::addColumn<io::ShapeFile>("format");
+    QTest::newRow("svg") << io::ShapeFile::Svg;
+    QTest::newRow("pdf") << io::ShapeFile::Pdf;
 }
 
 void RealExportTest::exportsShapes() {
-    QFETCH(int, format);
+    QFETCH(io::ShapeFile, format);
     QDialog* dialog = openDialog("Control+e", "view::ExportDialog");
     QVERIFY(dialog);
-    pick(named<QComboBox>(*dialog, QStringLiteral("Format")), format);
+    pick(named<QComboBox>(*dialog, QStringLiteral("Format")), view::ExportDialog::File(format));
     const auto& preview = *dialog->findChild<view::ExportPreview*>();
     QTRY_VERIFY(!preview.isBusy() && !preview.picture().isNull());
     photograph(QStringLiteral("export-shapes.png"));

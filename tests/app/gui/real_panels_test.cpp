@@ -75,9 +75,9 @@ void RealPanelsTest::theLookIsChanged() {
     showPanel(QStringLiteral("Appearance"));
     const auto* panel = window().findChild<view::AppearancePanel*>();
     const attractor::Appearance before = fractal().appearance;
-    pick(panel->colourBy(), 1);
+    pick(panel->colourBy(), attractor::ColourBy::Map);
     QTRY_COMPARE(steps(), 1);
-    QVERIFY(fractal().appearance.colourBy != before.colourBy);
+    QCOMPARE(fractal().appearance.colourBy, attractor::ColourBy::Map);
 
     const QImage picture = canvas().picture();
     const QSlider* slider = panel->numbers()->slider(&attractor::Appearance::brightness)->slider();

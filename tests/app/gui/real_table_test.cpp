@@ -250,9 +250,9 @@ void RealTableTest::theColumnsOfPastedRowsAreChosen() {
     QVERIFY(support::waitFor([] { return support::isInPlace(visible<view::PasteTableDialog>()); }));
     QTRY_COMPARE(code().maps[0].map.translation, ifs::Vector<2>(3, 5)); // seen at once: a b e c d f p
     QCOMPARE(steps(), 0);
-    pick(visible<view::PasteTableDialog>()->findChild<QComboBox*>(), 0);
+    pick(visible<view::PasteTableDialog>()->findChild<QComboBox*>(), QStringLiteral("a b c d e f p"));
     QTRY_COMPARE(code().maps[0].map.linear(1, 0), 3.0); // a b c d e f p
-    pick(visible<view::PasteTableDialog>()->findChild<QComboBox*>(), 2);
+    pick(visible<view::PasteTableDialog>()->findChild<QComboBox*>(), QStringLiteral("a c b d e f p"));
     const document::System2 shown = code();
     hand().key("Return");
     QTRY_VERIFY(!visible<view::PasteTableDialog>());

@@ -12,6 +12,7 @@
 #include "panels/appearance/palettes/gradient_editor.h"
 #include "session/session.h"
 #include "support/background_rest.h"
+#include "support/commands.h"
 #include "support/every_window.h"
 #include "support/named_test.h"
 #include "support/own_settings.h"
@@ -181,8 +182,7 @@ void SlowDiskTest::openingSavingReverting() {
     trigger(*window, QKeySequence::Save);
     QVERIFY(!window->document().isModified());
     VERIFY_NOTHING_WAS_ASKED(disk);
-    for (QAction* action : window->findChildren<QAction*>())
-        if (action->text() == QStringLiteral("Re&vert")) action->trigger();
+    support::command(*window, "revert")->trigger();
     QCOMPARE(window->document().fractal().headerComment, QStringLiteral("mine"));
     VERIFY_NOTHING_WAS_ASKED(disk);
     window->openRecent(path("b.ifs"));

@@ -3,6 +3,7 @@
 
 #include "app/gui/window_fixture.h"
 #include "dialogs/saved_views_dialog.h"
+#include "support/commands.h"
 #include "support/named_test.h"
 
 #include <QLineEdit>
@@ -56,8 +57,7 @@ void SnapshotCommandsTest::aChaosGameIsNotCompared() {
 
 // The button that was clicked.
 QString SnapshotCommandsTest::saveView(const QString& name) {
-    for (QAction* action : m_window->findChildren<QAction*>())
-        if (action->text() == u"&Save View…"_s) action->trigger();
+    support::command(*m_window, "save-view")->trigger();
     auto* dialog = m_window->findChild<view::SaveViewDialog*>();
     if (!dialog) return {};
     dialog->findChild<QLineEdit*>()->setText(name);

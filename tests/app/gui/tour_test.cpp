@@ -36,7 +36,7 @@ private slots:
 private:
     document::Document& document() const { return m_window->document(); }
     Tour* tour() const { return m_window->findChild<Tour*>(); }
-    void start() const { Tour::start(m_window.get(), &document()); }
+    void start() const { Tour::start(m_window.get(), &document(), m_window->panels()); }
     QPushButton* button(const QString& text) const {
         for (auto* found : tour()->findChildren<QPushButton*>())
             if (found->isVisible() && found->text().remove(u'&') == text) return found;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "canvas/canvas_view.h"
 #include "stage/stage.h"
+#include "support/commands.h"
 #include "support/named_test.h"
 #include "support/patient_tries.h"
 #include "transformation/transformation_view.h"
@@ -28,7 +29,7 @@ private:
 };
 
 void TransformationDragTest::draggingAMapIsLiveAndOneStep() {
-    trigger(QStringLiteral("Fractal &Transformation"));
+    support::command(*m_window, "fractal-transformation")->trigger();
     trigger(QStringLiteral("Triangle Family"));
     const auto* transformation = m_window->findChild<view::TransformationView*>();
     view::CanvasView* canvas = m_window->findChild<Stage*>()->plane();

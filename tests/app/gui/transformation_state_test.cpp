@@ -2,6 +2,7 @@
 #include "bridges/render_bridge.h"
 #include "document/tops/kept_theft.h"
 #include "io/fractint/fractint_reader.h"
+#include "support/commands.h"
 #include "support/events.h"
 #include "support/named_test.h"
 #include "transformation/transformation_view.h"
@@ -63,11 +64,7 @@ private:
         return nullptr;
     }
     int pictureWidth() const { return view()->theft()->picture() ? view()->theft()->picture()->width() : 0; }
-    void toggle() {
-        for (QAction* action : m_window->findChildren<QAction*>())
-            if (action->text() == QStringLiteral("Fractal &Transformation")) return action->trigger();
-        QFAIL("no such action");
-    }
+    void toggle() { support::command(*m_window, "fractal-transformation")->trigger(); }
     KeptTheft kept() { return document::keptTheft(document().entryFractal()).value_or(KeptTheft()); }
     QString problem() const { return view()->bar()->problem(); }
     QStringList listed() const {

@@ -18,6 +18,8 @@
 #include "panels/entries/entries_panel.h"
 #include "stage/stage.h"
 #include "support/background_rest.h"
+#include "support/choose.h"
+#include "support/commands.h"
 #include "support/named_test.h"
 #include "support/patient_tries.h"
 #include "transformation/theft_export_dialog.h"
@@ -77,11 +79,7 @@ private:
     view::TransformationView* view() const { return m_window->findChild<view::TransformationView*>(); }
     view::CanvasView* canvas() const { return m_window->findChild<Stage*>()->plane(); }
     int steps() { return document().undoStack()->count(); }
-    void toggle() {
-        for (QAction* action : m_window->findChildren<QAction*>())
-            if (action->text() == QStringLiteral("Fractal &Transformation")) return action->trigger();
-        QFAIL("no such action");
-    }
+    void toggle() { support::command(*m_window, "fractal-transformation")->trigger(); }
     void choose(const QString& entry) { // of a menu of the bar
         for (const QToolButton* button : view()->bar()->findChildren<QToolButton*>())
             if (const QMenu* menu = button->menu())
@@ -199,8 +197,7 @@ void TransformationWindowTest::draggingThePartnerIsLive() {
     for (auto* box : view()->bar()->findChildren<QComboBox*>())
         if (box->accessibleName() == QStringLiteral("Mode")) mode = box;
     QVERIFY(mode);
-    mode->setCurrentIndex(0);
-    emit mode->activated(0); // Steal Colours: the picture stays where it is
+    support::choose(mode, TheftMode::StealColours); // the picture stays where it is
     QCOMPARE(steps(), stepsBefore + 2);
     QTRY_VERIFY_WITH_TIMEOUT(canvas()->picture() != before, 60'000);
     QTRY_VERIFY_WITH_TIMEOUT(points() >= pointsAtRest, 60'000);
@@ -523,9 +520,7 @@ void TransformationWindowTest::everyModeIsKept() {
     QVERIFY(mode);
     QImage before = canvas()->picture();
     for (const TheftMode wanted : {TheftMode::DeformationGrid, TheftMode::Reduce, TheftMode::StealColours}) {
-        const int row = mode->findData(int(wanted));
-        mode->setCurrentIndex(row);
-        emit mode->activated(row);
+        support::choose(mode, wanted);
         QCOMPARE(kept().mode, wanted);
         QTRY_VERIFY_WITH_TIMEOUT(canvas()->picture() != before, 60'000);
         QTRY_VERIFY_WITH_TIMEOUT(points() >= pointsAtRest, 60'000);

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "support/commands.h"
 #include "welcome.h"
 
 #include "app/gui/window_fixture.h"
@@ -89,15 +90,12 @@ private slots:
     void whateverIsDoneClosesIt_data() {
         QTest::addColumn<std::function<void(MainWindow&)>>("done");
         using Done = std::function<void(MainWindow&)>;
-        const auto trigger = [](const QString& text) {
-            return Done([text](MainWindow& window) {
-                for (auto* action : window.findChildren<QAction*>())
-                    if (action->text() == text) action->trigger();
-            });
+        const auto trigger = [](const char* id) {
+            return Done([id](MainWindow& window) { support::command(window, id)->trigger(); });
         };
-        QTest::newRow("tour") << trigger(QStringLiteral("&Tour"));
-        QTest::newRow("command") << trigger(QStringLiteral("&Grid"));
-        QTest::newRow("bar") << trigger(QStringLiteral("How It Is &Built"));
+        QTest::newRow("tour") << trigger("tour");
+        QTest::newRow("command") << trigger("grid");
+        QTest::newRow("bar") << trigger("how-it-is-built");
         QTest::newRow("tool") << Done([](MainWindow& window) {
             window.findChild<view::CanvasView*>()->setTool(view::CanvasView::Tool::Maps);
         });

@@ -10,6 +10,7 @@
 #include "panels/cage/cage_panel.h"
 #include "panels/timeline/motion_page.h"
 #include "session_fixture.h"
+#include "support/choose.h"
 #include "support/forget_settings.h"
 #include "support/named_test.h"
 #include "support/paths.h"
@@ -556,8 +557,7 @@ void WindowLayoutTest::rowsOfASliceAppear() {
     QTRY_VERIFY(panel->isVisible() && rows->kind()->isEnabled());
     QTRY_VERIFY(rows->kind()->height() >= rows->kind()->sizeHint().height());
     for (const auto kind : {view::SliceRows::Kind::Half, view::SliceRows::Kind::Slice}) {
-        rows->kind()->setCurrentIndex(int(kind));
-        emit rows->kind()->activated(int(kind));
+        support::choose(rows->kind(), kind);
         const std::array<const QWidget*, 4> shownRows{rows->kind(), rows->direction(), rows->offset(),
                                                       rows->thickness()};
         const std::size_t count = kind == view::SliceRows::Kind::Slice ? 4 : 3;

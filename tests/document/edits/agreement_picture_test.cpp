@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "collage/random_collages.h"
 #include "document/edits/agreement_picture.h"
+#include "support/fractals.h"
 #include "support/named_test.h"
 
 #include <QTest>
@@ -23,15 +24,6 @@ collage::GreyPicture pictureOf(const collage::Mask& mask) {
     return picture;
 }
 
-Fractal fractalOf(const std::vector<ifs::AffineMap<2>>& maps) {
-    Fractal fractal;
-    Shape<2> shape;
-    for (const auto& map : maps)
-        ifs::append<2>(shape.system, map);
-    fractal.shape = std::move(shape);
-    return fractal;
-}
-
 } // namespace
 
 class AgreementPictureTest : public QObject {
@@ -49,7 +41,8 @@ private slots:
             QVERIFY(traced && traced->mask == collage.mask);
             if (!traced->coarse) continue;
             ++coarse;
-            const auto live = measured(fractalOf(collage.maps), *traced, Compared::Collage, Detail::Live);
+            const auto live =
+                measured(support::fractalOf(collage.maps), *traced, Compared::Collage, Detail::Live);
             QVERIFY(live && live->bound);
             const double widening = 1 / (1 - collage::contraction(collage.maps));
             const auto truth =

@@ -2,6 +2,7 @@
 #include "document/edits/dimension_edits.h"
 #include "document/fractal/space_geometry.h"
 #include "ifs/canonical_systems.h"
+#include "support/fractals.h"
 #include "support/named_test.h"
 
 #include <QTest>
@@ -27,17 +28,11 @@ private slots:
 namespace {
 
 document::Fractal planeOf(const canonical::Maps2& maps) {
-    document::Fractal fractal;
-    fractal.name = QStringLiteral("plane");
-    fractal.shape = document::Shape<2>{canonical::system(maps)};
-    return fractal;
+    return support::fractalOf(canonical::system(maps), QStringLiteral("plane"));
 }
 
 document::Fractal spaceOf(const canonical::Maps3& maps) {
-    document::Fractal fractal;
-    fractal.name = QStringLiteral("space");
-    fractal.shape = document::Shape<3>{canonical::system(maps)};
-    return fractal;
+    return support::fractalOf(canonical::system(maps), QStringLiteral("space"));
 }
 
 } // namespace

@@ -5,6 +5,7 @@
 #include "document/fractal/fractal_geometry.h"
 #include "document/moments/animated_fractal.h"
 #include "ifs/dimension/moments.h"
+#include "support/fractals.h"
 #include "support/named_test.h"
 
 #include <QtTest>
@@ -30,14 +31,8 @@ namespace {
 
 constexpr int length = 10;
 
-Fractal fractalOf(System2 system) {
-    Fractal fractal;
-    fractal.shape = Shape<2>{std::move(system)};
-    return fractal;
-}
-
 Fractal maple() {
-    return fractalOf(canonical::system<2>(canonical::maple(), {0.1, 0.4, 0.3, 0.2}));
+    return support::fractalOf(canonical::system<2>(canonical::maple(), {0.1, 0.4, 0.3, 0.2}));
 }
 
 // Placed somewhere else by its cage, turned, stretched and larger.
@@ -50,7 +45,7 @@ Fractal caged() {
 }
 
 Fractal symmetric() {
-    Fractal fractal = fractalOf(canonical::system<2>({ifs::affineMap(.4, .1, -.2, .3, 1, .5)}, {1}));
+    Fractal fractal = support::fractalOf(canonical::system<2>({ifs::affineMap(.4, .1, -.2, .3, 1, .5)}, {1}));
     ifs::Symmetry<2>& symmetry = plane(fractal)->system.symmetry;
     symmetry.group = ifs::SymmetryGroup::Rotation;
     symmetry.order = 3;
@@ -170,9 +165,9 @@ void MorphEditsTest::whatCannotBeIsSaid() {
     System2 many;
     for (int i = 0; i < 257; ++i)
         ifs::append(many, ifs::affineMap(.1, 0, 0, .1, i, 0), 1);
-    QVERIFY(flaw(fractalOf(many), maple()) == MorphFlaw::TooMany);
+    QVERIFY(flaw(support::fractalOf(many), maple()) == MorphFlaw::TooMany);
     many.maps.pop_back();
-    QVERIFY(!flaw(maple(), fractalOf(many)));
+    QVERIFY(!flaw(maple(), support::fractalOf(many)));
 }
 
 BARYCAGE_TEST(MorphEditsTest);

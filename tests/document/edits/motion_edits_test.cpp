@@ -10,6 +10,7 @@
 #include "document/fractal/space_geometry.h"
 #include "document/moments/animated_fractal.h"
 #include "ifs/canonical_systems.h"
+#include "support/fractals.h"
 #include "support/late_stop.h"
 #include "support/named_test.h"
 
@@ -29,9 +30,7 @@ using namespace document;
 namespace {
 
 Fractal movingMaple() {
-    Fractal fractal;
-    fractal.shape = Shape<2>{canonical::system<2>(canonical::maple(), {0.25, 0.25, 0.25, 0.25})};
-    return fractal;
+    return support::fractalOf(canonical::system<2>(canonical::maple(), {0.25, 0.25, 0.25, 0.25}));
 }
 
 // A turned or mirrored copy in the middle of three pieces that are no similar copies.
@@ -116,8 +115,7 @@ void MotionEditsTest::motionsKeepTheLoopOfKeys() {
 }
 
 void MotionEditsTest::thePaletteIsSeen() {
-    Fractal solid;
-    solid.shape = Shape<3>{systems::menger()};
+    Fractal solid = support::fractalOf(systems::menger());
     QVERIFY(solidColour(solid) == attractor::SolidColour::Plain);
     const Fractal cycled = *withPaletteCycle(solid);
     QVERIFY(solidColour(cycled) == attractor::SolidColour::Address);
@@ -182,8 +180,7 @@ void MotionEditsTest::anOrbitTurnsAboutTheMiddle() {
 
 // Unless the entry has a length already.
 void MotionEditsTest::anOrbitLastsFiveSeconds() {
-    Fractal solid;
-    solid.shape = Shape<3>{systems::menger()};
+    Fractal solid = support::fractalOf(systems::menger());
     for (const Fractal& fractal : {solid, movingMaple()}) {
         const Timing timing = timingOf(*withOrbit(fractal));
         QCOMPARE(timing.length * timing.rate.seconds, 5 * timing.rate.frames);

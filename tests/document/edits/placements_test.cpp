@@ -6,6 +6,7 @@
 #include "document/fractal/fractal_geometry.h"
 #include "document/fractal/space_geometry.h"
 #include "ifs/canonical_systems.h"
+#include "support/fractals.h"
 #include "support/named_test.h"
 
 #include <QTest>
@@ -18,10 +19,7 @@ using namespace document;
 namespace {
 
 Fractal maple(const QString& name) {
-    Fractal fractal;
-    fractal.name = name;
-    fractal.shape = Shape<2>{canonical::system<2>(canonical::maple(), {0.25, 0.25, 0.25, 0.25})};
-    return fractal;
+    return support::fractalOf(canonical::system<2>(canonical::maple(), {0.25, 0.25, 0.25, 0.25}), name);
 }
 
 Fractal dragged(Fractal fractal) {

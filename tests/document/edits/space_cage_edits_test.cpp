@@ -4,6 +4,7 @@
 #include "document/edits/cage/cage_edits.h"
 #include "document/edits/cage/space_cage_edits.h"
 #include "document/fractal/space_geometry.h"
+#include "support/fractals.h"
 #include "support/named_test.h"
 
 #include <QtTest>
@@ -16,10 +17,7 @@ using ifs::Vector;
 namespace {
 
 Fractal menger() {
-    Fractal fractal;
-    fractal.name = QStringLiteral("menger");
-    fractal.shape = document::Shape<3>{systems::menger()};
-    return fractal;
+    return support::fractalOf(systems::menger(), QStringLiteral("menger"));
 }
 
 // Its tetrahedron pulled by a corner and turned.

@@ -9,6 +9,7 @@
 #include "document/fractal/fractal_geometry.h"
 #include "document/fractal/space_geometry.h"
 #include "document/moments/animated_fractal.h"
+#include "support/fractals.h"
 #include "support/named_test.h"
 
 #include <QTest>
@@ -25,10 +26,7 @@ Fractal leaf(const ifs::Symmetry<2>& symmetry) {
     ifs::append(system, ifs::affineMap(.5, .2, -.2, .5, .4, .1));
     ifs::append(system, ifs::affineMap(.3, 0, 0, .1, .5, .2));
     system.symmetry = symmetry;
-    Fractal fractal;
-    fractal.name = QStringLiteral("leaf");
-    fractal.shape = document::Shape<2>{system};
-    return fractal;
+    return support::fractalOf(system, QStringLiteral("leaf"));
 }
 
 attractor::Frame drawn(const Fractal& fractal, std::uint64_t samples = 400'000) {
@@ -114,8 +112,7 @@ private slots:
         document::System3 system;
         ifs::append<3>(system, {ifs::Matrix<3>::Identity() / 3, {1, 0, 0}}, 1.0);
         system.symmetry.group = Octahedral;
-        Fractal fractal;
-        fractal.shape = document::Shape<3>{system};
+        Fractal fractal = support::fractalOf(system);
         const auto support = document::spaceSupport(fractal);
         QVERIFY(support != nullptr);
         // One map to each of the six corners, four times each: corners at ±3/2.
@@ -175,9 +172,7 @@ private slots:
     void obstacles() {
         document::System3 system;
         system.maps.resize(ifs::maxSymmetricMaps / 60 + 1);
-        Fractal crowd;
-        crowd.name = QStringLiteral("crowd");
-        crowd.shape = document::Shape<3>{system};
+        Fractal crowd = support::fractalOf(system, QStringLiteral("crowd"));
         QVERIFY(document::symmetryObstacle(crowd, 60).contains(QStringLiteral("crowd")));
         QVERIFY(document::symmetryObstacle(crowd, 24).isEmpty());
         QVERIFY(document::symmetryObstacle(crowd, 1).isEmpty());

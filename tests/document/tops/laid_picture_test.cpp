@@ -5,6 +5,7 @@
 #include "attractor/tops/picture_patterns.h"
 #include "ifs/tops/families.h"
 #include "ifs/tops/top_systems.h"
+#include "support/fractals.h"
 #include "support/named_test.h"
 
 #include <QTest>
@@ -22,9 +23,7 @@ document::Fractal squareOf(double x, double y) {
     document::System2 system;
     for (const ifs::AffineMap<2>& map : ifs::squareFamily({x, y}))
         ifs::append(system, map);
-    document::Fractal fractal;
-    fractal.shape = document::Shape<2>{std::move(system)};
-    return fractal;
+    return support::fractalOf(std::move(system));
 }
 
 std::optional<LaidPicture> laidOn(const std::shared_ptr<const attractor::MipPicture>& picture,

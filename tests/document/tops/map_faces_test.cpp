@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "document/tops/map_faces.h"
+#include "support/fractals.h"
 #include "support/named_test.h"
 
 #include <QTest>
@@ -9,13 +10,11 @@ using document::MapFace;
 
 namespace {
 
-Fractal fractalOf(int maps) {
+Fractal withMaps(int maps) {
     document::System2 system;
     for (int i = 0; i < maps; ++i)
         ifs::append(system, ifs::affineMap(.4, 0, 0, .4, i, 0));
-    Fractal fractal;
-    fractal.shape = document::Shape<2>{system};
-    return fractal;
+    return support::fractalOf(system);
 }
 
 attractor::Rgba colourOf(const Fractal& fractal, std::size_t index) {
@@ -30,7 +29,7 @@ class MapFacesTest : public QObject {
 
 private slots:
     void thoseThatTakePartCorrespond() {
-        Fractal from = fractalOf(4), to = fractalOf(4);
+        Fractal from = withMaps(4), to = withMaps(4);
         document::system2(from)->maps[1].enabled = false;
         document::system2(to)->maps[0].weight = 0;
         from.appearance.mapColours[document::system2(from)->maps[2].id] = {1, 2, 3, 255};
@@ -42,9 +41,9 @@ private slots:
     }
 
     void copiesUnderASymmetryCount() {
-        Fractal from = fractalOf(2);
+        Fractal from = withMaps(2);
         document::system2(from)->symmetry.group = ifs::SymmetryGroup::Mirror;
-        const Fractal to = fractalOf(4);
+        const Fractal to = withMaps(4);
         const document::MapFaces faces = document::facesOfPartner(from, to);
         QCOMPARE(faces.size(), std::size_t{4});
         for (std::size_t i = 0; i < 4; ++i)
@@ -54,9 +53,9 @@ private slots:
     }
 
     void otherNumbersDoNotCorrespond() {
-        QVERIFY(document::facesOfPartner(fractalOf(2), fractalOf(3)).empty());
-        QVERIFY(document::facesOfPartner(fractalOf(2), Fractal()).empty());
-        QVERIFY(!document::facesOfPartner(fractalOf(2), fractalOf(2)).empty());
+        QVERIFY(document::facesOfPartner(withMaps(2), withMaps(3)).empty());
+        QVERIFY(document::facesOfPartner(withMaps(2), Fractal()).empty());
+        QVERIFY(!document::facesOfPartner(withMaps(2), withMaps(2)).empty());
     }
 };
 

@@ -5,6 +5,7 @@
 #include "document/variations/random_systems.h"
 #include "document/variations/variations.h"
 #include "ifs/canonical_systems.h"
+#include "support/fractals.h"
 #include "support/named_test.h"
 
 #include <QTest>
@@ -35,9 +36,8 @@ FractalPointer pointer(Fractal fractal) {
 }
 
 FractalPointer fern() {
-    Fractal fractal;
-    fractal.name = QStringLiteral("fern");
-    fractal.shape = document::Shape<2>{canonical::system<2>(canonical::fern(), canonical::fernWeights)};
+    Fractal fractal = support::fractalOf(canonical::system<2>(canonical::fern(), canonical::fernWeights),
+                                         QStringLiteral("fern"));
     return pointer(fractal);
 }
 

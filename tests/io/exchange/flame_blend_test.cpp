@@ -2,6 +2,7 @@
 #include "document/fractal/fractal_geometry.h"
 #include "io/exchange/flame.h"
 #include "io/exchange/text_formats.h"
+#include "support/fractals.h"
 #include "support/named_test.h"
 
 #include <QTest>
@@ -46,10 +47,7 @@ Fractal threeMaps() {
     document::System2 system;
     for (int i = 0; i < 3; ++i)
         ifs::append(system, ifs::affineMap(0.5, 0, 0, 0.5, i, 0), 1.0);
-    Fractal fractal;
-    fractal.name = QStringLiteral("three");
-    fractal.shape = document::Shape<2>{std::move(system)};
-    return fractal;
+    return support::fractalOf(std::move(system), QStringLiteral("three"));
 }
 
 } // namespace

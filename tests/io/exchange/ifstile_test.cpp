@@ -2,6 +2,7 @@
 #include "ifs/canonical_systems.h"
 #include "io/collection_reader.h"
 #include "io/exchange/aifs.h"
+#include "support/fractals.h"
 #include "support/named_test.h"
 
 #include <QRegularExpression>
@@ -137,9 +138,7 @@ void IfstileTest::namesAndSwitchedOffMaps() {
 void IfstileTest::everyBlockHasAName() {
     QList<std::shared_ptr<const document::Fractal>> fractals;
     for (const char* name : {"a!b", "a?b", "a_b", "a_b_2", "A_b", "1", "s_1", "é", "-x", "+x", "_y", "a#b"}) {
-        document::Fractal fractal;
-        fractal.name = QString::fromUtf8(name);
-        fractal.shape = document::Shape<2>{::flower()};
+        document::Fractal fractal = support::fractalOf(::flower(), QString::fromUtf8(name));
         fractals << std::make_shared<const document::Fractal>(fractal);
     }
     const QByteArray text = io::writeAifs(fractals);
@@ -162,9 +161,7 @@ void IfstileTest::systemsInSpace() {
     map.linear << .1, .2, .3, .4, .5, .6, .7, .8, .9;
     map.translation << 1, 2, 3;
     ifs::append(system, map, 1.0);
-    document::Fractal fractal;
-    fractal.name = QStringLiteral("cube");
-    fractal.shape = document::Shape<3>{system};
+    document::Fractal fractal = support::fractalOf(system, QStringLiteral("cube"));
     QCOMPARE(text(fractal),
              QByteArray("@cube:\n$dim=3\n$n=cube\nf1=[1,2,3]*[0.1,0.2,0.3,0.4,0.5,0.6,0.7,0.8,0.9]\n"
                         "A=(f1)*A\n# weights: 1\n"));

@@ -6,12 +6,14 @@
 #include "io/text/expression.h"
 #include "io/text/latex_text.h"
 #include "io/text/readable_number.h"
+#include "support/fractals.h"
 #include "support/named_test.h"
 
 #include <QRegularExpression>
 #include <QTest>
 
 #include <cmath>
+#include <vector>
 
 namespace {
 
@@ -20,14 +22,10 @@ QByteArray latexOf(const document::Fractal& fractal) {
 }
 
 document::Fractal inSpace() {
-    document::Shape<3> shape;
     ifs::AffineMap<3> map;
     map.linear = ifs::Vector<3>(.5, .25, 1e-7).asDiagonal();
     map.translation = ifs::Vector<3>(1, 2, 3);
-    ifs::append(shape.system, map);
-    document::Fractal fractal;
-    fractal.shape = shape;
-    return fractal;
+    return support::fractalOf(std::vector{map});
 }
 
 } // namespace

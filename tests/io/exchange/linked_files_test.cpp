@@ -6,6 +6,7 @@
 #include "io/exchange/text_formats.h"
 #include "io/fractint/fractint_reader.h"
 #include "io/fractint/metadata_comments.h"
+#include "support/fractals.h"
 #include "support/named_test.h"
 
 #include <QTest>
@@ -14,10 +15,8 @@ using document::Fractal;
 
 namespace {
 
-std::shared_ptr<const Fractal> fractalOf(const document::System2& system) {
-    Fractal fractal;
-    fractal.name = QStringLiteral("linked");
-    fractal.shape = document::Shape<2>{system};
+std::shared_ptr<const Fractal> linked(const document::System2& system) {
+    Fractal fractal = support::fractalOf(system, QStringLiteral("linked"));
     return std::make_shared<const Fractal>(fractal);
 }
 
@@ -46,7 +45,7 @@ private slots:
         ifs::setLink(golden, {ifs::MapId{1}, ifs::MapId{2}, 1.0 / 3});
         for (const auto& system : {golden, linked_systems::threeOnALine(), linked_systems::rauzy(),
                                    linked_systems::dragonBoundary()}) {
-            const QByteArray bytes = textOf(*fractalOf(system), io::TextFormat::Fractint);
+            const QByteArray bytes = textOf(*linked(system), io::TextFormat::Fractint);
             const auto file = io::readFractint(bytes);
             for (const auto& problem :
                  file.entries.first().problems) // of the weights, which sum to more than 1
@@ -55,7 +54,7 @@ private slots:
             for (const QByteArray& line : bytes.split('\n'))
                 QVERIFY(!line.startsWith("; barycage:") || line.size() < 70);
         }
-        QVERIFY(textOf(*fractalOf(golden), io::TextFormat::Fractint)
+        QVERIFY(textOf(*linked(golden), io::TextFormat::Fractint)
                     .contains("; barycage: links 1 1 0.3333333333333333\n"));
     }
 
@@ -63,17 +62,17 @@ private slots:
         auto system = linked_systems::threeOnALine();
         system.maps[0].weight = 7;
         ifs::setLinks(system, std::vector<double>{1, 1, 0, 0, 0, 0, 1, 0, 0}); // 2 ends, 3 is unreached
-        const auto back = systemIn(io::readFractint(textOf(*fractalOf(system), io::TextFormat::Fractint)));
+        const auto back = systemIn(io::readFractint(textOf(*linked(system), io::TextFormat::Fractint)));
         for (std::size_t i = 0; i < 3; ++i)
             QCOMPARE(back.maps[i].weight, system.maps[i].weight);
     }
 
     void flamesKeepThem() {
         const auto system = linked_systems::threeOnALine();
-        const QByteArray bytes = io::writeFlame({fractalOf(system)});
+        const QByteArray bytes = io::writeFlame({linked(system)});
         QVERIFY(bytes.contains("chaos=\"0 1 0\"") && bytes.contains("chaos=\"1 0 1\""));
         QCOMPARE(systemIn(io::readFlame(bytes)).links, system.links);
-        QVERIFY(!io::writeFlame({fractalOf(document::System2{system.maps})}).contains("chaos"));
+        QVERIFY(!io::writeFlame({linked(document::System2{system.maps})}).contains("chaos"));
     }
 
     // A row may be shorter, and the order of rows and columns is that of flam3.
@@ -133,7 +132,7 @@ private slots:
     }
 
     void othersSayWhatTheyLose() {
-        const auto fractal = fractalOf(linked_systems::rauzy());
+        const auto fractal = linked(linked_systems::rauzy());
         for (const auto format : {io::TextFormat::Aifs, io::TextFormat::Csv, io::TextFormat::Tsv}) {
             const auto loss = io::lossOf(format, *fractal);
             QVERIFY(loss && loss->contains(QStringLiteral("links")));
@@ -145,7 +144,7 @@ private slots:
     }
 
     void edits() {
-        const auto fractal = fractalOf(linked_systems::threeOnALine());
+        const auto fractal = linked(linked_systems::threeOnALine());
         const auto systemOf = [](const Fractal& f) { return *document::system2(f); };
         const auto doubled = document::withDuplicates(*fractal, {2});
         QCOMPARE(ifs::linkMatrix(systemOf(doubled.fractal)),

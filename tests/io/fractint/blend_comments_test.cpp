@@ -4,6 +4,7 @@
 #include "io/fractint/fractint_reader.h"
 #include "io/fractint/fractint_writer.h"
 #include "io/fractint/metadata_comments.h"
+#include "support/fractals.h"
 #include "support/named_test.h"
 
 #include <QTest>
@@ -19,22 +20,16 @@ namespace {
 
 Fractal fern(int maps) {
     document::System2 system;
-    Fractal fractal;
-    fractal.name = QStringLiteral("fern");
     for (int i = 0; i < maps; ++i)
         ifs::append(system, ifs::affineMap(.5, 0, 0, .5, i, 0), 1.0 / maps);
-    fractal.shape = document::Shape<2>{std::move(system)};
-    return fractal;
+    return support::fractalOf(std::move(system), QStringLiteral("fern"));
 }
 
 Fractal inSpace() {
     document::System3 system;
-    Fractal fractal;
-    fractal.name = QStringLiteral("solid");
     for (int i = 0; i < 3; ++i)
         ifs::append<3>(system, {ifs::Matrix<3>::Identity() / 2, {double(i), 0, 0}}, 0.25);
-    fractal.shape = document::Shape<3>{std::move(system)};
-    return fractal;
+    return support::fractalOf(std::move(system), QStringLiteral("solid"));
 }
 
 Fractal blendReadBack(const QByteArray& text) {

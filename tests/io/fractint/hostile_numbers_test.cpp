@@ -4,6 +4,7 @@
 #include "io/picture/vector/svg_writer.h"
 #include "io/report/info_json.h"
 #include "io/report/info_text.h"
+#include "support/fractals.h"
 #include "support/named_test.h"
 
 #include <QJsonDocument>
@@ -41,10 +42,7 @@ document::Fractal fractal(const std::vector<ifs::AffineMap<2>>& maps, std::optio
     document::System2 system;
     for (const auto& map : maps)
         ifs::append(system, map, weight);
-    document::Fractal made;
-    made.name = QStringLiteral("hostile");
-    made.shape = document::Shape<2>{std::move(system)};
-    return made;
+    return support::fractalOf(std::move(system), QStringLiteral("hostile"));
 }
 
 // What is said about it, and every way of drawing it.

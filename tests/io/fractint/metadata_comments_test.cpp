@@ -2,6 +2,7 @@
 #include "document/fractal/recurring_branches.h"
 #include "io/fractint/metadata_comments.h"
 #include "io/text/number.h"
+#include "support/fractals.h"
 #include "support/named_test.h"
 
 #include <QTest>
@@ -12,13 +13,11 @@ using document::Fractal;
 
 namespace {
 
-Fractal fractalOf(std::size_t maps) {
+Fractal ofMaps(std::size_t maps) {
     document::System2 system;
     for (std::size_t i = 0; i < maps; ++i)
         ifs::append(system, ifs::affineMap(.5, 0, 0, .5, double(i), 0), 1.0);
-    Fractal fractal;
-    fractal.shape = document::Shape<2>{system};
-    return fractal;
+    return support::fractalOf(system);
 }
 
 ifs::WeightedMap<2>& map(Fractal& fractal, std::size_t i) {
@@ -107,7 +106,7 @@ private slots:
                 QVERIFY(comments.applyTo(back).sentences.isEmpty());
                 QVERIFY(back.inSpace == shown);
             }
-        QVERIFY(!written(fractalOf(2)).contains("space-look"));
+        QVERIFY(!written(ofMaps(2)).contains("space-look"));
     }
 
     void whatIsNoLookIsKeptAsItIs() {
@@ -151,12 +150,12 @@ private slots:
 };
 
 void MetadataCommentsTest::newEntriesNeedNone() {
-    QVERIFY(io::metadataComments(fractalOf(2)).isEmpty());
+    QVERIFY(io::metadataComments(ofMaps(2)).isEmpty());
     QVERIFY(io::metadataComments(Fractal()).isEmpty());
 }
 
 void MetadataCommentsTest::lines() {
-    Fractal fractal = fractalOf(3);
+    Fractal fractal = ofMaps(3);
     fractal.appearance.gamma = 1.5;
     fractal.appearance.colourBy = attractor::ColourBy::Map;
     fractal.appearance.mapColours[map(fractal, 1).id] = {1, 2, 255, 255};
@@ -169,14 +168,14 @@ void MetadataCommentsTest::lines() {
         written(fractal),
         QByteArray("version 1; colour-by map; gamma 1.5; unweighted 1; weight 2 5; map-colour 2 #0102ffff; "
                    "off 3 1"));
-    Fractal bare = fractalOf(2);
+    Fractal bare = ofMaps(2);
     map(bare, 0).weight.reset();
     map(bare, 1).weight.reset();
     QCOMPARE(written(bare), QByteArray("version 1; unweighted all"));
     document::plane(bare)->cage = ifs::ControlCage<2>{{{0, 0}, {1, 0}, {0, 1}}, {{0, 0}, {1, .5}, {0, 1}}};
     QCOMPARE(written(bare), QByteArray("version 1; rest 0 0; rest 1 0; rest 0 1; current 0 0; current 1 0.5; "
                                        "current 0 1; unweighted all"));
-    Fractal moved = fractalOf(2);
+    Fractal moved = ofMaps(2);
     document::plane(moved)->moved = {
         {{map(moved, 1).id, map(moved, 0).id}, ifs::affineMap(1, 2, 3, 4, 5, 6)}};
     QCOMPARE(written(moved), QByteArray("version 1; branch 2 1; by 1 2; by 3 4; by 5 6"));
@@ -185,7 +184,7 @@ void MetadataCommentsTest::lines() {
 }
 
 void MetadataCommentsTest::everythingComesBack() {
-    Fractal fractal = fractalOf(4);
+    Fractal fractal = ofMaps(4);
     document::plane(fractal)->cage =
         ifs::ControlCage<2>{{{0, 0}, {1, 0}, {0, 1. / 3}}, {{0, .1}, {1, .5}, {-7e-5, 1}}};
     document::plane(fractal)->cage->deformation = ifs::Deformation::AffineFit;
@@ -221,7 +220,7 @@ void MetadataCommentsTest::everythingComesBack() {
 
 // Readers of old take 70 bytes a line and no more.
 void MetadataCommentsTest::longWordsAreBroken() {
-    Fractal fractal = fractalOf(12);
+    Fractal fractal = ofMaps(12);
     std::vector<ifs::MapId> word;
     for (std::size_t i = 0; i < 60; ++i)
         word.push_back(map(fractal, (i * 5) % 12).id);
@@ -297,7 +296,7 @@ void MetadataCommentsTest::otherDimensionIsKept() {
     io::MetadataComments comments;
     for (const QByteArray& line : lines.split(';'))
         QVERIFY2(comments.read("barycage: " + line), line.constData());
-    Fractal fractal = fractalOf(2);
+    Fractal fractal = ofMaps(2);
     if (isInSpace) fractal.shape = document::Shape<3>{*document::system3(spaceFractal())};
     const auto outcome = comments.applyTo(fractal);
     QStringList found;
@@ -469,7 +468,7 @@ void MetadataCommentsTest::whatDoesNotFitIsSaid() {
     io::MetadataComments comments;
     for (const QByteArray& line : lines)
         QVERIFY(comments.read("barycage: " + line));
-    Fractal fractal = fractalOf(2);
+    Fractal fractal = ofMaps(2);
     QCOMPARE(comments.applyTo(fractal).sentences.size(), sentences);
     QVERIFY(!document::plane(fractal)->cage);
 }
@@ -478,7 +477,7 @@ void MetadataCommentsTest::whatDoesNotFitIsSaid() {
 void MetadataCommentsTest::otherProgramsHaveTheLastWord() {
     io::MetadataComments comments;
     QVERIFY(comments.read("barycage: off 1 0.5") && comments.read("barycage: off 2 0.25"));
-    Fractal fractal = fractalOf(2);
+    Fractal fractal = ofMaps(2);
     map(fractal, 1).weight = 0;
     QCOMPARE(comments.applyTo(fractal).sentences.size(), 1);
     QVERIFY(map(fractal, 0).enabled && map(fractal, 0).weight == 1.);
@@ -500,12 +499,12 @@ void MetadataCommentsTest::hostileLinesAreLimited() {
     QCOMPARE(branches, 1024);
     QVERIFY(!io::MetadataComments().read("barycage: branch" + QByteArray(" 1").repeated(65)));
     QVERIFY(io::MetadataComments().read("barycage: branch" + QByteArray(" 1").repeated(64)));
-    Fractal fractal = fractalOf(2);
+    Fractal fractal = ofMaps(2);
     QVERIFY(!comments.applyTo(fractal).sentences.isEmpty());
 }
 
 void MetadataCommentsTest::storedFormKeepsWhatCanBeStored() {
-    Fractal fractal = fractalOf(3);
+    Fractal fractal = ofMaps(3);
     const ifs::MapId gone = map(fractal, 0).id, kept = map(fractal, 2).id;
     fractal.appearance.mapColours[gone] = {1, 1, 1, 255};
     fractal.appearance.mapColours[kept] = {2, 2, 2, 255};

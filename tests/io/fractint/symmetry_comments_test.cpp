@@ -8,6 +8,7 @@
 #include "io/fractint/fractint_writer.h"
 #include "io/fractint/symmetry_comments.h"
 #include "io/text/symmetry_text.h"
+#include "support/fractals.h"
 #include "support/named_test.h"
 
 #include <QTest>
@@ -22,20 +23,14 @@ Fractal inPlane(const ifs::Symmetry<2>& symmetry) {
     ifs::append(system, ifs::affineMap(.5, .1, -.1, .5, .3, 0), 0.75);
     ifs::append(system, ifs::affineMap(.2, 0, 0, .3, 1, 1), 0.25);
     system.symmetry = symmetry;
-    Fractal fractal;
-    fractal.name = QStringLiteral("star");
-    fractal.shape = document::Shape<2>{system};
-    return fractal;
+    return support::fractalOf(system, QStringLiteral("star"));
 }
 
 Fractal symmetricInSpace(const ifs::Symmetry<3>& symmetry) {
     document::System3 system;
     ifs::append<3>(system, {ifs::Matrix<3>::Identity() / 3, {1, 0, 0}}, 1.0);
     system.symmetry = symmetry;
-    Fractal fractal;
-    fractal.name = QStringLiteral("star");
-    fractal.shape = document::Shape<3>{system};
-    return fractal;
+    return support::fractalOf(system, QStringLiteral("star"));
 }
 
 document::FractalFile read(const QByteArray& bytes) {

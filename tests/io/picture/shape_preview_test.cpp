@@ -4,6 +4,7 @@
 #include "document/fractal/fractal_geometry.h"
 #include "io/exports/export_recipe.h"
 #include "io/picture/vector/shape_preview.h"
+#include "support/fractals.h"
 #include "support/named_test.h"
 
 #include <QProcess>
@@ -22,10 +23,7 @@ document::Fractal previewed(const canonical::Maps2& maps) {
     const std::vector<double> weights = ifs::determinantWeights<2>(maps);
     for (std::size_t i = 0; i < maps.size(); ++i)
         ifs::append(system, maps[i], weights[i]);
-    document::Fractal fractal;
-    fractal.name = QStringLiteral("test");
-    fractal.shape = document::Shape<2>{system};
-    return fractal;
+    return support::fractalOf(system, QStringLiteral("test"));
 }
 
 attractor::Camera cameraFor(const document::Fractal& fractal, int width, int height) {

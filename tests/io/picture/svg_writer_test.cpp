@@ -8,6 +8,7 @@
 #include "io/fractint/fractint_reader.h"
 #include "io/picture/vector/svg_system.h"
 #include "io/picture/vector/svg_writer.h"
+#include "support/fractals.h"
 #include "support/named_test.h"
 
 #include <QElapsedTimer>
@@ -32,10 +33,7 @@ document::Fractal written(const canonical::Maps2& maps, const QString& name = QS
     const std::vector<double> weights = ifs::determinantWeights<2>(maps);
     for (std::size_t i = 0; i < maps.size(); ++i)
         ifs::append(system, maps[i], weights[i]);
-    document::Fractal fractal;
-    fractal.name = name;
-    fractal.shape = document::Shape<2>{system};
-    return fractal;
+    return support::fractalOf(system, name);
 }
 
 attractor::Camera cameraFor(const document::Fractal& fractal, int width = 300, int height = 240) {

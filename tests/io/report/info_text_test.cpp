@@ -2,6 +2,7 @@
 #include "io/report/figure_error.h"
 #include "io/report/info_json.h"
 #include "io/report/info_text.h"
+#include "support/fractals.h"
 #include "support/named_test.h"
 
 #include <QJsonArray>
@@ -19,9 +20,7 @@ io::InfoSubject subjectOf(const Rows& rows) {
     document::System2 system;
     for (const auto& [a, b, c, d, e, f] : rows)
         ifs::append(system, ifs::affineMap(a, b, c, d, e, f));
-    document::Fractal fractal;
-    fractal.name = QStringLiteral("test");
-    fractal.shape = document::Shape<2>{system};
+    document::Fractal fractal = support::fractalOf(system, QStringLiteral("test"));
     io::InfoSubject subject;
     document::Entry entry;
     entry.fractal = std::make_shared<const document::Fractal>(fractal);

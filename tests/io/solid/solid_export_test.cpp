@@ -3,6 +3,7 @@
 #include "attractor/space_systems.h"
 #include "io/solid/openscad.h"
 #include "io/solid/solid_export.h"
+#include "support/fractals.h"
 #include "support/named_test.h"
 #include "support/thorough.h"
 
@@ -62,11 +63,8 @@ namespace {
 
 using Vector3 = ifs::Vector<3>;
 
-document::Fractal fractalOf(const systems::System3& system) {
-    document::Fractal fractal;
-    fractal.name = QStringLiteral("solid");
-    fractal.shape = document::Shape<3>{system};
-    return fractal;
+document::Fractal solidOf(const systems::System3& system) {
+    return support::fractalOf(system, QStringLiteral("solid"));
 }
 
 io::SolidOptions resolution(int n) {
@@ -228,7 +226,7 @@ void SolidExportTest::theBoundHolds_data() {
 // Every point of the surface is within the bound of points of the attractor, of which there are many.
 void SolidExportTest::theBoundHolds() {
     QFETCH(systems::System3, system);
-    const io::PrintableSolid solid = io::printableSolid(fractalOf(system), resolution(20));
+    const io::PrintableSolid solid = io::printableSolid(solidOf(system), resolution(20));
     QVERIFY(!solid.failure);
     QVERIFY(std::abs(solid.facts.bound - std::numbers::sqrt3 * solid.facts.voxel) < 1e-12);
     const double cell = solid.facts.bound;
@@ -261,7 +259,7 @@ void SolidExportTest::lengthsAreMillimetres() {
     io::SolidOptions options;
     options.longest = 60;
     options.voxel = 2;
-    const io::PrintableSolid solid = io::printableSolid(fractalOf(systems::menger()), options);
+    const io::PrintableSolid solid = io::printableSolid(solidOf(systems::menger()), options);
     QVERIFY(!solid.failure);
     QCOMPARE(solid.facts.voxel, 2.0);
     for (int k = 0; k < 3; ++k) {
@@ -269,7 +267,7 @@ void SolidExportTest::lengthsAreMillimetres() {
         QVERIFY(solid.facts.size[k] <= 60 + 2 * 2);
     }
     QVERIFY(solid.facts.volume > 0 && solid.facts.volume < std::pow(64, 3));
-    document::Fractal large = fractalOf(systems::menger());
+    document::Fractal large = solidOf(systems::menger());
     ifs::ControlCage<3> cage = ifs::polygonAtRest<3>({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}});
     cage.current = {{0, 0, 0}, {10, 0, 0}, {0, 20, 0}, {0, 0, 30}};
     document::space(large)->cage = cage;
@@ -284,7 +282,7 @@ void SolidExportTest::wallsAreThick() {
     options.wall = 3;
     systems::System3 point;
     ifs::append<3>(point, systems::scaled(0.5, 1, 1, 1));
-    const io::PrintableSolid solid = io::printableSolid(fractalOf(point), options);
+    const io::PrintableSolid solid = io::printableSolid(solidOf(point), options);
     QVERIFY(!solid.failure);
     for (int k = 0; k < 3; ++k)
         QVERIFY(solid.facts.size[k] >= 3 && solid.facts.size[k] <= 4);
@@ -294,24 +292,24 @@ void SolidExportTest::wallsAreThick() {
 
 void SolidExportTest::cavitiesAreFilledOnRequest() {
     io::SolidOptions options = resolution(20);
-    const io::PrintableSolid hollow = io::printableSolid(fractalOf(box()), options);
+    const io::PrintableSolid hollow = io::printableSolid(solidOf(box()), options);
     QCOMPARE(hollow.facts.cavities, std::uint64_t(1));
     QVERIFY(hollow.facts.volume < 0.6);
     options.fillsCavities = true;
-    const io::PrintableSolid filled = io::printableSolid(fractalOf(box()), options);
+    const io::PrintableSolid filled = io::printableSolid(solidOf(box()), options);
     QVERIFY(std::abs(filled.facts.volume - (hollow.facts.volume + hollow.facts.cavityVolume)) < 1e-9);
     QVERIFY(filled.facts.volume > 1);
     QVERIFY(io::summaryOf(filled.facts, options).contains(u"filled: 1"_s));
 }
 
 void SolidExportTest::islandsAreReported() {
-    const io::PrintableSolid solid = io::printableSolid(fractalOf(dust()), resolution(20));
+    const io::PrintableSolid solid = io::printableSolid(solidOf(dust()), resolution(20));
     QCOMPARE(solid.facts.islands, std::uint64_t(64));
     QVERIFY(io::summaryOf(solid.facts, {}).contains(u"Separate bodies: 64"_s));
 }
 
 void SolidExportTest::everyFormatHoldsTheSameSurface() {
-    const document::Fractal fractal = fractalOf(systems::tetrahedron());
+    const document::Fractal fractal = solidOf(systems::tetrahedron());
     const io::SolidOptions options = resolution(24);
     const io::PrintableSolid solid = io::printableSolid(fractal, options);
     QString report;
@@ -330,7 +328,7 @@ void SolidExportTest::everyFormatHoldsTheSameSurface() {
 
 // The header, the chunks and the accessors, by the specification of glTF 2.0.
 void SolidExportTest::glbIsWellFormed() {
-    const QByteArray bytes = written(fractalOf(systems::menger()), resolution(12), io::MeshFormat::Glb);
+    const QByteArray bytes = written(solidOf(systems::menger()), resolution(12), io::MeshFormat::Glb);
     QVERIFY(bytes.startsWith("glTF"));
     QCOMPARE(numberAt<quint32>(bytes, 4), quint32(2));
     QCOMPARE(qsizetype(numberAt<quint32>(bytes, 8)), bytes.size());
@@ -372,7 +370,7 @@ void SolidExportTest::admeshFindsNothing() {
     QFETCH(systems::System3, system);
     const QString admesh = QStandardPaths::findExecutable(u"admesh"_s);
     QVERIFY2(!admesh.isEmpty(), "admesh is missing");
-    QVERIFY(!written(fractalOf(system), resolution(40), io::MeshFormat::Stl).isEmpty());
+    QVERIFY(!written(solidOf(system), resolution(40), io::MeshFormat::Stl).isEmpty());
     QProcess process;
     process.start(admesh, {m_folder.filePath(u"solid.stl"_s)});
     QVERIFY(process.waitForFinished(60'000));
@@ -389,7 +387,7 @@ void SolidExportTest::admeshFindsNothing() {
 }
 
 void SolidExportTest::openScadGrowsWithTheMaps() {
-    document::Fractal fractal = fractalOf(systems::menger());
+    document::Fractal fractal = solidOf(systems::menger());
     const io::OpenScad usual = io::openScad(fractal);
     QVERIFY(!usual.failure);
     QCOMPARE(usual.text.count("multmatrix"), 20);
@@ -407,7 +405,7 @@ void SolidExportTest::openScadGrowsWithTheMaps() {
 // The program read and worked out by ourselves: matrices and the box at the bottom.
 void SolidExportTest::openScadPartsLieOnTheAttractor() {
     const systems::System3 system = systems::fern3();
-    const QString text = QString::fromUtf8(io::openScad(fractalOf(system)).text);
+    const QString text = QString::fromUtf8(io::openScad(solidOf(system)).text);
     std::vector<std::vector<double>> found;
     static const QRegularExpression matrix(u"multmatrix\\(\\[(.*)\\]\\) part\\(level - 1\\);"_s);
     for (auto it = matrix.globalMatch(text); it.hasNext();) {
@@ -462,7 +460,7 @@ void SolidExportTest::lowerThanTheLowestIsNotAdvised() {
     ifs::append<3>(slow, systems::scaled(0.99999999, 0, 0, 0));
     ifs::append<3>(slow, systems::scaled(0.99999999, 1, 0.3, 0.2));
     const auto said = [&](int voxels) {
-        const auto solid = io::printableSolid(fractalOf(slow), resolution(voxels));
+        const auto solid = io::printableSolid(solidOf(slow), resolution(voxels));
         return solid.failure.value_or(QString());
     };
     QVERIFY(said(io::SolidOptions::leastOffered + 1).contains(u"Choose a lower resolution"));
@@ -475,9 +473,9 @@ void SolidExportTest::whatHasNoSolid() {
     QFETCH(io::SolidOptions, options);
     QFETCH(QString, because);
     const QString path = m_folder.filePath(u"none.stl"_s);
-    const auto outcome = io::exportSolid({fractalOf(system), options, io::MeshFormat::Stl}, path);
+    const auto outcome = io::exportSolid({solidOf(system), options, io::MeshFormat::Stl}, path);
     QVERIFY(outcome.failure.has_value());
-    QCOMPARE(io::obstacleToSolid(fractalOf(system), options),
+    QCOMPARE(io::obstacleToSolid(solidOf(system), options),
              because == u"distance from the origin"_s ? io::Failure() : outcome.failure);
     QVERIFY2(outcome.failure->contains(because), qPrintable(*outcome.failure));
     QVERIFY(!QFile::exists(path));
@@ -489,7 +487,7 @@ void SolidExportTest::theHighestResolutionIsNamed() {
         io::SolidOptions options = resolution(io::SolidOptions::maxResolution);
         options.longest = 80;
         options.wall = wall;
-        const document::Fractal fractal = fractalOf(systems::menger());
+        const document::Fractal fractal = solidOf(systems::menger());
         const io::Failure obstacle = io::obstacleToSolid(fractal, options);
         QVERIFY(obstacle);
         static const QRegularExpression number(u"at most ([0-9]+)"_s);
@@ -531,7 +529,7 @@ void SolidExportTest::hardSystemsEnd() {
     QElapsedTimer clock;
     clock.start();
     const io::PrintableSolid solid =
-        io::printableSolid(fractalOf(system), resolution(support::isThorough() ? 100 : 40));
+        io::printableSolid(solidOf(system), resolution(support::isThorough() ? 100 : 40));
     QVERIFY2(clock.elapsed() < 240'000, qPrintable(QString::number(clock.elapsed())));
     QVERIFY(solid.failure ? !solid.failure->isEmpty() : !solid.mesh.triangles.empty());
 }
@@ -540,7 +538,7 @@ void SolidExportTest::stopsWithoutAFile() {
     std::stop_source source;
     source.request_stop();
     const QString path = m_folder.filePath(u"stopped.stl"_s);
-    const auto outcome = io::exportSolid({fractalOf(systems::menger()), resolution(300), io::MeshFormat::Stl},
+    const auto outcome = io::exportSolid({solidOf(systems::menger()), resolution(300), io::MeshFormat::Stl},
                                          path, {}, source.get_token());
     QVERIFY(outcome.stopped && !outcome.failure);
     QVERIFY(!QFile::exists(path));

@@ -6,6 +6,7 @@
 #include "bars/start_shape_box.h"
 #include "bridges/render_bridge.h"
 #include "document/fractal/fractal_geometry.h"
+#include "support/choose.h"
 #include "support/named_test.h"
 #include "support/patient_tries.h"
 
@@ -187,13 +188,11 @@ private slots:
         const double triangle = litPixels();
         view::ConstructionBar bar(m_construction.get());
         bar.show();
-        bar.start()->choice()->setCurrentIndex(1);
-        emit bar.start()->choice()->activated(1); // as a click does
+        support::choose(bar.start()->choice(), view::StepsBridge::Start::Square);
         QCOMPARE(m_construction->steps().start(), view::StepsBridge::Start::Square);
         QTRY_VERIFY(std::abs(litPixels() - triangle) > 0.05 * triangle);
         const double square = litPixels();
-        bar.start()->choice()->setCurrentIndex(2);
-        emit bar.start()->choice()->activated(2);
+        support::choose(bar.start()->choice(), view::StepsBridge::Start::Letter);
         QVERIFY(bar.start()->letter()->isVisible());
         QTest::keyClicks(bar.start()->letter(), QStringLiteral("L")); // replaces what is selected
         QCOMPARE(m_construction->steps().letter(), QStringLiteral("L"));

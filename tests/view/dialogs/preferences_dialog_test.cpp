@@ -2,6 +2,7 @@
 #include "desktop/settings.h"
 #include "desktop/theme.h"
 #include "dialogs/preferences_dialog.h"
+#include "support/choose.h"
 #include "support/contrast.h"
 #include "support/events.h"
 #include "support/forget_settings.h"
@@ -65,24 +66,19 @@ private:
             if (found->accessibleName() == name) return found;
         return nullptr;
     }
-    static void choose(QComboBox* box, const QVariant& value) {
-        const int index = box->findData(value);
-        QVERIFY(index >= 0);
-        box->setCurrentIndex(index);
-    }
 };
 
 void PreferencesDialogTest::choicesAreStoredAndTold() {
     PreferencesDialog dialog;
     dialog.show();
     QSignalSpy told(&dialog, &PreferencesDialog::changed);
-    choose(box(dialog, QStringLiteral("Theme")), int(Preferences::Theme::Dark));
-    choose(box(dialog, QStringLiteral("Picture at rest")), quint64(1'000'000'000));
+    support::choose(box(dialog, QStringLiteral("Theme")), Preferences::Theme::Dark);
+    support::choose(box(dialog, QStringLiteral("Picture at rest")), quint64(1'000'000'000));
     QLabel* restart = nullptr;
     for (auto* label : dialog.findChildren<QLabel*>())
         if (label->text().contains(QStringLiteral("Restart"))) restart = label;
     QVERIFY(restart && !restart->isVisible());
-    choose(box(dialog, QStringLiteral("Language")), QStringLiteral("mk"));
+    support::choose(box(dialog, QStringLiteral("Language")), QStringLiteral("mk"));
     QVERIFY(restart->isVisible());
     QTRY_VERIFY(restart->height() >= restart->heightForWidth(restart->width())); // seen whole
     support::handleEvents();
@@ -138,7 +134,7 @@ void PreferencesDialogTest::unsavedWorkIsNamedWithTheLanguage() {
         for (auto* button : dialog.findChildren<QPushButton*>())
             if (button->text().remove(u'&') == QStringLiteral("Restart Now")) restart = button;
         QVERIFY(restart && !restart->isVisible());
-        choose(box(dialog, QStringLiteral("Language")), QStringLiteral("mk"));
+        support::choose(box(dialog, QStringLiteral("Language")), QStringLiteral("mk"));
         QVERIFY(restart->isVisible());
         QSignalSpy wanted(&dialog, &PreferencesDialog::restartRequested);
         restart->click();
@@ -148,7 +144,7 @@ void PreferencesDialogTest::unsavedWorkIsNamedWithTheLanguage() {
         for (const QString& name : names)
             QCOMPARE(said.contains(name), unsaved.contains(name));
         QCOMPARE(said.contains(QStringLiteral("Not saved")), !unsaved.isEmpty());
-        box(dialog, QStringLiteral("Language"))->setCurrentIndex(0);
+        support::choose(box(dialog, QStringLiteral("Language")), QString());
         read();
         QVERIFY(said.isEmpty());
     }
@@ -171,7 +167,8 @@ void PreferencesDialogTest::spoiltSettingsAreTakenAsDefaults() {
     QCOMPARE(Preferences::stored().theme, Preferences::Theme::Desktop);
     QCOMPARE(Preferences::stored().quality, std::uint64_t(1'000'000)); // the least that is a picture
     const PreferencesDialog dialog;
-    QCOMPARE(box(dialog, QStringLiteral("Theme"))->currentIndex(), 0);
+    QCOMPARE(view::chosenValue<Preferences::Theme>(box(dialog, QStringLiteral("Theme"))),
+             Preferences::Theme::Desktop);
 }
 
 void PreferencesDialogTest::everyLanguageHasItsCatalogue() {

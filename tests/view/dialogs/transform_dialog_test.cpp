@@ -2,6 +2,7 @@
 #include "dialogs/transform_dialog.h"
 #include "document/fractal/fractal_geometry.h"
 #include "document/fractal/space_geometry.h"
+#include "support/choose.h"
 #include "support/named_test.h"
 #include "view/panels/maps_support.h"
 #include "widgets/numbers/number_field.h"
@@ -206,8 +207,7 @@ private slots:
         QVERIFY(!dialog.reflect() && !dialog.field(TransformDialog::Shear));
         const ifs::Vector<3> middle = *document::middleOfBox<3>(before);
         QVERIFY((dialog.spaceTransformation().about - middle).norm() < 1e-12);
-        dialog.axis()->setCurrentIndex(2);
-        emit dialog.axis()->activated(2);
+        support::choose(dialog.axis(), TransformDialog::AxisChoice::Z);
         QVERIFY(dialog.spaceTransformation().axis == ifs::Vector<3>::UnitZ());
         type(dialog, TransformDialog::Rotation, QStringLiteral("90"));
         // Every corner turns about the vertical line through the middle.
@@ -246,8 +246,9 @@ private slots:
         TransformDialog dialog(m_document.get());
         dialog.show();
         type(dialog, TransformDialog::AxisY, QStringLiteral("0"));
-        QCOMPARE(dialog.axis()->currentIndex(), 3); // of one's own
-        QVERIFY(dialog.problem().isEmpty());        // nothing is turned
+        QCOMPARE(view::chosenValue<TransformDialog::AxisChoice>(dialog.axis()),
+                 TransformDialog::AxisChoice::Typed);
+        QVERIFY(dialog.problem().isEmpty()); // nothing is turned
         type(dialog, TransformDialog::Rotation, QStringLiteral("10"));
         QVERIFY(!dialog.problem().isEmpty());
         type(dialog, TransformDialog::AxisX, QStringLiteral("-2"));

@@ -3,6 +3,7 @@
 
 #include "document/document.h"
 #include "ifs/canonical_systems.h"
+#include "support/fractals.h"
 
 #include <QTest>
 
@@ -15,10 +16,7 @@ namespace maps_support {
 using Row = std::array<double, 7>; // a b c d e f p
 
 inline document::Fractal fractalWith(document::System2 system) {
-    document::Fractal fractal;
-    fractal.name = QStringLiteral("test");
-    fractal.shape = document::Shape<2>{std::move(system)};
-    return fractal;
+    return support::fractalOf(std::move(system), QStringLiteral("test"));
 }
 
 inline document::Fractal fractalOf(const std::vector<Row>& rows) {

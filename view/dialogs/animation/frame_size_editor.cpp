@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "dialogs/animation/frame_size_editor.h"
 
+#include "widgets/choices.h"
 #include "widgets/icon.h"
 #include "widgets/numbers/number_box.h"
 
@@ -73,7 +74,7 @@ FrameSizeEditor::FrameSizeEditor(QWidget* parent)
         emit edited();
     });
     connect(m_named, &QComboBox::activated, this, [this] {
-        const QSize named = m_named->currentData().toSize();
+        const auto named = chosenValue<QSize>(m_named);
         if (!named.isValid()) return; // custom
         setFrameSize(named);
         emit edited();
@@ -82,15 +83,15 @@ FrameSizeEditor::FrameSizeEditor(QWidget* parent)
 }
 
 void FrameSizeEditor::addNamedSizes() {
-    m_named->addItem(tr("Full HD: 1920 × 1080"), QSize(1920, 1080));
-    m_named->addItem(tr("HD: 1280 × 720"), QSize(1280, 720));
-    m_named->addItem(tr("4K: 3840 × 2160"), QSize(3840, 2160));
+    addChoice(m_named, tr("Full HD: 1920 × 1080"), QSize(1920, 1080));
+    addChoice(m_named, tr("HD: 1280 × 720"), QSize(1280, 720));
+    addChoice(m_named, tr("4K: 3840 × 2160"), QSize(3840, 2160));
     m_named->insertSeparator(m_named->count());
-    m_named->addItem(tr("Square: 1080 × 1080"), QSize(1080, 1080));
-    m_named->addItem(tr("Portrait: 1080 × 1920"), QSize(1080, 1920));
-    m_named->addItem(tr("For a message: 640 × 360"), QSize(640, 360));
+    addChoice(m_named, tr("Square: 1080 × 1080"), QSize(1080, 1080));
+    addChoice(m_named, tr("Portrait: 1080 × 1920"), QSize(1080, 1920));
+    addChoice(m_named, tr("For a message: 640 × 360"), QSize(640, 360));
     m_named->insertSeparator(m_named->count());
-    m_named->addItem(tr("Custom"));
+    addChoice(m_named, tr("Custom"), QSize());
 }
 
 QSize FrameSizeEditor::size() const {
@@ -108,8 +109,7 @@ void FrameSizeEditor::show(const QSize& size) {
         m_width->setValue(size.width());
         m_height->setValue(size.height());
     }
-    const int named = m_named->findData(this->size());
-    m_named->setCurrentIndex(named >= 0 ? named : m_named->count() - 1);
+    if (!chooseValue(m_named, this->size())) chooseValue(m_named, QSize());
     emit changed();
 }
 

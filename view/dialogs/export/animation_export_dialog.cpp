@@ -10,6 +10,7 @@
 #include "io/animation/frames_view.h"
 #include "io/file/background.h"
 #include "widgets/background/wait_for.h"
+#include "widgets/choices.h"
 #include "widgets/file_dialogs.h"
 #include "widgets/numbers/number_box.h"
 #include "widgets/text/tooltip_text.h"
@@ -35,7 +36,7 @@ namespace {
 constexpr int usualPointsPerPixel = 100;
 const QString animationKind = QStringLiteral("animation");
 // Of a format of the list, as the settings have it.
-QString formatName(int format) {
+QString formatName(AnimationExportDialog::Format format) {
     return format == AnimationExportDialog::Pictures ? QStringLiteral("pictures")
                                                      : io::videoSuffix(io::VideoFormat(format));
 }
@@ -49,9 +50,8 @@ QSpinBox* spinBox(const QString& name, int min, int max, int value, const QStrin
     return box;
 }
 
-QComboBox* comboBox(const QString& name, const QStringList& items, const QString& explanation) {
+QComboBox* comboBox(const QString& name, const QString& explanation) {
     auto* box = new QComboBox;
-    box->addItems(items);
     box->setAccessibleName(name);
     box->setWhatsThis(explanation);
     return box;
@@ -111,18 +111,23 @@ AnimationExportDialog::~AnimationExportDialog() = default;
 
 void AnimationExportDialog::createFormat() {
     m_format = comboBox(tr("Format"),
-                        {tr("MP4: plays everywhere"), tr("WebM: for web pages, with transparency"),
-                         tr("MKV: lossless, for editing"), tr("GIF: 256 colours"),
-                         tr("WebP: a lossless animated image"), tr("APNG: a lossless animated image"),
-                         tr("PNG: one picture for each frame")},
                         tr("A video, an animated image for web pages and messages, or one picture for each "
                            "frame. All of them contain the animation, so Barycage can open them again."));
+    addChoice(m_format, tr("MP4: plays everywhere"), Mp4);
+    addChoice(m_format, tr("WebM: for web pages, with transparency"), WebM);
+    addChoice(m_format, tr("MKV: lossless, for editing"), Mkv);
+    addChoice(m_format, tr("GIF: 256 colours"), Gif);
+    addChoice(m_format, tr("WebP: a lossless animated image"), WebP);
+    addChoice(m_format, tr("APNG: a lossless animated image"), Apng);
+    addChoice(m_format, tr("PNG: one picture for each frame"), Pictures);
     m_form->addRow(tr("&Format:"), m_format);
-    m_section = comboBox(tr("Section"), {tr("The view on the canvas"), tr("The whole animation")},
+    m_section = comboBox(tr("Section"),
                          tr("What the frames show where the camera has no keys: the view on the canvas, or "
                             "everything that becomes visible, with a small margin."));
-    for (const document::SavedView& view : m_views)
-        m_section->addItem(tr("The view “%1”").arg(view.name));
+    addChoice(m_section, tr("The view on the canvas"), Section::View);
+    addChoice(m_section, tr("The whole animation"), Section::Animation);
+    for (int saved = 0; saved < int(m_views.size()); ++saved)
+        addChoice(m_section, tr("The view “%1”").arg(m_views[std::size_t(saved)].name), saved);
     if (document::space(m_entry)) setSection(Section::Animation); // a camera that goes round shows it all
     m_form->addRow(tr("Sect&ion:"), m_section);
     m_form->setRowVisible(m_section, !io::hasCameraKeys(m_entry));
@@ -140,8 +145,8 @@ void AnimationExportDialog::createSize() {
     m_size = new FrameSizeEditor;
     m_form->addRow(tr("&Size in pixels:"), m_size);
     const LastExport last = lastExport(animationKind);
-    for (int format = 0; format < m_format->count(); ++format)
-        if (formatName(format) == last.format) m_format->setCurrentIndex(format);
+    for (const Format format : {Mp4, WebM, Mkv, Gif, WebP, Apng, Pictures})
+        if (formatName(format) == last.format) chooseValue(m_format, format);
     const QStringList sides = last.size.split(u' ');
     if (sides.size() == 2)
         m_size->setFrameSize({sides[0].toInt(), sides[1].toInt()});
@@ -154,7 +159,7 @@ void AnimationExportDialog::createSize() {
 // Of an animated image in 256 colours, mail and web pages want a small one.
 void AnimationExportDialog::proposeSize() {
     if (m_isSizeProposed)
-        m_size->setFrameSize(m_format->currentIndex() == Gif ? QSize(640, 360) : QSize(1920, 1080));
+        m_size->setFrameSize(chosenValue<Format>(m_format) == Gif ? QSize(640, 360) : QSize(1920, 1080));
 }
 
 void AnimationExportDialog::createFrames() {
@@ -167,14 +172,13 @@ void AnimationExportDialog::createFrames() {
         update();
     });
     connect(m_last, &QSpinBox::valueChanged, this, &AnimationExportDialog::update);
-    m_quality = comboBox(tr("Quality"), {},
-                         tr("The number of points for each pixel of each frame: more "
-                            "points make smoother frames and take longer."));
-    m_quality->addItem(tr("Draft: 25 points per pixel"), 25);
-    m_quality->addItem(tr("Good: 100 points per pixel"), usualPointsPerPixel);
-    m_quality->addItem(tr("Fine: 400 points per pixel"), 400);
-    m_quality->addItem(tr("Finest: 2000 points per pixel"), 2000);
-    m_quality->setCurrentIndex(1);
+    m_quality = comboBox(tr("Quality"), tr("The number of points for each pixel of each frame: more "
+                                           "points make smoother frames and take longer."));
+    addChoice(m_quality, tr("Draft: 25 points per pixel"), 25);
+    addChoice(m_quality, tr("Good: 100 points per pixel"), usualPointsPerPixel);
+    addChoice(m_quality, tr("Fine: 400 points per pixel"), 400);
+    addChoice(m_quality, tr("Finest: 2000 points per pixel"), 2000);
+    chooseValue(m_quality, usualPointsPerPixel);
     m_form->addRow(tr("&Quality:"), m_quality);
     const auto* space = document::space(m_entry);
     const bool isSolid = space && !attractor::showsCloud(m_entry.inSpace.look);
@@ -187,9 +191,11 @@ void AnimationExportDialog::createFrames() {
     m_shutter->setSingleStep(45);
     m_form->addRow(tr("S&hutter:"), m_shutter);
     m_exposure = comboBox(tr("Exposure"),
-                          {tr("Smooth: no flicker"), tr("Fixed: as in frame 0"), tr("Each: frame by frame")},
                           tr("How bright the frames are: following the whole animation without flicker, all "
                              "like frame 0, or each as bright as it is on the canvas."));
+    addChoice(m_exposure, tr("Smooth: no flicker"), io::Exposing::Smooth);
+    addChoice(m_exposure, tr("Fixed: as in frame 0"), io::Exposing::Fixed);
+    addChoice(m_exposure, tr("Each: frame by frame"), io::Exposing::Each);
     m_form->addRow(tr("E&xposure:"), m_exposure);
     m_form->setRowVisible(m_exposure, !isSolid);
     m_tasks = spinBox(tr("Tasks on a cluster"), 1, 10'000, 8,
@@ -250,9 +256,8 @@ bool AnimationExportDialog::mayClose() {
                     tr("The animation “%1” is still being exported.").arg(m_entry.name),
                     QMessageBox::NoButton, this);
     m_question = &box;
-    box.setInformativeText(m_format->currentIndex() == Pictures
-                               ? tr("The pictures written so far are complete and will be kept.")
-                               : tr("If you stop now, no file is written."));
+    box.setInformativeText(isPictures() ? tr("The pictures written so far are complete and will be kept.")
+                                        : tr("If you stop now, no file is written."));
     const QPushButton* stop = box.addButton(tr("&Stop Export"), QMessageBox::AcceptRole);
     QPushButton* goOn = box.addButton(tr("&Continue"), QMessageBox::RejectRole);
     box.setDefaultButton(goOn);
@@ -267,23 +272,26 @@ void AnimationExportDialog::reject() {
 }
 
 void AnimationExportDialog::setSection(Section section) {
-    m_section->setCurrentIndex(int(section));
+    chooseValue(m_section, section);
 }
 
 void AnimationExportDialog::setFormat(Format format) {
-    m_format->setCurrentIndex(format);
+    chooseValue(m_format, format);
+}
+
+bool AnimationExportDialog::isPictures() const {
+    return chosenValue<Format>(m_format) == Pictures;
 }
 
 QString AnimationExportDialog::suffix() const {
-    return m_format->currentIndex() == Pictures ? QStringLiteral("png")
-                                                : io::videoSuffix(io::VideoFormat(m_format->currentIndex()));
+    return isPictures() ? QStringLiteral("png") : io::videoSuffix(chosenValue<io::VideoFormat>(m_format));
 }
 
 // With the view of the canvas as a key, where that is to be shown.
 document::Fractal AnimationExportDialog::entryInView() const {
     document::Fractal entry = m_entry;
-    if (io::hasCameraKeys(entry) || Section(m_section->currentIndex()) == Section::Animation) return entry;
-    const int saved = m_section->currentIndex() - int(Section::Animation) - 1;
+    if (io::hasCameraKeys(entry) || chosenValue<Section>(m_section) == Section::Animation) return entry;
+    const int saved = chosenValue<int>(m_section);
     const Camera& camera = saved < 0 ? m_camera : m_views[std::size_t(saved)].camera;
     if (auto* shape = document::plane(entry)) setCamera(*shape, camera);
     if (auto* shape = document::space(entry)) setCamera(*shape, camera);
@@ -294,17 +302,16 @@ io::AnimationExport AnimationExportDialog::chosen() const {
     io::AnimationExport what;
     what.entry = entryInView();
     const auto* solid = std::get_if<attractor::OrbitCamera>(&m_camera);
-    const bool isWhole = Section(m_section->currentIndex()) == Section::Animation;
+    const bool isWhole = chosenValue<Section>(m_section) == Section::Animation;
     if (solid && isWhole && !io::hasCameraKeys(m_entry)) what.seenFrom = *solid;
-    if (m_format->currentIndex() != Pictures) what.format = io::VideoFormat(m_format->currentIndex());
+    if (!isPictures()) what.format = chosenValue<io::VideoFormat>(m_format);
     what.size = m_size->size();
-    const int perPixel = m_quality->currentData().toInt();
+    const int perPixel = chosenValue<int>(m_quality);
     if (perPixel != usualPointsPerPixel)
         what.points =
             std::uint64_t(perPixel) * std::uint64_t(what.size.width()) * std::uint64_t(what.size.height());
     what.frames.shutter = 1000 * m_shutter->value();
-    what.frames.exposing = std::array{io::Exposing::Smooth, io::Exposing::Fixed,
-                                      io::Exposing::Each}[std::size_t(m_exposure->currentIndex())];
+    what.frames.exposing = chosenValue<io::Exposing>(m_exposure);
     what.first = m_first->value();
     what.last = m_last->value();
     return what;
@@ -331,27 +338,26 @@ void AnimationExportDialog::update() {
 void AnimationExportDialog::adoptEnding(const QString& path) {
     const auto format = io::videoFormat(QFileInfo(path).suffix());
     m_isSizeProposed = false; // what was shown is what is written
-    if (format && m_format->currentIndex() != Pictures) m_format->setCurrentIndex(int(*format));
+    if (format && !isPictures()) chooseValue(m_format, *format);
 }
 
 QString AnimationExportDialog::chosenFile() {
-    const bool isPictures = m_format->currentIndex() == Pictures;
     const QString filter = tr("%1 files (*.%2)").arg(suffix().toUpper(), suffix());
     const QString fileName = document::uniqueName({}, m_entry.name) + u'.' + suffix();
     // Of pictures the first is asked for; mayReplace() looks for all of them.
     const QString suggestion =
-        isPictures ? io::framePath(fileName, m_first->value(), m_last->value()) : fileName;
+        isPictures() ? io::framePath(fileName, m_first->value(), m_last->value()) : fileName;
     const QString path =
         chooseFileToSave(this, tr("Export Animation"), suggestedPath(animationKind, suggestion), filter,
-                         suffix(), !isPictures);
+                         suffix(), !isPictures());
     if (path.isEmpty()) return {};
     adoptEnding(path);
     const QString size = QStringLiteral("%1 %2").arg(m_size->size().width()).arg(m_size->size().height());
-    rememberExport(animationKind, {formatName(m_format->currentIndex()), size}, path);
+    rememberExport(animationKind, {formatName(chosenValue<Format>(m_format)), size}, path);
     const QString number = io::framePath(QStringLiteral(".png"), m_first->value(), m_last->value());
     const QString file =
-        isPictures && path.endsWith(number) ? path.chopped(number.size()) + QStringLiteral(".png") : path;
-    return !isPictures || mayReplace(file) ? file : QString();
+        isPictures() && path.endsWith(number) ? path.chopped(number.size()) + QStringLiteral(".png") : path;
+    return !isPictures() || mayReplace(file) ? file : QString();
 }
 
 bool AnimationExportDialog::mayReplace(const QString& path) {
@@ -390,8 +396,7 @@ void AnimationExportDialog::whenFinished() {
 
 QString AnimationExportDialog::sentenceFor(const io::ExportOutcome& outcome, const QString& path) const {
     const auto picture = [&](int frame) { return io::framePath(path, frame, m_last->value()); };
-    if (outcome.failure || m_format->currentIndex() != Pictures)
-        return ExportShell::sentenceFor(outcome, path);
+    if (outcome.failure || !isPictures()) return ExportShell::sentenceFor(outcome, path);
     return outcome.stopped
                ? tr("Export stopped. The pictures written so far are complete; export again to draw the "
                     "others.")

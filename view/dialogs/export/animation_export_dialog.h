@@ -38,9 +38,9 @@ public:
     AnimationExportDialog(document::Document* document, const Camera& camera, QWidget* parent = nullptr);
     ~AnimationExportDialog() override;
 
-    enum class Section { View, Animation }; // behind them in the list: the saved views
-    void setSection(Section section);       // what is shown where no camera key says
-    enum Format { Mp4, WebM, Mkv, Gif, WebP, Apng, Pictures };
+    enum class Section { View = -2, Animation = -1 };          // saved views have the numbers from 0
+    void setSection(Section section);                          // what is shown where no camera key says
+    enum Format { Mp4, WebM, Mkv, Gif, WebP, Apng, Pictures }; // the first as in io::VideoFormat
     void setFormat(Format format);
     void exportTo(const QString& path) override;
     void prepareCluster(const QString& folder); // what On a Cluster does once a folder is chosen
@@ -55,6 +55,7 @@ protected:
     QString sentenceFor(const io::ExportOutcome& outcome, const QString& path) const override;
 
 private:
+    bool isPictures() const;
     void createFormat();
     void createFrames();
     void createSize();

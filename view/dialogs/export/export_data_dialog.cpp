@@ -6,6 +6,7 @@
 #include "document/edits/cage/cage_edits.h"
 #include "io/file/background.h"
 #include "widgets/background/save_beside.h"
+#include "widgets/choices.h"
 #include "widgets/file_dialogs.h"
 #include "widgets/numbers/number_box.h"
 #include "widgets/text/text_edit_workarounds.h"
@@ -30,13 +31,26 @@ namespace view {
 
 namespace {
 
-enum Format { Flame, Aifs, Latex, Csv, Tsv, PointsCsv, PointsPly };
 const QString dataKind = QStringLiteral("data");
-// In that order, as the settings have them.
-const QStringList& formatNames() {
-    static const QStringList all =
-        QStringLiteral("flame aifs latex csv tsv points-csv points-ply").split(u' ');
-    return all;
+
+std::optional<io::TextFormat> textFormatOf(ExportDataDialog::Format format) {
+    using enum ExportDataDialog::Format;
+    switch (format) {
+    case Flame:
+        return io::TextFormat::Flame;
+    case Aifs:
+        return io::TextFormat::Aifs;
+    case Latex:
+        return io::TextFormat::Latex;
+    case Csv:
+        return io::TextFormat::Csv;
+    case Tsv:
+        return io::TextFormat::Tsv;
+    case PointsCsv:
+    case PointsPly:
+        break;
+    }
+    return std::nullopt;
 }
 
 std::shared_ptr<const document::Fractal> bakedOf(const document::Fractal& fractal) {
@@ -79,10 +93,15 @@ void ExportDataDialog::createOptions(QFormLayout* form) {
     m_format = new QComboBox(this);
     m_format->setWhatsThis(
         tr("The program that will read the data; each format contains what that program understands."));
-    m_format->addItems({tr("Flame: flam3, Apophysis, JWildfire, Fractorium"), tr("IFStile (.aifs)"),
-                        tr("Formulas and a figure for LaTeX (.tex)"), tr("Table with commas (.csv)"),
-                        tr("Table with tabs (.tsv)"), tr("Points (.csv)"), tr("Points, coloured (.ply)")});
-    chooseFormat(std::max(0, int(formatNames().indexOf(lastExport(dataKind).format))));
+    addChoice(m_format, tr("Flame: flam3, Apophysis, JWildfire, Fractorium"), Format::Flame);
+    addChoice(m_format, tr("IFStile (.aifs)"), Format::Aifs);
+    addChoice(m_format, tr("Formulas and a figure for LaTeX (.tex)"), Format::Latex);
+    addChoice(m_format, tr("Table with commas (.csv)"), Format::Csv);
+    addChoice(m_format, tr("Table with tabs (.tsv)"), Format::Tsv);
+    addChoice(m_format, tr("Points (.csv)"), Format::PointsCsv);
+    addChoice(m_format, tr("Points, coloured (.ply)"), Format::PointsPly);
+    const std::string last = lastExport(dataKind).format.toStdString();
+    chooseFormat(ifs::named<Format>(last).value_or(Format::Flame));
     m_columns = new ColumnOrders(tr("The order of the coefficients in each row; programs differ."), this);
     m_points = new WholeNumberBox(this);
     m_points->setWhatsThis(tr("How many points of the chaos game are written."));
@@ -110,38 +129,31 @@ void ExportDataDialog::createOptions(QFormLayout* form) {
 }
 
 // This one or, if it cannot store the system, the first that can; the others of its kind are grey.
-void ExportDataDialog::chooseFormat(int remembered) {
+void ExportDataDialog::chooseFormat(Format remembered) {
+    const auto holds = [this](Format format) {
+        const auto text = textFormatOf(format);
+        return !text || io::holds(*text, m_fractal);
+    };
     auto* items = qobject_cast<QStandardItemModel*>(m_format->model());
-    int first = PointsPly;
-    for (int index = PointsPly; index >= 0; --index) {
-        m_format->setCurrentIndex(index);
-        const auto format = textFormat();
-        const bool isHeld = !format || io::holds(*format, m_fractal);
-        items->item(index)->setEnabled(isHeld);
-        if (isHeld) first = index;
+    std::optional<Format> first;
+    for (int row = 0; row < m_format->count(); ++row) {
+        const auto format = Format(m_format->itemData(row).toInt());
+        items->item(row)->setEnabled(holds(format));
+        if (!first && holds(format)) first = format;
     }
-    m_format->setCurrentIndex(items->item(remembered)->isEnabled() ? remembered : first);
+    chooseValue(m_format, holds(remembered) ? remembered : *first); // points are always held
+}
+
+ExportDataDialog::Format ExportDataDialog::format() const {
+    return chosenValue<Format>(m_format);
 }
 
 std::optional<io::TextFormat> ExportDataDialog::textFormat() const {
-    switch (m_format->currentIndex()) {
-    case Flame:
-        return io::TextFormat::Flame;
-    case Aifs:
-        return io::TextFormat::Aifs;
-    case Latex:
-        return io::TextFormat::Latex;
-    case Csv:
-        return io::TextFormat::Csv;
-    case Tsv:
-        return io::TextFormat::Tsv;
-    default:
-        return std::nullopt;
-    }
+    return textFormatOf(format());
 }
 
 io::PointFormat ExportDataDialog::pointFormat() const {
-    return m_format->currentIndex() == PointsPly ? io::PointFormat::Ply : io::PointFormat::Csv;
+    return format() == Format::PointsPly ? io::PointFormat::Ply : io::PointFormat::Csv;
 }
 
 QString ExportDataDialog::suffix() const {
@@ -216,7 +228,7 @@ QString ExportDataDialog::chosenFile() {
     const QString fileName = document::uniqueName({}, m_fractal.name) + u'.' + suffix();
     const QString path =
         chooseFileToSave(this, tr("Export Data"), suggestedPath(dataKind, fileName), filter, suffix());
-    if (!path.isEmpty()) rememberExport(dataKind, {formatNames().at(m_format->currentIndex()), {}}, path);
+    if (!path.isEmpty()) rememberExport(dataKind, {QLatin1String(ifs::nameOf(format())), {}}, path);
     return path;
 }
 

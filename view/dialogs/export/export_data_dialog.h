@@ -3,6 +3,7 @@
 
 #include "dialogs/export/export_shell.h"
 #include "document/document.h"
+#include "ifs/names.h"
 #include "io/exchange/text_formats.h"
 
 #include <QFutureWatcher>
@@ -28,6 +29,8 @@ class ExportDataDialog : public ExportShell {
     Q_OBJECT
 
 public:
+    enum class Format { Flame, Aifs, Latex, Csv, Tsv, PointsCsv, PointsPly };
+
     explicit ExportDataDialog(document::Document* document, QWidget* parent = nullptr);
     ~ExportDataDialog() override;
 
@@ -40,7 +43,8 @@ protected:
 
 private:
     void createOptions(QFormLayout* form);
-    void chooseFormat(int remembered);
+    void chooseFormat(Format remembered);
+    Format format() const;
     std::optional<io::TextFormat> textFormat() const; // nullopt: points
     io::PointFormat pointFormat() const;
     QString suffix() const;
@@ -68,3 +72,16 @@ private:
 };
 
 } // namespace view
+
+// As the settings have them.
+template <>
+inline constexpr auto
+    ifs::names<view::ExportDataDialog::Format> = std::to_array<ifs::Named<view::ExportDataDialog::Format>>({
+        {view::ExportDataDialog::Format::Flame, "flame"},
+        {view::ExportDataDialog::Format::Aifs, "aifs"},
+        {view::ExportDataDialog::Format::Latex, "latex"},
+        {view::ExportDataDialog::Format::Csv, "csv"},
+        {view::ExportDataDialog::Format::Tsv, "tsv"},
+        {view::ExportDataDialog::Format::PointsCsv, "points-csv"},
+        {view::ExportDataDialog::Format::PointsPly, "points-ply"},
+    });

@@ -10,6 +10,7 @@
 #include "ifs/copies/copy_hierarchy.h"
 #include "io/file/background.h"
 #include "io/picture/picture_writers.h"
+#include "widgets/choices.h"
 #include "widgets/file_dialogs.h"
 #include "widgets/numbers/number_box.h"
 #include "widgets/numbers/number_text.h"
@@ -33,9 +34,8 @@ namespace {
 
 constexpr int maxFirstWidth = 780; // of the dialog: it fits the smallest screens
 
-// In the order of the list.
 struct Kind {
-    std::variant<io::PictureFile, io::ShapeFile> file;
+    ExportDialog::File file;
     const char* name;
 };
 constexpr Kind kinds[] = {
@@ -56,19 +56,19 @@ QStringList suffixesOf(const Kind& kind) {
         for (const char* suffix : io::factsOf(*file).suffixes)
             suffixes << QLatin1String(suffix);
     else
-        suffixes << (kind.file == decltype(kind.file)(io::ShapeFile::Svg) ? QStringLiteral("svg")
-                                                                          : QStringLiteral("pdf"));
+        suffixes << (kind.file == ExportDialog::File(io::ShapeFile::Svg) ? QStringLiteral("svg")
+                                                                         : QStringLiteral("pdf"));
     return suffixes;
 }
 
 const QString pictureKind = QStringLiteral("picture");
 
-// Its place in the list.
-std::optional<int> kindOf(const QString& path) {
+// Null where the ending of the name is of none.
+const Kind* kindOf(const QString& path) {
     const QString suffix = QFileInfo(path).suffix().toLower();
-    for (std::size_t i = 0; i < std::size(kinds); ++i)
-        if (suffixesOf(kinds[i]).contains(suffix)) return int(i);
-    return std::nullopt;
+    for (const Kind& kind : kinds)
+        if (suffixesOf(kind).contains(suffix)) return &kind;
+    return nullptr;
 }
 
 } // namespace
@@ -105,7 +105,7 @@ ExportDialog::~ExportDialog() = default;
 void ExportDialog::createFormat() {
     m_format = new QComboBox(m_options);
     for (const Kind& kind : kinds)
-        m_format->addItem(tr(kind.name));
+        addChoice(m_format, tr(kind.name), kind.file);
     m_format->setAccessibleName(tr("Format"));
     m_format->setWhatsThis(
         tr("SVG and PDF are made of shapes, which stay sharp at every size; the others are made of pixels. "
@@ -115,7 +115,7 @@ void ExportDialog::createFormat() {
                                    std::max(1, int(std::lround(m_camera.height * ratio)))},
                                   m_options);
     const LastExport last = lastExport(pictureKind);
-    m_format->setCurrentIndex(kindOf(QStringLiteral("last.") + last.format).value_or(0));
+    if (const Kind* kind = kindOf(QStringLiteral("last.") + last.format)) chooseValue(m_format, kind->file);
     m_size->choose(last.size);
     m_transparent = new QCheckBox(tr("&Transparent background"), m_options);
     m_transparent->setChecked(m_fractal.appearance.background.alpha == 0);
@@ -125,9 +125,10 @@ void ExportDialog::createFormat() {
     m_form = new QFormLayout(m_options);
     m_form->setContentsMargins({});
     m_section = new QComboBox(m_options);
-    m_section->addItems({tr("The view on the canvas"), tr("The whole attractor")});
-    for (const document::SavedView& view : m_views)
-        m_section->addItem(tr("The view “%1”").arg(view.name));
+    addChoice(m_section, tr("The view on the canvas"), Section::View);
+    addChoice(m_section, tr("The whole attractor"), Section::Attractor);
+    for (int saved = 0; saved < int(m_views.size()); ++saved)
+        addChoice(m_section, tr("The view “%1”").arg(m_views[std::size_t(saved)].name), saved);
     m_section->setAccessibleName(tr("Section"));
     m_section->setWhatsThis(tr("What the picture shows: the view on the canvas, or the whole attractor with "
                                "a small margin. Saved views are listed, too."));
@@ -143,11 +144,11 @@ void ExportDialog::createFormat() {
 
 void ExportDialog::createPngOptions() {
     m_quality = new QComboBox(m_options);
-    m_quality->addItem(tr("Draft: 25 points per pixel"), 25);
-    m_quality->addItem(tr("Good: 100 points per pixel"), 100);
-    m_quality->addItem(tr("Fine: 400 points per pixel"), 400);
-    m_quality->addItem(tr("Finest: 2000 points per pixel"), 2000);
-    m_quality->setCurrentIndex(1);
+    addChoice(m_quality, tr("Draft: 25 points per pixel"), 25);
+    addChoice(m_quality, tr("Good: 100 points per pixel"), 100);
+    addChoice(m_quality, tr("Fine: 400 points per pixel"), 400);
+    addChoice(m_quality, tr("Finest: 2000 points per pixel"), 2000);
+    chooseValue(m_quality, 100);
     m_quality->setAccessibleName(tr("Quality"));
     m_quality->setWhatsThis(tr(
         "The number of points drawn for each pixel: more points make a smoother picture and take longer."));
@@ -158,9 +159,8 @@ void ExportDialog::createPngOptions() {
     m_supersample->setWhatsThis(tr("The number of smaller cells along each side of a pixel: more cells make "
                                    "smoother edges, at the cost of memory and time."));
     m_depthOfColour = new QComboBox(m_options);
-    m_depthOfColour->addItem(tr("8 bits per channel"), QVariant::fromValue(io::PngFormat::Depth::Bits8));
-    m_depthOfColour->addItem(tr("16 bits per channel, for further editing"),
-                             QVariant::fromValue(io::PngFormat::Depth::Bits16));
+    addChoice(m_depthOfColour, tr("8 bits per channel"), io::PngFormat::Depth::Bits8);
+    addChoice(m_depthOfColour, tr("16 bits per channel, for further editing"), io::PngFormat::Depth::Bits16);
     m_depthOfColour->setAccessibleName(tr("Colour depth"));
     m_depthOfColour->setWhatsThis(
         tr("16 bits keep fine gradations for later editing; 8 bits are enough for viewing."));
@@ -174,9 +174,9 @@ void ExportDialog::createPngOptions() {
 
 void ExportDialog::createSvgOptions() {
     m_style = new QComboBox(m_options);
-    m_style->addItem(tr("Copies of copies: a small file"), int(io::ShapeStyle::Structured));
-    m_style->addItem(tr("Outline, for cutters and plotters"), int(io::ShapeStyle::Outline));
-    m_style->addItem(tr("Points"), int(io::ShapeStyle::Points));
+    addChoice(m_style, tr("Copies of copies: a small file"), io::ShapeStyle::Structured);
+    addChoice(m_style, tr("Outline, for cutters and plotters"), io::ShapeStyle::Outline);
+    addChoice(m_style, tr("Points"), io::ShapeStyle::Points);
     m_style->setAccessibleName(tr("Kind of shapes"));
     m_style->setWhatsThis(tr("Copies of copies make a small file that drawing programs can edit; the outline "
                              "is one path; points are dots of the chaos game."));
@@ -226,8 +226,9 @@ void ExportDialog::connectOptions() {
 }
 
 std::optional<io::PictureFile> ExportDialog::pixels() const {
-    const auto* file = std::get_if<io::PictureFile>(&kinds[m_format->currentIndex()].file);
-    return file ? std::optional(*file) : std::nullopt;
+    const auto file = chosenValue<File>(m_format);
+    const auto* picture = std::get_if<io::PictureFile>(&file);
+    return picture ? std::optional(*picture) : std::nullopt;
 }
 
 bool ExportDialog::isSvg() const {
@@ -241,21 +242,20 @@ bool ExportDialog::isTransparent() const {
 // What was chosen, where the format takes it.
 io::PngFormat::Depth ExportDialog::depthOfColour() const {
     using enum io::PngFormat::Depth;
-    const auto chosen = m_depthOfColour->currentData().value<io::PngFormat::Depth>();
+    const auto chosen = chosenValue<io::PngFormat::Depth>(m_depthOfColour);
     const io::PictureFile file = pixels().value_or(io::PictureFile::Png);
     if (io::takes(file, chosen)) return chosen;
     return chosen == Bits8 ? Bits16 : Bits8;
 }
 
 io::ShapeStyle ExportDialog::style() const {
-    return io::ShapeStyle(m_style->currentData().toInt());
+    return chosenValue<io::ShapeStyle>(m_style);
 }
 
 attractor::Camera ExportDialog::camera() const {
     const attractor::Camera camera = resized(m_camera, m_size->pixels());
-    const int section = m_section->currentIndex();
-    if (section == int(Section::View)) return camera;
-    if (const int saved = section - int(Section::Attractor) - 1; saved >= 0)
+    if (chosenValue<Section>(m_section) == Section::View) return camera;
+    if (const int saved = chosenValue<int>(m_section); saved >= 0)
         return attractor::cameraOf(std::get<attractor::View>(m_views[std::size_t(saved)].camera),
                                    {camera.width, camera.height});
     std::optional<document::Box> box = m_extent.result(); // waits
@@ -273,7 +273,7 @@ io::ExportRecipe ExportDialog::recipe(const attractor::Camera& camera) const {
     if (isSvg()) {
         io::ShapeRecipe shapes;
         shapes.camera = camera;
-        shapes.file = std::get<io::ShapeFile>(kinds[m_format->currentIndex()].file);
+        shapes.file = std::get<io::ShapeFile>(chosenValue<File>(m_format));
         shapes.style = style();
         if (!m_autoDepth->isChecked()) shapes.depth = m_depth->value();
         shapes.points = m_points->value();
@@ -286,7 +286,7 @@ io::ExportRecipe ExportDialog::recipe(const attractor::Camera& camera) const {
     picture.camera = camera;
     picture.file = *pixels();
     picture.depth = depthOfColour();
-    picture.samplesPerPixel = m_quality->currentData().toInt();
+    picture.samplesPerPixel = chosenValue<int>(m_quality);
     picture.supersample = m_supersample->value();
     picture.dotsPerInch = m_size->dotsPerInch();
     picture.cage = cage;
@@ -295,8 +295,7 @@ io::ExportRecipe ExportDialog::recipe(const attractor::Camera& camera) const {
 }
 
 void ExportDialog::showPreview() {
-    const bool isKnown =
-        Section(m_section->currentIndex()) == Section::View || m_extent.future().isFinished();
+    const bool isKnown = chosenValue<Section>(m_section) == Section::View || m_extent.future().isFinished();
     if (!isKnown || document::system2(m_fractal) == nullptr)
         return m_preview->show(m_size->pixels(), nullptr);
     m_preview->show(m_size->pixels(), [recipe = recipe(camera()), fractal = m_fractal](
@@ -399,7 +398,7 @@ void ExportDialog::resizeEvent(QResizeEvent* event) {
 }
 
 void ExportDialog::setSection(Section section) {
-    m_section->setCurrentIndex(int(section));
+    chooseValue(m_section, section);
 }
 
 void ExportDialog::setFolder(const QString& folder) {
@@ -412,29 +411,28 @@ bool ExportDialog::isPossible() const {
 
 QString ExportDialog::chosenFile() {
     if (!isSvg() && !confirmLargeExport(this, m_size->pixels(), memory())) return {};
-    const Kind& kind = kinds[m_format->currentIndex()];
-    const QStringList suffixes = suffixesOf(kind);
+    const QStringList suffixes = suffixesOf({chosenValue<File>(m_format), nullptr});
     const QString suffix = suffixes.first();
     const QString filter =
         QStringLiteral("%1 (*.%2)").arg(suffix.toUpper(), suffixes.join(QStringLiteral(" *.")));
     const QString name = document::uniqueName({}, m_fractal.name) + u'.' + suffix;
     const QString path = chooseFileToSave(this, tr("Export Picture"),
                                           suggestedPath(pictureKind, name, m_folder), filter, suffix);
-    if (const auto chosen = kindOf(path))
-        rememberExport(pictureKind, {suffixesOf(kinds[*chosen]).first(), m_size->choice()}, path);
+    if (const Kind* kind = kindOf(path))
+        rememberExport(pictureKind, {suffixesOf(*kind).first(), m_size->choice()}, path);
     return path;
 }
 
 bool ExportDialog::takeFormat(const QString& path) {
-    const std::optional<int> kind = kindOf(path);
+    const Kind* kind = kindOf(path);
     if (kind)
-        m_format->setCurrentIndex(*kind);
+        chooseValue(m_format, kind->file);
     else
         say(tr("The name “%1” does not determine the format: it must end with .png, .jpg, .webp, .tiff, "
                ".exr, .svg "
                "or .pdf.")
                 .arg(QFileInfo(path).fileName()));
-    return kind.has_value();
+    return kind != nullptr;
 }
 
 void ExportDialog::exportTo(const QString& path) {

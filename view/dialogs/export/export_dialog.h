@@ -35,10 +35,11 @@ public:
     ExportDialog(document::Document* document, const attractor::Camera& camera, QWidget* parent = nullptr);
     ~ExportDialog() override;
 
-    enum class Section { View, Attractor };      // behind them in the list: the saved views
-    void setSection(Section section);            // what the picture shows; the view at first
-    void setFolder(const QString& folder);       // to suggest before the first export
-    void exportTo(const QString& path) override; // the ending of the name decides the format
+    using File = std::variant<io::PictureFile, io::ShapeFile>; // what the format is
+    enum class Section { View = -2, Attractor = -1 };          // saved views have the numbers from 0
+    void setSection(Section section);                          // what the picture shows; the view at first
+    void setFolder(const QString& folder);                     // to suggest before the first export
+    void exportTo(const QString& path) override;               // the ending of the name decides the format
     const ExportPreview& preview() const { return *m_preview; }
 
 protected:

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "dialogs/export/export_size_editor.h"
 
+#include "widgets/choices.h"
 #include "widgets/icon.h"
 #include "widgets/numbers/number_box.h"
 
@@ -24,8 +25,8 @@ namespace {
 constexpr int maxSide = 100'000;
 constexpr int printed = 300;              // dots per inch
 constexpr int multiples[] = {1, 2, 4, 8}; // of the screen
-enum Unit { Pixels, Millimetres, Inches };
-enum Role { Size = Qt::UserRole, IsPaper }; // of a named size
+using Unit = ExportSizeEditor::Unit;
+enum Role { Size = Qt::UserRole, IsPaper, Multiple }; // of a named size
 
 QDoubleSpinBox* lengthField(const QString& name, QWidget* parent) {
     auto* field = new NumberBox(parent);
@@ -35,6 +36,16 @@ QDoubleSpinBox* lengthField(const QString& name, QWidget* parent) {
     field->setWhatsThis(ExportSizeEditor::tr(
         "A length in the selected unit. The other side follows as long as the proportions are locked."));
     return field;
+}
+
+QComboBox* unitBox(QWidget* parent) {
+    auto* box = new QComboBox(parent);
+    addChoice(box, ExportSizeEditor::tr("pixels"), Unit::Pixels);
+    addChoice(box, ExportSizeEditor::tr("mm"), Unit::Millimetres);
+    addChoice(box, ExportSizeEditor::tr("inches"), Unit::Inches);
+    box->setAccessibleName(ExportSizeEditor::tr("Unit of length"));
+    box->setWhatsThis(ExportSizeEditor::tr("Pixels, or a length on paper at the given resolution."));
+    return box;
 }
 
 QToolButton* lockButton(QWidget* parent) {
@@ -68,15 +79,12 @@ ExportSizeEditor::ExportSizeEditor(const QSize& screen, QWidget* parent)
       m_locked(screen),
       m_width(lengthField(tr("Width"), this)),
       m_height(lengthField(tr("Height"), this)),
-      m_unit(new QComboBox(this)),
+      m_unit(unitBox(this)),
       m_named(new QComboBox(this)),
       m_lock(lockButton(this)),
       m_turn(turnButton(this)),
       m_resolution(new WholeNumberBox(this)) {
     setWhatsThis(tr("The size of the picture, in pixels or on paper."));
-    m_unit->addItems({tr("pixels"), tr("mm"), tr("inches")});
-    m_unit->setAccessibleName(tr("Unit of length"));
-    m_unit->setWhatsThis(tr("Pixels, or a length on paper at the given resolution."));
     addNamedSizes();
     m_named->setAccessibleName(tr("Named size"));
     m_named->setWhatsThis(tr("The size of the picture on the screen or a multiple of it, of a common screen, "
@@ -124,11 +132,13 @@ ExportSizeEditor::ExportSizeEditor(const QSize& screen, QWidget* parent)
 // Sheets lie or stand as the picture on the screen does.
 void ExportSizeEditor::addNamedSizes() {
     const auto add = [this](const QString& name, const QSize& size, bool isPaper = false) {
-        m_named->addItem(name, size);
+        addChoice(m_named, name, size);
         m_named->setItemData(m_named->count() - 1, isPaper, IsPaper);
     };
-    for (const int factor : multiples)
+    for (const int factor : multiples) {
         add(factor == 1 ? tr("Same as on the screen") : tr("%1 × the screen").arg(factor), m_screen * factor);
+        m_named->setItemData(m_named->count() - 1, factor, Multiple);
+    }
     m_named->insertSeparator(m_named->count());
     add(tr("Full HD: 1920 × 1080"), {1920, 1080});
     add(tr("4K: 3840 × 2160"), {3840, 2160});
@@ -142,7 +152,7 @@ void ExportSizeEditor::addNamedSizes() {
     add(tr("A4 at 300 dpi"), sheet(297, 210), true);
     add(tr("A3 at 300 dpi"), sheet(420, 297), true);
     m_named->insertSeparator(m_named->count());
-    m_named->addItem(tr("Custom"));
+    addChoice(m_named, tr("Custom"), QSize());
 }
 
 void ExportSizeEditor::turn() {
@@ -155,8 +165,8 @@ void ExportSizeEditor::takeNamedSize() {
     if (!size.isValid()) return; // custom
     const bool isPaper = m_named->currentData(IsPaper).toBool();
     if (isPaper) m_resolution->setValue(printed);
-    if (isPaper && m_unit->currentIndex() == Pixels) m_unit->setCurrentIndex(Millimetres);
-    if (!isPaper) m_unit->setCurrentIndex(Pixels);
+    if (isPaper && !isOnPaper()) chooseValue(m_unit, Unit::Millimetres);
+    if (!isPaper) chooseValue(m_unit, Unit::Pixels);
     m_locked = size;
     setPixels(size);
 }
@@ -166,15 +176,14 @@ double ExportSizeEditor::dotsPerInch() const {
 }
 
 bool ExportSizeEditor::isOnPaper() const {
-    return m_unit->currentIndex() != Pixels;
+    return chosenValue<Unit>(m_unit) != Unit::Pixels;
 }
 
 QString ExportSizeEditor::choice() const {
-    const int named = m_named->currentIndex();
-    const int multiple = named < int(std::size(multiples)) ? multiples[named] : 0;
+    const int multiple = m_named->currentData(Multiple).toInt(); // 0: not by the screen
     QStringList numbers;
-    for (const int number :
-         {multiple, m_pixels.width(), m_pixels.height(), m_unit->currentIndex(), m_resolution->value()})
+    for (const int number : {multiple, m_pixels.width(), m_pixels.height(), int(chosenValue<Unit>(m_unit)),
+                             m_resolution->value()})
         numbers << QString::number(number);
     return numbers.join(u' ');
 }
@@ -187,7 +196,7 @@ void ExportSizeEditor::choose(const QString& choice) {
     const bool isByScreen = std::ranges::find(multiples, numbers[0]) != std::end(multiples);
     const QSize size = isByScreen ? m_screen * numbers[0] : QSize(numbers[1], numbers[2]);
     m_resolution->setValue(numbers[4]);
-    m_unit->setCurrentIndex(std::clamp(numbers[3], int(Pixels), int(Inches)));
+    chooseValue(m_unit, std::clamp(Unit(numbers[3]), Unit::Pixels, Unit::Inches));
     m_locked = size;
     setPixels(size);
 }
@@ -203,30 +212,31 @@ void ExportSizeEditor::setPixels(const QSize& size) {
 }
 
 double ExportSizeEditor::unitInPixels() const {
-    switch (m_unit->currentIndex()) {
-    case Millimetres:
+    switch (chosenValue<Unit>(m_unit)) {
+    case Unit::Pixels:
+        break;
+    case Unit::Millimetres:
         return dotsPerInch() / 25.4;
-    case Inches:
+    case Unit::Inches:
         return dotsPerInch();
-    default:
-        return 1;
     }
+    return 1;
 }
 
 void ExportSizeEditor::showSize() {
     const QSignalBlocker width(m_width);
     const QSignalBlocker height(m_height);
-    const int decimals = m_unit->currentIndex() == Pixels ? 0 : m_unit->currentIndex() == Millimetres ? 1 : 2;
+    const auto unit = chosenValue<Unit>(m_unit);
+    const int decimals = unit == Unit::Pixels ? 0 : unit == Unit::Millimetres ? 1 : 2;
     for (QDoubleSpinBox* field : {m_width, m_height})
         field->setDecimals(decimals);
     m_width->setValue(m_pixels.width() / unitInPixels());
     m_height->setValue(m_pixels.height() / unitInPixels());
-    int named = m_named->findData(m_pixels, Size);
+    if (chooseValue(m_named, m_pixels)) return;
     // A sheet that was chosen for another screen may stand where this one lies.
-    if (const int turned = m_named->findData(m_pixels.transposed(), Size);
-        named < 0 && turned >= 0 && m_named->itemData(turned, IsPaper).toBool())
-        named = turned;
-    m_named->setCurrentIndex(named >= 0 ? named : m_named->count() - 1);
+    const bool isTurnedSheet =
+        chooseValue(m_named, m_pixels.transposed()) && m_named->currentData(IsPaper).toBool();
+    if (!isTurnedSheet) chooseValue(m_named, QSize());
 }
 
 QSize ExportSizeEditor::inShape(double factor) const {

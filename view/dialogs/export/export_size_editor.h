@@ -19,6 +19,8 @@ class ExportSizeEditor : public QWidget {
 public:
     explicit ExportSizeEditor(const QSize& screen, QWidget* parent = nullptr);
 
+    enum class Unit { Pixels, Millimetres, Inches }; // numbered as the settings have them
+
     QSize pixels() const { return m_pixels; }
     void setPixels(const QSize& size); // as they are, also against the lock
     double dotsPerInch() const;

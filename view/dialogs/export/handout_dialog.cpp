@@ -9,6 +9,7 @@
 #include "document/text/file_names.h"
 #include "io/export_job.h"
 #include "io/overlay/space_overlay.h"
+#include "widgets/choices.h"
 
 #include <QCheckBox>
 #include <QComboBox>
@@ -114,15 +115,15 @@ void HandoutDialog::createEntries(const document::Document& document) {
 }
 
 void HandoutDialog::createOptions() {
-    m_kind->addItem(tr("Handout with pictures"));
-    m_kind->addItem(tr("Blank worksheet"));
+    addChoice(m_kind, tr("Handout with pictures"), HandoutOptions::Kind::Handout);
+    addChoice(m_kind, tr("Blank worksheet"), HandoutOptions::Kind::TaskSheet);
     m_kind->setAccessibleName(tr("Kind of sheet"));
     m_kind->setWhatsThis(tr("A handout has the picture of each entry, with its cage, its maps and their "
                             "formulas. A blank worksheet has the cage, in the plane on a grid, and an empty "
                             "table, to be filled in by hand."));
     for (const int count : {1, 2, 4, 6})
-        m_perPage->addItem(QString::number(count), count);
-    m_perPage->setCurrentIndex(1);
+        addChoice(m_perPage, QString::number(count), count);
+    chooseValue(m_perPage, HandoutOptions().perPage);
     m_perPage->setAccessibleName(tr("Entries per page"));
     m_perPage->setWhatsThis(tr("How many entries are printed on one page."));
     m_maps->setChecked(true);
@@ -156,8 +157,8 @@ void HandoutDialog::update() {
 }
 
 HandoutOptions HandoutDialog::options() const {
-    return {HandoutOptions::Kind(m_kind->currentIndex()), m_perPage->currentData().toInt(),
-            m_maps->isChecked(), m_formulas->isChecked(), m_nameLine->isChecked()};
+    return {chosenValue<HandoutOptions::Kind>(m_kind), chosenValue<int>(m_perPage), m_maps->isChecked(),
+            m_formulas->isChecked(), m_nameLine->isChecked()};
 }
 
 std::vector<std::shared_ptr<const document::Fractal>> HandoutDialog::chosen() const {

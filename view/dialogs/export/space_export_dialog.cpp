@@ -11,6 +11,7 @@
 #include "io/picture/picture_writers.h"
 #include "io/solid/openscad.h"
 #include "widgets/background/save_beside.h"
+#include "widgets/choices.h"
 #include "widgets/file_dialogs.h"
 #include "widgets/numbers/number_box.h"
 #include "widgets/text/tooltip_text.h"
@@ -32,10 +33,12 @@ namespace view {
 namespace {
 
 const QString solidKind = QStringLiteral("solid");
-// In the order of the list.
-const QStringList& suffixes() {
-    static const QStringList all =
-        QStringLiteral("png jpg webp tiff exr svg pdf stl obj glb ply scad").split(u' ');
+constexpr int theCanvas = -1; // among the saved views
+
+QStringList suffixes() {
+    QStringList all;
+    for (const auto& format : ifs::names<SpaceExportDialog::Format>)
+        all << QLatin1String(format.id);
     return all;
 }
 
@@ -50,11 +53,18 @@ SpaceExportDialog::SpaceExportDialog(document::Document* document, const attract
       m_form(new QFormLayout) {
     setWindowTitle(tr("Export “%1”").arg(titleText(m_fractal.name)));
     m_format = new QComboBox(this);
-    m_format->addItems({tr("Picture (.png)"), tr("Picture (.jpg)"), tr("Picture (.webp)"),
-                        tr("Picture (.tiff)"), tr("Picture in linear light (.exr)"),
-                        tr("Picture in SVG (.svg)"), tr("Picture in PDF (.pdf)"),
-                        tr("Mesh for 3D printing (.stl)"), tr("Mesh (.obj)"), tr("Mesh (.glb)"),
-                        tr("Mesh (.ply)"), tr("OpenSCAD program (.scad)")});
+    addChoice(m_format, tr("Picture (.png)"), Format::Png);
+    addChoice(m_format, tr("Picture (.jpg)"), Format::Jpeg);
+    addChoice(m_format, tr("Picture (.webp)"), Format::WebP);
+    addChoice(m_format, tr("Picture (.tiff)"), Format::Tiff);
+    addChoice(m_format, tr("Picture in linear light (.exr)"), Format::Exr);
+    addChoice(m_format, tr("Picture in SVG (.svg)"), Format::Svg);
+    addChoice(m_format, tr("Picture in PDF (.pdf)"), Format::Pdf);
+    addChoice(m_format, tr("Mesh for 3D printing (.stl)"), Format::Stl);
+    addChoice(m_format, tr("Mesh (.obj)"), Format::Obj);
+    addChoice(m_format, tr("Mesh (.glb)"), Format::Glb);
+    addChoice(m_format, tr("Mesh (.ply)"), Format::Ply);
+    addChoice(m_format, tr("OpenSCAD program (.scad)"), Format::OpenScad);
     m_format->setWhatsThis(tr("A picture as the camera shows it, a watertight mesh that contains the "
                               "attractor, or the maps as a program for OpenSCAD."));
     m_form->addRow(tr("&Format:"), m_format);
@@ -69,7 +79,7 @@ SpaceExportDialog::SpaceExportDialog(document::Document* document, const attract
     addQueueButton(tr("Asks for a file name and adds the file to the queue in the Exports panel. "
                       "The queue continues after a restart."));
     const LastExport last = lastExport(solidKind);
-    m_format->setCurrentIndex(std::max(0, int(suffixes().indexOf(last.format))));
+    setFormat(ifs::named<Format>(last.format.toStdString()).value_or(Format::Png));
     m_size->choose(last.size);
     showBody(last.more);
     connect(m_format, &QComboBox::currentIndexChanged, this, &SpaceExportDialog::update);
@@ -84,9 +94,9 @@ SpaceExportDialog::~SpaceExportDialog() = default;
 
 void SpaceExportDialog::createPicture() {
     m_section = new QComboBox(this);
-    m_section->addItem(tr("The view on the canvas"));
-    for (const document::SavedView& view : m_views)
-        m_section->addItem(tr("The view “%1”").arg(view.name));
+    addChoice(m_section, tr("The view on the canvas"), theCanvas);
+    for (int saved = 0; saved < int(m_views.size()); ++saved)
+        addChoice(m_section, tr("The view “%1”").arg(m_views[std::size_t(saved)].name), saved);
     m_section->setAccessibleName(tr("Section"));
     m_section->setWhatsThis(tr("What the picture shows: the view on the canvas, or a saved view."));
     m_form->addRow(tr("Sect&ion:"), m_section);
@@ -100,15 +110,19 @@ void SpaceExportDialog::createPicture() {
         tr("Computes this many cells along each side of a pixel, for smoother edges."));
     m_form->addRow(tr("S&upersampling:"), m_supersample);
     m_depth = new QComboBox(this);
-    m_depth->addItems({tr("8 bits"), tr("16 bits")});
-    if (m_fractal.inSpace.look == attractor::LookInSpace::Normals) m_depth->setCurrentIndex(1);
+    using Depth = io::PngFormat::Depth;
+    addChoice(m_depth, tr("8 bits"), Depth::Bits8);
+    addChoice(m_depth, tr("16 bits"), Depth::Bits16);
+    if (m_fractal.inSpace.look == attractor::LookInSpace::Normals) chooseValue(m_depth, Depth::Bits16);
     m_depth->setWhatsThis(tr("Bits per channel. Depths always have 16."));
     m_form->addRow(tr("Co&lours:"), m_depth);
     m_transparent = new QCheckBox(tr("&Transparent background"), this);
     m_transparent->setWhatsThis(tr("Makes the surroundings of the solid transparent."));
     m_form->addRow(QString(), m_transparent);
     m_stereo = new QComboBox(this);
-    m_stereo->addItems({tr("One picture"), tr("Both eyes, side by side"), tr("Red and cyan glasses")});
+    addChoice(m_stereo, tr("One picture"), io::Stereo::None);
+    addChoice(m_stereo, tr("Both eyes, side by side"), io::Stereo::SideBySide);
+    addChoice(m_stereo, tr("Red and cyan glasses"), io::Stereo::Anaglyph);
     m_stereo->setWhatsThis(tr("For both eyes: two pictures side by side, or one in red and cyan."));
     m_form->addRow(tr("Stere&o:"), m_stereo);
 }
@@ -162,7 +176,7 @@ QString SpaceExportDialog::bodyText() const {
 }
 
 SpaceExportDialog::Format SpaceExportDialog::format() const {
-    return static_cast<Format>(m_format->currentIndex());
+    return chosenValue<Format>(m_format);
 }
 
 std::optional<io::PictureFile> SpaceExportDialog::pictureFile() const {
@@ -176,18 +190,18 @@ std::optional<io::ShapeFile> SpaceExportDialog::page() const {
 }
 
 void SpaceExportDialog::setFormat(Format format) {
-    m_format->setCurrentIndex(int(format));
+    chooseValue(m_format, format);
 }
 
 QString SpaceExportDialog::suffix() const {
-    return suffixes().at(m_format->currentIndex());
+    return QLatin1String(ifs::nameOf(format()));
 }
 
 // For the proportions of the canvas.
 attractor::OrbitCamera SpaceExportDialog::camera() const {
-    if (m_section->currentIndex() <= 0) return m_camera;
-    auto camera =
-        std::get<attractor::OrbitCamera>(m_views[std::size_t(m_section->currentIndex() - 1)].camera);
+    const int saved = chosenValue<int>(m_section);
+    if (saved == theCanvas) return m_camera;
+    auto camera = std::get<attractor::OrbitCamera>(m_views[std::size_t(saved)].camera);
     camera.size = m_camera.size;
     return camera;
 }
@@ -209,10 +223,10 @@ std::optional<io::ExportRecipe> SpaceExportDialog::recipe() const {
     picture.file = *pictureFile();
     picture.page = page();
     picture.isTransparent = m_transparent->isChecked() && io::factsOf(picture.file).canBeTransparent;
-    picture.stereo = static_cast<io::Stereo>(m_stereo->currentIndex());
+    picture.stereo = chosenValue<io::Stereo>(m_stereo);
     picture.supersample = m_supersample->value();
     using enum io::PngFormat::Depth;
-    picture.depth = m_depth->currentIndex() == 1 && !picture.page ? Bits16 : Bits8;
+    picture.depth = picture.page ? Bits8 : chosenValue<io::PngFormat::Depth>(m_depth);
     if (!io::takes(picture.file, picture.depth)) picture.depth = picture.depth == Bits8 ? Bits16 : Bits8;
     picture.dotsPerInch = m_size->dotsPerInch();
     return picture;
@@ -297,14 +311,14 @@ bool SpaceExportDialog::takeFormat(const QString& path) {
     QString ending = QFileInfo(path).suffix().toLower();
     if (const auto file = io::pictureFileOf(ending))
         ending = QLatin1String(io::factsOf(*file).suffixes.front()); // of several
-    const qsizetype index = suffixes().indexOf(ending);
-    if (index >= 0)
-        m_format->setCurrentIndex(int(index));
+    const auto format = ifs::named<Format>(ending.toStdString());
+    if (format)
+        setFormat(*format);
     else
         say(tr("The name “%1” does not determine the format. It must end with one of these: %2.")
                 .arg(QFileInfo(path).fileName(),
                      QStringLiteral(".") + suffixes().join(QStringLiteral(", ."))));
-    return index >= 0;
+    return format.has_value();
 }
 
 std::optional<io::ExportRecipe> SpaceExportDialog::recipeFor(const QString& path) {

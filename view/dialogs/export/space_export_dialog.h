@@ -5,6 +5,7 @@
 #include "dialogs/export/export_shell.h"
 #include "document/document.h"
 #include "document/saved_views.h"
+#include "ifs/names.h"
 
 #include <optional>
 
@@ -82,3 +83,21 @@ private:
 };
 
 } // namespace view
+
+// By the ending of a file's name.
+template <>
+inline constexpr auto
+    ifs::names<view::SpaceExportDialog::Format> = std::to_array<ifs::Named<view::SpaceExportDialog::Format>>({
+        {view::SpaceExportDialog::Format::Png, "png"},
+        {view::SpaceExportDialog::Format::Jpeg, "jpg"},
+        {view::SpaceExportDialog::Format::WebP, "webp"},
+        {view::SpaceExportDialog::Format::Tiff, "tiff"},
+        {view::SpaceExportDialog::Format::Exr, "exr"},
+        {view::SpaceExportDialog::Format::Svg, "svg"},
+        {view::SpaceExportDialog::Format::Pdf, "pdf"},
+        {view::SpaceExportDialog::Format::Stl, "stl"},
+        {view::SpaceExportDialog::Format::Obj, "obj"},
+        {view::SpaceExportDialog::Format::Glb, "glb"},
+        {view::SpaceExportDialog::Format::Ply, "ply"},
+        {view::SpaceExportDialog::Format::OpenScad, "scad"},
+    });

@@ -3,6 +3,7 @@
 
 #include "dialogs/variations/sheet_maker.h"
 #include "document/edits/maps/map_locks.h"
+#include "widgets/choices.h"
 #include "widgets/layout/vertical_scroll_area.h"
 #include "widgets/numbers/number_box.h"
 #include "widgets/text/tooltip_text.h"
@@ -169,17 +170,17 @@ void MutateDialog::addChanges(QFormLayout* form) {
 void MutateDialog::addPartners(QFormLayout* form) {
     m_partner = new QComboBox(this);
     m_partner->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
-    m_partner->addItem(tr("Nothing"));
+    addChoice(m_partner, tr("Nothing"), FractalPointer());
     for (const document::Entry& entry : m_document->file().entries) {
         if (entry.id == m_document->currentId() ||
             document::dimension(*entry.fractal) != document::dimension(*middle()))
             continue;
-        m_partners.push_back(entry.fractal);
-        m_partner->addItem(entry.fractal->name);
+        addChoice(m_partner, entry.fractal->name, entry.fractal);
     }
-    m_partner->setEnabled(!m_partners.empty());
-    m_partner->setToolTip(m_partners.empty() ? tr("This file has no other fractal of this dimension.")
-                                             : tr("Mix the parent with another entry of this file"));
+    const bool hasOthers = m_partner->count() > 1;
+    m_partner->setEnabled(hasOthers);
+    m_partner->setToolTip(!hasOthers ? tr("This file has no other fractal of this dimension.")
+                                     : tr("Mix the parent with another entry of this file"));
     m_partner->setWhatsThis(
         tr("The variations take some maps from the parent, some from the other entry, and some that are "
            "halfway between two corresponding maps. The checkboxes above determine whether shape, colour and "
@@ -225,8 +226,7 @@ document::Mutation MutateDialog::mutation() const {
     document::Mutation mutation;
     mutation.strength = double(m_strength->value()) / strengthSteps;
     mutation.may = {m_shape->isChecked(), m_colours->isChecked(), m_weights->isChecked()};
-    if (m_partner->currentIndex() > 0)
-        mutation.partner = m_partners[std::size_t(m_partner->currentIndex() - 1)];
+    mutation.partner = chosenValue<FractalPointer>(m_partner);
     return mutation;
 }
 
@@ -309,11 +309,11 @@ void MutateDialog::showParent() {
 }
 
 void MutateDialog::showPartner() {
-    const int index = m_partner->currentIndex() - 1;
-    m_partnerPicture->setVisible(index >= 0);
-    if (index < 0) return;
-    const auto key = partnerKey + quint64(index);
-    m_partnerPicture->setPixmap(m_small->thumbnail(key, m_partners[std::size_t(index)]).pixmap);
+    const auto partner = chosenValue<FractalPointer>(m_partner);
+    m_partnerPicture->setVisible(partner != nullptr);
+    if (!partner) return;
+    const auto key = partnerKey + quint64(m_partner->currentIndex());
+    m_partnerPicture->setPixmap(m_small->thumbnail(key, partner).pixmap);
 }
 
 void MutateDialog::showLine(quint64 key) {

@@ -75,7 +75,6 @@ private:
     document::Document* m_document;
     std::vector<Generation> m_line; // the entry first
     int m_generation = 0;           // in the middle
-    std::vector<FractalPointer> m_partners;
     SheetMaker* m_sheet;
     Thumbnails* m_large; // of the middle
     Thumbnails* m_small; // of the line and the partner

@@ -4,6 +4,7 @@
 #include "dialogs/variations/picture_tiles.h"
 #include "dialogs/variations/sheet_maker.h"
 #include "document/edits/entries_edits.h"
+#include "widgets/choices.h"
 #include "widgets/numbers/number_box.h"
 #include "widgets/symmetry_groups.h"
 
@@ -122,8 +123,8 @@ void RandomDialog::redraw() {
 }
 
 void RandomDialog::createControls(QGridLayout* layout) {
-    m_dimension->addItem(tr("In the plane"), 2);
-    m_dimension->addItem(tr("In space"), 3);
+    addChoice(m_dimension, tr("In the plane"), 2);
+    addChoice(m_dimension, tr("In space"), 3);
     m_dimension->setAccessibleName(tr("Plane or space"));
     m_dimension->setToolTip(tr("Make systems in the plane or in space"));
     m_dimension->setWhatsThis(
@@ -180,31 +181,31 @@ void RandomDialog::addSeed(QGridLayout* layout) {
 
 document::RandomChoice RandomDialog::choice() const {
     document::RandomChoice choice;
-    choice.dimension = m_dimension->currentData().toInt();
-    choice.maps = m_maps->currentData().toInt();
+    choice.dimension = chosenValue<int>(m_dimension);
+    choice.maps = chosenValue<int>(m_maps);
     choice.symmetry = chosenSymmetryGroup(m_groups);
     choice.order = hasOrder(choice.symmetry) ? m_order->value() : 1;
     return choice;
 }
 
 void RandomDialog::chooseDimension() {
-    const int group = m_groups->currentData().toInt();
+    const auto group = chosenSymmetryGroup(m_groups);
     const QSignalBlocker quiet(m_groups);
-    fillSymmetryGroups(m_groups, m_dimension->currentData().toInt());
-    m_groups->setCurrentIndex(std::max(0, m_groups->findData(group)));
+    fillSymmetryGroups(m_groups, chosenValue<int>(m_dimension));
+    if (!chooseValue(m_groups, group)) chooseValue(m_groups, ifs::SymmetryGroup::None);
     chooseSymmetry();
 }
 
 // A single map needs one: without, it has a point.
 void RandomDialog::chooseSymmetry() {
     const auto group = chosenSymmetryGroup(m_groups);
-    const int before = m_maps->currentData().toInt();
+    const int before = chosenValue<int>(m_maps);
     const QSignalBlocker quiet(m_maps);
     m_maps->clear();
-    m_maps->addItem(tr("Any"), 0);
+    addChoice(m_maps, tr("Any"), 0);
     for (int maps = group == ifs::SymmetryGroup::None ? 2 : 1; maps <= document::maxRandomMaps; ++maps)
-        m_maps->addItem(QString::number(maps), maps);
-    m_maps->setCurrentIndex(std::max(0, m_maps->findData(before)));
+        addChoice(m_maps, QString::number(maps), maps);
+    if (!chooseValue(m_maps, before)) chooseValue(m_maps, 0);
     m_order->setEnabled(hasOrder(group));
     makeSheet();
 }

@@ -9,6 +9,7 @@
 #include "panels/appearance/palettes/palette_browser.h"
 #include "panels/appearance/slice_rows.h"
 #include "panels/appearance/space_rows.h"
+#include "widgets/choices.h"
 #include "widgets/flat_buttons.h"
 #include "widgets/layout/wrapping_form.h"
 
@@ -88,7 +89,7 @@ void AppearancePanel::makeColourRows(QFormLayout* form) {
            "came last, the whole address, or the blend of the colours of all maps applied, as in flames. The "
            "position of each map on the palette, and its speed, are in the Maps panel."));
     const auto add = [this](const QString& name, const QString& tip, ColourBy value) {
-        m_colourBy->addItem(name, static_cast<int>(value));
+        addChoice(m_colourBy, name, value);
         m_colourBy->setItemData(m_colourBy->count() - 1, tip, Qt::ToolTipRole);
     };
     add(tr("Density"), tr("Colour by the density of points"), ColourBy::Density);
@@ -98,7 +99,7 @@ void AppearancePanel::makeColourRows(QFormLayout* form) {
         ColourBy::Blend);
     add(tr("Plain"), tr("One colour, with the density as its opacity"), ColourBy::Plain);
     connect(m_colourBy, &QComboBox::activated, this, [this] {
-        const auto value = static_cast<ColourBy>(m_colourBy->currentData().toInt());
+        const auto value = chosenValue<ColourBy>(m_colourBy);
         edit(tr("Colour by: %1").arg(m_colourBy->currentText()),
              [value](Appearance& a) { a.colourBy = value; });
     });
@@ -188,9 +189,9 @@ void AppearancePanel::makeToneRows(QFormLayout* form) {
     m_supersampling->setWhatsThis(tr(
         "Computes every pixel from several smaller ones: smoother edges, at the cost of memory and time."));
     for (int factor = 1; factor <= 4; ++factor)
-        m_supersampling->addItem(factor == 1 ? tr("Off") : tr("%1 × %1 sub-pixels").arg(factor), factor);
+        addChoice(m_supersampling, factor == 1 ? tr("Off") : tr("%1 × %1 sub-pixels").arg(factor), factor);
     connect(m_supersampling, &QComboBox::activated, this, [this] {
-        const int factor = m_supersampling->currentData().toInt();
+        const int factor = chosenValue<int>(m_supersampling);
         edit(tr("Supersampling: %1").arg(m_supersampling->currentText()),
              [factor](Appearance& a) { a.supersample = factor; });
     });
@@ -250,7 +251,7 @@ void AppearancePanel::follow(const document::Change& change) {
     setEnabled(document::dimension(fractal) != 0);
     m_space->follow();
     m_slice->follow(change.live);
-    m_colourBy->setCurrentIndex(m_colourBy->findData(static_cast<int>(appearance.colourBy)));
+    chooseValue(m_colourBy, appearance.colourBy);
     m_gradient->showPalette(appearance.palette);
     m_editor->setGradient(appearance.palette);
     const bool isSpace = document::space(fractal) != nullptr;
@@ -258,7 +259,7 @@ void AppearancePanel::follow(const document::Change& change) {
     m_background->setColour(isSpace ? document::backgroundInSpace(fractal) : appearance.background);
     m_transparent->setChecked(appearance.background.alpha == 0);
     m_numbers->follow(appearance);
-    m_supersampling->setCurrentIndex(m_supersampling->findData(appearance.supersample));
+    chooseValue(m_supersampling, int(appearance.supersample));
     showUses();
     m_reset->setEnabled(!(appearance == Appearance{}) || !(fractal.inSpace == attractor::SpaceAppearance{}));
     showMapColours();

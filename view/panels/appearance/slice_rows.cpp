@@ -3,6 +3,7 @@
 
 #include "document/fractal/space_geometry.h"
 #include "panels/appearance/controls/appearance_slider.h"
+#include "widgets/choices.h"
 #include "widgets/numbers/number_field.h"
 
 #include <QComboBox>
@@ -22,6 +23,7 @@ using attractor::SpaceClip;
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
 constexpr double usualThickness = 0.1; // of the extent along the normal
+// As in SliceRows::Across.
 const std::array<ifs::Vector<3>, 4> directions{ifs::Vector<3>::UnitX(), ifs::Vector<3>::UnitY(),
                                                ifs::Vector<3>::UnitZ(), ifs::Vector<3>::Ones()};
 
@@ -60,11 +62,10 @@ void SliceRows::makeRows(QFormLayout* form, QWidget* parent) {
     m_kind->setWhatsThis(
         tr("Cuts the picture open by hiding everything in front of a plane, or everything outside a slice. "
            "Drag the plane by the handle at its centre."));
-    m_kind->addItem(tr("Whole"), int(Kind::Whole));
-    m_kind->addItem(tr("Half"), int(Kind::Half));
-    m_kind->addItem(tr("Thin slice"), int(Kind::Slice));
-    connect(m_kind, &QComboBox::activated, this,
-            [this] { choose(static_cast<Kind>(m_kind->currentData().toInt())); });
+    addChoice(m_kind, tr("Whole"), Kind::Whole);
+    addChoice(m_kind, tr("Half"), Kind::Half);
+    addChoice(m_kind, tr("Thin slice"), Kind::Slice);
+    connect(m_kind, &QComboBox::activated, this, [this] { choose(chosenValue<Kind>(m_kind)); });
     form->addRow(tr("Slice"), m_kind);
     makeNormal(form, parent);
     m_offset =
@@ -92,12 +93,14 @@ void SliceRows::makeNormal(QFormLayout* form, QWidget* parent) {
     m_direction->setAccessibleName(tr("Direction of the plane"));
     m_direction->setWhatsThis(tr("Sets the plane perpendicular to an axis or the diagonal; type any other "
                                  "normal in the fields below."));
-    const QString names[] = {tr("Across X"), tr("Across Y"), tr("Across Z"), tr("Across the diagonal")};
-    for (const QString& name : names)
-        m_direction->addItem(name);
-    m_direction->addItem(tr("As typed"));
-    connect(m_direction, &QComboBox::activated, this, [this](int index) {
-        if (index < int(directions.size())) turnTo(directions[std::size_t(index)], tr("Turn the Slice"));
+    addChoice(m_direction, tr("Across X"), Across::X);
+    addChoice(m_direction, tr("Across Y"), Across::Y);
+    addChoice(m_direction, tr("Across Z"), Across::Z);
+    addChoice(m_direction, tr("Across the diagonal"), Across::Diagonal);
+    addChoice(m_direction, tr("As typed"), Across::Typed);
+    connect(m_direction, &QComboBox::activated, this, [this] {
+        if (const auto across = chosenValue<Across>(m_direction); across != Across::Typed)
+            turnTo(directions.at(std::size_t(across)), tr("Turn the Slice"));
     });
     form->addRow(tr("Direction"), m_direction);
     m_normalBox = new QWidget(parent);
@@ -188,7 +191,7 @@ void SliceRows::follow(bool isLive) {
     m_form->setRowVisible(m_normalBox, isSpace && clip);
     m_form->setRowVisible(m_offset, isSpace && clip);
     m_form->setRowVisible(m_thickness, isSpace && kind == Kind::Slice);
-    m_kind->setCurrentIndex(m_kind->findData(int(kind)));
+    chooseValue(m_kind, kind);
     const bool isKnown = document::isSpaceExtentKnown(fractal);
     for (QWidget* row : std::initializer_list<QWidget*>{m_kind, m_direction, m_normalBox})
         row->setEnabled(isKnown);
@@ -197,7 +200,7 @@ void SliceRows::follow(bool isLive) {
     const auto same = std::ranges::find_if(directions, [&](const ifs::Vector<3>& direction) {
         return clip->normal.normalized().isApprox(direction.normalized(), 1e-12);
     });
-    m_direction->setCurrentIndex(int(same - directions.begin()));
+    chooseValue(m_direction, SliceRows::Across(same - directions.begin()));
     for (int axis = 0; axis < 3; ++axis)
         m_normal[std::size_t(axis)]->setValue(clip->normal[axis]);
     m_offset->setValue(offsetOf(*clip));

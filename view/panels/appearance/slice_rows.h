@@ -28,6 +28,7 @@ public:
     void follow(bool isLive); // shows what the document has; `isLive`: it goes on changing
 
     enum class Kind { Whole, Half, Slice };
+    enum class Across { X, Y, Z, Diagonal, Typed };
     QComboBox* kind() const { return m_kind; }
     QComboBox* direction() const { return m_direction; }
     AppearanceSlider* offset() const { return m_offset; }

@@ -4,6 +4,7 @@
 #include "document/fractal/space_geometry.h"
 #include "panels/appearance/controls/appearance_slider.h"
 #include "panels/appearance/light_ball.h"
+#include "widgets/choices.h"
 #include "widgets/numbers/number_text.h"
 
 #include <QComboBox>
@@ -22,11 +23,6 @@ using attractor::SpaceAppearance;
 
 constexpr double maxSliderFog = 8; // of the slider; more hides all but the nearest
 
-template <class Value> void addChoice(QComboBox* box, const QString& name, const QString& tip, Value value) {
-    box->addItem(name, static_cast<int>(value));
-    box->setItemData(box->count() - 1, tip, Qt::ToolTipRole);
-}
-
 } // namespace
 
 SpaceRows::SpaceRows(QFormLayout* form, document::Document* document, QWidget* parent)
@@ -40,16 +36,16 @@ void SpaceRows::makeLook(QWidget* parent) {
     m_look = new QComboBox(parent);
     m_look->setAccessibleName(tr("Look"));
     m_look->setWhatsThis(tr("A lit solid, the density of its points, or data for other programs."));
-    addChoice(m_look, tr("Stone"), tr("A solid lit by a lamp that you can move"), LookInSpace::Stone);
-    addChoice(m_look, tr("Ink"), tr("A solid with dark creases on paper, for print"), LookInSpace::Ink);
-    addChoice(m_look, tr("Cloud"), tr("The density of points, as in the plane"), LookInSpace::Cloud);
-    addChoice(m_look, tr("X-ray"), tr("The density of points, coloured by their mean depth"),
-              LookInSpace::XRay);
-    addChoice(m_look, tr("Depth"), tr("Near white, far black"), LookInSpace::Depth);
-    addChoice(m_look, tr("Normals"), tr("The direction of the surface as a colour, for compositing"),
-              LookInSpace::Normals);
+    addChoice(m_look, tr("Stone"), LookInSpace::Stone, tr("A solid lit by a lamp that you can move"));
+    addChoice(m_look, tr("Ink"), LookInSpace::Ink, tr("A solid with dark creases on paper, for print"));
+    addChoice(m_look, tr("Cloud"), LookInSpace::Cloud, tr("The density of points, as in the plane"));
+    addChoice(m_look, tr("X-ray"), LookInSpace::XRay,
+              tr("The density of points, coloured by their mean depth"));
+    addChoice(m_look, tr("Depth"), LookInSpace::Depth, tr("Near white, far black"));
+    addChoice(m_look, tr("Normals"), LookInSpace::Normals,
+              tr("The direction of the surface as a colour, for compositing"));
     connect(m_look, &QComboBox::activated, this, [this] {
-        const auto look = static_cast<LookInSpace>(m_look->currentData().toInt());
+        const auto look = chosenValue<LookInSpace>(m_look);
         edit(tr("Look: %1").arg(m_look->currentText()), [look](SpaceAppearance& a) { a.look = look; });
     });
     m_form->addRow(tr("Look"), m_look);
@@ -59,13 +55,13 @@ void SpaceRows::makeColours(QWidget* parent) {
     m_colourBy = new QComboBox(parent);
     m_colourBy->setAccessibleName(tr("Colour of the solid by"));
     m_colourBy->setWhatsThis(tr("What the colour of the surface shows."));
-    addChoice(m_colourBy, tr("Plain"), tr("One colour"), SolidColour::Plain);
-    addChoice(m_colourBy, tr("Map"), tr("The colour of the map whose piece it is"), SolidColour::Map);
-    addChoice(m_colourBy, tr("Address"), tr("The palette along the addresses"), SolidColour::Address);
-    addChoice(m_colourBy, tr("Height"), tr("The palette from bottom to top"), SolidColour::Height);
-    addChoice(m_colourBy, tr("Depth"), tr("The palette from near to far"), SolidColour::Depth);
+    addChoice(m_colourBy, tr("Plain"), SolidColour::Plain, tr("One colour"));
+    addChoice(m_colourBy, tr("Map"), SolidColour::Map, tr("The colour of the map whose piece it is"));
+    addChoice(m_colourBy, tr("Address"), SolidColour::Address, tr("The palette along the addresses"));
+    addChoice(m_colourBy, tr("Height"), SolidColour::Height, tr("The palette from bottom to top"));
+    addChoice(m_colourBy, tr("Depth"), SolidColour::Depth, tr("The palette from near to far"));
     connect(m_colourBy, &QComboBox::activated, this, [this] {
-        const auto colour = static_cast<SolidColour>(m_colourBy->currentData().toInt());
+        const auto colour = chosenValue<SolidColour>(m_colourBy);
         edit(tr("Colour by: %1").arg(m_colourBy->currentText()),
              [colour](SpaceAppearance& a) { a.colourBy = colour; });
     });
@@ -120,8 +116,8 @@ void SpaceRows::follow() {
     m_form->setRowVisible(m_colourBy, isLit);
     m_form->setRowVisible(m_light, isSpace && inSpace.look == LookInSpace::Stone); // ink has the eye's alone
     m_form->setRowVisible(m_fog, isLit);
-    m_look->setCurrentIndex(m_look->findData(static_cast<int>(inSpace.look)));
-    m_colourBy->setCurrentIndex(m_colourBy->findData(static_cast<int>(document::solidColour(fractal))));
+    chooseValue(m_look, inSpace.look);
+    chooseValue(m_colourBy, document::solidColour(fractal));
     m_light->setDirection(inSpace.lightAzimuth, inSpace.lightElevation);
     m_fog->setValue(inSpace.fog);
 }

@@ -10,6 +10,7 @@
 #include "panels/collage/collage_layer.h"
 #include "panels/collage/suggestion_list.h"
 #include "panels/collage/target_box.h"
+#include "widgets/choices.h"
 #include "widgets/numbers/number_text.h"
 
 #include <QComboBox>
@@ -150,7 +151,9 @@ void CollagePanel::layMore() {
     layout->addWidget(m_target->controls());
     auto* row = new QHBoxLayout;
     row->addWidget(heading(tr("Agreement"), this));
-    m_compared->addItems({tr("of the collage"), tr("of the attractor"), tr("not shown")});
+    addChoice(m_compared, tr("of the collage"), Agreement::OfCollage);
+    addChoice(m_compared, tr("of the attractor"), Agreement::OfAttractor);
+    addChoice(m_compared, tr("not shown"), Agreement::Hidden);
     m_compared->setAccessibleName(tr("Agreement"));
     m_compared->setToolTip(tr("Choose what the canvas compares with the target"));
     m_compared->setWhatsThis(
@@ -211,8 +214,8 @@ void CollagePanel::connectParts() {
         updatePossible();
         measure();
     });
-    connect(m_compared, &QComboBox::currentIndexChanged, this, [this](int index) {
-        if (m_layer) m_layer->setAgreementVisible(index < 2);
+    connect(m_compared, &QComboBox::currentIndexChanged, this, [this] {
+        if (m_layer) m_layer->setAgreementVisible(chosenValue<Agreement>(m_compared) != Agreement::Hidden);
         measure();
     });
     connect(m_layer.data(), &CollageLayer::markClicked, this, [this] { run(Task::AddMap); });
@@ -259,8 +262,9 @@ void CollagePanel::measure(document::Detail detail) {
         if (m_layer) m_layer->setMeasured(std::nullopt);
         return;
     }
-    const document::Compared compared =
-        m_compared->currentIndex() == 1 ? document::Compared::Attractor : document::Compared::Collage;
+    const auto compared = chosenValue<Agreement>(m_compared) == Agreement::OfAttractor
+                              ? document::Compared::Attractor
+                              : document::Compared::Collage;
     m_measuring.submit(
         [traced, compared, detail, fractal = m_document->sharedFractal()](const std::stop_token&) {
             return document::measured(*fractal, *traced, compared, detail);

@@ -31,6 +31,8 @@ class CollagePanel : public QWidget {
     Q_OBJECT
 
 public:
+    // What the canvas compares with the target.
+    enum class Agreement { OfCollage, OfAttractor, Hidden };
     CollagePanel(document::Document* document, CanvasView* canvas, QWidget* parent = nullptr);
     ~CollagePanel() override;
 

@@ -2,6 +2,7 @@
 #include "panels/collage/fit_box.h"
 
 #include "io/picture/png_export.h"
+#include "widgets/choices.h"
 #include "widgets/layout/vertical_scroll_area.h"
 #include "widgets/numbers/number_box.h"
 
@@ -57,9 +58,9 @@ QWidget* FitBox::makeSearch() {
     auto* box = new QWidget(this);
     QGridLayout* grid = gridOf(box);
     m_maps = new QComboBox(box);
-    m_maps->addItem(tr("Best of 2 to 8"), 0);
+    addChoice(m_maps, tr("Best of 2 to 8"), 0);
     for (int maps = minMaps; maps <= maxMaps; ++maps)
-        m_maps->addItem(QString::number(maps), maps);
+        addChoice(m_maps, QString::number(maps), maps);
     m_maps->setToolTip(
         tr("How many maps a suggestion has; in a range, a map is added only if it improves the fit enough"));
     m_maps->setAccessibleName(tr("Number of maps"));
@@ -94,9 +95,9 @@ void FitBox::addConstraints(QGridLayout* grid) {
     m_stem = check(tr("First map a stem"),
                    tr("The first map flattens the shape to a line, like the stem of a fern"));
     m_angles = new QComboBox(box);
-    m_angles->addItem(tr("Any"), 0);
+    addChoice(m_angles, tr("Any"), 0);
     for (const int degrees : {60, 90})
-        m_angles->addItem(tr("Multiples of %1°").arg(degrees), degrees);
+        addChoice(m_angles, tr("Multiples of %1°").arg(degrees), degrees);
     m_angles->setAccessibleName(tr("Angles"));
     m_angles->setToolTip(tr("The angles by which the maps may rotate"));
     addRow(grid, tr("Angles:"), m_angles);
@@ -188,13 +189,13 @@ collage::Constraints FitBox::constraints() const {
     if (m_similarities->isChecked()) constraints.mapClass = collage::MapClass::Similarity;
     if (m_noMirrors->isChecked()) constraints.mirrors = collage::Mirrors::Excluded;
     if (m_stem->isChecked()) constraints.first = collage::FirstMap::Stem;
-    constraints.angleStep = m_angles->currentData().toInt();
+    constraints.angleStep = chosenValue<int>(m_angles);
     return constraints;
 }
 
 collage::SearchOptions FitBox::searchOptions() const {
     collage::SearchOptions options;
-    const int maps = m_maps->currentData().toInt();
+    const int maps = chosenValue<int>(m_maps);
     options.minMaps = maps > 0 ? maps : minMaps;
     options.maxMaps = maps > 0 ? maps : rangeEnd;
     options.constraints = constraints();

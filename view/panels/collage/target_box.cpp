@@ -7,6 +7,7 @@
 #include "io/file/save_file.h"
 #include "io/picture/decoding/grey_picture.h"
 #include "panels/collage/target_preview.h"
+#include "widgets/choices.h"
 #include "widgets/file_dialogs.h"
 #include "widgets/menus/menu_button.h"
 #include "widgets/menus/menu_text.h"
@@ -41,6 +42,8 @@ namespace {
 constexpr int entrySide = 448;  // pixels along the longer side of an attractor that is traced,
 constexpr int entryMargin = 16; // and around it
 constexpr int usualOpacity = 40;
+
+using Shape = document::TraceOptions::Shape;
 
 QToolButton* button(const QString& text, const QString& tip, QWidget* parent) {
     auto* made = new QToolButton(parent);
@@ -180,7 +183,9 @@ void TargetBox::createShape(QGridLayout& grid) {
         grid.addWidget(field, row, 1);
     };
     m_shape = new QComboBox(m_controls);
-    m_shape->addItems({tr("Automatic"), tr("Dark pixels"), tr("Opaque pixels")});
+    addChoice(m_shape, tr("Automatic"), Shape::Automatic);
+    addChoice(m_shape, tr("Dark pixels"), Shape::Dark);
+    addChoice(m_shape, tr("Opaque pixels"), Shape::Opaque);
     m_shape->setAccessibleName(tr("Shape"));
     m_shape->setToolTip(tr("Which pixels belong to the shape"));
     m_shape->setWhatsThis(
@@ -208,9 +213,8 @@ void TargetBox::createShape(QGridLayout& grid) {
 }
 
 void TargetBox::connectControls() {
-    connect(m_shape, &QComboBox::currentIndexChanged, this, [this](int index) {
-        setOptions([&](auto& options) { options.shape = document::TraceOptions::Shape(index); });
-    });
+    connect(m_shape, &QComboBox::currentIndexChanged, this,
+            [this] { setOptions([&](auto& options) { options.shape = chosenValue<Shape>(m_shape); }); });
     connect(m_inverted, &QCheckBox::toggled, this, [this](bool on) {
         setOptions([&](auto& options) {
             options.polarity = on ? collage::Polarity::Background : collage::Polarity::Shape;

@@ -2,6 +2,7 @@
 #include "panels/maps/symmetry_row.h"
 
 #include "document/edits/maps/symmetry_edits.h"
+#include "widgets/choices.h"
 #include "widgets/document_undo.h"
 #include "widgets/numbers/number_box.h"
 #include "widgets/numbers/number_field.h"
@@ -44,13 +45,10 @@ SymmetryRow::SymmetryRow(document::Document* document, QWidget* parent)
     layout->addWidget(makeChoice());
     m_place = makePlace();
     layout->addWidget(m_place);
-    connect(m_groups, &QComboBox::activated, this, [this](int index) {
-        const auto group = m_groups->itemData(index).value<int>();
-        chooseGroup(static_cast<ifs::SymmetryGroup>(group), m_order->value());
-    });
-    connect(m_order, &QSpinBox::valueChanged, this, [this](int order) {
-        chooseGroup(static_cast<ifs::SymmetryGroup>(m_groups->currentData().toInt()), order, turnsOfOrder);
-    });
+    connect(m_groups, &QComboBox::activated, this,
+            [this] { chooseGroup(chosenSymmetryGroup(m_groups), m_order->value()); });
+    connect(m_order, &QSpinBox::valueChanged, this,
+            [this](int order) { chooseGroup(chosenSymmetryGroup(m_groups), order, turnsOfOrder); });
     connect(m_expand, &QToolButton::clicked, this, &SymmetryRow::expand);
     connect(document, &document::Document::changed, this, &SymmetryRow::follow);
     follow();
@@ -153,7 +151,7 @@ void SymmetryRow::fillGroups(int dimension) {
 
 template <int Dim> void SymmetryRow::showSymmetry(const ifs::Symmetry<Dim>& symmetry) {
     const QSignalBlocker quietGroups(m_groups), quietOrder(m_order);
-    m_groups->setCurrentIndex(m_groups->findData(int(symmetry.group)));
+    chooseValue(m_groups, symmetry.group);
     m_order->setVisible(hasOrder(symmetry.group));
     if (hasOrder(symmetry.group)) m_order->setValue(symmetry.order);
     m_place->setVisible(symmetry.group != None);

@@ -5,6 +5,7 @@
 #include "document/moments/animated_fractal.h"
 #include "io/file/background.h"
 #include "panels/timeline/morph_lines.h"
+#include "widgets/choices.h"
 #include "widgets/text/tooltip_text.h"
 
 #include <QComboBox>
@@ -69,8 +70,7 @@ MorphDialog::MorphDialog(const document::Document& document, int length, QWidget
         if (entry.id == document.currentId() ||
             document::dimension(*entry.fractal) != document::dimension(*m_from))
             continue;
-        m_targets.push_back(entry.fractal);
-        m_target->addItem(entry.fractal->name);
+        addChoice(m_target, entry.fractal->name, entry.fractal);
     }
     connect(m_target, &QComboBox::currentIndexChanged, this, &MorphDialog::takeTarget);
     connect(m_lines, &MorphLines::pinsChanged, this, &MorphDialog::solve);
@@ -141,16 +141,19 @@ void MorphDialog::createMoments() {
     static_cast<QVBoxLayout*>(layout())->addLayout(row);
 }
 
+MorphDialog::FractalPointer MorphDialog::chosenFractal() const {
+    return chosenValue<FractalPointer>(m_target);
+}
+
 QString MorphDialog::targetName() const {
-    const int index = m_target->currentIndex();
-    return index < 0 ? QString() : m_targets[std::size_t(index)]->name;
+    const FractalPointer to = chosenFractal();
+    return to ? to->name : QString();
 }
 
 void MorphDialog::takeTarget() {
-    const int index = m_target->currentIndex();
-    m_target->setEnabled(index >= 0);
-    m_lines->setColumns(mapColours(*m_from),
-                        index < 0 ? std::vector<QColor>() : mapColours(*m_targets[std::size_t(index)]));
+    const auto to = chosenFractal();
+    m_target->setEnabled(to != nullptr);
+    m_lines->setColumns(mapColours(*m_from), to ? mapColours(*to) : std::vector<QColor>());
     solve();
 }
 
@@ -159,10 +162,10 @@ void MorphDialog::solve() {
     m_add->setEnabled(false);
     m_solving.cancel();
     m_outcome = {};
-    const int index = m_target->currentIndex();
-    if (index < 0) return m_sentence->setText(tr("This file has no other fractal of this dimension."));
+    const auto to = chosenFractal();
+    if (!to) return m_sentence->setText(tr("This file has no other fractal of this dimension."));
     m_solving.setFuture(io::inBackground<document::MorphOutcome>(
-        [from = m_from, to = m_targets[std::size_t(index)], length = m_length,
+        [from = m_from, to, length = m_length,
          pins = m_lines->pins()](QPromise<document::MorphOutcome>& promise) {
             if (!promise.isCanceled()) promise.addResult(document::morphed(*from, *to, length, pins));
         }));

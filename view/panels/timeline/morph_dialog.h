@@ -36,6 +36,7 @@ private:
 
     void createControls();
     void createMoments();
+    FractalPointer chosenFractal() const; // null: the list is empty
     void takeTarget();
     void solve();
     void takeOutcome();
@@ -43,7 +44,6 @@ private:
 
     const FractalPointer m_from;
     const int m_length;
-    std::vector<FractalPointer> m_targets;
     QFutureWatcher<document::MorphOutcome> m_solving;
     document::MorphOutcome m_outcome;
     std::vector<FractalPointer> m_moments;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "panels/timeline/orbit_rows.h"
 
+#include "widgets/choices.h"
 #include "widgets/numbers/number_box.h"
 #include "widgets/numbers/number_field.h"
 
@@ -13,8 +14,6 @@
 namespace view {
 
 namespace {
-
-enum OrbitPivotItem { CentreItem, PointItem, TargetItem };
 
 bool isAt(const ifs::Vector<3>& point, const ifs::Vector<3>& centre) {
     constexpr double roundOff = 1e-9;
@@ -46,8 +45,9 @@ QDoubleSpinBox* OrbitRows::angleBox(double least, double most, double value) {
 void OrbitRows::addAxis(QFormLayout* form) {
     const document::LeaningAxis leaning = document::leaningAxisOf(m_place.axis);
     m_axis = new QComboBox;
-    m_axis->addItems({QStringLiteral("X"), QStringLiteral("Y"), QStringLiteral("Z")});
-    m_axis->setCurrentIndex(leaning.axis);
+    for (const int axis : {0, 1, 2})
+        addChoice(m_axis, QString(QChar(u"XYZ"[axis])), axis);
+    chooseValue(m_axis, leaning.axis);
     m_axis->setAccessibleName(tr("Axis"));
     m_axis->setWhatsThis(tr("The axis that the camera goes round."));
     connect(m_axis, &QComboBox::currentIndexChanged, this, &OrbitRows::takeAxis);
@@ -65,12 +65,12 @@ void OrbitRows::addAxis(QFormLayout* form) {
 
 void OrbitRows::addPivot(QFormLayout* form) {
     m_pivot = new QComboBox;
-    m_pivot->addItem(tr("Centre of the fractal"), CentreItem);
-    m_pivot->addItem(tr("A point"), PointItem);
-    if (m_isInSpace) m_pivot->addItem(tr("Middle of the view"), TargetItem);
+    addChoice(m_pivot, tr("Centre of the fractal"), Pivot::Centre);
+    addChoice(m_pivot, tr("A point"), Pivot::Point);
+    if (m_isInSpace) addChoice(m_pivot, tr("Middle of the view"), Pivot::Target);
     const bool isTarget = m_isInSpace && m_place.pivot == animation::OrbitPivot::Target;
     const bool isCentre = !isTarget && m_centre && isAt(m_place.centre, *m_centre);
-    m_pivot->setCurrentIndex(isTarget ? TargetItem : isCentre ? CentreItem : PointItem);
+    chooseValue(m_pivot, isTarget ? Pivot::Target : isCentre ? Pivot::Centre : Pivot::Point);
     m_pivot->setAccessibleName(tr("Pivot"));
     m_pivot->setWhatsThis(tr("What stays in its place while everything turns."));
     connect(m_pivot, &QComboBox::currentIndexChanged, this, &OrbitRows::takePivot);
@@ -95,14 +95,14 @@ void OrbitRows::addPivot(QFormLayout* form) {
 }
 
 void OrbitRows::takeAxis() {
-    m_place.axis = document::directionOf({m_axis->currentIndex(), m_tilt->value(), m_towards->value()});
+    m_place.axis = document::directionOf({chosenValue<int>(m_axis), m_tilt->value(), m_towards->value()});
     emit changed();
 }
 
 void OrbitRows::takePivot() {
-    const bool isTarget = m_pivot->currentIndex() == TargetItem;
-    m_place.pivot = isTarget ? animation::OrbitPivot::Target : animation::OrbitPivot::Centre;
-    if (m_pivot->currentIndex() == CentreItem) m_place.centre = m_centre.value_or(m_place.centre);
+    const auto pivot = chosenValue<Pivot>(m_pivot);
+    m_place.pivot = pivot == Pivot::Target ? animation::OrbitPivot::Target : animation::OrbitPivot::Centre;
+    if (pivot == Pivot::Centre) m_place.centre = m_centre.value_or(m_place.centre);
     showPoint();
     emit changed();
 }
@@ -111,7 +111,7 @@ void OrbitRows::showPoint() {
     for (std::size_t i = 0; i < m_point.size(); ++i) {
         if (m_point[i] == nullptr) continue;
         m_point[i]->setValue(m_place.centre[Eigen::Index(i)]);
-        m_point[i]->setEnabled(m_pivot->currentIndex() == PointItem);
+        m_point[i]->setEnabled(chosenValue<Pivot>(m_pivot) == Pivot::Point);
     }
 }
 

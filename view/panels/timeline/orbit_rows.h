@@ -26,6 +26,8 @@ public:
 
     const document::OrbitPlace& place() const { return m_place; }
 
+    enum class Pivot { Centre, Point, Target };
+
 signals:
     void changed();
 

@@ -3,6 +3,7 @@
 
 #include "animation/frame_rate.h"
 #include "panels/timeline/timeline.h"
+#include "widgets/choices.h"
 #include "widgets/document_undo.h"
 #include "widgets/flat_buttons.h"
 #include "widgets/icon.h"
@@ -154,7 +155,7 @@ void TransportBar::makeFields() {
     for (const auto& [loop, name] : {std::tuple{animation::Loop::Off, tr("Off", "loop")},
                                      {animation::Loop::Cycle, tr("Cycle")},
                                      {animation::Loop::ThereAndBack, tr("There and Back")}})
-        m_loop->addItem(name, int(loop));
+        addChoice(m_loop, name, loop);
     m_pictures->setMinimumWidth(m_pictures->fontMetrics().horizontalAdvance(tr("%1 fps").arg(000.0)));
     m_pictures->setToolTip(tr("The number of frames drawn per second during playback"));
     connect(m_frame, &QSpinBox::valueChanged, m_timeline, &Timeline::setFrame);
@@ -163,10 +164,10 @@ void TransportBar::makeFields() {
         timing.length = length;
         m_timeline->setTiming(tr("Length of the animation: %n frame(s)", nullptr, length), timing);
     });
-    connect(m_loop, &QComboBox::activated, this, [this](int index) {
+    connect(m_loop, &QComboBox::activated, this, [this] {
         document::Timing timing = m_timeline->timing();
-        timing.loop = animation::Loop(m_loop->itemData(index).toInt());
-        m_timeline->setTiming(tr("Loop: %1").arg(m_loop->itemText(index)), timing);
+        timing.loop = chosenValue<animation::Loop>(m_loop);
+        m_timeline->setTiming(tr("Loop: %1").arg(m_loop->currentText()), timing);
     });
 }
 
@@ -176,7 +177,7 @@ void TransportBar::showAnimation() {
     m_frame->setMaximum(m_timeline->lastFrame());
     m_length->setValue(timing.length);
     m_rate->setCurrentText(shownRate(timing.rate));
-    m_loop->setCurrentIndex(m_loop->findData(int(timing.loop)));
+    chooseValue(m_loop, timing.loop);
     setEnabled(m_timeline->rowCount() > 0);
 }
 

@@ -8,6 +8,7 @@
 #include "ifs/existence/attractor_existence.h"
 #include "ifs/system/branch.h"
 #include "ifs/system/map_interpolation.h"
+#include "support/choose.h"
 #include "support/named_test.h"
 #include "support/patient_tries.h"
 #include "view/canvas/canvas_fixture.h"
@@ -150,7 +151,7 @@ private slots:
         QVERIFY(!said.isEmpty());
         QVERIFY(said.last().first().toString().startsWith(QStringLiteral("Map 2 has keys")));
         // Where it is shown has nothing to do with them.
-        m_bar->edit()->setCurrentIndex(2);
+        support::choose(m_bar->edit(), document::BranchEdit::Display);
         drag(corner, {40, 20});
         QVERIFY(document::plane(m_document->entryFractal())->system == document::plane(keyed)->system);
         QCOMPARE(document::plane(m_document->entryFractal())->moved.size(), std::size_t(1));
@@ -285,7 +286,7 @@ private slots:
 
     void orItsLastMapChanges() {
         const document::System2 before = system();
-        m_bar->edit()->setCurrentIndex(1);
+        support::choose(m_bar->edit(), document::BranchEdit::LastMap);
         click(pointOf({1, 2, 0, 2}));
         const QPointF corner = at({Kind::Vertex, 2, 0});
         drag(corner, {7, 6});
@@ -301,7 +302,7 @@ private slots:
     // The code stays; the branch stays selected where it is shown, and can be put back.
     void aBranchIsMovedWhereItIsShown() {
         m_canvas->setTool(CanvasView::Tool::Branch);
-        m_bar->edit()->setCurrentIndex(2);
+        support::choose(m_bar->edit(), document::BranchEdit::Display);
         QVERIFY(!m_bar->putBackButton()->isVisibleTo(m_bar.get()));
         const document::Fractal before = m_document->fractal();
         click(pointOf({2, 1}));
@@ -335,7 +336,7 @@ private slots:
 
     // The branch inside the branch moves with it, and so on, as one step that can be put back.
     void orItChangesInsideItself() {
-        m_bar->edit()->setCurrentIndex(3);
+        support::choose(m_bar->edit(), document::BranchEdit::Inside);
         const document::Fractal before = m_document->fractal();
         click(pointOf({2, 1, 2, 1, 0}));
         QCOMPARE(scene().handles().branch(), (Word{2, 1}));
@@ -357,7 +358,7 @@ private slots:
 
     // It cannot be made so large that it does not get smaller inside itself.
     void itStopsWhereItWouldNotGetSmallerInside() {
-        m_bar->edit()->setCurrentIndex(3);
+        support::choose(m_bar->edit(), document::BranchEdit::Inside);
         m_bar->depth()->setValue(1);
         click(pointOf({1, 2, 0}));
         QCOMPARE(scene().handles().branch(), Word{1});

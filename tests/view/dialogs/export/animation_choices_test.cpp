@@ -3,6 +3,7 @@
 #include "dialogs/export/animation_export_dialog.h"
 #include "dialogs/export/export_preview.h"
 #include "document/edits/timeline/motion_edits.h"
+#include "support/choose.h"
 #include "support/forget_settings.h"
 #include "support/named_test.h"
 #include "support/own_settings.h"
@@ -119,11 +120,7 @@ void AnimationChoicesTest::proportionsAreKept() {
     auto* named = this->named<QComboBox>(QStringLiteral("Named size"));
     auto* lock = this->named<QToolButton>(QStringLiteral("Lock proportions"));
     auto* turn = this->named<QToolButton>(QStringLiteral("Portrait or landscape"));
-    const auto choose = [named](const QSize& size) {
-        named->setCurrentIndex(named->findData(size));
-        emit named->activated(named->currentIndex());
-    };
-    choose({1280, 720});
+    support::choose(named, QSize(1280, 720));
     QCOMPARE(size(), QSize(1280, 720));
     lock->setChecked(true);
     number(QStringLiteral("Height"))->setValue(360);
@@ -136,7 +133,7 @@ void AnimationChoicesTest::proportionsAreKept() {
     lock->setChecked(false);
     number(QStringLiteral("Width"))->setValue(1000);
     QCOMPARE(size(), QSize(1000, 1920));
-    QVERIFY(!named->currentData().isValid());
+    QVERIFY(!view::chosenValue<QSize>(named).isValid());
 }
 
 void AnimationChoicesTest::thePreviewShowsAFrame() {

@@ -5,6 +5,7 @@
 #include "document/edits/timeline/motion_edits.h"
 #include "io/collection_reader.h"
 #include "io/fractint/fractint_writer.h"
+#include "support/choose.h"
 #include "support/forget_settings.h"
 #include "support/named_test.h"
 #include "support/own_settings.h"
@@ -70,6 +71,9 @@ private slots:
 
 private:
     QSpinBox* number(const QString& name) const { return named<QSpinBox>(name); }
+    Dialog::Section shownSection() const {
+        return view::chosenValue<Dialog::Section>(named<QComboBox>(QStringLiteral("Section")));
+    }
     template <class Widget> Widget* named(const QString& name) const {
         for (auto* widget : m_dialog->findChildren<Widget*>())
             if (widget->accessibleName() == name) return widget;
@@ -225,7 +229,7 @@ void AnimationExportDialogTest::picturesAreThoseOfTheCommandLine() {
     number(QStringLiteral("Shutter"))->setValue(shutter);
     number(QStringLiteral("First frame"))->setValue(2);
     number(QStringLiteral("Last frame"))->setValue(3);
-    if (!inSpace) named<QComboBox>(QStringLiteral("Quality"))->setCurrentIndex(2);
+    if (!inSpace) support::choose(named<QComboBox>(QStringLiteral("Quality")), 400);
     QVERIFY2(exported(Dialog::Pictures, QStringLiteral("a.png")), qPrintable(m_dialog->message()));
     QCOMPARE(files(), list({"a.0003.png", "a.0004.png"}));
     prepare(m_folder->path());
@@ -250,9 +254,9 @@ void AnimationExportDialogTest::picturesAreThoseOfTheCommandLine() {
 
 // From where it is seen on the canvas; in the plane the view on the canvas is the usual one.
 void AnimationExportDialogTest::aSolidIsShownWhole() {
-    QCOMPARE(named<QComboBox>(QStringLiteral("Section"))->currentIndex(), int(Dialog::Section::View));
+    QCOMPARE(shownSection(), Dialog::Section::View);
     open(turningSponge());
-    QCOMPARE(named<QComboBox>(QStringLiteral("Section"))->currentIndex(), int(Dialog::Section::Animation));
+    QCOMPARE(shownSection(), Dialog::Section::Animation);
     QVERIFY(exported(Dialog::Gif, QStringLiteral("a.gif")));
     const io::Collection again = io::readCollection(contents(path("a.gif")), path("a.gif"));
     const auto camera = document::frameAt(*again.file.entries[0].fractal, animation::moment(0)).camera;
@@ -339,7 +343,7 @@ void AnimationExportDialogTest::editingGoesOn() {
 
 void AnimationExportDialogTest::stoppingLeavesNothing() {
     setSize({1600, 1200});
-    named<QComboBox>(QStringLiteral("Quality"))->setCurrentIndex(3);
+    support::choose(named<QComboBox>(QStringLiteral("Quality")), 2000);
     m_dialog->setFormat(Dialog::Mp4);
     m_dialog->exportTo(path("a.mp4"));
     QTRY_VERIFY_WITH_TIMEOUT(m_dialog->findChild<QProgressBar*>()->value() > 0, 60'000);
@@ -355,7 +359,7 @@ void AnimationExportDialogTest::stoppingLeavesNothing() {
 
 void AnimationExportDialogTest::closingAsksFirst() {
     setSize({1600, 1200});
-    named<QComboBox>(QStringLiteral("Quality"))->setCurrentIndex(3);
+    support::choose(named<QComboBox>(QStringLiteral("Quality")), 2000);
     m_dialog->setFormat(Dialog::Mp4);
     m_dialog->show();
     m_dialog->exportTo(path("a.mp4"));
@@ -402,12 +406,12 @@ void AnimationExportDialogTest::theEndingDecidesTheFormat() {
     QFile file(path("a.gif"));
     QVERIFY(file.open(QIODevice::ReadOnly));
     QCOMPARE(file.read(4), QByteArray("GIF8"));
-    QCOMPARE(named<QComboBox>(QStringLiteral("Format"))->currentIndex(), int(Dialog::Gif));
+    QCOMPARE(view::chosenValue<Dialog::Format>(named<QComboBox>(QStringLiteral("Format"))), Dialog::Gif);
 }
 
 void AnimationExportDialogTest::theTimeLeftIsSaid() {
     setSize({1600, 1200});
-    named<QComboBox>(QStringLiteral("Quality"))->setCurrentIndex(3);
+    support::choose(named<QComboBox>(QStringLiteral("Quality")), 2000);
     auto* left = named<QLabel>(QStringLiteral("Time left"));
     QVERIFY(left && !left->isVisible());
     m_dialog->setFormat(Dialog::Pictures);

@@ -2,6 +2,7 @@
 #include "dialogs/export/export_data_dialog.h"
 #include "document/fractal/fractal_geometry.h"
 #include "io/collection_reader.h"
+#include "support/choose.h"
 #include "support/named_test.h"
 
 #include <QCheckBox>
@@ -28,6 +29,7 @@ private slots:
     void tellsWhatIsLost();
 
 private:
+    using Format = view::ExportDataDialog::Format;
     QByteArray written(view::ExportDataDialog& dialog);
 
     QTemporaryDir m_folder;
@@ -59,18 +61,21 @@ void ExportDataDialogTest::everyFormatIsWrittenAsItIsShown() {
     document.setFile(document::fileOf(document::sierpinskiTriangle()));
     view::ExportDataDialog dialog(&document);
     auto* format = dialog.findChildren<QComboBox*>().first();
-    const QByteArrayList beginnings{"<flames>", "@", "% sierpinski\n", "a,b,c,d,e,f,p\n",
-                                    "a\tb\tc\td\te\tf\tp\n"};
-    for (int i = 0; i < beginnings.size(); ++i) {
-        format->setCurrentIndex(i);
+    const std::pair<Format, QByteArray> beginnings[] = {{Format::Flame, "<flames>"},
+                                                        {Format::Aifs, "@"},
+                                                        {Format::Latex, "% sierpinski\n"},
+                                                        {Format::Csv, "a,b,c,d,e,f,p\n"},
+                                                        {Format::Tsv, "a\tb\tc\td\te\tf\tp\n"}};
+    for (const auto& [wanted, beginning] : beginnings) {
+        support::choose(format, wanted);
         const QByteArray bytes = written(dialog);
-        QVERIFY2(bytes.startsWith(beginnings[i]), bytes.constData());
+        QVERIFY2(bytes.startsWith(beginning), bytes.constData());
         QCOMPARE(dialog.findChild<QPlainTextEdit*>()->toPlainText().toUtf8(), bytes.left(8000));
     }
-    dialog.findChildren<QComboBox*>().last()->setCurrentIndex(1);
-    QVERIFY(written(dialog).startsWith("a\tb\te\tc\td\tf\tp\n"));
     auto* columns = dialog.findChildren<QComboBox*>().last();
-    columns->setCurrentIndex(columns->count() - 1); // the one that is typed
+    support::choose(columns, QStringLiteral("a b e c d f p"));
+    QVERIFY(written(dialog).startsWith("a\tb\te\tc\td\tf\tp\n"));
+    support::choose(columns, QString()); // the one that is typed
     auto* typed = columns->parentWidget()->findChild<QLineEdit*>();
     typed->clear();
     QTest::keyClicks(typed, QStringLiteral("fedcba cumulative"));
@@ -103,9 +108,9 @@ void ExportDataDialogTest::systemsInSpaceGiveWhatFormatsHold() {
             if (button->text().contains(QStringLiteral("Export"))) return button->isEnabled();
         return false;
     };
-    format->setCurrentIndex(0); // flames lie in the plane
+    support::choose(format, Format::Flame); // flames lie in the plane
     QVERIFY(!isOffered());
-    format->setCurrentIndex(format->count() - 1);
+    support::choose(format, Format::PointsPly);
     QVERIFY(isOffered());
     dialog.findChild<QSpinBox*>()->setValue(2000);
     const QByteArray points = written(dialog);
@@ -141,7 +146,7 @@ void ExportDataDialogTest::aSolidStartsWithAFormatThatHoldsIt() {
     for (const auto* button : dialog.findChildren<QPushButton*>())
         if (button->text().contains(QStringLiteral("Export"))) QVERIFY(button->isEnabled());
     const auto* format = dialog.findChildren<QComboBox*>().first();
-    QVERIFY(format->currentIndex() > 0);
+    QVERIFY(view::chosenValue<Format>(format) != Format::Flame);
     QVERIFY(!(format->model()->index(0, 0).flags() & Qt::ItemIsEnabled)); // Flame
 }
 
@@ -149,7 +154,7 @@ void ExportDataDialogTest::writesPoints() {
     document::Document document;
     document.setFile(document::fileOf(document::sierpinskiTriangle()));
     view::ExportDataDialog dialog(&document);
-    dialog.findChildren<QComboBox*>().first()->setCurrentIndex(5);
+    support::choose(dialog.findChildren<QComboBox*>().first(), Format::PointsCsv);
     dialog.findChild<QSpinBox*>()->setValue(300);
     QCOMPARE(written(dialog).count('\n'), 301);
 }
@@ -167,9 +172,9 @@ void ExportDataDialogTest::tellsWhatIsLost() {
         return QString();
     };
     auto* format = dialog.findChildren<QComboBox*>().first();
-    format->setCurrentIndex(0); // flame
+    support::choose(format, Format::Flame);
     QCOMPARE(message(), QString());
-    format->setCurrentIndex(2); // table
+    support::choose(format, Format::Latex);
     QVERIFY2(message().contains(QStringLiteral("without its background.")), qPrintable(message()));
     for (auto* box : dialog.findChildren<QCheckBox*>())
         if (box->text().contains(QStringLiteral("Bake"))) box->setChecked(false);
@@ -178,7 +183,7 @@ void ExportDataDialogTest::tellsWhatIsLost() {
     QVERIFY(!written(dialog).isEmpty());
     QVERIFY2(message().contains(both) && message().contains(QStringLiteral("Written to")),
              qPrintable(message()));
-    format->setCurrentIndex(0);
+    support::choose(format, Format::Flame);
     QVERIFY2(message().contains(QStringLiteral("without its cage: other")), qPrintable(message()));
 }
 

@@ -11,6 +11,7 @@
 #include "document/fractal/space_geometry.h"
 #include "io/picture/png/png_system.h"
 #include "io/picture/vector/svg_system.h"
+#include "support/choose.h"
 #include "support/named_test.h"
 #include "support/patient_tries.h"
 #include "view/panels/maps_support.h"
@@ -32,6 +33,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <initializer_list>
 
 using namespace view;
 
@@ -83,10 +85,8 @@ private:
             if (child->accessibleName() == QLatin1String(name)) return child;
         return nullptr;
     }
-    static void chooseFormat(QWidget& dialog, const char* name) {
-        auto* format = named<QComboBox>(dialog, "Format");
-        format->setCurrentIndex(format->findText(QLatin1String(name), Qt::MatchStartsWith));
-        QVERIFY(format->currentIndex() >= 0);
+    static void chooseFormat(QWidget& dialog, const ExportDialog::File& file) {
+        support::choose(named<QComboBox>(dialog, "Format"), file);
     }
     QTemporaryDir m_folder;
 };
@@ -205,7 +205,7 @@ void ExportDialogTest::framesTheAttractor() {
     QVERIFY((seen.center() - picture.rect().center()).manhattanLength() <= 4);
     auto* result = named<QLabel>(dialog, "Result");
     QVERIFY(result->isVisible());
-    chooseFormat(dialog, "SVG");
+    chooseFormat(dialog, io::ShapeFile::Svg);
     QVERIFY(!result->isVisible());
 }
 
@@ -230,7 +230,7 @@ void ExportDialogTest::theEndingOfTheNameDecides() {
     dialog.show();
     for (auto* box : dialog.findChildren<QCheckBox*>())
         if (box->text().contains(QStringLiteral("background"))) box->setChecked(true);
-    named<QComboBox>(dialog, "Colour depth")->setCurrentIndex(1);
+    support::choose(named<QComboBox>(dialog, "Colour depth"), io::PngFormat::Depth::Bits16);
     QSignalSpy exported(&dialog, &ExportDialog::exported);
     const QString path =
         m_folder.filePath(QStringLiteral("by name.") + QLatin1String(QTest::currentDataTag()));
@@ -259,7 +259,7 @@ void ExportDialogTest::writesSvg() {
     document::Document document;
     ExportDialog dialog(&document, camera());
     dialog.show();
-    chooseFormat(dialog, "SVG");
+    chooseFormat(dialog, io::ShapeFile::Svg);
     QSignalSpy exported(&dialog, &ExportDialog::exported);
     const QString path = m_folder.filePath(QStringLiteral("a.svg"));
     dialog.exportTo(path);
@@ -274,25 +274,25 @@ void ExportDialogTest::shapesAreAsLargeAsTheSheet() {
     ExportDialog dialog(&document, camera());
     dialog.show();
     auto* sizes = named<QComboBox>(dialog, "Named size");
-    sizes->setCurrentIndex(sizes->findText(QStringLiteral("A4"), Qt::MatchStartsWith));
-    emit sizes->activated(sizes->currentIndex());
-    const auto written = [&](const char* format, const QString& name) {
+    support::choose(sizes,
+                    sizes->itemData(sizes->findText(QStringLiteral("A4"), Qt::MatchStartsWith)).toSize());
+    const auto written = [&](const ExportDialog::File& format, const QString& name) {
         chooseFormat(dialog, format);
         QSignalSpy exported(&dialog, &ExportDialog::exported);
         dialog.exportTo(m_folder.filePath(name));
         QFile file(m_folder.filePath(name));
         return exported.wait(20'000) && file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
     };
-    const QByteArray svg = written("SVG", QStringLiteral("a4.svg"));
+    const QByteArray svg = written(io::ShapeFile::Svg, QStringLiteral("a4.svg"));
     auto* plan = named<QLabel>(dialog, "Description of the picture");
     QTRY_VERIFY(plan->text().contains(QStringLiteral(" mm. ")));
     auto* unit = named<QComboBox>(dialog, "Unit of length");
-    unit->setCurrentIndex(0);
+    support::choose(unit, ExportSizeEditor::Unit::Pixels);
     QTRY_VERIFY(plan->text().contains(QStringLiteral(" px. ")));
-    unit->setCurrentIndex(1);
+    support::choose(unit, ExportSizeEditor::Unit::Millimetres);
     QVERIFY2(svg.contains("width=\"297mm\" height=\"210mm\" viewBox=\"0 0 3508 2480\""),
              svg.left(400).constData());
-    const QByteArray pdf = written("PDF", QStringLiteral("a4.pdf"));
+    const QByteArray pdf = written(io::ShapeFile::Pdf, QStringLiteral("a4.pdf"));
     static const QRegularExpression box(QStringLiteral("/MediaBox ?\\[0 0 ([0-9.]+) ([0-9.]+)"));
     const auto page = box.match(QString::fromLatin1(pdf));
     QVERIFY2(std::abs(page.captured(1).toDouble() - 841.92) < 0.01 &&
@@ -304,7 +304,7 @@ void ExportDialogTest::saysWhatTheSvgWillBe() {
     document::Document document;
     ExportDialog dialog(&document, camera());
     dialog.show();
-    chooseFormat(dialog, "SVG");
+    chooseFormat(dialog, io::ShapeFile::Svg);
     auto* plan = named<QLabel>(dialog, "Description of the picture");
     QTRY_VERIFY(plan->text().contains(QStringLiteral("Copies drawn by")));
     const QString automatic = plan->text();
@@ -330,7 +330,7 @@ void ExportDialogTest::saysWhenAPixelNeedsMore() {
         document.setFile(document::fileOf(maps_support::maple()));
         ExportDialog dialog(&document, fitted(view, {-6, -5}, {6, 6}));
         dialog.show();
-        chooseFormat(dialog, "SVG");
+        chooseFormat(dialog, io::ShapeFile::Svg);
         auto* plan = named<QLabel>(dialog, "Description of the picture");
         QTRY_VERIFY(plan->text().contains(QStringLiteral("Copies drawn by")));
         QVERIFY(!plan->text().contains(remark));
@@ -344,7 +344,7 @@ void ExportDialogTest::saysWhenAPixelNeedsMore() {
     document.setFile(document::fileOf(ice));
     ExportDialog dialog(&document, fitted(view, {0, -.05}, {1, .4}));
     dialog.show();
-    chooseFormat(dialog, "SVG");
+    chooseFormat(dialog, io::ShapeFile::Svg);
     auto* plan = named<QLabel>(dialog, "Description of the picture");
     QTRY_VERIFY(plan->text().contains(remark));
     QVERIFY(plan->text().contains(QStringLiteral("the limit is 400\u202f000")));
@@ -371,7 +371,7 @@ void ExportDialogTest::closingWhileExportingIsSafe() {
         ExportDialog dialog(&document, camera());
         dialog.show();
         dialog.findChild<ExportSizeEditor*>()->setPixels({4000, 3000});
-        named<QComboBox>(dialog, "Quality")->setCurrentIndex(3);
+        support::choose(named<QComboBox>(dialog, "Quality"), 2000);
         dialog.exportTo(path);
         QTRY_VERIFY_WITH_TIMEOUT(dialog.findChild<QProgressBar*>()->value() > 0, 60'000);
     }
@@ -383,10 +383,12 @@ void ExportDialogTest::aSmallScreenHoldsIt() {
     document::Document document;
     ExportDialog dialog(&document, camera());
     dialog.setQueue(nullptr);
-    for (const char* format : {"PNG", "TIFF", "SVG"}) {
+    for (const ExportDialog::File& format : std::initializer_list<ExportDialog::File>{
+             io::PictureFile::Png, io::PictureFile::Tiff, io::ShapeFile::Svg}) {
         chooseFormat(dialog, format);
-        QVERIFY2(dialog.minimumSizeHint().width() <= 780, format);
-        QVERIFY2(dialog.width() <= 780, format);
+        const QString shown = named<QComboBox>(dialog, "Format")->currentText();
+        QVERIFY2(dialog.minimumSizeHint().width() <= 780, qPrintable(shown));
+        QVERIFY2(dialog.width() <= 780, qPrintable(shown));
     }
 }
 

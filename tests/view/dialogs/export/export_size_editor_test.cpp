@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "dialogs/export/export_size_editor.h"
+#include "support/choose.h"
 #include "support/named_test.h"
 
 #include <QComboBox>
@@ -50,36 +51,28 @@ void ExportSizeEditorTest::sheetsStandOrLie() {
     named<QDoubleSpinBox>(editor, "Width")->setValue(300); // in the proportions that it has now
     QCOMPARE(editor.pixels(), QSize(300, 400));
     auto* sizes = named<QComboBox>(editor, "Named size");
-    const int a4 = sizes->findText(QStringLiteral("A4"), Qt::MatchStartsWith);
-    sizes->setCurrentIndex(a4);
-    emit sizes->activated(a4);
+    support::choose(sizes, QSize(3508, 2480)); // A4
     turn->click();
     QCOMPARE(editor.pixels(), QSize(2480, 3508));
-    QCOMPARE(sizes->currentIndex(), a4); // a sheet that stands is still one
+    QCOMPARE(view::chosenValue<QSize>(sizes), QSize(3508, 2480)); // a sheet that stands is still one
 }
 
 void ExportSizeEditorTest::sizesAreChosenByName() {
     ExportSizeEditor editor({160, 120});
     auto* sizes = named<QComboBox>(editor, "Named size");
-    const auto choose = [sizes](const char* name) {
-        const int index = sizes->findText(QString::fromUtf8(name), Qt::MatchStartsWith);
-        QVERIFY2(index >= 0, name);
-        sizes->setCurrentIndex(index);
-        emit sizes->activated(index);
-    };
-    choose("4K");
+    support::choose(sizes, QSize(3840, 2160));
     QCOMPARE(editor.pixels(), QSize(3840, 2160));
     named<QDoubleSpinBox>(editor, "Width")->setValue(1600); // the shape that was chosen is kept
     QCOMPARE(editor.pixels(), QSize(1600, 900));
     QCOMPARE(sizes->currentText(), QStringLiteral("Custom"));
-    choose("A4");
+    support::choose(sizes, QSize(3508, 2480));
     QCOMPARE(editor.pixels(), QSize(3508, 2480));
     QCOMPARE(named<QDoubleSpinBox>(editor, "Width")->value(), 297.0);
     QCOMPARE(named<QDoubleSpinBox>(editor, "Height")->value(), 210.0);
     QCOMPARE(editor.dotsPerInch(), 300.0);
-    choose("2 ×");
+    support::choose(sizes, QSize(320, 240));
     QCOMPARE(editor.pixels(), QSize(320, 240));
-    QCOMPARE(sizes->currentIndex(), 1);
+    QCOMPARE(view::chosenValue<QSize>(sizes), QSize(320, 240));
     const QWidget* turning = sizes->nextInFocusChain();
     QVERIFY(qobject_cast<const QToolButton*>(turning)); // portrait or landscape
     QCOMPARE(turning->nextInFocusChain(), named<QSpinBox>(editor, "Resolution in dots per inch"));
@@ -87,7 +80,7 @@ void ExportSizeEditorTest::sizesAreChosenByName() {
     auto* sheets = named<QComboBox>(standing, "Named size");
     QCOMPARE(sheets->itemData(sheets->findText(QStringLiteral("A3 at 300 dpi"))).toSize(), QSize(3508, 4961));
     // The next time the screen may have another shape.
-    choose("A4");
+    support::choose(sizes, QSize(3508, 2480));
     standing.choose(editor.choice());
     QCOMPARE(standing.pixels(), QSize(3508, 2480));
     QCOMPARE(sheets->currentText(), QStringLiteral("A4 at 300 dpi"));
@@ -97,11 +90,11 @@ void ExportSizeEditorTest::sizesAreChosenByName() {
 
 void ExportSizeEditorTest::lengthsFollowTheResolution() {
     ExportSizeEditor editor({160, 120});
-    named<QComboBox>(editor, "Unit of length")->setCurrentIndex(2);
+    support::choose(named<QComboBox>(editor, "Unit of length"), ExportSizeEditor::Unit::Inches);
     named<QSpinBox>(editor, "Resolution in dots per inch")->setValue(150);
     named<QDoubleSpinBox>(editor, "Width")->setValue(4);
     QCOMPARE(editor.pixels(), QSize(600, 450));
-    named<QComboBox>(editor, "Unit of length")->setCurrentIndex(1);
+    support::choose(named<QComboBox>(editor, "Unit of length"), ExportSizeEditor::Unit::Millimetres);
     QCOMPARE(named<QDoubleSpinBox>(editor, "Width")->value(), 101.6);
     // Typed with either sign, whatever the language says.
     for (const char* typed : {"50.5", "50,5"}) {

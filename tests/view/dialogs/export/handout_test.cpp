@@ -2,6 +2,7 @@
 #include "dialogs/export/handout_dialog.h"
 #include "dialogs/export/handout_page.h"
 #include "document/fractal/space_geometry.h"
+#include "support/choose.h"
 #include "support/named_test.h"
 
 #include <QCheckBox>
@@ -218,8 +219,7 @@ private slots:
         QVERIFY(!preview->isEnabled());
         list->item(0)->setCheckState(Qt::Checked);
         QVERIFY(preview->isEnabled());
-        auto* kind = dialog.findChildren<QComboBox*>().front();
-        kind->setCurrentIndex(1);
+        support::choose(dialog.findChildren<QComboBox*>().front(), HandoutOptions::Kind::TaskSheet);
         QVERIFY(dialog.options().kind == HandoutOptions::Kind::TaskSheet);
         QVERIFY(dialog.options().hasNameLine);
         QCOMPARE(dialog.printedName(), document.fractal().name + QStringLiteral("-handout.pdf"));
@@ -232,7 +232,7 @@ private slots:
         const QTemporaryDir folder;
         document::Document document;
         HandoutDialog dialog(&document);
-        dialog.findChildren<QComboBox*>().front()->setCurrentIndex(1); // worksheets, without pictures
+        support::choose(dialog.findChildren<QComboBox*>().front(), HandoutOptions::Kind::TaskSheet);
         dialog.show();
         const auto said = [&dialog](const QString& path) {
             dialog.showPreview();

@@ -8,6 +8,7 @@
 #include "dialogs/export/export_size_editor.h"
 #include "dialogs/export/space_export_dialog.h"
 #include "document/edits/timeline/motion_edits.h"
+#include "support/choose.h"
 #include "support/forget_settings.h"
 #include "support/named_test.h"
 #include "support/own_settings.h"
@@ -110,21 +111,22 @@ private:
 
 void LastExportTest::pictures() {
     auto dialog = picture();
-    const int tiff = format(*dialog)->findText(u"TIFF"_s, Qt::MatchStartsWith);
-    format(*dialog)->setCurrentIndex(tiff);
+    using File = view::ExportDialog::File;
+    const File tiff(io::PictureFile::Tiff);
+    support::choose(format(*dialog), tiff);
     setPixels(*dialog, {50, 70});
     exportAs(*dialog, path("a.tiff"));
     QTRY_VERIFY(QFileInfo::exists(path("a.tiff")));
     dialog = picture();
-    QCOMPARE(format(*dialog)->currentIndex(), tiff);
+    QVERIFY(view::chosenValue<File>(format(*dialog)) == tiff);
     QCOMPARE(pixels(*dialog), QSize(50, 70));
     const QString suggested = exportAs(*dialog, {});
     QCOMPARE(QFileInfo(suggested).path(), m_folder->path());
     QVERIFY2(suggested.endsWith(u".tiff"_s), qPrintable(suggested));
     // Who cancels has exported nothing.
-    format(*dialog)->setCurrentIndex(0);
+    support::choose(format(*dialog), File(io::PictureFile::Png));
     exportAs(*dialog, {});
-    QCOMPARE(format(*picture())->currentIndex(), tiff);
+    QVERIFY(view::chosenValue<File>(format(*picture())) == tiff);
 }
 
 void LastExportTest::solids() {
@@ -134,7 +136,8 @@ void LastExportTest::solids() {
     exportAs(*dialog, path("a.jpg"));
     QTRY_VERIFY(QFileInfo::exists(path("a.jpg")));
     dialog = solid();
-    QCOMPARE(format(*dialog)->currentIndex(), int(view::SpaceExportDialog::Format::Jpeg));
+    using Format = view::SpaceExportDialog::Format;
+    QCOMPARE(view::chosenValue<Format>(format(*dialog)), Format::Jpeg);
     QCOMPARE(pixels(*dialog), QSize(30, 20));
     QCOMPARE(exportAs(*dialog, {}), path("menger.jpg"));
     // The settings of a mesh stay, whatever is exported in between.
@@ -172,7 +175,8 @@ void LastExportTest::animations() {
     exportAs(*dialog, path("a.0.png"));
     QTRY_VERIFY(dialog->message().contains(m_folder->path()));
     dialog = open();
-    QCOMPARE(format(*dialog)->currentIndex(), int(view::AnimationExportDialog::Pictures));
+    using Dialog = view::AnimationExportDialog;
+    QCOMPARE(view::chosenValue<Dialog::Format>(format(*dialog)), Dialog::Pictures);
     QCOMPARE(named<QSpinBox>(*dialog, "Width")->value(), 32);
     QCOMPARE(named<QSpinBox>(*dialog, "Height")->value(), 24);
     QCOMPARE(QFileInfo(exportAs(*dialog, {})).path(), m_folder->path());
@@ -180,12 +184,12 @@ void LastExportTest::animations() {
 
 void LastExportTest::data() {
     auto dialog = std::make_unique<view::ExportDataDialog>(m_document.get());
-    const int tabs = format(*dialog)->findText(u"Table with tabs"_s, Qt::MatchStartsWith);
-    format(*dialog)->setCurrentIndex(tabs);
+    using Format = view::ExportDataDialog::Format;
+    support::choose(format(*dialog), Format::Tsv);
     exportAs(*dialog, path("a.tsv"));
     QTRY_VERIFY(QFileInfo::exists(path("a.tsv")));
     dialog = std::make_unique<view::ExportDataDialog>(m_document.get());
-    QCOMPARE(format(*dialog)->currentIndex(), tabs);
+    QCOMPARE(view::chosenValue<Format>(format(*dialog)), Format::Tsv);
     QCOMPARE(QFileInfo(exportAs(*dialog, {})).path(), m_folder->path());
 }
 
@@ -208,7 +212,8 @@ void LastExportTest::kindsKnowNothingOfEachOther() {
     QCOMPARE(view::lastExport(u"picture"_s).format, u"svg"_s);
     QVERIFY(view::lastExport(u"solid"_s).format.isEmpty());
     const auto dialog = solid();
-    QCOMPARE(format(*dialog)->currentIndex(), 0);
+    using Format = view::SpaceExportDialog::Format;
+    QCOMPARE(view::chosenValue<Format>(format(*dialog)), Format::Png);
     QCOMPARE(pixels(*dialog), QSize(160, 120));
 }
 

@@ -4,6 +4,7 @@
 #include "dialogs/export/export_preview.h"
 #include "dialogs/export/space_export_dialog.h"
 #include "document/fractal/space_geometry.h"
+#include "support/choose.h"
 #include "support/named_test.h"
 #include "support/patient_tries.h"
 
@@ -52,7 +53,7 @@ private slots:
         QVERIFY(!picture.textKeys().isEmpty()); // the system is in it
         for (auto* box : m_dialog->findChildren<QComboBox*>())
             if (box->count() == 3 && box->itemText(1).contains(QStringLiteral("side")))
-                box->setCurrentIndex(1);
+                support::choose(box, io::Stereo::SideBySide);
         QVERIFY(exportedAs(SpaceExportDialog::Format::Png, QStringLiteral("both.png")));
         const QImage both(path(QStringLiteral("both.png")));
         QCOMPARE(both.size(), QSize(160, 120));

@@ -5,6 +5,7 @@
 #include "document/edits/entries_edits.h"
 #include "document/edits/maps/map_locks.h"
 #include "document/variations/random_systems.h"
+#include "support/choose.h"
 #include "support/named_test.h"
 #include "support/patient_tries.h"
 
@@ -309,7 +310,7 @@ void MutateDialogTest::entriesAreCrossed() {
     auto* partner = dialog.findChild<QComboBox*>();
     QCOMPARE(partner->count(), 2); // nothing, and the one in the plane
     open(dialog);
-    partner->setCurrentIndex(1);
+    support::choose(partner, document.file().entries[1].fractal);
     QTRY_VERIFY_WITH_TIMEOUT(isFull(dialog), 60'000);
     click(dialog, ringOf(dialog).childItem(6));
     use(dialog)->click();

@@ -2,6 +2,7 @@
 #include "dialogs/variations/random_dialog.h"
 
 #include "dialogs/variations/picture_tiles.h"
+#include "support/choose.h"
 #include "support/named_test.h"
 #include "support/patient_tries.h"
 #include "widgets/symmetry_groups.h"
@@ -55,12 +56,6 @@ struct Boxes {
 Boxes boxesOf(const RandomDialog& dialog) {
     const auto boxes = dialog.findChildren<QComboBox*>();
     return {boxes[0], boxes[1], boxes[2]};
-}
-
-void choose(QComboBox* box, int data) {
-    const int index = box->findData(data);
-    QVERIFY(index >= 0);
-    box->setCurrentIndex(index);
 }
 
 } // namespace
@@ -154,9 +149,9 @@ void RandomDialogTest::systemsAreAsAskedFor() {
     document::Document document;
     RandomDialog dialog(&document);
     const Boxes boxes = boxesOf(dialog);
-    choose(boxes.dimension, 3);
-    choose(boxes.groups, int(Rotation));
-    choose(boxes.maps, 1);
+    support::choose(boxes.dimension, 3);
+    support::choose(boxes.groups, Rotation);
+    support::choose(boxes.maps, 1);
     dialog.findChildren<QSpinBox*>()[0]->setValue(7);
     QTRY_VERIFY_WITH_TIMEOUT(isFull(dialog), 60'000);
     gridOf(dialog)->setCurrentRow(0);
@@ -175,14 +170,14 @@ void RandomDialogTest::symmetriesFollowTheDimension() {
     auto* order = dialog.findChildren<QSpinBox*>()[0];
     QVERIFY(!order->isEnabled());
     QCOMPARE(boxes.maps->findData(1), -1); // it has a point
-    choose(boxes.groups, int(Mirror));
+    support::choose(boxes.groups, Mirror);
     QVERIFY(!order->isEnabled());
     QVERIFY(boxes.maps->findData(1) > 0);
     QCOMPARE(boxes.groups->findData(int(Icosahedral)), -1);
-    choose(boxes.dimension, 3);
+    support::choose(boxes.dimension, 3);
     QCOMPARE(int(view::chosenSymmetryGroup(boxes.groups)), int(Mirror));
-    choose(boxes.groups, int(Icosahedral));
-    choose(boxes.dimension, 2);
+    support::choose(boxes.groups, Icosahedral);
+    support::choose(boxes.dimension, 2);
     QCOMPARE(int(view::chosenSymmetryGroup(boxes.groups)), int(None));
     QTRY_VERIFY_WITH_TIMEOUT(isFull(dialog), 60'000);
 }

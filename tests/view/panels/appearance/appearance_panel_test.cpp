@@ -7,6 +7,7 @@
 #include "panels/appearance/palettes/gradient_preview.h"
 #include "panels/appearance/palettes/gradient_strip.h"
 #include "panels/appearance/palettes/picture_palette_dialog.h"
+#include "support/choose.h"
 #include "support/events.h"
 #include "support/named_test.h"
 #include "support/patient_tries.h"
@@ -351,20 +352,18 @@ private slots:
     }
 
     void stepsSayWhatWasChosen() {
-        const int address = m_panel->colourBy()->findText(QStringLiteral("Address"));
-        QVERIFY(address >= 0);
-        choose(m_panel->colourBy(), address);
+        support::choose(m_panel->colourBy(), attractor::ColourBy::Address);
         QCOMPARE(appearance().colourBy, attractor::ColourBy::Address);
         QCOMPARE(m_document->undoStack()->undoText(), QStringLiteral("Colour by: Address"));
     }
 
     void choicesAreSteps() {
-        choose(m_panel->colourBy(), 1);
+        support::choose(m_panel->colourBy(), attractor::ColourBy::Map);
         QCOMPARE(appearance().colourBy, attractor::ColourBy::Map);
         QCOMPARE(m_document->undoStack()->undoText(), QStringLiteral("Colour by: Map"));
-        choose(m_panel->gradient(), 1);
+        support::choose(m_panel->gradient(), attractor::builtInPalettes()[1]);
         QVERIFY(appearance().palette == attractor::builtInPalettes()[1]);
-        choose(m_panel->supersampling(), 2);
+        support::choose(m_panel->supersampling(), 3);
         QCOMPARE(appearance().supersample, 3);
         m_panel->transparent()->click();
         QCOMPARE(int(appearance().background.alpha), 0);
@@ -374,7 +373,7 @@ private slots:
         for (int i = 0; i < 5; ++i)
             m_document->undoStack()->undo();
         QVERIFY(appearance() == Appearance{});
-        QCOMPARE(m_panel->colourBy()->currentIndex(), 0);
+        QCOMPARE(view::chosenValue<attractor::ColourBy>(m_panel->colourBy()), Appearance().colourBy);
     }
 
     void aPaletteOfTheFileIsOffered() {
@@ -405,10 +404,6 @@ private:
         m_panel->editGradient()->click();
         QVERIFY(m_panel->gradientEditor()->isVisible());
         QCoreApplication::processEvents();
-    }
-    static void choose(QComboBox* box, int index) {
-        box->setCurrentIndex(index);
-        emit box->activated(index);
     }
     std::unique_ptr<document::Document> m_document;
     std::unique_ptr<view::AppearancePanel> m_panel;

@@ -7,6 +7,7 @@
 #include "panels/appearance/palettes/gradient_preview.h"
 #include "panels/appearance/slice_rows.h"
 #include "panels/appearance/space_rows.h"
+#include "support/choose.h"
 #include "support/named_test.h"
 #include "support/patient_tries.h"
 #include "view/panels/maps_support.h"
@@ -50,7 +51,7 @@ private slots:
                                    Shown{LookInSpace::XRay, false, false, false, true, true},
                                    Shown{LookInSpace::Depth, false, false, false, false, false},
                                    Shown{LookInSpace::Normals, false, false, false, false, false}}) {
-            choose(rows->look(), int(shown.look));
+            support::choose(rows->look(), shown.look);
             QCOMPARE(inSpace().look, shown.look);
             QCOMPARE(rows->colourBy()->isVisible(), shown.colour);
             QCOMPARE(rows->light()->isVisible(), shown.light);
@@ -69,11 +70,11 @@ private slots:
 
     void coloursOfASolidTakeThePalette() {
         const view::SpaceRows* rows = m_panel->space();
-        choose(rows->colourBy(), int(SolidColour::Address));
+        support::choose(rows->colourBy(), SolidColour::Address);
         QCOMPARE(document::solidColour(m_document->fractal()), SolidColour::Address);
         QVERIFY(m_panel->gradient()->isVisible() && m_panel->gradient()->isEnabled());
         QVERIFY(document::spaceRequest(m_document->fractal(), {}).key == attractor::SolidKey::Address);
-        choose(rows->colourBy(), int(SolidColour::Map));
+        support::choose(rows->colourBy(), SolidColour::Map);
         QVERIFY(!m_panel->gradient()->isVisible());
         QCOMPARE(document::solidAppearance(m_document->fractal()).mapColours.size(),
                  document::system3(m_document->fractal())->maps.size());
@@ -113,16 +114,15 @@ private slots:
     void aSliceIsChosenTurnedAndMoved() {
         const view::SliceRows* rows = m_panel->slice();
         QVERIFY(!rows->offset()->isVisible());
-        choose(rows->kind(), int(view::SliceRows::Kind::Half));
+        support::choose(rows->kind(), view::SliceRows::Kind::Half);
         QVERIFY(inSpace().clip && std::isinf(inSpace().clip->lowest));
         QVERIFY(rows->offset()->isVisible() && !rows->thickness()->isVisible());
         QTRY_VERIFY(rows->offset()->height() >= rows->offset()->minimumSizeHint().height());
         QTRY_VERIFY(rows->offset()->y() > rows->direction()->y());
-        choose(rows->kind(), int(view::SliceRows::Kind::Slice));
+        support::choose(rows->kind(), view::SliceRows::Kind::Slice);
         QVERIFY(std::isfinite(inSpace().clip->lowest) && inSpace().clip->lowest < inSpace().clip->highest);
         QVERIFY(rows->thickness()->isVisible());
-        rows->direction()->setCurrentIndex(3);
-        emit rows->direction()->activated(3);
+        support::choose(rows->direction(), view::SliceRows::Across::Diagonal);
         QCOMPARE(inSpace().clip->normal, ifs::Vector<3>(1, 1, 1));
         const int steps = m_document->undoStack()->count();
         QSlider* slider = rows->offset()->slider();
@@ -132,13 +132,13 @@ private slots:
         QVERIFY(inSpace().clip->highest > before);
         slider->setSliderDown(false);
         QCOMPARE(m_document->undoStack()->count(), steps + 1);
-        choose(rows->kind(), int(view::SliceRows::Kind::Whole));
+        support::choose(rows->kind(), view::SliceRows::Kind::Whole);
         QVERIFY(!inSpace().clip);
     }
 
     void resetForgetsEverything() {
-        choose(m_panel->space()->look(), int(LookInSpace::Ink));
-        choose(m_panel->slice()->kind(), int(view::SliceRows::Kind::Half));
+        support::choose(m_panel->space()->look(), LookInSpace::Ink);
+        support::choose(m_panel->slice()->kind(), view::SliceRows::Kind::Half);
         m_panel->resetToDefault();
         QVERIFY(inSpace() == attractor::SpaceAppearance{});
         QCOMPARE(m_document->undoStack()->count(), 3);
@@ -154,12 +154,6 @@ private slots:
     }
 
 private:
-    static void choose(QComboBox* box, int value) {
-        const int index = box->findData(value);
-        if (index == box->currentIndex()) return;
-        box->setCurrentIndex(index);
-        emit box->activated(index);
-    }
     const attractor::SpaceAppearance& inSpace() const { return m_document->fractal().inSpace; }
 
     std::unique_ptr<document::Document> m_document;

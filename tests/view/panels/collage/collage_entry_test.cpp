@@ -4,6 +4,7 @@
 #include "document/fractal/fractal_geometry.h"
 #include "document/moments/animated_fractal.h"
 #include "panels/collage/suggestion_list.h"
+#include "support/choose.h"
 #include "support/named_test.h"
 #include "view/panels/collage_panel_fixture.h"
 
@@ -48,7 +49,7 @@ private slots:
         traceLeaf();
         const auto traced = m_panel->target()->traced();
         named<QDoubleSpinBox>(QStringLiteral("Seconds to search"))->setValue(0.5);
-        named<QComboBox>(QStringLiteral("Number of maps"))->setCurrentIndex(3); // 4
+        support::choose(named<QComboBox>(QStringLiteral("Number of maps")), 4);
         push("Suggest");
         settle();
         use(0);

@@ -3,6 +3,7 @@
 #include "document/edits/maps/map_locks.h"
 #include "panels/collage/collage_numbers.h"
 #include "panels/collage/suggestion_list.h"
+#include "support/choose.h"
 #include "support/named_test.h"
 #include "view/panels/collage_panel_fixture.h"
 
@@ -74,7 +75,7 @@ class CollageFitsTest : public CollagePanelFixture {
     // Takes the first of the suggestions with four maps.
     void useSuggestion() {
         named<QDoubleSpinBox>(QStringLiteral("Seconds to search"))->setValue(0.5);
-        named<QComboBox>(QStringLiteral("Number of maps"))->setCurrentIndex(3);
+        support::choose(named<QComboBox>(QStringLiteral("Number of maps")), 4);
         push("Suggest");
         settle();
         auto* list = m_panel->findChild<view::SuggestionList*>();
@@ -157,7 +158,7 @@ private slots:
         tick("Similarities only");
         tick("No mirror images");
         tick("First map a stem");
-        named<QComboBox>(QStringLiteral("Angles"))->setCurrentIndex(2); // 90°
+        support::choose(named<QComboBox>(QStringLiteral("Angles")), 90);
         take({ifs::affineMap(0.1, 0, 0, 0.6, 0, 0), ifs::affineMap(0.4, 0, 0, 0.4, 0, 0.3),
               ifs::affineMap(0, -0.35, 0.35, 0, 0.06, -0.05), ifs::affineMap(0.3, 0, 0, 0.3, 0, -0.3)});
         const document::System2 before = system();
@@ -178,7 +179,7 @@ private slots:
         traceLeaf();
         tick("Similarities only");
         tick("No mirror images");
-        named<QComboBox>(QStringLiteral("Angles"))->setCurrentIndex(2); // 90°
+        support::choose(named<QComboBox>(QStringLiteral("Angles")), 90);
         useSuggestion();
         for (const auto& map : system().maps) {
             const ifs::Matrix<2>& a = map.map.linear;
@@ -308,21 +309,22 @@ private slots:
             const auto& traced = m_panel->target()->traced();
             return traced ? collage::area(traced->mask) : 0;
         };
+        using Shape = document::TraceOptions::Shape;
         auto* shape = named<QComboBox>(QStringLiteral("Shape"));
-        QCOMPARE(shape->currentIndex(), 0);
+        QCOMPARE(view::chosenValue<Shape>(shape), Shape::Automatic);
         QCOMPARE(area(), std::size_t{1300}); // there is transparency
-        shape->setCurrentIndex(1);           // dark pixels
+        support::choose(shape, Shape::Dark);
         settle();
         QCOMPARE(area(), std::size_t{900});
-        shape->setCurrentIndex(2); // opaque pixels
+        support::choose(shape, Shape::Opaque);
         settle();
         QCOMPARE(area(), std::size_t{1300});
         traceLeaf();
-        shape->setCurrentIndex(2); // everything is opaque
+        support::choose(shape, Shape::Opaque); // all of it is
         settle();
         QVERIFY(!m_panel->target()->traced());
         QVERIFY2(sentence().contains(QStringLiteral("empty or fills")), qPrintable(sentence()));
-        shape->setCurrentIndex(0);
+        support::choose(shape, Shape::Automatic);
         settle();
         QVERIFY(area() > 0);
     }

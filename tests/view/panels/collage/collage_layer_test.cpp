@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "support/choose.h"
 #include "support/named_test.h"
 #include "view/panels/collage_panel_fixture.h"
 
@@ -55,7 +56,9 @@ class CollageLayerTest : public CollagePanelFixture {
         m_document->edit(QStringLiteral("Background"), std::move(fractal));
     }
     void showAgreement(bool shown) {
-        named<QComboBox>(QStringLiteral("Agreement"))->setCurrentIndex(shown ? 0 : 2);
+        using Agreement = view::CollagePanel::Agreement;
+        support::choose(named<QComboBox>(QStringLiteral("Agreement")),
+                        shown ? Agreement::OfCollage : Agreement::Hidden);
         settle();
     }
     void setOpacity(int percent) {

@@ -3,6 +3,7 @@
 #include "document/edits/maps/maps_edits.h"
 #include "panels/collage/suggestion_list.h"
 #include "panels/collage/target_preview.h"
+#include "support/choose.h"
 #include "support/named_test.h"
 #include "view/panels/collage_panel_fixture.h"
 #include "widgets/layout/vertical_scroll_area.h"
@@ -199,7 +200,7 @@ private slots:
     void mapsCarryTheTarget() {
         traceLeaf();
         takeRoughMaps();
-        named<QComboBox>(QStringLiteral("Agreement"))->setCurrentIndex(2); // not shown
+        support::choose(named<QComboBox>(QStringLiteral("Agreement")), view::CollagePanel::Agreement::Hidden);
         settle();
         QTRY_VERIFY_WITH_TIMEOUT(m_bridge->isCurrent(), 60'000);
         const QPointF there = view::pixelOf(m_canvas->camera(), placed(ifs::Vector<2>(0.0, 0.24)));
@@ -320,7 +321,7 @@ private slots:
     void suggestionsAreUsedAsOneStep() {
         traceLeaf();
         named<QDoubleSpinBox>(QStringLiteral("Seconds to search"))->setValue(0.5);
-        named<QComboBox>(QStringLiteral("Number of maps"))->setCurrentIndex(3); // 4
+        support::choose(named<QComboBox>(QStringLiteral("Number of maps")), 4);
         const document::Fractal before = m_document->fractal();
         push("Suggest");
         settle();
@@ -354,7 +355,7 @@ private slots:
     void theHighlightFollowsTheHistory() {
         traceLeaf();
         named<QDoubleSpinBox>(QStringLiteral("Seconds to search"))->setValue(0.5);
-        named<QComboBox>(QStringLiteral("Number of maps"))->setCurrentIndex(3); // 4
+        support::choose(named<QComboBox>(QStringLiteral("Number of maps")), 4);
         push("Suggest");
         settle();
         auto* list = m_panel->findChild<view::SuggestionList*>();

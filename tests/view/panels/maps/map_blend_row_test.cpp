@@ -4,6 +4,7 @@
 #include "document/edits/maps/map_locks.h"
 #include "panels/appearance/appearance_panel.h"
 #include "panels/maps/maps_panel.h"
+#include "support/choose.h"
 #include "support/named_test.h"
 #include "view/panels/maps_support.h"
 #include "widgets/numbers/number_field.h"
@@ -142,10 +143,7 @@ private slots:
 
     void isChosenInTheAppearancePanel() {
         view::AppearancePanel panel(m_document.get());
-        QComboBox* box = panel.colourBy();
-        const int index = box->findData(int(ColourBy::Blend));
-        box->setCurrentIndex(index);
-        emit box->activated(index);
+        support::choose(panel.colourBy(), ColourBy::Blend);
         QVERIFY(m_document->fractal().appearance.colourBy == ColourBy::Blend);
         QCOMPARE(m_document->undoStack()->undoText(), QStringLiteral("Colour by: Blend of maps"));
         QVERIFY(row().isVisible());

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "document/edits/timeline/orbit_edits.h"
 #include "panels/timeline/motion_dialog.h"
+#include "panels/timeline/orbit_rows.h"
 #include "panels/timeline/track_view.h"
+#include "support/choose.h"
 #include "support/named_test.h"
 #include "view/panels/timeline/timeline_fixture.h"
 #include "view/space/space_window.h"
@@ -47,6 +49,7 @@ void OrbitMotionTest::anOrbitIsChanged() {
     QVERIFY((start.centre - ifs::Vector<3>(0.5, 0.5, 0.5)).norm() < 1e-5);
     dialog = opened();
     QVERIFY(dialog);
+    using Pivot = view::OrbitRows::Pivot;
     auto* axis = qobject_cast<QComboBox*>(field(dialog, "Axis"));
     auto* tilt = qobject_cast<QDoubleSpinBox*>(field(dialog, "Tilt"));
     auto* pivot = qobject_cast<QComboBox*>(field(dialog, "Pivot"));
@@ -56,19 +59,19 @@ void OrbitMotionTest::anOrbitIsChanged() {
     QCOMPARE(tilt->value(), 0.0);
     QCOMPARE(pivot->currentText(), QStringLiteral("Centre of the fractal"));
     QVERIFY(!x->isEnabled());
-    axis->setCurrentIndex(1);
+    support::choose(axis, 1);
     QVERIFY(place().axis == ifs::Vector<3>::UnitY()); // seen at once
     tilt->setValue(30);
     QVERIFY((place().axis - document::directionOf({1, 30, 0})).norm() < 1e-12);
-    pivot->setCurrentIndex(2); // the middle of the view
+    support::choose(pivot, Pivot::Target);
     QVERIFY(place().pivot == animation::OrbitPivot::Target);
-    pivot->setCurrentIndex(1);
+    support::choose(pivot, Pivot::Point);
     QVERIFY(x->isEnabled());
     x->setFocus();
     x->selectAll();
     QTest::keyClicks(x, QStringLiteral("2"));
     QVERIFY(place().pivot == animation::OrbitPivot::Centre && place().centre.x() == 2);
-    pivot->setCurrentIndex(0);
+    support::choose(pivot, Pivot::Centre);
     QVERIFY(place().centre == start.centre);
     dialog->accept();
     QTRY_VERIFY(!dialog);

@@ -10,6 +10,7 @@
 #include "panels/timeline/timeline_panel.h"
 #include "panels/timeline/track_view.h"
 #include "panels/timeline/transport_bar.h"
+#include "support/choose.h"
 #include "support/named_test.h"
 #include "support/own_settings.h"
 #include "support/patient_tries.h"
@@ -506,15 +507,14 @@ void TimelineTest::timingIsEdited() {
     bar.rate()->setCurrentText(QStringLiteral("12"));
     QTest::keyClick(bar.rate()->lineEdit(), Qt::Key_Return);
     QCOMPARE(told.size(), 1);
-    bar.loop()->setCurrentIndex(1);
-    emit bar.loop()->activated(1);
+    support::choose(bar.loop(), animation::Loop::Cycle);
     QCOMPARE(steps(), before + 3);
     QCOMPARE(timeline().timing(), (document::Timing{{12, 1}, 30, animation::Loop::Cycle}));
     QCOMPARE(framesOf(0), std::vector<int>{0});
     QCOMPARE(timeline().lastFrame(), 29);
     QCOMPARE(timeline().frame(), 29); // the playhead came along
     m_document->undoStack()->undo();
-    QCOMPARE(bar.loop()->currentIndex(), 0);
+    QCOMPARE(view::chosenValue<animation::Loop>(bar.loop()), animation::Loop::Off);
 }
 
 void TimelineTest::playingEndsWhereTheLoopDoes() {

@@ -3,6 +3,7 @@
 
 #include "panels/appearance/controls/appearance_colour_button.h"
 #include "panels/appearance/palettes/palette_titles.h"
+#include "widgets/choices.h"
 
 #include <QPainter>
 #include <QPainterPath>
@@ -43,31 +44,22 @@ GradientChooser::GradientChooser(QWidget* parent) : QComboBox(parent) {
     setMinimumContentsLength(6);
     for (const attractor::Palette& palette : attractor::builtInPalettes())
         add(palette, paletteTitle(palette));
-    m_builtIn = m_palettes.size();
-    connect(this, &QComboBox::activated, this, [this](int index) {
-        if (index >= 0) emit chosen(m_palettes[static_cast<std::size_t>(index)]);
-    });
+    m_builtIn = count();
+    connect(this, &QComboBox::activated, this,
+            [this] { emit chosen(chosenValue<attractor::Palette>(this)); });
 }
 
 void GradientChooser::add(const attractor::Palette& palette, const QString& name) {
-    m_palettes.push_back(palette);
     QIcon icon;
     for (const qreal ratio : {1.0, 2.0})
         icon.addPixmap(gradientPixmap(palette, rowSize, ratio));
-    addItem(icon, name);
+    addChoice(this, name, palette);
+    setItemIcon(count() - 1, icon);
 }
 
 void GradientChooser::showPalette(const attractor::Palette& palette) {
-    for (std::size_t i = 0; i < m_palettes.size(); ++i) {
-        if (m_palettes[i] == palette) {
-            setCurrentIndex(static_cast<int>(i));
-            return;
-        }
-    }
-    if (m_palettes.size() > m_builtIn) {
-        m_palettes.resize(m_builtIn);
-        removeItem(static_cast<int>(m_builtIn));
-    }
+    if (chooseValue(this, palette)) return;
+    if (count() > m_builtIn) removeItem(m_builtIn);
     const QString name = paletteTitle(palette);
     if (isOfLibrary(palette))
         add(palette, name);

@@ -28,8 +28,7 @@ signals:
 private:
     void add(const attractor::Palette& palette, const QString& name);
 
-    std::vector<attractor::Palette> m_palettes; // one per item
-    std::size_t m_builtIn = 0;
+    int m_builtIn = 0; // how many
 };
 
 } // namespace view
