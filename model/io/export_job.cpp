@@ -4,6 +4,7 @@
 #include "document/text/text.h"
 #include "io/file/background.h"
 
+#include <functional>
 #include <new>
 
 namespace io {
@@ -71,17 +72,6 @@ ExportOutcome exportTo(const Export& what, const QString& path, const Progress& 
         return outcome;
     }
 }
-
-ExportJob::ExportJob(Export what, const QString& path, Progress progress,
-                     std::function<void(const ExportOutcome&)> finished)
-    : m_work([what = std::move(what), path, progress = std::move(progress),
-              finished = std::move(finished)](const std::stop_token& stop, document::Listener& listener) {
-          const Progress told = [&](double fraction) {
-              if (progress) listener.tell([&] { progress(fraction); });
-          };
-          const ExportOutcome outcome = exportTo(what, path, told, stop);
-          listener.tell([&] { finished(outcome); });
-      }) {}
 
 QFuture<QImage> drawBeside(const PngExport& what) {
     return drawnBeside([what](const Progress& progress, const std::stop_token& stop) {

@@ -5513,6 +5513,10 @@
         <source>its shadow</source>
         <translation>seinen Schatten</translation>
     </message>
+    <message>
+        <source>There is not enough memory for this picture. Reduce its size.</source>
+        <translation>Für dieses Bild reicht der Speicher nicht. Verkleinern Sie es.</translation>
+    </message>
 </context>
 <context>
     <name>Tour</name>
@@ -6182,10 +6186,6 @@
         <translation>MP4 kennt keine Transparenz: Der Hintergrund wird schwarz.</translation>
     </message>
     <message>
-        <source>%1 files (*.%2)</source>
-        <translation>%1-Dateien (*.%2)</translation>
-    </message>
-    <message>
         <source>Export Animation</source>
         <translation>Animation exportieren</translation>
     </message>
@@ -6230,28 +6230,12 @@
         <translation>Au&amp;sschnitt:</translation>
     </message>
     <message>
-        <source>Export is not finished</source>
-        <translation>Export ist nicht fertig</translation>
-    </message>
-    <message>
         <source>The animation “%1” is still being exported.</source>
         <translation>Die Animation „%1“ wird noch exportiert.</translation>
     </message>
     <message>
         <source>The pictures written so far are complete and will be kept.</source>
         <translation>Die bisher geschriebenen Bilder sind vollständig und bleiben erhalten.</translation>
-    </message>
-    <message>
-        <source>If you stop now, no file is written.</source>
-        <translation>Wenn Sie jetzt anhalten, wird keine Datei geschrieben.</translation>
-    </message>
-    <message>
-        <source>&amp;Stop Export</source>
-        <translation>Export an&amp;halten</translation>
-    </message>
-    <message>
-        <source>&amp;Continue</source>
-        <translation>&amp;Fortsetzen</translation>
     </message>
     <message>
         <source>Summary of the export</source>
@@ -8829,10 +8813,6 @@
         <translation>Die Punkte des Chaos-Spiels, wo sie gezeigt werden, ohne die ersten 14.</translation>
     </message>
     <message>
-        <source>%1 files (*.%2)</source>
-        <translation>%1-Dateien (*.%2)</translation>
-    </message>
-    <message>
         <source>Export Data</source>
         <translation>Daten exportieren</translation>
     </message>
@@ -9259,6 +9239,10 @@
     <message>
         <source>Shows the folder of the written file in the file manager.</source>
         <translation>Zeigt den Ordner der geschriebenen Datei in der Dateiverwaltung.</translation>
+    </message>
+    <message>
+        <source>%1 files (*.%2)</source>
+        <translation>%1-Dateien (*.%2)</translation>
     </message>
 </context>
 <context>
@@ -13253,10 +13237,6 @@ Tasten: Bild auf und Bild ab wählen eine Marke, die Pfeile bewegen sie, Einfg f
         <translation>Ein multmatrix für jede Abbildung; öffnen Sie es in OpenSCAD, um es zu berechnen.</translation>
     </message>
     <message>
-        <source>%1 files (*.%2)</source>
-        <translation>%1-Dateien (*.%2)</translation>
-    </message>
-    <message>
         <source>Export</source>
         <translation>Exportieren</translation>
     </message>
@@ -14073,10 +14053,6 @@ Tasten: Bild auf und Bild ab wählen eine Marke, die Pfeile bewegen sie, Einfg f
     <message>
         <source>The name “%1” does not end with .png. Choose another name.</source>
         <translation>Der Name „%1“ endet nicht auf .png. Wählen Sie einen anderen Namen.</translation>
-    </message>
-    <message>
-        <source>There is not enough memory for this picture. Reduce its size.</source>
-        <translation>Für dieses Bild reicht der Speicher nicht. Verkleinern Sie es.</translation>
     </message>
 </context>
 <context>

@@ -5513,6 +5513,10 @@
         <source>its shadow</source>
         <translation>su sombra</translation>
     </message>
+    <message>
+        <source>There is not enough memory for this picture. Reduce its size.</source>
+        <translation>No hay memoria suficiente para esta imagen. Reduzca su tamaño.</translation>
+    </message>
 </context>
 <context>
     <name>Tour</name>
@@ -6182,10 +6186,6 @@
         <translation>MP4 no tiene transparencia: el fondo se vuelve negro.</translation>
     </message>
     <message>
-        <source>%1 files (*.%2)</source>
-        <translation>Archivos %1 (*.%2)</translation>
-    </message>
-    <message>
         <source>Export Animation</source>
         <translation>Exportar animación</translation>
     </message>
@@ -6230,28 +6230,12 @@
         <translation>E&amp;ncuadre:</translation>
     </message>
     <message>
-        <source>Export is not finished</source>
-        <translation>La exportación no ha terminado</translation>
-    </message>
-    <message>
         <source>The animation “%1” is still being exported.</source>
         <translation>La animación «%1» aún se está exportando.</translation>
     </message>
     <message>
         <source>The pictures written so far are complete and will be kept.</source>
         <translation>Las imágenes escritas hasta ahora están completas y se conservan.</translation>
-    </message>
-    <message>
-        <source>If you stop now, no file is written.</source>
-        <translation>Si la detiene ahora, no se escribe ningún archivo.</translation>
-    </message>
-    <message>
-        <source>&amp;Stop Export</source>
-        <translation>&amp;Detener la exportación</translation>
-    </message>
-    <message>
-        <source>&amp;Continue</source>
-        <translation>&amp;Continuar</translation>
     </message>
     <message>
         <source>Summary of the export</source>
@@ -8829,10 +8813,6 @@
         <translation>Los puntos del juego del caos donde se muestran, sin los 14 primeros.</translation>
     </message>
     <message>
-        <source>%1 files (*.%2)</source>
-        <translation>Archivos %1 (*.%2)</translation>
-    </message>
-    <message>
         <source>Export Data</source>
         <translation>Exportar datos</translation>
     </message>
@@ -9259,6 +9239,10 @@
     <message>
         <source>Shows the folder of the written file in the file manager.</source>
         <translation>Muestra la carpeta del archivo escrito en el gestor de archivos.</translation>
+    </message>
+    <message>
+        <source>%1 files (*.%2)</source>
+        <translation>Archivos %1 (*.%2)</translation>
     </message>
 </context>
 <context>
@@ -13253,10 +13237,6 @@ Teclas: Re Pág y Av Pág eligen una parada, las flechas la mueven, Ins añade u
         <translation>Un multmatrix por aplicación; ábralo en OpenSCAD para calcularlo.</translation>
     </message>
     <message>
-        <source>%1 files (*.%2)</source>
-        <translation>Archivos %1 (*.%2)</translation>
-    </message>
-    <message>
         <source>Export</source>
         <translation>Exportar</translation>
     </message>
@@ -14073,10 +14053,6 @@ Teclas: Re Pág y Av Pág eligen una parada, las flechas la mueven, Ins añade u
     <message>
         <source>The name “%1” does not end with .png. Choose another name.</source>
         <translation>El nombre «%1» no termina en .png. Elija otro nombre.</translation>
-    </message>
-    <message>
-        <source>There is not enough memory for this picture. Reduce its size.</source>
-        <translation>No hay memoria suficiente para esta imagen. Reduzca su tamaño.</translation>
     </message>
 </context>
 <context>

@@ -5513,6 +5513,10 @@
         <source>its shadow</source>
         <translation>son ombre</translation>
     </message>
+    <message>
+        <source>There is not enough memory for this picture. Reduce its size.</source>
+        <translation>Il n’y a pas assez de mémoire pour cette image. Réduisez sa taille.</translation>
+    </message>
 </context>
 <context>
     <name>Tour</name>
@@ -6182,10 +6186,6 @@
         <translation>MP4 n’a pas de transparence : le fond devient noir.</translation>
     </message>
     <message>
-        <source>%1 files (*.%2)</source>
-        <translation>Fichiers %1 (*.%2)</translation>
-    </message>
-    <message>
         <source>Export Animation</source>
         <translation>Exporter l’animation</translation>
     </message>
@@ -6230,28 +6230,12 @@
         <translation>Ca&amp;drage :</translation>
     </message>
     <message>
-        <source>Export is not finished</source>
-        <translation>L’export n’est pas terminé</translation>
-    </message>
-    <message>
         <source>The animation “%1” is still being exported.</source>
         <translation>L’animation « %1 » est encore en cours d’export.</translation>
     </message>
     <message>
         <source>The pictures written so far are complete and will be kept.</source>
         <translation>Les images déjà écrites sont complètes et seront conservées.</translation>
-    </message>
-    <message>
-        <source>If you stop now, no file is written.</source>
-        <translation>Si vous l’arrêtez maintenant, aucun fichier n’est écrit.</translation>
-    </message>
-    <message>
-        <source>&amp;Stop Export</source>
-        <translation>&amp;Arrêter l’export</translation>
-    </message>
-    <message>
-        <source>&amp;Continue</source>
-        <translation>&amp;Continuer</translation>
     </message>
     <message>
         <source>Summary of the export</source>
@@ -8829,10 +8813,6 @@
         <translation>Les points du jeu du chaos là où ils sont affichés, sans les 14 premiers.</translation>
     </message>
     <message>
-        <source>%1 files (*.%2)</source>
-        <translation>Fichiers %1 (*.%2)</translation>
-    </message>
-    <message>
         <source>Export Data</source>
         <translation>Exporter les données</translation>
     </message>
@@ -9259,6 +9239,10 @@
     <message>
         <source>Shows the folder of the written file in the file manager.</source>
         <translation>Montre le dossier du fichier écrit dans le gestionnaire de fichiers.</translation>
+    </message>
+    <message>
+        <source>%1 files (*.%2)</source>
+        <translation>Fichiers %1 (*.%2)</translation>
     </message>
 </context>
 <context>
@@ -13253,10 +13237,6 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
         <translation>Un multmatrix par application ; ouvrez-le dans OpenSCAD pour le calculer.</translation>
     </message>
     <message>
-        <source>%1 files (*.%2)</source>
-        <translation>Fichiers %1 (*.%2)</translation>
-    </message>
-    <message>
         <source>Export</source>
         <translation>Exporter</translation>
     </message>
@@ -14073,10 +14053,6 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
     <message>
         <source>The name “%1” does not end with .png. Choose another name.</source>
         <translation>Le nom « %1 » ne se termine pas par .png. Choisissez un autre nom.</translation>
-    </message>
-    <message>
-        <source>There is not enough memory for this picture. Reduce its size.</source>
-        <translation>Il n’y a pas assez de mémoire pour cette image. Réduisez sa taille.</translation>
     </message>
 </context>
 <context>

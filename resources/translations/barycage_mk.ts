@@ -5528,6 +5528,10 @@
         <source>its shadow</source>
         <translation>неговата сенка</translation>
     </message>
+    <message>
+        <source>There is not enough memory for this picture. Reduce its size.</source>
+        <translation>Нема доволно меморија за оваа слика. Намалете ја.</translation>
+    </message>
 </context>
 <context>
     <name>Tour</name>
@@ -6197,10 +6201,6 @@
         <translation>MP4 нема проѕирност: позадината станува црна.</translation>
     </message>
     <message>
-        <source>%1 files (*.%2)</source>
-        <translation>Датотеки %1 (*.%2)</translation>
-    </message>
-    <message>
         <source>Export Animation</source>
         <translation>Извоз на анимација</translation>
     </message>
@@ -6245,28 +6245,12 @@
         <translation>Исечо&amp;к:</translation>
     </message>
     <message>
-        <source>Export is not finished</source>
-        <translation>Извозот не е завршен</translation>
-    </message>
-    <message>
         <source>The animation “%1” is still being exported.</source>
         <translation>Анимацијата „%1“ сè уште се извезува.</translation>
     </message>
     <message>
         <source>The pictures written so far are complete and will be kept.</source>
         <translation>Досега запишаните слики се целосни и ќе останат.</translation>
-    </message>
-    <message>
-        <source>If you stop now, no file is written.</source>
-        <translation>Ако запрете сега, нема да се запише датотека.</translation>
-    </message>
-    <message>
-        <source>&amp;Stop Export</source>
-        <translation>&amp;Запри го извозот</translation>
-    </message>
-    <message>
-        <source>&amp;Continue</source>
-        <translation>&amp;Продолжи</translation>
     </message>
     <message>
         <source>Summary of the export</source>
@@ -8854,10 +8838,6 @@
         <translation>Точките од играта на хаос таму каде што се прикажани, без првите 14.</translation>
     </message>
     <message>
-        <source>%1 files (*.%2)</source>
-        <translation>Датотеки %1 (*.%2)</translation>
-    </message>
-    <message>
         <source>Export Data</source>
         <translation>Извоз на податоци</translation>
     </message>
@@ -9287,6 +9267,10 @@
     <message>
         <source>Shows the folder of the written file in the file manager.</source>
         <translation>Ја покажува папката на запишаната датотека во управувачот со датотеки.</translation>
+    </message>
+    <message>
+        <source>%1 files (*.%2)</source>
+        <translation>Датотеки %1 (*.%2)</translation>
     </message>
 </context>
 <context>
@@ -13286,10 +13270,6 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
         <translation>Еден multmatrix за секое пресликување; отворете го во OpenSCAD за да се пресмета.</translation>
     </message>
     <message>
-        <source>%1 files (*.%2)</source>
-        <translation>Датотеки %1 (*.%2)</translation>
-    </message>
-    <message>
         <source>Export</source>
         <translation>Извези</translation>
     </message>
@@ -14107,10 +14087,6 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
     <message>
         <source>The name “%1” does not end with .png. Choose another name.</source>
         <translation>Името „%1“ не завршува со .png. Изберете друго име.</translation>
-    </message>
-    <message>
-        <source>There is not enough memory for this picture. Reduce its size.</source>
-        <translation>Нема доволно меморија за оваа слика. Намалете ја.</translation>
     </message>
 </context>
 <context>

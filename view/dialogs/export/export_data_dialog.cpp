@@ -2,11 +2,8 @@
 #include "dialogs/export/export_data_dialog.h"
 
 #include "dialogs/column_orders.h"
-#include "dialogs/export/last_export.h"
 #include "document/edits/cage/cage_edits.h"
 #include "io/file/background.h"
-#include "widgets/background/save_beside.h"
-#include "widgets/file_dialogs.h"
 #include "widgets/numbers/number_box.h"
 #include "widgets/text/text_edit_workarounds.h"
 #include "widgets/text/tooltip_text.h"
@@ -18,7 +15,6 @@
 #include <QFormLayout>
 #include <QGuiApplication>
 #include <QPlainTextEdit>
-#include <QPointer>
 #include <QPushButton>
 #include <QSpinBox>
 #include <QStandardItemModel>
@@ -31,7 +27,6 @@ namespace view {
 namespace {
 
 enum Format { Flame, Aifs, Latex, Csv, Tsv, PointsCsv, PointsPly };
-const QString dataKind = QStringLiteral("data");
 // In that order, as the settings have them.
 const QStringList& formatNames() {
     static const QStringList all =
@@ -50,7 +45,9 @@ std::shared_ptr<const document::Fractal> bakedOf(const document::Fractal& fracta
 } // namespace
 
 ExportDataDialog::ExportDataDialog(document::Document* document, QWidget* parent)
-    : ExportShell(parent), m_fractal(document->fractal()), m_baked(bakedOf(m_fractal)) {
+    : ExportShell(QStringLiteral("data"), document->fractal().name, parent),
+      m_fractal(document->fractal()),
+      m_baked(bakedOf(m_fractal)) {
     setWindowTitle(tr("Export Data of “%1”").arg(titleText(m_fractal.name)));
     m_form = new QFormLayout;
     createOptions(m_form);
@@ -60,10 +57,7 @@ ExportDataDialog::ExportDataDialog(document::Document* document, QWidget* parent
     m_preview->setFont(QFontDatabase::systemFont(QFontDatabase::FixedFont));
     m_preview->setAccessibleName(tr("Preview of the file"));
     m_preview->setWhatsThis(tr("The beginning of the file as it will be written."));
-    auto* options = new QWidget(this);
-    options->setLayout(m_form);
-    m_form->setContentsMargins({});
-    lay(options, m_preview, Qt::Vertical);
+    lay(m_form, m_preview, Qt::Vertical);
     setStartHelp(tr("Asks for a file name and writes the file."));
     m_copy =
         addButton(tr("Copy &Text"), tr("Copies the whole text to the clipboard instead of writing a file."));
@@ -82,7 +76,7 @@ void ExportDataDialog::createOptions(QFormLayout* form) {
     m_format->addItems({tr("Flame: flam3, Apophysis, JWildfire, Fractorium"), tr("IFStile (.aifs)"),
                         tr("Formulas and a figure for LaTeX (.tex)"), tr("Table with commas (.csv)"),
                         tr("Table with tabs (.tsv)"), tr("Points (.csv)"), tr("Points, coloured (.ply)")});
-    chooseFormat(std::max(0, int(formatNames().indexOf(lastExport(dataKind).format))));
+    chooseFormat(std::max(0, int(formatNames().indexOf(last().format))));
     m_columns = new ColumnOrders(tr("The order of the coefficients in each row; programs differ."), this);
     m_points = new WholeNumberBox(this);
     m_points->setWhatsThis(tr("How many points of the chaos game are written."));
@@ -212,24 +206,13 @@ void ExportDataDialog::showPreview() {
 }
 
 QString ExportDataDialog::chosenFile() {
-    const QString filter = tr("%1 files (*.%2)").arg(suffix().toUpper(), suffix());
-    const QString fileName = document::uniqueName({}, m_fractal.name) + u'.' + suffix();
-    const QString path =
-        chooseFileToSave(this, tr("Export Data"), suggestedPath(dataKind, fileName), filter, suffix());
-    if (!path.isEmpty()) rememberExport(dataKind, {formatNames().at(m_format->currentIndex()), {}}, path);
+    const QString path = chooseFile({.title = tr("Export Data"), .suffix = suffix()});
+    if (!path.isEmpty()) remember({formatNames().at(m_format->currentIndex()), {}}, path);
     return path;
 }
 
 void ExportDataDialog::exportTo(const QString& path) {
-    if (textFormat()) {
-        const QPointer self(this);
-        const auto [isCancelled, failure] = saveBeside(path, textMaker()(), this);
-        if (!self) return;
-        io::ExportOutcome outcome;
-        outcome.stopped = isCancelled;
-        outcome.failure = failure;
-        return finish(outcome, path);
-    }
+    if (textFormat()) return writeText(textMaker()(), path);
     start(io::PointCloud{m_fractal, std::uint64_t(m_points->value()), 1, pointFormat()}, path);
 }
 

@@ -5,12 +5,10 @@
 #include "dialogs/export/export_preview.h"
 #include "dialogs/export/export_size_editor.h"
 #include "dialogs/export/large_export.h"
-#include "dialogs/export/last_export.h"
 #include "document/fractal/fractal_geometry.h"
 #include "ifs/copies/copy_hierarchy.h"
 #include "io/file/background.h"
 #include "io/picture/picture_writers.h"
-#include "widgets/file_dialogs.h"
 #include "widgets/numbers/number_box.h"
 #include "widgets/numbers/number_text.h"
 #include "widgets/text/tooltip_text.h"
@@ -61,8 +59,6 @@ QStringList suffixesOf(const Kind& kind) {
     return suffixes;
 }
 
-const QString pictureKind = QStringLiteral("picture");
-
 // Its place in the list.
 std::optional<int> kindOf(const QString& path) {
     const QString suffix = QFileInfo(path).suffix().toLower();
@@ -74,7 +70,7 @@ std::optional<int> kindOf(const QString& path) {
 } // namespace
 
 ExportDialog::ExportDialog(document::Document* document, const attractor::Camera& camera, QWidget* parent)
-    : ExportShell(parent),
+    : ExportShell(QStringLiteral("picture"), document->fractal().name, parent),
       m_fractal(document->fractal()),
       m_camera(camera),
       m_views(document::savedViews(m_fractal)) {
@@ -114,9 +110,8 @@ void ExportDialog::createFormat() {
     m_size = new ExportSizeEditor({std::max(1, int(std::lround(m_camera.width * ratio))),
                                    std::max(1, int(std::lround(m_camera.height * ratio)))},
                                   m_options);
-    const LastExport last = lastExport(pictureKind);
-    m_format->setCurrentIndex(kindOf(QStringLiteral("last.") + last.format).value_or(0));
-    m_size->choose(last.size);
+    m_format->setCurrentIndex(kindOf(QStringLiteral("last.") + last().format).value_or(0));
+    m_size->choose(last().size);
     m_transparent = new QCheckBox(tr("&Transparent background"), m_options);
     m_transparent->setChecked(m_fractal.appearance.background.alpha == 0);
     m_transparent->setWhatsThis(tr("The picture has no background and can be placed over another."));
@@ -402,26 +397,19 @@ void ExportDialog::setSection(Section section) {
     m_section->setCurrentIndex(int(section));
 }
 
-void ExportDialog::setFolder(const QString& folder) {
-    m_folder = folder;
-}
-
 bool ExportDialog::isPossible() const {
     return document::system2(m_fractal) != nullptr;
 }
 
 QString ExportDialog::chosenFile() {
     if (!isSvg() && !confirmLargeExport(this, m_size->pixels(), memory())) return {};
-    const Kind& kind = kinds[m_format->currentIndex()];
-    const QStringList suffixes = suffixesOf(kind);
+    const QStringList suffixes = suffixesOf(kinds[m_format->currentIndex()]);
     const QString suffix = suffixes.first();
     const QString filter =
         QStringLiteral("%1 (*.%2)").arg(suffix.toUpper(), suffixes.join(QStringLiteral(" *.")));
-    const QString name = document::uniqueName({}, m_fractal.name) + u'.' + suffix;
-    const QString path = chooseFileToSave(this, tr("Export Picture"),
-                                          suggestedPath(pictureKind, name, m_folder), filter, suffix);
+    const QString path = chooseFile({.title = tr("Export Picture"), .suffix = suffix, .filter = filter});
     if (const auto chosen = kindOf(path))
-        rememberExport(pictureKind, {suffixesOf(kinds[*chosen]).first(), m_size->choice()}, path);
+        remember({suffixesOf(kinds[*chosen]).first(), m_size->choice()}, path);
     return path;
 }
 

@@ -37,7 +37,6 @@ public:
 
     enum class Section { View, Attractor };      // behind them in the list: the saved views
     void setSection(Section section);            // what the picture shows; the view at first
-    void setFolder(const QString& folder);       // to suggest before the first export
     void exportTo(const QString& path) override; // the ending of the name decides the format
     const ExportPreview& preview() const { return *m_preview; }
 
@@ -73,7 +72,6 @@ private:
     document::Fractal m_fractal; // as it was when the dialog opened, with what the camera showed
     attractor::Camera m_camera;
     std::vector<document::SavedView> m_views;
-    QString m_folder;
     QComboBox* m_format = nullptr;
     QComboBox* m_section = nullptr;
     ExportSizeEditor* m_size = nullptr;

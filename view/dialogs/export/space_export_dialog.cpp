@@ -4,14 +4,10 @@
 #include "dialogs/export/export_preview.h"
 #include "dialogs/export/export_size_editor.h"
 #include "dialogs/export/large_export.h"
-#include "dialogs/export/last_export.h"
 #include "document/fractal/space_geometry.h"
-#include "document/text/unique_names.h"
 #include "io/exports/recipe_json.h"
 #include "io/picture/picture_writers.h"
 #include "io/solid/openscad.h"
-#include "widgets/background/save_beside.h"
-#include "widgets/file_dialogs.h"
 #include "widgets/numbers/number_box.h"
 #include "widgets/text/tooltip_text.h"
 
@@ -22,7 +18,6 @@
 #include <QFormLayout>
 #include <QJsonDocument>
 #include <QJsonObject>
-#include <QPointer>
 #include <QSpinBox>
 
 #include <algorithm>
@@ -31,7 +26,6 @@ namespace view {
 
 namespace {
 
-const QString solidKind = QStringLiteral("solid");
 // In the order of the list.
 const QStringList& suffixes() {
     static const QStringList all =
@@ -43,7 +37,7 @@ const QStringList& suffixes() {
 
 SpaceExportDialog::SpaceExportDialog(document::Document* document, const attractor::OrbitCamera& camera,
                                      QWidget* parent)
-    : ExportShell(parent),
+    : ExportShell(QStringLiteral("solid"), document->fractal().name, parent),
       m_fractal(document->fractal()),
       m_camera(camera),
       m_views(document::savedViews(m_fractal)),
@@ -61,17 +55,13 @@ SpaceExportDialog::SpaceExportDialog(document::Document* document, const attract
     createPicture();
     createBody();
     m_preview = new ExportPreview(this);
-    auto* options = new QWidget(this);
-    options->setLayout(m_form);
-    m_form->setContentsMargins({});
-    lay(options, m_preview, Qt::Horizontal);
+    lay(m_form, m_preview, Qt::Horizontal);
     setStartHelp(tr("Asks for a file name and writes the file."));
     addQueueButton(tr("Asks for a file name and adds the file to the queue in the Exports panel. "
                       "The queue continues after a restart."));
-    const LastExport last = lastExport(solidKind);
-    m_format->setCurrentIndex(std::max(0, int(suffixes().indexOf(last.format))));
-    m_size->choose(last.size);
-    showBody(last.more);
+    m_format->setCurrentIndex(std::max(0, int(suffixes().indexOf(last().format))));
+    m_size->choose(last().size);
+    showBody(last().more);
     connect(m_format, &QComboBox::currentIndexChanged, this, &SpaceExportDialog::update);
     connect(m_size, &ExportSizeEditor::changed, this, &SpaceExportDialog::showPreview);
     connect(m_transparent, &QCheckBox::toggled, this, &SpaceExportDialog::showPreview);
@@ -218,17 +208,6 @@ std::optional<io::ExportRecipe> SpaceExportDialog::recipe() const {
     return picture;
 }
 
-io::Export SpaceExportDialog::toExport() {
-    io::Export what = io::exportOf(*recipe(), m_fractal);
-    if (auto* body = std::get_if<io::SolidExport>(&what))
-        body->whenMade = [this, options = body->options](const io::SolidFacts& facts) {
-            const QString summary = io::summaryOf(facts, options);
-            QMetaObject::invokeMethod(
-                this, [this, summary] { m_summary = summary; }, Qt::QueuedConnection);
-        };
-    return what;
-}
-
 void SpaceExportDialog::showPreview() {
     m_preview->setVisible(pictureFile().has_value());
     if (!pictureFile()) return;
@@ -284,12 +263,9 @@ io::Failure SpaceExportDialog::obstacle() const {
 
 QString SpaceExportDialog::chosenFile() {
     if (pictureFile() && !confirmLargeExport(this, m_size->pixels(), 0)) return {};
-    const QString filter = tr("%1 files (*.%2)").arg(suffix().toUpper(), suffix());
-    const QString fileName = document::uniqueName({}, m_fractal.name) + u'.' + suffix();
-    const QString path =
-        chooseFileToSave(this, tr("Export"), suggestedPath(solidKind, fileName), filter, suffix());
+    const QString path = chooseFile({.title = tr("Export"), .suffix = suffix()});
     if (path.isEmpty() || !takeFormat(path)) return {};
-    rememberExport(solidKind, {suffix(), m_size->choice(), bodyText()}, path);
+    remember({suffix(), m_size->choice(), bodyText()}, path);
     return path;
 }
 
@@ -313,25 +289,23 @@ std::optional<io::ExportRecipe> SpaceExportDialog::recipeFor(const QString& path
 
 void SpaceExportDialog::exportTo(const QString& path) {
     if (!takeFormat(path) || !isPossible()) return;
-    m_summary.clear();
-    if (format() != Format::OpenScad) return start(toExport(), path);
-    const io::OpenScad program = io::openScad(m_fractal);
-    io::ExportOutcome outcome;
-    outcome.failure = program.failure;
-    if (!outcome.failure) {
-        const QPointer self(this);
-        const auto [isCancelled, failure] = saveBeside(path, program.text, this);
-        if (!self) return;
-        outcome.stopped = isCancelled;
-        outcome.failure = failure;
+    m_summary = std::make_shared<QString>();
+    if (format() == Format::OpenScad) {
+        const io::OpenScad program = io::openScad(m_fractal);
+        return program.failure ? finish({program.failure}, path) : writeText(program.text, path);
     }
-    finish(outcome, path);
+    io::Export what = io::exportOf(*recipe(), m_fractal);
+    if (auto* body = std::get_if<io::SolidExport>(&what))
+        body->whenMade = [summary = m_summary, options = body->options](const io::SolidFacts& facts) {
+            *summary = io::summaryOf(facts, options);
+        };
+    start(std::move(what), path);
 }
 
 QString SpaceExportDialog::sentenceFor(const io::ExportOutcome& outcome, const QString& path) const {
     const QString sentence = ExportShell::sentenceFor(outcome, path);
     const bool isWritten = !outcome.stopped && !outcome.failure;
-    return isWritten && !m_summary.isEmpty() ? sentence + u'\n' + m_summary : sentence;
+    return isWritten && !m_summary->isEmpty() ? sentence + u'\n' + *m_summary : sentence;
 }
 
 } // namespace view
