@@ -1769,22 +1769,6 @@
         <translation>Die z-Achse zeigt nach oben wie in CAD-Programmen; das Fraktal bleibt, wie es ist</translation>
     </message>
     <message>
-        <source>Stereo, &amp;Side by Side</source>
-        <translation>Stereo, &amp;nebeneinander</translation>
-    </message>
-    <message>
-        <source>Show the views of both eyes side by side, the left eye on the left</source>
-        <translation>Zeigt, was jedes Auge sieht, das linke links</translation>
-    </message>
-    <message>
-        <source>Stereo, for Red and &amp;Cyan Glasses</source>
-        <translation>Stereo, für Rot-&amp;Cyan-Brillen</translation>
-    </message>
-    <message>
-        <source>Show the views of both eyes in one picture, in red and cyan</source>
-        <translation>Zeigt in einem Bild, was beide Augen sehen, in Rot und Cyan</translation>
-    </message>
-    <message>
         <source>De&amp;fine Tetrahedron</source>
         <translation>Tetraeder &amp;festlegen</translation>
     </message>
@@ -2382,6 +2366,10 @@
     <message>
         <source>Remove the shadow</source>
         <translation>Schatten entfernen</translation>
+    </message>
+    <message>
+        <source>Web page written</source>
+        <translation>Webseite geschrieben</translation>
     </message>
 </context>
 <context>
@@ -5517,6 +5505,34 @@
         <source>There is not enough memory for this picture. Reduce its size.</source>
         <translation>Für dieses Bild reicht der Speicher nicht. Verkleinern Sie es.</translation>
     </message>
+    <message>
+        <source>One picture</source>
+        <translation>Ein Bild</translation>
+    </message>
+    <message>
+        <source>Both eyes, side by side</source>
+        <translation>Beide Augen, nebeneinander</translation>
+    </message>
+    <message>
+        <source>Stereo, &amp;Side by Side</source>
+        <translation>Stereo, &amp;nebeneinander</translation>
+    </message>
+    <message>
+        <source>Show the views of both eyes side by side, the left eye on the left</source>
+        <translation>Zeigt, was jedes Auge sieht, das linke links</translation>
+    </message>
+    <message>
+        <source>Red and cyan glasses</source>
+        <translation>Rot-Cyan-Brille</translation>
+    </message>
+    <message>
+        <source>Stereo, for Red and &amp;Cyan Glasses</source>
+        <translation>Stereo, für Rot-&amp;Cyan-Brillen</translation>
+    </message>
+    <message>
+        <source>Show the views of both eyes in one picture, in red and cyan</source>
+        <translation>Zeigt in einem Bild, was beide Augen sehen, in Rot und Cyan</translation>
+    </message>
 </context>
 <context>
     <name>Tour</name>
@@ -5732,6 +5748,21 @@
         <source>%1 Panel “%2”: %3</source>
         <comment>what it does, panel, what the panel is for</comment>
         <translation>%1 Feld „%2“: %3</translation>
+    </message>
+</context>
+<context>
+    <name>WrittenBanner</name>
+    <message>
+        <source>Show in Folder</source>
+        <translation>Im Ordner zeigen</translation>
+    </message>
+    <message>
+        <source>Shows the folder of the written file in the file manager.</source>
+        <translation>Zeigt den Ordner der geschriebenen Datei in der Dateiverwaltung.</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Schließen</translation>
     </message>
 </context>
 <context>
@@ -13183,18 +13214,6 @@ Tasten: Bild auf und Bild ab wählen eine Marke, die Pfeile bewegen sie, Einfg f
     <message>
         <source>Makes the surroundings of the solid transparent.</source>
         <translation>Lässt weg, was um den Körper herum ist.</translation>
-    </message>
-    <message>
-        <source>One picture</source>
-        <translation>Ein Bild</translation>
-    </message>
-    <message>
-        <source>Both eyes, side by side</source>
-        <translation>Beide Augen, nebeneinander</translation>
-    </message>
-    <message>
-        <source>Red and cyan glasses</source>
-        <translation>Rot-Cyan-Brille</translation>
     </message>
     <message>
         <source>For both eyes: two pictures side by side, or one in red and cyan.</source>

@@ -1769,22 +1769,6 @@
         <translation>El eje z apunta hacia arriba, como en los programas de CAD; el fractal no cambia</translation>
     </message>
     <message>
-        <source>Stereo, &amp;Side by Side</source>
-        <translation>Estéreo, &amp;lado a lado</translation>
-    </message>
-    <message>
-        <source>Show the views of both eyes side by side, the left eye on the left</source>
-        <translation>Muestra lo que ve cada ojo, el izquierdo a la izquierda</translation>
-    </message>
-    <message>
-        <source>Stereo, for Red and &amp;Cyan Glasses</source>
-        <translation>Estéreo, para gafas rojo y &amp;cian</translation>
-    </message>
-    <message>
-        <source>Show the views of both eyes in one picture, in red and cyan</source>
-        <translation>Muestra en una imagen lo que ven ambos ojos, en rojo y cian</translation>
-    </message>
-    <message>
         <source>De&amp;fine Tetrahedron</source>
         <translation>&amp;Definir el tetraedro</translation>
     </message>
@@ -2382,6 +2366,10 @@
     <message>
         <source>Remove the shadow</source>
         <translation>Quitar la sombra</translation>
+    </message>
+    <message>
+        <source>Web page written</source>
+        <translation>Página web guardada</translation>
     </message>
 </context>
 <context>
@@ -5517,6 +5505,34 @@
         <source>There is not enough memory for this picture. Reduce its size.</source>
         <translation>No hay memoria suficiente para esta imagen. Reduzca su tamaño.</translation>
     </message>
+    <message>
+        <source>One picture</source>
+        <translation>Una imagen</translation>
+    </message>
+    <message>
+        <source>Both eyes, side by side</source>
+        <translation>Ambos ojos, uno al lado del otro</translation>
+    </message>
+    <message>
+        <source>Stereo, &amp;Side by Side</source>
+        <translation>Estéreo, &amp;lado a lado</translation>
+    </message>
+    <message>
+        <source>Show the views of both eyes side by side, the left eye on the left</source>
+        <translation>Muestra lo que ve cada ojo, el izquierdo a la izquierda</translation>
+    </message>
+    <message>
+        <source>Red and cyan glasses</source>
+        <translation>Gafas rojo y cian</translation>
+    </message>
+    <message>
+        <source>Stereo, for Red and &amp;Cyan Glasses</source>
+        <translation>Estéreo, para gafas rojo y &amp;cian</translation>
+    </message>
+    <message>
+        <source>Show the views of both eyes in one picture, in red and cyan</source>
+        <translation>Muestra en una imagen lo que ven ambos ojos, en rojo y cian</translation>
+    </message>
 </context>
 <context>
     <name>Tour</name>
@@ -5732,6 +5748,21 @@
         <source>%1 Panel “%2”: %3</source>
         <comment>what it does, panel, what the panel is for</comment>
         <translation>%1 Panel «%2»: %3</translation>
+    </message>
+</context>
+<context>
+    <name>WrittenBanner</name>
+    <message>
+        <source>Show in Folder</source>
+        <translation>Mostrar en la carpeta</translation>
+    </message>
+    <message>
+        <source>Shows the folder of the written file in the file manager.</source>
+        <translation>Muestra la carpeta del archivo escrito en el gestor de archivos.</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Cerrar</translation>
     </message>
 </context>
 <context>
@@ -13183,18 +13214,6 @@ Teclas: Re Pág y Av Pág eligen una parada, las flechas la mueven, Ins añade u
     <message>
         <source>Makes the surroundings of the solid transparent.</source>
         <translation>Omite lo que rodea al sólido.</translation>
-    </message>
-    <message>
-        <source>One picture</source>
-        <translation>Una imagen</translation>
-    </message>
-    <message>
-        <source>Both eyes, side by side</source>
-        <translation>Ambos ojos, uno al lado del otro</translation>
-    </message>
-    <message>
-        <source>Red and cyan glasses</source>
-        <translation>Gafas rojo y cian</translation>
     </message>
     <message>
         <source>For both eyes: two pictures side by side, or one in red and cyan.</source>

@@ -1769,22 +1769,6 @@
         <translation>L’axe z pointe vers le haut, comme dans les logiciels de CAO ; la fractale reste telle quelle</translation>
     </message>
     <message>
-        <source>Stereo, &amp;Side by Side</source>
-        <translation>Stéréo, &amp;côte à côte</translation>
-    </message>
-    <message>
-        <source>Show the views of both eyes side by side, the left eye on the left</source>
-        <translation>Montre ce que voit chaque œil, le gauche à gauche</translation>
-    </message>
-    <message>
-        <source>Stereo, for Red and &amp;Cyan Glasses</source>
-        <translation>Stéréo, pour lunettes rouge et c&amp;yan</translation>
-    </message>
-    <message>
-        <source>Show the views of both eyes in one picture, in red and cyan</source>
-        <translation>Montre en une image ce que voient les deux yeux, en rouge et cyan</translation>
-    </message>
-    <message>
         <source>De&amp;fine Tetrahedron</source>
         <translation>Définir un &amp;tétraèdre</translation>
     </message>
@@ -2382,6 +2366,10 @@
     <message>
         <source>Remove the shadow</source>
         <translation>Retirer l’ombre</translation>
+    </message>
+    <message>
+        <source>Web page written</source>
+        <translation>Page web enregistrée</translation>
     </message>
 </context>
 <context>
@@ -5517,6 +5505,34 @@
         <source>There is not enough memory for this picture. Reduce its size.</source>
         <translation>Il n’y a pas assez de mémoire pour cette image. Réduisez sa taille.</translation>
     </message>
+    <message>
+        <source>One picture</source>
+        <translation>Une image</translation>
+    </message>
+    <message>
+        <source>Both eyes, side by side</source>
+        <translation>Les deux yeux, côte à côte</translation>
+    </message>
+    <message>
+        <source>Stereo, &amp;Side by Side</source>
+        <translation>Stéréo, &amp;côte à côte</translation>
+    </message>
+    <message>
+        <source>Show the views of both eyes side by side, the left eye on the left</source>
+        <translation>Montre ce que voit chaque œil, le gauche à gauche</translation>
+    </message>
+    <message>
+        <source>Red and cyan glasses</source>
+        <translation>Lunettes rouge et cyan</translation>
+    </message>
+    <message>
+        <source>Stereo, for Red and &amp;Cyan Glasses</source>
+        <translation>Stéréo, pour lunettes rouge et c&amp;yan</translation>
+    </message>
+    <message>
+        <source>Show the views of both eyes in one picture, in red and cyan</source>
+        <translation>Montre en une image ce que voient les deux yeux, en rouge et cyan</translation>
+    </message>
 </context>
 <context>
     <name>Tour</name>
@@ -5732,6 +5748,21 @@
         <source>%1 Panel “%2”: %3</source>
         <comment>what it does, panel, what the panel is for</comment>
         <translation>%1 Panneau «&#x202f;%2&#x202f;»&#x202f;: %3</translation>
+    </message>
+</context>
+<context>
+    <name>WrittenBanner</name>
+    <message>
+        <source>Show in Folder</source>
+        <translation>Montrer dans le dossier</translation>
+    </message>
+    <message>
+        <source>Shows the folder of the written file in the file manager.</source>
+        <translation>Montre le dossier du fichier écrit dans le gestionnaire de fichiers.</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Fermer</translation>
     </message>
 </context>
 <context>
@@ -13183,18 +13214,6 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
     <message>
         <source>Makes the surroundings of the solid transparent.</source>
         <translation>Omet ce qui entoure le solide.</translation>
-    </message>
-    <message>
-        <source>One picture</source>
-        <translation>Une image</translation>
-    </message>
-    <message>
-        <source>Both eyes, side by side</source>
-        <translation>Les deux yeux, côte à côte</translation>
-    </message>
-    <message>
-        <source>Red and cyan glasses</source>
-        <translation>Lunettes rouge et cyan</translation>
     </message>
     <message>
         <source>For both eyes: two pictures side by side, or one in red and cyan.</source>

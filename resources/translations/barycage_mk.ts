@@ -1774,22 +1774,6 @@
         <translation>Оската z е насочена нагоре, како во CAD-програмите; фракталот останува ист</translation>
     </message>
     <message>
-        <source>Stereo, &amp;Side by Side</source>
-        <translation>Стерео, &amp;еден до друг</translation>
-    </message>
-    <message>
-        <source>Show the views of both eyes side by side, the left eye on the left</source>
-        <translation>Прикажува што гледа секое око, левото лево</translation>
-    </message>
-    <message>
-        <source>Stereo, for Red and &amp;Cyan Glasses</source>
-        <translation>Стерео, за црвено-&amp;цијан очила</translation>
-    </message>
-    <message>
-        <source>Show the views of both eyes in one picture, in red and cyan</source>
-        <translation>Прикажува во една слика што гледаат двете очи, во црвено и цијан</translation>
-    </message>
-    <message>
         <source>De&amp;fine Tetrahedron</source>
         <translation>&amp;Дефинирај тетраедар</translation>
     </message>
@@ -2388,6 +2372,10 @@
     <message>
         <source>Remove the shadow</source>
         <translation>Отстрани ја сенката</translation>
+    </message>
+    <message>
+        <source>Web page written</source>
+        <translation>Веб-страницата е запишана</translation>
     </message>
 </context>
 <context>
@@ -5532,6 +5520,34 @@
         <source>There is not enough memory for this picture. Reduce its size.</source>
         <translation>Нема доволно меморија за оваа слика. Намалете ја.</translation>
     </message>
+    <message>
+        <source>One picture</source>
+        <translation>Една слика</translation>
+    </message>
+    <message>
+        <source>Both eyes, side by side</source>
+        <translation>За двете очи, една до друга</translation>
+    </message>
+    <message>
+        <source>Stereo, &amp;Side by Side</source>
+        <translation>Стерео, &amp;еден до друг</translation>
+    </message>
+    <message>
+        <source>Show the views of both eyes side by side, the left eye on the left</source>
+        <translation>Прикажува што гледа секое око, левото лево</translation>
+    </message>
+    <message>
+        <source>Red and cyan glasses</source>
+        <translation>Очила црвено-цијан</translation>
+    </message>
+    <message>
+        <source>Stereo, for Red and &amp;Cyan Glasses</source>
+        <translation>Стерео, за црвено-&amp;цијан очила</translation>
+    </message>
+    <message>
+        <source>Show the views of both eyes in one picture, in red and cyan</source>
+        <translation>Прикажува во една слика што гледаат двете очи, во црвено и цијан</translation>
+    </message>
 </context>
 <context>
     <name>Tour</name>
@@ -5747,6 +5763,21 @@
         <source>%1 Panel “%2”: %3</source>
         <comment>what it does, panel, what the panel is for</comment>
         <translation>%1 Панел „%2“: %3</translation>
+    </message>
+</context>
+<context>
+    <name>WrittenBanner</name>
+    <message>
+        <source>Show in Folder</source>
+        <translation>Покажи во папката</translation>
+    </message>
+    <message>
+        <source>Shows the folder of the written file in the file manager.</source>
+        <translation>Ја покажува папката на запишаната датотека во управувачот со датотеки.</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Затвори</translation>
     </message>
 </context>
 <context>
@@ -13216,18 +13247,6 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
     <message>
         <source>Makes the surroundings of the solid transparent.</source>
         <translation>Го изоставува она што е околу телото.</translation>
-    </message>
-    <message>
-        <source>One picture</source>
-        <translation>Една слика</translation>
-    </message>
-    <message>
-        <source>Both eyes, side by side</source>
-        <translation>За двете очи, една до друга</translation>
-    </message>
-    <message>
-        <source>Red and cyan glasses</source>
-        <translation>Очила црвено-цијан</translation>
     </message>
     <message>
         <source>For both eyes: two pictures side by side, or one in red and cyan.</source>
