@@ -77,7 +77,7 @@ void SpaceNavigation::glideTo(const attractor::OrbitCamera& camera) {
 
 void SpaceNavigation::adoptViewport() {
     attractor::OrbitCamera adopted = m_camera;
-    adopted.size.width = m_viewport->width() / (m_stereo == attractor::Stereo::SideBySide ? 2 : 1);
+    adopted.size.width = m_viewport->width() / picturesAcross(m_stereo);
     adopted.size.height = m_viewport->height();
     set(adopted, false);
     if (m_isFitted) fitAgain();

@@ -259,7 +259,7 @@ PictureFormat formatOf(const SpaceExport& picture) {
                                            : picture.solid.background;
     format.pixels = isDepth ? Grey : background.alpha == 255 ? Opaque : Transparent;
     format.depth = isDepth ? PictureFormat::Depth::Bits16 : picture.depth;
-    format.width = picture.request.camera.size.width * (picture.stereo == Stereo::SideBySide ? 2 : 1);
+    format.width = picture.request.camera.size.width * picturesAcross(picture.stereo);
     format.height = picture.request.camera.size.height;
     format.dotsPerInch = picture.dotsPerInch;
     format.systemText = writeEntry(picture.fractal);

@@ -5,6 +5,8 @@
 #include "dialogs/export/export_size_editor.h"
 #include "dialogs/export/large_export.h"
 #include "document/fractal/space_geometry.h"
+#include "document/text/stereo_modes.h"
+#include "document/text/text.h"
 #include "io/exports/recipe_json.h"
 #include "io/picture/picture_writers.h"
 #include "io/solid/openscad.h"
@@ -98,7 +100,8 @@ void SpaceExportDialog::createPicture() {
     m_transparent->setWhatsThis(tr("Makes the surroundings of the solid transparent."));
     m_form->addRow(QString(), m_transparent);
     m_stereo = new QComboBox(this);
-    m_stereo->addItems({tr("One picture"), tr("Both eyes, side by side"), tr("Red and cyan glasses")});
+    for (const document::StereoMode& mode : document::stereoModes())
+        m_stereo->addItem(Text::tr(mode.title), int(mode.value));
     m_stereo->setWhatsThis(tr("For both eyes: two pictures side by side, or one in red and cyan."));
     m_form->addRow(tr("Stere&o:"), m_stereo);
 }
@@ -199,7 +202,7 @@ std::optional<io::ExportRecipe> SpaceExportDialog::recipe() const {
     picture.file = *pictureFile();
     picture.page = page();
     picture.isTransparent = m_transparent->isChecked() && io::factsOf(picture.file).canBeTransparent;
-    picture.stereo = static_cast<io::Stereo>(m_stereo->currentIndex());
+    picture.stereo = static_cast<io::Stereo>(m_stereo->currentData().toInt());
     picture.supersample = m_supersample->value();
     using enum io::PngFormat::Depth;
     picture.depth = m_depth->currentIndex() == 1 && !picture.page ? Bits16 : Bits8;
