@@ -52,7 +52,7 @@ QFuture<QImage> drawnBeside(const std::function<QImage(const Progress&, const st
 ExportOutcome exportTo(const Export& what, const QString& path, const Progress& progress,
                        std::stop_token stop) {
     try {
-        if (const auto* png = std::get_if<PngExport>(&what)) return exportPng(*png, path, progress, stop);
+        if (const auto* png = std::get_if<PlaneExport>(&what)) return exportPlane(*png, path, progress, stop);
         if (const auto* cloud = std::get_if<PointCloud>(&what))
             return exportPoints(*cloud, path, progress, stop);
         if (const auto* strip = std::get_if<PictureStrip>(&what))
@@ -73,7 +73,7 @@ ExportOutcome exportTo(const Export& what, const QString& path, const Progress& 
     }
 }
 
-QFuture<QImage> drawBeside(const PngExport& what) {
+QFuture<QImage> drawBeside(const PlaneExport& what) {
     return drawnBeside([what](const Progress& progress, const std::stop_token& stop) {
         return drawPicture(what, progress, stop).image;
     });

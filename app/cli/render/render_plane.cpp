@@ -165,9 +165,9 @@ attractor::RenderRequest requestOf(const document::Fractal& fractal, const attra
 
 } // namespace
 
-io::PngExport pngOf(const Shown& shown, const attractor::Camera& camera, const RenderArguments& arguments,
-                    int step) {
-    io::PngExport picture{shown.entry, requestOf(shown.fractal, camera, arguments, step), {}};
+io::PlaneExport planeExportOf(const Shown& shown, const attractor::Camera& camera,
+                              const RenderArguments& arguments, int step) {
+    io::PlaneExport picture{shown.entry, requestOf(shown.fractal, camera, arguments, step), {}};
     picture.depth = depthOf(arguments);
     picture.file = pictureFileOf(arguments);
     picture.quality = qualityOf(arguments);

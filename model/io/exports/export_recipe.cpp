@@ -126,8 +126,8 @@ Export exportOf(const ExportRecipe& recipe, const document::Fractal& fractal) {
     return std::visit([&](const auto& one) { return Export(exportOf(one, fractal)); }, recipe);
 }
 
-PngExport exportOf(const PixelRecipe& recipe, const document::Fractal& fractal) {
-    PngExport picture{fractal, {}, recipe.dotsPerInch, recipe.cage, recipe.depth};
+PlaneExport exportOf(const PixelRecipe& recipe, const document::Fractal& fractal) {
+    PlaneExport picture{fractal, {}, recipe.dotsPerInch, recipe.cage, recipe.depth};
     picture.fractal.appearance.background.alpha = recipe.isTransparent ? 0 : 255;
     picture.fractal.appearance.supersample = recipe.supersample;
     picture.file = recipe.file;

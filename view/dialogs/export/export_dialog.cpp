@@ -153,9 +153,9 @@ void ExportDialog::createPngOptions() {
     m_supersample->setWhatsThis(tr("The number of smaller cells along each side of a pixel: more cells make "
                                    "smoother edges, at the cost of memory and time."));
     m_depthOfColour = new QComboBox(m_options);
-    m_depthOfColour->addItem(tr("8 bits per channel"), QVariant::fromValue(io::PngFormat::Depth::Bits8));
+    m_depthOfColour->addItem(tr("8 bits per channel"), QVariant::fromValue(io::PictureFormat::Depth::Bits8));
     m_depthOfColour->addItem(tr("16 bits per channel, for further editing"),
-                             QVariant::fromValue(io::PngFormat::Depth::Bits16));
+                             QVariant::fromValue(io::PictureFormat::Depth::Bits16));
     m_depthOfColour->setAccessibleName(tr("Colour depth"));
     m_depthOfColour->setWhatsThis(
         tr("16 bits keep fine gradations for later editing; 8 bits are enough for viewing."));
@@ -234,9 +234,9 @@ bool ExportDialog::isTransparent() const {
 }
 
 // What was chosen, where the format takes it.
-io::PngFormat::Depth ExportDialog::depthOfColour() const {
-    using enum io::PngFormat::Depth;
-    const auto chosen = m_depthOfColour->currentData().value<io::PngFormat::Depth>();
+io::PictureFormat::Depth ExportDialog::depthOfColour() const {
+    using enum io::PictureFormat::Depth;
+    const auto chosen = m_depthOfColour->currentData().value<io::PictureFormat::Depth>();
     const io::PictureFile file = pixels().value_or(io::PictureFile::Png);
     if (io::takes(file, chosen)) return chosen;
     return chosen == Bits8 ? Bits16 : Bits8;
@@ -310,9 +310,11 @@ void ExportDialog::update() {
     for (QWidget* field :
          std::initializer_list<QWidget*>{m_quality, m_supersample, m_depthOfColour, m_memory})
         m_form->setRowVisible(field, !isSvg());
-    const auto takes = [this](io::PngFormat::Depth depth) { return pixels() && io::takes(*pixels(), depth); };
+    const auto takes = [this](io::PictureFormat::Depth depth) {
+        return pixels() && io::takes(*pixels(), depth);
+    };
     m_form->setRowVisible(m_depthOfColour, // where there is a choice
-                          takes(io::PngFormat::Depth::Bits8) && takes(io::PngFormat::Depth::Bits16));
+                          takes(io::PictureFormat::Depth::Bits8) && takes(io::PictureFormat::Depth::Bits16));
     for (QWidget* field : std::initializer_list<QWidget*>{m_style, m_plan})
         m_form->setRowVisible(field, isSvg());
     m_form->setRowVisible(m_points, isSvg() && points);

@@ -56,7 +56,7 @@ private:
     std::optional<io::PictureFile> pixels() const; // the chosen format, if it is made of them
     bool isSvg() const;                            // or PDF: shapes
     bool isTransparent() const;
-    io::PngFormat::Depth depthOfColour() const;
+    io::PictureFormat::Depth depthOfColour() const;
     io::ShapeStyle style() const;
     attractor::Camera camera() const;
     io::ExportRecipe recipe(const attractor::Camera& camera) const;

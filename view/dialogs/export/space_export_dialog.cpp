@@ -204,7 +204,7 @@ std::optional<io::ExportRecipe> SpaceExportDialog::recipe() const {
     picture.isTransparent = m_transparent->isChecked() && io::factsOf(picture.file).canBeTransparent;
     picture.stereo = static_cast<io::Stereo>(m_stereo->currentData().toInt());
     picture.supersample = m_supersample->value();
-    using enum io::PngFormat::Depth;
+    using enum io::PictureFormat::Depth;
     picture.depth = m_depth->currentIndex() == 1 && !picture.page ? Bits16 : Bits8;
     if (!io::takes(picture.file, picture.depth)) picture.depth = picture.depth == Bits8 ? Bits16 : Bits8;
     picture.dotsPerInch = m_size->dotsPerInch();
@@ -225,7 +225,7 @@ void SpaceExportDialog::update() {
     check();
     const auto file = pictureFile();
     const bool isPicture = file.has_value();
-    using enum io::PngFormat::Depth;
+    using enum io::PictureFormat::Depth;
     const bool hasDepths = file && !page() && io::takes(*file, Bits8) && io::takes(*file, Bits16);
     const bool isDepth = m_fractal.inSpace.look == attractor::LookInSpace::Depth;
     const bool isNumbers = isDepth || m_fractal.inSpace.look == attractor::LookInSpace::Normals;
