@@ -137,7 +137,7 @@ void SpaceNavigation::setStereo(attractor::Stereo stereo) {
 }
 
 QPointF SpaceNavigation::inEye(const QPointF& position) const {
-    const bool isRight = m_stereo == attractor::Stereo::SideBySide && position.x() >= m_camera.size.width;
+    const bool isRight = picturesAcross(m_stereo) > 1 && position.x() >= m_camera.size.width;
     return isRight ? position - QPointF(m_camera.size.width, 0) : position;
 }
 

@@ -163,12 +163,11 @@ attractor::OrbitCamera cameraAtRest(const Shown& shown, const RenderArguments& o
     attractor::OrbitCamera camera = shown.camera.value_or(attractor::OrbitCamera());
     const QSize size = sizeArgument("--size", sizeText(options.size));
     camera.size = {size.width(), size.height()};
-    if (options.stereo == io::Stereo::SideBySide) {
-        if (size.width() % 2 != 0)
-            throw UsageError{
-                tr("--stereo side-by-side needs an even width, for two pictures of the same size.")};
-        camera.size.width /= 2;
-    }
+    const int across = picturesAcross(options.stereo);
+    if (size.width() % across != 0)
+        throw UsageError{tr("--stereo %1 needs an even width, for two pictures of the same size.")
+                             .arg(QLatin1String(ifs::nameOf(options.stereo)))};
+    camera.size.width /= across;
     if (!shown.camera || options.orbit) camera.orientation = orientationOf(options);
     return camera;
 }
