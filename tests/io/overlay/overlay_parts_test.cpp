@@ -23,7 +23,9 @@ namespace {
 io::OverlayMarks inPlane(const io::PictureOverlay& overlay) {
     document::Fractal fractal;
     fractal.shape = document::Shape<2>{canonical::system(canonical::sierpinskiRight())};
-    return io::overlayMarks(fractal, attractor::fitted({}, {0, 0}, {1, 1}), overlay);
+    attractor::Camera camera;
+    camera.width = camera.height = 200;
+    return io::overlayMarks(fractal, fitted(camera, ifs::Vector<2>(0, 0), ifs::Vector<2>(1, 1)), overlay);
 }
 
 io::OverlayMarks inSpace(const io::PictureOverlay& overlay) {
