@@ -13,7 +13,7 @@
 #include "collage/suggestions.h"
 #include "io/fractint/entry_writer.h"
 #include "io/picture/decoding/grey_picture.h"
-#include "io/picture/png_export.h"
+#include "io/picture/plane_export.h"
 #include "io/report/json_writer.h"
 
 #include <QFileInfo>

@@ -3,7 +3,7 @@
 
 #include "document/fractal/fractal_geometry.h"
 #include "io/fractint/fractint_reader.h"
-#include "io/picture/png_export.h"
+#include "io/picture/plane_export.h"
 
 #include <QFile>
 
@@ -26,8 +26,8 @@ io::Failure drawFirstPicture(const QString& path) {
     camera.height = 1200;
     if (const auto box = document::displayedBox(maple))
         camera = attractor::fitted(camera, box->min, box->max);
-    io::PngExport picture{maple, document::renderRequest(maple, camera), {}};
+    io::PlaneExport picture{maple, document::renderRequest(maple, camera), {}};
     picture.request.threads = io::threadsOfThisMachine();
     picture.request.samples = 40ULL * std::uint64_t(camera.width) * std::uint64_t(camera.height);
-    return io::exportPng(picture, path).failure;
+    return io::exportPlane(picture, path).failure;
 }

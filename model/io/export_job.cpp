@@ -4,6 +4,7 @@
 #include "document/text/text.h"
 #include "io/file/background.h"
 
+#include <functional>
 #include <new>
 
 namespace io {
@@ -51,7 +52,7 @@ QFuture<QImage> drawnBeside(const std::function<QImage(const Progress&, const st
 ExportOutcome exportTo(const Export& what, const QString& path, const Progress& progress,
                        std::stop_token stop) {
     try {
-        if (const auto* png = std::get_if<PngExport>(&what)) return exportPng(*png, path, progress, stop);
+        if (const auto* png = std::get_if<PlaneExport>(&what)) return exportPlane(*png, path, progress, stop);
         if (const auto* cloud = std::get_if<PointCloud>(&what))
             return exportPoints(*cloud, path, progress, stop);
         if (const auto* strip = std::get_if<PictureStrip>(&what))
@@ -72,18 +73,7 @@ ExportOutcome exportTo(const Export& what, const QString& path, const Progress& 
     }
 }
 
-ExportJob::ExportJob(Export what, const QString& path, Progress progress,
-                     std::function<void(const ExportOutcome&)> finished)
-    : m_work([what = std::move(what), path, progress = std::move(progress),
-              finished = std::move(finished)](const std::stop_token& stop, document::Listener& listener) {
-          const Progress told = [&](double fraction) {
-              if (progress) listener.tell([&] { progress(fraction); });
-          };
-          const ExportOutcome outcome = exportTo(what, path, told, stop);
-          listener.tell([&] { finished(outcome); });
-      }) {}
-
-QFuture<QImage> drawBeside(const PngExport& what) {
+QFuture<QImage> drawBeside(const PlaneExport& what) {
     return drawnBeside([what](const Progress& progress, const std::stop_token& stop) {
         return drawPicture(what, progress, stop).image;
     });

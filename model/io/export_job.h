@@ -3,9 +3,8 @@
 
 #include "io/animation/animation_export.h"
 #include "io/exchange/point_cloud.h"
-#include "io/file/export_work.h"
 #include "io/picture/picture_strip.h"
-#include "io/picture/png_export.h"
+#include "io/picture/plane_export.h"
 #include "io/picture/space_export.h"
 #include "io/picture/vector/pdf_writer.h"
 #include "io/solid/solid_export.h"
@@ -13,7 +12,6 @@
 #include <QFuture>
 #include <QImage>
 
-#include <functional>
 #include <stop_token>
 #include <variant>
 
@@ -25,31 +23,16 @@ struct SvgExport {
     SvgFormat format;
     ShapeFile file = ShapeFile::Svg;
 };
-using PictureStrip = std::vector<PngExport>; // side by side in one PNG
+using PictureStrip = std::vector<PlaneExport>; // side by side in one PNG
 using Export =
-    std::variant<PngExport, SvgExport, PointCloud, PictureStrip, SolidExport, SpaceExport, AnimationExport>;
+    std::variant<PlaneExport, SvgExport, PointCloud, PictureStrip, SolidExport, SpaceExport, AnimationExport>;
 
 // Writes the picture in the calling thread; `path` appears whole or not at all.
 ExportOutcome exportTo(const Export& what, const QString& path, const Progress& progress = {},
                        std::stop_token stop = {});
 
-// An export that goes on in a thread of its own. Destroying it stops it: milliseconds, or at most a second
-// when its drive does not answer.
-class ExportJob {
-public:
-    // `progress` and `finished` are called in that thread, not after the end of this; `finished` exactly
-    // once, also when stopped.
-    ExportJob(Export what, const QString& path, Progress progress,
-              std::function<void(const ExportOutcome&)> finished);
-
-    void stop() { m_work.stop(); }
-
-private:
-    ExportWork m_work;
-};
-
-// The same for a picture that stays in memory, with per cent as progress; null when there is no room for it.
-QFuture<QImage> drawBeside(const PngExport& what);
+// The picture, drawn beside and kept in memory, with per cent as progress; null when there is no room for it.
+QFuture<QImage> drawBeside(const PlaneExport& what);
 QFuture<QImage> drawBeside(const SpaceExport& what);
 
 } // namespace io

@@ -119,7 +119,7 @@ void addFarm(std::vector<timing::Row>& rows, int frames) {
 }
 
 QStringList writtenParts(const QTemporaryDir& folder, std::uint64_t samples) {
-    io::PngExport picture;
+    io::PlaneExport picture;
     picture.fractal = windyMaple(1);
     document::plane(picture.fractal)->animation.reset();
     attractor::Camera camera;

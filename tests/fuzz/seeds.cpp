@@ -46,7 +46,7 @@ QByteArrayList filesIn(const QString& folder, const Reader& reader) {
 QByteArray png(const QByteArray& system) {
     QBuffer device;
     device.open(QIODevice::WriteOnly);
-    io::PngFormat format;
+    io::PictureFormat format;
     format.width = format.height = 2;
     format.dotsPerInch = 300;
     format.systemText = system;
@@ -98,7 +98,7 @@ QByteArray svg(const document::Fractal& fractal) {
 }
 
 QByteArray sums(const document::Fractal& fractal) {
-    io::PngExport picture;
+    io::PlaneExport picture;
     picture.fractal = fractal;
     picture.request.camera.width = 300;
     picture.request.camera.height = 20;

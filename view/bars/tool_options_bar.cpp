@@ -71,8 +71,7 @@ void ToolOptionsBar::follow() {
     QWidget* page = tool == Tool::Cage ? m_cage : tool == Tool::DefineTriangle ? m_define : m_branches;
     if (m_isSpace)
         page = tool == Tool::DefineTriangle ? m_defineInSpace : tool == Tool::Cage ? m_space : m_branches;
-    const bool isSideBySide =
-        m_spaceView && m_spaceView->navigation().stereo() == attractor::Stereo::SideBySide;
+    const bool isSideBySide = m_spaceView && picturesAcross(m_spaceView->navigation().stereo()) > 1;
     if (m_isSpace && isSideBySide) page = m_stereo;
     if (page == currentWidget()) return;
     const QWidget* focused = QApplication::focusWidget();

@@ -19,7 +19,7 @@ void SolidItem::setView(const QSizeF& size, double devicePixelRatio) {
 }
 
 QImage SolidItem::image() const {
-    const int width = m_frame->raster.width * (m_frame->stereo == attractor::Stereo::SideBySide ? 2 : 1);
+    const int width = m_frame->raster.width * picturesAcross(m_frame->stereo);
     return QImage(reinterpret_cast<const uchar*>(m_frame->pixels.data()), width, m_frame->raster.height,
                   QImage::Format_ARGB32_Premultiplied);
 }
@@ -33,7 +33,7 @@ void SolidItem::paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidge
     if (!m_frame) return;
     painter->setRenderHint(QPainter::SmoothPixmapTransform, m_frame->step > 1);
     painter->setRenderHint(QPainter::Antialiasing, false);
-    const int eyes = m_frame->stereo == attractor::Stereo::SideBySide ? 2 : 1;
+    const int eyes = picturesAcross(m_frame->stereo);
     for (int eye = 0; eye < eyes; ++eye)
         paintEye(*painter, eye, eyes);
 }

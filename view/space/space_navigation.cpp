@@ -77,7 +77,7 @@ void SpaceNavigation::glideTo(const attractor::OrbitCamera& camera) {
 
 void SpaceNavigation::adoptViewport() {
     attractor::OrbitCamera adopted = m_camera;
-    adopted.size.width = m_viewport->width() / (m_stereo == attractor::Stereo::SideBySide ? 2 : 1);
+    adopted.size.width = m_viewport->width() / picturesAcross(m_stereo);
     adopted.size.height = m_viewport->height();
     set(adopted, false);
     if (m_isFitted) fitAgain();
@@ -137,7 +137,7 @@ void SpaceNavigation::setStereo(attractor::Stereo stereo) {
 }
 
 QPointF SpaceNavigation::inEye(const QPointF& position) const {
-    const bool isRight = m_stereo == attractor::Stereo::SideBySide && position.x() >= m_camera.size.width;
+    const bool isRight = picturesAcross(m_stereo) > 1 && position.x() >= m_camera.size.width;
     return isRight ? position - QPointF(m_camera.size.width, 0) : position;
 }
 

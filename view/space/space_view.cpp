@@ -281,7 +281,7 @@ void SpaceView::setStereo(attractor::Stereo stereo) {
 }
 
 bool SpaceView::areOverlaysShown() const {
-    return m_overlays && m_navigation.stereo() != attractor::Stereo::SideBySide;
+    return m_overlays && picturesAcross(m_navigation.stereo()) == 1;
 }
 
 void SpaceView::showOutlines(std::vector<document::SpaceOutline> shapes) {

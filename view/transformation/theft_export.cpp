@@ -6,6 +6,7 @@
 #include "io/tops/steal_export.h"
 
 #include <algorithm>
+#include <new>
 #include <variant>
 
 namespace view {
@@ -41,9 +42,13 @@ prepared(const document::TheftJob& job, const attractor::Camera& camera, const s
 io::ExportOutcome exportStolenPicture(const document::TheftJob& job, const attractor::Camera& camera,
                                       const QString& path, const io::Progress& progress,
                                       const std::stop_token& stop) {
-    const auto what = prepared(job, camera, stop);
-    if (const auto* outcome = std::get_if<io::ExportOutcome>(&what)) return *outcome;
-    return io::exportStolen(std::get<io::StealExport>(what), path, progress, stop);
+    try {
+        const auto what = prepared(job, camera, stop);
+        if (const auto* outcome = std::get_if<io::ExportOutcome>(&what)) return *outcome;
+        return io::exportStolen(std::get<io::StealExport>(what), path, progress, stop);
+    } catch (const std::bad_alloc&) {
+        return {Text::tr("There is not enough memory for this picture. Reduce its size.")};
+    }
 }
 
 std::optional<QImage> stolenPicture(const document::TheftJob& job, const attractor::Camera& camera,

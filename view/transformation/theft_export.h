@@ -2,7 +2,7 @@
 #pragma once
 
 #include "document/tops/theft_thread.h"
-#include "io/picture/png_export.h"
+#include "io/picture/plane_export.h"
 
 #include <QImage>
 #include <QString>

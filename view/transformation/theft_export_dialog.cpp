@@ -5,12 +5,9 @@
 #include "dialogs/export/export_preview.h"
 #include "dialogs/export/export_size_editor.h"
 #include "dialogs/export/large_export.h"
-#include "dialogs/export/last_export.h"
-#include "document/fractal_file.h"
 #include "io/file/background.h"
 #include "transformation/theft_export.h"
 #include "widgets/choices.h"
-#include "widgets/file_dialogs.h"
 #include "widgets/text/tooltip_text.h"
 
 #include <QComboBox>
@@ -22,24 +19,15 @@
 
 namespace view {
 
-namespace {
-
-const QString exportKind = QStringLiteral("transformation");
-
-} // namespace
-
 TheftExportDialog::TheftExportDialog(const document::TheftJob& job, QWidget* parent)
-    : ExportShell(parent), m_job(job) {
+    : ExportShell(QStringLiteral("transformation"), job.from.fractal->name, parent), m_job(job) {
     setWindowTitle(tr("Export “%1”").arg(titleText(m_job.from.fractal->name)));
-    createOptions();
+    QFormLayout* options = createOptions();
     m_preview = new ExportPreview(this);
-    lay(m_options, m_preview, Qt::Horizontal);
+    lay(options, m_preview, Qt::Horizontal);
     setStartHelp(tr("Asks for a file name and writes the picture. You can keep working in the meantime."));
     connect(m_section, &QComboBox::currentIndexChanged, this, &TheftExportDialog::update);
     connect(m_size, &ExportSizeEditor::changed, this, &TheftExportDialog::update);
-    connect(&m_work, &QFutureWatcherBase::finished, this, &TheftExportDialog::whenWorked);
-    connect(&m_work, &QFutureWatcherBase::progressValueChanged, this,
-            [this](int thousandths) { setFraction(thousandths / 1000.0); });
     connect(&m_extent, &QFutureWatcherBase::finished, this, &TheftExportDialog::update);
     m_extent.setFuture(io::inBackground<std::optional<document::Box>>(
         [fractal = m_job.from.fractal](QPromise<std::optional<document::Box>>& promise) {
@@ -48,13 +36,8 @@ TheftExportDialog::TheftExportDialog(const document::TheftJob& job, QWidget* par
     update();
 }
 
-TheftExportDialog::~TheftExportDialog() {
-    m_stop.request_stop();
-}
-
-void TheftExportDialog::createOptions() {
-    m_options = new QWidget(this);
-    m_section = new QComboBox(m_options);
+QFormLayout* TheftExportDialog::createOptions() {
+    m_section = new QComboBox(this);
     addChoice(m_section, tr("The view on the canvas"), Section::View);
     addChoice(m_section, tr("The whole attractor"), Section::Attractor);
     m_section->setAccessibleName(tr("Section"));
@@ -63,20 +46,16 @@ void TheftExportDialog::createOptions() {
     const double ratio = devicePixelRatioF(); // as many pixels as the screen shows
     m_size = new ExportSizeEditor({std::max(1, int(std::lround(m_job.from.camera.width * ratio))),
                                    std::max(1, int(std::lround(m_job.from.camera.height * ratio)))},
-                                  m_options);
-    m_size->choose(lastExport(exportKind).size);
-    auto* form = new QFormLayout(m_options);
-    form->setContentsMargins({});
+                                  this);
+    m_size->choose(last().size);
+    auto* form = new QFormLayout;
     form->addRow(tr("Sect&ion:"), m_section);
     form->addRow(tr("Size:"), m_size);
+    return form;
 }
 
 void TheftExportDialog::setSection(Section section) {
     chooseValue(m_section, section);
-}
-
-void TheftExportDialog::setFolder(const QString& folder) {
-    m_folder = folder;
 }
 
 QSize TheftExportDialog::pixels() const {
@@ -101,39 +80,23 @@ void TheftExportDialog::update() {
 
 QString TheftExportDialog::chosenFile() {
     if (!confirmLargeExport(this, m_size->pixels(), 0)) return {};
-    const QString name = document::uniqueName({}, m_job.from.fractal->name) + QStringLiteral(".png");
+    const QString png = QStringLiteral("png");
     const QString path =
-        chooseFileToSave(this, tr("Export Stolen Picture"), suggestedPath(exportKind, name, m_folder),
-                         tr("Pictures (*.png)"), QStringLiteral("png"));
-    if (!path.isEmpty()) rememberExport(exportKind, {QStringLiteral("png"), m_size->choice()}, path);
+        chooseFile({.title = tr("Export Stolen Picture"), .suffix = png, .filter = tr("Pictures (*.png)")});
+    if (!path.isEmpty()) remember({png, m_size->choice()}, path);
     return path;
 }
 
 void TheftExportDialog::exportTo(const QString& path) {
-    if (m_work.isRunning()) return;
+    if (isBusy()) return;
     // Not under a name with another ending either: nobody was asked about a file that has it.
     if (QFileInfo(path).suffix().toLower() != QStringLiteral("png"))
         return say(
             tr("The name “%1” does not end with .png. Choose another name.").arg(QFileInfo(path).fileName()));
-    m_path = path;
-    m_stop = {};
-    begin([this] { m_stop.request_stop(); });
-    m_work.setFuture(io::inBackground<io::ExportOutcome>(
-        io::Lane::Saving, [job = m_job, camera = camera(pixels()), path,
-                           stop = m_stop.get_token()](QPromise<io::ExportOutcome>& promise) {
-            promise.setProgressRange(0, 1000);
-            const auto progress = [&](double fraction) { promise.setProgressValue(int(fraction * 1000)); };
-            promise.addResult(exportStolenPicture(job, camera, path, progress, stop));
-        }));
-}
-
-void TheftExportDialog::whenWorked() {
-    io::ExportOutcome outcome;
-    if (m_work.future().resultCount() > 0)
-        outcome = m_work.result();
-    else
-        outcome.failure = tr("There is not enough memory for this picture. Reduce its size.");
-    finish(outcome, m_path);
+    start([job = m_job, camera = camera(pixels()), path](
+              const io::Progress& progress,
+              const std::stop_token& stop) { return exportStolenPicture(job, camera, path, progress, stop); },
+          path);
 }
 
 } // namespace view

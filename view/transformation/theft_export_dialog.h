@@ -4,14 +4,13 @@
 #include "dialogs/export/export_shell.h"
 #include "document/fractal/fractal_geometry.h"
 #include "document/tops/theft_thread.h"
-#include "io/picture/png_export.h"
 
 #include <QFutureWatcher>
 
 #include <optional>
-#include <stop_token>
 
 class QComboBox;
+class QFormLayout;
 
 namespace view {
 
@@ -26,13 +25,11 @@ class TheftExportDialog : public ExportShell {
 public:
     // The job's view of F in pixels of the screen. Later edits do not change the job.
     explicit TheftExportDialog(const document::TheftJob& job, QWidget* parent = nullptr);
-    ~TheftExportDialog() override;
 
     const document::TheftJob& job() const { return m_job; }
 
     enum class Section { View, Attractor };
     void setSection(Section section);
-    void setFolder(const QString& folder); // to suggest
     void exportTo(const QString& path) override;
     ExportSizeEditor& sizeEditor() { return *m_size; }
     const ExportPreview& preview() const { return *m_preview; }
@@ -41,22 +38,16 @@ protected:
     QString chosenFile() override;
 
 private:
-    void createOptions();
+    QFormLayout* createOptions();
     QSize pixels() const;
     attractor::Camera camera(const QSize& size) const;
     void update();
-    void whenWorked();
 
     document::TheftJob m_job;
-    QString m_folder;
-    QString m_path; // that is written now
-    QWidget* m_options = nullptr;
     QComboBox* m_section = nullptr;
     ExportSizeEditor* m_size = nullptr;
     ExportPreview* m_preview = nullptr;
     QFutureWatcher<std::optional<document::Box>> m_extent; // of F, found in the background
-    QFutureWatcher<io::ExportOutcome> m_work;
-    std::stop_source m_stop;
 };
 
 } // namespace view

@@ -7,7 +7,6 @@
 #include "document/tops/divided_words.h"
 #include "document/tops/laid_picture.h"
 #include "io/file/background.h"
-#include "io/file/slow_disk.h"
 #include "io/picture/decoding/picture_decoder.h"
 #include "transformation/family_sliders.h"
 #include "transformation/map_order.h"
@@ -514,9 +513,7 @@ void TransformationView::chooseExport() {
     auto* dialog = new TheftExportDialog(job(), window());
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     if (m_canvas->navigation().isFitted()) dialog->setSection(TheftExportDialog::Section::Attractor);
-    const QString beside = folder();
-    const auto isWritable = [beside] { return QFileInfo(beside).isWritable(); };
-    if (!beside.isEmpty() && io::answerSoon(isWritable).value_or(false)) dialog->setFolder(beside);
+    dialog->suggestFolderOf(window()->windowFilePath());
     dialog->show();
 }
 

@@ -20,10 +20,10 @@ FrameSource::FrameSource(const document::Fractal& entry, const RenderArguments& 
                          Output output)
     : m_options(options), m_entry(entry), m_name(name), m_output(output), m_frames(entry, options) {}
 
-io::PngExport FrameSource::planeAt(const animation::Moment& moment) const {
+io::PlaneExport FrameSource::planeAt(const animation::Moment& moment) const {
     const Shown shown = m_frames.at(moment);
     if (!m_camera || shown.view) m_camera = cameraOf(shown, m_options, m_name);
-    io::PngExport picture = pngOf(shown, *m_camera, m_options, 0);
+    io::PlaneExport picture = planeExportOf(shown, *m_camera, m_options, 0);
     picture.fractal = m_entry;
     return picture;
 }

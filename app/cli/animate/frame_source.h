@@ -21,7 +21,7 @@ public:
                 Output output);
 
     const document::Fractal& entry() const override { return m_entry; }
-    io::PngExport planeAt(const animation::Moment& moment) const override;
+    io::PlaneExport planeAt(const animation::Moment& moment) const override;
     io::SpaceExport spaceAt(const animation::Moment& moment) const override;
 
 private:

@@ -4,6 +4,7 @@
 #include "convert/solid_arguments.h"
 #include "convert/symmetry_arguments.h"
 #include "options/commands.h"
+#include "options/parser.h"
 #include "options/tr.h"
 #include "options/usage_error.h"
 #include "process/arguments.h"
@@ -522,11 +523,9 @@ Command convertCommand() {
     addEntriesOption(command, arguments->entries);
     const OptionGroup format = command.group("Format");
     format
-        .add("--to", "FORMAT", &arguments->format,
-             "fractint, flame, aifs, tex, csv, tsv, ply, pdf, stl, obj, glb or scad",
+        .add("--to", "FORMAT", &arguments->format, listed(convertFormats(), tr("or")).toStdString(),
              "as the output name determines")
-        .completedBy(Completion::Kind::Words, {"fractint", "flame", "aifs", "tex", "csv", "tsv", "ply", "pdf",
-                                               "stl", "obj", "glb", "scad"});
+        .completedBy(Completion::Kind::Words, convertFormats());
     files.flag("--overwrite", &arguments->overwrite,
                "Replace an input file even if the output contains less");
     format.flag("--bake", &arguments->bake, "Bake the cage into the code");

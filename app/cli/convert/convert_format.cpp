@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "convert/convert_format.h"
 
+#include "options/parser.h"
 #include "options/tr.h"
 #include "options/usage_error.h"
 
@@ -20,6 +21,10 @@ bool isTable(const ConvertFormat& format) {
 bool holdsOneEntry(const ConvertFormat& format) {
     return isTable(format) ||
            !(std::holds_alternative<TextFormat>(format) || std::holds_alternative<PdfFormat>(format));
+}
+
+std::vector<std::string> convertFormats() {
+    return {"fractint", "flame", "aifs", "tex", "csv", "tsv", "ply", "pdf", "stl", "obj", "glb", "scad"};
 }
 
 QString suffixOf(const ConvertFormat& format) {
@@ -44,10 +49,9 @@ ConvertFormat formatOf(const QString& name, bool hasPoints, bool hasVoxels) {
     if (name.compare(u"scad", Qt::CaseInsensitive) == 0) return ScadFormat{};
     if (const auto format = io::meshFormat(name)) return *format;
     if (const auto format = io::textFormat(name)) return *format;
-    throw UsageError{
-        tr("The formats are fractint (.ifs), flame, aifs, tex, csv, tsv, ply, pdf, stl, obj, glb and "
-           "scad, not “%1”.")
-            .arg(name)};
+    std::vector<std::string> names = convertFormats();
+    names.front() += " (.ifs)";
+    throw UsageError{tr("The formats are %2, not “%1”.").arg(name, listed(names, tr("and")))};
 }
 
 QString dimensionObstacle(const ConvertFormat& format, const document::Fractal& fractal) {

@@ -8,7 +8,9 @@
 
 #include <QString>
 
+#include <string>
 #include <variant>
+#include <vector>
 
 // The formats that `convert` writes.
 namespace cli {
@@ -20,6 +22,9 @@ struct ScadFormat {
     friend bool operator==(const ScadFormat&, const ScadFormat&) = default;
 };
 using ConvertFormat = std::variant<io::TextFormat, io::PointFormat, PdfFormat, io::MeshFormat, ScadFormat>;
+
+// The words of --to, in the order of lists.
+std::vector<std::string> convertFormats();
 
 bool isFractint(const ConvertFormat& format);
 bool isTable(const ConvertFormat& format);

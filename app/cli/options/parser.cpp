@@ -19,13 +19,6 @@ QString shown(const std::string& word) {
     return QString::fromStdString(word);
 }
 
-QString listed(const std::vector<std::string>& names, const QString& last = tr("or")) {
-    QStringList list;
-    for (const std::string& name : names)
-        list << shown(name);
-    return cli::listed(std::move(list), last);
-}
-
 // Insertions, deletions, replacements and exchanges of neighbours that make one word the other.
 std::size_t distance(const std::string& a, const std::string& b) {
     std::vector<std::vector<std::size_t>> steps(a.size() + 1, std::vector<std::size_t>(b.size() + 1));
@@ -73,7 +66,7 @@ QString unknownOption(const Program& program, const Command* command, const std:
     for (const Command& other : program.commands)
         if (&other != command && other.find(name)) owners.push_back(other.name);
     if (command) {
-        if (!owners.empty()) return tr("%1; it is an option of %2.").arg(unknown, listed(owners));
+        if (!owners.empty()) return tr("%1; it is an option of %2.").arg(unknown, listed(owners, tr("or")));
         const std::string meant = nearest(name, optionNames(*command));
         return meant.empty() ? unknown + u'.' : tr("%1; did you mean %2?").arg(unknown, shown(meant));
     }
@@ -251,6 +244,13 @@ QString listed(QStringList words, const QString& last) {
     return words.isEmpty() ? end : words.join(QStringLiteral(", ")) + u' ' + last + u' ' + end;
 }
 
+QString listed(const std::vector<std::string>& words, const QString& last) {
+    QStringList list;
+    for (const std::string& word : words)
+        list << shown(word);
+    return listed(std::move(list), last);
+}
+
 std::string nearest(const std::string& word, const std::vector<std::string>& candidates) {
     constexpr std::size_t minPrefix = 3;
     const std::string typed = withoutDashes(word);
@@ -273,7 +273,8 @@ std::string nearest(const std::string& word, const std::vector<std::string>& can
 }
 
 Call parse(const Program& program, const std::vector<std::string>& words) {
-    if (words.empty()) throw UsageError{tr("Give a command: %1.").arg(listed(commandNames(program)))};
+    if (words.empty())
+        throw UsageError{tr("Give a command: %1.").arg(listed(commandNames(program), tr("or")))};
     const std::string& first = words.front();
     if (first == "help" || first == "--help" || first == "-h") {
         if (words.size() == 1) return {nullptr, Question::Help};

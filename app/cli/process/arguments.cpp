@@ -76,10 +76,7 @@ std::size_t choiceArgument(const std::string& option, const std::string& text,
                            const std::vector<std::string>& names) {
     const auto found = std::ranges::find(names, text);
     if (found != names.end()) return std::size_t(found - names.begin());
-    QStringList shown;
-    for (const std::string& name : names)
-        shown << QString::fromStdString(name);
-    const QString wanted = tr("it must be %1").arg(listed(shown, tr("or")));
+    const QString wanted = tr("it must be %1").arg(listed(names, tr("or")));
     const std::string meant = nearest(text, names);
     refuse(option, text,
            meant.empty() ? wanted + u'.'

@@ -26,9 +26,9 @@ std::vector<std::string> usualSuffixes(const WhichPictures& which, const std::ve
 }
 
 QString namedSuffixes(const WhichPictures& which, const QString& last, const std::vector<std::string>& more) {
-    QStringList names;
-    for (const std::string& suffix : usualSuffixes(which, more))
-        names << u'.' + QString::fromStdString(suffix);
+    std::vector<std::string> names = usualSuffixes(which, more);
+    for (std::string& name : names)
+        name.insert(0, 1, '.');
     return listed(names, last);
 }
 

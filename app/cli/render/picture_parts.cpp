@@ -58,13 +58,13 @@ struct Target {
     std::optional<int> quality;
 };
 
-bool isSolid(const io::PngExport&) {
+bool isSolid(const io::PlaneExport&) {
     return false;
 }
 bool isSolid(const io::SpaceExport& picture) {
     return !attractor::showsCloud(picture.look);
 }
-bool isDepth(const io::PngExport&) {
+bool isDepth(const io::PlaneExport&) {
     return false;
 }
 bool isDepth(const io::SpaceExport& picture) {
@@ -217,7 +217,7 @@ void checkParts(const RenderArguments& arguments, Format format) {
              reason);
 }
 
-io::PictureSums partOfPicture(const io::PngExport& picture, const RenderArguments& arguments) {
+io::PictureSums partOfPicture(const io::PlaneExport& picture, const RenderArguments& arguments) {
     const PixelRows rows = bandOf(arguments, picture.request.camera.height);
     return io::partOf(picture, rows.first, rows.end, partOf(arguments));
 }

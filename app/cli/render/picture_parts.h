@@ -3,7 +3,7 @@
 
 #include "render/render_arguments.h"
 
-#include "io/picture/png_export.h"
+#include "io/picture/plane_export.h"
 #include "io/sums/picture_sums.h"
 #include "io/sums/space_sums.h"
 #include "options/exit_status.h"
@@ -17,7 +17,7 @@ namespace cli {
 void checkParts(const RenderArguments& arguments, Format format);
 
 // What --part and --band ask for of the picture. Throws UsageError.
-io::PictureSums partOfPicture(const io::PngExport& picture, const RenderArguments& arguments);
+io::PictureSums partOfPicture(const io::PlaneExport& picture, const RenderArguments& arguments);
 io::SpaceSums partOfPicture(const io::SpaceExport& picture, const RenderArguments& arguments);
 
 // render --resume

@@ -57,7 +57,7 @@ io::Export exportOf(const Shown& shown, const attractor::Camera& camera, Format 
         const auto file = format == Format::Pdf ? io::ShapeFile::Pdf : io::ShapeFile::Svg;
         return io::SvgExport{shown.fractal, camera, shapesOf(arguments), file};
     }
-    io::PngExport picture = pngOf(shown, camera, arguments, steps.first);
+    io::PlaneExport picture = planeExportOf(shown, camera, arguments, steps.first);
     if (const io::Failure reason = io::whyImpossible(picture)) throw UsageError{*reason};
     if (steps.first == steps.last) return picture;
     if (camera.width > maxSide / (steps.last - steps.first + 1))
@@ -199,7 +199,7 @@ private:
         const io::Export what = exportOf(shown, camera, m_format, m_arguments, task.steps);
         if (const auto* svg = std::get_if<io::SvgExport>(&what); svg && !isPossible(*svg, name))
             return ExitStatus::InputProblems;
-        if (m_format == Format::Sum) return drawSums(std::get<io::PngExport>(what), task, before, all);
+        if (m_format == Format::Sum) return drawSums(std::get<io::PlaneExport>(what), task, before, all);
         if (m_arguments.dryRun) return ExitStatus::Done;
         const auto outcome = exportOutput(
             what, task.output, [&](double fraction) { m_bar.show((before + fraction) / all); },

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "render/render_arguments.h"
 
+#include "options/parser.h"
 #include "options/tr.h"
 #include "options/usage_error.h"
 #include "process/input.h"
@@ -13,8 +14,6 @@
 namespace cli {
 
 namespace {
-
-const std::vector<std::string> overlayParts{"maps", "hull", "cage", "fixed-points", "numbers"};
 
 // "6", or "0-6" for all from 0 to 6.
 Steps stepsArgument(const std::string& option, const std::string& text) {
@@ -69,11 +68,10 @@ std::string formatArgument(const std::string& option, const std::string& text) {
 
 io::PictureOverlay overlayArgument(const std::string& option, const std::string& text) {
     io::PictureOverlay overlay;
-    bool* const parts[] = {&overlay.maps, &overlay.hull, &overlay.cage, &overlay.fixedPoints,
-                           &overlay.numbers};
+    const std::vector<std::string> known = wordsOf(io::overlayParts);
     const QStringList names = QString::fromStdString(text).split(u',');
     for (const QString& name : names)
-        *parts[choiceArgument(option, name.trimmed().toStdString(), overlayParts)] = true;
+        overlay.*io::overlayParts[choiceArgument(option, name.trimmed().toStdString(), known)].isShown = true;
     return overlay;
 }
 
@@ -99,12 +97,6 @@ double perspectiveArgument(const std::string& option, const std::string& text) {
     const double angle = positiveArgument(option, text);
     if (angle < 180) return angle;
     throw UsageError{tr("--perspective “%1” is not valid: it must be an angle of view below 180 degrees.")
-                         .arg(QString::fromStdString(text))};
-}
-
-attractor::LookInSpace lookArgument(const std::string&, const std::string& text) {
-    if (const auto look = ifs::named<attractor::LookInSpace>(text)) return *look;
-    throw UsageError{tr("--look must be stone, ink, cloud, x-ray, depth or normals, not “%1”.")
                          .arg(QString::fromStdString(text))};
 }
 
@@ -228,14 +220,15 @@ void addPixelOptions(Command& command, RenderArguments& arguments) {
 
 void addExplanationOptions(Command& command, RenderArguments& arguments) {
     const OptionGroup group = command.group("Explanations");
+    const std::vector<std::string> parts = wordsOf(io::overlayParts);
     group
         .add("--overlay", "PARTS", parsed(&arguments.overlay, overlayArgument),
-             "Draw over the picture: maps, hull, cage, fixed-points and numbers, separated by commas; the "
-             "view includes the cage and the maps")
+             "Draw over the picture: " + listed(parts, tr("and")).toStdString() +
+                 ", separated by commas; the view includes the cage and the maps")
         .moreOf("The maps are the images of the cage; the hull is the convex hull of the attractor, "
                 "which a cage that bends an entry in space has not. With --view, the view stays as it "
                 "is.")
-        .completedBy(Completion::Kind::Words, overlayParts)
+        .completedBy(Completion::Kind::Words, parts)
         .is(Picture);
     group
         .flag("--legend", &arguments.legend,
@@ -374,7 +367,7 @@ void addSpaceOptions(Command& command, RenderArguments& arguments) {
              "Vertical angle of view, in degrees", "orthographic")
         .is(Picture | InSpace);
     group
-        .add("--look", "NAME", parsed(&arguments.look, lookArgument),
+        .add("--look", "NAME", choice(&arguments.look),
              "stone, ink (on white), cloud (density), x-ray (coloured by mean depth), depth (16-bit grey) or "
              "normals",
              "that of the entry")
@@ -386,7 +379,6 @@ void addSpaceOptions(Command& command, RenderArguments& arguments) {
                 "target; 65535 means that nothing is visible. Normals are (n + 1)/2 of the full "
                 "scale, red to the right, green up and blue towards the eye. Solids are drawn with "
                 "--supersample 2 unless it is given.")
-        .completedBy(Completion::Kind::Words, wordsOf(ifs::names<attractor::LookInSpace>))
         .is(Picture | InSpace);
     group
         .add("--light", "AZ,EL", parsed(&arguments.light, lightArgument),

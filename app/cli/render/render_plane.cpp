@@ -10,7 +10,6 @@
 
 #include "document/edits/cage/cage_edits.h"
 #include "document/fractal/fractal_geometry.h"
-#include "document/maps/map_handles.h"
 #include "ifs/extent/convex_hull.h"
 
 #include <algorithm>
@@ -86,19 +85,10 @@ ViewBox boxOf(const document::Fractal& fractal, const RenderArguments& arguments
 
 // With what is drawn over the picture.
 ViewBox withOverlay(ViewBox box, const document::Fractal& fractal, const io::PictureOverlay& overlay) {
-    const auto include = [&box](const std::vector<ifs::Vector<2>>& points) {
-        for (const ifs::Vector<2>& point : points) {
-            box.min = box.min.cwiseMin(point);
-            box.max = box.max.cwiseMax(point);
-        }
-    };
-    if (!overlay.cage && !overlay.maps) return box;
-    const ifs::ControlCage<2> cage = document::effectiveCage(fractal);
-    include(cage.current);
-    if (overlay.cage) include(cage.rest);
-    const document::MapHandles maps(std::make_shared<document::Fractal>(fractal), cage);
-    for (std::size_t i = 0; overlay.maps && i < maps.count(); ++i)
-        include(maps.outline(i));
+    for (const ifs::Vector<2>& point : io::overlayPoints(fractal, overlay)) {
+        box.min = box.min.cwiseMin(point);
+        box.max = box.max.cwiseMax(point);
+    }
     return box;
 }
 
@@ -175,9 +165,9 @@ attractor::RenderRequest requestOf(const document::Fractal& fractal, const attra
 
 } // namespace
 
-io::PngExport pngOf(const Shown& shown, const attractor::Camera& camera, const RenderArguments& arguments,
-                    int step) {
-    io::PngExport picture{shown.entry, requestOf(shown.fractal, camera, arguments, step), {}};
+io::PlaneExport planeExportOf(const Shown& shown, const attractor::Camera& camera,
+                              const RenderArguments& arguments, int step) {
+    io::PlaneExport picture{shown.entry, requestOf(shown.fractal, camera, arguments, step), {}};
     picture.depth = depthOf(arguments);
     picture.file = pictureFileOf(arguments);
     picture.quality = qualityOf(arguments);

@@ -163,12 +163,11 @@ attractor::OrbitCamera cameraAtRest(const Shown& shown, const RenderArguments& o
     attractor::OrbitCamera camera = shown.camera.value_or(attractor::OrbitCamera());
     const QSize size = sizeArgument("--size", sizeText(options.size));
     camera.size = {size.width(), size.height()};
-    if (options.stereo == io::Stereo::SideBySide) {
-        if (size.width() % 2 != 0)
-            throw UsageError{
-                tr("--stereo side-by-side needs an even width, for two pictures of the same size.")};
-        camera.size.width /= 2;
-    }
+    const int across = picturesAcross(options.stereo);
+    if (size.width() % across != 0)
+        throw UsageError{tr("--stereo %1 needs an even width, for two pictures of the same size.")
+                             .arg(QLatin1String(ifs::nameOf(options.stereo)))};
+    camera.size.width /= across;
     if (!shown.camera || options.orbit) camera.orientation = orientationOf(options);
     return camera;
 }
@@ -180,10 +179,9 @@ document::Fractal placedIn(document::Fractal fractal, const std::optional<ifs::C
 
 // With what is drawn over the picture.
 attractor::OrbitCamera fittedWithMarks(const attractor::OrbitCamera& camera, const Shown& shown,
-                                       const document::Fractal& placed, const io::PictureOverlay& overlay,
-                                       double margin) {
-    const auto marks =
-        io::supportBefore(shown.orbit, document::reachOfVertices(io::spaceOverlayPoints(placed, overlay)));
+                                       const document::Fractal& placed,
+                                       const std::vector<ifs::Vector<3>>& points, double margin) {
+    const auto marks = io::supportBefore(shown.orbit, document::reachOfVertices(points));
     const auto reach = [&](const ifs::Vector<3>& u) {
         return std::max(shown.support ? shown.support(u) : document::extentAlong(placed, u).high, marks(u));
     };
@@ -223,12 +221,11 @@ attractor::OrbitCamera cameraOf(const Shown& shown, const RenderArguments& optio
     }
     if (shown.camera) return animation::orbited(camera, shown.orbit);
     const double margin = options.margin / 100;
-    const io::PictureOverlay& overlay = options.overlay;
-    if (support != nullptr && (overlay.maps || overlay.cage))
-        return fittedWithMarks(camera, shown, placedIn(shown.fractal, stored), overlay, margin);
+    const document::Fractal placed = placedIn(shown.fractal, stored);
+    const auto marked = io::spaceOverlayPoints(placed, options.overlay);
+    if (support != nullptr && !marked.empty()) return fittedWithMarks(camera, shown, placed, marked, margin);
     if (shown.support) return io::cameraOfFrame(camera, shown.orbit, shown.support, margin);
     if (support != nullptr && !document::space(shown.fractal)->moved.empty()) {
-        const document::Fractal placed = placedIn(shown.fractal, stored);
         const auto reach = [&](const ifs::Vector<3>& u) { return document::extentAlong(placed, u).high; };
         return attractor::fitted(camera, reach, margin);
     }

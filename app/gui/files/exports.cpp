@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "files/exports.h"
 
-#include "dialogs/export/animation_export_dialog.h"
-#include "dialogs/export/export_progress.h"
+#include "dialogs/export/export_shell.h"
 #include "document/text/text.h"
 #include "messages/window_messages.h"
 #include "session/session.h"
@@ -10,7 +9,6 @@
 #include <QCoreApplication>
 #include <QDockWidget>
 #include <QMessageBox>
-#include <QPointer>
 #include <QPushButton>
 #include <QStandardPaths>
 
@@ -43,32 +41,9 @@ void connectPanel(QDockWidget* panel, WindowMessages* messages) {
     });
 }
 
-namespace {
-
-// Whether its export may be stopped, or has ended before anybody answered.
-bool mayStop(view::ExportProgress& progress) {
-    QMessageBox box(QMessageBox::Question, Text::tr("Export is not finished"),
-                    Text::tr("A file is still being exported."), QMessageBox::NoButton, progress.window());
-    box.setInformativeText(Text::tr("If you stop now, no file is written."));
-    const QPushButton* stop = box.addButton(Text::tr("&Stop Export"), QMessageBox::AcceptRole);
-    QPushButton* goOn = box.addButton(Text::tr("&Continue"), QMessageBox::RejectRole);
-    box.setDefaultButton(goOn);
-    box.setEscapeButton(goOn);
-    const QPointer<view::ExportProgress> watched(&progress);
-    QObject::connect(&progress, &view::ExportProgress::ended, &box, &QDialog::reject);
-    box.exec();
-    return box.clickedButton() == stop || !watched || !watched->isUnderWay();
-}
-
-} // namespace
-
 bool mayEnd(QWidget* window, SessionWindow::Leaving leaving) {
-    for (auto* animation : window->findChildren<view::AnimationExportDialog*>())
-        if (!animation->mayClose()) return false;
-    for (auto* progress : window->findChildren<view::ExportProgress*>()) {
-        const bool isAsked = qobject_cast<view::AnimationExportDialog*>(progress->window()) != nullptr;
-        if (!isAsked && progress->isUnderWay() && !mayStop(*progress)) return false;
-    }
+    for (auto* dialog : window->findChildren<view::ExportShell*>())
+        if (!dialog->mayClose()) return false;
     const auto others = session::windows();
     const auto stays = [window](const SessionWindow* other) { return other != window && other->isVisible(); };
     const bool isLast = leaving == SessionWindow::Leaving::Program || std::ranges::none_of(others, stays);

@@ -6,6 +6,7 @@
 #include "document/text/text.h"
 #include "io/file/background.h"
 #include "io/page/page_export.h"
+#include "messages/written_banner.h"
 #include "widgets/background/save_beside.h"
 #include "widgets/background/wait_for.h"
 #include "widgets/file_dialogs.h"
@@ -42,6 +43,7 @@ void exportWebPage(const MenuContext& context, const QString& folder) {
             }
         });
     const QPointer<QMainWindow> window(context.window);
+    const document::Document* const edited = context.document;
     WindowMessages* const messages = context.messages;
     const QString saving = WindowText::tr("Saving “%1”…").arg(name);
     if (!view::waitFor(QFuture<void>(work), saving, window) || !window) return;
@@ -52,6 +54,7 @@ void exportWebPage(const MenuContext& context, const QString& folder) {
     const auto [isCancelled, failure] = view::saveBeside(path, text, window);
     if (isCancelled || !window) return;
     if (failure) return messages->fail(notSaved, *failure);
-    messages->say(
-        WindowText::tr("%1 was written. Open it in a browser, or mail it: it needs no network.").arg(name));
+    WrittenBanner::offer(
+        window, *edited, path, WindowText::tr("Web page written"),
+        WindowText::tr("%1 was written. Open it in a browser, or mail it: it needs no network."));
 }

@@ -6,7 +6,6 @@
 #include "dialogs/export/copy_picture.h"
 #include "dialogs/export/export_data_dialog.h"
 #include "dialogs/export/export_dialog.h"
-#include "dialogs/export/export_progress.h"
 #include "dialogs/export/space_export_dialog.h"
 #include "docks/panels.h"
 #include "document/edits/cage/cage_edits.h"
@@ -15,7 +14,6 @@
 #include "files/file_commands.h"
 #include "files/open_file.h"
 #include "files/web_page.h"
-#include "io/file/slow_disk.h"
 #include "io/page/page_export.h"
 #include "menus/latex_menu.h"
 #include "stage/stage.h"
@@ -71,35 +69,35 @@ namespace {
 // So that there is one dialog, for the fractal as it is now; one that exports goes on.
 template <class Dialog> void closeIdle(const QWidget& window) {
     for (auto* dialog : window.findChildren<Dialog*>())
-        if (!dialog->template findChild<view::ExportProgress*>()->isUnderWay()) dialog->close();
+        if (!dialog->isBusy()) dialog->close();
+}
+
+void present(view::ExportShell* dialog) {
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    dialog->show();
 }
 
 } // namespace
+
+void ExportMenu::showWithQueue(view::ExportShell* dialog) {
+    dialog->setQueue(exports::queue());
+    connect(dialog, &view::ExportShell::queued, context().window,
+            [panels = context().panels] { panels->show(Panel::Exports); });
+    present(dialog);
+}
 
 void ExportMenu::exportPicture() {
     if (auto* transformation = context().stage->transformation(); transformation->isPainted())
         return transformation->chooseExport(); // what is shown
     closeIdle<view::SpaceExportDialog>(*context().window);
     closeIdle<view::ExportDialog>(*context().window);
-    if (context().stage->showsSpace()) {
-        auto* space = new view::SpaceExportDialog(
-            context().document, context().stage->space()->navigation().camera(), context().window);
-        space->setAttribute(Qt::WA_DeleteOnClose);
-        space->setQueue(exports::queue());
-        connect(space, &view::SpaceExportDialog::queued, context().window,
-                [panels = context().panels] { panels->show(Panel::Exports); });
-        return space->show();
-    }
+    if (context().stage->showsSpace())
+        return showWithQueue(new view::SpaceExportDialog(
+            context().document, context().stage->space()->navigation().camera(), context().window));
     auto* dialog = new view::ExportDialog(context().document, context().canvas->camera(), context().window);
-    dialog->setAttribute(Qt::WA_DeleteOnClose);
-    dialog->setQueue(exports::queue());
-    connect(dialog, &view::ExportDialog::queued, context().window,
-            [panels = context().panels] { panels->show(Panel::Exports); });
     if (context().canvas->navigation().isFitted()) dialog->setSection(view::ExportDialog::Section::Attractor);
-    const QString folder = QFileInfo(m_file->path()).absolutePath();
-    const auto isWritable = [folder] { return QFileInfo(folder).isWritable(); };
-    if (!m_file->path().isEmpty() && io::answerSoon(isWritable).value_or(false)) dialog->setFolder(folder);
-    dialog->show();
+    dialog->suggestFolderOf(m_file->path());
+    showWithQueue(dialog);
 }
 
 void ExportMenu::exportAnimation() {
@@ -115,16 +113,13 @@ void ExportMenu::exportAnimation() {
         camera = animation::orbitedBack(context().stage->space()->navigation().camera(), turns);
     }
     auto* dialog = new view::AnimationExportDialog(context().document, camera, context().window);
-    dialog->setAttribute(Qt::WA_DeleteOnClose);
     if (!isSpace && context().canvas->navigation().isFitted())
         dialog->setSection(view::AnimationExportDialog::Section::Animation);
-    dialog->show();
+    present(dialog);
 }
 
 void ExportMenu::exportData() {
-    auto* dialog = new view::ExportDataDialog(context().document, context().window);
-    dialog->setAttribute(Qt::WA_DeleteOnClose);
-    dialog->show();
+    present(new view::ExportDataDialog(context().document, context().window));
 }
 
 void ExportMenu::copyPicture() {

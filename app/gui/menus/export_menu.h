@@ -5,6 +5,9 @@
 
 class FileCommands;
 class OpenFile;
+namespace view {
+class ExportShell;
+}
 
 // The entry for other programs and people: as files, and through the clipboard.
 class ExportMenu : public ActionMenu {
@@ -16,6 +19,7 @@ public:
     QAction* picture() const { return m_picture; }
 
 private:
+    void showWithQueue(view::ExportShell* dialog);
     void exportPicture();
     void exportAnimation();
     void exportData();

@@ -7,6 +7,8 @@
 #include "dialogs/go_to_dialog.h"
 #include "document/edits/cage/cage_edits.h"
 #include "document/fractal/space_geometry.h"
+#include "document/text/stereo_modes.h"
+#include "document/text/text.h"
 #include "menus/saved_views_menu.h"
 #include "stage/stage.h"
 #include "widgets/icon.h"
@@ -150,27 +152,24 @@ void ViewMenu::addPerspective(ActionMenu& menu) {
 
 // One or none of them.
 void ViewMenu::addStereo(ActionMenu& menu) {
-    using attractor::Stereo;
     view::FourViews* views = context().stage->views();
-    const auto toggle = [views, &menu](Stereo stereo, const char* id, const QString& text,
-                                       const QString& tip) {
-        return menu.addToggle({id, text, {}, tip}, [views, stereo](bool on) {
-            if (on || views->stereo() == stereo) views->setStereo(on ? stereo : Stereo::None);
-        });
-    };
     menu.addSeparator();
-    QAction* sides = toggle(Stereo::SideBySide, "stereo-side-by-side", tr("Stereo, &Side by Side"),
-                            tr("Show the views of both eyes side by side, the left eye on the left"));
-    QAction* glasses = toggle(Stereo::Anaglyph, "stereo-red-cyan", tr("Stereo, for Red and &Cyan Glasses"),
-                              tr("Show the views of both eyes in one picture, in red and cyan"));
-    connect(sides, &QAction::toggled, glasses, [glasses](bool on) {
-        if (on) glasses->setChecked(false);
-    });
-    connect(glasses, &QAction::toggled, sides, [sides](bool on) {
-        if (on) sides->setChecked(false);
-    });
-    for (QAction* stereo : {sides, glasses})
-        disableWhen(stereo, &document::spaceObstacle);
+    QList<QAction*> modes;
+    for (const document::StereoMode& mode : document::stereoModes()) {
+        if (mode.command == nullptr) continue;
+        QAction* action = menu.addToggle({mode.command, Text::tr(mode.item), {}, Text::tr(mode.tip)},
+                                         [views, stereo = mode.value](bool on) {
+                                             if (on || views->stereo() == stereo)
+                                                 views->setStereo(on ? stereo : attractor::Stereo::None);
+                                         });
+        disableWhen(action, &document::spaceObstacle);
+        modes << action;
+    }
+    for (const QAction* action : modes)
+        connect(action, &QAction::toggled, &menu, [action, modes](bool on) {
+            for (QAction* other : modes)
+                if (on && other != action) other->setChecked(false);
+        });
 }
 
 void ViewMenu::addOverlays() {

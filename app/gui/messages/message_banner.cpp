@@ -20,18 +20,39 @@ MessageBanner::MessageBanner(QMainWindow* host) : QFrame(host), m_host(host) {
     follow(host);
 }
 
-QLabel* MessageBanner::createTitle() {
+QLabel* MessageBanner::createTitle(const QString& text) {
     auto* title = new QLabel(this);
     QFont bold = font();
     bold.setBold(true);
     bold.setPointSizeF(bold.pointSizeF() * 1.15);
     title->setFont(bold);
+    title->setTextFormat(Qt::PlainText); // it quotes names
+    title->setText(text);
     return title;
 }
 
 QBoxLayout* MessageBanner::createButtons() {
     m_buttons = new QBoxLayout(QBoxLayout::LeftToRight);
     return m_buttons;
+}
+
+void MessageBanner::lay(QLabel* title, const QString& text, QWidget* first, QWidget* last) {
+    QBoxLayout* buttons = createButtons();
+    buttons->addWidget(first);
+    buttons->addStretch();
+    buttons->addWidget(last);
+    const int above = text.isEmpty() ? margin - 4 : margin - 2;
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(margin, above, margin, above);
+    layout->addWidget(title);
+    if (!text.isEmpty()) {
+        auto* label = new QLabel(this);
+        label->setTextFormat(Qt::PlainText); // it quotes names
+        label->setText(text);
+        label->setWordWrap(true);
+        layout->addWidget(label);
+    }
+    layout->addLayout(buttons);
 }
 
 void MessageBanner::follow(QWidget* widget) {

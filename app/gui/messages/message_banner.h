@@ -2,11 +2,11 @@
 #pragma once
 
 #include <QFrame>
+#include <QMainWindow>
 #include <QTimer>
 
 class QBoxLayout;
 class QLabel;
-class QMainWindow;
 
 // A message over the canvas, by default in its lower left corner, which blocks nothing; what the canvas says
 // itself stays beside it. Esc closes it; it deletes itself when closed.
@@ -27,8 +27,10 @@ protected:
     void keyPressEvent(QKeyEvent* event) override;
     void paintEvent(QPaintEvent* event) override;
 
-    QLabel* createTitle();
-    QBoxLayout* createButtons();  // a row, or a column where a row is too wide
+    QLabel* createTitle(const QString& text = {});
+    QBoxLayout* createButtons(); // a row, or a column where a row is too wide
+    // Title, text and two buttons at the ends of their row. An empty text takes no room.
+    void lay(QLabel* title, const QString& text, QWidget* first, QWidget* last);
     void follow(QWidget* widget); // updates the geometry when the widget moves or is resized
     void unfollow(QWidget* widget);
     // Shows the banner, once panels and bars are laid out, and has screen readers announce it.
@@ -37,6 +39,10 @@ protected:
     QRect canvasRect() const;             // in coordinates of the window
     virtual int widthFor(int room) const; // of the banner, where the canvas has so much room
     virtual QPoint topLeft();             // of the banner, in coordinates of the window
+    template <class Banner> static void closeOthers(const QMainWindow* window) {
+        for (Banner* old : window->findChildren<Banner*>(Qt::FindDirectChildrenOnly))
+            delete old;
+    }
 
 private:
     void layOut();

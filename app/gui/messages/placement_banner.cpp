@@ -4,16 +4,13 @@
 #include "document/edits/cage/placements.h"
 #include "messages/window_messages.h"
 
-#include <QHBoxLayout>
-#include <QLabel>
 #include <QMainWindow>
 #include <QPushButton>
 
 bool PlacementBanner::offer(QMainWindow* window, document::Document& document, WindowMessages& messages) {
     const QStringList names = document::placedEntries(document.file());
     if (names.isEmpty()) return false;
-    for (PlacementBanner* old : window->findChildren<PlacementBanner*>(Qt::FindDirectChildrenOnly))
-        delete old;
+    closeOthers<PlacementBanner>(window);
     new PlacementBanner(window, document, messages, names);
     return true;
 }
@@ -23,39 +20,26 @@ PlacementBanner::PlacementBanner(QMainWindow* host, document::Document& document
     : MessageBanner(host) {
     setObjectName(QStringLiteral("placement"));
     setAccessibleName(tr("Saved with a placement"));
-    QLabel* title = createTitle();
-    title->setText(tr("Saved with a placement"));
-    auto* text = new QLabel(
+    const QString text =
         names.size() == 1
             ? tr("Other programs will draw “%1” where its code puts it, without your placement, which is "
                  "stored in comments. Bake writes it into the code.")
                   .arg(names.first())
             : tr("Other programs will draw %n entries where their code puts them, without your placements, "
                  "which are stored in comments. Bake writes them into the code.",
-                 nullptr, int(names.size())),
-        this);
-    text->setTextFormat(Qt::PlainText); // it has names of a file
-    text->setWordWrap(true);
+                 nullptr, int(names.size()));
     auto* bakeNow = new QPushButton(tr("&Bake"), this);
     bakeNow->setWhatsThis(tr("Writes the placements into the code, as one step of the history."));
     // The picture of a bent or flat cage has no code.
     bakeNow->setEnabled(document::withPlacementsBaked(document.file()).left.size() < names.size());
     auto* closeNow = new QPushButton(tr("Close"), this);
-    QBoxLayout* buttons = createButtons();
-    buttons->addWidget(bakeNow);
-    buttons->addStretch();
-    buttons->addWidget(closeNow);
-    auto* layout = new QVBoxLayout(this);
-    layout->setContentsMargins(margin, margin - 2, margin, margin - 2);
-    layout->addWidget(title);
-    layout->addWidget(text);
-    layout->addLayout(buttons);
+    lay(createTitle(accessibleName()), text, bakeNow, closeNow);
     connect(closeNow, &QPushButton::clicked, this, &QWidget::close);
     connect(bakeNow, &QPushButton::clicked, this, [this, &document, &messages] { bake(document, messages); });
     connect(&document, &document::Document::changed, this, [this](const document::Change& change) {
         if (change.parts & document::Change::File) this->close();
     });
-    appear(text->text());
+    appear(text);
 }
 
 void PlacementBanner::bake(document::Document& document, WindowMessages& messages) {

@@ -3,7 +3,6 @@
 
 #include "panels/snapshots/snapshot_look.h"
 
-#include <QHBoxLayout>
 #include <QLabel>
 #include <QMainWindow>
 #include <QPushButton>
@@ -14,7 +13,6 @@ SnapshotBanner::SnapshotBanner(QMainWindow* host, view::SnapshotLook* look, view
     setAccessibleName(tr("Snapshot on the canvas"));
     const view::Snapshot shown = *look->shown();
     QLabel* title = createTitle();
-    title->setTextFormat(Qt::PlainText);
     title->setText(
         title->fontMetrics().elidedText(tr("B: %1").arg(shown.name), Qt::ElideRight, maxWidth - 2 * margin));
     title->setToolTip(title->text());
@@ -24,14 +22,7 @@ SnapshotBanner::SnapshotBanner(QMainWindow* host, view::SnapshotLook* look, view
     restore->setWhatsThis(tr("Restores the fractal to this snapshot, as one step of the history."));
     for (QPushButton* button : {back, restore})
         button->setFocusPolicy(Qt::TabFocus); // keys go on meaning the canvas
-    QBoxLayout* buttons = createButtons();
-    buttons->addWidget(restore);
-    buttons->addStretch();
-    buttons->addWidget(back);
-    auto* layout = new QVBoxLayout(this);
-    layout->setContentsMargins(margin, margin - 4, margin, margin - 4);
-    layout->addWidget(title);
-    layout->addLayout(buttons);
+    lay(title, {}, restore, back);
     connect(back, &QPushButton::clicked, look, &view::SnapshotLook::end);
     connect(restore, &QPushButton::clicked, look, [look, snapshots, key = shown.key] {
         look->end(); // first: what comes then is there to stay

@@ -38,14 +38,14 @@ public:
 
     const document::Fractal& entry() const override { return m_what.entry; }
 
-    PngExport planeAt(const animation::Moment& moment) const override {
+    PlaneExport planeAt(const animation::Moment& moment) const override {
         const document::AnimatedFrame frame = document::frameAt(m_what.entry, moment);
         const attractor::RasterSize size{m_what.size.width(), m_what.size.height()};
         attractor::Camera camera;
         camera.width = size.width;
         camera.height = size.height;
         camera = frame.view ? attractor::cameraOf(*frame.view, size) : fitted(camera, m_box->min, m_box->max);
-        PngExport picture{m_what.entry, document::renderRequest(frame.fractal, camera), {}};
+        PlaneExport picture{m_what.entry, document::renderRequest(frame.fractal, camera), {}};
         picture.request.samples = samples();
         picture.request.seed = 1;
         picture.request.threads = threadsOfThisMachine();

@@ -15,7 +15,7 @@ namespace {
 
 constexpr int looks = 8; // at how far things move while the shutter is open
 
-PictureFormat formatOf(const PngExport& picture) {
+PictureFormat formatOf(const PlaneExport& picture) {
     const attractor::RenderRequest& request = picture.request;
     PictureFormat format;
     format.width = request.camera.width;
@@ -67,8 +67,8 @@ std::vector<Request> FrameDrawing::momentsOf(int frame, RequestAt requestAt) con
     return requests;
 }
 
-PngExport FrameDrawing::planeFrame(int frame, const std::stop_token& stop) {
-    PngExport picture = m_source->planeAt(animation::moment(frame));
+PlaneExport FrameDrawing::planeFrame(int frame, const std::stop_token& stop) {
+    PlaneExport picture = m_source->planeAt(animation::moment(frame));
     picture.exposure = exposureAt(frame, stop);
     picture.moments = momentsOf<attractor::RenderRequest>(frame, [&](const animation::Moment& moment) {
         attractor::RenderRequest request = m_source->planeAt(moment).request;
@@ -156,13 +156,13 @@ ExportOutcome FrameDrawing::writePng(int frame, const QString& path, const Frame
         {animationRequestKeyword, hashes.animation},
         {frameNumberKeyword, QByteArray::number(frame + 1)}};
     if (isPlane()) {
-        PngExport picture = planeFrame(frame, stop);
+        PlaneExport picture = planeFrame(frame, stop);
         picture.texts = texts;
         if (isLight(formatOf(picture)))
             return encodeLater(
                 path, formatOf(picture), [&] { return drawPicture(picture, progress, stop); }, stop);
         const Failure before = startOf(path);
-        return before ? ExportOutcome{before} : exportPng(picture, path, progress, stop);
+        return before ? ExportOutcome{before} : exportPlane(picture, path, progress, stop);
     }
     SpaceExport picture = spaceFrame(frame, stop);
     picture.texts = texts;

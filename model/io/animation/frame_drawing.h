@@ -4,7 +4,7 @@
 #include "document/moments/shutter.h"
 #include "ifs/names.h"
 #include "io/animation/request_text.h"
-#include "io/picture/png_export.h"
+#include "io/picture/plane_export.h"
 #include "io/picture/space_export.h"
 
 #include <QByteArray>
@@ -44,7 +44,7 @@ class FrameSource {
 public:
     virtual ~FrameSource() = default;
     virtual const document::Fractal& entry() const = 0; // animated
-    virtual PngExport planeAt(const animation::Moment& moment) const = 0;
+    virtual PlaneExport planeAt(const animation::Moment& moment) const = 0;
     virtual SpaceExport spaceAt(const animation::Moment& moment) const = 0;
 };
 
@@ -74,7 +74,7 @@ private:
     Failure startOf(const QString& path);
     ExportOutcome encodeLater(const QString& path, const PictureFormat& format,
                               const std::function<Picture()>& draw, const std::stop_token& stop);
-    PngExport planeFrame(int frame, const std::stop_token& stop);
+    PlaneExport planeFrame(int frame, const std::stop_token& stop);
     SpaceExport spaceFrame(int frame, const std::stop_token& stop);
     template <class Request, class RequestAt>
     std::vector<Request> momentsOf(int frame, RequestAt requestAt) const;

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "io/exchange/point_format.h"
-#include "io/picture/png_export.h"
+#include "io/picture/plane_export.h"
 
 namespace io {
 

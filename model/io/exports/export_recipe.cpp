@@ -126,8 +126,8 @@ Export exportOf(const ExportRecipe& recipe, const document::Fractal& fractal) {
     return std::visit([&](const auto& one) { return Export(exportOf(one, fractal)); }, recipe);
 }
 
-PngExport exportOf(const PixelRecipe& recipe, const document::Fractal& fractal) {
-    PngExport picture{fractal, {}, recipe.dotsPerInch, recipe.cage, recipe.depth};
+PlaneExport exportOf(const PixelRecipe& recipe, const document::Fractal& fractal) {
+    PlaneExport picture{fractal, {}, recipe.dotsPerInch, recipe.cage, recipe.depth};
     picture.fractal.appearance.background.alpha = recipe.isTransparent ? 0 : 255;
     picture.fractal.appearance.supersample = recipe.supersample;
     picture.file = recipe.file;
@@ -160,7 +160,7 @@ SpaceExport exportOf(const SpaceRecipe& recipe, const document::Fractal& fractal
     picture.stereo = isNumbers ? Stereo::None : recipe.stereo;
     attractor::OrbitCamera camera = recipe.camera;
     camera.size = recipe.size;
-    if (picture.stereo == Stereo::SideBySide) camera.size.width = std::max(1, recipe.size.width / 2);
+    camera.size.width = std::max(1, recipe.size.width / picturesAcross(picture.stereo));
     // What is seen stays seen: a narrower picture shows more above and below.
     const double before = double(recipe.camera.size.width) / recipe.camera.size.height;
     const double after = double(camera.size.width) / camera.size.height;

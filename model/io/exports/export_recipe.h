@@ -20,7 +20,7 @@ namespace io {
 struct PixelRecipe { // of the plane
     attractor::Camera camera;
     PictureFile file = PictureFile::Png;
-    PngFormat::Depth depth = PngFormat::Depth::Bits8; // one that the file takes
+    PictureFormat::Depth depth = PictureFormat::Depth::Bits8; // one that the file takes
     int samplesPerPixel = 100;
     int supersample = 1;
     double dotsPerInch = 300;
@@ -47,8 +47,8 @@ struct SpaceRecipe {
     attractor::OrbitCamera camera; // as on the screen; what is seen there stays in the picture
     attractor::RasterSize size;    // of the picture, both eyes side by side included
     PictureFile file = PictureFile::Png;
-    std::optional<ShapeFile> page;                    // that a PNG of 8 bits is embedded in
-    PngFormat::Depth depth = PngFormat::Depth::Bits8; // one that the file takes
+    std::optional<ShapeFile> page;                            // that a PNG of 8 bits is embedded in
+    PictureFormat::Depth depth = PictureFormat::Depth::Bits8; // one that the file takes
     Stereo stereo = Stereo::None;
     int supersample = 2;
     double dotsPerInch = 300;
@@ -77,7 +77,7 @@ bool isNamedFor(const ExportRecipe& recipe, const QString& path);
 
 // The fractal has the dimension of the recipe, and the recipe is usable.
 Export exportOf(const ExportRecipe& recipe, const document::Fractal& fractal);
-PngExport exportOf(const PixelRecipe& recipe, const document::Fractal& fractal);
+PlaneExport exportOf(const PixelRecipe& recipe, const document::Fractal& fractal);
 SvgExport exportOf(const ShapeRecipe& recipe, const document::Fractal& fractal);
 SpaceExport exportOf(const SpaceRecipe& recipe, const document::Fractal& fractal);
 SolidExport exportOf(const BodyRecipe& recipe, const document::Fractal& fractal);

@@ -20,8 +20,8 @@ constexpr Names<PictureFile, 6> pictureFiles{{{PictureFile::Png, "png"},
                                               {PictureFile::Tiff, "tiff"},
                                               {PictureFile::ExrHalf, "exr"},
                                               {PictureFile::ExrFloat, "exr-float"}}};
-constexpr Names<PngFormat::Depth, 2> depths{
-    {{PngFormat::Depth::Bits8, "8"}, {PngFormat::Depth::Bits16, "16"}}};
+constexpr Names<PictureFormat::Depth, 2> depths{
+    {{PictureFormat::Depth::Bits8, "8"}, {PictureFormat::Depth::Bits16, "16"}}};
 constexpr Names<ShapeFile, 2> shapeFiles{{{ShapeFile::Svg, "svg"}, {ShapeFile::Pdf, "pdf"}}};
 constexpr Names<ShapeStyle, 3> styles{
     {{ShapeStyle::Structured, "copies"}, {ShapeStyle::Outline, "outline"}, {ShapeStyle::Points, "points"}}};

@@ -179,6 +179,20 @@ OverlayMarks overlayMarks(const document::Fractal& fractal, const attractor::Cam
     return Shapes(fractal, camera, overlay, faces).taken();
 }
 
+std::vector<ifs::Vector<2>> overlayPoints(const document::Fractal& fractal, const PictureOverlay& overlay) {
+    if (!overlay.cage && !overlay.maps) return {};
+    const ifs::ControlCage<2> cage = document::effectiveCage(fractal);
+    std::vector<ifs::Vector<2>> points = cage.current;
+    const auto add = [&points](const std::vector<ifs::Vector<2>>& more) {
+        points.insert(points.end(), more.begin(), more.end());
+    };
+    if (overlay.cage) add(cage.rest);
+    const document::MapHandles maps(std::make_shared<document::Fractal>(fractal), cage);
+    for (std::size_t i = 0; overlay.maps && i < maps.count(); ++i)
+        add(maps.outline(i));
+    return points;
+}
+
 QImage imageOver(std::span<std::uint32_t> pixels, int width) {
     return {reinterpret_cast<uchar*>(pixels.data()), width, int(pixels.size() / std::size_t(width)),
             qsizetype(width) * 4, QImage::Format_ARGB32_Premultiplied};

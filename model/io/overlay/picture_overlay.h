@@ -9,8 +9,10 @@
 
 #include <QImage>
 
+#include <array>
 #include <cstdint>
 #include <span>
+#include <vector>
 
 namespace io {
 
@@ -26,10 +28,26 @@ struct PictureOverlay {
     friend bool operator==(const PictureOverlay&, const PictureOverlay&) = default;
 };
 
+// A part of an overlay under its name on the command line.
+struct OverlayPart {
+    const char* id;
+    bool PictureOverlay::*isShown;
+};
+inline constexpr auto overlayParts = std::to_array<OverlayPart>({
+    {"maps", &PictureOverlay::maps},
+    {"hull", &PictureOverlay::hull},
+    {"cage", &PictureOverlay::cage},
+    {"fixed-points", &PictureOverlay::fixedPoints},
+    {"numbers", &PictureOverlay::numbers},
+});
+
 // The shapes of an overlay, worked out once for all rows of a picture. The fractal is a system of the plane.
 // Its maps have those faces; empty: their own.
 OverlayMarks overlayMarks(const document::Fractal& fractal, const attractor::Camera& camera,
                           const PictureOverlay& overlay, const document::MapFaces& faces = {});
+
+// What must be in view for these shapes to be seen: the corners of the cage and of its images.
+std::vector<ifs::Vector<2>> overlayPoints(const document::Fractal& fractal, const PictureOverlay& overlay);
 
 // An image that paints into whole rows of pixels.
 QImage imageOver(std::span<std::uint32_t> pixels, int width);

@@ -6,7 +6,7 @@
 #include "document/text/text.h"
 #include "io/page/page_entry.h"
 #include "io/page/page_script.h"
-#include "io/picture/png_export.h"
+#include "io/picture/plane_export.h"
 #include "io/picture/space_export.h"
 #include "io/raster/jpeg_writer.h"
 #include "io/report/json_writer.h"
@@ -74,7 +74,7 @@ QImage stillInSpace(const document::Fractal& fractal) {
 
 QImage stillPicture(const document::Fractal& fractal) {
     if (document::space(fractal)) return stillInSpace(fractal);
-    PngExport picture;
+    PlaneExport picture;
     picture.fractal = fractal;
     picture.request = document::renderRequest(fractal, stillCamera(fractal));
     picture.request.samples = stillSamples;

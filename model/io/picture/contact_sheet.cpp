@@ -193,7 +193,7 @@ private:
         camera.width = m_layout.tile.width();
         camera.height = m_layout.tile.height();
         camera = attractor::fitted(camera, box->min, box->max, margin);
-        PngExport picture{fractal, document::renderRequest(fractal, camera), {}};
+        PlaneExport picture{fractal, document::renderRequest(fractal, camera), {}};
         picture.bandBytes = cells;
         picture.request.threads = m_sheet.threads;
         picture.request.samples = samples();
@@ -321,22 +321,13 @@ Failure whyImpossible(const ContactSheet& sheet, PictureFile file) {
 
 ExportOutcome exportSheet(const ContactSheet& sheet, PictureFile file, const QString& path,
                           const Progress& progress, const std::stop_token& stop) {
-    ExportOutcome outcome;
-    outcome.failure = whyImpossible(sheet, file);
-    if (outcome.failure) return outcome;
-    NewFile device(path);
-    outcome.failure = device.failure();
-    if (outcome.failure) return outcome;
-    SheetPainter painter(sheet, progress, stop);
-    {
+    return writtenWhole(path, whyImpossible(sheet, file), [&](QIODevice& device) {
+        ExportOutcome outcome;
+        SheetPainter painter(sheet, progress, stop);
         const auto writer = pictureWriter(file, device, formatOf(sheet));
         outcome.stopped = !writeBands(sheet, *writer, painter, outcome);
-    }
-    if (device.failure())
-        outcome.failure = device.failure();
-    else if (!outcome.failure && !outcome.stopped)
-        outcome.failure = device.commit();
-    return outcome;
+        return outcome;
+    });
 }
 
 ExportOutcome exportSheetPdf(const ContactSheet& sheet, const QPageSize& page, const QString& path,

@@ -3,7 +3,7 @@
 
 #include "document/fractal/fractal.h"
 #include "ifs/names.h"
-#include "io/picture/png_export.h"
+#include "io/picture/plane_export.h"
 
 #include <QList>
 #include <QPageSize>

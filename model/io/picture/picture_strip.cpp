@@ -12,10 +12,10 @@ namespace io {
 
 namespace {
 
-PictureFormat formatOf(const std::vector<PngExport>& pictures) {
-    const PngExport& first = pictures.front();
+PictureFormat formatOf(const std::vector<PlaneExport>& pictures) {
+    const PlaneExport& first = pictures.front();
     PictureFormat format;
-    for (const PngExport& picture : pictures)
+    for (const PlaneExport& picture : pictures)
         format.width += picture.request.camera.width;
     format.height = first.request.camera.height;
     const bool isOpaque = first.request.appearance.background.alpha == 255;
@@ -47,35 +47,28 @@ void writeRows(PictureWriter& writer, const std::vector<QImage>& images, int wid
 
 } // namespace
 
-ExportOutcome exportStrip(const std::vector<PngExport>& pictures, const QString& path,
+ExportOutcome exportStrip(const std::vector<PlaneExport>& pictures, const QString& path,
                           const Progress& progress, std::stop_token stop) {
-    ExportOutcome outcome;
     const PictureFile kind = pictures.front().file;
     const PictureFormat format = formatOf(pictures);
-    outcome.failure = whyImpossible(kind, format);
-    if (outcome.failure) return outcome;
-    NewFile file(path);
-    outcome.failure = file.failure();
-    if (outcome.failure) return outcome;
-    std::vector<QImage> images;
-    for (const PngExport& picture : pictures) {
-        const auto share = [&](double fraction) {
-            if (progress) progress((double(images.size()) + fraction) / double(pictures.size()));
-        };
-        Picture drawn = drawPicture(picture, share, stop);
-        outcome.stopped = stop.stop_requested();
-        if (outcome.stopped) return outcome;
-        if (drawn.image.isNull()) throw std::bad_alloc();
-        outcome.note = std::max(outcome.note, drawn.note);
-        images.push_back(std::move(drawn.image));
-    }
-    const std::unique_ptr<PictureWriter> writer = pictureWriter(kind, file, format);
-    writeRows(*writer, images, format.width, outcome, stop);
-    if (file.failure())
-        outcome.failure = file.failure();
-    else if (!outcome.failure && !outcome.stopped)
-        outcome.failure = file.commit();
-    return outcome;
+    return writtenWhole(path, whyImpossible(kind, format), [&](QIODevice& file) {
+        ExportOutcome outcome;
+        std::vector<QImage> images;
+        for (const PlaneExport& picture : pictures) {
+            const auto share = [&](double fraction) {
+                if (progress) progress((double(images.size()) + fraction) / double(pictures.size()));
+            };
+            Picture drawn = drawPicture(picture, share, stop);
+            outcome.stopped = stop.stop_requested();
+            if (outcome.stopped) return outcome;
+            if (drawn.image.isNull()) throw std::bad_alloc();
+            outcome.note = std::max(outcome.note, drawn.note);
+            images.push_back(std::move(drawn.image));
+        }
+        const std::unique_ptr<PictureWriter> writer = pictureWriter(kind, file, format);
+        writeRows(*writer, images, format.width, outcome, stop);
+        return outcome;
+    });
 }
 
 } // namespace io

@@ -149,7 +149,7 @@ std::uint64_t memoryFor(const SolidPicture& picture) {
 ExportOutcome writeSolid(const SolidPicture& picture, PictureWriter& writer, const Progress& progress,
                          const std::stop_token& stop) {
     const auto take = [&writer](auto rows) { return writer.writeRows(rows); };
-    ExportOutcome outcome = picture.depth == PngFormat::Depth::Bits16
+    ExportOutcome outcome = picture.depth == PictureFormat::Depth::Bits16
                                 ? drawRows<Rgba16>(picture, allRows(picture), take, progress, stop)
                                 : drawRows<std::uint32_t>(picture, allRows(picture), take, progress, stop);
     if (!outcome.failure && !outcome.stopped) outcome.failure = writer.finish();

@@ -3,7 +3,7 @@
 
 #include "attractor/light/solid_appearance.h"
 #include "attractor/request/space_request.h"
-#include "io/picture/png_export.h"
+#include "io/picture/plane_export.h"
 
 #include <cstdint>
 #include <span>
@@ -15,7 +15,7 @@ namespace io {
 struct SolidPicture {
     attractor::SpaceRequest request;
     attractor::SolidAppearance appearance;
-    PngFormat::Depth depth = PngFormat::Depth::Bits8;
+    PictureFormat::Depth depth = PictureFormat::Depth::Bits8;
     int supersample = 1; // 1 … 4; the looks that are numbers, Depth and Normals, have none
     std::uint64_t bandBytes = std::uint64_t{1} << 28; // of depths that are kept at a time, about
 };

@@ -3,7 +3,6 @@
 
 #include "attractor/light/pixel_average.h"
 #include "attractor/render/solid_rendering.h"
-#include "io/file/save_file.h"
 #include "io/fractint/entry_writer.h"
 #include "io/overlay/picture_overlay.h"
 #include "io/picture/legend_rows.h"
@@ -243,7 +242,7 @@ ExportOutcome drawRows(const SpaceExport& picture, const MakeWriter& makeWriter,
                          picture.legend.isNull();
     if (!attractor::showsCloud(picture.look) && isPlain)
         return writeSolidRows(picture, makeWriter, progress, stop);
-    return picture.depth == PngFormat::Depth::Bits16
+    return picture.depth == PictureFormat::Depth::Bits16
                ? drawPixels<attractor::Rgba16>(picture, makeWriter, progress, stop)
                : drawPixels<std::uint32_t>(picture, makeWriter, progress, stop);
 }
@@ -259,7 +258,7 @@ PictureFormat formatOf(const SpaceExport& picture) {
                                            : picture.solid.background;
     format.pixels = isDepth ? Grey : background.alpha == 255 ? Opaque : Transparent;
     format.depth = isDepth ? PictureFormat::Depth::Bits16 : picture.depth;
-    format.width = picture.request.camera.size.width * (picture.stereo == Stereo::SideBySide ? 2 : 1);
+    format.width = picture.request.camera.size.width * picturesAcross(picture.stereo);
     format.height = picture.request.camera.size.height;
     format.dotsPerInch = picture.dotsPerInch;
     format.systemText = writeEntry(picture.fractal);
@@ -344,18 +343,8 @@ ExportOutcome drawSpaceFile(const SpaceExport& picture, QByteArray& bytes, const
 
 ExportOutcome exportSpace(const SpaceExport& picture, const QString& path, const Progress& progress,
                           std::stop_token stop) {
-    ExportOutcome outcome;
-    outcome.failure = whyImpossible(picture);
-    if (outcome.failure) return outcome;
-    NewFile file(path);
-    outcome.failure = file.failure();
-    if (outcome.failure) return outcome;
-    outcome = drawSpaceFile(picture, file, progress, stop);
-    if (file.failure())
-        outcome.failure = file.failure();
-    else if (!outcome.failure && !outcome.stopped)
-        outcome.failure = file.commit();
-    return outcome;
+    return writtenWhole(path, whyImpossible(picture),
+                        [&](QIODevice& file) { return drawSpaceFile(picture, file, progress, stop); });
 }
 
 ExportOutcome drawSpacePage(const SpaceExport& picture, PdfFile& file, const Progress& progress,

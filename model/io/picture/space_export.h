@@ -8,7 +8,7 @@
 #include "attractor/request/space_request.h"
 #include "document/fractal/fractal.h"
 #include "io/overlay/overlay_marks.h"
-#include "io/picture/png_export.h"
+#include "io/picture/plane_export.h"
 #include "io/picture/vector/picture_page.h"
 
 #include <QByteArray>
@@ -30,9 +30,9 @@ struct SpaceExport {
     attractor::SolidAppearance solid;                            // of the looks that are solids
     Stereo stereo = Stereo::None;                                // not of Depth
     int supersample = 2;                                         // of a solid, 1 … 4
-    PngFormat::Depth depth = PngFormat::Depth::Bits8;            // of a cloud or a solid
+    PictureFormat::Depth depth = PictureFormat::Depth::Bits8;    // of a cloud or a solid
     std::optional<double> dotsPerInch;
-    std::vector<std::pair<QByteArray, QByteArray>> texts{}; // further ones, as in PngFormat
+    std::vector<std::pair<QByteArray, QByteArray>> texts{}; // further ones, as in PictureFormat
     // What a shutter sees in place of the request's moment: requests that differ from it in system, cage and
     // camera only. Not of depths.
     std::vector<attractor::SpaceRequest> moments{};

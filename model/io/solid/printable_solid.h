@@ -3,7 +3,7 @@
 
 #include "attractor/voxels/voxel_surface.h"
 #include "document/fractal/fractal.h"
-#include "io/picture/png_export.h"
+#include "io/picture/plane_export.h"
 
 #include <QString>
 

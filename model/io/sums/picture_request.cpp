@@ -102,7 +102,7 @@ Request requestFrom(const QByteArray& text) {
 
 template <class Picture> QByteArray commonLines(const Picture& picture) {
     QByteArray text = line("seed", {QByteArray::number(qulonglong(picture.request.seed))});
-    text += line("bits", {picture.depth == PngFormat::Depth::Bits16 ? "16" : "8"});
+    text += line("bits", {picture.depth == PictureFormat::Depth::Bits16 ? "16" : "8"});
     if (picture.dotsPerInch) text += line("dpi", {formatNumber(*picture.dotsPerInch)});
     return text;
 }
@@ -111,7 +111,7 @@ template <class Picture> void readCommonLines(const RequestLines& lines, Picture
     picture.request.seed = lines.word("seed").toULongLong();
     picture.request.samples = 0;
     picture.dotsPerInch = lines.number("dpi");
-    if (lines.word("bits") == "16") picture.depth = PngFormat::Depth::Bits16;
+    if (lines.word("bits") == "16") picture.depth = PictureFormat::Depth::Bits16;
 }
 
 bool isCloud(const SpaceExport& picture) {
@@ -127,7 +127,7 @@ document::Fractal placed(const SpaceExport& picture) {
 
 } // namespace
 
-QByteArray pictureRequest(const PngExport& picture, int pixels) {
+QByteArray pictureRequest(const PlaneExport& picture, int pixels) {
     const attractor::Camera& camera = picture.request.camera;
     QByteArray text = line("pixels", {QByteArray::number(pixels)});
     text += line("centre", {formatNumber(camera.centre.x()), formatNumber(camera.centre.y())});
@@ -138,11 +138,11 @@ QByteArray pictureRequest(const PngExport& picture, int pixels) {
     return text + commonLines(picture) + "entry\n" + writeEntry(picture.fractal);
 }
 
-std::optional<PngExport> pictureOf(const QByteArray& request) {
+std::optional<PlaneExport> pictureOf(const QByteArray& request) {
     const Request from = requestFrom(request);
     const auto camera = cameraOf(from.lines);
     if (!camera || !from.fractal || document::plane(*from.fractal) == nullptr) return std::nullopt;
-    PngExport picture;
+    PlaneExport picture;
     picture.fractal = *from.fractal;
     picture.request = document::renderRequest(picture.fractal, *camera);
     readCommonLines(from.lines, picture);

@@ -16,7 +16,7 @@ using attractor::CellKind;
 using attractor::CellSums;
 using attractor::PicturePart;
 
-int sideOf(const PngExport& picture) {
+int sideOf(const PlaneExport& picture) {
     return std::clamp(picture.request.appearance.supersample, 1, 4);
 }
 
@@ -68,7 +68,7 @@ LoadedSums sumsIn(const std::shared_ptr<SumFiles>& files, int threads) {
     return loaded;
 }
 
-PictureSums partOf(const PngExport& picture, int firstRow, int endRow, const PicturePart& part) {
+PictureSums partOf(const PlaneExport& picture, int firstRow, int endRow, const PicturePart& part) {
     PictureSums sums;
     sums.picture = pictureOf(pictureRequest(picture)).value_or(picture);
     sums.picture.request.threads = picture.request.threads;
@@ -103,9 +103,9 @@ ExportOutcome exportPicture(const PictureSums& sums, const QString& path, const 
     ExportOutcome outcome;
     outcome.failure = incompleteness(sums);
     if (outcome.failure) return outcome;
-    PngExport picture = sums.picture;
+    PlaneExport picture = sums.picture;
     picture.divided = dividedPicture(sums.passes, sums.drawn, sums.files);
-    outcome = exportPng(picture, path, progress, stop);
+    outcome = exportPlane(picture, path, progress, stop);
     if (sums.files && sums.files->failure()) outcome = {sums.files->failure(), false, outcome.note};
     return outcome;
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "io/picture/png_export.h"
+#include "io/picture/plane_export.h"
 #include "io/sums/sum_files.h"
 
 #include <memory>
@@ -15,7 +15,7 @@ namespace io {
 // What is drawn of a picture: `drawn` here, the rest is in the files. The first pass has as many samples as
 // the request.
 struct PictureSums {
-    PngExport picture;
+    PlaneExport picture;
     std::vector<std::uint64_t> passes;
     std::vector<SumShare> drawn;     // at most one of each pass, all of the same rows; none is in the files
     std::shared_ptr<SumFiles> files; // nullptr: none
@@ -30,7 +30,7 @@ LoadedSums sumsIn(const std::shared_ptr<SumFiles>& files, int threads);
 
 // The units in rows [firstRow, endRow) of the picture as the file will name it: drawn from the text of its
 // request, so that every machine draws the same.
-PictureSums partOf(const PngExport& picture, int firstRow, int endRow, const attractor::PicturePart& part);
+PictureSums partOf(const PlaneExport& picture, int firstRow, int endRow, const attractor::PicturePart& part);
 // One more pass of so many samples on top of what the files hold.
 void addPass(PictureSums& sums, std::uint64_t samples);
 

@@ -28,7 +28,7 @@ bool isCloud(const SpaceSums& sums) {
 }
 
 bool isDeep(const SpaceSums& sums) {
-    return sums.picture.depth == PngFormat::Depth::Bits16;
+    return sums.picture.depth == PictureFormat::Depth::Bits16;
 }
 
 CellKind kindOf(const SpaceExport& picture) {
@@ -249,23 +249,18 @@ Failure incompleteness(const SpaceSums& sums) {
 
 ExportOutcome exportPicture(const SpaceSums& sums, const QString& path, const Progress& progress,
                             std::stop_token stop) {
-    ExportOutcome outcome;
-    outcome.failure = incompleteness(sums);
-    if (outcome.failure) return outcome;
-    NewFile file(path);
-    outcome.failure = file.failure();
-    if (outcome.failure) return outcome;
-    if (isCloud(sums)) {
-        SpaceExport picture = sums.picture;
-        picture.divided = dividedPicture(sums.passes, sums.drawn, sums.files);
-        outcome = drawSpaceFile(picture, file, progress, stop);
-    } else {
-        outcome = writeSolid(sums, file, progress, stop);
-    }
-    if (sums.files && sums.files->failure()) outcome = {sums.files->failure(), false, outcome.note};
-    if (!outcome.failure && !outcome.stopped)
-        outcome.failure = file.failure() ? file.failure() : file.commit();
-    return outcome;
+    return writtenWhole(path, incompleteness(sums), [&](QIODevice& file) {
+        ExportOutcome outcome;
+        if (isCloud(sums)) {
+            SpaceExport picture = sums.picture;
+            picture.divided = dividedPicture(sums.passes, sums.drawn, sums.files);
+            outcome = drawSpaceFile(picture, file, progress, stop);
+        } else {
+            outcome = writeSolid(sums, file, progress, stop);
+        }
+        if (sums.files && sums.files->failure()) outcome = {sums.files->failure(), false, outcome.note};
+        return outcome;
+    });
 }
 
 } // namespace io

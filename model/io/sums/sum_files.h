@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "io/picture/png_export.h"
+#include "io/picture/plane_export.h"
 #include "io/sums/sum_file.h"
 
 #include <QFile>

@@ -13,12 +13,12 @@ namespace io {
 
 namespace {
 
-PngFormat formatOf(const StealExport& what) {
-    PngFormat format;
+PictureFormat formatOf(const StealExport& what) {
+    PictureFormat format;
     format.width = what.request.camera.width;
     format.height = what.request.camera.height;
-    format.pixels =
-        what.request.background.alpha == 255 ? PngFormat::Pixels::Opaque : PngFormat::Pixels::Transparent;
+    format.pixels = what.request.background.alpha == 255 ? PictureFormat::Pixels::Opaque
+                                                         : PictureFormat::Pixels::Transparent;
     format.systemText = writeEntry(what.fractal);
     return format;
 }
@@ -44,32 +44,26 @@ attractor::Camera pictureCamera(int width, int height, const ifs::Vector<2>& min
 
 ExportOutcome exportStolen(const StealExport& what, const QString& path, const Progress& progress,
                            const std::stop_token& stop) {
-    NewFile file(path);
-    ExportOutcome outcome{file.failure(), false, noteOf(what)};
-    if (outcome.failure) return outcome;
-    PngWriter writer(file, formatOf(what));
-    const double pixels = double(what.request.camera.width) * double(what.request.camera.height);
-    double written = 0;
-    const auto take = [&](std::span<const std::uint32_t> rows) {
-        outcome.failure = writer.writeRows(rows);
-        written += double(rows.size());
-        if (progress) progress(written / pixels);
-        return !outcome.failure;
-    };
-    switch (attractor::steal(what.system, what.picture, what.request, take, stop)) {
-    case attractor::TheftOutcome::Stopped:
-        outcome.stopped = true;
+    return writtenWhole(path, {}, [&](QIODevice& file) {
+        ExportOutcome outcome{{}, false, noteOf(what)};
+        PngWriter writer(file, formatOf(what));
+        const double pixels = double(what.request.camera.width) * double(what.request.camera.height);
+        double written = 0;
+        const auto take = [&](std::span<const std::uint32_t> rows) {
+            outcome.failure = writer.writeRows(rows);
+            written += double(rows.size());
+            if (progress) progress(written / pixels);
+            return !outcome.failure;
+        };
+        const auto ended = attractor::steal(what.system, what.picture, what.request, take, stop);
+        outcome.stopped = ended == attractor::TheftOutcome::Stopped;
+        if (ended == attractor::TheftOutcome::CutShort)
+            outcome.failure =
+                Text::tr("An exact picture of this system would take too long. Draw it with samples.");
+        else if (!outcome.failure && !outcome.stopped)
+            outcome.failure = writer.finish();
         return outcome;
-    case attractor::TheftOutcome::CutShort:
-        outcome.failure =
-            Text::tr("An exact picture of this system would take too long. Draw it with samples.");
-        return outcome;
-    default:
-        break;
-    }
-    if (!outcome.failure) outcome.failure = writer.finish();
-    if (!outcome.failure) outcome.failure = file.commit();
-    return outcome;
+    });
 }
 
 QImage drawStolen(const StealExport& what, const std::stop_token& stop) {

@@ -4,7 +4,7 @@
 #include "attractor/tops/stolen_picture.h"
 #include "document/fractal/fractal.h"
 #include "io/file/save_file.h"
-#include "io/picture/png_export.h"
+#include "io/picture/plane_export.h"
 
 #include <QImage>
 #include <QString>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "document/fractal/fractal_geometry.h"
-#include "io/picture/png_export.h"
+#include "io/picture/plane_export.h"
 #include "main_window.h"
 #include "panels/collage/collage_panel.h"
 #include "panels/collage/target_box.h"
@@ -153,13 +153,13 @@ void FileDropTest::aTargetIsNotLostSilently() {
 void FileDropTest::aDroppedPictureWithASystemIsOpened() {
     const QTemporaryDir folder;
     const QString path = folder.filePath(QStringLiteral("maple.png"));
-    io::PngExport request;
+    io::PlaneExport request;
     request.fractal = document::sierpinskiTriangle();
     request.fractal.name = QStringLiteral("dropped");
     attractor::Camera camera;
     camera.width = camera.height = 64;
     request.request = document::renderRequest(request.fractal, camera);
-    QVERIFY(!io::exportPng(request, path).failure);
+    QVERIFY(!io::exportPlane(request, path).failure);
     auto* window = new MainWindow;
     window->show();
     QVERIFY(QTest::qWaitForWindowExposed(window));

@@ -35,10 +35,10 @@ public:
     NotingSource(int threads, std::vector<Moment>& asked) : m_threads(threads), m_asked(asked) {}
 
     const document::Fractal& entry() const override { return m_entry; }
-    io::PngExport planeAt(const Moment& at) const override {
+    io::PlaneExport planeAt(const Moment& at) const override {
         m_asked.push_back(at);
         const document::AnimatedFrame frame = document::frameAt(m_entry, at);
-        io::PngExport picture{
+        io::PlaneExport picture{
             m_entry,
             document::renderRequest(frame.fractal, attractor::cameraOf({{0, 2.5}, 11}, {80, 60})),
             {}};

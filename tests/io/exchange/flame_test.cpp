@@ -4,7 +4,7 @@
 #include "ifs/system/links.h"
 #include "io/exchange/flame.h"
 #include "io/exchange/text_formats.h"
-#include "io/picture/png_export.h"
+#include "io/picture/plane_export.h"
 #include "support/named_test.h"
 
 #include <QFile>
@@ -395,7 +395,7 @@ void FlameTest::flam3DrawsTheSame() {
     QCOMPARE(theirs.size(), QSize(camera.width, camera.height));
 
     const auto drawn = [&] {
-        io::PngExport png{fractal, document::renderRequest(fractal, camera), {}};
+        io::PlaneExport png{fractal, document::renderRequest(fractal, camera), {}};
         png.request.samples = 20'000'000;
         return io::drawPicture(png).image;
     };

@@ -105,7 +105,7 @@ void ExportTasksTest::comesBack() {
                          k % 2 ? attractor::YAxis::Up : attractor::YAxis::Down};
         pixels.file = PictureFile::Tiff;
         pixels.camera.rotation = k % 2 ? attractor::rotationOf(10 * k) : 0;
-        pixels.depth = PngFormat::Depth::Bits16;
+        pixels.depth = PictureFormat::Depth::Bits16;
         pixels.samplesPerPixel = 1 + k;
         pixels.supersample = 1 + k % 4;
         pixels.dotsPerInch = 72.5;
@@ -238,7 +238,7 @@ void ExportTasksTest::drawsWhatADirectExportDraws() {
         pixels.cage = CageVisibility::Shown;
         if (task.path.endsWith(QStringLiteral(".tiff"))) pixels.file = PictureFile::Tiff;
         if (task.path.endsWith(QStringLiteral(".exr"))) pixels.file = PictureFile::ExrHalf;
-        if (pixels.file == PictureFile::ExrHalf) pixels.depth = PngFormat::Depth::Bits16;
+        if (pixels.file == PictureFile::ExrHalf) pixels.depth = PictureFormat::Depth::Bits16;
         task.recipe = pixels;
         ShapeRecipe shapes;
         shapes.camera = pixels.camera;

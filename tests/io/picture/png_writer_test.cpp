@@ -14,7 +14,7 @@ using namespace io;
 
 namespace {
 
-QByteArray written(const QImage& picture, PngFormat format) {
+QByteArray written(const QImage& picture, PictureFormat format) {
     QByteArray bytes;
     QBuffer buffer(&bytes);
     buffer.open(QIODevice::WriteOnly);
@@ -95,8 +95,8 @@ void PngWriterTest::opaquePictureComesBack() {
 
 void PngWriterTest::transparentPictureComesBack() {
     const QImage picture = randomPicture(16, 50, false);
-    PngFormat format;
-    format.pixels = PngFormat::Pixels::Transparent;
+    PictureFormat format;
+    format.pixels = PictureFormat::Pixels::Transparent;
     const QImage back = readBack(written(picture, format));
     QVERIFY(back.hasAlphaChannel());
     for (int y = 0; y < picture.height(); ++y)
@@ -111,7 +111,7 @@ void PngWriterTest::transparentPictureComesBack() {
 }
 
 void PngWriterTest::resolutionIsKept() {
-    PngFormat format;
+    PictureFormat format;
     format.dotsPerInch = 300;
     const QImage back = QImage::fromData(written(randomPicture(4, 4, true), format), "PNG");
     QCOMPARE(back.dotsPerMeterX(), 11811);
@@ -119,7 +119,7 @@ void PngWriterTest::resolutionIsKept() {
 }
 
 void PngWriterTest::systemComesBack() {
-    PngFormat format;
+    PictureFormat format;
     format.systemText = fern;
     const QByteArray bytes = written(randomPicture(5, 5, true), format);
     const EmbeddedSystem system = readPngSystem(bytes);
@@ -136,7 +136,7 @@ void PngWriterTest::pictureWithoutSystemSaysSo() {
 }
 
 void PngWriterTest::damagedPicturesAreRefused() {
-    PngFormat format;
+    PictureFormat format;
     format.systemText = fern;
     const QByteArray whole = written(randomPicture(5, 5, true), format);
     const qsizetype end = whole.indexOf("IDAT") + 4;
@@ -154,7 +154,7 @@ void PngWriterTest::damagedPicturesAreRefused() {
 }
 
 void PngWriterTest::oversizedTextIsRefused() {
-    PngFormat format;
+    PictureFormat format;
     format.systemText = QByteArray(9 * 1024 * 1024, 'x');
     const EmbeddedSystem system = readPngSystem(written(randomPicture(5, 5, true), format));
     QVERIFY(system.failure);
@@ -162,7 +162,7 @@ void PngWriterTest::oversizedTextIsRefused() {
 }
 
 void PngWriterTest::aChunkTakesNoMoreMemoryThanItHas() {
-    PngFormat format;
+    PictureFormat format;
     format.systemText = fern;
     QByteArray bytes = written(randomPicture(5, 5, true), format);
     bytes[bytes.indexOf("iTXt") - 4] = '\x74'; // nearly 2 GB
@@ -182,7 +182,7 @@ void PngWriterTest::fullDiskIsReported() {
     const QImage picture = randomPicture(300, 300, true);
     for (const qint64 room : {0, 20, 5000, 200'000}) {
         FullDisk disk(room);
-        PngFormat format;
+        PictureFormat format;
         format.width = picture.width();
         format.height = picture.height();
         PngWriter writer(disk, format);
@@ -199,7 +199,7 @@ void PngWriterTest::bandsGiveTheSameBytes() {
     QByteArray bytes;
     QBuffer buffer(&bytes);
     buffer.open(QIODevice::WriteOnly);
-    PngFormat format;
+    PictureFormat format;
     format.width = 64;
     format.height = 64;
     PngWriter writer(buffer, format);
@@ -234,8 +234,8 @@ void PngWriterTest::sixteenBitsComeBack() {
         pixel = {std::uint16_t(bits), std::uint16_t(bits >> 16), std::uint16_t(bits >> 32),
                  std::uint16_t(bits >> 48)};
     }
-    for (const auto kind : {PngFormat::Pixels::Opaque, PngFormat::Pixels::Transparent}) {
-        PngFormat format{23, 17, kind, PngFormat::Depth::Bits16, 600, fern};
+    for (const auto kind : {PictureFormat::Pixels::Opaque, PictureFormat::Pixels::Transparent}) {
+        PictureFormat format{23, 17, kind, PictureFormat::Depth::Bits16, 600, fern};
         QByteArray bytes;
         QBuffer buffer(&bytes);
         buffer.open(QIODevice::WriteOnly);
@@ -244,7 +244,7 @@ void PngWriterTest::sixteenBitsComeBack() {
         QVERIFY(!writer.finish());
         for (const char* chunk : {"sRGB", "gAMA", "cHRM", "pHYs"})
             QVERIFY2(bytes.contains(chunk), chunk);
-        const bool transparent = kind == PngFormat::Pixels::Transparent;
+        const bool transparent = kind == PictureFormat::Pixels::Transparent;
         const QImage back =
             readBack(bytes).convertToFormat(transparent ? QImage::Format_RGBA64 : QImage::Format_RGBX64);
         for (int i = 0; i < 23 * 17; ++i) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "document/fractal/fractal_geometry.h"
 #include "ifs/canonical_systems.h"
-#include "io/picture/png_export.h"
+#include "io/picture/plane_export.h"
 #include "io/picture/vector/pdf_writer.h"
 #include "io/picture/vector/svg_shapes.h"
 #include "support/named_test.h"
@@ -196,7 +196,7 @@ void ShapesTest::librsvgDrawsTheAttractor() {
     const io::SvgPicture picture = io::svgPicture(fractal, camera, {depth});
     const QImage svg = svgImage(picture.bytes);
     if (svg.isNull()) QSKIP("rsvg-convert is not installed");
-    io::PngExport png{fractal, document::renderRequest(fractal, camera), {}, io::CageVisibility::Hidden};
+    io::PlaneExport png{fractal, document::renderRequest(fractal, camera), {}, io::CageVisibility::Hidden};
     png.request.samples = 4'000'000;
     png.fractal.appearance.brightness = 1000;
     png.request.appearance = png.fractal.appearance;

@@ -49,12 +49,12 @@ Written written(const SolidPicture& picture, const std::stop_token& stop = {}) {
     Written result;
     QBuffer buffer(&result.bytes);
     buffer.open(QIODevice::WriteOnly);
-    PngFormat format;
+    PictureFormat format;
     format.width = picture.request.camera.size.width;
     format.height = picture.request.camera.size.height;
     format.depth = picture.depth;
-    format.pixels = picture.appearance.background.alpha == 255 ? PngFormat::Pixels::Opaque
-                                                               : PngFormat::Pixels::Transparent;
+    format.pixels = picture.appearance.background.alpha == 255 ? PictureFormat::Pixels::Opaque
+                                                               : PictureFormat::Pixels::Transparent;
     PngWriter writer(buffer, format);
     result.outcome = writeSolid(picture, writer, {}, stop);
     result.image = QImage::fromData(result.bytes, "PNG");
@@ -125,7 +125,7 @@ private slots:
     void bandsMakeNoDifference() {
         for (const attractor::Look look :
              {attractor::Look::Stone, attractor::Look::Ink, attractor::Look::Normals})
-            for (const auto depth : {PngFormat::Depth::Bits8, PngFormat::Depth::Bits16}) {
+            for (const auto depth : {PictureFormat::Depth::Bits8, PictureFormat::Depth::Bits16}) {
                 SolidPicture picture = menger(look);
                 picture.request.camera.size = {90, 300};
                 picture.request.camera.height *= 6;
@@ -142,7 +142,7 @@ private slots:
 
     void normalsAreNotAveraged() {
         SolidPicture picture = pictureOf(cube(), attractor::Look::Normals, 30, 0);
-        picture.depth = PngFormat::Depth::Bits16;
+        picture.depth = PictureFormat::Depth::Bits16;
         const Written once = written(picture);
         QCOMPARE(once.image.format(), QImage::Format_RGBA64);
         picture.supersample = 4;

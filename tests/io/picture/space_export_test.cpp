@@ -46,7 +46,7 @@ private slots:
         changed.stereo = Stereo::SideBySide;
         QTest::newRow("stereo") << changed;
         changed.stereo = Stereo::Anaglyph;
-        changed.depth = PngFormat::Depth::Bits16;
+        changed.depth = PictureFormat::Depth::Bits16;
         QTest::newRow("anaglyph") << changed;
         changed = stone;
         changed.moments = {stone.request, stone.request};

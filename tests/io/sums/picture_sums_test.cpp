@@ -37,7 +37,7 @@ private:
         QFile file(path(name));
         return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
     }
-    QString part(const PngExport& picture, int index, int count,
+    QString part(const PlaneExport& picture, int index, int count,
                  const QString& prefix = QStringLiteral("p")) {
         const QString name = QStringLiteral("%1%2of%3.sum").arg(prefix).arg(index).arg(count);
         const PicturePart units{std::uint64_t(index), std::uint64_t(count)};
@@ -66,11 +66,11 @@ document::Fractal maple() {
     return found;
 }
 
-PngExport picture(ColourBy colourBy = ColourBy::Density, int supersample = 1) {
+PlaneExport picture(ColourBy colourBy = ColourBy::Density, int supersample = 1) {
     attractor::Camera camera;
     camera.width = 301;
     camera.height = 211;
-    PngExport result;
+    PlaneExport result;
     result.fractal = maple();
     result.fractal.appearance.colourBy = colourBy;
     result.fractal.appearance.supersample = supersample;
@@ -85,8 +85,8 @@ PngExport picture(ColourBy colourBy = ColourBy::Density, int supersample = 1) {
 } // namespace
 
 void PictureSumsTest::theRequestSaysAll() {
-    PngExport what = picture(ColourBy::Map, 3);
-    what.depth = PngFormat::Depth::Bits16;
+    PlaneExport what = picture(ColourBy::Map, 3);
+    what.depth = PictureFormat::Depth::Bits16;
     what.dotsPerInch = 300;
     what.request.camera.yAxis = attractor::YAxis::Down;
     const QByteArray text = pictureRequest(what);
@@ -111,7 +111,7 @@ void PictureSumsTest::theRequestSaysAll() {
 
 // Frames and sums that a program with other pixels has written are not taken for ours.
 void PictureSumsTest::otherPixelsAreAnotherRequest() {
-    const PngExport what = picture();
+    const PlaneExport what = picture();
     const auto hash = [&](const FrameRequestText& request) { return request.hash(what.fractal); };
     const QByteArray ours = hash(FrameRequestText());
     QCOMPARE(hash(FrameRequestText(attractor::pixelVersion)), ours);
@@ -139,8 +139,8 @@ void PictureSumsTest::partsAddUpToThePicture() {
     QFETCH(const ColourBy, colourBy);
     QFETCH(const int, supersample);
     QFETCH(const int, count);
-    const PngExport what = picture(colourBy, supersample);
-    QVERIFY(!exportPng(what, path(QStringLiteral("whole.png"))).failure);
+    const PlaneExport what = picture(colourBy, supersample);
+    QVERIFY(!exportPlane(what, path(QStringLiteral("whole.png"))).failure);
     QStringList parts;
     for (int i = 0; i < count; ++i) {
         parts.prepend(part(what, i, count));
@@ -152,8 +152,8 @@ void PictureSumsTest::partsAddUpToThePicture() {
 }
 
 void PictureSumsTest::bandsAddUpToo() {
-    const PngExport what = picture();
-    QVERIFY(!exportPng(what, path(QStringLiteral("whole.png"))).failure);
+    const PlaneExport what = picture();
+    QVERIFY(!exportPlane(what, path(QStringLiteral("whole.png"))).failure);
     QStringList parts;
     for (const auto& [first, end] : {std::pair(0, 70), std::pair(70, 150), std::pair(150, 211)})
         for (std::uint64_t i = 0; i < 2; ++i) {
@@ -167,7 +167,7 @@ void PictureSumsTest::bandsAddUpToo() {
 }
 
 void PictureSumsTest::mergingIsAssociative() {
-    const PngExport what = picture();
+    const PlaneExport what = picture();
     QStringList parts;
     for (int i = 0; i < 4; ++i)
         parts << part(what, i, 4);
@@ -181,7 +181,7 @@ void PictureSumsTest::mergingIsAssociative() {
 }
 
 void PictureSumsTest::nothingIsCountedTwice() {
-    const PngExport what = picture();
+    const PlaneExport what = picture();
     const QString first = part(what, 0, 2);
     QVERIFY(merge({first, first}, QStringLiteral("twice.sum"))->contains(QLatin1String("counted twice")));
     // Another division with units in common.
@@ -194,8 +194,8 @@ void PictureSumsTest::nothingIsCountedTwice() {
 }
 
 void PictureSumsTest::anotherPictureIsRefused() {
-    const PngExport what = picture();
-    PngExport other = what;
+    const PlaneExport what = picture();
+    PlaneExport other = what;
     other.request.seed = 8;
     QVERIFY(merge({part(what, 0, 2), part(other, 1, 2, QStringLiteral("q"))}, QStringLiteral("x.sum")));
     other = what;
@@ -204,14 +204,14 @@ void PictureSumsTest::anotherPictureIsRefused() {
 }
 
 void PictureSumsTest::anIncompletePictureIsRefused() {
-    const PngExport what = picture();
+    const PlaneExport what = picture();
     const Failure failure = merge({part(what, 0, 2)}, QStringLiteral("half.png"));
     QVERIFY(failure && failure->contains(QLatin1String("50 %")));
     QVERIFY(!QFile::exists(path(QStringLiteral("half.png"))));
 }
 
 void PictureSumsTest::resumingAddsAPass() {
-    const PngExport what = picture();
+    const PlaneExport what = picture();
     const QString all = part(what, 0, 1);
     LoadedSums resumed = sumsIn(std::make_shared<SumFiles>(QStringList{all}), 2);
     addPass(resumed.sums, 20'000'000);
@@ -235,7 +235,7 @@ void PictureSumsTest::resumingAddsAPass() {
 }
 
 void PictureSumsTest::aDamagedPartIsNamed() {
-    const PngExport what = picture();
+    const PlaneExport what = picture();
     const QString first = part(what, 0, 2);
     QFile file(part(what, 1, 2));
     QVERIFY(file.resize(file.size() - 1));

@@ -120,7 +120,7 @@ Failure SpaceSumsTest::merge(const QStringList& parts, const QString& output) {
 
 void SpaceSumsTest::theRequestSaysAll() {
     SpaceExport what = pictureOf(sponge(LookInSpace::Ink));
-    what.depth = PngFormat::Depth::Bits16;
+    what.depth = PictureFormat::Depth::Bits16;
     what.dotsPerInch = 300;
     what.supersample = 3;
     what.solid.background = {13, 16, 23, 100};
@@ -194,7 +194,7 @@ void SpaceSumsTest::bandsOfASolidAddUp_data() {
     };
     add("stone", LookInSpace::Stone, [](SpaceExport&) {});
     add("stone of 16 bits", LookInSpace::Stone,
-        [](SpaceExport& what) { what.depth = PngFormat::Depth::Bits16; });
+        [](SpaceExport& what) { what.depth = PictureFormat::Depth::Bits16; });
     add("transparent ink", LookInSpace::Ink, [](SpaceExport& what) {
         what.solid.background = {255, 255, 255, 0};
     });

@@ -5,7 +5,6 @@
 #include "dialogs/animation/frame_size_editor.h"
 #include "dialogs/export/cluster_queue.h"
 #include "dialogs/export/export_preview.h"
-#include "dialogs/export/last_export.h"
 #include "document/text/unique_names.h"
 #include "io/animation/frames_view.h"
 #include "io/file/background.h"
@@ -34,7 +33,6 @@ namespace view {
 namespace {
 
 constexpr int usualPointsPerPixel = 100;
-const QString animationKind = QStringLiteral("animation");
 // Of a format of the list, as the settings have it.
 QString formatName(AnimationExportDialog::Format format) {
     return format == AnimationExportDialog::Pictures ? QStringLiteral("pictures")
@@ -79,7 +77,7 @@ template <int Dim> void setCamera(document::Shape<Dim>& shape, const AnimationEx
 
 AnimationExportDialog::AnimationExportDialog(document::Document* document, const Camera& camera,
                                              QWidget* parent)
-    : ExportShell(parent),
+    : ExportShell(QStringLiteral("animation"), document->entryFractal().name, parent),
       m_entry(document->entryFractal()),
       m_camera(camera),
       m_views(document::savedViews(m_entry)),
@@ -144,10 +142,9 @@ void AnimationExportDialog::createFormat() {
 void AnimationExportDialog::createSize() {
     m_size = new FrameSizeEditor;
     m_form->addRow(tr("&Size in pixels:"), m_size);
-    const LastExport last = lastExport(animationKind);
     for (const Format format : {Mp4, WebM, Mkv, Gif, WebP, Apng, Pictures})
-        if (formatName(format) == last.format) chooseValue(m_format, format);
-    const QStringList sides = last.size.split(u' ');
+        if (formatName(format) == last().format) chooseValue(m_format, format);
+    const QStringList sides = last().size.split(u' ');
     if (sides.size() == 2)
         m_size->setFrameSize({sides[0].toInt(), sides[1].toInt()});
     else
@@ -250,20 +247,10 @@ void AnimationExportDialog::createButtons() {
     connect(m_cluster, &QPushButton::clicked, this, &AnimationExportDialog::chooseFolder);
 }
 
-bool AnimationExportDialog::mayClose() {
-    if (!isBusy()) return true;
-    QMessageBox box(QMessageBox::Question, tr("Export is not finished"),
-                    tr("The animation “%1” is still being exported.").arg(m_entry.name),
-                    QMessageBox::NoButton, this);
-    m_question = &box;
-    box.setInformativeText(isPictures() ? tr("The pictures written so far are complete and will be kept.")
-                                        : tr("If you stop now, no file is written."));
-    const QPushButton* stop = box.addButton(tr("&Stop Export"), QMessageBox::AcceptRole);
-    QPushButton* goOn = box.addButton(tr("&Continue"), QMessageBox::RejectRole);
-    box.setDefaultButton(goOn);
-    box.setEscapeButton(goOn);
-    box.exec();
-    return !isBusy() || box.clickedButton() == stop;
+ExportShell::Unfinished AnimationExportDialog::unfinished() const {
+    return {tr("The animation “%1” is still being exported.").arg(m_entry.name),
+            isPictures() ? tr("The pictures written so far are complete and will be kept.")
+                         : ExportShell::unfinished().ifStopped};
 }
 
 void AnimationExportDialog::reject() {
@@ -342,18 +329,17 @@ void AnimationExportDialog::adoptEnding(const QString& path) {
 }
 
 QString AnimationExportDialog::chosenFile() {
-    const QString filter = tr("%1 files (*.%2)").arg(suffix().toUpper(), suffix());
-    const QString fileName = document::uniqueName({}, m_entry.name) + u'.' + suffix();
+    WantedFile wanted{.title = tr("Export Animation"), .suffix = suffix(), .asksToReplace = !isPictures()};
     // Of pictures the first is asked for; mayReplace() looks for all of them.
-    const QString suggestion =
-        isPictures() ? io::framePath(fileName, m_first->value(), m_last->value()) : fileName;
-    const QString path =
-        chooseFileToSave(this, tr("Export Animation"), suggestedPath(animationKind, suggestion), filter,
-                         suffix(), !isPictures());
+    if (isPictures())
+        wanted.name = [this](const QString& name) {
+            return io::framePath(name, m_first->value(), m_last->value());
+        };
+    const QString path = chooseFile(wanted);
     if (path.isEmpty()) return {};
     adoptEnding(path);
     const QString size = QStringLiteral("%1 %2").arg(m_size->size().width()).arg(m_size->size().height());
-    rememberExport(animationKind, {formatName(chosenValue<Format>(m_format)), size}, path);
+    remember({formatName(chosenValue<Format>(m_format)), size}, path);
     const QString number = io::framePath(QStringLiteral(".png"), m_first->value(), m_last->value());
     const QString file =
         isPictures() && path.endsWith(number) ? path.chopped(number.size()) + QStringLiteral(".png") : path;
@@ -389,7 +375,6 @@ void AnimationExportDialog::exportTo(const QString& path) {
 }
 
 void AnimationExportDialog::whenFinished() {
-    if (m_question) m_question->reject();
     m_cluster->setEnabled(true);
     update();
 }

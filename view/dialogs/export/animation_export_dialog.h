@@ -8,9 +8,6 @@
 #include "document/saved_views.h"
 #include "io/animation/cluster_job.h"
 
-#include <QMessageBox>
-#include <QPointer>
-
 #include <optional>
 #include <variant>
 
@@ -44,7 +41,6 @@ public:
     void setFormat(Format format);
     void exportTo(const QString& path) override;
     void prepareCluster(const QString& folder); // what On a Cluster does once a folder is chosen
-    bool mayClose();                            // asks the user while an export is under way
     void escape() override { reject(); }        // which asks first
     void reject() override;
 
@@ -53,6 +49,7 @@ protected:
     bool isPossible() const override { return !m_obstacle; }
     void whenFinished() override;
     QString sentenceFor(const io::ExportOutcome& outcome, const QString& path) const override;
+    Unfinished unfinished() const override;
 
 private:
     bool isPictures() const;
@@ -94,7 +91,6 @@ private:
     ClusterQueue* m_queue = nullptr;
     AttractorWatch* m_watch;
     io::Failure m_obstacle;
-    QPointer<QMessageBox> m_question; // whether to stop; nobody need answer once the work has ended
 };
 
 } // namespace view

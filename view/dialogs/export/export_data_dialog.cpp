@@ -2,12 +2,9 @@
 #include "dialogs/export/export_data_dialog.h"
 
 #include "dialogs/column_orders.h"
-#include "dialogs/export/last_export.h"
 #include "document/edits/cage/cage_edits.h"
 #include "io/file/background.h"
-#include "widgets/background/save_beside.h"
 #include "widgets/choices.h"
-#include "widgets/file_dialogs.h"
 #include "widgets/numbers/number_box.h"
 #include "widgets/text/text_edit_workarounds.h"
 #include "widgets/text/tooltip_text.h"
@@ -19,7 +16,6 @@
 #include <QFormLayout>
 #include <QGuiApplication>
 #include <QPlainTextEdit>
-#include <QPointer>
 #include <QPushButton>
 #include <QSpinBox>
 #include <QStandardItemModel>
@@ -30,8 +26,6 @@
 namespace view {
 
 namespace {
-
-const QString dataKind = QStringLiteral("data");
 
 std::optional<io::TextFormat> textFormatOf(ExportDataDialog::Format format) {
     using enum ExportDataDialog::Format;
@@ -64,7 +58,9 @@ std::shared_ptr<const document::Fractal> bakedOf(const document::Fractal& fracta
 } // namespace
 
 ExportDataDialog::ExportDataDialog(document::Document* document, QWidget* parent)
-    : ExportShell(parent), m_fractal(document->fractal()), m_baked(bakedOf(m_fractal)) {
+    : ExportShell(QStringLiteral("data"), document->fractal().name, parent),
+      m_fractal(document->fractal()),
+      m_baked(bakedOf(m_fractal)) {
     setWindowTitle(tr("Export Data of “%1”").arg(titleText(m_fractal.name)));
     m_form = new QFormLayout;
     createOptions(m_form);
@@ -74,10 +70,7 @@ ExportDataDialog::ExportDataDialog(document::Document* document, QWidget* parent
     m_preview->setFont(QFontDatabase::systemFont(QFontDatabase::FixedFont));
     m_preview->setAccessibleName(tr("Preview of the file"));
     m_preview->setWhatsThis(tr("The beginning of the file as it will be written."));
-    auto* options = new QWidget(this);
-    options->setLayout(m_form);
-    m_form->setContentsMargins({});
-    lay(options, m_preview, Qt::Vertical);
+    lay(m_form, m_preview, Qt::Vertical);
     setStartHelp(tr("Asks for a file name and writes the file."));
     m_copy =
         addButton(tr("Copy &Text"), tr("Copies the whole text to the clipboard instead of writing a file."));
@@ -100,7 +93,7 @@ void ExportDataDialog::createOptions(QFormLayout* form) {
     addChoice(m_format, tr("Table with tabs (.tsv)"), Format::Tsv);
     addChoice(m_format, tr("Points (.csv)"), Format::PointsCsv);
     addChoice(m_format, tr("Points, coloured (.ply)"), Format::PointsPly);
-    const std::string last = lastExport(dataKind).format.toStdString();
+    const std::string last = last().format.toStdString();
     chooseFormat(ifs::named<Format>(last).value_or(Format::Flame));
     m_columns = new ColumnOrders(tr("The order of the coefficients in each row; programs differ."), this);
     m_points = new WholeNumberBox(this);
@@ -224,24 +217,13 @@ void ExportDataDialog::showPreview() {
 }
 
 QString ExportDataDialog::chosenFile() {
-    const QString filter = tr("%1 files (*.%2)").arg(suffix().toUpper(), suffix());
-    const QString fileName = document::uniqueName({}, m_fractal.name) + u'.' + suffix();
-    const QString path =
-        chooseFileToSave(this, tr("Export Data"), suggestedPath(dataKind, fileName), filter, suffix());
-    if (!path.isEmpty()) rememberExport(dataKind, {QLatin1String(ifs::nameOf(format())), {}}, path);
+    const QString path = chooseFile({.title = tr("Export Data"), .suffix = suffix()});
+    if (!path.isEmpty()) remember({QLatin1String(ifs::nameOf(format())), {}}, path);
     return path;
 }
 
 void ExportDataDialog::exportTo(const QString& path) {
-    if (textFormat()) {
-        const QPointer self(this);
-        const auto [isCancelled, failure] = saveBeside(path, textMaker()(), this);
-        if (!self) return;
-        io::ExportOutcome outcome;
-        outcome.stopped = isCancelled;
-        outcome.failure = failure;
-        return finish(outcome, path);
-    }
+    if (textFormat()) return writeText(textMaker()(), path);
     start(io::PointCloud{m_fractal, std::uint64_t(m_points->value()), 1, pointFormat()}, path);
 }
 

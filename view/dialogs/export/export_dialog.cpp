@@ -5,13 +5,11 @@
 #include "dialogs/export/export_preview.h"
 #include "dialogs/export/export_size_editor.h"
 #include "dialogs/export/large_export.h"
-#include "dialogs/export/last_export.h"
 #include "document/fractal/fractal_geometry.h"
 #include "ifs/copies/copy_hierarchy.h"
 #include "io/file/background.h"
 #include "io/picture/picture_writers.h"
 #include "widgets/choices.h"
-#include "widgets/file_dialogs.h"
 #include "widgets/numbers/number_box.h"
 #include "widgets/numbers/number_text.h"
 #include "widgets/text/tooltip_text.h"
@@ -61,8 +59,6 @@ QStringList suffixesOf(const Kind& kind) {
     return suffixes;
 }
 
-const QString pictureKind = QStringLiteral("picture");
-
 // Null where the ending of the name is of none.
 const Kind* kindOf(const QString& path) {
     const QString suffix = QFileInfo(path).suffix().toLower();
@@ -74,7 +70,7 @@ const Kind* kindOf(const QString& path) {
 } // namespace
 
 ExportDialog::ExportDialog(document::Document* document, const attractor::Camera& camera, QWidget* parent)
-    : ExportShell(parent),
+    : ExportShell(QStringLiteral("picture"), document->fractal().name, parent),
       m_fractal(document->fractal()),
       m_camera(camera),
       m_views(document::savedViews(m_fractal)) {
@@ -114,9 +110,8 @@ void ExportDialog::createFormat() {
     m_size = new ExportSizeEditor({std::max(1, int(std::lround(m_camera.width * ratio))),
                                    std::max(1, int(std::lround(m_camera.height * ratio)))},
                                   m_options);
-    const LastExport last = lastExport(pictureKind);
-    if (const Kind* kind = kindOf(QStringLiteral("last.") + last.format)) chooseValue(m_format, kind->file);
-    m_size->choose(last.size);
+    if (const Kind* kind = kindOf(QStringLiteral("last.") + last().format)) chooseValue(m_format, kind->file);
+    m_size->choose(last().size);
     m_transparent = new QCheckBox(tr("&Transparent background"), m_options);
     m_transparent->setChecked(m_fractal.appearance.background.alpha == 0);
     m_transparent->setWhatsThis(tr("The picture has no background and can be placed over another."));
@@ -159,8 +154,9 @@ void ExportDialog::createPngOptions() {
     m_supersample->setWhatsThis(tr("The number of smaller cells along each side of a pixel: more cells make "
                                    "smoother edges, at the cost of memory and time."));
     m_depthOfColour = new QComboBox(m_options);
-    addChoice(m_depthOfColour, tr("8 bits per channel"), io::PngFormat::Depth::Bits8);
-    addChoice(m_depthOfColour, tr("16 bits per channel, for further editing"), io::PngFormat::Depth::Bits16);
+    using Depth = io::PictureFormat::Depth;
+    addChoice(m_depthOfColour, tr("8 bits per channel"), Depth::Bits8);
+    addChoice(m_depthOfColour, tr("16 bits per channel, for further editing"), Depth::Bits16);
     m_depthOfColour->setAccessibleName(tr("Colour depth"));
     m_depthOfColour->setWhatsThis(
         tr("16 bits keep fine gradations for later editing; 8 bits are enough for viewing."));
@@ -240,9 +236,9 @@ bool ExportDialog::isTransparent() const {
 }
 
 // What was chosen, where the format takes it.
-io::PngFormat::Depth ExportDialog::depthOfColour() const {
-    using enum io::PngFormat::Depth;
-    const auto chosen = chosenValue<io::PngFormat::Depth>(m_depthOfColour);
+io::PictureFormat::Depth ExportDialog::depthOfColour() const {
+    using enum io::PictureFormat::Depth;
+    const auto chosen = chosenValue<io::PictureFormat::Depth>(m_depthOfColour);
     const io::PictureFile file = pixels().value_or(io::PictureFile::Png);
     if (io::takes(file, chosen)) return chosen;
     return chosen == Bits8 ? Bits16 : Bits8;
@@ -314,9 +310,11 @@ void ExportDialog::update() {
     for (QWidget* field :
          std::initializer_list<QWidget*>{m_quality, m_supersample, m_depthOfColour, m_memory})
         m_form->setRowVisible(field, !isSvg());
-    const auto takes = [this](io::PngFormat::Depth depth) { return pixels() && io::takes(*pixels(), depth); };
+    const auto takes = [this](io::PictureFormat::Depth depth) {
+        return pixels() && io::takes(*pixels(), depth);
+    };
     m_form->setRowVisible(m_depthOfColour, // where there is a choice
-                          takes(io::PngFormat::Depth::Bits8) && takes(io::PngFormat::Depth::Bits16));
+                          takes(io::PictureFormat::Depth::Bits8) && takes(io::PictureFormat::Depth::Bits16));
     for (QWidget* field : std::initializer_list<QWidget*>{m_style, m_plan})
         m_form->setRowVisible(field, isSvg());
     m_form->setRowVisible(m_points, isSvg() && points);
@@ -401,10 +399,6 @@ void ExportDialog::setSection(Section section) {
     chooseValue(m_section, section);
 }
 
-void ExportDialog::setFolder(const QString& folder) {
-    m_folder = folder;
-}
-
 bool ExportDialog::isPossible() const {
     return document::system2(m_fractal) != nullptr;
 }
@@ -415,11 +409,8 @@ QString ExportDialog::chosenFile() {
     const QString suffix = suffixes.first();
     const QString filter =
         QStringLiteral("%1 (*.%2)").arg(suffix.toUpper(), suffixes.join(QStringLiteral(" *.")));
-    const QString name = document::uniqueName({}, m_fractal.name) + u'.' + suffix;
-    const QString path = chooseFileToSave(this, tr("Export Picture"),
-                                          suggestedPath(pictureKind, name, m_folder), filter, suffix);
-    if (const Kind* kind = kindOf(path))
-        rememberExport(pictureKind, {suffixesOf(*kind).first(), m_size->choice()}, path);
+    const QString path = chooseFile({.title = tr("Export Picture"), .suffix = suffix, .filter = filter});
+    if (const Kind* kind = kindOf(path)) remember({suffixesOf(*kind).first(), m_size->choice()}, path);
     return path;
 }
 

@@ -38,7 +38,6 @@ public:
     using File = std::variant<io::PictureFile, io::ShapeFile>; // what the format is
     enum class Section { View = -2, Attractor = -1 };          // saved views have the numbers from 0
     void setSection(Section section);                          // what the picture shows; the view at first
-    void setFolder(const QString& folder);                     // to suggest before the first export
     void exportTo(const QString& path) override;               // the ending of the name decides the format
     const ExportPreview& preview() const { return *m_preview; }
 
@@ -58,7 +57,7 @@ private:
     std::optional<io::PictureFile> pixels() const; // the chosen format, if it is made of them
     bool isSvg() const;                            // or PDF: shapes
     bool isTransparent() const;
-    io::PngFormat::Depth depthOfColour() const;
+    io::PictureFormat::Depth depthOfColour() const;
     io::ShapeStyle style() const;
     attractor::Camera camera() const;
     io::ExportRecipe recipe(const attractor::Camera& camera) const;
@@ -74,7 +73,6 @@ private:
     document::Fractal m_fractal; // as it was when the dialog opened, with what the camera showed
     attractor::Camera m_camera;
     std::vector<document::SavedView> m_views;
-    QString m_folder;
     QComboBox* m_format = nullptr;
     QComboBox* m_section = nullptr;
     ExportSizeEditor* m_size = nullptr;

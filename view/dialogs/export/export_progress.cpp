@@ -55,7 +55,6 @@ void ExportProgress::setFraction(double fraction) {
 
 void ExportProgress::end() {
     setVisible(false);
-    emit ended();
 }
 
 } // namespace view

@@ -19,10 +19,6 @@ public:
     void begin(const QString& firstStep = {}); // shown until the time left can be told
     void setFraction(double fraction);         // 0 … 1
     void end();
-    bool isUnderWay() const { return !isHidden(); }
-
-signals:
-    void ended();
 
 private:
     QProgressBar* m_bar = nullptr;

@@ -4,12 +4,18 @@
 #include "desktop/show_in_folder.h"
 #include "dialogs/export/enqueue.h"
 #include "dialogs/export/export_progress.h"
-#include "dialogs/export/start_export.h"
+#include "document/fractal_file.h"
+#include "document/text/text.h"
+#include "io/file/slow_disk.h"
+#include "widgets/background/save_beside.h"
+#include "widgets/file_dialogs.h"
 #include "widgets/layout/grow_to_fit.h"
 
 #include <QBoxLayout>
 #include <QDialogButtonBox>
 #include <QEvent>
+#include <QFileInfo>
+#include <QFormLayout>
 #include <QGridLayout>
 #include <QKeyEvent>
 #include <QLabel>
@@ -19,8 +25,10 @@
 
 namespace view {
 
-ExportShell::ExportShell(QWidget* parent)
+ExportShell::ExportShell(const QString& kind, const QString& entry, QWidget* parent)
     : QDialog(parent),
+      m_kind(kind),
+      m_entry(entry),
       m_message(new QLabel(this)),
       m_progress(new ExportProgress(this)),
       m_buttons(new QDialogButtonBox(this)) {
@@ -77,6 +85,13 @@ void ExportShell::lay(QWidget* options, QWidget* preview, Qt::Orientation orient
     layout->addWidget(m_buttons);
 }
 
+void ExportShell::lay(QFormLayout* options, QWidget* preview, Qt::Orientation orientation) {
+    auto* widget = new QWidget(this);
+    widget->setLayout(options);
+    options->setContentsMargins({});
+    lay(widget, preview, orientation);
+}
+
 void ExportShell::setStartHelp(const QString& text) const {
     m_start->setWhatsThis(text);
 }
@@ -102,6 +117,22 @@ void ExportShell::setQueue(ExportQueue* queue) {
 
 QString ExportShell::message() const {
     return m_message->text();
+}
+
+void ExportShell::suggestFolderOf(const QString& path) {
+    const QString folder = QFileInfo(path).absolutePath();
+    const auto isWritable = [folder] { return QFileInfo(folder).isWritable(); };
+    if (!path.isEmpty() && io::answerSoon(isWritable).value_or(false)) m_folder = folder;
+}
+
+QString ExportShell::chooseFile(const WantedFile& wanted) {
+    const QString usual = document::uniqueName({}, m_entry) + u'.' + wanted.suffix;
+    const QString filter = wanted.filter.isEmpty()
+                               ? tr("%1 files (*.%2)").arg(wanted.suffix.toUpper(), wanted.suffix)
+                               : wanted.filter;
+    return chooseFileToSave(this, wanted.title,
+                            suggestedPath(m_kind, wanted.name ? wanted.name(usual) : usual, m_folder), filter,
+                            wanted.suffix, wanted.asksToReplace);
 }
 
 bool ExportShell::canExport() const {
@@ -133,14 +164,23 @@ void ExportShell::enableButtons() {
 }
 
 void ExportShell::start(io::Export what, const QString& path, const QString& firstStep) {
-    begin([this] { m_job->stop(); }, firstStep);
-    m_job = startExport(
-        std::move(what), path, this, [this](double fraction) { setFraction(fraction); },
-        [this, path](const io::ExportOutcome& outcome) { finish(outcome, path); });
+    start(
+        [what = std::move(what), path](const io::Progress& progress, const std::stop_token& stop) {
+            return io::exportTo(what, path, progress, stop);
+        },
+        path, firstStep);
 }
 
-void ExportShell::begin(std::function<void()> stop, const QString& firstStep) {
-    m_stop = std::move(stop);
+void ExportShell::start(Work work, const QString& path, const QString& firstStep) {
+    const auto here = [this](auto call) { QMetaObject::invokeMethod(this, call, Qt::QueuedConnection); };
+    m_work = std::make_unique<io::ExportWork>(
+        [=, this, work = std::move(work)](const std::stop_token& stop, document::Listener& listener) {
+            const io::Progress told = [&](double fraction) {
+                listener.tell([&] { here([this, fraction] { m_progress->setFraction(fraction); }); });
+            };
+            const io::ExportOutcome outcome = work(told, stop);
+            listener.tell([&] { here([this, outcome, path] { finish(outcome, path); }); });
+        });
     say({});
     m_showInFolder->hide();
     m_progress->begin(firstStep);
@@ -149,13 +189,19 @@ void ExportShell::begin(std::function<void()> stop, const QString& firstStep) {
     enableButtons();
 }
 
-void ExportShell::setFraction(double fraction) {
-    m_progress->setFraction(fraction);
+void ExportShell::writeText(const QByteArray& text, const QString& path) {
+    const QPointer self(this);
+    const auto [isCancelled, failure] = saveBeside(path, text, this);
+    if (!self) return;
+    io::ExportOutcome outcome;
+    outcome.stopped = isCancelled;
+    outcome.failure = failure;
+    finish(outcome, path);
 }
 
 void ExportShell::finish(const io::ExportOutcome& outcome, const QString& path) {
-    m_job.reset();
-    m_stop = nullptr;
+    m_work.reset();
+    if (m_question) m_question->reject();
     m_progress->end();
     m_options->setEnabled(true);
     m_close->setText(tr("&Close"));
@@ -178,7 +224,26 @@ QString ExportShell::sentenceFor(const io::ExportOutcome& outcome, const QString
 }
 
 void ExportShell::closeOrStop() {
-    m_stop ? m_stop() : reject();
+    m_work ? m_work->stop() : reject();
+}
+
+ExportShell::Unfinished ExportShell::unfinished() const {
+    return {Text::tr("A file is still being exported."), Text::tr("If you stop now, no file is written.")};
+}
+
+bool ExportShell::mayClose() {
+    if (!isBusy()) return true;
+    const auto [sentence, ifStopped] = unfinished();
+    QMessageBox box(QMessageBox::Question, Text::tr("Export is not finished"), sentence,
+                    QMessageBox::NoButton, this);
+    m_question = &box;
+    box.setInformativeText(ifStopped);
+    const QPushButton* stop = box.addButton(Text::tr("&Stop Export"), QMessageBox::AcceptRole);
+    QPushButton* goOn = box.addButton(Text::tr("&Continue"), QMessageBox::RejectRole);
+    box.setDefaultButton(goOn);
+    box.setEscapeButton(goOn);
+    box.exec();
+    return !isBusy() || box.clickedButton() == stop;
 }
 
 } // namespace view

@@ -1,16 +1,21 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "dialogs/export/last_export.h"
 #include "io/exports/export_recipe.h"
+#include "io/file/export_work.h"
 
 #include <QDialog>
+
+#include <QMessageBox>
+#include <QPointer>
 
 #include <functional>
 #include <memory>
 #include <optional>
 
-class QBoxLayout;
 class QDialogButtonBox;
+class QFormLayout;
 class QLabel;
 class QPushButton;
 
@@ -19,8 +24,9 @@ namespace view {
 class ExportProgress;
 class ExportQueue;
 
-// What all dialogs have in common that write a file: the buttons, Esc, the progress, and what came of it.
-// The work goes on in a thread of the model while the window is used; closing the dialog stops it.
+// What all dialogs have in common that write a file: the buttons, Esc, the chooser of the file, the progress,
+// and what came of it. The work goes on in a thread of the model while the window is used; closing the dialog
+// stops it.
 class ExportShell : public QDialog {
     Q_OBJECT
 
@@ -33,7 +39,9 @@ public:
     void setQueue(ExportQueue* queue); // which outlives it; without one, there is no Add to Queue
     QString message() const;           // what came of it
     bool canExport() const;
-    bool isBusy() const { return bool(m_stop); }
+    bool isBusy() const { return bool(m_work); }
+    bool mayClose();                           // asks the user while an export is under way
+    void suggestFolderOf(const QString& path); // before the first export, if one can write there
 
 signals:
     void exported(const QString& path);
@@ -41,22 +49,41 @@ signals:
     void failed(const QString& sentence);
 
 protected:
-    explicit ExportShell(QWidget* parent);
+    // Exports of one kind begin as the last one: dialogs/export/last_export.h. The file is named after the
+    // entry.
+    ExportShell(const QString& kind, const QString& entry, QWidget* parent);
 
     // Lays the options out, beside or above what shows what they do, and message, progress and buttons below.
     void lay(QWidget* options, QWidget* preview, Qt::Orientation orientation);
+    void lay(QFormLayout* options, QWidget* preview, Qt::Orientation orientation);
     void setStartHelp(const QString& text) const;
     QPushButton* addButton(const QString& text, const QString& help) const; // between Export and Close
     QPushButton* addQueueButton(const QString& help);
 
     // Asks for a file. Empty: none was chosen, or something has to be put right first.
     virtual QString chosenFile() = 0;
+    struct WantedFile {
+        QString title;                             // of the chooser
+        QString suffix;                            // the usual one of the format
+        QString filter = {};                       // empty: files with that suffix
+        std::function<QString(QString)> name = {}; // of the file that is suggested; null: as the entry
+        bool asksToReplace = true;
+    };
+    QString chooseFile(const WantedFile& wanted);
+    LastExport last() const { return lastExport(m_kind); }
+    void remember(const LastExport& last, const QString& path) const { rememberExport(m_kind, last, path); }
     // What is put into the queue under this name; nullopt where that cannot be, which has then been said.
     virtual std::optional<io::ExportRecipe> recipeFor(const QString& path);
     virtual const document::Fractal* queuedFractal() const { return nullptr; }
     virtual bool isPossible() const { return true; } // whether the options make sense
     virtual bool isQueueable() const { return true; }
     virtual QString sentenceFor(const io::ExportOutcome& outcome, const QString& path) const;
+    // What mayClose() says: what is under way, and what stopping means.
+    struct Unfinished {
+        QString sentence;
+        QString ifStopped;
+    };
+    virtual Unfinished unfinished() const;
     virtual void whenFinished() {} // once it is idle again, before the outcome is said
 
     void say(const QString& sentence); // empty: nothing; with room for it
@@ -64,16 +91,19 @@ protected:
     bool event(QEvent* event) override;
     void keyPressEvent(QKeyEvent* event) override;
     void enableButtons();
+    using Work = std::function<io::ExportOutcome(const io::Progress& progress, const std::stop_token& stop)>;
+    void start(Work work, const QString& path, const QString& firstStep = {}); // in a thread of its own
     void start(io::Export what, const QString& path, const QString& firstStep = {});
-    // The same with work that somebody else does: `stop` ends it, and finish() is called once it has ended.
-    void begin(std::function<void()> stop, const QString& firstStep = {});
-    void setFraction(double fraction);
+    void writeText(const QByteArray& text, const QString& path); // at once
     void finish(const io::ExportOutcome& outcome, const QString& path);
     void offerFolderOf(const QString& path); // of what was written
 
 private:
     void closeOrStop();
 
+    QString m_kind;
+    QString m_entry;
+    QString m_folder;
     QWidget* m_options = nullptr;
     QLabel* m_message = nullptr;
     ExportProgress* m_progress = nullptr;
@@ -84,8 +114,8 @@ private:
     QPushButton* m_showInFolder = nullptr; // visible once something was written
     QString m_written;                     // what it shows
     ExportQueue* m_queue = nullptr;
-    std::function<void()> m_stop;         // while it works
-    std::unique_ptr<io::ExportJob> m_job; // last: stops before the rest goes
+    QPointer<QMessageBox> m_question;       // whether to stop; nobody need answer once the work has ended
+    std::unique_ptr<io::ExportWork> m_work; // last: stops before the rest goes
 };
 
 } // namespace view

@@ -168,7 +168,7 @@ std::vector<std::shared_ptr<const document::Fractal>> HandoutDialog::chosen() co
     return all;
 }
 
-io::PngExport handoutPicture(const document::Fractal& fractal, const HandoutOptions& options) {
+io::PlaneExport handoutPicture(const document::Fractal& fractal, const HandoutOptions& options) {
     const document::Fractal printed = onPaper(fractal);
     ifs::Vector<2> low = ifs::Vector<2>::Constant(0), high = ifs::Vector<2>::Constant(1);
     if (const auto box = document::boxWithShadow(fractal, attractor::YAxis::Up)) {
@@ -198,7 +198,7 @@ io::PngExport handoutPicture(const document::Fractal& fractal, const HandoutOpti
     camera.width = std::max(1, int(longSide * size.x() / size.maxCoeff()));
     camera.height = std::max(1, int(longSide * size.y() / size.maxCoeff()));
     camera = fitted(camera, low, high, areaMargin);
-    io::PngExport picture{printed, document::renderRequest(printed, camera), {}};
+    io::PlaneExport picture{printed, document::renderRequest(printed, camera), {}};
     picture.request.threads = io::threadsOfThisMachine();
     picture.request.samples = 40ULL * std::uint64_t(camera.width) * std::uint64_t(camera.height);
     picture.overlay.maps = picture.overlay.numbers = picture.overlay.fixedPoints = options.showsMaps;

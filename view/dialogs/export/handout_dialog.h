@@ -53,7 +53,7 @@ private:
 
 // The picture of a handout: the displayed attractor on paper, with the cage and its numbered images where
 // the options want them.
-io::PngExport handoutPicture(const document::Fractal& fractal, const HandoutOptions& options);
+io::PlaneExport handoutPicture(const document::Fractal& fractal, const HandoutOptions& options);
 // The same of an entry in space, seen as at first.
 struct HandoutPictureInSpace {
     io::SpaceExport picture;

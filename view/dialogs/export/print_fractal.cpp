@@ -61,13 +61,13 @@ attractor::Camera withoutMargins(const document::Fractal& fractal, attractor::Ca
     return camera;
 }
 
-io::PngExport pictureFor(const document::Fractal& fractal, attractor::Camera camera) {
+io::PlaneExport pictureFor(const document::Fractal& fractal, attractor::Camera camera) {
     const double factor = double(longSide) / std::max({1, camera.width, camera.height});
     camera.width = std::max(1, int(camera.width * factor));
     camera.height = std::max(1, int(camera.height * factor));
     camera.pixelsPerUnit *= factor;
     const document::Fractal printed = onPaper(fractal);
-    io::PngExport picture{printed, document::renderRequest(printed, camera), {}};
+    io::PlaneExport picture{printed, document::renderRequest(printed, camera), {}};
     picture.request.threads = io::threadsOfThisMachine();
     picture.request.samples = 50ull * std::uint64_t(camera.width) * std::uint64_t(camera.height);
     return picture;

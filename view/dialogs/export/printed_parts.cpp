@@ -118,7 +118,7 @@ document::Fractal onPaper(document::Fractal fractal) {
     return fractal;
 }
 
-QImage drawnForPaper(const io::PngExport& picture, QWidget* parent) {
+QImage drawnForPaper(const io::PlaneExport& picture, QWidget* parent) {
     return drawn(io::drawBeside(picture), parent);
 }
 

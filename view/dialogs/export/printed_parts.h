@@ -41,7 +41,7 @@ QFont printedFont(const QPainter& painter, double pixels, bool bold);
 // The look on paper: a dark screen would drown the page in ink, and what glows on it would be pale on white.
 document::Fractal onPaper(document::Fractal fractal);
 // Null when the user has changed their mind, or closed the window.
-QImage drawnForPaper(const io::PngExport& picture, QWidget* parent);
+QImage drawnForPaper(const io::PlaneExport& picture, QWidget* parent);
 QImage drawnForPaper(const io::SpaceExport& picture, QWidget* parent);
 
 // As a solid is seen at first.

@@ -4,15 +4,13 @@
 #include "dialogs/export/export_preview.h"
 #include "dialogs/export/export_size_editor.h"
 #include "dialogs/export/large_export.h"
-#include "dialogs/export/last_export.h"
 #include "document/fractal/space_geometry.h"
-#include "document/text/unique_names.h"
+#include "document/text/stereo_modes.h"
+#include "document/text/text.h"
 #include "io/exports/recipe_json.h"
 #include "io/picture/picture_writers.h"
 #include "io/solid/openscad.h"
-#include "widgets/background/save_beside.h"
 #include "widgets/choices.h"
-#include "widgets/file_dialogs.h"
 #include "widgets/numbers/number_box.h"
 #include "widgets/text/tooltip_text.h"
 
@@ -23,7 +21,6 @@
 #include <QFormLayout>
 #include <QJsonDocument>
 #include <QJsonObject>
-#include <QPointer>
 #include <QSpinBox>
 
 #include <algorithm>
@@ -32,7 +29,6 @@ namespace view {
 
 namespace {
 
-const QString solidKind = QStringLiteral("solid");
 constexpr int theCanvas = -1; // among the saved views
 
 QStringList suffixes() {
@@ -46,7 +42,7 @@ QStringList suffixes() {
 
 SpaceExportDialog::SpaceExportDialog(document::Document* document, const attractor::OrbitCamera& camera,
                                      QWidget* parent)
-    : ExportShell(parent),
+    : ExportShell(QStringLiteral("solid"), document->fractal().name, parent),
       m_fractal(document->fractal()),
       m_camera(camera),
       m_views(document::savedViews(m_fractal)),
@@ -71,17 +67,13 @@ SpaceExportDialog::SpaceExportDialog(document::Document* document, const attract
     createPicture();
     createBody();
     m_preview = new ExportPreview(this);
-    auto* options = new QWidget(this);
-    options->setLayout(m_form);
-    m_form->setContentsMargins({});
-    lay(options, m_preview, Qt::Horizontal);
+    lay(m_form, m_preview, Qt::Horizontal);
     setStartHelp(tr("Asks for a file name and writes the file."));
     addQueueButton(tr("Asks for a file name and adds the file to the queue in the Exports panel. "
                       "The queue continues after a restart."));
-    const LastExport last = lastExport(solidKind);
-    setFormat(ifs::named<Format>(last.format.toStdString()).value_or(Format::Png));
-    m_size->choose(last.size);
-    showBody(last.more);
+    setFormat(ifs::named<Format>(last().format.toStdString()).value_or(Format::Png));
+    m_size->choose(last().size);
+    showBody(last().more);
     connect(m_format, &QComboBox::currentIndexChanged, this, &SpaceExportDialog::update);
     connect(m_size, &ExportSizeEditor::changed, this, &SpaceExportDialog::showPreview);
     connect(m_transparent, &QCheckBox::toggled, this, &SpaceExportDialog::showPreview);
@@ -110,7 +102,7 @@ void SpaceExportDialog::createPicture() {
         tr("Computes this many cells along each side of a pixel, for smoother edges."));
     m_form->addRow(tr("S&upersampling:"), m_supersample);
     m_depth = new QComboBox(this);
-    using Depth = io::PngFormat::Depth;
+    using Depth = io::PictureFormat::Depth;
     addChoice(m_depth, tr("8 bits"), Depth::Bits8);
     addChoice(m_depth, tr("16 bits"), Depth::Bits16);
     if (m_fractal.inSpace.look == attractor::LookInSpace::Normals) chooseValue(m_depth, Depth::Bits16);
@@ -120,9 +112,8 @@ void SpaceExportDialog::createPicture() {
     m_transparent->setWhatsThis(tr("Makes the surroundings of the solid transparent."));
     m_form->addRow(QString(), m_transparent);
     m_stereo = new QComboBox(this);
-    addChoice(m_stereo, tr("One picture"), io::Stereo::None);
-    addChoice(m_stereo, tr("Both eyes, side by side"), io::Stereo::SideBySide);
-    addChoice(m_stereo, tr("Red and cyan glasses"), io::Stereo::Anaglyph);
+    for (const document::StereoMode& mode : document::stereoModes())
+        addChoice(m_stereo, Text::tr(mode.title), mode.value);
     m_stereo->setWhatsThis(tr("For both eyes: two pictures side by side, or one in red and cyan."));
     m_form->addRow(tr("Stere&o:"), m_stereo);
 }
@@ -225,22 +216,11 @@ std::optional<io::ExportRecipe> SpaceExportDialog::recipe() const {
     picture.isTransparent = m_transparent->isChecked() && io::factsOf(picture.file).canBeTransparent;
     picture.stereo = chosenValue<io::Stereo>(m_stereo);
     picture.supersample = m_supersample->value();
-    using enum io::PngFormat::Depth;
-    picture.depth = picture.page ? Bits8 : chosenValue<io::PngFormat::Depth>(m_depth);
+    using enum io::PictureFormat::Depth;
+    picture.depth = picture.page ? Bits8 : chosenValue<io::PictureFormat::Depth>(m_depth);
     if (!io::takes(picture.file, picture.depth)) picture.depth = picture.depth == Bits8 ? Bits16 : Bits8;
     picture.dotsPerInch = m_size->dotsPerInch();
     return picture;
-}
-
-io::Export SpaceExportDialog::toExport() {
-    io::Export what = io::exportOf(*recipe(), m_fractal);
-    if (auto* body = std::get_if<io::SolidExport>(&what))
-        body->whenMade = [this, options = body->options](const io::SolidFacts& facts) {
-            const QString summary = io::summaryOf(facts, options);
-            QMetaObject::invokeMethod(
-                this, [this, summary] { m_summary = summary; }, Qt::QueuedConnection);
-        };
-    return what;
 }
 
 void SpaceExportDialog::showPreview() {
@@ -257,7 +237,7 @@ void SpaceExportDialog::update() {
     check();
     const auto file = pictureFile();
     const bool isPicture = file.has_value();
-    using enum io::PngFormat::Depth;
+    using enum io::PictureFormat::Depth;
     const bool hasDepths = file && !page() && io::takes(*file, Bits8) && io::takes(*file, Bits16);
     const bool isDepth = m_fractal.inSpace.look == attractor::LookInSpace::Depth;
     const bool isNumbers = isDepth || m_fractal.inSpace.look == attractor::LookInSpace::Normals;
@@ -298,12 +278,9 @@ io::Failure SpaceExportDialog::obstacle() const {
 
 QString SpaceExportDialog::chosenFile() {
     if (pictureFile() && !confirmLargeExport(this, m_size->pixels(), 0)) return {};
-    const QString filter = tr("%1 files (*.%2)").arg(suffix().toUpper(), suffix());
-    const QString fileName = document::uniqueName({}, m_fractal.name) + u'.' + suffix();
-    const QString path =
-        chooseFileToSave(this, tr("Export"), suggestedPath(solidKind, fileName), filter, suffix());
+    const QString path = chooseFile({.title = tr("Export"), .suffix = suffix()});
     if (path.isEmpty() || !takeFormat(path)) return {};
-    rememberExport(solidKind, {suffix(), m_size->choice(), bodyText()}, path);
+    remember({suffix(), m_size->choice(), bodyText()}, path);
     return path;
 }
 
@@ -327,25 +304,23 @@ std::optional<io::ExportRecipe> SpaceExportDialog::recipeFor(const QString& path
 
 void SpaceExportDialog::exportTo(const QString& path) {
     if (!takeFormat(path) || !isPossible()) return;
-    m_summary.clear();
-    if (format() != Format::OpenScad) return start(toExport(), path);
-    const io::OpenScad program = io::openScad(m_fractal);
-    io::ExportOutcome outcome;
-    outcome.failure = program.failure;
-    if (!outcome.failure) {
-        const QPointer self(this);
-        const auto [isCancelled, failure] = saveBeside(path, program.text, this);
-        if (!self) return;
-        outcome.stopped = isCancelled;
-        outcome.failure = failure;
+    m_summary = std::make_shared<QString>();
+    if (format() == Format::OpenScad) {
+        const io::OpenScad program = io::openScad(m_fractal);
+        return program.failure ? finish({program.failure}, path) : writeText(program.text, path);
     }
-    finish(outcome, path);
+    io::Export what = io::exportOf(*recipe(), m_fractal);
+    if (auto* body = std::get_if<io::SolidExport>(&what))
+        body->whenMade = [summary = m_summary, options = body->options](const io::SolidFacts& facts) {
+            *summary = io::summaryOf(facts, options);
+        };
+    start(std::move(what), path);
 }
 
 QString SpaceExportDialog::sentenceFor(const io::ExportOutcome& outcome, const QString& path) const {
     const QString sentence = ExportShell::sentenceFor(outcome, path);
     const bool isWritten = !outcome.stopped && !outcome.failure;
-    return isWritten && !m_summary.isEmpty() ? sentence + u'\n' + m_summary : sentence;
+    return isWritten && !m_summary->isEmpty() ? sentence + u'\n' + *m_summary : sentence;
 }
 
 } // namespace view

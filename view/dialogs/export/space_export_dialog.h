@@ -7,6 +7,7 @@
 #include "document/saved_views.h"
 #include "ifs/names.h"
 
+#include <memory>
 #include <optional>
 
 class QCheckBox;
@@ -55,8 +56,7 @@ private:
     QString suffix() const;
     attractor::OrbitCamera camera() const;
     std::optional<io::ExportRecipe> recipe() const; // nullopt of a program, which takes no time
-    io::Export toExport();
-    io::Failure obstacle() const; // why nothing can be written in this format
+    io::Failure obstacle() const;                   // why nothing can be written in this format
     void update();
     void check(); // whether it can be written, and says so
     void showPreview();
@@ -79,7 +79,8 @@ private:
     QDoubleSpinBox* m_wall = nullptr;
     QCheckBox* m_fill = nullptr;
     io::Failure m_obstacle;
-    QString m_summary; // of the body that was written
+    // Of the body that was written. A thread writes it, so that each export has its own.
+    std::shared_ptr<QString> m_summary = std::make_shared<QString>();
 };
 
 } // namespace view

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "panels/collage/fit_box.h"
 
-#include "io/picture/png_export.h"
+#include "io/picture/plane_export.h"
 #include "widgets/choices.h"
 #include "widgets/layout/vertical_scroll_area.h"
 #include "widgets/numbers/number_box.h"

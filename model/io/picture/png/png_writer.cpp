@@ -15,7 +15,7 @@ namespace io {
 
 // libpng leaves by longjmp when something fails: the functions that call it hold no object with a destructor.
 struct PngWriter::State {
-    State(QIODevice& to, const PngFormat& given) : device(to), format(given) {
+    State(QIODevice& to, const PictureFormat& given) : device(to), format(given) {
         const size_t channels = grey() ? 1 : transparent() ? 4 : 3;
         row.resize(size_t(format.width) * channels * (deep() ? 2 : 1));
     }
@@ -23,7 +23,7 @@ struct PngWriter::State {
     png_structp png = nullptr;
     png_infop info = nullptr;
     LibraryDevice device;
-    PngFormat format;
+    PictureFormat format;
     std::vector<png_byte> row;
     Failure failure;
 
@@ -42,9 +42,9 @@ struct PngWriter::State {
     void encode(const attractor::Rgba16* pixels);
     void encode(const std::uint16_t* values);
     template <class Pixel> Failure writeRows(std::span<const Pixel> pixels);
-    bool transparent() const { return format.pixels == PngFormat::Pixels::Transparent; }
-    bool grey() const { return format.pixels == PngFormat::Pixels::Grey; }
-    bool deep() const { return format.depth == PngFormat::Depth::Bits16; }
+    bool transparent() const { return format.pixels == PictureFormat::Pixels::Transparent; }
+    bool grey() const { return format.pixels == PictureFormat::Pixels::Grey; }
+    bool deep() const { return format.depth == PictureFormat::Depth::Bits16; }
 };
 
 namespace {
@@ -157,7 +157,7 @@ bool PngWriter::State::finish() {
     return true;
 }
 
-PngWriter::PngWriter(QIODevice& device, const PngFormat& format)
+PngWriter::PngWriter(QIODevice& device, const PictureFormat& format)
     : m_state(std::make_unique<State>(device, format)) {
     if (!m_state->start()) m_state->fail();
 }

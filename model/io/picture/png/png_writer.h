@@ -9,13 +9,11 @@
 
 namespace io {
 
-using PngFormat = PictureFormat;
-
 // Writes an sRGB picture; only the rows at hand need memory.
 class PngWriter final : public PictureWriter {
 public:
     // The device is open for writing and outlives the writer.
-    PngWriter(QIODevice& device, const PngFormat& format);
+    PngWriter(QIODevice& device, const PictureFormat& format);
     ~PngWriter() override;
 
     Failure writeRows(std::span<const std::uint32_t> pixels) override;

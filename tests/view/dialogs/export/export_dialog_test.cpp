@@ -230,7 +230,7 @@ void ExportDialogTest::theEndingOfTheNameDecides() {
     dialog.show();
     for (auto* box : dialog.findChildren<QCheckBox*>())
         if (box->text().contains(QStringLiteral("background"))) box->setChecked(true);
-    support::choose(named<QComboBox>(dialog, "Colour depth"), io::PngFormat::Depth::Bits16);
+    support::choose(named<QComboBox>(dialog, "Colour depth"), io::PictureFormat::Depth::Bits16);
     QSignalSpy exported(&dialog, &ExportDialog::exported);
     const QString path =
         m_folder.filePath(QStringLiteral("by name.") + QLatin1String(QTest::currentDataTag()));

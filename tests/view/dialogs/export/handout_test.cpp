@@ -332,11 +332,11 @@ private slots:
 
     void thePictureShowsAllOfTheCage() {
         const document::Fractal fractal = document::sierpinskiTriangle();
-        const io::PngExport with = handoutPicture(fractal, {});
+        const io::PlaneExport with = handoutPicture(fractal, {});
         QVERIFY(with.overlay.cage && with.overlay.maps && with.overlay.numbers);
         HandoutOptions plain;
         plain.showsMaps = false;
-        const io::PngExport without = handoutPicture(fractal, plain);
+        const io::PlaneExport without = handoutPicture(fractal, plain);
         QVERIFY(!without.overlay.cage && !without.overlay.maps);
         // Of this colour are the maps that have it, but not the cage.
         const auto coloured = [&](const io::PictureOverlay& overlay) {

@@ -220,11 +220,11 @@ void LastExportTest::kindsKnowNothingOfEachOther() {
 void LastExportTest::theFolderOfTheFileIsTheFirst() {
     const QTemporaryDir own;
     auto dialog = picture();
-    dialog->setFolder(own.path());
+    dialog->suggestFolderOf(own.filePath(QStringLiteral("a.ifs")));
     QCOMPARE(QFileInfo(exportAs(*dialog, {})).path(), own.path());
     exportAs(*dialog, path("a.png"));
     dialog = picture();
-    dialog->setFolder(own.path());
+    dialog->suggestFolderOf(own.filePath(QStringLiteral("a.ifs")));
     QCOMPARE(QFileInfo(exportAs(*dialog, {})).path(), m_folder->path());
 }
 

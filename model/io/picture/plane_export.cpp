@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "io/picture/png_export.h"
+#include "io/picture/plane_export.h"
 
 #include "io/fractint/entry_writer.h"
 #include "io/overlay/map_legend.h"
@@ -20,13 +20,13 @@ using attractor::Rgba16;
 
 enum class Drawn { All, Stopped, Refused };
 
-const document::Fractal& explained(const PngExport& picture) {
+const document::Fractal& explained(const PlaneExport& picture) {
     return picture.explained ? *picture.explained : picture.fractal;
 }
 
 // Band after band, from the top: into what room(first row, rows) gives, then take(pixels).
 template <class Pixel, class Room, class Take>
-Drawn drawBands(const PngExport& picture, Room room, Take take, const Progress& progress,
+Drawn drawBands(const PlaneExport& picture, Room room, Take take, const Progress& progress,
                 const std::stop_token& stop, attractor::RenderNote& note) {
     const attractor::Camera& camera = picture.request.camera;
     attractor::BandedRendering rendering(picture.request);
@@ -61,7 +61,7 @@ Drawn drawBands(const PngExport& picture, Room room, Take take, const Progress& 
     return Drawn::All;
 }
 
-PictureFormat formatOf(const PngExport& picture, const QImage& legend = {}) {
+PictureFormat formatOf(const PlaneExport& picture, const QImage& legend = {}) {
     PictureFormat format;
     format.width = picture.request.camera.width + legend.width();
     format.height = picture.request.camera.height;
@@ -75,13 +75,13 @@ PictureFormat formatOf(const PngExport& picture, const QImage& legend = {}) {
     return format;
 }
 
-QImage legendOf(const PngExport& picture, QImage::Format format) {
+QImage legendOf(const PlaneExport& picture, QImage::Format format) {
     if (!picture.withLegend) return {};
     return mapLegend(explained(picture), picture.request.camera.height).convertToFormat(format);
 }
 
 template <class Pixel>
-ExportOutcome drawInto(QIODevice& file, const PngExport& picture, const Progress& progress,
+ExportOutcome drawInto(QIODevice& file, const PlaneExport& picture, const Progress& progress,
                        const std::stop_token& stop) {
     ExportOutcome outcome;
     const QImage legend = legendOf(picture, imageFormat<Pixel>);
@@ -114,7 +114,7 @@ ExportOutcome drawInto(QIODevice& file, const PngExport& picture, const Progress
 
 } // namespace
 
-Picture drawPicture(const PngExport& picture, const Progress& progress, std::stop_token stop) {
+Picture drawPicture(const PlaneExport& picture, const Progress& progress, std::stop_token stop) {
     const attractor::Camera& camera = picture.request.camera;
     Picture drawn{QImage(camera.width, camera.height, QImage::Format_ARGB32_Premultiplied), {}};
     if (drawn.image.isNull()) return drawn;
@@ -128,31 +128,22 @@ Picture drawPicture(const PngExport& picture, const Progress& progress, std::sto
     return drawn;
 }
 
-ExportOutcome exportPng(const PngExport& picture, const QString& path, const Progress& progress,
-                        std::stop_token stop) {
-    ExportOutcome outcome;
-    outcome.failure = whyImpossible(picture);
-    if (outcome.failure) return outcome;
-    NewFile file(path);
-    outcome.failure = file.failure();
-    if (outcome.failure) return outcome;
-    outcome = picture.depth == PngFormat::Depth::Bits16
-                  ? drawInto<Rgba16>(file, picture, progress, stop)
-                  : drawInto<std::uint32_t>(file, picture, progress, stop);
-    if (file.failure())
-        outcome.failure = file.failure();
-    else if (!outcome.failure && !outcome.stopped)
-        outcome.failure = file.commit();
-    return outcome;
+ExportOutcome exportPlane(const PlaneExport& picture, const QString& path, const Progress& progress,
+                          std::stop_token stop) {
+    return writtenWhole(path, whyImpossible(picture), [&](QIODevice& file) {
+        return picture.depth == PictureFormat::Depth::Bits16
+                   ? drawInto<Rgba16>(file, picture, progress, stop)
+                   : drawInto<std::uint32_t>(file, picture, progress, stop);
+    });
 }
 
-Failure whyImpossible(const PngExport& picture) {
+Failure whyImpossible(const PlaneExport& picture) {
     return whyImpossible(picture.file, formatOf(picture, legendOf(picture, QImage::Format_RGB32)));
 }
 
-std::uint64_t memoryFor(const PngExport& picture) {
+std::uint64_t memoryFor(const PlaneExport& picture) {
     const std::size_t pixel =
-        picture.depth == PngFormat::Depth::Bits16 ? sizeof(Rgba16) : sizeof(std::uint32_t);
+        picture.depth == PictureFormat::Depth::Bits16 ? sizeof(Rgba16) : sizeof(std::uint32_t);
     const auto rows =
         std::uint64_t(attractor::BandedRendering::rowsWithin(picture.request, picture.bandBytes));
     const auto width = std::uint64_t(std::max(1, picture.request.camera.width));

@@ -5,29 +5,28 @@
 #include "document/fractal/fractal.h"
 #include "io/overlay/cage_overlay.h"
 #include "io/overlay/picture_overlay.h"
+#include "io/picture/export_outcome.h"
 #include "io/picture/png/png_writer.h"
 
 #include <QImage>
 #include <QString>
 
 #include <cstdint>
-#include <functional>
 #include <memory>
 #include <optional>
 #include <stop_token>
 
 namespace io {
 
-using Progress = std::function<void(double fraction)>; // 0 … 1, called in the thread that works
-
-struct PngExport {
+// A picture of an entry in the plane, in any kind of file that is made of pixels.
+struct PlaneExport {
     document::Fractal fractal;        // embedded in the picture as text
     attractor::RenderRequest request; // what is drawn; its samples are those of the whole picture
     std::optional<double> dotsPerInch;
     CageVisibility cage = CageVisibility::Hidden;
-    PngFormat::Depth depth = PngFormat::Depth::Bits8;
+    PictureFormat::Depth depth = PictureFormat::Depth::Bits8;
     std::optional<attractor::DividedPicture> divided{};     // what of it is drawn here, and what elsewhere
-    std::vector<std::pair<QByteArray, QByteArray>> texts{}; // further ones, as in PngFormat
+    std::vector<std::pair<QByteArray, QByteArray>> texts{}; // further ones, as in PictureFormat
     // What a shutter sees in place of the request's moment; see BandedRendering::openShutter().
     std::vector<attractor::RenderRequest> moments{};
     std::optional<attractor::Exposure> exposure{}; // mean density included; else that of the picture itself
@@ -39,31 +38,23 @@ struct PngExport {
     std::size_t bandBytes = 256U << 20; // for the cells of the rows that are drawn at a time; same picture
 };
 
-struct ExportOutcome {
-    Failure failure;
-    bool stopped = false; // on request; nothing was written
-    attractor::RenderNote note = attractor::RenderNote::None;
-    bool isShortOfMemory = false;
-    bool isCoarse = false; // of a solid: so many pieces lie on each other that parts may be missing
-};
-
 // Draws and writes the picture, of whatever kind of file, some rows at a time; `path` appears whole or not at
 // all.
-ExportOutcome exportPng(const PngExport& picture, const QString& path, const Progress& progress = {},
-                        std::stop_token stop = {});
+ExportOutcome exportPlane(const PlaneExport& picture, const QString& path, const Progress& progress = {},
+                          std::stop_token stop = {});
 
 // Why the kind of file cannot hold the picture, before it is drawn.
-Failure whyImpossible(const PngExport& picture);
+Failure whyImpossible(const PlaneExport& picture);
 
 // The same picture in memory, without the legend, 8 bits per channel; null when stopped.
 struct Picture {
     QImage image;
     attractor::RenderNote note = attractor::RenderNote::None;
 };
-Picture drawPicture(const PngExport& picture, const Progress& progress = {}, std::stop_token stop = {});
+Picture drawPicture(const PlaneExport& picture, const Progress& progress = {}, std::stop_token stop = {});
 
-// Memory that exportPng() takes for this picture, in bytes, about.
-std::uint64_t memoryFor(const PngExport& picture);
+// Memory that exportPlane() takes for this picture, in bytes, about.
+std::uint64_t memoryFor(const PlaneExport& picture);
 
 int threadsOfThisMachine(); // ≥ 1
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "document/fractal/fractal_geometry.h"
+#include "io/picture/plane_export.h"
 #include "io/picture/png/png_system.h"
-#include "io/picture/png_export.h"
 #include "support/named_test.h"
 
 #include <QColorSpace>
@@ -14,11 +14,11 @@ using namespace io;
 
 namespace {
 
-PngExport picture(int width, int height) {
+PlaneExport picture(int width, int height) {
     attractor::Camera camera;
     camera.width = width;
     camera.height = height;
-    PngExport result;
+    PlaneExport result;
     result.fractal = document::sierpinskiTriangle();
     result.request = document::renderRequest(result.fractal, fitted(camera, {0, 0}, {1, 0.9}));
     result.request.samples = 3'000'000;
@@ -33,7 +33,7 @@ QByteArray bytesOf(const QString& path) {
 
 } // namespace
 
-class PngExportTest : public QObject {
+class PlaneExportTest : public QObject {
     Q_OBJECT
 
 private slots:
@@ -45,18 +45,18 @@ private slots:
     void memoryIsThatOfABand();
 
 private:
-    QByteArray exported(const PngExport& what) {
+    QByteArray exported(const PlaneExport& what) {
         const QString path = m_folder.filePath(QStringLiteral("a.png"));
-        const ExportOutcome outcome = exportPng(what, path);
+        const ExportOutcome outcome = exportPlane(what, path);
         return outcome.failure || outcome.stopped ? QByteArray() : bytesOf(path);
     }
     QTemporaryDir m_folder;
 };
 
-void PngExportTest::bandsGiveTheSameFile() {
-    for (const auto depth : {PngFormat::Depth::Bits8, PngFormat::Depth::Bits16})
+void PlaneExportTest::bandsGiveTheSameFile() {
+    for (const auto depth : {PictureFormat::Depth::Bits8, PictureFormat::Depth::Bits16})
         for (const auto cage : {CageVisibility::Hidden, CageVisibility::Shown}) {
-            PngExport what = picture(300, 211);
+            PlaneExport what = picture(300, 211);
             what.depth = depth;
             what.cage = cage;
             const QByteArray whole = exported(what);
@@ -64,24 +64,24 @@ void PngExportTest::bandsGiveTheSameFile() {
             what.bandBytes = 7 * attractor::BandedRendering::bytesPerRow(what.request);
             QVERIFY(exported(what) == whole);
             const QImage image = QImage::fromData(whole, "PNG");
-            QCOMPARE(image.depth(), depth == PngFormat::Depth::Bits16 ? 64 : 32);
+            QCOMPARE(image.depth(), depth == PictureFormat::Depth::Bits16 ? 64 : 32);
             QVERIFY(!readPngSystem(whole).failure);
         }
 }
 
-void PngExportTest::theClipboardsPictureIsTheSame() {
-    const PngExport what = picture(300, 211);
+void PlaneExportTest::theClipboardsPictureIsTheSame() {
+    const PlaneExport what = picture(300, 211);
     QImage file = QImage::fromData(exported(what), "PNG").convertToFormat(QImage::Format_RGB32);
     file.setColorSpace({});
     QCOMPARE(drawPicture(what).image.convertToFormat(QImage::Format_RGB32), file);
 }
 
-void PngExportTest::progressGrowsToTheEnd() {
-    PngExport what = picture(200, 150);
+void PlaneExportTest::progressGrowsToTheEnd() {
+    PlaneExport what = picture(200, 150);
     what.bandBytes = 20 * attractor::BandedRendering::bytesPerRow(what.request);
     double told = 0;
     int calls = 0;
-    const auto outcome = exportPng(what, m_folder.filePath(QStringLiteral("b.png")), [&](double fraction) {
+    const auto outcome = exportPlane(what, m_folder.filePath(QStringLiteral("b.png")), [&](double fraction) {
         QVERIFY(fraction >= told && fraction <= 1);
         told = fraction;
         ++calls;
@@ -91,13 +91,13 @@ void PngExportTest::progressGrowsToTheEnd() {
     QVERIFY(calls > 16);
 }
 
-void PngExportTest::stoppingLeavesNothing() {
-    PngExport what = picture(200, 150);
+void PlaneExportTest::stoppingLeavesNothing() {
+    PlaneExport what = picture(200, 150);
     what.bandBytes = 20 * attractor::BandedRendering::bytesPerRow(what.request);
     const QString path = m_folder.filePath(QStringLiteral("never.png"));
     for (const double when : {0.0, 0.3, 0.85}) {
         std::stop_source stop;
-        const auto outcome = exportPng(
+        const auto outcome = exportPlane(
             what, path,
             [&](double fraction) {
                 if (fraction >= when) stop.request_stop();
@@ -110,33 +110,33 @@ void PngExportTest::stoppingLeavesNothing() {
 }
 
 // Symbolic links and permissions stay, and what is no ordinary file is refused before anything is drawn.
-void PngExportTest::aPictureIsSavedAsOtherFilesAre() {
-    const PngExport what = picture(20, 15);
+void PlaneExportTest::aPictureIsSavedAsOtherFilesAre() {
+    const PlaneExport what = picture(20, 15);
     const QString path = m_folder.filePath(QStringLiteral("kept.png"));
     const QString link = m_folder.filePath(QStringLiteral("link.png"));
-    QVERIFY(!exportPng(what, path).failure);
+    QVERIFY(!exportPlane(what, path).failure);
     QVERIFY(QFile::setPermissions(path, QFile::ReadOwner | QFile::WriteOwner));
     QVERIFY(QFile::link(path, link));
     const QByteArray before = bytesOf(path);
     QVERIFY(QFile::resize(path, 0));
-    QVERIFY(!exportPng(what, link).failure);
+    QVERIFY(!exportPlane(what, link).failure);
     QVERIFY(QFileInfo(link).isSymLink());
     QCOMPARE(bytesOf(path), before);
     QVERIFY(!(QFile::permissions(path) & (QFile::ReadGroup | QFile::ReadOther)));
     bool hasBegun = false;
-    const auto outcome = exportPng(what, m_folder.path(), [&](double) { hasBegun = true; });
+    const auto outcome = exportPlane(what, m_folder.path(), [&](double) { hasBegun = true; });
     QVERIFY(outcome.failure && outcome.failure->contains(QStringLiteral("is a folder")));
     QVERIFY(!hasBegun);
 }
 
-void PngExportTest::memoryIsThatOfABand() {
-    PngExport what = picture(30'000, 30'000);
+void PlaneExportTest::memoryIsThatOfABand() {
+    PlaneExport what = picture(30'000, 30'000);
     QVERIFY(memoryFor(what) < 400U << 20);
-    what.depth = PngFormat::Depth::Bits16;
+    what.depth = PictureFormat::Depth::Bits16;
     what.request.appearance.supersample = 4;
     QVERIFY(memoryFor(what) < 400U << 20);
     QVERIFY(memoryFor(picture(300, 200)) < 4U << 20);
 }
 
-BARYCAGE_TEST(PngExportTest, QCoreApplication);
-#include "png_export_test.moc"
+BARYCAGE_TEST(PlaneExportTest, QCoreApplication);
+#include "plane_export_test.moc"

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "document/document.h"
+#include "messages/message_banner.h"
+
+// After a file was written without a dialog: which one, and the way to its folder. Closes at the next edit.
+class WrittenBanner : public MessageBanner {
+    Q_OBJECT
+
+public:
+    // Replaces the one that is open. The sentence has a place for the file's name, %1.
+    static void offer(QMainWindow* window, const document::Document& document, const QString& path,
+                      const QString& title, const QString& sentence);
+
+private:
+    WrittenBanner(QMainWindow* host, const document::Document& document, const QString& path,
+                  const QString& title, const QString& sentence);
+};

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "attractor/render/banded_rendering.h"
+#include "io/file/save_file.h"
+
+#include <QIODevice>
+#include <QString>
+
+#include <functional>
+
+namespace io {
+
+using Progress = std::function<void(double fraction)>; // 0 … 1, called in the thread that works
+
+struct ExportOutcome {
+    Failure failure;
+    bool stopped = false; // on request; nothing was written
+    attractor::RenderNote note = attractor::RenderNote::None;
+    bool isShortOfMemory = false;
+    bool isCoarse = false; // of a solid: so many pieces lie on each other that parts may be missing
+};
+
+// What `draw` writes to the device becomes the file, unless it fails or is stopped: `path` appears whole or not
+// at all. What stands in the way of drawing is the outcome before anything is begun.
+ExportOutcome writtenWhole(const QString& path, const Failure& obstacle,
+                           const std::function<ExportOutcome(QIODevice& device)>& draw);
+
+} // namespace io
