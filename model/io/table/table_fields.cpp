@@ -121,6 +121,10 @@ SpaceHeader spaceHeader(const QStringList& names) {
                                          : SpaceHeader::None;
 }
 
+bool nameAllColumns(const QStringList& names) {
+    return tableColumns(names) || spaceHeader(names) != SpaceHeader::None;
+}
+
 std::optional<Picks> pickedByName(const QStringList& names) {
     if (auto picks = picked(names, 0)) return picks;
     return names.isEmpty() ? std::nullopt : picked(names, 1); // "f" over the labels is no coefficient

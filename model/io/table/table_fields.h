@@ -32,6 +32,8 @@ QStringList namesOf(const Row& header); // of each field, its words together
 // Names of the columns a … l of a map in space, with or without its weight.
 enum class SpaceHeader { None, Plain, Weighted };
 SpaceHeader spaceHeader(const QStringList& names);
+// Whether these are the columns of a map, in the plane or in space.
+bool nameAllColumns(const QStringList& names);
 
 // Which fields hold the columns of a map, where there are others.
 struct Picks {
