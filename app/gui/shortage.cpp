@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "shortage.h"
 
-#include "application.h"
 #include "document/background/background_threads.h"
 
+#include <QApplication>
+#include <QCoreApplication>
 #include <QGuiApplication>
 #include <QMessageBox>
 #include <QPointer>
@@ -24,8 +25,9 @@ std::atomic<bool> hasStarted = false;
 QtMessageHandler handlerBefore = nullptr;
 
 QString noThread() {
-    return Application::tr("The system does not let Barycage start another thread. Close other programs, or "
-                           "raise the limit on processes, and try again.");
+    return QCoreApplication::translate(
+        "Application", "The system does not let Barycage start another thread. Close other programs, or "
+                       "raise the limit on processes, and try again.");
 }
 
 void print(const QString& sentence) {
@@ -101,7 +103,7 @@ void sayNoThread() {
 }
 
 void sayNoMemory() {
-    say(Application::tr("There is not enough memory for this."));
+    say(QCoreApplication::translate("Application", "There is not enough memory for this."));
 }
 
 void endAtStart() {

@@ -12,7 +12,7 @@ namespace io {
 
 namespace {
 
-constexpr qsizetype maxText = 4 * 1024 * 1024;
+constexpr qsizetype longestText = 4 * 1024 * 1024;
 
 bool isColumnName(const QString& name) {
     return tableColumn(name) || (name.size() == 1 && name[0] >= u'a' && name[0] <= u'l');
@@ -36,7 +36,7 @@ QList<MarkupRow> namedNumbers(const QString& text) {
     static const QRegularExpression pair(
         QStringLiteral(R"((?<![\p{L}\d_.])(\p{L}+)(?:_?\{?\d{1,3}\}?)?\s*[:=]\s*([^\s,;|&=]+))"),
         QRegularExpression::UseUnicodePropertiesOption);
-    if (text.size() > maxText) return {};
+    if (text.size() > longestText) return {};
     QList<MarkupRow> rows;
     QStringList names, numbers, wanted;
     int line = 1, begun = 1;

@@ -22,8 +22,8 @@
 
 namespace {
 
-constexpr int bound = 60'000;
-const QByteArray sentence = "The system does not let Barycage start another thread.";
+constexpr int longestWait = 60'000;
+const QByteArray noThreadSentence = "The system does not let Barycage start another thread.";
 
 QMessageBox* boxOnScreen() {
     for (QWidget* widget : QApplication::topLevelWidgets())
@@ -44,10 +44,10 @@ int goesOnWithoutThreads(MainWindow* window) {
     QAction* const newWindow = action(*window, QKeySequence(QStringLiteral("Ctrl+Shift+N")));
     for (int i = 0; i < 2; ++i) { // no less the second time
         QMetaObject::invokeMethod(newWindow, &QAction::trigger, Qt::QueuedConnection);
-        if (!QTest::qWaitFor([] { return boxOnScreen() != nullptr; }, bound)) return __LINE__;
-        if (!boxOnScreen()->text().toUtf8().startsWith(sentence)) return __LINE__;
+        if (!QTest::qWaitFor([] { return boxOnScreen() != nullptr; }, longestWait)) return __LINE__;
+        if (!boxOnScreen()->text().toUtf8().startsWith(noThreadSentence)) return __LINE__;
         boxOnScreen()->accept();
-        if (!QTest::qWaitFor([] { return !boxOnScreen(); }, bound)) return __LINE__;
+        if (!QTest::qWaitFor([] { return !boxOnScreen(); }, longestWait)) return __LINE__;
     }
     if (session::windows() != QList<SessionWindow*>{window}) return __LINE__;
     QImage large(3000, 3000, QImage::Format_ARGB32);
@@ -55,9 +55,9 @@ int goesOnWithoutThreads(MainWindow* window) {
     if (large.scaled(2000, 2000, Qt::IgnoreAspectRatio, Qt::SmoothTransformation).pixelColor(9, 9) != Qt::red)
         return __LINE__;
     action(*window, QKeySequence::Save)->trigger();
-    if (!QTest::qWaitFor([window] { return !window->document().isModified(); }, bound)) return __LINE__;
+    if (!QTest::qWaitFor([window] { return !window->document().isModified(); }, longestWait)) return __LINE__;
     window->close();
-    return QTest::qWaitFor([] { return session::allAreClosed(); }, bound) ? 0 : __LINE__;
+    return QTest::qWaitFor([] { return session::allAreClosed(); }, longestWait) ? 0 : __LINE__;
 }
 
 int editWithoutThreads(int argc, char** argv, const QString& path) {
@@ -104,7 +104,7 @@ private:
                                                                QStringLiteral(":verify_asan_link_order=0"));
         process.setProcessEnvironment(environment);
         process.start(command.first(), command.sliced(1));
-        QVERIFY(process.waitForStarted(bound));
+        QVERIFY(process.waitForStarted(longestWait));
     }
     // The window has read the file.
     bool isOpen() const {
@@ -127,17 +127,17 @@ void FewThreadsTest::theProgramStartsOrSaysWhy() {
         QByteArray said;
         const auto isDecided = [&] {
             said += process.readAllStandardError();
-            return process.state() == QProcess::NotRunning || said.contains(sentence) || isOpen();
+            return process.state() == QProcess::NotRunning || said.contains(noThreadSentence) || isOpen();
         };
-        const bool isAnswered = QTest::qWaitFor(isDecided, bound);
-        const bool hasOpened = isOpen() && !said.contains(sentence);
+        const bool isAnswered = QTest::qWaitFor(isDecided, longestWait);
+        const bool hasOpened = isOpen() && !said.contains(noThreadSentence);
         if (!hasOpened) process.waitForFinished(100); // unless a message box waits
         const bool hasEnded = process.state() == QProcess::NotRunning;
         process.kill();
         process.waitForFinished();
         const QByteArray what = QByteArray::number(most) + " threads: " + said;
         QVERIFY2(isAnswered, what.constData());
-        QVERIFY2(hasOpened || said.contains("barycage: error: " + sentence), what.constData());
+        QVERIFY2(hasOpened || said.contains("barycage: error: " + noThreadSentence), what.constData());
         if (hasEnded && !hasOpened) QCOMPARE(process.exitCode(), 3);
         (hasOpened ? opened : refused)++;
         QVERIFY2(most < 200, what.constData());
@@ -152,7 +152,7 @@ void FewThreadsTest::aWindowThatCannotBeOpenedIsSaid() {
           {QCoreApplication::applicationFilePath(), QStringLiteral("few_threads_test"),
            QStringLiteral("--edit"), path("a.ifs")},
           QStringLiteral("BARYCAGE_NO_THREADS_SINCE"), path("since"));
-    const bool hasEnded = process.waitForFinished(2 * bound);
+    const bool hasEnded = process.waitForFinished(2 * longestWait);
     process.kill();
     process.waitForFinished();
     QVERIFY(hasEnded);

@@ -20,6 +20,8 @@ private slots:
     void formulas();
     void listsAndLetters_data();
     void listsAndLetters();
+    void mapsWithNamesOfTheirOwn_data();
+    void mapsWithNamesOfTheirOwn();
     void badRowsOfOtherNotationsAreNamed_data();
     void badRowsOfOtherNotationsAreNamed();
     void textsInUtf16_data();
@@ -217,6 +219,17 @@ void NotationsTest::listsAndLetters_data() {
                 "a = [0.5 0.1];\nb = [0.1 0];\nc = [-0.2 0];\nd = [0.4 0.5];\n"
                 "e = [3 1];\nf = [7 0];\np = [0.25 0.75];\n",
                 lists);
+    addNotation(
+        "an array for each letter, JSON",
+        "{\"a\": [0.5, 0.1], \"b\": [0.1, 0], \"c\": [-0.2, 0], \"d\": [0.4, 0.5], \"e\": [3, 1], \"f\": [7, "
+        "0],\n"
+        "\"weights\": [0.25, 0.75]}",
+        lists);
+}
+
+void NotationsTest::mapsWithNamesOfTheirOwn_data() {
+    addNotationColumns();
+    const char* lists = "lists of numbers";
     addNotation("matrices of NumPy",
                 "A1 = np.array([[0.5, 0.1], [-0.2, 0.4]])\nb1 = np.array([3, 7])\n"
                 "A2 = np.array([[0.1, 0], [0, 0.5]])\nb2 = np.array([1, 0])\np = [0.25, 0.75]\n",
@@ -241,12 +254,10 @@ void NotationsTest::listsAndLetters_data() {
                 "Map 1\na_1 = 1/2, b_1 = .1, c_1 = −.2, d_1 = .4, e_1 = 3, f_1 = 7\nMap 2\n"
                 "a_2 = .1, b_2 = 0, c_2 = 0, d_2 = .5, e_2 = 1, f_2 = 0\n",
                 lists, false);
-    addNotation(
-        "an array for each letter, JSON",
-        "{\"a\": [0.5, 0.1], \"b\": [0.1, 0], \"c\": [-0.2, 0], \"d\": [0.4, 0.5], \"e\": [3, 1], \"f\": [7, "
-        "0],\n"
-        "\"weights\": [0.25, 0.75]}",
-        lists);
+}
+
+void NotationsTest::mapsWithNamesOfTheirOwn() {
+    checkNotation();
 }
 
 void NotationsTest::listsAndLetters() {
