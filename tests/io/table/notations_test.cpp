@@ -28,6 +28,8 @@ private slots:
     void textsInUtf16();
     void elementsOfGimp();
     void anglesByNameAreDegrees();
+    void anglesInTablesOfOthersAreDegrees_data();
+    void anglesInTablesOfOthersAreDegrees();
     void tablesBelowEachOtherAreEntries();
     void writtenLatexReadsBack();
 
@@ -352,6 +354,32 @@ void NotationsTest::tablesBelowEachOtherAreEntries() {
     QCOMPARE(*pair->maps[1].weight, .75);
     QCOMPARE(firstSystem(collection.file).maps.size(), std::size_t(3));
     QCOMPARE(collection.file.problems.size(), 1);
+}
+
+// ° changes nothing in a column of degrees, and what has a π is radians.
+void NotationsTest::anglesInTablesOfOthersAreDegrees_data() {
+    QTest::addColumn<QByteArray>("bytes");
+    QTest::newRow("LaTeX") << QByteArray(
+        "\\begin{tabular}{rrrrrr}\n$r$ & $s$ & $\\theta$ & $\\varphi$ & $e$ & $f$ \\\\\n"
+        "0.5 & 0.5 & $90^\\circ$ & \\ang{90} & 0.5 & 0 \\\\\n"
+        "0.5 & 0.5 & 90 & $\\frac{\\pi}{2}$ & 0.5 & 0 \\\\\n\\end{tabular}");
+    QTest::newRow("HTML") << QByteArray("<table><tr><th>r<th>s<th>&theta;<th>&phi;<th>e<th>f"
+                                        "<tr><td>.5<td>.5<td>90&deg;<td>90 &deg;<td>.5<td>0"
+                                        "<tr><td>.5<td>.5<td>&pi;/2<td>90<td>.5<td>0</table>");
+    QTest::newRow("Markdown") << QByteArray(
+        "| r | s | theta | phi | e | f |\n|--|--|--|--|--|--|\n"
+        "| .5 | .5 | 90° | pi / 2 | .5 | 0 |\n| .5 | .5 | 90 ° | 90 | .5 | 0 |\n");
+    QTest::newRow("a blank before the sign")
+        << QByteArray("r;s;θ;φ;e;f\n0,5;0,5;90 °;90 deg;0,5;0\n0,5;0,5;π/2;90°;0,5;0\n");
+}
+
+void NotationsTest::anglesInTablesOfOthersAreDegrees() {
+    QFETCH(QByteArray, bytes);
+    const io::Collection collection = io::readCollection(bytes);
+    const auto& maps = firstSystem(collection.file).maps;
+    QCOMPARE(maps.size(), std::size_t(2));
+    for (const auto& map : maps)
+        QVERIFY((map.map.linear - ifs::affineMap(0, -.5, .5, 0, 0, 0).linear).norm() < 1e-15);
 }
 
 // As in the columns of a table.
