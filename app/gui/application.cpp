@@ -12,6 +12,7 @@
 #include "main_window.h"
 #include "portal/desktop_motion.h"
 #include "session/session.h"
+#include "shortage.h"
 #include "welcome.h"
 #include "widgets/tooltips.h"
 #include "widgets/wheel_needs_focus.h"
@@ -32,6 +33,8 @@
 
 #include <algorithm>
 #include <chrono>
+#include <new>
+#include <system_error>
 
 Application::Application(int& argc, char** argv) : QApplication(argc, argv) {
     setApplicationName(resources::applicationName());
@@ -115,7 +118,8 @@ void makeRoomForTitle(QDialog& dialog) {
 
 } // namespace
 
-bool Application::notify(QObject* receiver, QEvent* event) {
+// Whatever the event began is left undone: a window is not opened, but those there are go on.
+bool Application::notify(QObject* receiver, QEvent* event) try {
     if (event->type() == QEvent::ShortcutOverride && isForCommand(*static_cast<QKeyEvent*>(event))) {
         event->ignore();
         return true;
@@ -130,6 +134,13 @@ bool Application::notify(QObject* receiver, QEvent* event) {
         if (auto* dialog = qobject_cast<QDialog*>(receiver)) makeRoomForTitle(*dialog);
     }
     return QApplication::notify(receiver, event);
+} catch (const std::system_error& error) {
+    if (!shortage::isOfThread(error)) throw;
+    shortage::sayNoThread();
+    return true;
+} catch (const std::bad_alloc&) {
+    shortage::sayNoMemory();
+    return true;
 }
 
 bool Application::event(QEvent* event) {

@@ -4,6 +4,7 @@
 #include "first_picture.h"
 #include "identity.h"
 #include "session/session.h"
+#include "shortage.h"
 #include "sudden_end.h"
 
 #include <QCommandLineParser>
@@ -16,6 +17,7 @@
 #include <cstdlib>
 #include <optional>
 #include <string_view>
+#include <system_error>
 
 namespace {
 
@@ -44,6 +46,19 @@ Application::Start startAskedFor(const QCommandLineParser& parser) {
     return parser.isSet(QStringLiteral("new")) ? New : AsLastTime;
 }
 
+int run(Application& application, const QCommandLineParser& parser) try {
+    shortage::startThreads();
+    const SuddenEnd suddenEnd;
+    const bool isOpen = application.openWindows(parser.positionalArguments(), startAskedFor(parser));
+    shortage::everythingHasStarted();
+    if (isOpen) return Application::exec();
+    Application::sendPostedEvents(nullptr, QEvent::DeferredDelete); // as exec() does at its end
+    return EXIT_SUCCESS;
+} catch (const std::system_error& error) {
+    if (!shortage::isOfThread(error)) throw;
+    shortage::endAtStart();
+}
+
 bool isAnsweredWithoutWindow(std::string_view argument) {
     return argument == "--version" || argument == "-v" || argument == "--help" || argument == "-h" ||
            argument.starts_with("--picture");
@@ -67,14 +82,11 @@ int main(int argc, char** argv) {
     QString program;
     std::optional<QStringList> filesToReopen;
     {
+        shortage::watchThreads();
         Application application(argc, argv);
         describe(parser);
         parser.process(application);
-        const SuddenEnd suddenEnd;
-        if (application.openWindows(parser.positionalArguments(), startAskedFor(parser)))
-            code = Application::exec();
-        else
-            Application::sendPostedEvents(nullptr, QEvent::DeferredDelete); // as exec() does at its end
+        code = run(application, parser);
         program = Application::applicationFilePath();
         filesToReopen = session::filesToReopen();
     }

@@ -436,6 +436,14 @@
         <source>draw the maple to a PNG file instead; needs no display</source>
         <translation>stattdessen den Ahorn in eine PNG-Datei zeichnen; braucht keinen Bildschirm</translation>
     </message>
+    <message>
+        <source>The system does not let Barycage start another thread. Close other programs, or raise the limit on processes, and try again.</source>
+        <translation>Das System lässt Barycage keinen weiteren Thread starten. Schließen Sie andere Programme oder erhöhen Sie die erlaubte Zahl der Prozesse, und versuchen Sie es noch einmal.</translation>
+    </message>
+    <message>
+        <source>There is not enough memory for this.</source>
+        <translation>Dafür reicht der Speicher nicht.</translation>
+    </message>
 </context>
 <context>
     <name>Collection</name>

@@ -436,6 +436,14 @@
         <source>draw the maple to a PNG file instead; needs no display</source>
         <translation>dibujar en su lugar el arce en un archivo PNG; no necesita pantalla</translation>
     </message>
+    <message>
+        <source>The system does not let Barycage start another thread. Close other programs, or raise the limit on processes, and try again.</source>
+        <translation>El sistema no permite que Barycage inicie otro hilo. Cierre otros programas o aumente el límite de procesos, e inténtelo de nuevo.</translation>
+    </message>
+    <message>
+        <source>There is not enough memory for this.</source>
+        <translation>No hay memoria suficiente para esto.</translation>
+    </message>
 </context>
 <context>
     <name>Collection</name>

@@ -436,6 +436,14 @@
         <source>draw the maple to a PNG file instead; needs no display</source>
         <translation>dessiner plutôt l’érable dans un fichier PNG ; ne demande pas d’écran</translation>
     </message>
+    <message>
+        <source>The system does not let Barycage start another thread. Close other programs, or raise the limit on processes, and try again.</source>
+        <translation>Le système ne laisse pas Barycage démarrer un autre fil d’exécution. Fermez d’autres programmes ou augmentez la limite du nombre de processus, puis réessayez.</translation>
+    </message>
+    <message>
+        <source>There is not enough memory for this.</source>
+        <translation>Il n’y a pas assez de mémoire pour cela.</translation>
+    </message>
 </context>
 <context>
     <name>Collection</name>

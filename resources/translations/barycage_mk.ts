@@ -437,6 +437,14 @@
         <source>draw the maple to a PNG file instead; needs no display</source>
         <translation>наместо тоа нацртај го јаворот во PNG-датотека; не е потребен екран</translation>
     </message>
+    <message>
+        <source>The system does not let Barycage start another thread. Close other programs, or raise the limit on processes, and try again.</source>
+        <translation>Системот не му дозволува на Barycage да започне уште една нишка. Затворете други програми или зголемете го ограничувањето на процесите, па обидете се повторно.</translation>
+    </message>
+    <message>
+        <source>There is not enough memory for this.</source>
+        <translation>Нема доволно меморија за ова.</translation>
+    </message>
 </context>
 <context>
     <name>Collection</name>

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "document/background/background_threads.h"
 
+#include "document/background/lane_threads.h"
+
 #include <QCoreApplication>
-#include <QDeadlineTimer>
-#include <QThreadPool>
 
 #include <array>
 #include <cstdio>
@@ -16,11 +16,8 @@ namespace {
 
 using namespace std::chrono_literals;
 
-using Pools = std::array<QThreadPool, 5>; // of each lane
-
-bool finish(QThreadPool& pool, const QDeadlineTimer& late) {
-    return pool.waitForDone(int(late.remainingTime()));
-}
+using Clock = std::chrono::steady_clock;
+using Lanes = std::array<LaneThreads*, 5>;
 
 void finishWithTheApplication();
 
@@ -30,49 +27,52 @@ std::stop_source& end() {
     return *made;
 }
 
-// Never destroyed: what hangs must not hold up the end of the program.
-Pools& pools() {
-    static auto* const made = [] {
-        auto* all = new Pools;
-        for (QThreadPool& pool : *all)
-            pool.setMaxThreadCount(threadsOfLane);
+Lanes& lanes() {
+    static Lanes made = [] {
+        Lanes all{};
+        for (LaneThreads*& lane : all)
+            lane = new LaneThreads(threadsOfLane); // never destroyed
         qAddPostRoutine(finishWithTheApplication);
         return all;
     }();
-    return *made;
+    return made;
 }
 
-QThreadPool& poolOf(Lane lane) {
-    return pools()[std::size_t(lane)];
+LaneThreads& threadsOf(Lane lane) {
+    return *lanes()[std::size_t(lane)];
 }
 
 // What is under way uses Qt, which is about to go.
 void finishWithTheApplication() {
-    const QDeadlineTimer late(10s), early(5s);
-    finish(poolOf(Lane::Saving), late);
+    const Clock::time_point late = Clock::now() + 10s, early = Clock::now() + 5s;
+    threadsOf(Lane::Saving).finish(late);
     for (const Lane lane : {Lane::Computing, Lane::Exporting})
-        finish(poolOf(lane), early);
-    const QDeadlineTimer soon(1s);
+        threadsOf(lane).finish(early);
+    const Clock::time_point soon = Clock::now() + 1s;
     for (const Lane lane : {Lane::Asking, Lane::Reading})
-        finish(poolOf(lane), soon);
+        threadsOf(lane).finish(soon);
 }
 
 } // namespace
 
+void startLanes() {
+    lanes();
+}
+
 void startInLane(Lane lane, std::function<void()> work) {
-    poolOf(lane).start(std::move(work));
+    threadsOf(lane).start(std::move(work));
 }
 
 bool backgroundFinishes(std::chrono::milliseconds patience) {
-    const QDeadlineTimer late(patience);
+    const Clock::time_point late = Clock::now() + patience;
     bool isDone = true;
-    for (QThreadPool& pool : pools())
-        isDone = finish(pool, late) && isDone;
+    for (LaneThreads* lane : lanes())
+        isDone = lane->finish(late) && isDone;
     return isDone;
 }
 
 bool laneFinishes(Lane lane, std::chrono::milliseconds patience) {
-    return finish(poolOf(lane), QDeadlineTimer(patience));
+    return threadsOf(lane).finish(Clock::now() + patience);
 }
 
 std::stop_token endOfProgram() {

@@ -7,7 +7,7 @@
 
 // Threads for what may take long, or never end, as reading from a drive that does not answer. They are not
 // those of QThreadPool::globalInstance(): Qt paints large pictures with those and waits for them, and a
-// program does not end before they do.
+// program does not end before they do. Where the system starts no more threads, those there are do the work.
 namespace document {
 
 // Kinds of work that never wait for each other.
@@ -21,6 +21,10 @@ enum class Lane {
 // Work of one kind waits as soon as so much of it is under way, far more than there are cores. A thread is
 // made when it is needed.
 inline constexpr int threadsOfLane = 256;
+
+// A thread for each kind, with which all work is done sooner or later. The program does this when it starts;
+// otherwise the first work does. Throws std::system_error when the system starts no thread.
+void startLanes();
 
 void startInLane(Lane lane, std::function<void()> work);
 

@@ -75,10 +75,18 @@ std::vector<Equation> equationsIn(const QString& text) {
     return equations;
 }
 
+// Whether what ends there are the parameters of a function: (x, y) -> …
+bool areParameters(QStringView text, qsizetype at) {
+    while (at < text.size() && text[at].isSpace())
+        ++at;
+    const QStringView rest = text.sliced(std::min(at, text.size()));
+    return rest.startsWith(u"->") || rest.startsWith(u"=>") || rest.startsWith(u'→') || rest.startsWith(u'↦');
+}
+
 // Behind "=", ":", "→" or "return": two or three expressions between commas.
 std::vector<Point> pointsIn(const QString& text) {
     static const QRegularExpression opening(QStringLiteral(
-        R"((?:(?<![<>=!])=(?!=)>?|→|->|lambda [^:\n]{0,40}:|\breturn\b)\s*[A-Za-z.]{0,20}\s*[\(\[\{]?)"));
+        R"((?:(?<![<>=!])=(?!=)>?|→|↦|->|lambda [^:\n]{0,40}:|\breturn\b)\s*[A-Za-z.]{0,20}\s*[\(\[\{]?)"));
     std::vector<Point> points;
     for (qsizetype from = 0; points.size() < maxMaps;) {
         const auto match = opening.match(text, from);
@@ -102,7 +110,8 @@ std::vector<Point> pointsIn(const QString& text) {
         const std::size_t count = point.values.size();
         const bool isMap = std::ranges::any_of(point.values, [](const auto& v) { return !v.isConstant(); });
         if ((count != 2 && count != 3) || !isClosed || !isMap ||
-            !endsThere(text, point.end + (isOpen ? 1 : 0)))
+            !endsThere(text, point.end + (isOpen ? 1 : 0)) ||
+            areParameters(text, point.end + (isOpen ? 1 : 0)))
             continue;
         from = point.end;
         points.push_back(std::move(point));

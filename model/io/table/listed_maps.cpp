@@ -5,6 +5,8 @@
 #include "io/table/gimp_maps.h"
 #include "io/table/markup_tables.h"
 #include "io/table/matrix_maps.h"
+#include "io/table/named_numbers.h"
+#include "io/table/several_tables.h"
 #include "io/table/table_columns.h"
 #include "io/table/table_fields.h"
 #include "io/table/table_reader.h"
@@ -12,6 +14,7 @@
 #include "io/text/number.h"
 #include "io/text/yaml_lists.h"
 
+#include <QRegularExpression>
 #include <QSet>
 #include <QStringList>
 
@@ -213,6 +216,11 @@ public:
         search(root, {});
         return std::move(m_found);
     }
+    // Maps one after the other, each with a name of its own: A1 = [[…]], b1 = […], A2 = …
+    QList<ListedMaps> findSequence(const Literal& root) && {
+        takeSequence(root);
+        return std::move(m_found);
+    }
 
 private:
     // Each list is tried a few times at most, however deep it lies: the time grows in proportion to the text.
@@ -229,6 +237,35 @@ private:
             const QString shown = isUseless ? own : item.key;
             if (!take(item, shown, weights)) search(item, shown);
         }
+    }
+
+    void takeSequence(const Literal& root) {
+        std::vector<Map> maps;
+        const Literal* weights = nullptr;
+        Numbers chances; // p1 = 0.25
+        for (qsizetype i = 0; i < root.items.size(); ++i) {
+            const Literal& item = root.items[i];
+            static const QRegularExpression digits(QStringLiteral("_?\\d+$"));
+            const bool isWeight = isOneOf(QString(item.key).remove(digits), weightKeys);
+            if (isWeight && isNumber(item)) chances.push_back(item.number);
+            if (item.kind != Kind::List) continue;
+            auto map = mapOf(item); // w1 = [six numbers] is one
+            if (!map && isWeight && numbersOf(bare(item))) {
+                weights = &item;
+                continue;
+            }
+            if (!map && i + 1 < root.items.size()) {
+                map = ofParts(item, root.items[i + 1]);
+                if (map) ++i;
+            }
+            if (!map) continue;
+            if (!maps.empty() && !areAlike(*map, maps.front())) return;
+            maps.push_back(*std::move(map));
+        }
+        if (maps.size() < 2) return;
+        if (weights) chances = *numbersOf(bare(*weights));
+        weigh(maps, chances);
+        m_found << ListedMaps{{}, tableOf(maps), qsizetype(maps.size()), Notation::Lists, {}};
     }
 
     // A list of numbers under the name of each column, all of one length.
@@ -291,12 +328,20 @@ private:
             maps = mapsAlike(list);
         if (maps.empty()) return false;
         if (maps.size() == 1 && !maps.front().isNamed) return false;
-        const auto chances = weights ? numbersOf(bare(*weights)) : std::nullopt;
-        if (chances && chances->size() == maps.size() && !maps.front().hasWeight)
-            for (std::size_t i = 0; i < maps.size(); ++i)
-                addWeight(maps[i], (*chances)[i]);
+        if (weights) weigh(maps, *numbersOf(bare(*weights)));
         m_found << ListedMaps{name, tableOf(maps), qsizetype(maps.size()), Notation::Lists, {}};
         return true;
+    }
+
+    // Unless they have weights, or there are more or fewer of them.
+    static void weigh(std::vector<Map>& maps, const Numbers& chances) {
+        if (chances.size() != maps.size() || maps.front().hasWeight) return;
+        for (std::size_t i = 0; i < maps.size(); ++i)
+            addWeight(maps[i], chances[i]);
+    }
+
+    static bool areAlike(const Map& a, const Map& b) {
+        return a.names == b.names && a.numbers.size() == b.numbers.size();
     }
 
     // None, unless all items are maps of one kind.
@@ -304,9 +349,7 @@ private:
         std::vector<Map> maps;
         for (const Literal& item : list.items) {
             auto map = mapOf(item);
-            if (!map || (!maps.empty() && (map->names != maps.front().names ||
-                                           map->numbers.size() != maps.front().numbers.size())))
-                return {};
+            if (!map || (!maps.empty() && !areAlike(*map, maps.front()))) return {};
             maps.push_back(*std::move(map));
         }
         return maps;
@@ -376,10 +419,65 @@ QList<ListedMaps> written(const std::vector<WrittenMap>& maps, Notation notation
 }
 
 QList<ListedMaps> listsIn(const Literals& literals, Notation notation) {
-    QList<ListedMaps> found;
-    if (!literals.isCut) found = Finder().find(literals.root);
+    if (literals.isCut) return {};
+    QList<ListedMaps> found = Finder().find(literals.root);
     for (ListedMaps& listed : found)
         listed.notation = notation;
+    return found;
+}
+
+QList<ListedMaps> sequenceIn(const Literals& literals) {
+    return literals.isCut ? QList<ListedMaps>() : Finder().findSequence(literals.root);
+}
+
+// Rows between semicolons or ends of lines, as Matlab and Julia write them, as lists: [1 2; 3 4] is
+// [[1,2],[3,4]], and a column [1; 2] is [1,2]. Empty where there are none.
+QString rowsAsLists(QString text) {
+    static const QRegularExpression comment(QStringLiteral("%[^\n]*"));
+    static const QRegularExpression rows(
+        QStringLiteral(R"(\[([^\[\](){};\n]*+(?:[;\n][^\[\](){};\n]*+)++)\])"));
+    static const QRegularExpression blanks(QStringLiteral(R"([\s,]+)"));
+    static const QRegularExpression rowEnd(QStringLiteral("[;\n]"));
+    text.remove(comment);
+    QString lists;
+    qsizetype before = 0;
+    auto found = rows.globalMatch(text);
+    while (found.hasNext()) {
+        const auto match = found.next();
+        QList<QStringList> cells;
+        for (const QString& row : match.captured(1).split(rowEnd))
+            if (const QStringList words = row.split(blanks, Qt::SkipEmptyParts); !words.isEmpty())
+                cells << words;
+        const bool isColumn = std::ranges::all_of(cells, [](const auto& row) { return row.size() == 1; });
+        QStringList parts;
+        for (const QStringList& row : cells)
+            parts << (isColumn ? row.first() : u'[' + row.join(u',') + u']');
+        lists += QStringView(text).sliced(before, match.capturedStart() - before);
+        lists += u'[' + parts.join(u',') + u']';
+        before = match.capturedEnd();
+    }
+    return before == 0 ? QString() : lists + text.sliced(before);
+}
+
+QList<ListedMaps> named(const QList<MarkupRow>& rows) {
+    if (rows.isEmpty()) return {};
+    ListedMaps listed{{}, {}, rows.size() - 1, Notation::Lists, {}};
+    for (const MarkupRow& row : rows) {
+        listed.table += row.cells.join(u'\t') + u'\n';
+        listed.lines.push_back(row.line);
+    }
+    return {listed};
+}
+
+// None, unless all can be read.
+QList<ListedMaps> oneBelowTheOther(const QString& text) {
+    QList<ListedMaps> found;
+    for (const TitledTable& titled : severalTables(text)) {
+        const Table table = readTable(titled.table, std::nullopt, TableMaps::PlaneOrSpace);
+        if (hasErrors(table) || !table.isTable) return {};
+        const auto maps = qsizetype(table.rows.size() + table.spaceRows.size());
+        found << ListedMaps{titled.title, titled.table, maps, Notation::Lists, {}};
+    }
     return found;
 }
 
@@ -391,9 +489,17 @@ QList<ListedMaps> listedMaps(const QString& text) {
     const bool isGood = !nearly.isEmpty() && nearly.first().maps > 0;
     if (isGood) return nearly;
     if (auto found = written(matrixMaps(text), Notation::LatexMatrices); !found.isEmpty()) return found;
-    if (auto found = listsIn(literalsIn(text), Notation::Lists); !found.isEmpty()) return found;
+    const Literals literals = literalsIn(text);
+    const QString semicolons = rowsAsLists(text);
+    const Literals lists = semicolons.isEmpty() ? Literals() : literalsIn(semicolons);
+    if (auto found = listsIn(literals, Notation::Lists); !found.isEmpty()) return found;
+    if (auto found = listsIn(lists, Notation::Lists); !found.isEmpty()) return found;
     if (auto found = listsIn(yamlLiterals(text), Notation::Yaml); !found.isEmpty()) return found;
+    if (auto found = sequenceIn(lists); !found.isEmpty()) return found;
+    if (auto found = sequenceIn(literals); !found.isEmpty()) return found;
     if (auto found = written(equationMaps(text), Notation::Equations); !found.isEmpty()) return found;
+    if (auto found = oneBelowTheOther(text); !found.isEmpty()) return found;
+    if (auto found = named(namedNumbers(text)); !found.isEmpty()) return found;
     return nearly;
 }
 

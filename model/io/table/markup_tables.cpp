@@ -360,6 +360,16 @@ QList<LatexMatrix> latexMatrices(const QString& source) {
     return matrices;
 }
 
+namespace {
+
+// An angle, whose number depends on its column: 90° and π/2 are the same, and 90 in a column of degrees.
+bool hasUnit(QStringView text, double value) {
+    const auto degrees = evaluate(text, NumberUnit::Degrees);
+    return degrees && *degrees != value;
+}
+
+} // namespace
+
 QString tableCell(const QString& text) {
     static const QRegularExpression decimalComma(QStringLiteral("^[-+]?\\d*,\\d+([eE][-+]?\\d+)?%?$"));
     QString cell = plainSigns(text).simplified();
@@ -369,9 +379,10 @@ QString tableCell(const QString& text) {
     const bool isShare = cell.endsWith(u'%');
     const QStringView number = QStringView(cell).chopped(isShare ? 1 : 0);
     const bool hasDigit = std::ranges::any_of(number, [](QChar c) { return c.isDigit(); });
-    if (hasDigit || number == u"π")
-        if (const auto value = evaluate(number))
-            return QString::fromLatin1(formatNumber(*value)) + (isShare ? QStringLiteral("%") : QString());
+    if (const auto value = hasDigit || number == u"π" ? evaluate(number) : std::nullopt) {
+        if (hasUnit(number, *value)) return number.toString().remove(u' ');
+        return QString::fromLatin1(formatNumber(*value)) + (isShare ? QStringLiteral("%") : QString());
+    }
     for (QChar& c : cell)
         if (QStringView(u",;\"\t").contains(c)) c = u' ';
     cell = cell.simplified();

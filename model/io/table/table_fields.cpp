@@ -82,7 +82,8 @@ Row withSignsJoined(Row cells, const Dialect& dialect) {
         Cell& before = cells[i - 1];
         const bool isSign = before.text.size() == 1 && (isDash(before.text[0]) || before.text == u"+") &&
                             !before.isContinued && numberIn(cells[i], dialect);
-        if (!isSign && (cells[i].text != u"%" || !numberIn(before, dialect))) continue;
+        const bool isUnit = cells[i].text == u"%" || cells[i].text == u"°" || cells[i].text == u"deg";
+        if (!isSign && (!isUnit || !numberIn(before, dialect))) continue;
         before.text += cells[i].text;
         cells.removeAt(i--);
     }
@@ -119,6 +120,10 @@ SpaceHeader spaceHeader(const QStringList& names) {
     return letters == u"abcdefghijkl"    ? SpaceHeader::Plain
            : letters == u"abcdefghijklp" ? SpaceHeader::Weighted
                                          : SpaceHeader::None;
+}
+
+bool nameAllColumns(const QStringList& names) {
+    return tableColumns(names) || spaceHeader(names) != SpaceHeader::None;
 }
 
 std::optional<Picks> pickedByName(const QStringList& names) {

@@ -20,8 +20,8 @@ bool looksLikeWords(const QString& text);
 // A line that only parts the rows: ---, ===, +---+---+.
 bool isRule(const Row& cells);
 
-// The cells with a sign, and with "%", that a blank parts from their number, in the same field as it. A lone
-// sign between blanks may be a cell of its own.
+// The cells with a sign, and with "%", "°" or "deg", that a blank parts from their number, in the same field.
+// A lone sign between blanks may be a cell of its own.
 Row withSignsJoined(Row cells, const Dialect& dialect);
 
 // The cells between two separators each; between blanks every cell by itself.
@@ -32,6 +32,8 @@ QStringList namesOf(const Row& header); // of each field, its words together
 // Names of the columns a … l of a map in space, with or without its weight.
 enum class SpaceHeader { None, Plain, Weighted };
 SpaceHeader spaceHeader(const QStringList& names);
+// Whether these are the columns of a map, in the plane or in space.
+bool nameAllColumns(const QStringList& names);
 
 // Which fields hold the columns of a map, where there are others.
 struct Picks {

@@ -55,6 +55,18 @@ std::optional<Weights> ofBounds(const QStringList& before) {
     return weights;
 }
 
+// Numbers beside the functions of a list of pairs: (0.01, lambda x, y: …), or (lambda x, y: …, 0.01).
+Weights ofPairs(const QStringList& between, bool isBefore) {
+    static const QRegularExpression before(QStringLiteral(R"([\(\[{]\s*(\d*[.]?\d+)\s*,\s*$)"));
+    static const QRegularExpression behind(QStringLiteral(R"(^\s*[\)\]]?\s*,\s*(\d*[.]?\d+)\s*[\)\]}])"));
+    Weights weights;
+    for (qsizetype i = isBefore ? 0 : 1; i < between.size() - (isBefore ? 1 : 0); ++i) {
+        const auto match = (isBefore ? before : behind).match(between[i]);
+        weights.push_back(match.hasMatch() ? parseNumber(match.captured(1)) : std::nullopt);
+    }
+    return weights;
+}
+
 bool areComplete(const Weights& weights) {
     return std::ranges::all_of(weights, [](const auto& weight) { return weight.has_value(); });
 }
@@ -87,6 +99,8 @@ std::vector<std::optional<double>> weightsBetween(const QStringList& between) {
     if (areComplete(behind)) return behind;
     Weights before(found.begin(), found.end() - 1);
     if (areComplete(before)) return before;
+    for (const bool isBefore : {true, false})
+        if (Weights beside = ofPairs(between, isBefore); areComplete(beside)) return beside;
     if (auto bounds = ofBounds(between.first(between.size() - 1))) return *std::move(bounds);
     return Weights(behind.size());
 }

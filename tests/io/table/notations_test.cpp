@@ -20,11 +20,17 @@ private slots:
     void formulas();
     void listsAndLetters_data();
     void listsAndLetters();
+    void mapsWithNamesOfTheirOwn_data();
+    void mapsWithNamesOfTheirOwn();
     void badRowsOfOtherNotationsAreNamed_data();
     void badRowsOfOtherNotationsAreNamed();
     void textsInUtf16_data();
     void textsInUtf16();
     void elementsOfGimp();
+    void anglesByNameAreDegrees();
+    void anglesInTablesOfOthersAreDegrees_data();
+    void anglesInTablesOfOthersAreDegrees();
+    void tablesBelowEachOtherAreEntries();
     void writtenLatexReadsBack();
 
 private:
@@ -154,6 +160,23 @@ void NotationsTest::formulas_data() {
                 "w1(x, y) = (0.5x + 0.1y + 3, -0.2x + 0.4y + 7), with probability 25%\n"
                 "w2(x, y) = (0.1x + 1, 0.5y), with probability 75%\n",
                 "equations");
+    addNotation("functions of Maple",
+                "T1 := (x,y) -> [0.5*x+0.1*y+3, -0.2*x+0.4*y+7]\nT2 := (x,y) -> [0.1*x+1, 0.5*y]\n",
+                "equations", false);
+    addNotation("functions of JavaScript",
+                "const f1 = (x, y) => [0.5*x + 0.1*y + 3, -0.2*x + 0.4*y + 7];\n"
+                "const f2 = (x, y) => [0.1*x + 1, 0.5*y];\n",
+                "equations", false);
+    addNotation("arrows of a paper", "(x, y) ↦ (½x + y/10 + 3, −x/5 + 2/5 y + 7)\n(x, y) ↦ (x/10 + 1, y/2)\n",
+                "equations", false);
+    addNotation("functions and chances",
+                "maps = [\n  (0.25, lambda x, y: (0.5*x + 0.1*y + 3, -0.2*x + 0.4*y + 7)),\n"
+                "  (0.75, lambda x, y: (0.1*x + 1, 0.5*y)),\n]\n",
+                "equations");
+    addNotation("functions before chances",
+                "maps = [\n  (lambda x, y: (0.5*x + 0.1*y + 3, -0.2*x + 0.4*y + 7), 0.25),\n"
+                "  (lambda x, y: (0.1*x + 1, 0.5*y), .75)\n]\n",
+                "equations");
     addNotation("a program",
                 "x, y = 0, 0\nfor i in range(9):\n    r = random()\n    if r < 0.25:\n"
                 "        x, y = 0.5*x + 0.1*y + 3, -0.2*x + 0.4*y + 7\n    else:\n"
@@ -204,6 +227,39 @@ void NotationsTest::listsAndLetters_data() {
         "0],\n"
         "\"weights\": [0.25, 0.75]}",
         lists);
+}
+
+void NotationsTest::mapsWithNamesOfTheirOwn_data() {
+    addNotationColumns();
+    const char* lists = "lists of numbers";
+    addNotation("matrices of NumPy",
+                "A1 = np.array([[0.5, 0.1], [-0.2, 0.4]])\nb1 = np.array([3, 7])\n"
+                "A2 = np.array([[0.1, 0], [0, 0.5]])\nb2 = np.array([1, 0])\np = [0.25, 0.75]\n",
+                lists);
+    addNotation("matrices of Matlab",
+                "A1 = [0.5 0.1; -0.2 0.4]; b1 = [3; 7]; p1 = 0.25; % stem\n"
+                "A2 = [0.1 0; 0 0.5]; b2 = [1; 0]; p2 = 0.75;\n",
+                lists);
+    addNotation("a matrix of Matlab", "ifs = [.5 .1 -.2 .4 3 7 .25 % stem\n .1 0 0 .5 1 0 .75];\n", lists);
+    addNotation("rows of Julia", "w = [0.5 0.1 -0.2 0.4 3 7 0.25; 0.1 0 0 0.5 1 0 0.75]\n", lists);
+    addNotation("Mathematica, line by line",
+                "{{{0.5, 0.1}, {-0.2, 0.4}}, {3, 7}}\n{{{0.1, 0}, {0, 0.5}}, {1, 0}}\n", lists, false);
+    addNotation("Mathematica, functions",
+                "f1 = AffineTransform[{{{0.5, 0.1}, {-0.2, 0.4}}, {3, 7}}];\n"
+                "f2 = AffineTransform[{{{0.1, 0}, {0, 0.5}}, {1, 0}}];\n",
+                lists, false);
+    addNotation("named maps", "w1 = [0.5, 0.1, -0.2, 0.4, 3, 7, 0.25]\nw2 = [0.1, 0, 0, 0.5, 1, 0, 0.75]\n",
+                lists);
+    addNotation("numbers by name", "a=.5 b=.1 c=-.2 d=.4 e=3 f=7 p=.25\na=.1 b=0 c=0 d=.5 e=1 f=0 p=.75\n",
+                lists);
+    addNotation("numbered numbers by name",
+                "Map 1\na_1 = 1/2, b_1 = .1, c_1 = −.2, d_1 = .4, e_1 = 3, f_1 = 7\nMap 2\n"
+                "a_2 = .1, b_2 = 0, c_2 = 0, d_2 = .5, e_2 = 1, f_2 = 0\n",
+                lists, false);
+}
+
+void NotationsTest::mapsWithNamesOfTheirOwn() {
+    checkNotation();
 }
 
 void NotationsTest::listsAndLetters() {
@@ -281,6 +337,60 @@ void NotationsTest::textsInUtf16() {
             QCOMPARE(firstSystem(collection.file).maps.size(), std::size_t(1));
             QCOMPARE(firstSystem(collection.file).maps[0].map.linear(1, 1), -.5);
         }
+}
+
+// Each under its own header, as in a paper; the title is the name.
+void NotationsTest::tablesBelowEachOtherAreEntries() {
+    const QByteArray text = "Table 1: triangle\nw a b c d e f p\n1 .5 0 0 .5 0 0 .33\n2 .5 0 0 .5 1 0 .33\n"
+                            "3 .5 0 0 .5 0 1 .34\n\nTable 2: pair\n\nw a b e c d f p\n"
+                            "1 .5 .1 3 -.2 .4 7 .25\n2 .1 0 1 0 .5 0 .75\n";
+    const io::Collection collection = io::readCollection(text);
+    QCOMPARE(collection.format, QStringLiteral("table"));
+    QCOMPARE(collection.file.entries.size(), 2);
+    QCOMPARE(collection.file.entries[0].fractal->name, QStringLiteral("Table_1__triangle"));
+    const auto* pair = document::system2(*collection.file.entries[1].fractal);
+    QVERIFY(pair && pair->maps.size() == 2);
+    QVERIFY(pair->maps[0].map == ifs::affineMap(.5, .1, -.2, .4, 3, 7));
+    QCOMPARE(*pair->maps[1].weight, .75);
+    QCOMPARE(firstSystem(collection.file).maps.size(), std::size_t(3));
+    QCOMPARE(collection.file.problems.size(), 1);
+}
+
+// ° changes nothing in a column of degrees, and what has a π is radians.
+void NotationsTest::anglesInTablesOfOthersAreDegrees_data() {
+    QTest::addColumn<QByteArray>("bytes");
+    QTest::newRow("LaTeX") << QByteArray(
+        "\\begin{tabular}{rrrrrr}\n$r$ & $s$ & $\\theta$ & $\\varphi$ & $e$ & $f$ \\\\\n"
+        "0.5 & 0.5 & $90^\\circ$ & \\ang{90} & 0.5 & 0 \\\\\n"
+        "0.5 & 0.5 & 90 & $\\frac{\\pi}{2}$ & 0.5 & 0 \\\\\n\\end{tabular}");
+    QTest::newRow("HTML") << QByteArray("<table><tr><th>r<th>s<th>&theta;<th>&phi;<th>e<th>f"
+                                        "<tr><td>.5<td>.5<td>90&deg;<td>90 &deg;<td>.5<td>0"
+                                        "<tr><td>.5<td>.5<td>&pi;/2<td>90<td>.5<td>0</table>");
+    QTest::newRow("Markdown") << QByteArray(
+        "| r | s | theta | phi | e | f |\n|--|--|--|--|--|--|\n"
+        "| .5 | .5 | 90° | pi / 2 | .5 | 0 |\n| .5 | .5 | 90 ° | 90 | .5 | 0 |\n");
+    QTest::newRow("a blank before the sign")
+        << QByteArray("r;s;θ;φ;e;f\n0,5;0,5;90 °;90 deg;0,5;0\n0,5;0,5;π/2;90°;0,5;0\n");
+}
+
+void NotationsTest::anglesInTablesOfOthersAreDegrees() {
+    QFETCH(QByteArray, bytes);
+    const io::Collection collection = io::readCollection(bytes);
+    const auto& maps = firstSystem(collection.file).maps;
+    QCOMPARE(maps.size(), std::size_t(2));
+    for (const auto& map : maps)
+        QVERIFY((map.map.linear - ifs::affineMap(0, -.5, .5, 0, 0, 0).linear).norm() < 1e-15);
+}
+
+// As in the columns of a table.
+void NotationsTest::anglesByNameAreDegrees() {
+    const io::Collection collection =
+        io::readCollection("r = 0.5, s = 0.5, theta = 90°, phi = 90, e = 0.5, f = 0\n"
+                           "r = 0.5, s = 0.5, theta = pi/2, phi = 90°, e = 0.5, f = 0\n");
+    const auto& maps = firstSystem(collection.file).maps;
+    QCOMPARE(maps.size(), std::size_t(2));
+    for (const auto& map : maps)
+        QVERIFY((map.map.linear - ifs::affineMap(0, -.5, .5, 0, 0, 0).linear).norm() < 1e-15);
 }
 
 // Two elements of GIMP's plug-in, with what its source makes of them, seen with y upwards.
