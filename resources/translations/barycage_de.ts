@@ -1769,22 +1769,6 @@
         <translation>Die z-Achse zeigt nach oben wie in CAD-Programmen; das Fraktal bleibt, wie es ist</translation>
     </message>
     <message>
-        <source>Stereo, &amp;Side by Side</source>
-        <translation>Stereo, &amp;nebeneinander</translation>
-    </message>
-    <message>
-        <source>Show the views of both eyes side by side, the left eye on the left</source>
-        <translation>Zeigt, was jedes Auge sieht, das linke links</translation>
-    </message>
-    <message>
-        <source>Stereo, for Red and &amp;Cyan Glasses</source>
-        <translation>Stereo, für Rot-&amp;Cyan-Brillen</translation>
-    </message>
-    <message>
-        <source>Show the views of both eyes in one picture, in red and cyan</source>
-        <translation>Zeigt in einem Bild, was beide Augen sehen, in Rot und Cyan</translation>
-    </message>
-    <message>
         <source>De&amp;fine Tetrahedron</source>
         <translation>Tetraeder &amp;festlegen</translation>
     </message>
@@ -2454,6 +2438,10 @@
     <message>
         <source>How It Is &amp;Built</source>
         <translation>&amp;Wie er entsteht</translation>
+    </message>
+    <message>
+        <source>Web page written</source>
+        <translation>Webseite geschrieben</translation>
     </message>
 </context>
 <context>
@@ -5585,6 +5573,38 @@
         <source>its shadow</source>
         <translation>seinen Schatten</translation>
     </message>
+    <message>
+        <source>There is not enough memory for this picture. Reduce its size.</source>
+        <translation>Für dieses Bild reicht der Speicher nicht. Verkleinern Sie es.</translation>
+    </message>
+    <message>
+        <source>One picture</source>
+        <translation>Ein Bild</translation>
+    </message>
+    <message>
+        <source>Both eyes, side by side</source>
+        <translation>Beide Augen, nebeneinander</translation>
+    </message>
+    <message>
+        <source>Stereo, &amp;Side by Side</source>
+        <translation>Stereo, &amp;nebeneinander</translation>
+    </message>
+    <message>
+        <source>Show the views of both eyes side by side, the left eye on the left</source>
+        <translation>Zeigt, was jedes Auge sieht, das linke links</translation>
+    </message>
+    <message>
+        <source>Red and cyan glasses</source>
+        <translation>Rot-Cyan-Brille</translation>
+    </message>
+    <message>
+        <source>Stereo, for Red and &amp;Cyan Glasses</source>
+        <translation>Stereo, für Rot-&amp;Cyan-Brillen</translation>
+    </message>
+    <message>
+        <source>Show the views of both eyes in one picture, in red and cyan</source>
+        <translation>Zeigt in einem Bild, was beide Augen sehen, in Rot und Cyan</translation>
+    </message>
 </context>
 <context>
     <name>Tour</name>
@@ -5800,6 +5820,21 @@
         <source>%1 Panel “%2”: %3</source>
         <comment>what it does, panel, what the panel is for</comment>
         <translation>%1 Feld „%2“: %3</translation>
+    </message>
+</context>
+<context>
+    <name>WrittenBanner</name>
+    <message>
+        <source>Show in Folder</source>
+        <translation>Im Ordner zeigen</translation>
+    </message>
+    <message>
+        <source>Shows the folder of the written file in the file manager.</source>
+        <translation>Zeigt den Ordner der geschriebenen Datei in der Dateiverwaltung.</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Schließen</translation>
     </message>
 </context>
 <context>
@@ -6254,10 +6289,6 @@
         <translation>MP4 kennt keine Transparenz: Der Hintergrund wird schwarz.</translation>
     </message>
     <message>
-        <source>%1 files (*.%2)</source>
-        <translation>%1-Dateien (*.%2)</translation>
-    </message>
-    <message>
         <source>Export Animation</source>
         <translation>Animation exportieren</translation>
     </message>
@@ -6302,28 +6333,12 @@
         <translation>Au&amp;sschnitt:</translation>
     </message>
     <message>
-        <source>Export is not finished</source>
-        <translation>Export ist nicht fertig</translation>
-    </message>
-    <message>
         <source>The animation “%1” is still being exported.</source>
         <translation>Die Animation „%1“ wird noch exportiert.</translation>
     </message>
     <message>
         <source>The pictures written so far are complete and will be kept.</source>
         <translation>Die bisher geschriebenen Bilder sind vollständig und bleiben erhalten.</translation>
-    </message>
-    <message>
-        <source>If you stop now, no file is written.</source>
-        <translation>Wenn Sie jetzt anhalten, wird keine Datei geschrieben.</translation>
-    </message>
-    <message>
-        <source>&amp;Stop Export</source>
-        <translation>Export an&amp;halten</translation>
-    </message>
-    <message>
-        <source>&amp;Continue</source>
-        <translation>&amp;Fortsetzen</translation>
     </message>
     <message>
         <source>Summary of the export</source>
@@ -8905,10 +8920,6 @@
         <translation>Die Punkte des Chaos-Spiels, wo sie gezeigt werden, ohne die ersten 14.</translation>
     </message>
     <message>
-        <source>%1 files (*.%2)</source>
-        <translation>%1-Dateien (*.%2)</translation>
-    </message>
-    <message>
         <source>Export Data</source>
         <translation>Daten exportieren</translation>
     </message>
@@ -9335,6 +9346,10 @@
     <message>
         <source>Shows the folder of the written file in the file manager.</source>
         <translation>Zeigt den Ordner der geschriebenen Datei in der Dateiverwaltung.</translation>
+    </message>
+    <message>
+        <source>%1 files (*.%2)</source>
+        <translation>%1-Dateien (*.%2)</translation>
     </message>
 </context>
 <context>
@@ -13285,18 +13300,6 @@ Tasten: Bild auf und Bild ab wählen eine Marke, die Pfeile bewegen sie, Einfg f
         <translation>Lässt weg, was um den Körper herum ist.</translation>
     </message>
     <message>
-        <source>One picture</source>
-        <translation>Ein Bild</translation>
-    </message>
-    <message>
-        <source>Both eyes, side by side</source>
-        <translation>Beide Augen, nebeneinander</translation>
-    </message>
-    <message>
-        <source>Red and cyan glasses</source>
-        <translation>Rot-Cyan-Brille</translation>
-    </message>
-    <message>
         <source>For both eyes: two pictures side by side, or one in red and cyan.</source>
         <translation>Für beide Augen: zwei Bilder nebeneinander, oder eines in Rot und Cyan.</translation>
     </message>
@@ -13335,10 +13338,6 @@ Tasten: Bild auf und Bild ab wählen eine Marke, die Pfeile bewegen sie, Einfg f
     <message>
         <source>One multmatrix for each map; open it in OpenSCAD to render it.</source>
         <translation>Ein multmatrix für jede Abbildung; öffnen Sie es in OpenSCAD, um es zu berechnen.</translation>
-    </message>
-    <message>
-        <source>%1 files (*.%2)</source>
-        <translation>%1-Dateien (*.%2)</translation>
     </message>
     <message>
         <source>Export</source>
@@ -14157,10 +14156,6 @@ Tasten: Bild auf und Bild ab wählen eine Marke, die Pfeile bewegen sie, Einfg f
     <message>
         <source>The name “%1” does not end with .png. Choose another name.</source>
         <translation>Der Name „%1“ endet nicht auf .png. Wählen Sie einen anderen Namen.</translation>
-    </message>
-    <message>
-        <source>There is not enough memory for this picture. Reduce its size.</source>
-        <translation>Für dieses Bild reicht der Speicher nicht. Verkleinern Sie es.</translation>
     </message>
 </context>
 <context>

@@ -1769,22 +1769,6 @@
         <translation>El eje z apunta hacia arriba, como en los programas de CAD; el fractal no cambia</translation>
     </message>
     <message>
-        <source>Stereo, &amp;Side by Side</source>
-        <translation>Estéreo, &amp;lado a lado</translation>
-    </message>
-    <message>
-        <source>Show the views of both eyes side by side, the left eye on the left</source>
-        <translation>Muestra lo que ve cada ojo, el izquierdo a la izquierda</translation>
-    </message>
-    <message>
-        <source>Stereo, for Red and &amp;Cyan Glasses</source>
-        <translation>Estéreo, para gafas rojo y &amp;cian</translation>
-    </message>
-    <message>
-        <source>Show the views of both eyes in one picture, in red and cyan</source>
-        <translation>Muestra en una imagen lo que ven ambos ojos, en rojo y cian</translation>
-    </message>
-    <message>
         <source>De&amp;fine Tetrahedron</source>
         <translation>&amp;Definir el tetraedro</translation>
     </message>
@@ -2454,6 +2438,10 @@
     <message>
         <source>How It Is &amp;Built</source>
         <translation>Cómo se const&amp;ruye</translation>
+    </message>
+    <message>
+        <source>Web page written</source>
+        <translation>Página web guardada</translation>
     </message>
 </context>
 <context>
@@ -5585,6 +5573,38 @@
         <source>its shadow</source>
         <translation>su sombra</translation>
     </message>
+    <message>
+        <source>There is not enough memory for this picture. Reduce its size.</source>
+        <translation>No hay memoria suficiente para esta imagen. Reduzca su tamaño.</translation>
+    </message>
+    <message>
+        <source>One picture</source>
+        <translation>Una imagen</translation>
+    </message>
+    <message>
+        <source>Both eyes, side by side</source>
+        <translation>Ambos ojos, uno al lado del otro</translation>
+    </message>
+    <message>
+        <source>Stereo, &amp;Side by Side</source>
+        <translation>Estéreo, &amp;lado a lado</translation>
+    </message>
+    <message>
+        <source>Show the views of both eyes side by side, the left eye on the left</source>
+        <translation>Muestra lo que ve cada ojo, el izquierdo a la izquierda</translation>
+    </message>
+    <message>
+        <source>Red and cyan glasses</source>
+        <translation>Gafas rojo y cian</translation>
+    </message>
+    <message>
+        <source>Stereo, for Red and &amp;Cyan Glasses</source>
+        <translation>Estéreo, para gafas rojo y &amp;cian</translation>
+    </message>
+    <message>
+        <source>Show the views of both eyes in one picture, in red and cyan</source>
+        <translation>Muestra en una imagen lo que ven ambos ojos, en rojo y cian</translation>
+    </message>
 </context>
 <context>
     <name>Tour</name>
@@ -5800,6 +5820,21 @@
         <source>%1 Panel “%2”: %3</source>
         <comment>what it does, panel, what the panel is for</comment>
         <translation>%1 Panel «%2»: %3</translation>
+    </message>
+</context>
+<context>
+    <name>WrittenBanner</name>
+    <message>
+        <source>Show in Folder</source>
+        <translation>Mostrar en la carpeta</translation>
+    </message>
+    <message>
+        <source>Shows the folder of the written file in the file manager.</source>
+        <translation>Muestra la carpeta del archivo escrito en el gestor de archivos.</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Cerrar</translation>
     </message>
 </context>
 <context>
@@ -6254,10 +6289,6 @@
         <translation>MP4 no tiene transparencia: el fondo se vuelve negro.</translation>
     </message>
     <message>
-        <source>%1 files (*.%2)</source>
-        <translation>Archivos %1 (*.%2)</translation>
-    </message>
-    <message>
         <source>Export Animation</source>
         <translation>Exportar animación</translation>
     </message>
@@ -6302,28 +6333,12 @@
         <translation>E&amp;ncuadre:</translation>
     </message>
     <message>
-        <source>Export is not finished</source>
-        <translation>La exportación no ha terminado</translation>
-    </message>
-    <message>
         <source>The animation “%1” is still being exported.</source>
         <translation>La animación «%1» aún se está exportando.</translation>
     </message>
     <message>
         <source>The pictures written so far are complete and will be kept.</source>
         <translation>Las imágenes escritas hasta ahora están completas y se conservan.</translation>
-    </message>
-    <message>
-        <source>If you stop now, no file is written.</source>
-        <translation>Si la detiene ahora, no se escribe ningún archivo.</translation>
-    </message>
-    <message>
-        <source>&amp;Stop Export</source>
-        <translation>&amp;Detener la exportación</translation>
-    </message>
-    <message>
-        <source>&amp;Continue</source>
-        <translation>&amp;Continuar</translation>
     </message>
     <message>
         <source>Summary of the export</source>
@@ -8905,10 +8920,6 @@
         <translation>Los puntos del juego del caos donde se muestran, sin los 14 primeros.</translation>
     </message>
     <message>
-        <source>%1 files (*.%2)</source>
-        <translation>Archivos %1 (*.%2)</translation>
-    </message>
-    <message>
         <source>Export Data</source>
         <translation>Exportar datos</translation>
     </message>
@@ -9335,6 +9346,10 @@
     <message>
         <source>Shows the folder of the written file in the file manager.</source>
         <translation>Muestra la carpeta del archivo escrito en el gestor de archivos.</translation>
+    </message>
+    <message>
+        <source>%1 files (*.%2)</source>
+        <translation>Archivos %1 (*.%2)</translation>
     </message>
 </context>
 <context>
@@ -13285,18 +13300,6 @@ Teclas: Re Pág y Av Pág eligen una parada, las flechas la mueven, Ins añade u
         <translation>Omite lo que rodea al sólido.</translation>
     </message>
     <message>
-        <source>One picture</source>
-        <translation>Una imagen</translation>
-    </message>
-    <message>
-        <source>Both eyes, side by side</source>
-        <translation>Ambos ojos, uno al lado del otro</translation>
-    </message>
-    <message>
-        <source>Red and cyan glasses</source>
-        <translation>Gafas rojo y cian</translation>
-    </message>
-    <message>
         <source>For both eyes: two pictures side by side, or one in red and cyan.</source>
         <translation>Para ambos ojos: dos imágenes una al lado de la otra, o una en rojo y cian.</translation>
     </message>
@@ -13335,10 +13338,6 @@ Teclas: Re Pág y Av Pág eligen una parada, las flechas la mueven, Ins añade u
     <message>
         <source>One multmatrix for each map; open it in OpenSCAD to render it.</source>
         <translation>Un multmatrix por aplicación; ábralo en OpenSCAD para calcularlo.</translation>
-    </message>
-    <message>
-        <source>%1 files (*.%2)</source>
-        <translation>Archivos %1 (*.%2)</translation>
     </message>
     <message>
         <source>Export</source>
@@ -14157,10 +14156,6 @@ Teclas: Re Pág y Av Pág eligen una parada, las flechas la mueven, Ins añade u
     <message>
         <source>The name “%1” does not end with .png. Choose another name.</source>
         <translation>El nombre «%1» no termina en .png. Elija otro nombre.</translation>
-    </message>
-    <message>
-        <source>There is not enough memory for this picture. Reduce its size.</source>
-        <translation>No hay memoria suficiente para esta imagen. Reduzca su tamaño.</translation>
     </message>
 </context>
 <context>

@@ -1769,22 +1769,6 @@
         <translation>L’axe z pointe vers le haut, comme dans les logiciels de CAO ; la fractale reste telle quelle</translation>
     </message>
     <message>
-        <source>Stereo, &amp;Side by Side</source>
-        <translation>Stéréo, &amp;côte à côte</translation>
-    </message>
-    <message>
-        <source>Show the views of both eyes side by side, the left eye on the left</source>
-        <translation>Montre ce que voit chaque œil, le gauche à gauche</translation>
-    </message>
-    <message>
-        <source>Stereo, for Red and &amp;Cyan Glasses</source>
-        <translation>Stéréo, pour lunettes rouge et c&amp;yan</translation>
-    </message>
-    <message>
-        <source>Show the views of both eyes in one picture, in red and cyan</source>
-        <translation>Montre en une image ce que voient les deux yeux, en rouge et cyan</translation>
-    </message>
-    <message>
         <source>De&amp;fine Tetrahedron</source>
         <translation>Définir un &amp;tétraèdre</translation>
     </message>
@@ -2454,6 +2438,10 @@
     <message>
         <source>How It Is &amp;Built</source>
         <translation>Construction de l’attrac&amp;teur</translation>
+    </message>
+    <message>
+        <source>Web page written</source>
+        <translation>Page web enregistrée</translation>
     </message>
 </context>
 <context>
@@ -5585,6 +5573,38 @@
         <source>its shadow</source>
         <translation>son ombre</translation>
     </message>
+    <message>
+        <source>There is not enough memory for this picture. Reduce its size.</source>
+        <translation>Il n’y a pas assez de mémoire pour cette image. Réduisez sa taille.</translation>
+    </message>
+    <message>
+        <source>One picture</source>
+        <translation>Une image</translation>
+    </message>
+    <message>
+        <source>Both eyes, side by side</source>
+        <translation>Les deux yeux, côte à côte</translation>
+    </message>
+    <message>
+        <source>Stereo, &amp;Side by Side</source>
+        <translation>Stéréo, &amp;côte à côte</translation>
+    </message>
+    <message>
+        <source>Show the views of both eyes side by side, the left eye on the left</source>
+        <translation>Montre ce que voit chaque œil, le gauche à gauche</translation>
+    </message>
+    <message>
+        <source>Red and cyan glasses</source>
+        <translation>Lunettes rouge et cyan</translation>
+    </message>
+    <message>
+        <source>Stereo, for Red and &amp;Cyan Glasses</source>
+        <translation>Stéréo, pour lunettes rouge et c&amp;yan</translation>
+    </message>
+    <message>
+        <source>Show the views of both eyes in one picture, in red and cyan</source>
+        <translation>Montre en une image ce que voient les deux yeux, en rouge et cyan</translation>
+    </message>
 </context>
 <context>
     <name>Tour</name>
@@ -5800,6 +5820,21 @@
         <source>%1 Panel “%2”: %3</source>
         <comment>what it does, panel, what the panel is for</comment>
         <translation>%1 Panneau «&#x202f;%2&#x202f;»&#x202f;: %3</translation>
+    </message>
+</context>
+<context>
+    <name>WrittenBanner</name>
+    <message>
+        <source>Show in Folder</source>
+        <translation>Montrer dans le dossier</translation>
+    </message>
+    <message>
+        <source>Shows the folder of the written file in the file manager.</source>
+        <translation>Montre le dossier du fichier écrit dans le gestionnaire de fichiers.</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Fermer</translation>
     </message>
 </context>
 <context>
@@ -6254,10 +6289,6 @@
         <translation>MP4 n’a pas de transparence : le fond devient noir.</translation>
     </message>
     <message>
-        <source>%1 files (*.%2)</source>
-        <translation>Fichiers %1 (*.%2)</translation>
-    </message>
-    <message>
         <source>Export Animation</source>
         <translation>Exporter l’animation</translation>
     </message>
@@ -6302,28 +6333,12 @@
         <translation>Ca&amp;drage :</translation>
     </message>
     <message>
-        <source>Export is not finished</source>
-        <translation>L’export n’est pas terminé</translation>
-    </message>
-    <message>
         <source>The animation “%1” is still being exported.</source>
         <translation>L’animation « %1 » est encore en cours d’export.</translation>
     </message>
     <message>
         <source>The pictures written so far are complete and will be kept.</source>
         <translation>Les images déjà écrites sont complètes et seront conservées.</translation>
-    </message>
-    <message>
-        <source>If you stop now, no file is written.</source>
-        <translation>Si vous l’arrêtez maintenant, aucun fichier n’est écrit.</translation>
-    </message>
-    <message>
-        <source>&amp;Stop Export</source>
-        <translation>&amp;Arrêter l’export</translation>
-    </message>
-    <message>
-        <source>&amp;Continue</source>
-        <translation>&amp;Continuer</translation>
     </message>
     <message>
         <source>Summary of the export</source>
@@ -8905,10 +8920,6 @@
         <translation>Les points du jeu du chaos là où ils sont affichés, sans les 14 premiers.</translation>
     </message>
     <message>
-        <source>%1 files (*.%2)</source>
-        <translation>Fichiers %1 (*.%2)</translation>
-    </message>
-    <message>
         <source>Export Data</source>
         <translation>Exporter les données</translation>
     </message>
@@ -9335,6 +9346,10 @@
     <message>
         <source>Shows the folder of the written file in the file manager.</source>
         <translation>Montre le dossier du fichier écrit dans le gestionnaire de fichiers.</translation>
+    </message>
+    <message>
+        <source>%1 files (*.%2)</source>
+        <translation>Fichiers %1 (*.%2)</translation>
     </message>
 </context>
 <context>
@@ -13285,18 +13300,6 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
         <translation>Omet ce qui entoure le solide.</translation>
     </message>
     <message>
-        <source>One picture</source>
-        <translation>Une image</translation>
-    </message>
-    <message>
-        <source>Both eyes, side by side</source>
-        <translation>Les deux yeux, côte à côte</translation>
-    </message>
-    <message>
-        <source>Red and cyan glasses</source>
-        <translation>Lunettes rouge et cyan</translation>
-    </message>
-    <message>
         <source>For both eyes: two pictures side by side, or one in red and cyan.</source>
         <translation>Pour les deux yeux : deux images côte à côte, ou une seule en rouge et cyan.</translation>
     </message>
@@ -13335,10 +13338,6 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
     <message>
         <source>One multmatrix for each map; open it in OpenSCAD to render it.</source>
         <translation>Un multmatrix par application ; ouvrez-le dans OpenSCAD pour le calculer.</translation>
-    </message>
-    <message>
-        <source>%1 files (*.%2)</source>
-        <translation>Fichiers %1 (*.%2)</translation>
     </message>
     <message>
         <source>Export</source>
@@ -14157,10 +14156,6 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
     <message>
         <source>The name “%1” does not end with .png. Choose another name.</source>
         <translation>Le nom « %1 » ne se termine pas par .png. Choisissez un autre nom.</translation>
-    </message>
-    <message>
-        <source>There is not enough memory for this picture. Reduce its size.</source>
-        <translation>Il n’y a pas assez de mémoire pour cette image. Réduisez sa taille.</translation>
     </message>
 </context>
 <context>

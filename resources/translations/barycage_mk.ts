@@ -1774,22 +1774,6 @@
         <translation>Оската z е насочена нагоре, како во CAD-програмите; фракталот останува ист</translation>
     </message>
     <message>
-        <source>Stereo, &amp;Side by Side</source>
-        <translation>Стерео, &amp;еден до друг</translation>
-    </message>
-    <message>
-        <source>Show the views of both eyes side by side, the left eye on the left</source>
-        <translation>Прикажува што гледа секое око, левото лево</translation>
-    </message>
-    <message>
-        <source>Stereo, for Red and &amp;Cyan Glasses</source>
-        <translation>Стерео, за црвено-&amp;цијан очила</translation>
-    </message>
-    <message>
-        <source>Show the views of both eyes in one picture, in red and cyan</source>
-        <translation>Прикажува во една слика што гледаат двете очи, во црвено и цијан</translation>
-    </message>
-    <message>
         <source>De&amp;fine Tetrahedron</source>
         <translation>&amp;Дефинирај тетраедар</translation>
     </message>
@@ -2460,6 +2444,10 @@
     <message>
         <source>How It Is &amp;Built</source>
         <translation>&amp;Како се гради</translation>
+    </message>
+    <message>
+        <source>Web page written</source>
+        <translation>Веб-страницата е запишана</translation>
     </message>
 </context>
 <context>
@@ -5600,6 +5588,38 @@
         <source>its shadow</source>
         <translation>неговата сенка</translation>
     </message>
+    <message>
+        <source>There is not enough memory for this picture. Reduce its size.</source>
+        <translation>Нема доволно меморија за оваа слика. Намалете ја.</translation>
+    </message>
+    <message>
+        <source>One picture</source>
+        <translation>Една слика</translation>
+    </message>
+    <message>
+        <source>Both eyes, side by side</source>
+        <translation>За двете очи, една до друга</translation>
+    </message>
+    <message>
+        <source>Stereo, &amp;Side by Side</source>
+        <translation>Стерео, &amp;еден до друг</translation>
+    </message>
+    <message>
+        <source>Show the views of both eyes side by side, the left eye on the left</source>
+        <translation>Прикажува што гледа секое око, левото лево</translation>
+    </message>
+    <message>
+        <source>Red and cyan glasses</source>
+        <translation>Очила црвено-цијан</translation>
+    </message>
+    <message>
+        <source>Stereo, for Red and &amp;Cyan Glasses</source>
+        <translation>Стерео, за црвено-&amp;цијан очила</translation>
+    </message>
+    <message>
+        <source>Show the views of both eyes in one picture, in red and cyan</source>
+        <translation>Прикажува во една слика што гледаат двете очи, во црвено и цијан</translation>
+    </message>
 </context>
 <context>
     <name>Tour</name>
@@ -5815,6 +5835,21 @@
         <source>%1 Panel “%2”: %3</source>
         <comment>what it does, panel, what the panel is for</comment>
         <translation>%1 Панел „%2“: %3</translation>
+    </message>
+</context>
+<context>
+    <name>WrittenBanner</name>
+    <message>
+        <source>Show in Folder</source>
+        <translation>Покажи во папката</translation>
+    </message>
+    <message>
+        <source>Shows the folder of the written file in the file manager.</source>
+        <translation>Ја покажува папката на запишаната датотека во управувачот со датотеки.</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Затвори</translation>
     </message>
 </context>
 <context>
@@ -6269,10 +6304,6 @@
         <translation>MP4 нема проѕирност: позадината станува црна.</translation>
     </message>
     <message>
-        <source>%1 files (*.%2)</source>
-        <translation>Датотеки %1 (*.%2)</translation>
-    </message>
-    <message>
         <source>Export Animation</source>
         <translation>Извоз на анимација</translation>
     </message>
@@ -6317,28 +6348,12 @@
         <translation>Исечо&amp;к:</translation>
     </message>
     <message>
-        <source>Export is not finished</source>
-        <translation>Извозот не е завршен</translation>
-    </message>
-    <message>
         <source>The animation “%1” is still being exported.</source>
         <translation>Анимацијата „%1“ сè уште се извезува.</translation>
     </message>
     <message>
         <source>The pictures written so far are complete and will be kept.</source>
         <translation>Досега запишаните слики се целосни и ќе останат.</translation>
-    </message>
-    <message>
-        <source>If you stop now, no file is written.</source>
-        <translation>Ако запрете сега, нема да се запише датотека.</translation>
-    </message>
-    <message>
-        <source>&amp;Stop Export</source>
-        <translation>&amp;Запри го извозот</translation>
-    </message>
-    <message>
-        <source>&amp;Continue</source>
-        <translation>&amp;Продолжи</translation>
     </message>
     <message>
         <source>Summary of the export</source>
@@ -8930,10 +8945,6 @@
         <translation>Точките од играта на хаос таму каде што се прикажани, без првите 14.</translation>
     </message>
     <message>
-        <source>%1 files (*.%2)</source>
-        <translation>Датотеки %1 (*.%2)</translation>
-    </message>
-    <message>
         <source>Export Data</source>
         <translation>Извоз на податоци</translation>
     </message>
@@ -9363,6 +9374,10 @@
     <message>
         <source>Shows the folder of the written file in the file manager.</source>
         <translation>Ја покажува папката на запишаната датотека во управувачот со датотеки.</translation>
+    </message>
+    <message>
+        <source>%1 files (*.%2)</source>
+        <translation>Датотеки %1 (*.%2)</translation>
     </message>
 </context>
 <context>
@@ -13318,18 +13333,6 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
         <translation>Го изоставува она што е околу телото.</translation>
     </message>
     <message>
-        <source>One picture</source>
-        <translation>Една слика</translation>
-    </message>
-    <message>
-        <source>Both eyes, side by side</source>
-        <translation>За двете очи, една до друга</translation>
-    </message>
-    <message>
-        <source>Red and cyan glasses</source>
-        <translation>Очила црвено-цијан</translation>
-    </message>
-    <message>
         <source>For both eyes: two pictures side by side, or one in red and cyan.</source>
         <translation>За двете очи: две слики една до друга, или една во црвено и цијан.</translation>
     </message>
@@ -13368,10 +13371,6 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
     <message>
         <source>One multmatrix for each map; open it in OpenSCAD to render it.</source>
         <translation>Еден multmatrix за секое пресликување; отворете го во OpenSCAD за да се пресмета.</translation>
-    </message>
-    <message>
-        <source>%1 files (*.%2)</source>
-        <translation>Датотеки %1 (*.%2)</translation>
     </message>
     <message>
         <source>Export</source>
@@ -14191,10 +14190,6 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
     <message>
         <source>The name “%1” does not end with .png. Choose another name.</source>
         <translation>Името „%1“ не завршува со .png. Изберете друго име.</translation>
-    </message>
-    <message>
-        <source>There is not enough memory for this picture. Reduce its size.</source>
-        <translation>Нема доволно меморија за оваа слика. Намалете ја.</translation>
     </message>
 </context>
 <context>

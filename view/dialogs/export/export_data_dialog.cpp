@@ -93,8 +93,7 @@ void ExportDataDialog::createOptions(QFormLayout* form) {
     addChoice(m_format, tr("Table with tabs (.tsv)"), Format::Tsv);
     addChoice(m_format, tr("Points (.csv)"), Format::PointsCsv);
     addChoice(m_format, tr("Points, coloured (.ply)"), Format::PointsPly);
-    const std::string last = last().format.toStdString();
-    chooseFormat(ifs::named<Format>(last).value_or(Format::Flame));
+    chooseFormat(ifs::named<Format>(last().format.toStdString()).value_or(Format::Flame));
     m_columns = new ColumnOrders(tr("The order of the coefficients in each row; programs differ."), this);
     m_points = new WholeNumberBox(this);
     m_points->setWhatsThis(tr("How many points of the chaos game are written."));
