@@ -173,6 +173,12 @@ QAction* WindowOnX::chooseFrom(const QMenu* menu, const QString& name) {
 }
 
 void WindowOnX::showPanel(const QString& title) {
+    for (const auto* dock : m_window->findChildren<QDockWidget*>())
+        if (dock->windowTitle() == title && dock->isHidden()) {
+            choose({QStringLiteral("View"), QStringLiteral("Panels"), title});
+            QVERIFY(waitFor([&] { return dock->isVisible(); }));
+            return handleEvents(); // it is laid out
+        }
     for (const auto* tabs : m_window->findChildren<QTabBar*>())
         for (int i = 0; i < tabs->count(); ++i)
             if (tabs->tabText(i) == title) {

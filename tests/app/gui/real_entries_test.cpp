@@ -112,6 +112,7 @@ void RealEntriesTest::aFlameIsPasted() {
     QGuiApplication::clipboard()->setText(QStringLiteral(
         "<flame name=\"ember\"><xform weight=\"1\" linear=\"1\" coefs=\"0.5 0 0 0.5 0.25 0.125\"/>"
         "<xform weight=\"3\" linear=\"1\" coefs=\"0.25 0 0 0.5 0 0\"/></flame>"));
+    showPanel(QStringLiteral("Entries"));
     click(&entries());
     hand().key("Control+v");
     QTRY_COMPARE(fractal().name, QStringLiteral("ember"));
