@@ -89,6 +89,7 @@ void RealLayersTest::theMenuActsWhereTheFocusIs() {
     choose({QStringLiteral("Edit"), QStringLiteral("Paste")});
     QTRY_COMPARE(code().maps.size(), 2 * before);
     QCOMPARE(entries(), 2);
+    showPanel(QStringLiteral("Entries"));
     clickOn(&list(), list().model()->index(0, 0));
     QTRY_VERIFY(list().hasFocus());
     choose({QStringLiteral("Edit"), QStringLiteral("Duplicate")});
