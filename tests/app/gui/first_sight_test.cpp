@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "canvas/canvas_view.h"
 #include "desktop/preferences.h"
 #include "dialogs/command_palette.h"
 #include "support/named_test.h"
@@ -7,9 +8,11 @@
 #include <QDockWidget>
 #include <QMenu>
 #include <QMenuBar>
+#include <QTabBar>
 #include <QTest>
 #include <QToolBar>
 #include <QToolButton>
+#include <QTranslator>
 
 #include <algorithm>
 
@@ -22,6 +25,8 @@ private slots:
     void buttonsAreFewAndHaveNames();
     void namesAreAMatterOfTaste();
     void panelsAreFew();
+    void namesOfPanelsAreSeenWhole_data();
+    void namesOfPanelsAreSeenWhole();
     void theListOfEntriesComesWithEntries();
     void theListOfEntriesStaysAway();
     void whatIsNotSeenIsFound_data();
@@ -112,6 +117,37 @@ void FirstSightTest::whatIsNotSeenIsFound() {
     const QList<view::NamedAction> found = view::actionsOf(*m_window);
     QVERIFY(std::ranges::any_of(
         found, [&](const view::NamedAction& command) { return command.action->objectName() == id; }));
+}
+
+void FirstSightTest::namesOfPanelsAreSeenWhole_data() {
+    QTest::addColumn<QString>("language");
+    for (const char* language : {"en", "de", "es", "fr", "mk"})
+        QTest::newRow(language) << QString::fromLatin1(language);
+}
+
+void FirstSightTest::namesOfPanelsAreSeenWhole() {
+    QFETCH(QString, language);
+    QTranslator translator;
+    QVERIFY(translator.load(QStringLiteral(":/translations/barycage_%1.qm").arg(language)));
+    QVERIFY(QCoreApplication::installTranslator(&translator));
+    MainWindow window;
+    for (const char* id : {"analysis", "history"})
+        window.findChild<QDockWidget*>(QLatin1String(id))->show();
+    window.resize(1024, 768);
+    window.setAttribute(Qt::WA_DeleteOnClose, false);
+    window.show();
+    QVERIFY(QTest::qWaitForWindowExposed(&window));
+    int names = 0;
+    for (const auto* bar : window.findChildren<QTabBar*>(Qt::FindDirectChildrenOnly))
+        for (int i = 0; i < bar->count(); ++i, ++names) {
+            const QSize room = bar->tabRect(i).size();
+            const int needed = bar->fontMetrics().horizontalAdvance(bar->tabText(i));
+            QVERIFY2(std::max(room.width(), room.height()) > needed, qPrintable(bar->tabText(i)));
+            QVERIFY(bar->rect().contains(bar->tabRect(i)));
+        }
+    QCOMPARE(names, 5);
+    const int half = window.findChild<view::CanvasView*>()->width() * 100 / 46;
+    QVERIFY2(half >= window.width(), "the panels are too wide in this language");
 }
 
 BARYCAGE_TEST(FirstSightTest, QApplication);

@@ -72,7 +72,7 @@ void WebPageTest::longNamesAreShortened() {
 }
 
 void WebPageTest::theNextEditClosesTheBanner() {
-    write(u"a.html"_s);
+    write(u"c.html"_s);
     document::Document& document = m_window->document();
     document::Fractal fractal = document.fractal();
     fractal.name = u"another"_s;

@@ -52,11 +52,9 @@ private slots:
     void theWholeScreenAndBack();
     void aPresentationPutsAwayWhatIsNotCanvas();
     void aPresentationIsNotRemembered();
-    void namesOfPanelsAreSeenWhole_data();
-    void namesOfPanelsAreSeenWhole();
-    void barsFitASmallWindow_data() { namesOfPanelsAreSeenWhole_data(); }
+    void barsFitASmallWindow_data();
     void barsFitASmallWindow();
-    void largeLettersFitASmallScreen_data() { namesOfPanelsAreSeenWhole_data(); }
+    void largeLettersFitASmallScreen_data() { barsFitASmallWindow_data(); }
     void largeLettersFitASmallScreen();
     void detailsOfMapsScrollWhereTheyHaveNoRoom();
     void aBarThatGoesLeavesTheFocusToTheCanvas();
@@ -67,7 +65,7 @@ private slots:
     void rowsOfASliceAppear_data();
     void rowsOfASliceAppear();
     void hintsInSpaceAreThoseOfTheTool();
-    void theTimelineIsSeenWhole_data() { namesOfPanelsAreSeenWhole_data(); }
+    void theTimelineIsSeenWhole_data() { barsFitASmallWindow_data(); }
     void theTimelineIsSeenWhole();
     void theTimelineIsRemembered();
 };
@@ -301,33 +299,10 @@ void WindowLayoutTest::aPresentationIsNotRemembered() {
     support::forgetSettings();
 }
 
-void WindowLayoutTest::namesOfPanelsAreSeenWhole_data() {
+void WindowLayoutTest::barsFitASmallWindow_data() {
     QTest::addColumn<QString>("language");
     for (const char* language : {"en", "de", "es", "fr", "mk"})
         QTest::newRow(language) << QString::fromLatin1(language);
-}
-
-void WindowLayoutTest::namesOfPanelsAreSeenWhole() {
-    QFETCH(QString, language);
-    QTranslator translator;
-    QVERIFY(translator.load(QStringLiteral(":/translations/barycage_%1.qm").arg(language)));
-    QVERIFY(QCoreApplication::installTranslator(&translator));
-    MainWindow* window = shown({});
-    for (const char* id : {"analysis", "history"})
-        window->findChild<QDockWidget*>(QLatin1String(id))->show();
-    window->resize(1024, 768);
-    QVERIFY(QTest::qWaitForWindowExposed(window));
-    int names = 0;
-    for (const auto* bar : window->findChildren<QTabBar*>(Qt::FindDirectChildrenOnly))
-        for (int i = 0; i < bar->count(); ++i, ++names) {
-            const QSize room = bar->tabRect(i).size();
-            const int needed = bar->fontMetrics().horizontalAdvance(bar->tabText(i));
-            QVERIFY2(std::max(room.width(), room.height()) > needed, qPrintable(bar->tabText(i)));
-            QVERIFY(bar->rect().contains(bar->tabRect(i)));
-        }
-    QCOMPARE(names, 5);
-    const int half = window->findChild<view::CanvasView*>()->width() * 100 / 46;
-    QVERIFY2(half >= window->width(), "the panels are too wide in this language");
 }
 
 // Both under the canvas, and with branches to put back; also where the layout of an earlier version, which

@@ -275,7 +275,7 @@ private slots:
     void aStepDoesNotNameTheCommand() {
         QMenuBar bar;
         QAction* undo = bar.addMenu(QStringLiteral("Edit"))->addAction(QStringLiteral("Undo Reset the cage"));
-        undo->setIconText(QStringLiteral("Undo"));
+        undo->setProperty(view::commandName, QStringLiteral("&Undo"));
         QCOMPARE(view::actionsOf(&bar).front().path, QStringLiteral("Edit › Undo"));
     }
 };
