@@ -79,6 +79,10 @@ namespace {
 constexpr double usualLetter = 6;   // wide, in pixels: the font that first sizes are for
 constexpr int problemsHeight = 150; // a few lines: the picture stays the largest thing in the window
 
+// A setting: whether the list of entries has appeared by itself. It is stored with every layout, so that a
+// layout without it is that of an earlier version, which showed the list until the user closed it.
+const QString entriesAppeared = QStringLiteral("window/entriesAppeared");
+
 } // namespace
 
 MainWindow::MainWindow(QWidget* parent)
@@ -256,12 +260,12 @@ void MainWindow::showEntriesWithSeveral() {
     connect(&m_document, &document::Document::changed, entries,
             [this, entries](const document::Change& change) {
                 using document::Change;
-                const QString setting = QStringLiteral("window/entriesAppeared");
                 const bool isNews = change.parts & (Change::File | Change::Entries) && !m_opensFirstPicture;
                 if (!isNews || m_document.file().entries.size() < 2 || m_room->isSmall() ||
-                    menuBar()->isHidden() || view::stored(setting, false).toBool())
+                    menuBar()->isHidden() || view::stored(entriesAppeared).toBool())
                     return;
-                view::store(setting, true);
+                view::store(entriesAppeared, true);
+                if (!entries->isHidden()) return;
                 entries->show();
                 resizeDocks({entries, m_panels.dock(Panel::Collection)}, {1, 1}, Qt::Vertical);
             });
@@ -488,6 +492,7 @@ void MainWindow::closeEvent(QCloseEvent* event) {
     if (!presents) m_room->showHiddenPanels();
     view::store(QStringLiteral("window/geometry"), presents ? m_before.geometry : saveGeometry());
     view::store(QStringLiteral("window/state"), presents ? m_before.layout : saveState());
+    view::store(entriesAppeared, view::stored(entriesAppeared).toBool());
     session::remember();
     m_recovery.giveUp();
     if (isReading) {
@@ -503,6 +508,7 @@ void MainWindow::restoreLayout() {
                 {int(260 * larger), int(430 * larger)}, Qt::Horizontal);
     placeWindow(this, view::stored(QStringLiteral("window/geometry")).toByteArray());
     m_isAsItWasLeft = restoreStoredLayout(this, view::stored(QStringLiteral("window/state")).toByteArray());
+    if (m_isAsItWasLeft && !view::stored(entriesAppeared).isValid()) view::store(entriesAppeared, true);
     if (!toolBarBreak(m_optionsBar)) insertToolBarBreak(m_optionsBar); // as earlier versions left it
 }
 

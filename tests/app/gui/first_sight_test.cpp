@@ -1,18 +1,20 @@
 // SPDX-License-Identifier: MIT
 #include "canvas/canvas_view.h"
 #include "desktop/preferences.h"
+#include "desktop/settings.h"
 #include "dialogs/command_palette.h"
+#include "support/languages.h"
 #include "support/named_test.h"
 #include "window_fixture.h"
 
 #include <QDockWidget>
 #include <QMenu>
 #include <QMenuBar>
+#include <QSettings>
 #include <QTabBar>
 #include <QTest>
 #include <QToolBar>
 #include <QToolButton>
-#include <QTranslator>
 
 #include <algorithm>
 
@@ -29,6 +31,7 @@ private slots:
     void namesOfPanelsAreSeenWhole();
     void theListOfEntriesComesWithEntries();
     void theListOfEntriesStaysAway();
+    void layoutsOfEarlierVersionsStay();
     void whatIsNotSeenIsFound_data();
     void whatIsNotSeenIsFound();
 
@@ -104,6 +107,19 @@ void FirstSightTest::theListOfEntriesStaysAway() {
     QVERIFY(!isThere("entries"));
 }
 
+// They have no mark that the list has appeared: whoever closed it does not want it.
+void FirstSightTest::layoutsOfEarlierVersionsStay() {
+    m_window->findChild<QDockWidget*>(QStringLiteral("entries"))->hide();
+    m_window->close();
+    view::finishStoring();
+    QSettings().remove(QStringLiteral("window/entriesAppeared"));
+    m_window = std::make_unique<MainWindow>();
+    m_window->setAttribute(Qt::WA_DeleteOnClose, false);
+    QVERIFY(m_window->openPath(QFINDTESTDATA("../../../ifs_library/ferns.ifs")));
+    QVERIFY(m_window->document().file().entries.size() > 1);
+    QVERIFY(!isThere("entries"));
+}
+
 void FirstSightTest::whatIsNotSeenIsFound_data() {
     QTest::addColumn<QString>("id");
     for (const char* id : {"zoom-in", "reset", "bake", "unbake", "place", "rewrite", "define", "fit-simplex",
@@ -120,16 +136,13 @@ void FirstSightTest::whatIsNotSeenIsFound() {
 }
 
 void FirstSightTest::namesOfPanelsAreSeenWhole_data() {
-    QTest::addColumn<QString>("language");
-    for (const char* language : {"en", "de", "es", "fr", "mk"})
-        QTest::newRow(language) << QString::fromLatin1(language);
+    support::addLanguages();
 }
 
 void FirstSightTest::namesOfPanelsAreSeenWhole() {
     QFETCH(QString, language);
-    QTranslator translator;
-    QVERIFY(translator.load(QStringLiteral(":/translations/barycage_%1.qm").arg(language)));
-    QVERIFY(QCoreApplication::installTranslator(&translator));
+    const support::Spoken spoken(language);
+    QVERIFY(spoken.isInstalled());
     MainWindow window;
     for (const char* id : {"analysis", "history"})
         window.findChild<QDockWidget*>(QLatin1String(id))->show();
