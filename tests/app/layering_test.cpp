@@ -448,15 +448,22 @@ void LayeringTest::panelsAreNotSearchedByName() {
         QVERIFY2(!search.match(contents(path)).hasMatch(), qPrintable(path));
 }
 
-// Tests wait for conditions. Where nothing tells when something is over, the line or that before says so.
+// Tests wait for conditions. Where nothing tells when something is over, a comment in the line or the three
+// before says so.
 void LayeringTest::fixedWaitsAreFew() {
-    static const QRegularExpression wait(
-        QStringLiteral("qWait\\(|qSleep\\(|QThread::[mu]?sleep\\(|sleep_for\\(|\\busleep\\("));
+    static const QRegularExpression wait(QStringLiteral("\\b(?:qWait|qSleep|[mu]?sleep|sleep_for)\\("));
     QStringList found;
-    for (const QString& path : sourceFiles(support::sourcePath(QStringLiteral("tests"))))
-        if (!path.contains(QLatin1String("/bench/")))
-            for (const QString& line : contents(path).split(u'\n'))
-                if (wait.match(line).hasMatch()) found << path + QStringLiteral(": ") + line.trimmed();
+    for (const QString& path : sourceFiles(support::sourcePath(QStringLiteral("tests")))) {
+        if (path.contains(QLatin1String("/bench/"))) continue;
+        const QStringList lines = contents(path).split(u'\n');
+        for (qsizetype i = 0; i < lines.size(); ++i) {
+            if (!wait.match(lines[i]).hasMatch()) continue;
+            found << path + QStringLiteral(": ") + lines[i].trimmed();
+            const qsizetype first = std::max<qsizetype>(0, i - 3);
+            const QString around = lines.sliced(first, i - first + 1).join(u'\n');
+            QVERIFY2(around.contains(QLatin1String("//")), qPrintable(found.last()));
+        }
+    }
     QVERIFY(!found.isEmpty());
     QVERIFY2(found.size() <= 15, qPrintable(found.join(u'\n')));
 }

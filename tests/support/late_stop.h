@@ -15,7 +15,7 @@ public:
 
     explicit LateStop(Clock::duration late)
         : m_thread([this, late] {
-              std::this_thread::sleep_for(late);
+              std::this_thread::sleep_for(late); // the work goes on meanwhile
               m_asked = Clock::now();
               m_source.request_stop();
           }) {}

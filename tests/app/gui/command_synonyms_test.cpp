@@ -4,13 +4,13 @@
 #include "app/gui/window_fixture.h"
 #include "dialogs/command_palette.h"
 #include "dialogs/guide.h"
+#include "support/languages.h"
 #include "support/named_test.h"
 
 #include <QLineEdit>
 #include <QListView>
 #include <QTest>
 #include <QTextBrowser>
-#include <QTranslator>
 
 // Every synonym leads to a command of the window, in every language.
 class CommandSynonymsTest : public WindowFixture {
@@ -25,16 +25,13 @@ private slots:
 };
 
 void CommandSynonymsTest::eachIsOfACommand_data() {
-    QTest::addColumn<QString>("language");
-    for (const char* language : {"en", "de", "es", "fr", "mk"})
-        QTest::newRow(language) << QString::fromLatin1(language);
+    support::addLanguages();
 }
 
 void CommandSynonymsTest::eachIsOfACommand() {
     QFETCH(QString, language);
-    QTranslator translator;
-    QVERIFY(translator.load(QStringLiteral(":/translations/barycage_%1.qm").arg(language)));
-    QVERIFY(QCoreApplication::installTranslator(&translator));
+    const support::Spoken spoken(language);
+    QVERIFY(spoken.isInstalled());
     const MainWindow window;
     QSet<QString> names;
     for (const view::NamedAction& action : view::actionsOf(window))
@@ -72,9 +69,8 @@ void CommandSynonymsTest::wordsOfOthersFindTheirCommand() {
     QFETCH(QString, language);
     QFETCH(QString, word);
     QFETCH(QString, command);
-    QTranslator translator;
-    QVERIFY(translator.load(QStringLiteral(":/translations/barycage_%1.qm").arg(language)));
-    QVERIFY(QCoreApplication::installTranslator(&translator));
+    const support::Spoken spoken(language);
+    QVERIFY(spoken.isInstalled());
     const MainWindow window;
     view::CommandPalette palette(view::actionsOf(window));
     palette.findChild<QLineEdit*>()->setText(word);

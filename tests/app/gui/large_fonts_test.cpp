@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "support/background_rest.h"
 #include "support/every_window.h"
+#include "support/languages.h"
 #include "support/named_test.h"
 #include "support/own_settings.h"
 
@@ -13,7 +14,6 @@
 #include <QScopeGuard>
 #include <QSet>
 #include <QTest>
-#include <QTranslator>
 
 using support::EveryWindow;
 
@@ -117,17 +117,14 @@ void LargeFontsTest::noTextIsCut() {
 }
 
 void LargeFontsTest::dialogsFitASmallScreen_data() {
-    QTest::addColumn<QString>("language");
-    for (const char* language : {"en", "de", "es", "fr", "mk"})
-        QTest::newRow(language) << QString::fromLatin1(language);
+    support::addLanguages();
 }
 
 // 1366 by 768 pixels, of which the desktop keeps some, with letters of 175 %.
 void LargeFontsTest::dialogsFitASmallScreen() {
     QFETCH(QString, language);
-    QTranslator translator;
-    QVERIFY(translator.load(QStringLiteral(":/translations/barycage_%1.qm").arg(language)));
-    QVERIFY(QCoreApplication::installTranslator(&translator));
+    const support::Spoken spoken(language);
+    QVERIFY(spoken.isInstalled());
     const QFont before = QApplication::font();
     QFont large = before;
     large.setPointSizeF(1.75 * before.pointSizeF());

@@ -7,6 +7,7 @@
 #include "canvas/canvas_view.h"
 #include "files/recent_files.h"
 #include "support/events.h"
+#include "support/languages.h"
 #include "support/named_test.h"
 
 #include <QApplication>
@@ -19,7 +20,6 @@
 #include <QTabBar>
 #include <QTemporaryDir>
 #include <QTest>
-#include <QTranslator>
 
 #include <algorithm>
 #include <functional>
@@ -115,17 +115,12 @@ private slots:
         QTRY_VERIFY(!banner());
     }
 
-    void itStaysOnASmallCanvas_data() {
-        QTest::addColumn<QString>("language");
-        for (const char* language : {"en", "de", "es", "fr", "mk"})
-            QTest::newRow(language) << QString::fromLatin1(language);
-    }
+    void itStaysOnASmallCanvas_data() { support::addLanguages(); }
 
     void itStaysOnASmallCanvas() {
         QFETCH(QString, language);
-        QTranslator translator;
-        QVERIFY(translator.load(QStringLiteral(":/translations/barycage_%1.qm").arg(language)));
-        QVERIFY(QCoreApplication::installTranslator(&translator));
+        const support::Spoken spoken(language);
+        QVERIFY(spoken.isInstalled());
         m_window->resize(810, 600); // so that no panel makes way
         Welcome::offer(m_window.get());
         const QWidget* canvas = m_window->centralWidget();

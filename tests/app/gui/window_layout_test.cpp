@@ -12,6 +12,7 @@
 #include "session_fixture.h"
 #include "support/choose.h"
 #include "support/forget_settings.h"
+#include "support/languages.h"
 #include "support/named_test.h"
 #include "support/paths.h"
 #include "support/patient_tries.h"
@@ -31,7 +32,6 @@
 #include <QStatusBar>
 #include <QTabBar>
 #include <QToolBar>
-#include <QTranslator>
 
 #include <algorithm>
 #include <array>
@@ -300,18 +300,15 @@ void WindowLayoutTest::aPresentationIsNotRemembered() {
 }
 
 void WindowLayoutTest::barsFitASmallWindow_data() {
-    QTest::addColumn<QString>("language");
-    for (const char* language : {"en", "de", "es", "fr", "mk"})
-        QTest::newRow(language) << QString::fromLatin1(language);
+    support::addLanguages();
 }
 
 // Both under the canvas, and with branches to put back; also where the layout of an earlier version, which
 // had them side by side, comes back.
 void WindowLayoutTest::barsFitASmallWindow() {
     QFETCH(QString, language);
-    QTranslator translator;
-    QVERIFY(translator.load(QStringLiteral(":/translations/barycage_%1.qm").arg(language)));
-    QVERIFY(QCoreApplication::installTranslator(&translator));
+    const support::Spoken spoken(language);
+    QVERIFY(spoken.isInstalled());
     QSettings().clear();
     for (int run = 0; run < 2; ++run) {
         MainWindow* window = shown({});
@@ -342,9 +339,8 @@ void WindowLayoutTest::barsFitASmallWindow() {
 // Letters of 175 % on a screen of 1366 by 768 pixels, of which the title of the window takes some.
 void WindowLayoutTest::largeLettersFitASmallScreen() {
     QFETCH(QString, language);
-    QTranslator translator;
-    QVERIFY(translator.load(QStringLiteral(":/translations/barycage_%1.qm").arg(language)));
-    QVERIFY(QCoreApplication::installTranslator(&translator));
+    const support::Spoken spoken(language);
+    QVERIFY(spoken.isInstalled());
     const QFont usual = QApplication::font();
     QFont large = usual;
     large.setPointSizeF(1.75 * usual.pointSizeF());
@@ -548,9 +544,8 @@ void WindowLayoutTest::rowsOfASliceAppear() {
 // At the height that it has at first.
 void WindowLayoutTest::theTimelineIsSeenWhole() {
     QFETCH(QString, language);
-    QTranslator translator;
-    QVERIFY(translator.load(QStringLiteral(":/translations/barycage_%1.qm").arg(language)));
-    QVERIFY(QCoreApplication::installTranslator(&translator));
+    const support::Spoken spoken(language);
+    QVERIFY(spoken.isInstalled());
     QSettings().clear();
     MainWindow* window = shown({});
     window->resize(1024, 768);

@@ -2,6 +2,7 @@
 #include "transformation/transformation_bar.h"
 
 #include "io/fractint/fractint_reader.h"
+#include "support/languages.h"
 #include "support/named_test.h"
 #include "support/patient_tries.h"
 #include "widgets/text/elided_label.h"
@@ -9,7 +10,6 @@
 #include <QAbstractItemView>
 #include <QComboBox>
 #include <QTest>
-#include <QTranslator>
 
 #include <memory>
 
@@ -46,18 +46,13 @@ private slots:
         partner->hidePopup();
     }
 
-    void itFitsASmallWindow_data() {
-        QTest::addColumn<QString>("language");
-        for (const char* language : {"en", "de", "es", "fr", "mk"})
-            QTest::newRow(language) << QString::fromLatin1(language);
-    }
+    void itFitsASmallWindow_data() { support::addLanguages(); }
 
     // Whatever is offered, and however long the names are.
     void itFitsASmallWindow() {
         QFETCH(QString, language);
-        QTranslator translator;
-        QVERIFY(translator.load(QStringLiteral(":/translations/barycage_%1.qm").arg(language)));
-        QVERIFY(QCoreApplication::installTranslator(&translator));
+        const support::Spoken spoken(language);
+        QVERIFY(spoken.isInstalled());
         m_bar = std::make_unique<TransformationBar>();
         m_bar->show(m_file, m_file.entries.at(1).id, m_file.entries.at(2).id, {});
         for (const auto remedy :
