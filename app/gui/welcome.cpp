@@ -60,6 +60,7 @@ Welcome::Welcome(MainWindow* host) : MessageBanner(host) {
     }
     auto* close = new QPushButton(tr("Close"), this);
     auto* collection = new QPushButton(tr("Co&llection"), this);
+    collection->setObjectName(QStringLiteral("collection"));
     auto* open = new QPushButton(tr("&Open…"), this);
     QBoxLayout* buttons = createButtons();
     buttons->setSpacing(margin / 2);

@@ -112,9 +112,11 @@ void ComparePane::createHeader() {
     m_entries->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
     m_entries->setMinimumContentsLength(fewLetters);
     m_link = flatButton(QString(), tr("Link Views"), {}, this);
+    m_link->setObjectName(QStringLiteral("link-views"));
     m_link->setCheckable(true);
     m_link->setToolTip(tr("Pan and zoom both together, at the same position and scale"));
     auto* close = flatButton(QStringLiteral("close"), tr("Close"), tr("Show the current entry alone"), this);
+    close->setObjectName(QStringLiteral("close"));
     auto* header = new QHBoxLayout;
     header->setContentsMargins(8, 4, 8, 4);
     header->addWidget(m_entries, 1);

@@ -154,6 +154,8 @@ void PreferencesDialog::addLanguage(QFormLayout* form) {
     m_restart->setForegroundRole(QPalette::PlaceholderText);
     m_restart->setWordWrap(true);
     m_restartNow = new QPushButton(tr("Restart &Now"), this);
+    m_restart->setObjectName(QStringLiteral("restart-note"));
+    m_restartNow->setObjectName(QStringLiteral("restart"));
     m_restartNow->setAutoDefault(false);
     m_restartNow->setWhatsThis(
         tr("Closes all windows, asking about unsaved changes first, and opens the same "

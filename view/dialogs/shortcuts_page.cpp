@@ -47,6 +47,10 @@ ShortcutsPage::ShortcutsPage(const QList<NamedAction>& commands, QWidget* parent
       m_default(new QPushButton(tr("&Default"), this)),
       m_note(new QLabel(this)),
       m_swap(new QPushButton(tr("S&wap"), this)) {
+    m_clear->setObjectName(QStringLiteral("clear"));
+    m_default->setObjectName(QStringLiteral("default"));
+    m_swap->setObjectName(QStringLiteral("swap"));
+    m_note->setObjectName(QStringLiteral("note"));
     m_search->setPlaceholderText(tr("Find a command or keys"));
     m_search->setAccessibleName(tr("Find a command or keys"));
     m_search->setWhatsThis(tr("Show only the commands whose name, synonyms or keys begin with these words."));

@@ -50,6 +50,9 @@ MapOrder::MapOrder(QWidget* parent) : QWidget(parent), m_list(new QListWidget(th
         button->setAccessibleName(button->toolTip());
     m_reset = flatButton(QStringLiteral("reset"), tr("Reset Order"),
                          tr("Reset Order: puts the maps back in the order of their numbers"), this);
+    m_up->setObjectName(QStringLiteral("up"));
+    m_down->setObjectName(QStringLiteral("down"));
+    m_reset->setObjectName(QStringLiteral("reset-order"));
     m_reset->setWhatsThis(
         tr("Puts the maps back in the order of their numbers, which is that of the Maps panel: "
            "map 1 is on top. This is one step that you can undo."));

@@ -98,14 +98,17 @@ TransformationBar::TransformationBar(QWidget* parent)
     addPictures();
     addStarters();
     m_export = flatButton(QString(), tr("Export…"), tr("Save the stolen picture as PNG"), this);
+    m_export->setObjectName(QStringLiteral("export"));
     m_export->setEnabled(false);
     m_remedy = flatButton(QString(), tr("Divide Words"), QString(), this);
     m_overlay =
         flatButton(QString(), tr("Overlay"),
                    tr("Show the partner half transparent over the fractal, in the same coordinates"), this);
+    m_overlay->setObjectName(QStringLiteral("overlay"));
     m_overlay->setCheckable(true);
     m_stack = flatButton(QString(), tr("Stack"),
                          tr("Show the two fractals one above the other instead of side by side"), this);
+    m_stack->setObjectName(QStringLiteral("stack"));
     m_stack->setCheckable(true);
     m_status->setLines(2);
     m_status->setAccessibleName(tr("State of the fractal transformation"));
@@ -148,6 +151,7 @@ void TransformationBar::addPictures() {
     QMenu* menu = m_picture->menu();
     menu->addAction(tr("Choose Picture…"), this, &TransformationBar::pictureWanted);
     m_embed = menu->addAction(tr("Embed in the File"));
+    m_embed->setObjectName(QStringLiteral("embed"));
     m_embed->setCheckable(true);
     m_embed->setToolTip(tr("Store the picture itself with the entry, not only its path"));
     m_embed->setWhatsThis(
@@ -166,16 +170,20 @@ void TransformationBar::addPictures() {
         {attractor::Pattern::Waves, tr("Waves")},
     }};
     for (const auto& [pattern, name] : patterns)
-        menu->addAction(name, this, [this, pattern = pattern] { emit patternChosen(pattern); });
+        menu->addAction(name, this, [this, pattern = pattern] { emit patternChosen(pattern); })
+            ->setObjectName(QLatin1String(ifs::nameOf(pattern)));
 }
 
 void TransformationBar::addStarters() {
     m_starters = menuButton(
         tr("Starters"), tr("Add two entries with the same addresses, whose parameters you can slide"), this);
-    m_starters->menu()->addAction(tr("Triangle Family"), this,
-                                  [this] { emit starterChosen(document::TheftFamily::Triangle); });
-    m_starters->menu()->addAction(tr("Square Family"), this,
-                                  [this] { emit starterChosen(document::TheftFamily::Square); });
+    const auto add = [this](const char* id, const QString& name, document::TheftFamily family) {
+        m_starters->menu()
+            ->addAction(name, this, [this, family] { emit starterChosen(family); })
+            ->setObjectName(QLatin1String(id));
+    };
+    add("triangle-family", tr("Triangle Family"), document::TheftFamily::Triangle);
+    add("square-family", tr("Square Family"), document::TheftFamily::Square);
 }
 
 void TransformationBar::show(const document::FractalFile& file, document::EntryId current,
@@ -206,26 +214,29 @@ void TransformationBar::showContinuity(const QString& sentence) {
     showStatus();
 }
 
-std::pair<QString, QString> TransformationBar::textsOf(Remedy remedy) {
+TransformationBar::RemedyTexts TransformationBar::textsOf(Remedy remedy) {
     switch (remedy) {
     case Remedy::FindPicture:
-        return {tr("Find Picture…"), tr("Choose the current location of the picture")};
+        return {"find-picture", tr("Find Picture…"), tr("Choose the current location of the picture")};
     case Remedy::OpenForeignPicture:
-        return {tr("Open It"), tr("Open this picture, which is outside the folder of the file")};
+        return {"open-foreign-picture", tr("Open It"),
+                tr("Open this picture, which is outside the folder of the file")};
     case Remedy::ResetOrder:
-        return {tr("Reset Order"), tr("Put the maps back in the order of their numbers")};
+        return {"reset-order", tr("Reset Order"), tr("Put the maps back in the order of their numbers")};
     case Remedy::DivideWords:
     case Remedy::None:
         break;
     }
-    return {tr("Divide Words"), tr("Divide maps of both entries into words until both have the same number")};
+    return {"divide-words", tr("Divide Words"),
+            tr("Divide maps of both entries into words until both have the same number")};
 }
 
 void TransformationBar::showProblem(const QString& sentence, Remedy remedy) {
     m_problem = sentence;
     m_wanted = remedy;
     m_remedy->setVisible(remedy != Remedy::None);
-    const auto [text, tip] = textsOf(remedy);
+    const auto [id, text, tip] = textsOf(remedy);
+    m_remedy->setObjectName(QLatin1String(id));
     m_remedy->setText(text);
     m_remedy->setAccessibleName(text);
     m_remedy->setToolTip(tip);

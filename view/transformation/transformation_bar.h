@@ -55,7 +55,12 @@ signals:
 private:
     void addPictures();
     void addStarters();
-    static std::pair<QString, QString> textsOf(Remedy remedy); // of its button: name, tip
+    struct RemedyTexts { // of its button
+        const char* id;
+        QString name;
+        QString tip;
+    };
+    static RemedyTexts textsOf(Remedy remedy);
     void showStatus();
 
     QLabel* m_from;

@@ -24,6 +24,10 @@ void noteRead(const QString& path) {
     if (!isStandardOutput(path)) filesRead() << path;
 }
 
+void forgetFilesRead() {
+    filesRead().clear();
+}
+
 void refuseToReplaceInput(const QString& output) {
     if (isStandardOutput(output)) return;
     const auto isIt = [&output](const QString& path) { return isSameFile(output, path); };

@@ -8,6 +8,7 @@
 namespace cli {
 
 void noteRead(const QString& path);
+void forgetFilesRead();
 
 // Throws UsageError when the output is one of these files, by whatever name.
 void refuseToReplaceInput(const QString& output);

@@ -12,6 +12,7 @@
 #include <QFile>
 
 #include <algorithm>
+#include <unistd.h>
 
 namespace cli {
 
@@ -19,7 +20,7 @@ namespace {
 
 io::Loaded readStandardInput() {
     QFile file;
-    if (!file.open(stdin, QIODevice::ReadOnly))
+    if (!file.open(STDIN_FILENO, QIODevice::ReadOnly))
         return {{}, tr("Standard input cannot be read: %1.").arg(file.errorString())};
     constexpr qint64 pieceSize = 1 << 16;
     constexpr qsizetype maxBytes = 256 * 1024 * 1024;

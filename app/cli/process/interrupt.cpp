@@ -18,11 +18,13 @@ namespace {
 using Clock = std::chrono::steady_clock;
 constexpr Clock::duration patience = std::chrono::seconds(1), lastMoment = std::chrono::milliseconds(250);
 constexpr int outOfTime = -1; // in place of a signal
+constexpr int wake = SIGURG;  // tells the watch to look whether it is over; ignored by default
 
 // Those that the caller does not want ignored, as nohup does.
 sigset_t watched() {
     sigset_t set;
     sigemptyset(&set);
+    sigaddset(&set, wake);
     for (const int number : {SIGINT, SIGTERM, SIGHUP}) {
         struct sigaction action {};
         if (sigaction(number, nullptr, &action) == 0 && action.sa_handler != SIG_IGN) sigaddset(&set, number);
@@ -46,6 +48,7 @@ void watch(const std::stop_token& end, const sigset_t& set, std::stop_source sou
     Clock::time_point latest = Clock::time_point::max();
     while (!end.stop_requested()) {
         const int signal = sigtimedwait(&set, nullptr, &tick);
+        if (signal == wake) continue;
         const bool isSignalled = signal >= 0;
         if (int none = 0; isSignalled) first->compare_exchange_strong(none, signal);
         if (Clock::now() > latest || (isSignalled && source.stop_requested())) endNow(*first);
@@ -69,6 +72,11 @@ Interrupt::Interrupt(std::optional<Time> limit) {
     } catch (const std::system_error&) { // no thread to be had: a signal ends the program
         pthread_sigmask(SIG_UNBLOCK, &set, nullptr);
     }
+}
+
+Interrupt::~Interrupt() {
+    m_watch.request_stop();
+    if (m_watch.joinable()) pthread_kill(m_watch.native_handle(), wake);
 }
 
 bool Interrupt::isOutOfTime() const {

@@ -21,6 +21,9 @@ public:
     using Time = std::chrono::duration<double>;
 
     explicit Interrupt(std::optional<Time> limit = {});
+    Interrupt(const Interrupt&) = delete;
+    Interrupt& operator=(const Interrupt&) = delete;
+    ~Interrupt();
 
     std::stop_token token() const { return m_source.get_token(); }
     bool isOutOfTime() const;

@@ -46,8 +46,8 @@ document::Problem problem(document::Problem::Severity severity, const QString& s
 
 } // namespace
 
-void hideWarnings() {
-    areWarningsHidden = true;
+void hideWarnings(bool areHidden) {
+    areWarningsHidden = areHidden;
 }
 
 void report(const document::Problem& found, const QString& fileName) {

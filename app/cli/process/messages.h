@@ -13,7 +13,7 @@ namespace cli {
 QString printable(QString text);
 QString printableLine(QString text); // without line ends either
 
-void hideWarnings(); // from now on
+void hideWarnings(bool areHidden = true); // from now on
 
 void report(const document::Problem& problem, const QString& fileName);
 void reportError(const QString& fileName, const QString& sentence);

@@ -141,8 +141,9 @@ FileCommands::Answer FileCommands::askAboutDisk(OpenFile::OnDisk found) {
         QMessageBox::Cancel, m_context.window);
     box.setInformativeText(isGone ? tr("Saving creates it again in its old location.")
                                   : tr("Saving overwrites the changes made by the other program."));
-    const QPushButton* here = isGone ? box.addButton(QMessageBox::Save)
-                                     : box.addButton(tr("Replace"), QMessageBox::DestructiveRole);
+    QPushButton* here = isGone ? box.addButton(QMessageBox::Save)
+                               : box.addButton(tr("Replace"), QMessageBox::DestructiveRole);
+    here->setObjectName(QStringLiteral("here"));
     const QPushButton* elsewhere = box.addButton(tr("Save As…"), QMessageBox::AcceptRole);
     box.exec();
     const QAbstractButton* clicked = box.clickedButton();

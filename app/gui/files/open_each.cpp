@@ -51,9 +51,11 @@ QStringList askWhichToOpen(const QStringList& paths, QWidget* parent) {
     QMessageBox box(QMessageBox::Question, OpenEach::tr("Open"),
                     OpenEach::tr("Open %n files?", nullptr, int(paths.size())), QMessageBox::Cancel, parent);
     box.setInformativeText(OpenEach::tr("Each of them opens in a window of its own."));
-    const QPushButton* all = box.addButton(OpenEach::tr("Open &All"), QMessageBox::AcceptRole);
+    QPushButton* all = box.addButton(OpenEach::tr("Open &All"), QMessageBox::AcceptRole);
     QPushButton* some =
         box.addButton(OpenEach::tr("Open the &First %1").arg(unasked), QMessageBox::AcceptRole);
+    all->setObjectName(QStringLiteral("all"));
+    some->setObjectName(QStringLiteral("some"));
     box.setDefaultButton(some);
     box.exec();
     return box.clickedButton() == all    ? paths

@@ -276,7 +276,8 @@ void LessonCommands::askForForeign(const QString& path, io::LessonFile lesson) {
     box->setInformativeText(tr("Its fractals are in “%1”. Open that file only if you trust the lesson.")
                                 .arg(QDir::toNativeSeparators(named)));
     box->setAttribute(Qt::WA_DeleteOnClose);
-    const QPushButton* open = box->addButton(tr("&Open It"), QMessageBox::AcceptRole);
+    QPushButton* open = box->addButton(tr("&Open It"), QMessageBox::AcceptRole);
+    open->setObjectName(QStringLiteral("open"));
     box->setDefaultButton(QMessageBox::Cancel);
     const auto agree = [this, path, lesson = std::move(lesson)] {
         const QPointer<LessonCommands> self(this);
@@ -307,6 +308,7 @@ void LessonCommands::offerToFind(const QString& path, io::LessonFile lesson) {
                                 .arg(lesson.lesson.file));
     box->setAttribute(Qt::WA_DeleteOnClose);
     QPushButton* find = box->addButton(tr("&Find…"), QMessageBox::AcceptRole);
+    find->setObjectName(QStringLiteral("find"));
     box->setDefaultButton(find);
     const auto choose = [this, window = m_parts.window, path, lesson = std::move(lesson)] {
         const QPointer<LessonCommands> self(this);
@@ -375,6 +377,7 @@ bool LessonCommands::returnTo(const QVariantMap& place) {
 void LessonCommands::addBuiltIn(QMenu* menu, const std::function<LessonCommands*()>& window) {
     for (const auto& [name, title] : builtIn) {
         QAction* action = menu->addAction(tr(title));
+        action->setData(QLatin1String(name));
         action->setStatusTip(tr("Play this lesson, in a window of its own if this one is in use"));
         action->setWhatsThis(
             tr("Plays this lesson in full screen, with its text next to the picture. Page Down and "

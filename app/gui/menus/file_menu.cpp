@@ -43,6 +43,7 @@ void FileMenu::addOpening(const std::function<void()>& openWindow) {
     m_open = add({"open", tr("&Open…"), QKeySequence::Open, tr("Open a collection of fractals")},
                  [this] { m_commands->chooseAndOpen(); });
     m_recent = addMenu(tr("Open &Recent"));
+    m_recent->setObjectName(QStringLiteral("recent"));
     connect(m_recent, &QMenu::aboutToShow, this, &FileMenu::fillRecent);
 }
 

@@ -17,6 +17,7 @@ FirstChips::FirstChips(QMainWindow* host, const QList<Chip>& chips, int patience
     row->setSpacing(margin / 2);
     for (const Chip& chip : chips) {
         auto* button = new QPushButton(chip.action->icon(), chip.text, this);
+        button->setObjectName(chip.action->objectName());
         button->setAutoDefault(false);
         button->setEnabled(chip.action->isEnabled());
         button->setToolTip(chip.action->statusTip());

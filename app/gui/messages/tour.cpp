@@ -117,6 +117,9 @@ Tour::Tour(QMainWindow* host, document::Document* document, const Panels& panels
       m_close(new QPushButton(this)) {
     setObjectName(QStringLiteral("tour"));
     setAccessibleName(tr("Tour"));
+    m_progress->setObjectName(QStringLiteral("progress"));
+    m_back->setObjectName(QStringLiteral("back"));
+    m_close->setObjectName(QStringLiteral("close"));
     m_text->setWordWrap(true);
     m_progress->setForegroundRole(QPalette::PlaceholderText);
 
@@ -287,6 +290,7 @@ void Tour::showStep(int step) {
                                    .arg(isHand ? handSteps : stepCount - rest - 1));
     m_back->setVisible(step > 0);
     keepSize();
+    m_next->setObjectName(QLatin1String(asks ? "go-on" : step + 1 == stepCount ? "done" : "skip"));
     m_next->setText(asks ? tr("&Go On") : step + 1 == stepCount ? tr("&Done") : tr("&Skip"));
     m_close->setText(tr("Close"));
     m_close->setVisible(step + 1 < stepCount);

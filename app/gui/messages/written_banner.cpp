@@ -19,6 +19,7 @@ WrittenBanner::WrittenBanner(QMainWindow* host, const document::Document& docume
     setObjectName(QStringLiteral("written"));
     setAccessibleName(title);
     auto* folder = new QPushButton(tr("Show in Folder"), this);
+    folder->setObjectName(QStringLiteral("show-in-folder"));
     folder->setWhatsThis(tr("Shows the folder of the written file in the file manager."));
     auto* closeNow = new QPushButton(tr("Close"), this);
     const QString name = QFileInfo(path).fileName();

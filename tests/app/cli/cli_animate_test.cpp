@@ -553,5 +553,5 @@ void CliAnimateTest::killedAtAnyTimeLeavesWholeFiles() {
         QCOMPARE(read("a/" + file.toUtf8()), read("b/" + file.toUtf8()));
 }
 
-BARYCAGE_TEST(CliAnimateTest, QCoreApplication);
+BARYCAGE_TEST(CliAnimateTest, QGuiApplication);
 #include "cli_animate_test.moc"

@@ -402,5 +402,5 @@ void CliCollageTest::anInterruptLeavesNothing() {
     QVERIFY(!QFile::exists(path("stopped.ifs")) && !QFile::exists(path("stopped.json")));
 }
 
-BARYCAGE_TEST(CliCollageTest, QCoreApplication);
+BARYCAGE_TEST(CliCollageTest, QGuiApplication);
 #include "cli_collage_test.moc"

@@ -373,5 +373,5 @@ void CliConvertTest::writesToStandardOutput() {
     QVERIFY(!QFile::exists(path("-")));
 }
 
-BARYCAGE_TEST(CliConvertTest, QCoreApplication);
+BARYCAGE_TEST(CliConvertTest, QGuiApplication);
 #include "cli_convert_test.moc"

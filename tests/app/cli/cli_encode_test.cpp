@@ -135,5 +135,5 @@ void CliEncodeTest::bracketsInNamesAreLetters() {
     QVERIFY2(drawn.status == 0, drawn.err.constData());
 }
 
-BARYCAGE_TEST(CliEncodeTest, QCoreApplication);
+BARYCAGE_TEST(CliEncodeTest, QGuiApplication);
 #include "cli_encode_test.moc"

@@ -256,5 +256,5 @@ void CliFailuresTest::everyFileIsOldOrNew() {
 #endif
 }
 
-BARYCAGE_TEST(CliFailuresTest, QCoreApplication);
+BARYCAGE_TEST(CliFailuresTest, QGuiApplication);
 #include "cli_failures_test.moc"

@@ -511,5 +511,5 @@ void CliFilesTest::hardLinksAreSaidToKeepTheOld() {
     }
 }
 
-BARYCAGE_TEST(CliFilesTest, QCoreApplication);
+BARYCAGE_TEST(CliFilesTest, QGuiApplication);
 #include "cli_files_test.moc"

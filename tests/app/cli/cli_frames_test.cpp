@@ -192,5 +192,5 @@ void CliFramesTest::aFullDiskNamesTheFrame() {
     QVERIFY(QFile::exists(path("full/" + failed)));
 }
 
-BARYCAGE_TEST(CliFramesTest, QCoreApplication);
+BARYCAGE_TEST(CliFramesTest, QGuiApplication);
 #include "cli_frames_test.moc"

@@ -236,5 +236,5 @@ void CliInfoTest::namesAreOnesThatEntryTakes() {
     QCOMPARE(run("info names.ifs --names --json").status, 2);
 }
 
-BARYCAGE_TEST(CliInfoTest, QCoreApplication);
+BARYCAGE_TEST(CliInfoTest, QGuiApplication);
 #include "cli_info_test.moc"

@@ -184,5 +184,5 @@ void CliLinksTest::saysThatTransformationsAreLost() {
     QVERIFY(run("convert pair.ifs same.ifs").err.isEmpty());
 }
 
-BARYCAGE_TEST(CliLinksTest, QCoreApplication);
+BARYCAGE_TEST(CliLinksTest, QGuiApplication);
 #include "cli_links_test.moc"

@@ -464,5 +464,5 @@ void CliMannersTest::palettesAreListed() {
                  0);
 }
 
-BARYCAGE_TEST(CliMannersTest, QCoreApplication);
+BARYCAGE_TEST(CliMannersTest, QGuiApplication);
 #include "cli_manners_test.moc"

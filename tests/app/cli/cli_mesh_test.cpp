@@ -224,5 +224,5 @@ void CliMeshTest::optionsThatMakeNoSenseAreRefused() {
     QVERIFY(!QFile::exists(path(arguments.split(' ')[1])));
 }
 
-BARYCAGE_TEST(CliMeshTest, QCoreApplication);
+BARYCAGE_TEST(CliMeshTest, QGuiApplication);
 #include "cli_mesh_test.moc"

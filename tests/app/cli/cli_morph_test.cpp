@@ -143,5 +143,5 @@ void CliMorphTest::warningsAreSaidOnce() {
     }
 }
 
-BARYCAGE_TEST(CliMorphTest, QCoreApplication);
+BARYCAGE_TEST(CliMorphTest, QGuiApplication);
 #include "cli_morph_test.moc"

@@ -172,5 +172,5 @@ void CliOptionsTest::theEditorDrawsWithoutADisplay() {
     QVERIFY(process.readAllStandardError().startsWith("barycage: "));
 }
 
-BARYCAGE_TEST(CliOptionsTest, QCoreApplication);
+BARYCAGE_TEST(CliOptionsTest, QGuiApplication);
 #include "cli_options_test.moc"

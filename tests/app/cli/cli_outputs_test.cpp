@@ -174,5 +174,5 @@ void CliOutputsTest::librariesPrintNothing() {
     QVERIFY(refused > 5);
 }
 
-BARYCAGE_TEST(CliOutputsTest, QCoreApplication);
+BARYCAGE_TEST(CliOutputsTest, QGuiApplication);
 #include "cli_outputs_test.moc"

@@ -85,5 +85,5 @@ void CliPageTest::whatCannotBeWritten() {
     QVERIFY2(many.err.contains("2001 maps; a web page can have at most 2000"), many.err);
 }
 
-BARYCAGE_TEST(CliPageTest);
+BARYCAGE_TEST(CliPageTest, QGuiApplication);
 #include "cli_page_test.moc"

@@ -298,5 +298,5 @@ void CliPartsTest::killedAtAnyTimeLeavesWholeFiles() {
     QVERIFY(read("killed/" + name) == whole);
 }
 
-BARYCAGE_TEST(CliPartsTest, QCoreApplication);
+BARYCAGE_TEST(CliPartsTest, QGuiApplication);
 #include "cli_parts_test.moc"

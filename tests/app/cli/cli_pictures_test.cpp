@@ -377,5 +377,5 @@ void CliPicturesTest::sizesOnPaperAreExact() {
     QVERIFY(!QFile::exists(path("wrong.png")));
 }
 
-BARYCAGE_TEST(CliPicturesTest, QCoreApplication);
+BARYCAGE_TEST(CliPicturesTest, QGuiApplication);
 #include "cli_pictures_test.moc"

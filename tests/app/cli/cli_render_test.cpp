@@ -361,5 +361,5 @@ void CliRenderTest::writesToStandardOutput() {
 }
 
 // The first entry in the plane, that is: another draws nothing.
-BARYCAGE_TEST(CliRenderTest, QCoreApplication);
+BARYCAGE_TEST(CliRenderTest, QGuiApplication);
 #include "cli_render_test.moc"

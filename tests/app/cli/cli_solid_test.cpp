@@ -194,5 +194,5 @@ void CliSolidTest::optionsThatMakeNoSenseAreRefused() {
     QVERIFY(!QFile::exists(path("a.png")));
 }
 
-BARYCAGE_TEST(CliSolidTest, QCoreApplication);
+BARYCAGE_TEST(CliSolidTest, QGuiApplication);
 #include "cli_solid_test.moc"

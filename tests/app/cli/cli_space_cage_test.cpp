@@ -89,5 +89,5 @@ void CliSpaceCageTest::cagesAgreeWithThoseOfTheWindow() {
     QVERIFY(named != picture(quoted(other), moved));
 }
 
-BARYCAGE_TEST(CliSpaceCageTest, QCoreApplication);
+BARYCAGE_TEST(CliSpaceCageTest, QGuiApplication);
 #include "cli_space_cage_test.moc"

@@ -429,5 +429,5 @@ void CliSpaceTest::optionsThatMakeNoSenseAreRefused() {
     QVERIFY(!QFile::exists(path("a.png")) && !QFile::exists(path("a.svg")));
 }
 
-BARYCAGE_TEST(CliSpaceTest, QCoreApplication);
+BARYCAGE_TEST(CliSpaceTest, QGuiApplication);
 #include "cli_space_test.moc"

@@ -516,5 +516,5 @@ void CliStealTest::warningsAreSaidOnce() {
     }
 }
 
-BARYCAGE_TEST(CliStealTest, QCoreApplication);
+BARYCAGE_TEST(CliStealTest, QGuiApplication);
 #include "cli_steal_test.moc"

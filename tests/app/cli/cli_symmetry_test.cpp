@@ -124,5 +124,5 @@ void CliSymmetryTest::wrongSymmetries() {
     QVERIFY(!QFile::exists(path("no.ifs")));
 }
 
-BARYCAGE_TEST(CliSymmetryTest, QCoreApplication);
+BARYCAGE_TEST(CliSymmetryTest, QGuiApplication);
 #include "cli_symmetry_test.moc"

@@ -492,5 +492,5 @@ void CliTest::aLimitOnFilesIsSaid() {
     QCOMPARE(files(), before);
 }
 
-BARYCAGE_TEST(CliTest, QCoreApplication);
+BARYCAGE_TEST(CliTest, QGuiApplication);
 #include "cli_test.moc"

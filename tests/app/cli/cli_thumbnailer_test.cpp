@@ -149,5 +149,5 @@ void CliThumbnailerTest::limitsThatAreNone() {
     QCOMPARE(run(render + "--time-limit 600 --memory-limit 1000").status, 0);
 }
 
-BARYCAGE_TEST(CliThumbnailerTest, QCoreApplication);
+BARYCAGE_TEST(CliThumbnailerTest, QGuiApplication);
 #include "cli_thumbnailer_test.moc"

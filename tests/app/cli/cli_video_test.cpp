@@ -558,5 +558,5 @@ void CliVideoTest::aFullDiskLeavesNothing() {
     QVERIFY(files("a").isEmpty());
 }
 
-BARYCAGE_TEST(CliVideoTest, QCoreApplication);
+BARYCAGE_TEST(CliVideoTest, QGuiApplication);
 #include "cli_video_test.moc"

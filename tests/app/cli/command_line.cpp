@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "app/cli/command_line.h"
+#include "run.h"
 #include "support/paths.h"
 
 #include <QDateTime>
+#include <QDir>
 #include <QFile>
 #include <QJsonArray>
 #include <QJsonDocument>
@@ -10,6 +12,67 @@
 #include <QTest>
 
 #include <cmath>
+#include <csignal>
+#include <cstdio>
+#include <string>
+#include <sys/mman.h>
+#include <unistd.h>
+#include <vector>
+
+namespace {
+
+// A standard stream of the process, replaced by a file without a name while this lives.
+class ReplacedStream {
+public:
+    ReplacedStream(int stream, const QByteArray& bytes = {})
+        : m_stream(stream), m_kept(::dup(stream)), m_file(::memfd_create("stream", 0)) {
+        const bool isWritten = ::write(m_file, bytes.constData(), std::size_t(bytes.size())) == bytes.size();
+        m_isReplaced = isWritten && ::lseek(m_file, 0, SEEK_SET) == 0 && ::dup2(m_file, m_stream) >= 0;
+    }
+    ReplacedStream(const ReplacedStream&) = delete;
+    ReplacedStream& operator=(const ReplacedStream&) = delete;
+    ~ReplacedStream() {
+        ::dup2(m_kept, m_stream);
+        ::close(m_kept);
+        ::close(m_file);
+    }
+
+    bool isReplaced() const { return m_isReplaced; }
+
+    QByteArray bytes() const {
+        QFile file;
+        if (::lseek(m_file, 0, SEEK_SET) != 0 || !file.open(m_file, QIODevice::ReadOnly)) return {};
+        return file.readAll();
+    }
+
+private:
+    int m_stream, m_kept, m_file;
+    bool m_isReplaced = false;
+};
+
+// What a call may change of the process, put back when this ends.
+class ProcessState {
+public:
+    explicit ProcessState(const QString& folder) {
+        pthread_sigmask(SIG_SETMASK, nullptr, &m_signals);
+        QDir::setCurrent(folder);
+        m_handler = qInstallMessageHandler([](QtMsgType, const QMessageLogContext&, const QString&) {});
+    }
+    ProcessState(const ProcessState&) = delete;
+    ProcessState& operator=(const ProcessState&) = delete;
+    ~ProcessState() {
+        qInstallMessageHandler(m_handler);
+        QDir::setCurrent(m_folder);
+        pthread_sigmask(SIG_SETMASK, &m_signals, nullptr);
+    }
+
+private:
+    sigset_t m_signals{};
+    QString m_folder = QDir::currentPath();
+    QtMessageHandler m_handler = nullptr;
+};
+
+} // namespace
 
 void compare(double actual, double expected, double tolerance) {
     QVERIFY2(std::abs(actual - expected) <= tolerance,
@@ -45,6 +108,20 @@ void CommandLineTest::initTestCase() {
 }
 
 CommandLineTest::Result CommandLineTest::run(const QByteArray& arguments, const QByteArray& input) const {
+    std::vector<std::string> words;
+    for (const QString& word : QProcess::splitCommand(QString::fromUtf8(arguments)))
+        words.push_back(word.toStdString());
+    std::fflush(nullptr);
+    const ProcessState state(m_folder.path());
+    const ReplacedStream in(STDIN_FILENO, input), out(STDOUT_FILENO), err(STDERR_FILENO);
+    if (!in.isReplaced() || !out.isReplaced() || !err.isReplaced()) return {};
+    const cli::ExitStatus status = cli::run(words);
+    std::fflush(nullptr);
+    return {int(status), out.bytes(), err.bytes()};
+}
+
+CommandLineTest::Result CommandLineTest::runProgram(const QByteArray& arguments,
+                                                    const QByteArray& input) const {
     QProcess process;
     start(process, arguments);
     process.write(input);

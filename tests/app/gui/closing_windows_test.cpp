@@ -12,6 +12,7 @@
 #include "space/four_views.h"
 #include "space/space_view.h"
 #include "stage/stage.h"
+#include "support/named.h"
 #include "support/named_test.h"
 #include "support/paths.h"
 #include "support/patient_tries.h"
@@ -151,20 +152,19 @@ void ClosingWindowsTest::anExportInADialogIsAskedAbout() {
     for (auto* box : dialog.findChildren<QSpinBox*>())
         if (box->minimum() == 8) box->setValue(500);           // the resolution
     dialog.exportTo(folder.filePath(QStringLiteral("a.stl"))); // takes seconds
-    QString answer = QStringLiteral("Continue");
+    const char* answer = "continue";
     int questions = 0;
     QTimer watch;
     connect(&watch, &QTimer::timeout, this, [&] {
         auto* question = qobject_cast<QMessageBox*>(QApplication::activeModalWidget());
         if (!question) return;
         ++questions;
-        for (QAbstractButton* button : question->buttons())
-            if (button->text().remove(u'&') == answer) return button->click();
+        support::button(*question, answer)->click();
     });
     watch.start(20);
     QVERIFY(!window->close());
     QCOMPARE(questions, 1);
-    answer = QStringLiteral("Stop Export");
+    answer = "stop";
     QVERIFY(window->close());
     QCOMPARE(questions, 2);
 }

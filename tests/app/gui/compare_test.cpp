@@ -11,6 +11,7 @@
 #include "support/choose.h"
 #include "support/commands.h"
 #include "support/events.h"
+#include "support/named.h"
 #include "support/named_test.h"
 
 #include <QAction>
@@ -50,11 +51,7 @@ private:
     view::CanvasView* canvas() const { return m_window->findChild<Stage*>()->plane(); }
     view::ComparePane* pane() const { return m_window->findChild<view::ComparePane*>(); }
     QComboBox* entries() const { return pane()->findChild<QComboBox*>(); }
-    QToolButton* button(const QString& name) const {
-        for (auto* found : pane()->findChildren<QToolButton*>())
-            if (found->accessibleName() == name) return found;
-        return nullptr;
-    }
+    QAbstractButton* button(const char* name) const { return support::button(*pane(), name); }
     void toggle() { QTest::keyClick(canvas(), Qt::Key_B, Qt::ControlModifier | Qt::ShiftModifier); }
     document::EntryId idOf(const QString& name) {
         for (const auto& entry : document().file().entries)
@@ -87,7 +84,7 @@ void CompareTest::showsAndHides() {
     QTRY_VERIFY(std::abs(canvas()->width() - pane()->width()) < 20);
     QTRY_VERIFY(!pane()->plane()->picture().isNull());
     QVERIFY(pane()->plane()->picture() != canvas()->picture());
-    button(u"Close"_s)->click();
+    button("close")->click();
     QTRY_COMPARE(canvas()->width(), width);
     toggle(); // the button has told the menu
     QTRY_VERIFY(pane()->isVisible());
@@ -246,7 +243,7 @@ void CompareTest::entriesComeAndGo() {
     QCOMPARE(pane()->entry(), document::EntryId::None);
     const auto* views = pane()->findChild<QStackedWidget*>();
     QVERIFY(qobject_cast<QLabel*>(views->currentWidget())); // which says so
-    QVERIFY(!entries()->isEnabled() && !button(u"Link Views"_s)->isEnabled());
+    QVERIFY(!entries()->isEnabled() && !button("link-views")->isEnabled());
     document::FractalFile file = document().file();
     document::Entry copy = file.entries.first();
     document::Fractal renamed = *copy.fractal;
@@ -256,7 +253,7 @@ void CompareTest::entriesComeAndGo() {
     file.entries << copy;
     document().editFile(u"Add"_s, file, file.entries.first().id);
     QCOMPARE(shown(), u"a2"_s);
-    QVERIFY(button(u"Link Views"_s)->isEnabled());
+    QVERIFY(button("link-views")->isEnabled());
     document().undoStack()->undo();
     QCOMPARE(pane()->entry(), document::EntryId::None);
     QVERIFY(qobject_cast<QLabel*>(views->currentWidget()));
@@ -264,7 +261,7 @@ void CompareTest::entriesComeAndGo() {
     // One that cannot be read is shown as such.
     open("a {\n .5 0 0 .5 0 0 1\n}\nbroken {\n 1 2\n}\n");
     QTRY_COMPARE(shown(), u"broken"_s);
-    QVERIFY(!button(u"Link Views"_s)->isEnabled());
+    QVERIFY(!button("link-views")->isEnabled());
     QVERIFY(!pane()->plane()->note().isEmpty());
 }
 
@@ -290,7 +287,7 @@ void CompareTest::solidsAreCompared() {
     QVERIFY(areAlike());
     // A solid and a fractal of the plane have no view in common.
     pane()->setEntry(idOf(u"flat"_s));
-    QVERIFY(pane()->plane()->isVisible() && !button(u"Link Views"_s)->isEnabled());
+    QVERIFY(pane()->plane()->isVisible() && !button("link-views")->isEnabled());
     const attractor::OrbitCamera before = own.camera();
     pane()->plane()->navigation().zoomBy(2);
     QVERIFY(own.camera() == before);

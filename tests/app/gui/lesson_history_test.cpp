@@ -3,6 +3,7 @@
 #include "document/edits/cage/cage_edits.h"
 #include "document/fractal/fractal_geometry.h"
 #include "panels/lesson/lesson_notebook.h"
+#include "support/commands.h"
 #include "support/named_test.h"
 
 #include <QAction>
@@ -24,11 +25,7 @@ private:
     document::Document& document() { return m_window->document(); }
     QUndoStack& history() { return *document().undoStack(); }
     view::CanvasView* canvas() const { return m_window->findChild<view::CanvasView*>(); }
-    void trigger(const QString& text) {
-        for (auto* found : m_window->findChildren<QAction*>())
-            if (found->text().remove(u'&') == text) return found->trigger();
-        QFAIL("no such command");
-    }
+    void trigger(const char* id) { support::command(*m_window, id)->trigger(); }
     void moveCorner(double by) {
         ifs::ControlCage<2> cage = document::effectiveCage(document().fractal());
         cage.current[0].x() += by;
@@ -38,7 +35,7 @@ private:
     // A lesson whose only step shows another cage than the file has, which is as it was opened.
     void recordMovedCage() {
         moveCorner(0.5);
-        trigger(u"Add Step"_s);
+        trigger("add");
         history().setIndex(0);
         history().setClean();
     }
@@ -51,7 +48,7 @@ private:
 void LessonHistoryTest::nothingOfTheLessonIsOffered() {
     recordMovedCage();
     const document::FractalFile before = document().file();
-    trigger(u"Play Lesson"_s);
+    trigger("play-lesson");
     QVERIFY(document().file() != before); // the step has moved it
     end();
     QVERIFY(document().file() == before);
@@ -62,7 +59,7 @@ void LessonHistoryTest::nothingOfTheLessonIsOffered() {
 
 void LessonHistoryTest::whatOthersChangedIsOffered() {
     recordMovedCage();
-    trigger(u"Play Lesson"_s);
+    trigger("play-lesson");
     moveCorner(2);
     const document::Fractal made = document().fractal();
     end();
@@ -73,12 +70,12 @@ void LessonHistoryTest::whatOthersChangedIsOffered() {
 }
 
 void LessonHistoryTest::whatWasUndoneBeforeIsStillOffered() {
-    trigger(u"Add Step"_s);
+    trigger("add");
     moveCorner(1);
     const document::Fractal moved = document().fractal();
     history().undo();
     history().setClean();
-    trigger(u"Play Lesson"_s); // its step shows the file as it is
+    trigger("play-lesson"); // its step shows the file as it is
     end();
     QVERIFY(history().canRedo());
     history().redo();

@@ -12,6 +12,7 @@
 #include "space/space_view.h"
 #include "support/background_rest.h"
 #include "support/commands.h"
+#include "support/named.h"
 #include "support/named_test.h"
 
 #include <QAction>
@@ -59,9 +60,9 @@ private:
     view::LessonNotebook* notebook() const { return m_window->findChild<view::LessonNotebook*>(); }
     view::LessonCard* card() const { return m_window->findChild<view::LessonCard*>(); }
     QAction* command(const char* id) const { return support::command(*m_window, id); }
-    QAction* action(const QString& text) const {
+    QAction* builtIn(const QString& name) const {
         for (auto* found : m_window->findChildren<QAction*>())
-            if (found->text().remove(u'&') == text) return found;
+            if (found->data() == name) return found;
         return nullptr;
     }
     QString shownText() const {
@@ -469,10 +470,7 @@ void LessonTest::fractalsThatAreGoneAreFound() {
     write(renamed, "a {\n .5 0 0 .5 0 0 1\n}\n");
     write(path, "lesson: a\nfile: gone.ifs\n\n## One\n\nText.\n");
     QVERIFY(!m_window->openPath(path));
-    QPushButton* find = nullptr;
-    for (auto* button : m_window->findChildren<QPushButton*>())
-        if (button->text() == u"&Find…"_s) find = button;
-    QVERIFY(find);
+    QAbstractButton* find = support::button(*m_window, "find");
     QTimer answering;
     support::chooseFile(answering, renamed);
     find->click();
@@ -545,7 +543,7 @@ void LessonTest::entriesAndCagesMayBeGone() {
 void LessonTest::readyMadeLessonsTakeAWindowOfTheirOwn() {
     moveCorner(1);
     const document::FractalFile before = document().file();
-    action(u"The Chaos Game"_s)->trigger();
+    builtIn(u"chaos_game"_s)->trigger();
     QCOMPARE(session::windows().size(), 2);
     QVERIFY(document().file() == before && notebook()->isEmpty());
     for (SessionWindow* other : session::windows()) {
@@ -562,7 +560,7 @@ void LessonTest::readyMadeLessonsTakeAWindowOfTheirOwn() {
     document().undoStack()->setClean();
     // An unused window is used.
     m_window->openFirstPicture();
-    action(u"Why the Maple Fits Its Triangle"_s)->trigger();
+    builtIn(u"maple_triangle"_s)->trigger();
     QCOMPARE(session::windows().size(), 1);
     QVERIFY(card()->isVisible() && shownText().contains(u"1 of 8"_s));
     QTest::keyClick(canvas(), Qt::Key_Escape);

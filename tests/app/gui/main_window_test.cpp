@@ -438,12 +438,7 @@ void MainWindowTest::spaceOnTheBallOfAxesDoesNotPlay() {
 void MainWindowTest::theViewIsRotated() {
     MainWindow* window = shown(support::testData(QStringLiteral("shapes.ifs")));
     auto* canvas = window->findChild<view::CanvasView*>();
-    const auto choose = [&](const QString& keysOrName) {
-        for (QAction* action : window->actions())
-            if (action->shortcut().toString() == keysOrName || action->text().remove(u'&') == keysOrName)
-                return action->trigger();
-        QFAIL(qPrintable(keysOrName));
-    };
+    const auto choose = [&](const char* id) { support::command(*window, id)->trigger(); };
     const auto said = [&]() -> QString {
         for (const QLabel* label : window->statusBar()->findChildren<QLabel*>())
             if (label->accessibleName() == QStringLiteral("Rotation of the view"))
@@ -451,15 +446,15 @@ void MainWindowTest::theViewIsRotated() {
         return QStringLiteral("no label");
     };
     QVERIFY(said().isEmpty());
-    choose(QStringLiteral("Ctrl+["));
-    choose(QStringLiteral("Ctrl+["));
+    choose("rotate-view-left");
+    choose("rotate-view-left");
     QCOMPARE(canvas->navigation().rotation(), 30.0);
     QCOMPARE(said(), QStringLiteral("rotated 30°"));
     canvas->fit();
-    choose(QStringLiteral("Ctrl+]"));
+    choose("rotate-view-right");
     QCOMPARE(said(), QStringLiteral("rotated 15°"));
     const document::SavedView::Camera kept = window->findChild<Stage*>()->camera();
-    choose(QStringLiteral("Reset Rotation"));
+    choose("reset-rotation");
     QCOMPARE(canvas->navigation().rotation(), 0.0);
     QVERIFY(said().isEmpty());
     window->findChild<Stage*>()->lookAt(kept);
@@ -543,7 +538,7 @@ void MainWindowTest::aFractalOfTheCollectionBecomesADocument() {
         auto* menu = qobject_cast<QMenu*>(QApplication::activePopupWidget());
         if (!menu) return;
         for (QAction* action : menu->actions())
-            if (action->text() == QStringLiteral("&Open as New Document")) {
+            if (action->objectName() == QStringLiteral("open")) {
                 isOffered = true;
                 menu->setActiveAction(action);
                 QTest::keyClick(menu, Qt::Key_Return);

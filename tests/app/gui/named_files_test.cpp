@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "app/gui/window_fixture.h"
 #include "panels/lesson/lesson_notebook.h"
+#include "support/named.h"
 #include "support/named_test.h"
 
 #include <QAbstractButton>
@@ -59,10 +60,7 @@ void NamedFilesTest::lessonsAskForFilesOutsideTheirFolder() {
             QVERIFY(box && box->informativeText().contains(QFileInfo(reference).fileName()));
             QCOMPARE(box->defaultButton(), box->button(QMessageBox::Cancel));
             QCOMPARE(m_window->path(), inside);
-            QAbstractButton* open = nullptr;
-            for (auto* button : box->buttons())
-                if (button->text() == u"&Open It"_s) open = button;
-            QVERIFY(open);
+            QAbstractButton* open = support::button(*box, "open");
             (isAgreed ? open : box->button(QMessageBox::Cancel))->click();
             QTRY_VERIFY(!question());
             if (isAgreed)

@@ -5,6 +5,7 @@
 #include "files/open_claim.h"
 #include "main_window.h"
 #include "session/session.h"
+#include "support/commands.h"
 #include "support/named_test.h"
 #include "support/own_settings.h"
 
@@ -50,12 +51,6 @@ QString saveAs(MainWindow& window, const QString& name) {
     for (QAction* action : window.findChildren<QAction*>())
         if (action->shortcut() == QKeySequence(QKeySequence::Save)) action->trigger();
     return window.statusBar()->currentMessage();
-}
-
-QAction* actionOf(const MainWindow& window, const QString& text) {
-    for (auto* found : window.findChildren<QAction*>())
-        if (found->text().remove(u'&') == text) return found;
-    qFatal("no such command");
 }
 
 // In the dialog that will ask for a file, and in the question whether to replace it.
@@ -209,8 +204,8 @@ void PreviousVersionTest::lessonsKeepTheirs() {
     window->show();
     QVERIFY(window->openPath(path));
     for (const char* title : {"Second", "Third"}) {
-        actionOf(*window, QStringLiteral("Add Step"))->trigger();
-        actionOf(*window, QStringLiteral("Save Lesson…"))->trigger();
+        support::command(*window, "add")->trigger();
+        support::command(*window, "save-lesson")->trigger();
         QVERIFY2(bytesOf(path) != first, title);
         QCOMPARE(bytesOf(path + u'~'), first);
         const QString said = window->statusBar()->currentMessage();
@@ -226,7 +221,7 @@ void PreviousVersionTest::copiesKeepTheirs() {
     for (const bool isFirst : {true, false}) {
         QTimer answering;
         answerWith(answering, path);
-        actionOf(*window, QStringLiteral("Save a Copy for Other Programs…"))->trigger();
+        support::command(*window, "save-for-other-programs")->trigger();
         answering.stop();
         QVERIFY(bytesOf(path).startsWith("leaf"));
         QCOMPARE(bytesOf(path + u'~'), before);

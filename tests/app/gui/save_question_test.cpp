@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "app/gui/window_fixture.h"
+#include "support/commands.h"
 #include "support/named_test.h"
 
 #include <QAbstractButton>
@@ -52,12 +53,7 @@ private:
         changed.name = name;
         m_window->document().edit(u"rename"_s, changed);
     }
-    void trigger(const QString& command) {
-        for (QAction* action : m_window->findChildren<QAction*>())
-            if (action->text().remove(u'&') == command) return action->trigger();
-        QFAIL("no such command");
-    }
-    void takeSnapshot() { trigger(u"Take Snapshot"_s); }
+    void takeSnapshot() { support::command(*m_window, "snapshot")->trigger(); }
 };
 
 void SaveQuestionTest::snapshotsAreNamed() {
@@ -115,7 +111,9 @@ void SaveQuestionTest::revertingSaysWhatIsLost() {
     file.write("one {\n.5 0 0 .5 0 0 .5\n.5 0 0 .5 1 0 .5\n}\n");
     file.close();
     QVERIFY(m_window->openPath(path));
-    const auto question = [this] { return askedBy([this] { trigger(u"Revert"_s); }).text; };
+    const auto question = [this] {
+        return askedBy([this] { support::command(*m_window, "revert")->trigger(); }).text;
+    };
     document::Fractal changed = m_window->document().fractal();
     document::plane(changed)->system.maps[0].map.translation.x() += 0.1;
     m_window->document().edit(u"move"_s, changed);

@@ -14,6 +14,7 @@
 #include "support/background_rest.h"
 #include "support/commands.h"
 #include "support/every_window.h"
+#include "support/named.h"
 #include "support/named_test.h"
 #include "support/own_settings.h"
 #include "support/patient_tries.h"
@@ -46,7 +47,7 @@ constexpr auto delay = 150ms; // of each answer: longer than a window waits for 
 
 QStringList shownRecent(const MainWindow& window) {
     for (auto* menu : window.findChildren<QMenu*>())
-        if (menu->title() == QStringLiteral("Open &Recent")) {
+        if (menu->objectName() == QStringLiteral("recent")) {
             emit menu->aboutToShow();
             QStringList names;
             for (const QAction* action : menu->actions())
@@ -203,10 +204,7 @@ void SlowDiskTest::dialogsThatAskForAFile() {
     trigger(*window, QKeySequence(QStringLiteral("Ctrl+E")));
     auto* dialog = window->findChild<view::ExportDialog*>();
     QVERIFY(dialog);
-    QAbstractButton* choose = nullptr;
-    for (auto* button : dialog->findChildren<QAbstractButton*>())
-        if (button->text().remove(u'&') == QStringLiteral("Export…")) choose = button;
-    QVERIFY(choose);
+    QAbstractButton* choose = support::button(*dialog, "export");
     QCOMPARE(rejectingDialogs([choose] { choose->click(); }), 1);
     VERIFY_NOTHING_WAS_ASKED(disk);
 }

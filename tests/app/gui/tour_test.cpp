@@ -8,6 +8,7 @@
 #include "panels/timeline/timeline_panel.h"
 #include "support/events.h"
 #include "support/forget_settings.h"
+#include "support/named.h"
 #include "support/named_test.h"
 
 #include <QAction>
@@ -37,15 +38,12 @@ private:
     document::Document& document() const { return m_window->document(); }
     Tour* tour() const { return m_window->findChild<Tour*>(); }
     void start() const { Tour::start(m_window.get(), &document(), m_window->panels()); }
-    QPushButton* button(const QString& text) const {
-        for (auto* found : tour()->findChildren<QPushButton*>())
-            if (found->isVisible() && found->text().remove(u'&') == text) return found;
-        return nullptr;
+    QAbstractButton* button(const char* name) const { return support::button(*tour(), name); }
+    bool isShown(const char* name) const {
+        const auto* found = tour()->findChild<QAbstractButton*>(QLatin1String(name));
+        return found && found->isVisible();
     }
-    QPushButton* next() const {
-        QPushButton* skip = button(QStringLiteral("Skip"));
-        return skip ? skip : button(QStringLiteral("Go On"));
-    }
+    QAbstractButton* next() const { return button(isShown("skip") ? "skip" : "go-on"); }
     void settle() const {
         QCoreApplication::processEvents();
         QCoreApplication::processEvents();
@@ -76,7 +74,7 @@ void TourTest::everyStepIsOneSentence() {
         QVERIFY(m_window->rect().contains(tour()->geometry()));
         if (step < 9) next()->click();
     }
-    button(QStringLiteral("Done"))->click();
+    button("done")->click();
     QTRY_VERIFY(!tour());
 }
 
@@ -107,7 +105,7 @@ void TourTest::sixStepsAreDoneByTheHand() {
     QTRY_COMPARE(tour()->step(), 5);
     m_window->findChild<QAction*>(QStringLiteral("export-picture"))->trigger();
     QTRY_COMPARE(tour()->step(), 6);
-    QVERIFY(button(QStringLiteral("Go On")));
+    QVERIFY(isShown("go-on"));
     cleanUp();
 }
 
@@ -128,7 +126,7 @@ void TourTest::threeMoreShowWhatIsBehind() {
     QCOMPARE(canvas().tool(), view::CanvasView::Tool::Branch);
     canvas().tools().branchTool().choice().choose({0, 1, 0, 1, 0});
     QTRY_COMPARE(tour()->step(), 9);
-    QVERIFY(button(QStringLiteral("Done")));
+    QVERIFY(isShown("done"));
     editMap(0.9);
     QTRY_VERIFY(!tour());
     cleanUp();
@@ -140,22 +138,22 @@ void TourTest::stepsCanBeSkipped() {
     for (int step = 0; step < 6; ++step) {
         settle();
         QCOMPARE(tour()->step(), step);
-        QCOMPARE(button(QStringLiteral("Back")) != nullptr, step > 0);
-        QPushButton* skip = button(QStringLiteral("Skip"));
+        QCOMPARE(isShown("back"), step > 0);
+        QAbstractButton* skip = button("skip");
         QVERIFY(skip);
         const QPoint place = skip->mapTo(m_window.get(), skip->rect().bottomRight());
         if (step > 0) QCOMPARE(place, nextCorner); // under the pointer that has just clicked it
         nextCorner = place;
         skip->click();
     }
-    button(QStringLiteral("Back"))->click();
+    button("back")->click();
     QCOMPARE(tour()->step(), 5);
     // Nothing is locked: the fractal can be edited while the banner is there.
     document::Fractal fractal = document().fractal();
     fractal.name = QStringLiteral("other");
     document().edit(QStringLiteral("rename"), fractal);
     QCOMPARE(document().undoStack()->count(), 1);
-    button(QStringLiteral("Close"))->click();
+    button("close")->click();
     QTRY_VERIFY(!tour());
     cleanUp();
 }

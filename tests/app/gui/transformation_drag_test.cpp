@@ -2,6 +2,7 @@
 #include "canvas/canvas_view.h"
 #include "stage/stage.h"
 #include "support/commands.h"
+#include "support/named.h"
 #include "support/named_test.h"
 #include "support/patient_tries.h"
 #include "transformation/transformation_view.h"
@@ -19,18 +20,11 @@ class TransformationDragTest : public WindowFixture {
 
 private slots:
     void draggingAMapIsLiveAndOneStep();
-
-private:
-    void trigger(const QString& text) {
-        for (QAction* action : m_window->findChildren<QAction*>())
-            if (action->text() == text) return action->trigger();
-        QFAIL("no such action");
-    }
 };
 
 void TransformationDragTest::draggingAMapIsLiveAndOneStep() {
     support::command(*m_window, "fractal-transformation")->trigger();
-    trigger(QStringLiteral("Triangle Family"));
+    support::action(*m_window, "triangle-family")->trigger();
     const auto* transformation = m_window->findChild<view::TransformationView*>();
     view::CanvasView* canvas = m_window->findChild<Stage*>()->plane();
     QTRY_VERIFY_WITH_TIMEOUT(transformation->isPainted(), 60'000);

@@ -4,6 +4,7 @@
 #include "io/fractint/fractint_reader.h"
 #include "support/commands.h"
 #include "support/events.h"
+#include "support/named.h"
 #include "support/named_test.h"
 #include "transformation/transformation_view.h"
 #include "window_fixture.h"
@@ -51,18 +52,12 @@ private:
         document().setFile(io::readFractint(text));
         toggle();
     }
-    QToolButton* button(const QString& name) const { // null where none of that name is shown
-        for (auto* candidate : view()->findChildren<QToolButton*>())
-            if (candidate->isVisible() && candidate->accessibleName() == name) return candidate;
-        return nullptr;
+    QAbstractButton* button(const char* name) const { return support::button(*view(), name); }
+    bool isRemedy(const char* name) const {
+        const auto* found = view()->bar()->findChild<QAbstractButton*>(QLatin1String(name));
+        return found && found->isVisible();
     }
-    QAction* embedding() const {
-        for (const auto* candidate : view()->bar()->findChildren<QToolButton*>())
-            if (const QMenu* menu = candidate->menu())
-                for (QAction* action : menu->actions())
-                    if (action->text() == QStringLiteral("Embed in the File")) return action;
-        return nullptr;
-    }
+    QAction* embedding() const { return support::action(*view()->bar(), "embed"); }
     int pictureWidth() const { return view()->theft()->picture() ? view()->theft()->picture()->width() : 0; }
     void toggle() { support::command(*m_window, "fractal-transformation")->trigger(); }
     KeptTheft kept() { return document::keptTheft(document().entryFractal()).value_or(KeptTheft()); }
@@ -108,10 +103,10 @@ void TransformationStateTest::dividingKeepsTheOrder() {
     open(twoAndThree);
     QTRY_VERIFY(problem().startsWith(QStringLiteral("“two” and “three” must have the same number")));
     view()->findChild<QListWidget*>()->setCurrentRow(1);
-    button(QStringLiteral("Move the map towards the top"))->click();
+    button("up")->click();
     QCOMPARE(kept().order, (Order{1, 0}));
-    QTRY_VERIFY(button(QStringLiteral("Divide Words")));
-    button(QStringLiteral("Divide Words"))->click();
+    QTRY_VERIFY(isRemedy("divide-words"));
+    button("divide-words")->click();
     QTRY_COMPARE(listed(), QStringList({QStringLiteral("3"), QStringLiteral("2"), QStringLiteral("1")}));
     QCOMPARE(kept().order, (Order{2, 1, 0})); // 2, 12, 11
     QTRY_VERIFY2(problem().isEmpty() && view()->isPainted(), qPrintable(problem()));
@@ -122,11 +117,11 @@ void TransformationStateTest::dividingKeepsTheOrder() {
 
 void TransformationStateTest::theOrderIsReset() {
     open(threeAndThree);
-    const QString name = QStringLiteral("Reset Order");
-    QVERIFY(button(name) && !button(name)->isEnabled());
+    const char* name = "reset-order";
+    QVERIFY(!button(name)->isEnabled());
     view()->findChild<QListWidget*>()->setCurrentRow(2);
-    button(QStringLiteral("Move the map towards the top"))->click();
-    button(QStringLiteral("Move the map towards the top"))->click();
+    button("up")->click();
+    button("up")->click();
     QCOMPARE(kept().order, (Order{2, 0, 1}));
     QVERIFY(button(name)->isEnabled());
     const int steps = document().undoStack()->count();
@@ -148,10 +143,8 @@ void TransformationStateTest::anOrderThatDoesNotFitIsReset() {
     theft.order = {0, 1};
     document().editEntry(QStringLiteral("order"), document::withTheft(document().entryFractal(), theft));
     QTRY_VERIFY(problem().startsWith(QStringLiteral("The stored order")));
-    QToolButton* remedy = nullptr;
-    for (auto* candidate : view()->bar()->findChildren<QToolButton*>())
-        if (candidate->isVisible() && candidate->text() == QStringLiteral("Reset Order")) remedy = candidate;
-    QVERIFY(remedy);
+    QAbstractButton* remedy = support::button(*view()->bar(), "reset-order");
+    QVERIFY(remedy->isVisible());
     remedy->click();
     QVERIFY(kept().order.empty());
     QTRY_VERIFY2(problem().isEmpty() && view()->isPainted(), qPrintable(problem()));
@@ -161,7 +154,7 @@ void TransformationStateTest::anOrderThatDoesNotFitIsReset() {
 void TransformationStateTest::nothingOldIsSaid() {
     open(twoAndThree);
     QTRY_VERIFY(problem().startsWith(QStringLiteral("“two” and “three” must have the same number")));
-    button(QStringLiteral("Divide Words"))->click();
+    button("divide-words")->click();
     QVERIFY2(problem().isEmpty(), qPrintable(problem()));
     document().undoStack()->undo();
     QVERIFY(problem().startsWith(QStringLiteral("“two” and “three” must have the same number")));
@@ -236,8 +229,7 @@ void TransformationStateTest::lateFramesOfAnotherEntryAreDropped() {
     open(threeOfThree);
     QTRY_VERIFY(view()->isPainted());
     for (int k = 0; k < 5; ++k) {
-        for (auto* overlay : view()->bar()->findChildren<QToolButton*>())
-            if (overlay->text() == QStringLiteral("Overlay")) overlay->click(); // asks for new frames
+        support::button(*view()->bar(), "overlay")->click(); // asks for new frames
         QThread::msleep(200); // no event tells that they are finished, as none is handled
         const std::uint64_t last = render->requested();
         bool isLate = false;
@@ -303,8 +295,8 @@ void TransformationStateTest::picturesOutsideTheFolderAreAskedFor() {
         QVERIFY(problem().contains(QFileInfo(named).fileName()) && !view()->theft()->picture());
         embedding()->trigger();
         QTRY_VERIFY(!embedding()->isChecked());
-        QVERIFY(kept().embedded.isEmpty() && button(QStringLiteral("Open It")));
-        button(QStringLiteral("Open It"))->click();
+        QVERIFY(kept().embedded.isEmpty() && isRemedy("open-foreign-picture"));
+        button("open-foreign-picture")->click();
         QTRY_COMPARE(pictureWidth(), 40);
         QVERIFY2(problem().isEmpty(), qPrintable(problem()));
         const document::EntryId own = document().currentId();

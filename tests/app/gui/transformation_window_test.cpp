@@ -20,6 +20,7 @@
 #include "support/background_rest.h"
 #include "support/choose.h"
 #include "support/commands.h"
+#include "support/named.h"
 #include "support/named_test.h"
 #include "support/patient_tries.h"
 #include "transformation/theft_export_dialog.h"
@@ -80,21 +81,15 @@ private:
     view::CanvasView* canvas() const { return m_window->findChild<Stage*>()->plane(); }
     int steps() { return document().undoStack()->count(); }
     void toggle() { support::command(*m_window, "fractal-transformation")->trigger(); }
-    void choose(const QString& entry) { // of a menu of the bar
-        for (const QToolButton* button : view()->bar()->findChildren<QToolButton*>())
-            if (const QMenu* menu = button->menu())
-                for (QAction* action : menu->actions())
-                    if (action->text() == entry) return action->trigger();
-        QFAIL("no such entry");
-    }
-    void click(const QString& name) {
-        for (QToolButton* button : view()->bar()->findChildren<QToolButton*>())
-            if (button->text() == name && button->isVisible()) return button->click();
-        QFAIL("no such button");
+    void choose(const char* name) { support::action(*view()->bar(), name)->trigger(); }
+    void click(const char* name) {
+        auto* button = support::button(*view()->bar(), name);
+        QVERIFY(button->isVisible());
+        button->click();
     }
     void openFamily() {
         toggle();
-        choose(QStringLiteral("Triangle Family"));
+        choose("triangle-family");
         QTRY_VERIFY_WITH_TIMEOUT(isPainted(), 60'000);
     }
     bool isPainted() const { return !view()->partnerCanvas()->picture().isNull() && isStolen(); }
@@ -192,7 +187,7 @@ void TransformationWindowTest::draggingThePartnerIsLive() {
     QWidget* target = partner->viewport();
     const QPoint corner = partner->canvas().positionOf({Kind::Vertex, 0}).toPoint();
     const int stepsBefore = steps();
-    choose(QStringLiteral("Grid"));
+    choose("grid");
     QComboBox* mode = nullptr;
     for (auto* box : view()->bar()->findChildren<QComboBox*>())
         if (box->accessibleName() == QStringLiteral("Mode")) mode = box;
@@ -260,12 +255,12 @@ void TransformationWindowTest::theCanvasesCanBeStacked() {
     const auto corner = [this](view::CanvasView* of) { return of->mapTo(view(), QPoint()); };
     view::CanvasView* partner = view()->partnerCanvas();
     QVERIFY(corner(partner).x() > corner(canvas()).x() && corner(partner).y() == corner(canvas()).y());
-    click(QStringLiteral("Stack"));
+    click("stack");
     QTRY_COMPARE(corner(partner).x(), corner(canvas()).x());
     QVERIFY(corner(partner).y() >= corner(canvas()).y() + canvas()->height());
     QVERIFY(std::abs(partner->height() - canvas()->height()) < 4);
     QTRY_VERIFY_WITH_TIMEOUT(isPainted(), 60'000);
-    click(QStringLiteral("Stack"));
+    click("stack");
     QTRY_COMPARE(corner(partner).y(), corner(canvas()).y());
 }
 
@@ -313,7 +308,7 @@ void TransformationWindowTest::slidersMoveTheFamily() {
     QTest::keyClick(sliders.first(), Qt::Key_PageUp);
     QTRY_COMPARE_WITH_TIMEOUT(steps(), before + 1, 60'000); // once the run of steps has ended
     document().undoStack()->undo();
-    choose(QStringLiteral("Square Family"));
+    choose("square-family");
     sliders.clear();
     for (auto* slider : view()->bar()->findChildren<QSlider*>())
         if (slider->isVisible()) sliders << slider;
@@ -356,13 +351,10 @@ void TransformationWindowTest::aMissingPictureIsSaid() {
     theft.picture = path; // as an opened file may have it
     document().editEntry(QStringLiteral("theft"), document::withTheft(document().entryFractal(), theft));
     QTRY_COMPARE_WITH_TIMEOUT(view()->bar()->problem().count(QStringLiteral("gone.png")), 1, 60'000);
-    click(QStringLiteral("Open It")); // it is in no folder of the file
+    click("open-foreign-picture"); // it is in no folder of the file
     QTRY_COMPARE_WITH_TIMEOUT(view()->bar()->problem().count(QStringLiteral("gone.png")), 1, 60'000);
     QTRY_VERIFY(!view()->isPainted()); // nor is another picture shown in its place
-    bool canBeFound = false;
-    for (const QToolButton* button : view()->bar()->findChildren<QToolButton*>())
-        canBeFound = canBeFound || (button->isVisible() && button->text() == QStringLiteral("Find Picture…"));
-    QVERIFY(canBeFound);
+    QVERIFY(support::button(*view()->bar(), "find-picture")->isVisible());
     QVERIFY(green.save(path));
     view()->usePicture(path); // found again, at the same place
     QTRY_VERIFY_WITH_TIMEOUT(view()->bar()->problem().isEmpty(), 60'000);
@@ -402,7 +394,7 @@ void TransformationWindowTest::otherNumbersAreDivided() {
             QStringLiteral("“two” and “three” must have the same number of active maps; they have 2 and 3."),
         60'000);
     QVERIFY(!canvas()->picture().isNull()); // the density
-    click(QStringLiteral("Divide Words"));
+    click("divide-words");
     QCOMPARE(steps(), 1);
     for (const document::Entry& entry : document().file().entries)
         QCOMPARE(document::system2(*entry.fractal)->maps.size(), std::size_t(3));
@@ -414,8 +406,7 @@ void TransformationWindowTest::theOrderIsKept() {
     auto* list = view()->findChild<QListWidget*>();
     QCOMPARE(list->count(), 4);
     list->setCurrentRow(2);
-    for (QToolButton* button : view()->findChildren<QToolButton*>())
-        if (button->text() == QStringLiteral("↑")) QTest::mouseClick(button, Qt::LeftButton);
+    QTest::mouseClick(support::button(*view(), "up"), Qt::LeftButton);
     QCOMPARE(kept().order, (std::vector<std::size_t>{0, 2, 1, 3}));
     QCOMPARE(list->item(1)->text(), QStringLiteral("3"));
     document().undoStack()->undo();
@@ -425,13 +416,10 @@ void TransformationWindowTest::theOrderIsKept() {
 
 void TransformationWindowTest::exportsThePicture() {
     toggle();
-    QToolButton* button = nullptr;
-    for (auto* candidate : view()->bar()->findChildren<QToolButton*>())
-        if (candidate->text() == QStringLiteral("Export…")) button = candidate;
-    QVERIFY(button);
+    QAbstractButton* button = support::button(*view()->bar(), "export");
     QTRY_VERIFY_WITH_TIMEOUT(!view()->bar()->problem().isEmpty(), 60'000);
     QVERIFY(!button->isEnabled()); // the flower and the maple: there is no transformation
-    choose(QStringLiteral("Triangle Family"));
+    choose("triangle-family");
     QTRY_VERIFY_WITH_TIMEOUT(isPainted() && button->isEnabled(), 60'000);
     button->click();
     auto* dialog = m_window->findChild<view::TheftExportDialog*>();

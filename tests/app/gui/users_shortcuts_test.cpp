@@ -4,6 +4,7 @@
 #include "dialogs/command_palette.h"
 #include "dialogs/preferences_dialog.h"
 #include "dialogs/shortcuts_page.h"
+#include "support/named.h"
 #include "support/named_test.h"
 #include "window_fixture.h"
 
@@ -49,16 +50,8 @@ private:
         QFAIL(id);
     }
     void type(const QKeySequence& keys) { m_page->findChild<QKeySequenceEdit*>()->setKeySequence(keys); }
-    QPushButton* button(const QString& text) const {
-        for (auto* found : m_page->findChildren<QPushButton*>())
-            if (found->text().remove(u'&') == text) return found;
-        return nullptr;
-    }
-    QString note() const {
-        for (const auto* label : m_page->findChildren<QLabel*>())
-            if (!label->buddy()) return label->text();
-        return {};
-    }
+    QAbstractButton* button(const char* name) const { return support::button(*m_page, name); }
+    QString note() const { return m_page->findChild<QLabel*>(QStringLiteral("note"))->text(); }
 
     view::ShortcutsPage* m_page = nullptr;
 };
@@ -123,11 +116,11 @@ void UsersShortcutsTest::keysOfOthersAreSwapped() {
     type(fit);
     QVERIFY2(note().contains(QStringLiteral("belongs to “Fit")), qPrintable(note()));
     QCOMPARE(command("mutate")->shortcut(), mutate); // not yet
-    QVERIFY(!button(QStringLiteral("Swap"))->isHidden());
-    button(QStringLiteral("Swap"))->click();
+    QVERIFY(!button("swap")->isHidden());
+    button("swap")->click();
     QCOMPARE(command("mutate")->shortcut(), fit);
     QCOMPARE(command("fit")->shortcut(), mutate);
-    QVERIFY(button(QStringLiteral("Swap"))->isHidden());
+    QVERIFY(button("swap")->isHidden());
     QVERIFY2(note().contains(mutate.toString(QKeySequence::NativeText)), qPrintable(note()));
 }
 
@@ -139,7 +132,7 @@ void UsersShortcutsTest::keysOfTheCanvasAreRefused() {
         type(QKeySequence(key));
         QVERIFY(note().contains(QKeySequence(key).toString(QKeySequence::NativeText)));
         QCOMPARE(command("mutate")->shortcut(), before);
-        QVERIFY(button(QStringLiteral("Swap"))->isHidden());
+        QVERIFY(button("swap")->isHidden());
     }
     type(QKeySequence(Qt::CTRL | Qt::Key_Left));
     QCOMPARE(command("mutate")->shortcut(), QKeySequence(Qt::CTRL | Qt::Key_Left));
@@ -150,10 +143,10 @@ void UsersShortcutsTest::defaultsReturn() {
     select("redo");
     const view::Shortcuts usual = command("redo")->shortcuts();
     QCOMPARE(usual.size(), 2);
-    QVERIFY(!button(QStringLiteral("Default"))->isEnabled());
-    button(QStringLiteral("Clear"))->click();
+    QVERIFY(!button("default")->isEnabled());
+    button("clear")->click();
     QVERIFY(command("redo")->shortcuts().isEmpty());
-    button(QStringLiteral("Default"))->click();
+    button("default")->click();
     QCOMPARE(command("redo")->shortcuts(), usual);
     type(QKeySequence(QStringLiteral("Ctrl+J")));
     select("fit");

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "app/gui/choose_file.h"
 #include "app/gui/window_fixture.h"
+#include "support/named.h"
 #include "support/named_test.h"
 
 #include <QAction>
@@ -57,8 +58,7 @@ void WebPageTest::theBannerLeadsToTheFolder() {
     QCOMPARE(banner->accessibleDescription(),
              u"b.html was written. Open it in a browser, or mail it: it needs no network."_s);
     QDesktopServices::setUrlHandler(u"file"_s, this, "open");
-    for (auto* button : banner->findChildren<QPushButton*>())
-        if (button->text() == u"Show in Folder"_s) button->click();
+    support::button(*banner, "show-in-folder")->click();
     QDesktopServices::unsetUrlHandler(u"file"_s);
     QCOMPARE(m_opened, QUrl::fromLocalFile(m_folder.path()));
 }

@@ -8,6 +8,7 @@
 #include "files/recent_files.h"
 #include "support/events.h"
 #include "support/languages.h"
+#include "support/named.h"
 #include "support/named_test.h"
 
 #include <QApplication>
@@ -71,8 +72,7 @@ private slots:
         auto* dock = m_window->findChild<QDockWidget*>(QStringLiteral("collection"));
         dock->hide();
         Welcome::offer(m_window.get());
-        for (auto* button : banner()->findChildren<QPushButton*>())
-            if (button->text() == QStringLiteral("Co&llection")) button->click();
+        support::button(*banner(), "collection")->click();
         QVERIFY(dock->isVisible());
         QVERIFY(dock->isAncestorOf(QApplication::focusWidget()) || dock->findChild<QLineEdit*>()->hasFocus());
         QTRY_VERIFY(!banner());

@@ -8,6 +8,7 @@
 #include "session/session.h"
 #include "support/background_rest.h"
 #include "support/file_size_limit.h"
+#include "support/named.h"
 #include "support/named_test.h"
 #include "support/own_settings.h"
 #include "support/patient_tries.h"
@@ -75,16 +76,17 @@ document::Snapshot kept() {
     return {};
 }
 
+enum class Answer { Here, Cancel };
+
 // Saves, and answers the question that comes; its title, or nothing when none came.
-QString saveAnswering(MainWindow* window, const QString& answer) {
+QString saveAnswering(MainWindow* window, Answer answer) {
     QString asked;
     QTimer answering;
     QObject::connect(&answering, &QTimer::timeout, &answering, [&] {
         auto* box = qobject_cast<QMessageBox*>(QApplication::activeModalWidget());
         if (!box) return;
         asked = box->windowTitle();
-        for (QAbstractButton* button : box->buttons())
-            if (button->text().remove(u'&') == answer) return button->click();
+        (answer == Answer::Here ? support::button(*box, "here") : box->button(QMessageBox::Cancel))->click();
     });
     answering.start(10);
     trigger(window, QKeySequence::Save);
@@ -177,14 +179,14 @@ void WindowFilesTest::aFileChangedElsewhereIsAskedAbout() {
     rename(window, QStringLiteral("mine"));
     const QByteArray theirs = twoEntries + "third { .5 0 0 .5 0 0 1 }\n";
     put(m_path, theirs);
-    QCOMPARE(saveAnswering(window, QStringLiteral("Cancel")), QStringLiteral("Changed on disk"));
+    QCOMPARE(saveAnswering(window, Answer::Cancel), QStringLiteral("Changed on disk"));
     QCOMPARE(contents(m_path), theirs);
     QVERIFY(window->document().isModified());
-    QCOMPARE(saveAnswering(window, QStringLiteral("Replace")), QStringLiteral("Changed on disk"));
+    QCOMPARE(saveAnswering(window, Answer::Here), QStringLiteral("Changed on disk"));
     QVERIFY(contents(m_path).startsWith("mine"));
     QVERIFY(!contents(m_path).contains("third"));
     rename(window, QStringLiteral("again"));
-    QCOMPARE(saveAnswering(window, QStringLiteral("Cancel")), QString()); // it is ours now
+    QCOMPARE(saveAnswering(window, Answer::Cancel), QString()); // it is ours now
     QVERIFY(contents(m_path).startsWith("again"));
 }
 
@@ -192,13 +194,13 @@ void WindowFilesTest::aFileDeletedElsewhereIsAskedAbout() {
     MainWindow* window = opened();
     rename(window, QStringLiteral("mine"));
     QVERIFY(QFile::remove(m_path));
-    QCOMPARE(saveAnswering(window, QStringLiteral("Cancel")), QStringLiteral("Missing on disk"));
+    QCOMPARE(saveAnswering(window, Answer::Cancel), QStringLiteral("Missing on disk"));
     QVERIFY(!QFileInfo::exists(m_path));
     QVERIFY(window->document().isModified());
-    QCOMPARE(saveAnswering(window, QStringLiteral("Save")), QStringLiteral("Missing on disk"));
+    QCOMPARE(saveAnswering(window, Answer::Here), QStringLiteral("Missing on disk"));
     QVERIFY(contents(m_path).startsWith("mine"));
     rename(window, QStringLiteral("again"));
-    QCOMPARE(saveAnswering(window, QStringLiteral("Cancel")), QString());
+    QCOMPARE(saveAnswering(window, Answer::Cancel), QString());
     QVERIFY(contents(m_path).startsWith("again"));
 }
 
@@ -208,12 +210,12 @@ void WindowFilesTest::hardLinksAreSaidToKeepTheOld() {
     QCOMPARE(::link(QFile::encodeName(m_path).constData(), QFile::encodeName(backup).constData()), 0);
     MainWindow* window = opened();
     rename(window, QStringLiteral("mine"));
-    QCOMPARE(saveAnswering(window, QStringLiteral("Cancel")), QString());
+    QCOMPARE(saveAnswering(window, Answer::Cancel), QString());
     QVERIFY(window->statusBar()->currentMessage().contains(QStringLiteral("hard links")));
     QCOMPARE(contents(backup), twoEntries);
     QVERIFY(contents(m_path).startsWith("mine"));
     rename(window, QStringLiteral("again"));
-    QCOMPARE(saveAnswering(window, QStringLiteral("Cancel")), QString());
+    QCOMPARE(saveAnswering(window, Answer::Cancel), QString());
     QVERIFY(!window->statusBar()->currentMessage().contains(QStringLiteral("hard links")));
 }
 
@@ -222,8 +224,8 @@ void WindowFilesTest::twoWindowsDoNotOverwriteEachOther() {
     MainWindow* second = opened();
     rename(first, QStringLiteral("a"));
     rename(second, QStringLiteral("b"));
-    QCOMPARE(saveAnswering(first, QStringLiteral("Cancel")), QString());
-    QCOMPARE(saveAnswering(second, QStringLiteral("Cancel")), QStringLiteral("Changed on disk"));
+    QCOMPARE(saveAnswering(first, Answer::Cancel), QString());
+    QCOMPARE(saveAnswering(second, Answer::Cancel), QStringLiteral("Changed on disk"));
     QVERIFY(contents(m_path).startsWith("a"));
 }
 
@@ -238,13 +240,13 @@ void WindowFilesTest::recoveredWorkDoesNotOverwriteOthers() {
     QCOMPARE(entries->rowCount(), 2);
     QVERIFY(!entries->index(0, 0).data(view::EntriesModel::ModifiedRole).toBool()); // it was not edited
     QVERIFY(entries->index(1, 0).data(view::EntriesModel::ModifiedRole).toBool());
-    QCOMPARE(saveAnswering(window, QStringLiteral("Cancel")), QStringLiteral("Changed on disk"));
+    QCOMPARE(saveAnswering(window, Answer::Cancel), QStringLiteral("Changed on disk"));
     QCOMPARE(contents(m_path), theirs);
 
     put(m_path, twoEntries); // no other program changed it
     auto* other = new MainWindow;
     other->openRecovered(abandoned());
-    QCOMPARE(saveAnswering(other, QStringLiteral("Cancel")), QString());
+    QCOMPARE(saveAnswering(other, Answer::Cancel), QString());
     QCOMPARE(contents(m_path), abandoned().snapshot.bytes);
 }
 
@@ -258,7 +260,7 @@ void WindowFilesTest::recoveredWorkKeepsThePathOfAFileThatIsGone() {
     QCOMPARE(boxes.size(), 1); // and a message says so
     QVERIFY(boxes.first()->text().contains(QStringLiteral("two.ifs")));
     boxes.first()->close();
-    QCOMPARE(saveAnswering(window, QStringLiteral("Cancel")), QString());
+    QCOMPARE(saveAnswering(window, Answer::Cancel), QString());
     QCOMPARE(contents(m_path), abandoned().snapshot.bytes);
 }
 

@@ -9,6 +9,7 @@
 #include "panels/exports/exports_model.h"
 #include "panels/exports/exports_panel.h"
 #include "support/background_rest.h"
+#include "support/named.h"
 #include "support/named_test.h"
 #include "support/own_settings.h"
 #include "support/patient_tries.h"
@@ -385,26 +386,22 @@ void ExportQueueTest::thePanelShowsAndActs() {
     for (const char* name : {"a.png", "b.png"})
         queue.add(task(out(QLatin1String(name))));
     QVERIFY(panel.list()->isVisible());
-    const auto action = [&](const char* text) {
-        for (QAction* one : panel.list()->actions())
-            if (one->text().remove(u'&') == QLatin1String(text)) return one;
-        return static_cast<QAction*>(nullptr);
-    };
+    const auto action = [&](const char* name) { return support::action(panel, name); };
     QAbstractItemModel* model = panel.list()->model();
     QCOMPARE(model->index(0, 0).data().toString(), QStringLiteral("a.png"));
     QCOMPARE(model->index(0, 0).data(view::ExportsModel::SentenceRole).toString(), QStringLiteral("Paused"));
-    QVERIFY(!action("Cancel Export")->isEnabled());
+    QVERIFY(!action("cancel")->isEnabled());
     panel.list()->setCurrentIndex(model->index(1, 0));
-    QVERIFY(action("Move Up")->isEnabled() && !action("Move Down")->isEnabled());
-    action("Move Up")->trigger();
+    QVERIFY(action("up")->isEnabled() && !action("down")->isEnabled());
+    action("up")->trigger();
     QCOMPARE(names(queue).first(), QStringLiteral("b"));
     QCOMPARE(panel.list()->currentIndex().row(), 0); // the same one
     QTest::keyClick(panel.list(), Qt::Key_Delete);
     QCOMPARE(names(queue), QStringList{QStringLiteral("a")});
-    action("Resume")->trigger();
+    action("pause")->trigger();
     QTRY_VERIFY_WITH_TIMEOUT(isDone(queue), soon);
     QCOMPARE(model->index(0, 0).data(view::ExportsModel::SentenceRole).toString(), QStringLiteral("Done"));
-    action("Clear Finished")->trigger();
+    action("clear-finished")->trigger();
     QVERIFY(queue.exports().empty() && !panel.list()->isVisible());
 }
 

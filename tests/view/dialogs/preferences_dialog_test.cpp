@@ -6,6 +6,7 @@
 #include "support/contrast.h"
 #include "support/events.h"
 #include "support/forget_settings.h"
+#include "support/named.h"
 #include "support/named_test.h"
 #include "support/own_settings.h"
 #include "support/patient_tries.h"
@@ -104,10 +105,7 @@ void PreferencesDialogTest::aLanguageThatIsNotSpokenYetIsSaid() {
     const auto isOffered = [] {
         PreferencesDialog dialog;
         dialog.show();
-        const auto buttons = dialog.findChildren<QPushButton*>();
-        return std::ranges::any_of(buttons, [](const QPushButton* button) {
-            return button->isVisible() && button->text().remove(u'&') == QStringLiteral("Restart Now");
-        });
+        return support::button(dialog, "restart")->isVisible();
     };
     const view::Preferences before = view::Preferences::stored();
     view::Preferences::setSpokenLanguage(before.language);
@@ -128,17 +126,13 @@ void PreferencesDialogTest::unsavedWorkIsNamedWithTheLanguage() {
         dialog.show();
         QString said;
         const auto read = [&] {
-            said.clear();
-            for (const auto* label : dialog.findChildren<QLabel*>())
-                if (label->isVisible() && label->text().contains(QStringLiteral("Restart")))
-                    said = label->text();
+            const auto* note = dialog.findChild<QLabel*>(QStringLiteral("restart-note"));
+            said = note->isVisible() ? note->text() : QString();
         };
         read();
         QVERIFY(said.isEmpty());
-        QPushButton* restart = nullptr;
-        for (auto* button : dialog.findChildren<QPushButton*>())
-            if (button->text().remove(u'&') == QStringLiteral("Restart Now")) restart = button;
-        QVERIFY(restart && !restart->isVisible());
+        QAbstractButton* restart = support::button(dialog, "restart");
+        QVERIFY(!restart->isVisible());
         support::choose(box(dialog, QStringLiteral("Language")), QStringLiteral("mk"));
         QVERIFY(restart->isVisible());
         QSignalSpy wanted(&dialog, &PreferencesDialog::restartRequested);

@@ -244,6 +244,7 @@ void AnimationExportDialog::createButtons() {
     m_cluster = addButton(tr("On a &Cluster…"),
                           tr("Writes a folder with the animation and with scripts that draw it on a Slurm "
                              "cluster, and submits the job if sbatch is found."));
+    m_cluster->setObjectName(QStringLiteral("cluster"));
     connect(m_cluster, &QPushButton::clicked, this, &AnimationExportDialog::chooseFolder);
 }
 
@@ -362,7 +363,8 @@ bool AnimationExportDialog::mayReplace(const QString& path) {
     box.setTextFormat(Qt::PlainText);
     box.setInformativeText(tr("The first one is “%1”. If you replace them, their contents are lost.")
                                .arg(QFileInfo(files[0]).fileName()));
-    const QPushButton* replace = box.addButton(tr("&Replace"), QMessageBox::DestructiveRole);
+    QPushButton* replace = box.addButton(tr("&Replace"), QMessageBox::DestructiveRole);
+    replace->setObjectName(QStringLiteral("replace"));
     box.setDefaultButton(QMessageBox::Cancel);
     box.exec();
     return self && box.clickedButton() == replace;

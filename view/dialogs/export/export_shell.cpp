@@ -38,9 +38,12 @@ ExportShell::ExportShell(const QString& kind, const QString& entry, QWidget* par
     m_message->setAccessibleName(tr("Result"));
     m_message->hide();
     m_start = m_buttons->addButton(tr("&Export…"), QDialogButtonBox::AcceptRole);
+    m_start->setObjectName(QStringLiteral("export"));
     m_close = m_buttons->addButton(QDialogButtonBox::Close);
+    m_close->setObjectName(QStringLiteral("close"));
     m_showInFolder =
         addButton(tr("Show in Folder"), tr("Shows the folder of the written file in the file manager."));
+    m_showInFolder->setObjectName(QStringLiteral("show-in-folder"));
     m_showInFolder->hide();
     connect(m_showInFolder, &QPushButton::clicked, this, [this] { showInFolder(m_written); });
     connect(m_buttons, &QDialogButtonBox::accepted, this, [this] {
@@ -238,8 +241,10 @@ bool ExportShell::mayClose() {
                     QMessageBox::NoButton, this);
     m_question = &box;
     box.setInformativeText(ifStopped);
-    const QPushButton* stop = box.addButton(Text::tr("&Stop Export"), QMessageBox::AcceptRole);
+    QPushButton* stop = box.addButton(Text::tr("&Stop Export"), QMessageBox::AcceptRole);
+    stop->setObjectName(QStringLiteral("stop"));
     QPushButton* goOn = box.addButton(Text::tr("&Continue"), QMessageBox::RejectRole);
+    goOn->setObjectName(QStringLiteral("continue"));
     box.setDefaultButton(goOn);
     box.setEscapeButton(goOn);
     box.exec();

@@ -66,6 +66,7 @@ MutateDialog::MutateDialog(document::Document* document, QWidget* parent, const 
     columns->addWidget(new VerticalScrollArea(controls, this)); // in large fonts it needs more height
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Cancel, this);
     m_use = buttons->addButton(tr("&Use This One"), QDialogButtonBox::AcceptRole);
+    m_use->setObjectName(QStringLiteral("use"));
     m_use->setWhatsThis(
         tr("The fractal in the middle replaces the one that you began with, in one step that you "
            "can undo."));
@@ -161,6 +162,9 @@ void MutateDialog::addChanges(QFormLayout* form) {
             tr("The weights change at random and follow the sizes of the maps. Otherwise, each map keeps its "
                "weight. A solid in space does not depend on weights; a cloud does."),
             true);
+    m_shape->setObjectName(QStringLiteral("shape"));
+    m_colours->setObjectName(QStringLiteral("colour"));
+    m_weights->setObjectName(QStringLiteral("weights"));
     auto* boxes = new QVBoxLayout;
     for (QCheckBox* box : {m_shape, m_colours, m_weights})
         boxes->addWidget(box);

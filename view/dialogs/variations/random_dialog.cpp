@@ -54,6 +54,7 @@ RandomDialog::RandomDialog(document::Document* document, QWidget* parent)
     addSeed(controls);
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Cancel, this);
     m_add = buttons->addButton(tr("&Add to the File"), QDialogButtonBox::AcceptRole);
+    m_add->setObjectName(QStringLiteral("add"));
     m_add->setWhatsThis(tr("Adds the selected one as an entry of its own, in one step that you can undo."));
     auto* layout = new QVBoxLayout(this);
     layout->addLayout(controls);

@@ -183,6 +183,10 @@ QLayout* CagePanel::makeButtons() {
     m_bake = new QAction(icon(QStringLiteral("bake")), tr("Bake"), this);
     connect(m_bake, &QAction::triggered, this, &CagePanel::bake);
 
+    m_define->setObjectName(QStringLiteral("define"));
+    m_reset->setObjectName(QStringLiteral("reset"));
+    m_bake->setObjectName(QStringLiteral("bake"));
+
     auto* grid = new QGridLayout; // narrow in every language
     grid->setSpacing(2);
     grid->setColumnStretch(2, 1);

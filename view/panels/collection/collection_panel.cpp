@@ -141,13 +141,16 @@ void CollectionPanel::createActions() {
     m_open =
         createAction(tr("&Open as New Document"), tr("Open the selected fractal as a separate document."),
                      QStringLiteral("open"), {});
+    m_open->setObjectName(QStringLiteral("open"));
     m_add = createAction(tr("&Add to This File"), tr("Add the selected fractal to the open file."),
                          QStringLiteral("add"), {Qt::SHIFT | Qt::Key_Return, Qt::SHIFT | Qt::Key_Enter});
     m_favourite = createAction(tr("Fa&vourite"), tr("Add the selected fractal to your favourites."),
                                QStringLiteral("favourite"), {Qt::CTRL | Qt::Key_D});
+    m_favourite->setObjectName(QStringLiteral("favourite"));
     m_favourite->setCheckable(true);
     m_onlyFavourites = createAction(tr("Fa&vourites Only"), tr("Show only your favourites."),
                                     QStringLiteral("favourite"), {});
+    m_onlyFavourites->setObjectName(QStringLiteral("favourites-only"));
     m_onlyFavourites->setCheckable(true);
     connect(m_favourite, &QAction::triggered, this, [this](bool on) {
         m_model->setData(m_filtered->mapToSource(m_grid->currentIndex()), on, CollectionModel::FavouriteRole);

@@ -42,8 +42,9 @@ ExportsPanel::ExportsPanel(ExportQueue* queue, QWidget* parent)
         tr("The exports that you have added to the queue. They are drawn one after another, from top to "
            "bottom, while you continue editing. Exports that are not finished when "
            "you quit continue the next time you start Barycage."));
-    m_empty->setText(tr("No exports are waiting. Choose Add to Queue in File › Export › Export Picture… to draw "
-                        "pictures one after another while you continue editing."));
+    m_empty->setText(
+        tr("No exports are waiting. Choose Add to Queue in File › Export › Export Picture… to draw "
+           "pictures one after another while you continue editing."));
     m_empty->setWordWrap(true);
     m_empty->setAlignment(Qt::AlignCenter);
     m_empty->setMargin(16);
@@ -80,11 +81,14 @@ QAction* ExportsPanel::addAction(const QString& iconName, const QString& text, c
 void ExportsPanel::createActions() {
     m_pause = addAction(QStringLiteral("pause"), tr("&Pause"),
                         tr("Pause or resume all exports without losing progress."));
+    m_pause->setObjectName(QStringLiteral("pause"));
     connect(m_pause, &QAction::triggered, this, [this] { m_queue->setPaused(!m_queue->isPaused()); });
     m_up = addAction(QStringLiteral("up"), tr("Move &Up"), tr("Draw the selected export earlier."));
+    m_up->setObjectName(QStringLiteral("up"));
     m_up->setShortcut(QKeySequence(Qt::ALT | Qt::Key_Up));
     connect(m_up, &QAction::triggered, this, [this] { moveSelected(-1); });
     m_down = addAction(QStringLiteral("down"), tr("Move &Down"), tr("Draw the selected export later."));
+    m_down->setObjectName(QStringLiteral("down"));
     m_down->setShortcut(QKeySequence(Qt::ALT | Qt::Key_Down));
     connect(m_down, &QAction::triggered, this, [this] { moveSelected(1); });
     m_retry = addAction(QStringLiteral("restart"), tr("&Try Again"),
@@ -99,6 +103,7 @@ void ExportsPanel::createActions() {
     m_remove = addAction(
         QStringLiteral("remove"), tr("&Cancel Export"),
         tr("Cancel the selected exports and remove them from the list; files already written are kept."));
+    m_remove->setObjectName(QStringLiteral("cancel"));
     m_remove->setShortcut(QKeySequence::Delete);
     connect(m_remove, &QAction::triggered, this, [this] {
         for (const QString& id : selectedIds())
@@ -106,6 +111,7 @@ void ExportsPanel::createActions() {
     });
     m_forget = addAction(QStringLiteral("close"), tr("Clear &Finished"),
                          tr("Remove all finished exports from the list; their files are kept."));
+    m_forget->setObjectName(QStringLiteral("clear-finished"));
     connect(m_forget, &QAction::triggered, m_queue, &ExportQueue::forgetDone);
 }
 

@@ -48,6 +48,7 @@ LessonPanel::LessonPanel(LessonNotebook* notebook, QWidget* parent)
 void LessonPanel::createActions() {
     const auto make = [this](const char* name, const QString& text, const QString& tip, auto operation) {
         auto* action = new QAction(icon(QLatin1String(name)), text, this);
+        action->setObjectName(QStringLiteral("lesson-") + QLatin1String(name));
         action->setToolTip(tip);
         action->setStatusTip(tip);
         action->setWhatsThis(

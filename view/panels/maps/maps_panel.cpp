@@ -127,8 +127,11 @@ void MapsPanel::makeActions() {
                       &MapsPanel::appendPasted);
     m_paste = action(tr("Paste in Place"), QStringLiteral("paste"), QStringLiteral("Ctrl+Shift+V"), {},
                      &MapsPanel::pasteMaps);
+    m_append->setObjectName(QStringLiteral("paste-as-new"));
+    m_paste->setObjectName(QStringLiteral("paste-in-place"));
     m_bake = action(tr("Bake"), QStringLiteral("bake"), {},
                     tr("Replace the code by the effective code; the cage is then at rest"), &MapsPanel::bake);
+    m_bake->setObjectName(QStringLiteral("bake"));
 }
 
 void MapsPanel::makeLayerActions() {

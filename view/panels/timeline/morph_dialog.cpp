@@ -112,6 +112,7 @@ void MorphDialog::createControls() {
     m_sentence->setMinimumHeight(2 * fontMetrics().lineSpacing());
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Cancel, this);
     m_add = buttons->addButton(tr("&Add Morph"), QDialogButtonBox::AcceptRole);
+    m_add->setObjectName(QStringLiteral("add"));
     m_add->setWhatsThis(
         tr("Adds the morph to the file as an entry of its own, in one step that you can undo."));
     m_clear = buttons->addButton(tr("&Remove Pins"), QDialogButtonBox::ResetRole);

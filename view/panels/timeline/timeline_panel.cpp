@@ -202,6 +202,7 @@ void TimelinePanel::offerZoom() {
 
 QAction* TimelinePanel::addMotion(const char* iconName, const QString& name, const QString& tip) {
     auto* action = new QAction(icon(QLatin1String(iconName)), name, this);
+    action->setObjectName(QLatin1String(iconName));
     action->setToolTip(tip);
     action->setStatusTip(tip);
     action->setWhatsThis(tip + u' ' + tr("It is one step of the history."));

@@ -80,6 +80,7 @@ void showTrackMenu(Timeline& timeline, const QPoint& global, QWidget* parent) {
             QAction* action =
                 menu->addAction(Timeline::tr(ease.name), &timeline,
                                 [&timeline, kind = ease.kind] { timeline.keys().setEase({kind}); });
+            action->setObjectName(QLatin1String(ifs::nameOf(ease.kind)));
             action->setCheckable(true);
             action->setChecked(isEaseOfAll(timeline, ease.kind));
         }

@@ -5,6 +5,7 @@
 #include "document/edits/timeline/motion_edits.h"
 #include "support/choose.h"
 #include "support/forget_settings.h"
+#include "support/named.h"
 #include "support/named_test.h"
 #include "support/own_settings.h"
 #include "support/patient_tries.h"
@@ -160,23 +161,15 @@ void AnimationChoicesTest::aClusterIsNotMentionedWithoutSlurm() {
     open(inTheWind());
     auto* tasks = number(QStringLiteral("Tasks on a cluster"));
     QVERIFY(!tasks->isVisibleTo(m_dialog.get()));
-    QPushButton* cluster = nullptr;
-    for (auto* button : m_dialog->findChildren<QPushButton*>())
-        if (button->text().contains(QLatin1String("Cluster"))) cluster = button;
-    QVERIFY(cluster);
-    cluster->click();
+    support::button(*m_dialog, "cluster")->click();
     QVERIFY(tasks->isVisibleTo(m_dialog.get()));
     QVERIFY(m_dialog->message().contains(QLatin1String("On a Cluster")));
     qputenv("PATH", before);
 }
 
 void AnimationChoicesTest::theFolderIsShownAfterwards() {
-    const auto button = [this]() -> QPushButton* {
-        for (auto* each : m_dialog->findChildren<QPushButton*>())
-            if (each->text().remove(u'&') == QLatin1String("Show in Folder")) return each;
-        return nullptr;
-    };
-    QVERIFY(button() && !button()->isVisibleTo(m_dialog.get()));
+    const auto button = [this] { return support::button(*m_dialog, "show-in-folder"); };
+    QVERIFY(!button()->isVisibleTo(m_dialog.get()));
     m_dialog->setFormat(Dialog::Gif);
     number(QStringLiteral("Width"))->setValue(64);
     QSignalSpy written(m_dialog.get(), &Dialog::exported);

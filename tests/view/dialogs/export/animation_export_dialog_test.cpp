@@ -7,6 +7,7 @@
 #include "io/fractint/fractint_writer.h"
 #include "support/choose.h"
 #include "support/forget_settings.h"
+#include "support/named.h"
 #include "support/named_test.h"
 #include "support/own_settings.h"
 #include "support/paths.h"
@@ -287,12 +288,10 @@ void AnimationExportDialogTest::otherPicturesAreAskedAbout() {
         QFile file(path(name));
         QVERIFY(file.open(QIODevice::WriteOnly) && file.write("mine") == 4);
     }
-    QPushButton* start = nullptr;
-    for (auto* button : m_dialog->findChildren<QPushButton*>())
-        if (button->text() == QStringLiteral("&Export…")) start = button;
-    QVERIFY(start);
+    QAbstractButton* start = support::button(*m_dialog, "export");
     QStringList asked;
-    QString answer, name;
+    bool isAgreed = false;
+    QString name;
     QTimer timer;
     connect(&timer, &QTimer::timeout, this, [&] {
         if (auto* dialog = qobject_cast<QFileDialog*>(QApplication::activeModalWidget())) {
@@ -301,15 +300,13 @@ void AnimationExportDialogTest::otherPicturesAreAskedAbout() {
             static_cast<QDialog*>(dialog)->accept();
         } else if (auto* box = qobject_cast<QMessageBox*>(QApplication::activeModalWidget())) {
             asked << box->text() + box->informativeText();
-            for (QAbstractButton* button : box->buttons())
-                if (button->text().remove(u'&') == answer) button->click();
+            (isAgreed ? support::button(*box, "replace") : box->button(QMessageBox::Cancel))->click();
         }
     });
     timer.start(20);
     QSignalSpy spy(m_dialog.get(), &Dialog::exported);
     for (const char* typed : {"a", "a.0001.png"}) {
         asked.clear();
-        answer = QStringLiteral("Cancel");
         name = QString::fromLatin1(typed);
         start->click();
         QCOMPARE(asked.size(), 1);
@@ -318,7 +315,7 @@ void AnimationExportDialogTest::otherPicturesAreAskedAbout() {
         QVERIFY(start->isEnabled() && spy.isEmpty()); // nothing goes on
     }
     QCOMPARE(contents(path("a.0005.png")), QByteArray("mine"));
-    answer = QStringLiteral("Replace");
+    isAgreed = true;
     start->click();
     QTRY_COMPARE(spy.size(), 1);
     QCOMPARE(asked.size(), 2);
@@ -347,10 +344,8 @@ void AnimationExportDialogTest::stoppingLeavesNothing() {
     m_dialog->setFormat(Dialog::Mp4);
     m_dialog->exportTo(path("a.mp4"));
     QTRY_VERIFY_WITH_TIMEOUT(m_dialog->findChild<QProgressBar*>()->value() > 0, 60'000);
-    QPushButton* stop = nullptr;
-    for (auto* button : m_dialog->findChildren<QPushButton*>())
-        if (button->text().contains(QStringLiteral("Stop"))) stop = button;
-    QVERIFY(stop);
+    auto* stop = support::button(*m_dialog, "close");
+    QVERIFY(stop->text().contains(QStringLiteral("Stop")));
     QTest::mouseClick(stop, Qt::LeftButton);
     QTRY_VERIFY_WITH_TIMEOUT(m_dialog->message().contains(QStringLiteral("nothing was written")), 60000);
     QCOMPARE(files(), QStringList());
@@ -364,22 +359,21 @@ void AnimationExportDialogTest::closingAsksFirst() {
     m_dialog->show();
     m_dialog->exportTo(path("a.mp4"));
     QStringList asked;
-    const auto answer = [&](const QString& name) {
+    const auto answer = [&](const char* name) {
         QTimer::singleShot(50, this, [&asked, name] {
             auto* box = qobject_cast<QMessageBox*>(QApplication::activeModalWidget());
             if (!box) return;
             asked << box->text();
-            for (QAbstractButton* button : box->buttons())
-                if (button->text().remove(u'&') == name) return button->click();
+            support::button(*box, name)->click();
         });
     };
-    answer(QStringLiteral("Continue"));
+    answer("continue");
     QTest::keyClick(m_dialog.get(), Qt::Key_Escape);
     QCOMPARE(asked.size(), 1);
     QVERIFY(m_dialog->isVisible());
-    answer(QStringLiteral("Continue"));
+    answer("continue");
     QVERIFY(!m_dialog->mayClose()); // what the window asks
-    answer(QStringLiteral("Stop Export"));
+    answer("stop");
     QTest::keyClick(m_dialog.get(), Qt::Key_Escape);
     QCOMPARE(asked.size(), 3);
     QVERIFY(!m_dialog->isVisible());

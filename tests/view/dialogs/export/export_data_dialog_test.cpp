@@ -3,6 +3,7 @@
 #include "document/fractal/fractal_geometry.h"
 #include "io/collection_reader.h"
 #include "support/choose.h"
+#include "support/named.h"
 #include "support/named_test.h"
 
 #include <QCheckBox>
@@ -79,11 +80,7 @@ void ExportDataDialogTest::everyFormatIsWrittenAsItIsShown() {
     auto* typed = columns->parentWidget()->findChild<QLineEdit*>();
     typed->clear();
     QTest::keyClicks(typed, QStringLiteral("fedcba cumulative"));
-    const auto isOffered = [&dialog] {
-        for (const auto* button : dialog.findChildren<QPushButton*>())
-            if (button->text().contains(QStringLiteral("Export"))) return button->isEnabled();
-        return false;
-    };
+    const auto isOffered = [&dialog] { return support::button(dialog, "export")->isEnabled(); };
     QVERIFY(!isOffered()); // letters alone are an order, letters and a word are not
     typed->clear();
     QTest::keyClicks(typed, QStringLiteral("f e d c b a cumulative"));
@@ -103,11 +100,7 @@ void ExportDataDialogTest::systemsInSpaceGiveWhatFormatsHold() {
     document.setFile(document::fileOf(fractal));
     view::ExportDataDialog dialog(&document);
     auto* format = dialog.findChildren<QComboBox*>().first();
-    const auto isOffered = [&dialog] {
-        for (const auto* button : dialog.findChildren<QPushButton*>())
-            if (button->text().contains(QStringLiteral("Export"))) return button->isEnabled();
-        return false;
-    };
+    const auto isOffered = [&dialog] { return support::button(dialog, "export")->isEnabled(); };
     support::choose(format, Format::Flame); // flames lie in the plane
     QVERIFY(!isOffered());
     support::choose(format, Format::PointsPly);
@@ -143,8 +136,7 @@ void ExportDataDialogTest::aSolidStartsWithAFormatThatHoldsIt() {
     document::Document document;
     document.setFile(document::fileOf(solid));
     view::ExportDataDialog dialog(&document);
-    for (const auto* button : dialog.findChildren<QPushButton*>())
-        if (button->text().contains(QStringLiteral("Export"))) QVERIFY(button->isEnabled());
+    QVERIFY(support::button(dialog, "export")->isEnabled());
     const auto* format = dialog.findChildren<QComboBox*>().first();
     QVERIFY(view::chosenValue<Format>(format) != Format::Flame);
     QVERIFY(!(format->model()->index(0, 0).flags() & Qt::ItemIsEnabled)); // Flame

@@ -3,6 +3,7 @@
 
 #include "dialogs/export/export_dialog.h"
 #include "dialogs/export/export_size_editor.h"
+#include "support/named.h"
 #include "support/named_test.h"
 
 #include <QApplication>
@@ -48,8 +49,7 @@ void LargeExportTest::aHugePictureIsAskedAbout() {
         }
     });
     answer.start(20);
-    for (auto* button : dialog.findChildren<QPushButton*>())
-        if (button->text().startsWith(QStringLiteral("&Export"))) button->click();
+    support::button(dialog, "export")->click();
     QVERIFY2(asked.contains(QStringLiteral("million pixels")), qPrintable(asked));
     QVERIFY2(asked.contains(QStringLiteral("Memory")), qPrintable(asked));
     const int before = looks;

@@ -10,6 +10,7 @@
 #include "document/edits/timeline/motion_edits.h"
 #include "support/choose.h"
 #include "support/forget_settings.h"
+#include "support/named.h"
 #include "support/named_test.h"
 #include "support/own_settings.h"
 #include "support/patient_tries.h"
@@ -66,11 +67,6 @@ private:
         return dialog.findChild<view::ExportSizeEditor*>()->pixels();
     }
     QString path(const char* name) const { return m_folder->filePath(QString::fromLatin1(name)); }
-    static void press(const QDialog& dialog, const char* button) {
-        for (auto* found : dialog.findChildren<QPushButton*>())
-            if (found->text() == QString::fromUtf8(button)) return found->click();
-        QFAIL("no such button");
-    }
     // Exports into that file, or cancels without one; returns what was suggested.
     static QString exportAs(const QDialog& dialog, const QString& path) {
         QString suggested;
@@ -85,7 +81,7 @@ private:
             QMetaObject::invokeMethod(files, path.isEmpty() ? "reject" : "accept", Qt::QueuedConnection);
         });
         answering.start(50);
-        press(dialog, "&Export…");
+        support::button(dialog, "export")->click();
         return suggested;
     }
     std::unique_ptr<view::ExportDialog> picture() const {

@@ -6,6 +6,7 @@
 #include "document/edits/maps/map_locks.h"
 #include "document/variations/random_systems.h"
 #include "support/choose.h"
+#include "support/named.h"
 #include "support/named_test.h"
 #include "support/patient_tries.h"
 
@@ -66,24 +67,12 @@ bool isFull(const MutateDialog& dialog) {
            !pictureOf(dialog, ringOf(dialog).parentItem()).isNull();
 }
 
-QPushButton* button(const MutateDialog& dialog, const QString& text) {
-    for (auto* candidate : dialog.findChildren<QPushButton*>())
-        if (candidate->text().remove(u'&').contains(text)) return candidate;
-    return nullptr;
-}
-
-QPushButton* use(const MutateDialog& dialog) {
-    return button(dialog, QStringLiteral("Use This One"));
+QAbstractButton* use(const MutateDialog& dialog) {
+    return support::button(dialog, "use");
 }
 
 QListWidget* lineOf(const MutateDialog& dialog) {
     return dialog.findChild<QListWidget*>();
-}
-
-QCheckBox* box(const MutateDialog& dialog, const QString& text) {
-    for (auto* candidate : dialog.findChildren<QCheckBox*>())
-        if (candidate->text().remove(u'&') == text) return candidate;
-    return nullptr;
 }
 
 document::Fractal child(const document::Fractal& parent, int index, int seed = 1) {
@@ -282,13 +271,13 @@ void MutateDialogTest::nothingMayChange() {
     document::Document document;
     MutateDialog dialog(&document);
     open(dialog);
-    box(dialog, QStringLiteral("Shape"))->setChecked(false);
-    box(dialog, QStringLiteral("Weights"))->setChecked(false);
+    support::button(dialog, "shape")->setChecked(false);
+    support::button(dialog, "weights")->setChecked(false);
     QVERIFY(!isFull(dialog));
     click(dialog, ringOf(dialog).childItem(0));
     QCOMPARE(lineOf(dialog)->count(), 1);
     const document::Fractal before = document.fractal();
-    box(dialog, QStringLiteral("Colour"))->setChecked(true);
+    support::button(dialog, "colour")->setChecked(true);
     QTRY_VERIFY_WITH_TIMEOUT(isFull(dialog), 60'000);
     click(dialog, ringOf(dialog).childItem(2));
     use(dialog)->click();

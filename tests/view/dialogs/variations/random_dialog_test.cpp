@@ -3,6 +3,7 @@
 
 #include "dialogs/variations/picture_tiles.h"
 #include "support/choose.h"
+#include "support/named.h"
 #include "support/named_test.h"
 #include "support/patient_tries.h"
 #include "widgets/symmetry_groups.h"
@@ -43,10 +44,8 @@ bool isFull(const RandomDialog& dialog) {
     return true;
 }
 
-QPushButton* add(const RandomDialog& dialog) {
-    for (auto* candidate : dialog.findChildren<QPushButton*>())
-        if (candidate->text().contains(QStringLiteral("Add"))) return candidate;
-    return nullptr;
+QAbstractButton* add(const RandomDialog& dialog) {
+    return support::button(dialog, "add");
 }
 
 struct Boxes {

@@ -6,6 +6,7 @@
 #include "widgets/numbers/number_field.h"
 
 #include "ifs/extent/polygon.h"
+#include "support/named.h"
 #include "support/named_test.h"
 #include "support/patient_tries.h"
 
@@ -292,8 +293,7 @@ private slots:
 
     void asksForTheThreeClicks() {
         QSignalSpy asked(m_panel.get(), &CagePanel::defineRequested);
-        for (QAction* action : m_panel->findChildren<QAction*>())
-            if (action->text().startsWith(QStringLiteral("Define"))) action->trigger();
+        support::action(*m_panel, "define")->trigger();
         QCOMPARE(asked.size(), 1);
     }
 

@@ -5,6 +5,7 @@
 #include "ifs/extent/extent.h"
 #include "panels/cage/cage_panel.h"
 #include "panels/cage/cage_texts.h"
+#include "support/named.h"
 #include "support/named_test.h"
 #include "support/patient_tries.h"
 #include "view/panels/maps_support.h"
@@ -136,7 +137,7 @@ private slots:
         m_panel->deformationButton(ifs::Deformation::AffineFit)->click();
         QVERIFY(!ifs::bends(cage()));
         QVERIFY(!m_panel->status().contains(QStringLiteral("bent")));
-        action(QStringLiteral("Reset"))->trigger();
+        support::action(*m_panel, "reset")->trigger();
         m_panel->fitTetrahedron();
         QCOMPARE(document::spaceCage(m_document->fractal())->rest.size(), std::size_t(4));
     }
@@ -184,13 +185,13 @@ private slots:
     }
 
     void resetReturnsToRest() {
-        QVERIFY(!action(QStringLiteral("Reset"))->isEnabled());
-        QCOMPARE(action(QStringLiteral("Reset"))->toolTip(), QStringLiteral("The cage is at rest."));
+        QVERIFY(!support::action(*m_panel, "reset")->isEnabled());
+        QCOMPARE(support::action(*m_panel, "reset")->toolTip(), QStringLiteral("The cage is at rest."));
         document::Fractal fractal = m_document->fractal();
         document::space(fractal)->cage->current[1] = {0, 0, 3}; // flat
         m_document->edit(QStringLiteral("flat"), fractal);
         QVERIFY(m_panel->status().startsWith(QStringLiteral("Flat: the solid")));
-        QVERIFY(action(QStringLiteral("Reset"))->isEnabled());
+        QVERIFY(support::action(*m_panel, "reset")->isEnabled());
         m_panel->reset();
         QVERIFY(cage().current == cage().rest);
         QCOMPARE(m_document->undoStack()->count(), 2);
@@ -202,8 +203,8 @@ private slots:
 
     void whatIsForThePlaneSaysSo() {
         QVERIFY(!m_panel->deformationButton(ifs::Deformation::Bend)->isVisible());
-        QVERIFY(action(QStringLiteral("Define…"))->isEnabled());
-        QVERIFY(action(QStringLiteral("Define…"))->toolTip().contains(QStringLiteral("four clicks")));
+        QVERIFY(support::action(*m_panel, "define")->isEnabled());
+        QVERIFY(support::action(*m_panel, "define")->toolTip().contains(QStringLiteral("four clicks")));
     }
 
     void cagesOfSpaceAreFittedAndBaked() {
@@ -290,7 +291,7 @@ private slots:
         QVERIFY(!m_panel->field(CagePanel::Vertices::Current, 3, 0)->isVisible());
         QVERIFY(!m_panel->pointField(2)->isVisible());
         QVERIFY(m_panel->modeButton(document::CageMode::Place)->isVisible());
-        QVERIFY(action(QStringLiteral("Define…"))->isEnabled());
+        QVERIFY(support::action(*m_panel, "define")->isEnabled());
         QVERIFY(!shownText().contains(QStringLiteral("z at rest")));
         NumberField* x = m_panel->field(CagePanel::Vertices::Current, 1, 0);
         type(x, QStringLiteral("6.5"));
@@ -302,12 +303,6 @@ private:
     void showRest() {
         for (auto* button : m_panel->findChildren<QToolButton*>())
             if (button->accessibleName() == QStringLiteral("Show the rest cage")) button->setChecked(true);
-    }
-    QAction* action(const QString& text) const {
-        for (const auto* button : m_panel->findChildren<QToolButton*>())
-            if (button->defaultAction() && button->defaultAction()->text() == text)
-                return button->defaultAction();
-        return nullptr;
     }
     QString shownText() const {
         QString text;

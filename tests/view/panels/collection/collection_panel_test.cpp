@@ -9,6 +9,7 @@
 #include "support/background_rest.h"
 #include "support/events.h"
 #include "support/forget_settings.h"
+#include "support/named.h"
 #include "support/named_test.h"
 #include "support/own_settings.h"
 #include "support/patient_tries.h"
@@ -339,11 +340,6 @@ void CollectionPanelTest::favouritesAreKept() {
     view::finishStoring();
     QSettings().remove(u"collection/favourites"_s);
     const auto grid = [](const view::CollectionPanel& panel) { return panel.findChild<QListView*>(); };
-    const auto action = [](const view::CollectionPanel& panel, const QString& text) -> QAction* {
-        for (QAction* candidate : panel.findChildren<QAction*>())
-            if (candidate->text() == text) return candidate;
-        return nullptr;
-    };
     QString name;
     {
         view::CollectionPanel panel;
@@ -352,18 +348,18 @@ void CollectionPanelTest::favouritesAreKept() {
         const QModelIndex third = grid(panel)->model()->index(2, 0);
         name = third.data().toString();
         grid(panel)->setCurrentIndex(third);
-        QVERIFY(!action(panel, u"Fa&vourite"_s)->isChecked());
-        action(panel, u"Fa&vourite"_s)->trigger();
+        QVERIFY(!support::action(panel, "favourite")->isChecked());
+        support::action(panel, "favourite")->trigger();
         QVERIFY(third.data(CollectionModel::FavouriteRole).toBool());
     }
     view::CollectionPanel again;
     again.show();
     QTRY_VERIFY(grid(again)->model()->rowCount() > 20);
-    action(again, u"Fa&vourites Only"_s)->setChecked(true);
+    support::action(again, "favourites-only")->setChecked(true);
     QTRY_COMPARE(grid(again)->model()->rowCount(), 2); // a title and the favourite
     QCOMPARE(grid(again)->model()->index(1, 0).data().toString(), name);
     grid(again)->setCurrentIndex(grid(again)->model()->index(1, 0));
-    action(again, u"Fa&vourite"_s)->trigger();
+    support::action(again, "favourite")->trigger();
     QVERIFY(view::stored(u"collection/favourites"_s).toStringList().isEmpty());
     // An empty grid says why.
     const auto* why = grid(again)->viewport()->findChild<QLabel*>();
@@ -371,7 +367,7 @@ void CollectionPanelTest::favouritesAreKept() {
     const QString none = why->text();
     again.findChild<QLineEdit*>()->setText(u"no such fractal"_s);
     QVERIFY(why->isVisible() && why->text() != none);
-    action(again, u"Fa&vourites Only"_s)->setChecked(false);
+    support::action(again, "favourites-only")->setChecked(false);
     again.findChild<QLineEdit*>()->clear();
     QTRY_VERIFY(!why->isVisible());
 }

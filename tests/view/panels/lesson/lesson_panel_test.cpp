@@ -2,6 +2,7 @@
 #include "panels/lesson/lesson_card.h"
 #include "panels/lesson/lesson_notebook.h"
 #include "panels/lesson/lesson_panel.h"
+#include "support/named.h"
 #include "support/named_test.h"
 #include "support/patient_tries.h"
 
@@ -36,11 +37,7 @@ private slots:
     void theCardLeadsOnAndBack();
 
 private:
-    QAction* action(const QString& text) const {
-        for (auto* found : m_panel->findChildren<QAction*>())
-            if (found->text() == text) return found;
-        return nullptr;
-    }
+    QAction* action(const QByteArray& name) const { return support::action(*m_panel, "lesson-" + name); }
     QLineEdit* field(const QString& name) const {
         for (auto* found : m_panel->findChildren<QLineEdit*>())
             if (found->accessibleName() == name) return found;
@@ -74,7 +71,7 @@ void LessonPanelTest::init() {
     m_panel->show();
     QVERIFY(QTest::qWaitForWindowExposed(m_panel.get()));
     QSignalSpy added(m_panel.get(), &view::LessonPanel::addRequested);
-    action(u"Add Step"_s)->trigger();
+    action("add")->trigger();
     QCOMPARE(added.count(), 1);
 }
 
@@ -84,7 +81,7 @@ void LessonPanelTest::cleanup() {
 }
 
 void LessonPanelTest::stepsAreWritten() {
-    QVERIFY(!text()->isEnabled() && !action(u"Remove Step"_s)->isEnabled());
+    QVERIFY(!text()->isEnabled() && !action("remove")->isEnabled());
     m_notebook->addStep(stateOf(u"a"_s));
     QTest::keyClicks(field(u"Title of the step"_s), u"First"_s);
     QTest::keyClicks(text(), u"Hello there."_s);
@@ -94,14 +91,14 @@ void LessonPanelTest::stepsAreWritten() {
     QVERIFY(text()->toPlainText().isEmpty()); // of the new step
     QTest::keyClicks(text(), u"Second."_s);
     QTest::keyClicks(field(u"Title of the lesson"_s), u"Both"_s);
-    action(u"Move Up"_s)->trigger();
+    action("up")->trigger();
     QCOMPARE(m_notebook->lesson().steps[0].text, u"Second."_s);
     QCOMPARE(m_notebook->lesson().steps[0].state.entry, u"b"_s);
     QCOMPARE(m_notebook->lesson().steps[1].title, u"First"_s);
-    QVERIFY(!action(u"Move Up"_s)->isEnabled() && action(u"Move Down"_s)->isEnabled());
+    QVERIFY(!action("up")->isEnabled() && action("down")->isEnabled());
     steps()->setCurrentRow(1);
     QCOMPARE(text()->toPlainText(), u"Hello there."_s);
-    action(u"Remove Step"_s)->trigger();
+    action("remove")->trigger();
     QCOMPARE(m_notebook->lesson().steps.size(), 1);
     QCOMPARE(m_notebook->lesson().title, u"Both"_s);
     QCOMPARE(m_notebook->current(), 0);
@@ -141,23 +138,23 @@ void LessonPanelTest::playingBeginsWhereTheUserChose() {
 
 void LessonPanelTest::changesAreUndone() {
     m_notebook->open(lessonOf(u"B."_s), u"/x/a.lesson"_s);
-    QVERIFY(!m_notebook->isModified() && !action(u"Undo in the Lesson"_s)->isEnabled());
+    QVERIFY(!m_notebook->isModified() && !action("undo")->isEnabled());
     const document::Lesson before = m_notebook->lesson();
     steps()->setCurrentRow(1);
-    action(u"Remove Step"_s)->trigger();
+    action("remove")->trigger();
     m_notebook->setState(stateOf(u"c"_s));
     QVERIFY(m_notebook->isModified());
-    action(u"Undo in the Lesson"_s)->trigger();
-    action(u"Undo in the Lesson"_s)->trigger();
+    action("undo")->trigger();
+    action("undo")->trigger();
     QVERIFY(m_notebook->lesson() == before);
     QVERIFY(!m_notebook->isModified() && m_notebook->current() == 1);
     QCOMPARE(text()->toPlainText(), u"B."_s);
-    QVERIFY(!action(u"Undo in the Lesson"_s)->isEnabled() && action(u"Redo in the Lesson"_s)->isEnabled());
-    action(u"Redo in the Lesson"_s)->trigger();
+    QVERIFY(!action("undo")->isEnabled() && action("redo")->isEnabled());
+    action("redo")->trigger();
     QCOMPARE(m_notebook->lesson().steps.size(), 1);
     // The name of the file is no part of the history.
     m_notebook->setFile(u"b.ifs"_s);
-    action(u"Undo in the Lesson"_s)->trigger();
+    action("undo")->trigger();
     QCOMPARE(m_notebook->lesson().file, u"b.ifs"_s);
 }
 
@@ -169,7 +166,7 @@ void LessonPanelTest::typingIsOneStep() {
     QTest::keyClicks(text(), u"more"_s);
     QCOMPARE(m_notebook->lesson().steps[0].text, u"some words more"_s);
     QCOMPARE(m_notebook->history()->count(), before + 1);
-    action(u"Undo in the Lesson"_s)->trigger();
+    action("undo")->trigger();
     QVERIFY(text()->toPlainText().isEmpty());
 }
 

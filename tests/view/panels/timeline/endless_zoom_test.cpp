@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "panels/timeline/track_view.h"
+#include "support/named.h"
 #include "support/named_test.h"
 #include "support/patient_tries.h"
 #include "view/panels/timeline/timeline_fixture.h"
@@ -19,9 +20,7 @@ private:
 };
 
 QAction* EndlessZoomTest::zoom() const {
-    for (QAction* action : m_panel->motions())
-        if (action->text() == QStringLiteral("Zoom In Endlessly")) return action;
-    return nullptr;
+    return support::action(*m_panel, "zoom-in");
 }
 
 // Of maps that are no similarities, none shows the whole again.

@@ -5,6 +5,7 @@
 #include "document/moments/animated_fractal.h"
 #include "panels/timeline/morph_lines.h"
 #include "panels/timeline/timeline_panel.h"
+#include "support/named.h"
 #include "support/named_test.h"
 #include "support/own_settings.h"
 #include "support/patient_tries.h"
@@ -192,8 +193,7 @@ void MorphDialogTest::obstaclesAreTold() {
     };
     QTRY_VERIFY(told(QStringLiteral("256")));
     QVERIFY(!dialog.isSolved());
-    for (const auto* button : dialog.findChildren<QPushButton*>())
-        if (button->text() == QStringLiteral("&Add Morph")) QVERIFY(!button->isEnabled());
+    QVERIFY(!support::button(dialog, "add")->isEnabled());
 }
 
 void MorphDialogTest::theMorphIsOneStep() {

@@ -11,6 +11,7 @@
 #include "panels/timeline/track_view.h"
 #include "panels/timeline/transport_bar.h"
 #include "support/choose.h"
+#include "support/named.h"
 #include "support/named_test.h"
 #include "support/own_settings.h"
 #include "support/patient_tries.h"
@@ -239,8 +240,7 @@ void TimelineTest::slowMotionsLeaveTheWindowAtHand() {
         }
     });
     timer.start(50);
-    for (QAction* action : m_panel->motions())
-        if (action->text() == QStringLiteral("Zoom In Endlessly")) action->trigger();
+    support::action(*m_panel, "zoom-in")->trigger();
     QVERIFY(wasShown);
     QCOMPARE(steps(), 0);
     QVERIFY(!timeline().playback().isPlaying());
@@ -474,7 +474,7 @@ void TimelineTest::keysLeadOnSmoothly() {
         QApplication::sendEvent(tracks().viewport(), &event);
         auto* menu = qobject_cast<QMenu*>(QApplication::activePopupWidget());
         for (QAction* action : menu->actions())
-            if (action->text() == QStringLiteral("Smooth")) return std::pair(menu, action);
+            if (action->objectName() == QStringLiteral("smooth")) return std::pair(menu, action);
         return std::pair(menu, static_cast<QAction*>(nullptr));
     };
     const auto [menu, action] = chosen();
