@@ -17,7 +17,7 @@
 // Without libFuzzer: gives a reader its seeds, then changed ones, always the same and in the same order for
 // the same seeds.
 //
-//   fuzz_readers READER [SECONDS]       changed inputs for so long, and at least 2000
+//   fuzz_readers READER [SECONDS]       changed inputs for so long, and at least 500
 //   fuzz_readers READER FILE…           these files alone, for what was found before
 //   fuzz_readers --write FOLDER READER  the seeds as files, and tokens.dict beside them
 //   fuzz_readers --list
@@ -133,7 +133,7 @@ int replay(const fuzz::Reader& reader, const QStringList& files) {
 }
 
 int mutate(const fuzz::Reader& reader, int seconds) {
-    constexpr int minRuns = 2000; // also where everything is slow: under a sanitizer, on a busy machine
+    constexpr int minRuns = 500; // also where everything is slow: under a sanitizer, on a busy machine
 
     const QByteArrayList seeds = fuzz::seedsOf(reader);
     for (const QByteArray& seed : seeds)

@@ -32,6 +32,11 @@ constexpr int fewLetters = 10; // of a combo box in a narrow window
 constexpr int moreLetters = 16;
 constexpr int narrowest = 60; // pixels of a combo box where the window is as narrow as can be
 
+QToolButton* named(const char* name, QToolButton* button) {
+    button->setObjectName(QLatin1String(name));
+    return button;
+}
+
 // What is chosen, which may be a long name, has dots where there is no room for all of it; the list shows it
 // whole.
 class NamesBox : public QComboBox {
@@ -97,18 +102,18 @@ TransformationBar::TransformationBar(QWidget* parent)
     addChoice(m_mode, tr("Filter: Posterise"), TheftMode::Posterise);
     addPictures();
     addStarters();
-    m_export = flatButton(QString(), tr("Export…"), tr("Save the stolen picture as PNG"), this);
-    m_export->setObjectName(QStringLiteral("export"));
+    m_export =
+        named("export", flatButton(QString(), tr("Export…"), tr("Save the stolen picture as PNG"), this));
     m_export->setEnabled(false);
     m_remedy = flatButton(QString(), tr("Divide Words"), QString(), this);
-    m_overlay =
+    m_overlay = named(
+        "overlay",
         flatButton(QString(), tr("Overlay"),
-                   tr("Show the partner half transparent over the fractal, in the same coordinates"), this);
-    m_overlay->setObjectName(QStringLiteral("overlay"));
+                   tr("Show the partner half transparent over the fractal, in the same coordinates"), this));
     m_overlay->setCheckable(true);
-    m_stack = flatButton(QString(), tr("Stack"),
-                         tr("Show the two fractals one above the other instead of side by side"), this);
-    m_stack->setObjectName(QStringLiteral("stack"));
+    m_stack = named(
+        "stack", flatButton(QString(), tr("Stack"),
+                            tr("Show the two fractals one above the other instead of side by side"), this));
     m_stack->setCheckable(true);
     m_status->setLines(2);
     m_status->setAccessibleName(tr("State of the fractal transformation"));

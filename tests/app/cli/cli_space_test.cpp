@@ -286,10 +286,10 @@ void CliSpaceTest::piecesThatAreMissingAreSaid() {
         support::sourcePath(QStringLiteral("ifs_library/space_polyhedra.ifs")).toUtf8();
     QCOMPARE(run("convert \"" + polyhedra + "\" ball.ifs --entry tetrahedron --symmetry icosahedral").status,
              0);
-    const Result result = run("render ball.ifs -o ball.png --size 200x200");
+    const Result result = run("render ball.ifs -o ball.png --size 50x50");
     QCOMPARE(result.status, 0);
     QVERIFY2(result.err.contains("parts of the solid may be missing"), result.err.constData());
-    QCOMPARE(run("render ball.ifs -o ball.png --size 200x200 --look cloud").err, QByteArray());
+    QCOMPARE(run("render ball.ifs -o ball.png --size 50x50 --look cloud").err, QByteArray());
 }
 
 void CliSpaceTest::overlaysAreDrawn() {

@@ -3,6 +3,7 @@
 #include "support/named_test.h"
 #include "support/paths.h"
 #include "support/patient_tries.h"
+#include "support/thorough.h"
 
 #include <QDir>
 #include <QFile>
@@ -305,7 +306,8 @@ void CliTest::littleMemoryIsSaid() {
     write("still.ifs", "one {\n" + rows + "two {\n" + rows);
     QCOMPARE(run("morph still.ifs --from one --to two --length 2 -o moving.ifs").status, 0);
     bool isEnough = false;
-    for (rlim_t megabytes = 10; megabytes <= 2000 && !isEnough; megabytes += megabytes < 300 ? 10 : 100) {
+    const rlim_t step = support::isThorough() ? 10 : 30;
+    for (rlim_t megabytes = 10; megabytes <= 2000 && !isEnough; megabytes += megabytes < 300 ? step : 100) {
         QProcess process;
         process.setChildProcessModifier([megabytes] {
             const rlimit limit{megabytes << 20, megabytes << 20}, none{0, 0};

@@ -70,7 +70,7 @@ void CliThumbnailerTest::drawsAThumbnail() {
     QFETCH(int, side);
     for (const char* file : {"systems.ifs", "broken.ifs"}) {
         QFile::remove(path("thumbnail"));
-        const Result result = run(command(file, "thumbnail", side));
+        const Result result = runProgram(command(file, "thumbnail", side));
         QVERIFY2(result.status == 0, result.err.constData());
         QCOMPARE(QImage(path("thumbnail"), "PNG").size(), QSize(side, side));
     }
@@ -78,7 +78,7 @@ void CliThumbnailerTest::drawsAThumbnail() {
     QDir library(support::sourcePath(QStringLiteral("ifs_library")));
     for (const QString& file : library.entryList({QStringLiteral("*.ifs")})) {
         const QByteArray source = '"' + library.filePath(file).toUtf8() + '"';
-        QVERIFY2(run(command(source, "thumbnail", side)).status == 0, qPrintable(file));
+        QVERIFY2(runProgram(command(source, "thumbnail", side)).status == 0, qPrintable(file));
     }
 }
 
@@ -91,12 +91,12 @@ void CliThumbnailerTest::endsInTime_data() {
 // Long before the work is done, with nothing left.
 void CliThumbnailerTest::endsInTime() {
     QFETCH(QByteArray, options);
-    QCOMPARE(run("render systems.ifs -o part.sum --size 40x30 --points 10000").status, 0);
+    QCOMPARE(runProgram("render systems.ifs -o part.sum --size 40x30 --points 10000").status, 0);
     const QByteArray file = options.contains("--resume") ? "" : "systems.ifs ";
     const QStringList before = QDir(path("")).entryList(QDir::AllEntries | QDir::Hidden | QDir::System);
     QElapsedTimer timer;
     timer.start();
-    const Result result = run("render " + file + "-o late.png --time-limit 0.5 " + options);
+    const Result result = runProgram("render " + file + "-o late.png --time-limit 0.5 " + options);
     QVERIFY2(timer.elapsed() < 60'000, qPrintable(QString::number(timer.elapsed())));
     QCOMPARE(result.status, 3);
     QVERIFY2(result.err.contains("The time limit has passed"), result.err.constData());
@@ -117,10 +117,10 @@ void CliThumbnailerTest::waitingEndsInTime() {
 
 void CliThumbnailerTest::severalPicturesEndInTime() {
     const QByteArray all = "render systems.ifs --entry maple --entry Fern -o x-%e.png --size 40x30 ";
-    const Result result = run(all + "--time-limit 0.5 --points 1e14");
+    const Result result = runProgram(all + "--time-limit 0.5 --points 1e14");
     QCOMPARE(result.status, 3);
     QVERIFY2(result.err.contains("nothing was written"), result.err.constData());
-    QCOMPARE(run(all + "--time-limit 600 --points 1e4").status, 0);
+    QCOMPARE(runProgram(all + "--time-limit 600 --points 1e4").status, 0);
     QVERIFY(QFile::exists(path("x-maple.png")) && QFile::exists(path("x-Fern.png")));
 }
 
@@ -133,7 +133,7 @@ void CliThumbnailerTest::endsWithinItsMemory() {
         large += "; nothing but words, and never an end of them, in a line of its own\n";
     write("large.ifs", large + " .5 0 0 .5 0 0 1\n}\n");
     large.clear();
-    const Result result = run("render large.ifs -o large.png --size 40x30 --memory-limit 64");
+    const Result result = runProgram("render large.ifs -o large.png --size 40x30 --memory-limit 64");
     QVERIFY(QFile::remove(path("large.ifs")));
     QCOMPARE(result.status, 3);
     QVERIFY2(result.err.contains("not enough memory"), result.err.constData());
@@ -144,9 +144,9 @@ void CliThumbnailerTest::limitsThatAreNone() {
     const QByteArray render = "render systems.ifs -o limit.png --size 40x30 --points 1000 ";
     for (const char* wrong : {"--time-limit 0", "--time-limit -1", "--time-limit soon", "--time-limit 1e7",
                               "--memory-limit 0", "--memory-limit 63", "--memory-limit much"})
-        QCOMPARE(run(render + wrong).status, 2);
+        QCOMPARE(runProgram(render + wrong).status, 2);
     QVERIFY(!QFile::exists(path("limit.png")));
-    QCOMPARE(run(render + "--time-limit 600 --memory-limit 1000").status, 0);
+    QCOMPARE(runProgram(render + "--time-limit 600 --memory-limit 1000").status, 0);
 }
 
 BARYCAGE_TEST(CliThumbnailerTest, QGuiApplication);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "app/cli/command_line.h"
+#include "attractor/kernels/kernels.h"
 #include "run.h"
 #include "support/paths.h"
 
@@ -63,12 +64,14 @@ public:
     ~ProcessState() {
         qInstallMessageHandler(m_handler);
         QDir::setCurrent(m_folder);
+        attractor::selectSimd(m_instructions);
         pthread_sigmask(SIG_SETMASK, &m_signals, nullptr);
     }
 
 private:
     sigset_t m_signals{};
     QString m_folder = QDir::currentPath();
+    std::string m_instructions = attractor::simdName();
     QtMessageHandler m_handler = nullptr;
 };
 

@@ -3,6 +3,7 @@
 #include "document/variations/filling.h"
 #include "document/variations/random_systems.h"
 #include "support/named_test.h"
+#include "support/thorough.h"
 
 #include <QTest>
 
@@ -22,6 +23,9 @@ private slots:
     void anyNumberOfMaps();
     void linesAndDustDoNotFillAView();
     void pointsInSpaceDoNotFillAView();
+
+private:
+    const std::uint64_t m_seeds = support::isThorough() ? 25 : 6;
 };
 
 namespace {
@@ -57,7 +61,7 @@ void RandomSystemsTest::systemsFillTheirView_data() {
 
 void RandomSystemsTest::systemsFillTheirView() {
     QFETCH(RandomChoice, choice);
-    for (std::uint64_t seed = 1; seed <= 25; ++seed) {
+    for (std::uint64_t seed = 1; seed <= m_seeds; ++seed) {
         const document::Fractal fractal = document::randomFractal(choice, seed);
         QCOMPARE(document::dimension(fractal), choice.dimension);
         QVERIFY(document::hasCertainAttractor(fractal));
@@ -72,7 +76,7 @@ void RandomSystemsTest::singularValuesKeepTheRule() {
     int checked = 0;
     for (const ifs::SymmetryGroup group : {None, Mirror, Rotation, Dihedral})
         for (const int maps : {1, 2, 3, 5, 8, 16})
-            for (std::uint64_t seed = 1; seed <= 10; ++seed) {
+            for (std::uint64_t seed = 1; seed <= m_seeds; ++seed) {
                 if (group == None && maps == 1) continue;
                 const bool hasOrder = group == Rotation || group == Dihedral;
                 const int order = hasOrder ? 2 + int(seed % 6) : 1;
@@ -85,8 +89,8 @@ void RandomSystemsTest::singularValuesKeepTheRule() {
                 QVERIFY(sumOf(system) <= (6 + n) / 2);
                 ++checked;
             }
-    QCOMPARE(checked, 23 * 10);
-    for (std::uint64_t seed = 1; seed <= 25; ++seed) {
+    QCOMPARE(checked, 23 * int(m_seeds));
+    for (std::uint64_t seed = 1; seed <= m_seeds; ++seed) {
         const document::Fractal solid = document::randomFractal({3, 3, Tetrahedral}, seed);
         const document::System3& system = *document::system3(solid);
         QVERIFY(sumOf(system) >= (5 + 36) / 2.0 && sumOf(system) <= (6 + 36) / 2.0);

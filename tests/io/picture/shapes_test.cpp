@@ -299,7 +299,8 @@ void ShapesTest::pdfShadowLooksLikeSvg() {
     camera.width = camera.height = side;
     const auto box = document::boxWithShadow(fractal, camera.yAxis);
     camera = attractor::fitted(camera, box->min, box->max);
-    const io::SvgFormat format{{}, io::CageVisibility::Hidden, io::ShapeStyle(style), 20'000};
+    const int depth = std::max(0, io::svgPlan(fractal, camera, {}).depth - 2); // readers take a while
+    const io::SvgFormat format{depth, io::CageVisibility::Hidden, io::ShapeStyle(style), 20'000};
     const QImage svg = svgImage(io::svgPicture(fractal, camera, format).bytes);
     const QImage pdf = pdfImage(io::pdfPicture({{fractal, camera, format}}).bytes);
     if (svg.isNull() || pdf.isNull()) QSKIP("rsvg-convert or pdftocairo is not installed");

@@ -222,7 +222,7 @@ private:
 
 void SvgAccuracyTest::statedAccuracy_data() {
     QTest::addColumn<document::Fractal>("fractal");
-    // An eighth of them, or all.
+    // A sixteenth of them, or all.
     int systems = 0;
     QDir folder(support::sourcePath(QStringLiteral("ifs_library")));
     for (const QString& name : folder.entryList({QStringLiteral("*.ifs")})) {
@@ -230,7 +230,7 @@ void SvgAccuracyTest::statedAccuracy_data() {
         QVERIFY(file.open(QIODevice::ReadOnly));
         for (const auto& entry : readFractint(file.readAll()).entries) {
             if (!entry.fractal || !document::system2(*entry.fractal)) continue;
-            if (++systems % 8 != 0 && !support::isThorough()) continue;
+            if (++systems % 16 != 0 && !support::isThorough()) continue;
             QTest::newRow(qPrintable(name + u' ' + entry.fractal->name)) << *entry.fractal;
         }
     }

@@ -96,6 +96,7 @@ MapsPanel::~MapsPanel() {
 QAction* MapsPanel::action(const QString& text, const QString& iconName, const QString& shortcut,
                            const QString& tip, void (MapsPanel::*slot)()) {
     auto* made = new QAction(icon(iconName), text, this);
+    made->setObjectName(iconName);
     made->setStatusTip(tip);
     made->setToolTip(shortcut.isEmpty() ? tip : tr("%1 (%2)").arg(tip, shortcut));
     if (!shortcut.isEmpty()) made->setShortcut(QKeySequence(shortcut));
@@ -127,11 +128,8 @@ void MapsPanel::makeActions() {
                       &MapsPanel::appendPasted);
     m_paste = action(tr("Paste in Place"), QStringLiteral("paste"), QStringLiteral("Ctrl+Shift+V"), {},
                      &MapsPanel::pasteMaps);
-    m_append->setObjectName(QStringLiteral("paste-as-new"));
-    m_paste->setObjectName(QStringLiteral("paste-in-place"));
     m_bake = action(tr("Bake"), QStringLiteral("bake"), {},
                     tr("Replace the code by the effective code; the cage is then at rest"), &MapsPanel::bake);
-    m_bake->setObjectName(QStringLiteral("bake"));
 }
 
 void MapsPanel::makeLayerActions() {
