@@ -102,19 +102,7 @@ TransformationBar::TransformationBar(QWidget* parent)
     addChoice(m_mode, tr("Filter: Posterise"), TheftMode::Posterise);
     addPictures();
     addStarters();
-    m_export =
-        named("export", flatButton(QString(), tr("Export…"), tr("Save the stolen picture as PNG"), this));
-    m_export->setEnabled(false);
-    m_remedy = flatButton(QString(), tr("Divide Words"), QString(), this);
-    m_overlay = named(
-        "overlay",
-        flatButton(QString(), tr("Overlay"),
-                   tr("Show the partner half transparent over the fractal, in the same coordinates"), this));
-    m_overlay->setCheckable(true);
-    m_stack = named(
-        "stack", flatButton(QString(), tr("Stack"),
-                            tr("Show the two fractals one above the other instead of side by side"), this));
-    m_stack->setCheckable(true);
+    addButtons();
     m_status->setLines(2);
     m_status->setAccessibleName(tr("State of the fractal transformation"));
 
@@ -148,6 +136,22 @@ TransformationBar::TransformationBar(QWidget* parent)
         if (m_wanted == Remedy::OpenForeignPicture) emit foreignPictureWanted();
     });
     showProblem({}, Remedy::None);
+}
+
+void TransformationBar::addButtons() {
+    m_export =
+        named("export", flatButton(QString(), tr("Export…"), tr("Save the stolen picture as PNG"), this));
+    m_export->setEnabled(false);
+    m_remedy = flatButton(QString(), tr("Divide Words"), QString(), this);
+    m_overlay = named(
+        "overlay",
+        flatButton(QString(), tr("Overlay"),
+                   tr("Show the partner half transparent over the fractal, in the same coordinates"), this));
+    m_overlay->setCheckable(true);
+    m_stack = named(
+        "stack", flatButton(QString(), tr("Stack"),
+                            tr("Show the two fractals one above the other instead of side by side"), this));
+    m_stack->setCheckable(true);
 }
 
 void TransformationBar::addPictures() {

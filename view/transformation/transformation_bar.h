@@ -53,6 +53,7 @@ signals:
     void stacked(bool on);  // the canvases one above the other, instead of side by side
 
 private:
+    void addButtons();
     void addPictures();
     void addStarters();
     struct RemedyTexts { // of its button
