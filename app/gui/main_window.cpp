@@ -2,6 +2,7 @@
 #include "main_window.h"
 
 #include "actions/action_details.h"
+#include "actions/tool_bar.h"
 #include "bars/construction_bar.h"
 #include "bars/tool_options_bar.h"
 #include "bars/zoom_box.h"
@@ -380,26 +381,14 @@ void MainWindow::createOptionsBar() {
     m_optionsBar->setWhatsThis(shown->whatsThis());
 }
 
-void MainWindow::showLabels(bool shown) {
-    if (auto* bar = findChild<QToolBar*>(QStringLiteral("tools")))
-        bar->setToolButtonStyle(shown ? Qt::ToolButtonTextUnderIcon : Qt::ToolButtonIconOnly);
-}
-
 void MainWindow::createToolBar() {
-    QToolBar* bar = addToolBar(tr("Tools"));
-    bar->setObjectName(QStringLiteral("tools"));
-    bar->setMovable(false);
-    bar->setIconSize({22, 22});
-    showLabels(view::Preferences::stored().labels);
+    QList<QList<QAction*>> groups;
     for (const ActionMenu* menu : m_menus)
-        for (const QList<QAction*>& group : menu->toolBarGroups()) {
-            if (!bar->actions().isEmpty()) bar->addSeparator();
-            bar->addActions(group);
-        }
-    for (auto* button : bar->findChildren<QToolButton*>())
-        button->setFocusPolicy(Qt::TabFocus);
+        groups << menu->toolBarGroups();
+    m_toolBar = new ToolBar(tr("Tools"), groups, this);
+    addToolBar(m_toolBar);
     m_viewMenu->panels()->addSeparator();
-    m_viewMenu->panels()->addAction(bar->toggleViewAction());
+    m_viewMenu->panels()->addAction(m_toolBar->toggleViewAction());
     m_viewMenu->panels()->addAction(m_optionsBar->toggleViewAction());
 }
 
@@ -456,7 +445,7 @@ void MainWindow::adopt(const view::Preferences& preferences) {
     m_bridge->setQuality(preferences.quality);
     m_stage->space()->navigation().setTrackball(preferences.trackball);
     m_stage->compare()->setTrackball(preferences.trackball);
-    showLabels(preferences.labels);
+    m_toolBar->adopt(preferences);
 }
 
 void MainWindow::showCollection() {

@@ -25,6 +25,7 @@ class RoomForPicture;
 class SnapshotCommands;
 class Stage;
 class StatusLine;
+class ToolBar;
 class TeachMenu;
 class ViewMenu;
 class WindowMessages;
@@ -89,7 +90,6 @@ private:
     void createConstructionBar();
     void createOptionsBar();
     void createToolBar();
-    void showLabels(bool shown); // names under the symbols of the tool bar
     void connectDocument();
     QDockWidget* dock(Panel panel, QWidget* content);
 
@@ -131,5 +131,6 @@ private:
         QByteArray layout; // of panels and bars
         bool fullScreen = false;
     } m_before;                       // the presentation
+    ToolBar* m_toolBar = nullptr;
     QToolBar* m_optionsBar = nullptr; // under the canvas
 };

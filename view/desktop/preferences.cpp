@@ -39,6 +39,7 @@ constexpr std::tuple preferenceRows{
     PreferenceRow{"preferences/quality", &Preferences::quality},
     PreferenceRow{"preferences/trackball", &Preferences::trackball},
     PreferenceRow{"preferences/labels", &Preferences::labels},
+    PreferenceRow{"preferences/tools", &Preferences::tools},
     PreferenceRow{"preferences/reopen", &Preferences::reopen},
     PreferenceRow{"preferences/keepPrevious", &Preferences::keepPrevious},
 };

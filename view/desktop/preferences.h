@@ -19,6 +19,7 @@ struct Preferences {
     bool reopen = false;                 // the files of the last time, at the start
     bool keepPrevious = true;            // versions of files, when they are saved for the first time
     bool labels = true;                  // names under the symbols of the tool bar
+    QStringList tools;                   // ids of the commands in the tool bar; empty: the usual ones
     Motion motion = Motion::Desktop;     // of what moves without having been asked to
 
     static Preferences stored();
@@ -30,5 +31,10 @@ struct Preferences {
 
     friend bool operator==(const Preferences&, const Preferences&) = default;
 };
+
+// Stands for a line between two commands of the tool bar. No command has this id.
+inline QString separatorId() {
+    return QStringLiteral("-");
+}
 
 } // namespace view

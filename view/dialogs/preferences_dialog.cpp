@@ -2,6 +2,7 @@
 #include "dialogs/preferences_dialog.h"
 
 #include "dialogs/shortcuts_page.h"
+#include "dialogs/toolbar_page.h"
 #include "widgets/choices.h"
 #include "widgets/layout/grow_to_fit.h"
 
@@ -33,19 +34,24 @@ const QList<std::pair<QString, QString>>& languages() {
 
 } // namespace
 
-PreferencesDialog::PreferencesDialog(QWidget* parent, const QList<NamedAction>& commands)
+PreferencesDialog::PreferencesDialog(QWidget* parent, const QList<NamedAction>& commands,
+                                     const QStringList& usualTools)
     : QDialog(parent), m_pages(new QTabWidget(this)), m_spoken(Preferences::spokenLanguage()) {
     setWindowTitle(tr("Preferences"));
-    addPages(commands);
+    addPages(commands, usualTools);
     fill(Preferences::stored());
 }
 
-void PreferencesDialog::addPages(const QList<NamedAction>& commands) {
+void PreferencesDialog::addPages(const QList<NamedAction>& commands, const QStringList& usualTools) {
     m_pages->addTab(generalPage(), tr("&General"));
-    if (!commands.isEmpty()) m_pages->addTab(new ShortcutsPage(commands, this), tr("S&hortcuts"));
+    if (!commands.isEmpty()) {
+        addToolbarPage(commands, usualTools);
+        m_pages->addTab(new ShortcutsPage(commands, this), tr("S&hortcuts"));
+    }
     m_pages->setTabBarAutoHide(true);
     m_pages->setAccessibleName(tr("Preferences"));
-    m_pages->setWhatsThis(tr("The settings of windows and pictures, and the keys of commands."));
+    m_pages->setWhatsThis(
+        tr("The settings of windows and pictures, the commands of the toolbar, and the keys of commands."));
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close | QDialogButtonBox::RestoreDefaults, this);
     auto* layout = new QVBoxLayout(this);
     layout->addWidget(m_pages);
@@ -56,6 +62,14 @@ void PreferencesDialog::addPages(const QList<NamedAction>& commands) {
     buttons->button(QDialogButtonBox::Close)->setDefault(true);
     defaults->setWhatsThis(tr("Resets every setting on this page to its default."));
     connect(defaults, &QPushButton::clicked, this, &PreferencesDialog::restoreDefaults);
+}
+
+void PreferencesDialog::addToolbarPage(const QList<NamedAction>& commands, const QStringList& usualTools) {
+    auto* page = new ToolbarPage(commands, usualTools, this);
+    m_fields.push_back({[page](const Preferences& preferences) { page->setTools(preferences.tools); },
+                        [page](Preferences& preferences) { preferences.tools = page->tools(); }});
+    connect(page, &ToolbarPage::changed, this, &PreferencesDialog::take);
+    m_pages->addTab(page, tr("&Toolbar"));
 }
 
 template <class Value>
@@ -140,7 +154,10 @@ QWidget* PreferencesDialog::generalPage() {
 void PreferencesDialog::restoreDefaults() {
     if (auto* shortcuts = qobject_cast<ShortcutsPage*>(m_pages->currentWidget()))
         return shortcuts->restoreDefaults();
-    fill({});
+    const auto* toolbar = qobject_cast<ToolbarPage*>(m_pages->currentWidget());
+    Preferences chosen = toolbar ? Preferences::stored() : Preferences();
+    chosen.tools = toolbar ? QStringList() : Preferences::stored().tools;
+    fill(chosen);
     take();
 }
 
@@ -189,7 +206,7 @@ void PreferencesDialog::setUnsaved(const QStringList& names) {
 
 void PreferencesDialog::take() {
     if (m_isFilling) return;
-    Preferences chosen;
+    Preferences chosen = Preferences::stored(); // with what has no row here
     for (const Field& field : m_fields)
         field.take(chosen);
     showRestart(chosen.language != m_spoken);

@@ -26,8 +26,9 @@ class PreferencesDialog : public QDialog {
     Q_OBJECT
 
 public:
-    // Without commands there is no page of shortcuts.
-    explicit PreferencesDialog(QWidget* parent = nullptr, const QList<NamedAction>& commands = {});
+    // Without commands there are no pages of shortcuts and of the toolbar, which usually holds these.
+    explicit PreferencesDialog(QWidget* parent = nullptr, const QList<NamedAction>& commands = {},
+                               const QStringList& usualTools = {});
 
     // Files with changes that a restart would ask about.
     void setUnsaved(const QStringList& names);
@@ -37,7 +38,8 @@ signals:
     void restartRequested();
 
 private:
-    void addPages(const QList<NamedAction>& commands);
+    void addPages(const QList<NamedAction>& commands, const QStringList& usualTools);
+    void addToolbarPage(const QList<NamedAction>& commands, const QStringList& usualTools);
     QWidget* generalPage();
     void addLanguage(QFormLayout* form);
     void restoreDefaults();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "menus/edit_menu.h"
 
+#include "actions/tool_bar.h"
 #include "desktop/theme.h"
 #include "dialogs/command_palette.h"
 #include "dialogs/preferences_dialog.h"
@@ -200,7 +201,9 @@ void EditMenu::openTransform() {
 }
 
 void EditMenu::showPreferences() {
-    auto* dialog = new view::PreferencesDialog(context().window, view::actionsOf(*context().window));
+    const auto* bar = context().window->findChild<ToolBar*>();
+    auto* dialog =
+        new view::PreferencesDialog(context().window, view::actionsOf(*context().window), bar->usualTools());
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     QStringList unsaved;
     for (const SessionWindow* window : session::windows())

@@ -4,6 +4,7 @@
 #include "dialogs/command_palette.h"
 #include "dialogs/preferences_dialog.h"
 #include "dialogs/shortcuts_page.h"
+#include "support/commands.h"
 #include "support/named.h"
 #include "support/named_test.h"
 #include "window_fixture.h"
@@ -35,7 +36,7 @@ private slots:
 
 private:
     QAction* command(const char* id, const MainWindow* window = nullptr) const {
-        return (window ? window : m_window.get())->findChild<QAction*>(QLatin1String(id));
+        return support::command(window ? *window : *m_window, id);
     }
     void openPage() {
         command("settings")->trigger();

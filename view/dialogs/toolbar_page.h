@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "dialogs/command_palette.h"
+
+#include <QStringList>
+#include <QWidget>
+
+class QComboBox;
+class QListWidget;
+class QListWidgetItem;
+class QPushButton;
+
+namespace view {
+
+/// The commands of the toolbar in their order, to be dragged, removed and added to.
+class ToolbarPage : public QWidget {
+    Q_OBJECT
+
+public:
+    /// All commands of the menus; the ids of the usual tools.
+    ToolbarPage(const QList<NamedAction>& commands, const QStringList& usual, QWidget* parent = nullptr);
+
+    void setTools(const QStringList& tools); // empty: the usual ones
+    QStringList tools() const;               // the same
+
+signals:
+    void changed(); // by the user
+
+private:
+    QLayout* makeButtons();
+    void insert(int row, const QString& id);
+    void move(int by);
+    void remove();
+    void add();
+    void listOthers();
+    void updateButtons();
+    QStringList ids() const;
+
+    QList<NamedAction> m_commands; // those that have an id
+    const QStringList m_usual;
+    QListWidget* m_list;
+    QPushButton* m_up;
+    QPushButton* m_down;
+    QPushButton* m_remove;
+    QComboBox* m_others; // that can be added
+};
+
+} // namespace view
