@@ -5605,6 +5605,98 @@
         <source>Show the views of both eyes in one picture, in red and cyan</source>
         <translation>Zeigt in einem Bild, was beide Augen sehen, in Rot und Cyan</translation>
     </message>
+    <message>
+        <source>Flame: flam3, Apophysis, JWildfire, Fractorium</source>
+        <translation>Flame: flam3, Apophysis, JWildfire, Fractorium</translation>
+    </message>
+    <message>
+        <source>IFStile (.aifs)</source>
+        <translation>IFStile (.aifs)</translation>
+    </message>
+    <message>
+        <source>Formulas and a figure for LaTeX (.tex)</source>
+        <translation>Formeln und eine Zeichnung für LaTeX (.tex)</translation>
+    </message>
+    <message>
+        <source>Table with commas (.csv)</source>
+        <translation>Tabelle mit Kommas (.csv)</translation>
+    </message>
+    <message>
+        <source>Table with tabs (.tsv)</source>
+        <translation>Tabelle mit Tabulatoren (.tsv)</translation>
+    </message>
+    <message>
+        <source>PNG: pixels</source>
+        <translation>PNG: Pixel</translation>
+    </message>
+    <message>
+        <source>Picture (.png)</source>
+        <translation>Bild (.png)</translation>
+    </message>
+    <message>
+        <source>JPEG: pixels, a small file</source>
+        <translation>JPEG: Pixel, eine kleine Datei</translation>
+    </message>
+    <message>
+        <source>Picture (.jpg)</source>
+        <translation>Bild (.jpg)</translation>
+    </message>
+    <message>
+        <source>WebP: pixels, for web pages</source>
+        <translation>WebP: Pixel, für Webseiten</translation>
+    </message>
+    <message>
+        <source>Picture (.webp)</source>
+        <translation>Bild (.webp)</translation>
+    </message>
+    <message>
+        <source>TIFF: pixels, for print</source>
+        <translation>TIFF: Pixel, für den Druck</translation>
+    </message>
+    <message>
+        <source>Picture (.tiff)</source>
+        <translation>Bild (.tiff)</translation>
+    </message>
+    <message>
+        <source>OpenEXR: linear light, for compositing</source>
+        <translation>OpenEXR: lineares Licht, fürs Compositing</translation>
+    </message>
+    <message>
+        <source>Picture in linear light (.exr)</source>
+        <translation>Bild in linearem Licht (.exr)</translation>
+    </message>
+    <message>
+        <source>PDF: shapes for print</source>
+        <translation>PDF: Formen für den Druck</translation>
+    </message>
+    <message>
+        <source>Picture in PDF (.pdf)</source>
+        <translation>Bild in PDF (.pdf)</translation>
+    </message>
+    <message>
+        <source>SVG: shapes for drawing programs</source>
+        <translation>SVG: Formen für Zeichenprogramme</translation>
+    </message>
+    <message>
+        <source>Picture in SVG (.svg)</source>
+        <translation>Bild in SVG (.svg)</translation>
+    </message>
+    <message>
+        <source>Mesh for 3D printing (.stl)</source>
+        <translation>Körper zum Drucken (.stl)</translation>
+    </message>
+    <message>
+        <source>Mesh (.obj)</source>
+        <translation>Körper (.obj)</translation>
+    </message>
+    <message>
+        <source>Mesh (.glb)</source>
+        <translation>Körper (.glb)</translation>
+    </message>
+    <message>
+        <source>Mesh (.ply)</source>
+        <translation>Körper (.ply)</translation>
+    </message>
 </context>
 <context>
     <name>Tour</name>
@@ -8872,22 +8964,6 @@
         <translation>&amp;Text kopieren</translation>
     </message>
     <message>
-        <source>Flame: flam3, Apophysis, JWildfire, Fractorium</source>
-        <translation>Flame: flam3, Apophysis, JWildfire, Fractorium</translation>
-    </message>
-    <message>
-        <source>IFStile (.aifs)</source>
-        <translation>IFStile (.aifs)</translation>
-    </message>
-    <message>
-        <source>Table with commas (.csv)</source>
-        <translation>Tabelle mit Kommas (.csv)</translation>
-    </message>
-    <message>
-        <source>Table with tabs (.tsv)</source>
-        <translation>Tabelle mit Tabulatoren (.tsv)</translation>
-    </message>
-    <message>
         <source>Points (.csv)</source>
         <translation>Punkte (.csv)</translation>
     </message>
@@ -8963,28 +9039,12 @@
         <source>This format can store only systems in the plane.</source>
         <translation>Dieses Format kann nur Systeme der Ebene speichern.</translation>
     </message>
-    <message>
-        <source>Formulas and a figure for LaTeX (.tex)</source>
-        <translation>Formeln und eine Zeichnung für LaTeX (.tex)</translation>
-    </message>
 </context>
 <context>
     <name>view::ExportDialog</name>
     <message>
         <source>Export “%1”</source>
         <translation>„%1“ exportieren</translation>
-    </message>
-    <message>
-        <source>PNG: pixels</source>
-        <translation>PNG: Pixel</translation>
-    </message>
-    <message>
-        <source>SVG: shapes for drawing programs</source>
-        <translation>SVG: Formen für Zeichenprogramme</translation>
-    </message>
-    <message>
-        <source>PDF: shapes for print</source>
-        <translation>PDF: Formen für den Druck</translation>
     </message>
     <message>
         <source>Format</source>
@@ -9177,22 +9237,6 @@
     <message>
         <source>Sect&amp;ion:</source>
         <translation>Au&amp;sschnitt:</translation>
-    </message>
-    <message>
-        <source>JPEG: pixels, a small file</source>
-        <translation>JPEG: Pixel, eine kleine Datei</translation>
-    </message>
-    <message>
-        <source>WebP: pixels, for web pages</source>
-        <translation>WebP: Pixel, für Webseiten</translation>
-    </message>
-    <message>
-        <source>TIFF: pixels, for print</source>
-        <translation>TIFF: Pixel, für den Druck</translation>
-    </message>
-    <message>
-        <source>OpenEXR: linear light, for compositing</source>
-        <translation>OpenEXR: lineares Licht, fürs Compositing</translation>
     </message>
     <message>
         <source>SVG and PDF are made of shapes, which stay sharp at every size; the others are made of pixels. If the file name has the ending of another format, that format is written.</source>
@@ -12172,10 +12216,6 @@ Tasten: Bild auf und Bild ab wählen eine Marke, die Pfeile bewegen sie, Einfg f
         <translation>Setzt alle Einstellungen dieser Seite auf ihre Vorgaben zurück.</translation>
     </message>
     <message>
-        <source>The settings of windows and pictures, and the keys of commands.</source>
-        <translation>Die Einstellungen von Fenstern und Bildern und die Tasten der Befehle.</translation>
-    </message>
-    <message>
         <source>Picture at rest</source>
         <translation>Bild in Ruhe</translation>
     </message>
@@ -12198,6 +12238,14 @@ Tasten: Bild auf und Bild ab wählen eine Marke, die Pfeile bewegen sie, Einfg f
     <message>
         <source>When this is on, the toolbar shows the name of each command under its symbol.</source>
         <translation>Ist das an, zeigt die Werkzeugleiste den Namen jedes Befehls unter seinem Symbol.</translation>
+    </message>
+    <message>
+        <source>The settings of windows and pictures, the commands of the toolbar, and the keys of commands.</source>
+        <translation>Die Einstellungen von Fenstern und Bildern, die Befehle der Werkzeugleiste und die Tasten der Befehle.</translation>
+    </message>
+    <message>
+        <source>&amp;Toolbar</source>
+        <translation>&amp;Werkzeugleiste</translation>
     </message>
 </context>
 <context>
@@ -13232,26 +13280,6 @@ Tasten: Bild auf und Bild ab wählen eine Marke, die Pfeile bewegen sie, Einfg f
         <translation>„%1“ exportieren</translation>
     </message>
     <message>
-        <source>Picture (.png)</source>
-        <translation>Bild (.png)</translation>
-    </message>
-    <message>
-        <source>Mesh for 3D printing (.stl)</source>
-        <translation>Körper zum Drucken (.stl)</translation>
-    </message>
-    <message>
-        <source>Mesh (.obj)</source>
-        <translation>Körper (.obj)</translation>
-    </message>
-    <message>
-        <source>Mesh (.glb)</source>
-        <translation>Körper (.glb)</translation>
-    </message>
-    <message>
-        <source>Mesh (.ply)</source>
-        <translation>Körper (.ply)</translation>
-    </message>
-    <message>
         <source>OpenSCAD program (.scad)</source>
         <translation>OpenSCAD-Programm (.scad)</translation>
     </message>
@@ -13344,22 +13372,6 @@ Tasten: Bild auf und Bild ab wählen eine Marke, die Pfeile bewegen sie, Einfg f
         <translation>Exportieren</translation>
     </message>
     <message>
-        <source>Picture (.jpg)</source>
-        <translation>Bild (.jpg)</translation>
-    </message>
-    <message>
-        <source>Picture (.webp)</source>
-        <translation>Bild (.webp)</translation>
-    </message>
-    <message>
-        <source>Picture (.tiff)</source>
-        <translation>Bild (.tiff)</translation>
-    </message>
-    <message>
-        <source>Picture in linear light (.exr)</source>
-        <translation>Bild in linearem Licht (.exr)</translation>
-    </message>
-    <message>
         <source>Depths can be written only as PNG.</source>
         <translation>Tiefen werden nur als PNG geschrieben.</translation>
     </message>
@@ -13398,14 +13410,6 @@ Tasten: Bild auf und Bild ab wählen eine Marke, die Pfeile bewegen sie, Einfg f
     <message>
         <source>Voxels along the longest side: more voxels make finer steps. A solid has at most %1 million voxels and %2 million triangles.</source>
         <translation>Voxel längs der längsten Seite: feinere Stufen, und mehr davon. Ein Körper hat höchstens %1 Millionen Voxel und %2 Millionen Dreiecke.</translation>
-    </message>
-    <message>
-        <source>Picture in SVG (.svg)</source>
-        <translation>Bild in SVG (.svg)</translation>
-    </message>
-    <message>
-        <source>Picture in PDF (.pdf)</source>
-        <translation>Bild in PDF (.pdf)</translation>
     </message>
     <message>
         <source>A solid has no shapes: the file contains its picture in pixels.</source>
@@ -14511,6 +14515,61 @@ Tasten: Bild auf und Bild ab wählen eine Marke, die Pfeile bewegen sie, Einfg f
     <message>
         <source>Side by side, the fractal can be turned and zoomed.  To change it, switch stereo off.</source>
         <translation>Nebeneinander kann das Fraktal gedreht und gezoomt werden.  Um es zu ändern, Stereo ausschalten.</translation>
+    </message>
+</context>
+<context>
+    <name>view::ToolbarPage</name>
+    <message>
+        <source>Move &amp;Up</source>
+        <translation>Nach &amp;oben</translation>
+    </message>
+    <message>
+        <source>Move &amp;Down</source>
+        <translation>Nach &amp;unten</translation>
+    </message>
+    <message>
+        <source>&amp;Remove</source>
+        <translation>&amp;Entfernen</translation>
+    </message>
+    <message>
+        <source>Commands in the toolbar</source>
+        <translation>Befehle in der Werkzeugleiste</translation>
+    </message>
+    <message>
+        <source>The toolbar from left to right. Drag a command to move it.</source>
+        <translation>Die Werkzeugleiste von links nach rechts. Ziehen Sie einen Befehl, um ihn zu verschieben.</translation>
+    </message>
+    <message>
+        <source>Choose a command</source>
+        <translation>Befehl wählen</translation>
+    </message>
+    <message>
+        <source>Command to add</source>
+        <translation>Befehl zum Hinzufügen</translation>
+    </message>
+    <message>
+        <source>Adds a command of the menus, or a separator, after the selected one.</source>
+        <translation>Fügt nach dem ausgewählten Befehl einen Befehl der Menüs oder eine Trennlinie ein.</translation>
+    </message>
+    <message>
+        <source>&amp;Add:</source>
+        <translation>&amp;Hinzufügen:</translation>
+    </message>
+    <message>
+        <source>Moves the selected command towards the left end of the toolbar.</source>
+        <translation>Verschiebt den ausgewählten Befehl zum linken Ende der Werkzeugleiste hin.</translation>
+    </message>
+    <message>
+        <source>Moves the selected command towards the right end of the toolbar.</source>
+        <translation>Verschiebt den ausgewählten Befehl zum rechten Ende der Werkzeugleiste hin.</translation>
+    </message>
+    <message>
+        <source>Takes the selected command out of the toolbar. It stays in its menu.</source>
+        <translation>Nimmt den ausgewählten Befehl aus der Werkzeugleiste. In seinem Menü bleibt er.</translation>
+    </message>
+    <message>
+        <source>Separator</source>
+        <translation>Trennlinie</translation>
     </message>
 </context>
 <context>

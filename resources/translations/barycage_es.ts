@@ -5605,6 +5605,98 @@
         <source>Show the views of both eyes in one picture, in red and cyan</source>
         <translation>Muestra en una imagen lo que ven ambos ojos, en rojo y cian</translation>
     </message>
+    <message>
+        <source>Flame: flam3, Apophysis, JWildfire, Fractorium</source>
+        <translation>Flame: flam3, Apophysis, JWildfire, Fractorium</translation>
+    </message>
+    <message>
+        <source>IFStile (.aifs)</source>
+        <translation>IFStile (.aifs)</translation>
+    </message>
+    <message>
+        <source>Formulas and a figure for LaTeX (.tex)</source>
+        <translation>Fórmulas y una figura para LaTeX (.tex)</translation>
+    </message>
+    <message>
+        <source>Table with commas (.csv)</source>
+        <translation>Tabla con comas (.csv)</translation>
+    </message>
+    <message>
+        <source>Table with tabs (.tsv)</source>
+        <translation>Tabla con tabuladores (.tsv)</translation>
+    </message>
+    <message>
+        <source>PNG: pixels</source>
+        <translation>PNG: píxeles</translation>
+    </message>
+    <message>
+        <source>Picture (.png)</source>
+        <translation>Imagen (.png)</translation>
+    </message>
+    <message>
+        <source>JPEG: pixels, a small file</source>
+        <translation>JPEG: píxeles, un archivo pequeño</translation>
+    </message>
+    <message>
+        <source>Picture (.jpg)</source>
+        <translation>Imagen (.jpg)</translation>
+    </message>
+    <message>
+        <source>WebP: pixels, for web pages</source>
+        <translation>WebP: píxeles, para páginas web</translation>
+    </message>
+    <message>
+        <source>Picture (.webp)</source>
+        <translation>Imagen (.webp)</translation>
+    </message>
+    <message>
+        <source>TIFF: pixels, for print</source>
+        <translation>TIFF: píxeles, para imprimir</translation>
+    </message>
+    <message>
+        <source>Picture (.tiff)</source>
+        <translation>Imagen (.tiff)</translation>
+    </message>
+    <message>
+        <source>OpenEXR: linear light, for compositing</source>
+        <translation>OpenEXR: luz lineal, para composición</translation>
+    </message>
+    <message>
+        <source>Picture in linear light (.exr)</source>
+        <translation>Imagen en luz lineal (.exr)</translation>
+    </message>
+    <message>
+        <source>PDF: shapes for print</source>
+        <translation>PDF: formas para imprimir</translation>
+    </message>
+    <message>
+        <source>Picture in PDF (.pdf)</source>
+        <translation>Imagen en PDF (.pdf)</translation>
+    </message>
+    <message>
+        <source>SVG: shapes for drawing programs</source>
+        <translation>SVG: formas para programas de dibujo</translation>
+    </message>
+    <message>
+        <source>Picture in SVG (.svg)</source>
+        <translation>Imagen en SVG (.svg)</translation>
+    </message>
+    <message>
+        <source>Mesh for 3D printing (.stl)</source>
+        <translation>Cuerpo para imprimir (.stl)</translation>
+    </message>
+    <message>
+        <source>Mesh (.obj)</source>
+        <translation>Cuerpo (.obj)</translation>
+    </message>
+    <message>
+        <source>Mesh (.glb)</source>
+        <translation>Cuerpo (.glb)</translation>
+    </message>
+    <message>
+        <source>Mesh (.ply)</source>
+        <translation>Cuerpo (.ply)</translation>
+    </message>
 </context>
 <context>
     <name>Tour</name>
@@ -8872,22 +8964,6 @@
         <translation>Copiar &amp;texto</translation>
     </message>
     <message>
-        <source>Flame: flam3, Apophysis, JWildfire, Fractorium</source>
-        <translation>Flame: flam3, Apophysis, JWildfire, Fractorium</translation>
-    </message>
-    <message>
-        <source>IFStile (.aifs)</source>
-        <translation>IFStile (.aifs)</translation>
-    </message>
-    <message>
-        <source>Table with commas (.csv)</source>
-        <translation>Tabla con comas (.csv)</translation>
-    </message>
-    <message>
-        <source>Table with tabs (.tsv)</source>
-        <translation>Tabla con tabuladores (.tsv)</translation>
-    </message>
-    <message>
         <source>Points (.csv)</source>
         <translation>Puntos (.csv)</translation>
     </message>
@@ -8963,28 +9039,12 @@
         <source>This format can store only systems in the plane.</source>
         <translation>Este formato solo puede guardar sistemas del plano.</translation>
     </message>
-    <message>
-        <source>Formulas and a figure for LaTeX (.tex)</source>
-        <translation>Fórmulas y una figura para LaTeX (.tex)</translation>
-    </message>
 </context>
 <context>
     <name>view::ExportDialog</name>
     <message>
         <source>Export “%1”</source>
         <translation>Exportar «%1»</translation>
-    </message>
-    <message>
-        <source>PNG: pixels</source>
-        <translation>PNG: píxeles</translation>
-    </message>
-    <message>
-        <source>SVG: shapes for drawing programs</source>
-        <translation>SVG: formas para programas de dibujo</translation>
-    </message>
-    <message>
-        <source>PDF: shapes for print</source>
-        <translation>PDF: formas para imprimir</translation>
     </message>
     <message>
         <source>Format</source>
@@ -9177,22 +9237,6 @@
     <message>
         <source>Sect&amp;ion:</source>
         <translation>E&amp;ncuadre:</translation>
-    </message>
-    <message>
-        <source>JPEG: pixels, a small file</source>
-        <translation>JPEG: píxeles, un archivo pequeño</translation>
-    </message>
-    <message>
-        <source>WebP: pixels, for web pages</source>
-        <translation>WebP: píxeles, para páginas web</translation>
-    </message>
-    <message>
-        <source>TIFF: pixels, for print</source>
-        <translation>TIFF: píxeles, para imprimir</translation>
-    </message>
-    <message>
-        <source>OpenEXR: linear light, for compositing</source>
-        <translation>OpenEXR: luz lineal, para composición</translation>
     </message>
     <message>
         <source>SVG and PDF are made of shapes, which stay sharp at every size; the others are made of pixels. If the file name has the ending of another format, that format is written.</source>
@@ -12172,10 +12216,6 @@ Teclas: Re Pág y Av Pág eligen una parada, las flechas la mueven, Ins añade u
         <translation>Devuelve todos los ajustes de esta página a sus valores predeterminados.</translation>
     </message>
     <message>
-        <source>The settings of windows and pictures, and the keys of commands.</source>
-        <translation>Los ajustes de las ventanas y las imágenes, y las teclas de las órdenes.</translation>
-    </message>
-    <message>
         <source>Picture at rest</source>
         <translation>Imagen en reposo</translation>
     </message>
@@ -12198,6 +12238,14 @@ Teclas: Re Pág y Av Pág eligen una parada, las flechas la mueven, Ins añade u
     <message>
         <source>When this is on, the toolbar shows the name of each command under its symbol.</source>
         <translation>Si está activado, la barra de herramientas muestra el nombre de cada orden bajo su símbolo.</translation>
+    </message>
+    <message>
+        <source>The settings of windows and pictures, the commands of the toolbar, and the keys of commands.</source>
+        <translation>Los ajustes de las ventanas y las imágenes, las órdenes de la barra de herramientas y las teclas de las órdenes.</translation>
+    </message>
+    <message>
+        <source>&amp;Toolbar</source>
+        <translation>Barra de &amp;herramientas</translation>
     </message>
 </context>
 <context>
@@ -13232,26 +13280,6 @@ Teclas: Re Pág y Av Pág eligen una parada, las flechas la mueven, Ins añade u
         <translation>Exportar «%1»</translation>
     </message>
     <message>
-        <source>Picture (.png)</source>
-        <translation>Imagen (.png)</translation>
-    </message>
-    <message>
-        <source>Mesh for 3D printing (.stl)</source>
-        <translation>Cuerpo para imprimir (.stl)</translation>
-    </message>
-    <message>
-        <source>Mesh (.obj)</source>
-        <translation>Cuerpo (.obj)</translation>
-    </message>
-    <message>
-        <source>Mesh (.glb)</source>
-        <translation>Cuerpo (.glb)</translation>
-    </message>
-    <message>
-        <source>Mesh (.ply)</source>
-        <translation>Cuerpo (.ply)</translation>
-    </message>
-    <message>
         <source>OpenSCAD program (.scad)</source>
         <translation>Programa de OpenSCAD (.scad)</translation>
     </message>
@@ -13344,22 +13372,6 @@ Teclas: Re Pág y Av Pág eligen una parada, las flechas la mueven, Ins añade u
         <translation>Exportar</translation>
     </message>
     <message>
-        <source>Picture (.jpg)</source>
-        <translation>Imagen (.jpg)</translation>
-    </message>
-    <message>
-        <source>Picture (.webp)</source>
-        <translation>Imagen (.webp)</translation>
-    </message>
-    <message>
-        <source>Picture (.tiff)</source>
-        <translation>Imagen (.tiff)</translation>
-    </message>
-    <message>
-        <source>Picture in linear light (.exr)</source>
-        <translation>Imagen en luz lineal (.exr)</translation>
-    </message>
-    <message>
         <source>Depths can be written only as PNG.</source>
         <translation>Las profundidades solo se escriben como PNG.</translation>
     </message>
@@ -13398,14 +13410,6 @@ Teclas: Re Pág y Av Pág eligen una parada, las flechas la mueven, Ins añade u
     <message>
         <source>Voxels along the longest side: more voxels make finer steps. A solid has at most %1 million voxels and %2 million triangles.</source>
         <translation>Vóxeles a lo largo del lado más largo: escalones más finos, y más de ellos. Un sólido tiene como máximo %1 millones de vóxeles y %2 millones de triángulos.</translation>
-    </message>
-    <message>
-        <source>Picture in SVG (.svg)</source>
-        <translation>Imagen en SVG (.svg)</translation>
-    </message>
-    <message>
-        <source>Picture in PDF (.pdf)</source>
-        <translation>Imagen en PDF (.pdf)</translation>
     </message>
     <message>
         <source>A solid has no shapes: the file contains its picture in pixels.</source>
@@ -14511,6 +14515,61 @@ Teclas: Re Pág y Av Pág eligen una parada, las flechas la mueven, Ins añade u
     <message>
         <source>Side by side, the fractal can be turned and zoomed.  To change it, switch stereo off.</source>
         <translation>Lado a lado, el fractal se puede girar y ampliar.  Para cambiarlo, desactive el estéreo.</translation>
+    </message>
+</context>
+<context>
+    <name>view::ToolbarPage</name>
+    <message>
+        <source>Move &amp;Up</source>
+        <translation>&amp;Subir</translation>
+    </message>
+    <message>
+        <source>Move &amp;Down</source>
+        <translation>&amp;Bajar</translation>
+    </message>
+    <message>
+        <source>&amp;Remove</source>
+        <translation>&amp;Quitar</translation>
+    </message>
+    <message>
+        <source>Commands in the toolbar</source>
+        <translation>Órdenes de la barra de herramientas</translation>
+    </message>
+    <message>
+        <source>The toolbar from left to right. Drag a command to move it.</source>
+        <translation>La barra de herramientas de izquierda a derecha. Arrastre una orden para moverla.</translation>
+    </message>
+    <message>
+        <source>Choose a command</source>
+        <translation>Elija una orden</translation>
+    </message>
+    <message>
+        <source>Command to add</source>
+        <translation>Orden que se añade</translation>
+    </message>
+    <message>
+        <source>Adds a command of the menus, or a separator, after the selected one.</source>
+        <translation>Añade una orden de los menús, o un separador, después de la seleccionada.</translation>
+    </message>
+    <message>
+        <source>&amp;Add:</source>
+        <translation>Aña&amp;dir:</translation>
+    </message>
+    <message>
+        <source>Moves the selected command towards the left end of the toolbar.</source>
+        <translation>Mueve la orden seleccionada hacia el extremo izquierdo de la barra de herramientas.</translation>
+    </message>
+    <message>
+        <source>Moves the selected command towards the right end of the toolbar.</source>
+        <translation>Mueve la orden seleccionada hacia el extremo derecho de la barra de herramientas.</translation>
+    </message>
+    <message>
+        <source>Takes the selected command out of the toolbar. It stays in its menu.</source>
+        <translation>Quita la orden seleccionada de la barra de herramientas. Permanece en su menú.</translation>
+    </message>
+    <message>
+        <source>Separator</source>
+        <translation>Separador</translation>
     </message>
 </context>
 <context>

@@ -5605,6 +5605,98 @@
         <source>Show the views of both eyes in one picture, in red and cyan</source>
         <translation>Montre en une image ce que voient les deux yeux, en rouge et cyan</translation>
     </message>
+    <message>
+        <source>Flame: flam3, Apophysis, JWildfire, Fractorium</source>
+        <translation>Flamme&#x202f;: flam3, Apophysis, JWildfire, Fractorium</translation>
+    </message>
+    <message>
+        <source>IFStile (.aifs)</source>
+        <translation>IFStile (.aifs)</translation>
+    </message>
+    <message>
+        <source>Formulas and a figure for LaTeX (.tex)</source>
+        <translation>Formules et figure pour LaTeX (.tex)</translation>
+    </message>
+    <message>
+        <source>Table with commas (.csv)</source>
+        <translation>Tableau avec virgules (.csv)</translation>
+    </message>
+    <message>
+        <source>Table with tabs (.tsv)</source>
+        <translation>Tableau avec tabulations (.tsv)</translation>
+    </message>
+    <message>
+        <source>PNG: pixels</source>
+        <translation>PNG&#x202f;: pixels</translation>
+    </message>
+    <message>
+        <source>Picture (.png)</source>
+        <translation>Image (.png)</translation>
+    </message>
+    <message>
+        <source>JPEG: pixels, a small file</source>
+        <translation>JPEG&#x202f;: pixels, un petit fichier</translation>
+    </message>
+    <message>
+        <source>Picture (.jpg)</source>
+        <translation>Image (.jpg)</translation>
+    </message>
+    <message>
+        <source>WebP: pixels, for web pages</source>
+        <translation>WebP&#x202f;: pixels, pour les pages web</translation>
+    </message>
+    <message>
+        <source>Picture (.webp)</source>
+        <translation>Image (.webp)</translation>
+    </message>
+    <message>
+        <source>TIFF: pixels, for print</source>
+        <translation>TIFF&#x202f;: pixels, pour l’impression</translation>
+    </message>
+    <message>
+        <source>Picture (.tiff)</source>
+        <translation>Image (.tiff)</translation>
+    </message>
+    <message>
+        <source>OpenEXR: linear light, for compositing</source>
+        <translation>OpenEXR&#x202f;: lumière linéaire, pour le compositing</translation>
+    </message>
+    <message>
+        <source>Picture in linear light (.exr)</source>
+        <translation>Image en lumière linéaire (.exr)</translation>
+    </message>
+    <message>
+        <source>PDF: shapes for print</source>
+        <translation>PDF&#x202f;: formes pour l’impression</translation>
+    </message>
+    <message>
+        <source>Picture in PDF (.pdf)</source>
+        <translation>Image en PDF (.pdf)</translation>
+    </message>
+    <message>
+        <source>SVG: shapes for drawing programs</source>
+        <translation>SVG&#x202f;: formes pour logiciels de dessin</translation>
+    </message>
+    <message>
+        <source>Picture in SVG (.svg)</source>
+        <translation>Image en SVG (.svg)</translation>
+    </message>
+    <message>
+        <source>Mesh for 3D printing (.stl)</source>
+        <translation>Corps à imprimer (.stl)</translation>
+    </message>
+    <message>
+        <source>Mesh (.obj)</source>
+        <translation>Corps (.obj)</translation>
+    </message>
+    <message>
+        <source>Mesh (.glb)</source>
+        <translation>Corps (.glb)</translation>
+    </message>
+    <message>
+        <source>Mesh (.ply)</source>
+        <translation>Corps (.ply)</translation>
+    </message>
 </context>
 <context>
     <name>Tour</name>
@@ -8872,22 +8964,6 @@
         <translation>Copier le &amp;texte</translation>
     </message>
     <message>
-        <source>Flame: flam3, Apophysis, JWildfire, Fractorium</source>
-        <translation>Flamme&#x202f;: flam3, Apophysis, JWildfire, Fractorium</translation>
-    </message>
-    <message>
-        <source>IFStile (.aifs)</source>
-        <translation>IFStile (.aifs)</translation>
-    </message>
-    <message>
-        <source>Table with commas (.csv)</source>
-        <translation>Tableau avec virgules (.csv)</translation>
-    </message>
-    <message>
-        <source>Table with tabs (.tsv)</source>
-        <translation>Tableau avec tabulations (.tsv)</translation>
-    </message>
-    <message>
         <source>Points (.csv)</source>
         <translation>Points (.csv)</translation>
     </message>
@@ -8963,28 +9039,12 @@
         <source>This format can store only systems in the plane.</source>
         <translation>Ce format ne peut enregistrer que des systèmes du plan.</translation>
     </message>
-    <message>
-        <source>Formulas and a figure for LaTeX (.tex)</source>
-        <translation>Formules et figure pour LaTeX (.tex)</translation>
-    </message>
 </context>
 <context>
     <name>view::ExportDialog</name>
     <message>
         <source>Export “%1”</source>
         <translation>Exporter «&#x202f;%1&#x202f;»</translation>
-    </message>
-    <message>
-        <source>PNG: pixels</source>
-        <translation>PNG&#x202f;: pixels</translation>
-    </message>
-    <message>
-        <source>SVG: shapes for drawing programs</source>
-        <translation>SVG&#x202f;: formes pour logiciels de dessin</translation>
-    </message>
-    <message>
-        <source>PDF: shapes for print</source>
-        <translation>PDF&#x202f;: formes pour l’impression</translation>
     </message>
     <message>
         <source>Format</source>
@@ -9177,22 +9237,6 @@
     <message>
         <source>Sect&amp;ion:</source>
         <translation>&amp;Cadrage :</translation>
-    </message>
-    <message>
-        <source>JPEG: pixels, a small file</source>
-        <translation>JPEG&#x202f;: pixels, un petit fichier</translation>
-    </message>
-    <message>
-        <source>WebP: pixels, for web pages</source>
-        <translation>WebP&#x202f;: pixels, pour les pages web</translation>
-    </message>
-    <message>
-        <source>TIFF: pixels, for print</source>
-        <translation>TIFF&#x202f;: pixels, pour l’impression</translation>
-    </message>
-    <message>
-        <source>OpenEXR: linear light, for compositing</source>
-        <translation>OpenEXR&#x202f;: lumière linéaire, pour le compositing</translation>
     </message>
     <message>
         <source>SVG and PDF are made of shapes, which stay sharp at every size; the others are made of pixels. If the file name has the ending of another format, that format is written.</source>
@@ -12172,10 +12216,6 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
         <translation>Rétablit les valeurs par défaut de tous les réglages de cette page.</translation>
     </message>
     <message>
-        <source>The settings of windows and pictures, and the keys of commands.</source>
-        <translation>Les réglages des fenêtres et des images, et les touches des commandes.</translation>
-    </message>
-    <message>
         <source>Picture at rest</source>
         <translation>Image au repos</translation>
     </message>
@@ -12198,6 +12238,14 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
     <message>
         <source>When this is on, the toolbar shows the name of each command under its symbol.</source>
         <translation>Si cette case est cochée, la barre d’outils montre le nom de chaque commande sous son symbole.</translation>
+    </message>
+    <message>
+        <source>The settings of windows and pictures, the commands of the toolbar, and the keys of commands.</source>
+        <translation>Les réglages des fenêtres et des images, les commandes de la barre d’outils et les touches des commandes.</translation>
+    </message>
+    <message>
+        <source>&amp;Toolbar</source>
+        <translation>Barre d’&amp;outils</translation>
     </message>
 </context>
 <context>
@@ -13232,26 +13280,6 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
         <translation>Exporter « %1 »</translation>
     </message>
     <message>
-        <source>Picture (.png)</source>
-        <translation>Image (.png)</translation>
-    </message>
-    <message>
-        <source>Mesh for 3D printing (.stl)</source>
-        <translation>Corps à imprimer (.stl)</translation>
-    </message>
-    <message>
-        <source>Mesh (.obj)</source>
-        <translation>Corps (.obj)</translation>
-    </message>
-    <message>
-        <source>Mesh (.glb)</source>
-        <translation>Corps (.glb)</translation>
-    </message>
-    <message>
-        <source>Mesh (.ply)</source>
-        <translation>Corps (.ply)</translation>
-    </message>
-    <message>
         <source>OpenSCAD program (.scad)</source>
         <translation>Programme OpenSCAD (.scad)</translation>
     </message>
@@ -13344,22 +13372,6 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
         <translation>Exporter</translation>
     </message>
     <message>
-        <source>Picture (.jpg)</source>
-        <translation>Image (.jpg)</translation>
-    </message>
-    <message>
-        <source>Picture (.webp)</source>
-        <translation>Image (.webp)</translation>
-    </message>
-    <message>
-        <source>Picture (.tiff)</source>
-        <translation>Image (.tiff)</translation>
-    </message>
-    <message>
-        <source>Picture in linear light (.exr)</source>
-        <translation>Image en lumière linéaire (.exr)</translation>
-    </message>
-    <message>
         <source>Depths can be written only as PNG.</source>
         <translation>Les profondeurs ne s’écrivent qu’en PNG.</translation>
     </message>
@@ -13398,14 +13410,6 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
     <message>
         <source>Voxels along the longest side: more voxels make finer steps. A solid has at most %1 million voxels and %2 million triangles.</source>
         <translation>Voxels le long du plus long côté : des marches plus fines, et plus nombreuses. Un solide a au plus %1 millions de voxels et %2 millions de triangles.</translation>
-    </message>
-    <message>
-        <source>Picture in SVG (.svg)</source>
-        <translation>Image en SVG (.svg)</translation>
-    </message>
-    <message>
-        <source>Picture in PDF (.pdf)</source>
-        <translation>Image en PDF (.pdf)</translation>
     </message>
     <message>
         <source>A solid has no shapes: the file contains its picture in pixels.</source>
@@ -14511,6 +14515,61 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
     <message>
         <source>Side by side, the fractal can be turned and zoomed.  To change it, switch stereo off.</source>
         <translation>Côte à côte, la fractale peut être tournée et zoomée.  Pour la modifier, désactivez la stéréo.</translation>
+    </message>
+</context>
+<context>
+    <name>view::ToolbarPage</name>
+    <message>
+        <source>Move &amp;Up</source>
+        <translation>&amp;Monter</translation>
+    </message>
+    <message>
+        <source>Move &amp;Down</source>
+        <translation>&amp;Descendre</translation>
+    </message>
+    <message>
+        <source>&amp;Remove</source>
+        <translation>R&amp;etirer</translation>
+    </message>
+    <message>
+        <source>Commands in the toolbar</source>
+        <translation>Commandes de la barre d’outils</translation>
+    </message>
+    <message>
+        <source>The toolbar from left to right. Drag a command to move it.</source>
+        <translation>La barre d’outils de gauche à droite. Faites glisser une commande pour la déplacer.</translation>
+    </message>
+    <message>
+        <source>Choose a command</source>
+        <translation>Choisir une commande</translation>
+    </message>
+    <message>
+        <source>Command to add</source>
+        <translation>Commande à ajouter</translation>
+    </message>
+    <message>
+        <source>Adds a command of the menus, or a separator, after the selected one.</source>
+        <translation>Ajoute une commande des menus, ou un séparateur, après celle qui est sélectionnée.</translation>
+    </message>
+    <message>
+        <source>&amp;Add:</source>
+        <translation>A&amp;jouter :</translation>
+    </message>
+    <message>
+        <source>Moves the selected command towards the left end of the toolbar.</source>
+        <translation>Déplace la commande sélectionnée vers l’extrémité gauche de la barre d’outils.</translation>
+    </message>
+    <message>
+        <source>Moves the selected command towards the right end of the toolbar.</source>
+        <translation>Déplace la commande sélectionnée vers l’extrémité droite de la barre d’outils.</translation>
+    </message>
+    <message>
+        <source>Takes the selected command out of the toolbar. It stays in its menu.</source>
+        <translation>Retire la commande sélectionnée de la barre d’outils. Elle reste dans son menu.</translation>
+    </message>
+    <message>
+        <source>Separator</source>
+        <translation>Séparateur</translation>
     </message>
 </context>
 <context>

@@ -5620,6 +5620,98 @@
         <source>Show the views of both eyes in one picture, in red and cyan</source>
         <translation>Прикажува во една слика што гледаат двете очи, во црвено и цијан</translation>
     </message>
+    <message>
+        <source>Flame: flam3, Apophysis, JWildfire, Fractorium</source>
+        <translation>Пламен: flam3, Apophysis, JWildfire, Fractorium</translation>
+    </message>
+    <message>
+        <source>IFStile (.aifs)</source>
+        <translation>IFStile (.aifs)</translation>
+    </message>
+    <message>
+        <source>Formulas and a figure for LaTeX (.tex)</source>
+        <translation>Формули и слика за LaTeX (.tex)</translation>
+    </message>
+    <message>
+        <source>Table with commas (.csv)</source>
+        <translation>Табела со запирки (.csv)</translation>
+    </message>
+    <message>
+        <source>Table with tabs (.tsv)</source>
+        <translation>Табела со табулатори (.tsv)</translation>
+    </message>
+    <message>
+        <source>PNG: pixels</source>
+        <translation>PNG: пиксели</translation>
+    </message>
+    <message>
+        <source>Picture (.png)</source>
+        <translation>Слика (.png)</translation>
+    </message>
+    <message>
+        <source>JPEG: pixels, a small file</source>
+        <translation>JPEG: пиксели, мала датотека</translation>
+    </message>
+    <message>
+        <source>Picture (.jpg)</source>
+        <translation>Слика (.jpg)</translation>
+    </message>
+    <message>
+        <source>WebP: pixels, for web pages</source>
+        <translation>WebP: пиксели, за веб-страници</translation>
+    </message>
+    <message>
+        <source>Picture (.webp)</source>
+        <translation>Слика (.webp)</translation>
+    </message>
+    <message>
+        <source>TIFF: pixels, for print</source>
+        <translation>TIFF: пиксели, за печатење</translation>
+    </message>
+    <message>
+        <source>Picture (.tiff)</source>
+        <translation>Слика (.tiff)</translation>
+    </message>
+    <message>
+        <source>OpenEXR: linear light, for compositing</source>
+        <translation>OpenEXR: линеарна светлина, за композитинг</translation>
+    </message>
+    <message>
+        <source>Picture in linear light (.exr)</source>
+        <translation>Слика во линеарна светлина (.exr)</translation>
+    </message>
+    <message>
+        <source>PDF: shapes for print</source>
+        <translation>PDF: облици за печатење</translation>
+    </message>
+    <message>
+        <source>Picture in PDF (.pdf)</source>
+        <translation>Слика во PDF (.pdf)</translation>
+    </message>
+    <message>
+        <source>SVG: shapes for drawing programs</source>
+        <translation>SVG: облици за програми за цртање</translation>
+    </message>
+    <message>
+        <source>Picture in SVG (.svg)</source>
+        <translation>Слика во SVG (.svg)</translation>
+    </message>
+    <message>
+        <source>Mesh for 3D printing (.stl)</source>
+        <translation>Тело за печатење (.stl)</translation>
+    </message>
+    <message>
+        <source>Mesh (.obj)</source>
+        <translation>Тело (.obj)</translation>
+    </message>
+    <message>
+        <source>Mesh (.glb)</source>
+        <translation>Тело (.glb)</translation>
+    </message>
+    <message>
+        <source>Mesh (.ply)</source>
+        <translation>Тело (.ply)</translation>
+    </message>
 </context>
 <context>
     <name>Tour</name>
@@ -8897,22 +8989,6 @@
         <translation>Копирај &amp;текст</translation>
     </message>
     <message>
-        <source>Flame: flam3, Apophysis, JWildfire, Fractorium</source>
-        <translation>Пламен: flam3, Apophysis, JWildfire, Fractorium</translation>
-    </message>
-    <message>
-        <source>IFStile (.aifs)</source>
-        <translation>IFStile (.aifs)</translation>
-    </message>
-    <message>
-        <source>Table with commas (.csv)</source>
-        <translation>Табела со запирки (.csv)</translation>
-    </message>
-    <message>
-        <source>Table with tabs (.tsv)</source>
-        <translation>Табела со табулатори (.tsv)</translation>
-    </message>
-    <message>
         <source>Points (.csv)</source>
         <translation>Точки (.csv)</translation>
     </message>
@@ -8988,28 +9064,12 @@
         <source>This format can store only systems in the plane.</source>
         <translation>Овој формат може да чува само системи во рамнина.</translation>
     </message>
-    <message>
-        <source>Formulas and a figure for LaTeX (.tex)</source>
-        <translation>Формули и слика за LaTeX (.tex)</translation>
-    </message>
 </context>
 <context>
     <name>view::ExportDialog</name>
     <message>
         <source>Export “%1”</source>
         <translation>Извоз на „%1“</translation>
-    </message>
-    <message>
-        <source>PNG: pixels</source>
-        <translation>PNG: пиксели</translation>
-    </message>
-    <message>
-        <source>SVG: shapes for drawing programs</source>
-        <translation>SVG: облици за програми за цртање</translation>
-    </message>
-    <message>
-        <source>PDF: shapes for print</source>
-        <translation>PDF: облици за печатење</translation>
     </message>
     <message>
         <source>Format</source>
@@ -9202,22 +9262,6 @@
     <message>
         <source>Sect&amp;ion:</source>
         <translation>&amp;Исечок:</translation>
-    </message>
-    <message>
-        <source>JPEG: pixels, a small file</source>
-        <translation>JPEG: пиксели, мала датотека</translation>
-    </message>
-    <message>
-        <source>WebP: pixels, for web pages</source>
-        <translation>WebP: пиксели, за веб-страници</translation>
-    </message>
-    <message>
-        <source>TIFF: pixels, for print</source>
-        <translation>TIFF: пиксели, за печатење</translation>
-    </message>
-    <message>
-        <source>OpenEXR: linear light, for compositing</source>
-        <translation>OpenEXR: линеарна светлина, за композитинг</translation>
     </message>
     <message>
         <source>SVG and PDF are made of shapes, which stay sharp at every size; the others are made of pixels. If the file name has the ending of another format, that format is written.</source>
@@ -12204,10 +12248,6 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
         <translation>Ги враќа сите поставки на оваа страница на стандардните вредности.</translation>
     </message>
     <message>
-        <source>The settings of windows and pictures, and the keys of commands.</source>
-        <translation>Поставките на прозорците и сликите, и копчињата на наредбите.</translation>
-    </message>
-    <message>
         <source>Picture at rest</source>
         <translation>Слика во мирување</translation>
     </message>
@@ -12230,6 +12270,14 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
     <message>
         <source>When this is on, the toolbar shows the name of each command under its symbol.</source>
         <translation>Кога е вклучено, лентата со алатки го покажува името на секоја наредба под нејзиниот симбол.</translation>
+    </message>
+    <message>
+        <source>The settings of windows and pictures, the commands of the toolbar, and the keys of commands.</source>
+        <translation>Поставките на прозорците и сликите, наредбите на лентата со алатки и копчињата на наредбите.</translation>
+    </message>
+    <message>
+        <source>&amp;Toolbar</source>
+        <translation>&amp;Лента со алатки</translation>
     </message>
 </context>
 <context>
@@ -13265,26 +13313,6 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
         <translation>Извези „%1“</translation>
     </message>
     <message>
-        <source>Picture (.png)</source>
-        <translation>Слика (.png)</translation>
-    </message>
-    <message>
-        <source>Mesh for 3D printing (.stl)</source>
-        <translation>Тело за печатење (.stl)</translation>
-    </message>
-    <message>
-        <source>Mesh (.obj)</source>
-        <translation>Тело (.obj)</translation>
-    </message>
-    <message>
-        <source>Mesh (.glb)</source>
-        <translation>Тело (.glb)</translation>
-    </message>
-    <message>
-        <source>Mesh (.ply)</source>
-        <translation>Тело (.ply)</translation>
-    </message>
-    <message>
         <source>OpenSCAD program (.scad)</source>
         <translation>Програма за OpenSCAD (.scad)</translation>
     </message>
@@ -13377,22 +13405,6 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
         <translation>Извези</translation>
     </message>
     <message>
-        <source>Picture (.jpg)</source>
-        <translation>Слика (.jpg)</translation>
-    </message>
-    <message>
-        <source>Picture (.webp)</source>
-        <translation>Слика (.webp)</translation>
-    </message>
-    <message>
-        <source>Picture (.tiff)</source>
-        <translation>Слика (.tiff)</translation>
-    </message>
-    <message>
-        <source>Picture in linear light (.exr)</source>
-        <translation>Слика во линеарна светлина (.exr)</translation>
-    </message>
-    <message>
         <source>Depths can be written only as PNG.</source>
         <translation>Длабочините се запишуваат само како PNG.</translation>
     </message>
@@ -13431,14 +13443,6 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
     <message>
         <source>Voxels along the longest side: more voxels make finer steps. A solid has at most %1 million voxels and %2 million triangles.</source>
         <translation>Воксели по најдолгата страна: поситни скали, и повеќе од нив. Едно тело има најмногу %1 милиони воксели и %2 милиони триаголници.</translation>
-    </message>
-    <message>
-        <source>Picture in SVG (.svg)</source>
-        <translation>Слика во SVG (.svg)</translation>
-    </message>
-    <message>
-        <source>Picture in PDF (.pdf)</source>
-        <translation>Слика во PDF (.pdf)</translation>
     </message>
     <message>
         <source>A solid has no shapes: the file contains its picture in pixels.</source>
@@ -14547,6 +14551,61 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
     <message>
         <source>Side by side, the fractal can be turned and zoomed.  To change it, switch stereo off.</source>
         <translation>Еден до друг, фракталот може да се врти и зумира.  За да го менуваш, исклучи стерео.</translation>
+    </message>
+</context>
+<context>
+    <name>view::ToolbarPage</name>
+    <message>
+        <source>Move &amp;Up</source>
+        <translation>Помести на&amp;горе</translation>
+    </message>
+    <message>
+        <source>Move &amp;Down</source>
+        <translation>Помести надол&amp;у</translation>
+    </message>
+    <message>
+        <source>&amp;Remove</source>
+        <translation>&amp;Тргни</translation>
+    </message>
+    <message>
+        <source>Commands in the toolbar</source>
+        <translation>Наредби на лентата со алатки</translation>
+    </message>
+    <message>
+        <source>The toolbar from left to right. Drag a command to move it.</source>
+        <translation>Лентата со алатки од лево кон десно. Повлечете наредба за да ја поместите.</translation>
+    </message>
+    <message>
+        <source>Choose a command</source>
+        <translation>Изберете наредба</translation>
+    </message>
+    <message>
+        <source>Command to add</source>
+        <translation>Наредба за додавање</translation>
+    </message>
+    <message>
+        <source>Adds a command of the menus, or a separator, after the selected one.</source>
+        <translation>Додава наредба од менијата, или разделник, по избраната.</translation>
+    </message>
+    <message>
+        <source>&amp;Add:</source>
+        <translation>&amp;Додај:</translation>
+    </message>
+    <message>
+        <source>Moves the selected command towards the left end of the toolbar.</source>
+        <translation>Ја поместува избраната наредба кон левиот крај на лентата со алатки.</translation>
+    </message>
+    <message>
+        <source>Moves the selected command towards the right end of the toolbar.</source>
+        <translation>Ја поместува избраната наредба кон десниот крај на лентата со алатки.</translation>
+    </message>
+    <message>
+        <source>Takes the selected command out of the toolbar. It stays in its menu.</source>
+        <translation>Ја трга избраната наредба од лентата со алатки. Таа останува во своето мени.</translation>
+    </message>
+    <message>
+        <source>Separator</source>
+        <translation>Разделник</translation>
     </message>
 </context>
 <context>

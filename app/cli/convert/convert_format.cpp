@@ -24,7 +24,14 @@ bool holdsOneEntry(const ConvertFormat& format) {
 }
 
 std::vector<std::string> convertFormats() {
-    return {"fractint", "flame", "aifs", "tex", "csv", "tsv", "ply", "pdf", "stl", "obj", "glb", "scad"};
+    std::vector<std::string> words;
+    for (const TextFormat format : io::textFormats)
+        words.emplace_back(io::wordOf(format));
+    words.insert(words.end(), {"ply", "pdf"}); // points, too
+    for (const auto& [mesh, word] : ifs::names<io::MeshFormat>)
+        if (mesh != io::MeshFormat::Ply) words.emplace_back(word);
+    words.emplace_back("scad");
+    return words;
 }
 
 QString suffixOf(const ConvertFormat& format) {

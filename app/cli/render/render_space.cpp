@@ -88,10 +88,7 @@ void refuseUnsupported(const RenderArguments& options, LookInSpace look) {
 
 // What the picture is embedded in; nullopt: nothing.
 std::optional<io::ShapeFile> pageOf(const RenderArguments& options) {
-    const QString suffix = suffixOf(options);
-    if (suffix == u"svg") return io::ShapeFile::Svg;
-    if (suffix == u"pdf") return io::ShapeFile::Pdf;
-    return std::nullopt;
+    return ifs::named<io::ShapeFile>(suffixOf(options).toStdString());
 }
 
 void refuseUnsupportedFile(const RenderArguments& options, LookInSpace look) {

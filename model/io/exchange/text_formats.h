@@ -8,18 +8,22 @@
 #include <QList>
 #include <QString>
 
+#include <array>
 #include <memory>
 #include <optional>
 
 namespace io {
 
-// The forms in which systems are handed to other programs as text.
+// The forms in which systems are handed to other programs as text, in the order of lists.
 enum class TextFormat { Fractint, Flame, Aifs, Latex, Csv, Tsv };
+inline constexpr std::array textFormats{TextFormat::Fractint, TextFormat::Flame, TextFormat::Aifs,
+                                        TextFormat::Latex,    TextFormat::Csv,   TextFormat::Tsv};
 
-// By the suffix of a file, or by name: "fractint", "ifs", "flame", "flam3", "aifs", "tex",
-// "latex", "csv", "tsv".
+// By the suffix of a file, or by another of its names, in any case.
 std::optional<TextFormat> textFormat(const QString& name);
 QString suffixOf(TextFormat format);
+const char* wordOf(TextFormat format);  // on the command line
+const char* titleOf(TextFormat format); // in the list of the window, for Text::tr(); null: not there
 bool holdsOneSystem(TextFormat format); // tables have no place for a second
 
 struct TextOptions {

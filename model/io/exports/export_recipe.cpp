@@ -101,7 +101,7 @@ QStringList suffixes(const ExportRecipe& recipe) {
     if (const auto* body = std::get_if<BodyRecipe>(&recipe)) return {suffixOf(body->format)};
     const auto* shapes = std::get_if<ShapeRecipe>(&recipe);
     const ShapeFile file = shapes ? shapes->file : *std::get<SpaceRecipe>(recipe).page;
-    return {file == ShapeFile::Pdf ? QStringLiteral("pdf") : QStringLiteral("svg")};
+    return {QLatin1String(ifs::nameOf(file))};
 }
 
 } // namespace

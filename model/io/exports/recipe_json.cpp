@@ -14,19 +14,10 @@ namespace {
 
 template <class Value, std::size_t Count> using Names = std::array<ifs::Named<Value>, Count>;
 
-constexpr Names<PictureFile, 6> pictureFiles{{{PictureFile::Png, "png"},
-                                              {PictureFile::Jpeg, "jpeg"},
-                                              {PictureFile::WebP, "webp"},
-                                              {PictureFile::Tiff, "tiff"},
-                                              {PictureFile::ExrHalf, "exr"},
-                                              {PictureFile::ExrFloat, "exr-float"}}};
 constexpr Names<PictureFormat::Depth, 2> depths{
     {{PictureFormat::Depth::Bits8, "8"}, {PictureFormat::Depth::Bits16, "16"}}};
-constexpr Names<ShapeFile, 2> shapeFiles{{{ShapeFile::Svg, "svg"}, {ShapeFile::Pdf, "pdf"}}};
 constexpr Names<ShapeStyle, 3> styles{
     {{ShapeStyle::Structured, "copies"}, {ShapeStyle::Outline, "outline"}, {ShapeStyle::Points, "points"}}};
-constexpr Names<MeshFormat, 4> meshes{
-    {{MeshFormat::Stl, "stl"}, {MeshFormat::Obj, "obj"}, {MeshFormat::Glb, "glb"}, {MeshFormat::Ply, "ply"}}};
 constexpr Names<attractor::YAxis, 2> axes{{{attractor::YAxis::Up, "up"}, {attractor::YAxis::Down, "down"}}};
 using Projection = attractor::OrbitCamera::Projection;
 constexpr Names<Projection, 2> projections{
@@ -147,7 +138,7 @@ bool read(const QJsonObject& json, attractor::OrbitCamera& camera) {
 QJsonObject jsonOf(const PixelRecipe& recipe) {
     return {{QStringLiteral("kind"), QStringLiteral("pixels")},
             {QStringLiteral("camera"), cameraJson(recipe.camera)},
-            {QStringLiteral("file"), nameOf(pictureFiles, recipe.file)},
+            {QStringLiteral("file"), nameOf(ifs::names<PictureFile>, recipe.file)},
             {QStringLiteral("depth"), nameOf(depths, recipe.depth)},
             {QStringLiteral("samplesPerPixel"), recipe.samplesPerPixel},
             {QStringLiteral("supersample"), recipe.supersample},
@@ -158,7 +149,7 @@ QJsonObject jsonOf(const PixelRecipe& recipe) {
 
 bool read(const QJsonObject& json, PixelRecipe& recipe) {
     Fields fields(json);
-    fields.read("file", recipe.file, pictureFiles);
+    fields.read("file", recipe.file, ifs::names<PictureFile>);
     fields.read("depth", recipe.depth, depths);
     fields.read("samplesPerPixel", recipe.samplesPerPixel);
     fields.read("supersample", recipe.supersample);
@@ -171,7 +162,7 @@ bool read(const QJsonObject& json, PixelRecipe& recipe) {
 QJsonObject jsonOf(const ShapeRecipe& recipe) {
     QJsonObject json{{QStringLiteral("kind"), QStringLiteral("shapes")},
                      {QStringLiteral("camera"), cameraJson(recipe.camera)},
-                     {QStringLiteral("file"), nameOf(shapeFiles, recipe.file)},
+                     {QStringLiteral("file"), nameOf(ifs::names<ShapeFile>, recipe.file)},
                      {QStringLiteral("style"), nameOf(styles, recipe.style)},
                      {QStringLiteral("levels"), recipe.depth.value_or(-1)}, // −1: as many as a pixel needs
                      {QStringLiteral("points"), recipe.points},
@@ -184,7 +175,7 @@ QJsonObject jsonOf(const ShapeRecipe& recipe) {
 bool read(const QJsonObject& json, ShapeRecipe& recipe) {
     Fields fields(json);
     int levels = 0;
-    fields.read("file", recipe.file, shapeFiles);
+    fields.read("file", recipe.file, ifs::names<ShapeFile>);
     fields.read("style", recipe.style, styles);
     fields.read("levels", levels);
     fields.read("points", recipe.points);
@@ -200,13 +191,13 @@ QJsonObject jsonOf(const SpaceRecipe& recipe) {
                      {QStringLiteral("camera"), cameraJson(recipe.camera)},
                      {QStringLiteral("width"), recipe.size.width},
                      {QStringLiteral("height"), recipe.size.height},
-                     {QStringLiteral("file"), nameOf(pictureFiles, recipe.file)},
+                     {QStringLiteral("file"), nameOf(ifs::names<PictureFile>, recipe.file)},
                      {QStringLiteral("depth"), nameOf(depths, recipe.depth)},
                      {QStringLiteral("stereo"), nameOf(ifs::names<Stereo>, recipe.stereo)},
                      {QStringLiteral("supersample"), recipe.supersample},
                      {QStringLiteral("dotsPerInch"), recipe.dotsPerInch},
                      {QStringLiteral("transparent"), recipe.isTransparent}};
-    if (recipe.page) json.insert(QStringLiteral("page"), nameOf(shapeFiles, *recipe.page));
+    if (recipe.page) json.insert(QStringLiteral("page"), nameOf(ifs::names<ShapeFile>, *recipe.page));
     return json;
 }
 
@@ -214,19 +205,20 @@ bool read(const QJsonObject& json, SpaceRecipe& recipe) {
     Fields fields(json);
     fields.read("width", recipe.size.width);
     fields.read("height", recipe.size.height);
-    fields.read("file", recipe.file, pictureFiles);
+    fields.read("file", recipe.file, ifs::names<PictureFile>);
     fields.read("depth", recipe.depth, depths);
     fields.read("stereo", recipe.stereo, ifs::names<Stereo>);
     fields.read("supersample", recipe.supersample);
     fields.read("dotsPerInch", recipe.dotsPerInch);
     fields.read("transparent", recipe.isTransparent);
-    if (json.contains(QLatin1String("page"))) fields.read("page", recipe.page.emplace(), shapeFiles);
+    if (json.contains(QLatin1String("page")))
+        fields.read("page", recipe.page.emplace(), ifs::names<ShapeFile>);
     return fields.areRight() && read(json.value(QLatin1String("camera")).toObject(), recipe.camera);
 }
 
 QJsonObject jsonOf(const BodyRecipe& recipe) {
     return {{QStringLiteral("kind"), QStringLiteral("body")},
-            {QStringLiteral("format"), nameOf(meshes, recipe.format)},
+            {QStringLiteral("format"), nameOf(ifs::names<MeshFormat>, recipe.format)},
             {QStringLiteral("longest"), recipe.longest},
             {QStringLiteral("resolution"), recipe.resolution},
             {QStringLiteral("wall"), recipe.wall},
@@ -235,7 +227,7 @@ QJsonObject jsonOf(const BodyRecipe& recipe) {
 
 bool read(const QJsonObject& json, BodyRecipe& recipe) {
     Fields fields(json);
-    fields.read("format", recipe.format, meshes);
+    fields.read("format", recipe.format, ifs::names<MeshFormat>);
     fields.read("longest", recipe.longest);
     fields.read("resolution", recipe.resolution);
     fields.read("wall", recipe.wall);

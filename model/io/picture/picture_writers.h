@@ -19,7 +19,9 @@ inline constexpr double shareOfDrawing = 0.8;
 // What a kind of picture file can hold, and who writes it.
 struct PictureFileFacts {
     PictureFile file;
-    const char* title;                 // "PNG"
+    const char* title;   // "PNG"
+    const char* inPlane; // in the list of pictures of the plane, for Text::tr(); null: not there
+    const char* inSpace; // the same of solids
     std::vector<const char*> suffixes; // the usual one first; none: its name is that of another kind
     bool takes8Bits = true;            // of rows
     bool takes16Bits = true;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "attractor/light/tone_map16.h"
+#include "ifs/names.h"
 #include "io/file/save_file.h"
 
 #include <QByteArray>
@@ -55,3 +56,14 @@ public:
 };
 
 } // namespace io
+
+// As recipes have them.
+template <>
+inline constexpr auto ifs::names<io::PictureFile> = std::to_array<ifs::Named<io::PictureFile>>({
+    {io::PictureFile::Png, "png"},
+    {io::PictureFile::Jpeg, "jpeg"},
+    {io::PictureFile::WebP, "webp"},
+    {io::PictureFile::Tiff, "tiff"},
+    {io::PictureFile::ExrHalf, "exr"},
+    {io::PictureFile::ExrFloat, "exr-float"},
+});

@@ -20,13 +20,6 @@ using namespace Qt::StringLiterals;
 
 using Position = std::array<float, 3>;
 
-struct Name {
-    const char* suffix;
-    MeshFormat format;
-};
-constexpr std::array names{Name{"stl", MeshFormat::Stl}, Name{"obj", MeshFormat::Obj},
-                           Name{"glb", MeshFormat::Glb}, Name{"ply", MeshFormat::Ply}};
-
 // Bytes on their way to a device, little endian.
 class Stream {
 public:
@@ -71,7 +64,7 @@ Position positionOf(const PrintableSolid& solid, std::uint32_t point) {
     return result;
 }
 
-void writeStl(const PrintableSolid& solid, Stream& stream) {
+void writeStl(const PrintableSolid& solid, const QString& /*name*/, Stream& stream) {
     stream.addText(QByteArray("Barycage: binary STL, millimetres").leftJustified(80, ' '));
     stream.addNumber(quint32(solid.mesh.triangles.size()));
     for (const auto& triangle : solid.mesh.triangles) {
@@ -111,7 +104,7 @@ void writeObj(const PrintableSolid& solid, const QString& name, Stream& stream) 
     }
 }
 
-void writePly(const PrintableSolid& solid, Stream& stream) {
+void writePly(const PrintableSolid& solid, const QString& /*name*/, Stream& stream) {
     stream.addText("ply\nformat binary_little_endian 1.0\ncomment Barycage, millimetres\nelement vertex " +
                    QByteArray::number(qulonglong(solid.mesh.points.size())) +
                    "\nproperty float x\nproperty float y\nproperty float z\nelement face " +
@@ -207,37 +200,40 @@ void writeGlb(const PrintableSolid& solid, const QString& name, Stream& stream) 
         stream.addPosition(positionOf(solid, i));
 }
 
+struct MeshKind {
+    MeshFormat format;
+    const char* title;
+    void (*write)(const PrintableSolid& solid, const QString& name, Stream& stream);
+};
+constexpr MeshKind kinds[] = {
+    {MeshFormat::Stl, QT_TRANSLATE_NOOP("Text", "Mesh for 3D printing (.stl)"), writeStl},
+    {MeshFormat::Obj, QT_TRANSLATE_NOOP("Text", "Mesh (.obj)"), writeObj},
+    {MeshFormat::Glb, QT_TRANSLATE_NOOP("Text", "Mesh (.glb)"), writeGlb},
+    {MeshFormat::Ply, QT_TRANSLATE_NOOP("Text", "Mesh (.ply)"), writePly},
+};
+
+const MeshKind& kindOf(MeshFormat format) {
+    return *std::ranges::find(kinds, format, &MeshKind::format);
+}
+
 } // namespace
 
 std::optional<MeshFormat> meshFormat(const QString& suffix) {
-    for (const Name& known : names)
-        if (suffix.compare(QLatin1String(known.suffix), Qt::CaseInsensitive) == 0) return known.format;
-    return std::nullopt;
+    return ifs::named<MeshFormat>(suffix.toLower().toStdString());
 }
 
 QString suffixOf(MeshFormat format) {
-    const auto* const known = std::find_if(names.begin(), names.end(),
-                                           [format](const Name& name) { return name.format == format; });
-    return QLatin1String(known->suffix);
+    return QLatin1String(ifs::nameOf(format));
+}
+
+const char* titleOf(MeshFormat format) {
+    return kindOf(format).title;
 }
 
 bool writeMesh(const PrintableSolid& solid, MeshFormat format, const QString& name, QIODevice& device,
                const std::stop_token& stop) {
     Stream stream(device, stop);
-    switch (format) {
-    case MeshFormat::Stl:
-        writeStl(solid, stream);
-        break;
-    case MeshFormat::Obj:
-        writeObj(solid, name, stream);
-        break;
-    case MeshFormat::Glb:
-        writeGlb(solid, name, stream);
-        break;
-    case MeshFormat::Ply:
-        writePly(solid, stream);
-        break;
-    }
+    kindOf(format).write(solid, name, stream);
     return stream.finish();
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "ifs/names.h"
 #include "io/solid/printable_solid.h"
 
 #include <QIODevice>
@@ -14,11 +15,21 @@ namespace io {
 // scale. Axes are those of the system: y up.
 enum class MeshFormat { Stl, Obj, Glb, Ply };
 
-std::optional<MeshFormat> meshFormat(const QString& suffix); // "stl", "obj", "glb", "ply" in any case
+std::optional<MeshFormat> meshFormat(const QString& suffix); // in any case
 QString suffixOf(MeshFormat format);
+const char* titleOf(MeshFormat format); // in lists; for Text::tr()
 
 // False when the device took less, or the mesh is stopped in the middle.
 bool writeMesh(const PrintableSolid& solid, MeshFormat format, const QString& name, QIODevice& device,
                const std::stop_token& stop = {});
 
 } // namespace io
+
+// By the ending of a file's name, in the order of lists.
+template <>
+inline constexpr auto ifs::names<io::MeshFormat> = std::to_array<ifs::Named<io::MeshFormat>>({
+    {io::MeshFormat::Stl, "stl"},
+    {io::MeshFormat::Obj, "obj"},
+    {io::MeshFormat::Glb, "glb"},
+    {io::MeshFormat::Ply, "ply"},
+});

@@ -147,7 +147,7 @@ void ClosingWindowsTest::anExportInADialogIsAskedAbout() {
     attractor::OrbitCamera camera;
     camera.size = {160, 120};
     view::SpaceExportDialog dialog(&window->document(), camera, window);
-    dialog.setFormat(view::SpaceExportDialog::Format::Stl);
+    dialog.setFormat(io::MeshFormat::Stl);
     dialog.show();
     for (auto* box : dialog.findChildren<QSpinBox*>())
         if (box->minimum() == 8) box->setValue(500);           // the resolution

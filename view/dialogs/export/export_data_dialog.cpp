@@ -3,6 +3,7 @@
 
 #include "dialogs/column_orders.h"
 #include "document/edits/cage/cage_edits.h"
+#include "document/text/text.h"
 #include "io/file/background.h"
 #include "widgets/choices.h"
 #include "widgets/numbers/number_box.h"
@@ -27,24 +28,23 @@ namespace view {
 
 namespace {
 
-std::optional<io::TextFormat> textFormatOf(ExportDataDialog::Format format) {
-    using enum ExportDataDialog::Format;
-    switch (format) {
-    case Flame:
-        return io::TextFormat::Flame;
-    case Aifs:
-        return io::TextFormat::Aifs;
-    case Latex:
-        return io::TextFormat::Latex;
-    case Csv:
-        return io::TextFormat::Csv;
-    case Tsv:
-        return io::TextFormat::Tsv;
-    case PointsCsv:
-    case PointsPly:
-        break;
-    }
-    return std::nullopt;
+using DataFormat = ExportDataDialog::Format;
+
+const io::TextFormat* textIn(const DataFormat& format) {
+    return std::get_if<io::TextFormat>(&format);
+}
+
+// As the settings have them.
+QString dataNameOf(const DataFormat& format) {
+    if (const auto* text = textIn(format)) return io::suffixOf(*text);
+    return format == DataFormat(io::PointFormat::Ply) ? QStringLiteral("points-ply")
+                                                      : QStringLiteral("points-csv");
+}
+
+DataFormat dataFormatOf(const QString& name) {
+    for (const io::PointFormat points : {io::PointFormat::Csv, io::PointFormat::Ply})
+        if (name == dataNameOf(points)) return points;
+    return io::textFormat(name).value_or(io::TextFormat::Flame);
 }
 
 std::shared_ptr<const document::Fractal> bakedOf(const document::Fractal& fractal) {
@@ -86,14 +86,11 @@ void ExportDataDialog::createOptions(QFormLayout* form) {
     m_format = new QComboBox(this);
     m_format->setWhatsThis(
         tr("The program that will read the data; each format contains what that program understands."));
-    addChoice(m_format, tr("Flame: flam3, Apophysis, JWildfire, Fractorium"), Format::Flame);
-    addChoice(m_format, tr("IFStile (.aifs)"), Format::Aifs);
-    addChoice(m_format, tr("Formulas and a figure for LaTeX (.tex)"), Format::Latex);
-    addChoice(m_format, tr("Table with commas (.csv)"), Format::Csv);
-    addChoice(m_format, tr("Table with tabs (.tsv)"), Format::Tsv);
-    addChoice(m_format, tr("Points (.csv)"), Format::PointsCsv);
-    addChoice(m_format, tr("Points, coloured (.ply)"), Format::PointsPly);
-    chooseFormat(ifs::named<Format>(last().format.toStdString()).value_or(Format::Flame));
+    for (const io::TextFormat text : io::textFormats)
+        if (io::titleOf(text)) addChoice(m_format, Text::tr(io::titleOf(text)), Format(text));
+    addChoice(m_format, tr("Points (.csv)"), Format(io::PointFormat::Csv));
+    addChoice(m_format, tr("Points, coloured (.ply)"), Format(io::PointFormat::Ply));
+    chooseFormat(dataFormatOf(last().format));
     m_columns = new ColumnOrders(tr("The order of the coefficients in each row; programs differ."), this);
     m_points = new WholeNumberBox(this);
     m_points->setWhatsThis(tr("How many points of the chaos game are written."));
@@ -121,15 +118,15 @@ void ExportDataDialog::createOptions(QFormLayout* form) {
 }
 
 // This one or, if it cannot store the system, the first that can; the others of its kind are grey.
-void ExportDataDialog::chooseFormat(Format remembered) {
-    const auto holds = [this](Format format) {
-        const auto text = textFormatOf(format);
+void ExportDataDialog::chooseFormat(const Format& remembered) {
+    const auto holds = [this](const Format& format) {
+        const auto* text = textIn(format);
         return !text || io::holds(*text, m_fractal);
     };
     auto* items = qobject_cast<QStandardItemModel*>(m_format->model());
     std::optional<Format> first;
     for (int row = 0; row < m_format->count(); ++row) {
-        const auto format = Format(m_format->itemData(row).toInt());
+        const auto format = m_format->itemData(row).value<Format>();
         items->item(row)->setEnabled(holds(format));
         if (!first && holds(format)) first = format;
     }
@@ -141,11 +138,12 @@ ExportDataDialog::Format ExportDataDialog::format() const {
 }
 
 std::optional<io::TextFormat> ExportDataDialog::textFormat() const {
-    return textFormatOf(format());
+    const Format chosen = format();
+    return textIn(chosen) ? std::optional(*textIn(chosen)) : std::nullopt;
 }
 
 io::PointFormat ExportDataDialog::pointFormat() const {
-    return format() == Format::PointsPly ? io::PointFormat::Ply : io::PointFormat::Csv;
+    return std::get<io::PointFormat>(format());
 }
 
 QString ExportDataDialog::suffix() const {
@@ -217,7 +215,7 @@ void ExportDataDialog::showPreview() {
 
 QString ExportDataDialog::chosenFile() {
     const QString path = chooseFile({.title = tr("Export Data"), .suffix = suffix()});
-    if (!path.isEmpty()) remember({QLatin1String(ifs::nameOf(format())), {}}, path);
+    if (!path.isEmpty()) remember({dataNameOf(format()), {}}, path);
     return path;
 }
 

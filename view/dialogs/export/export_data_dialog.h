@@ -3,7 +3,7 @@
 
 #include "dialogs/export/export_shell.h"
 #include "document/document.h"
-#include "ifs/names.h"
+#include "io/exchange/point_format.h"
 #include "io/exchange/text_formats.h"
 
 #include <QFutureWatcher>
@@ -11,6 +11,7 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <variant>
 
 class QCheckBox;
 class QComboBox;
@@ -29,7 +30,7 @@ class ExportDataDialog : public ExportShell {
     Q_OBJECT
 
 public:
-    enum class Format { Flame, Aifs, Latex, Csv, Tsv, PointsCsv, PointsPly };
+    using Format = std::variant<io::TextFormat, io::PointFormat>;
 
     explicit ExportDataDialog(document::Document* document, QWidget* parent = nullptr);
     ~ExportDataDialog() override;
@@ -43,7 +44,7 @@ protected:
 
 private:
     void createOptions(QFormLayout* form);
-    void chooseFormat(Format remembered);
+    void chooseFormat(const Format& remembered);
     Format format() const;
     std::optional<io::TextFormat> textFormat() const; // nullopt: points
     io::PointFormat pointFormat() const;
@@ -72,16 +73,3 @@ private:
 };
 
 } // namespace view
-
-// As the settings have them.
-template <>
-inline constexpr auto
-    ifs::names<view::ExportDataDialog::Format> = std::to_array<ifs::Named<view::ExportDataDialog::Format>>({
-        {view::ExportDataDialog::Format::Flame, "flame"},
-        {view::ExportDataDialog::Format::Aifs, "aifs"},
-        {view::ExportDataDialog::Format::Latex, "latex"},
-        {view::ExportDataDialog::Format::Csv, "csv"},
-        {view::ExportDataDialog::Format::Tsv, "tsv"},
-        {view::ExportDataDialog::Format::PointsCsv, "points-csv"},
-        {view::ExportDataDialog::Format::PointsPly, "points-ply"},
-    });

@@ -6,6 +6,7 @@
 #include "dialogs/export/export_size_editor.h"
 #include "dialogs/export/large_export.h"
 #include "document/fractal/fractal_geometry.h"
+#include "document/text/text.h"
 #include "ifs/copies/copy_hierarchy.h"
 #include "io/file/background.h"
 #include "io/picture/picture_writers.h"
@@ -34,37 +35,29 @@ constexpr int maxFirstWidth = 780; // of the dialog: it fits the smallest screen
 
 struct Kind {
     ExportDialog::File file;
-    const char* name;
-};
-constexpr Kind kinds[] = {
-    {io::PictureFile::Png, QT_TRANSLATE_NOOP("view::ExportDialog", "PNG: pixels")},
-    {io::PictureFile::Jpeg, QT_TRANSLATE_NOOP("view::ExportDialog", "JPEG: pixels, a small file")},
-    {io::PictureFile::WebP, QT_TRANSLATE_NOOP("view::ExportDialog", "WebP: pixels, for web pages")},
-    {io::PictureFile::Tiff, QT_TRANSLATE_NOOP("view::ExportDialog", "TIFF: pixels, for print")},
-    {io::PictureFile::ExrHalf,
-     QT_TRANSLATE_NOOP("view::ExportDialog", "OpenEXR: linear light, for compositing")},
-    {io::ShapeFile::Svg, QT_TRANSLATE_NOOP("view::ExportDialog", "SVG: shapes for drawing programs")},
-    {io::ShapeFile::Pdf, QT_TRANSLATE_NOOP("view::ExportDialog", "PDF: shapes for print")},
+    const char* title;    // for Text::tr()
+    QStringList suffixes; // the usual one first
 };
 
-// The usual one first.
-QStringList suffixesOf(const Kind& kind) {
-    QStringList suffixes;
-    if (const auto* file = std::get_if<io::PictureFile>(&kind.file))
-        for (const char* suffix : io::factsOf(*file).suffixes)
+QList<Kind> kinds() {
+    QList<Kind> all;
+    for (const io::PictureFileFacts& facts : io::pictureFiles()) {
+        if (!facts.inPlane) continue;
+        QStringList suffixes;
+        for (const char* suffix : facts.suffixes)
             suffixes << QLatin1String(suffix);
-    else
-        suffixes << (kind.file == ExportDialog::File(io::ShapeFile::Svg) ? QStringLiteral("svg")
-                                                                         : QStringLiteral("pdf"));
-    return suffixes;
+        all << Kind{facts.file, facts.inPlane, suffixes};
+    }
+    for (const auto& [file, suffix] : ifs::names<io::ShapeFile>)
+        all << Kind{file, io::titlesOf(file).inPlane, {QLatin1String(suffix)}};
+    return all;
 }
 
-// Null where the ending of the name is of none.
-const Kind* kindOf(const QString& path) {
+std::optional<Kind> kindOf(const QString& path) {
     const QString suffix = QFileInfo(path).suffix().toLower();
-    for (const Kind& kind : kinds)
-        if (suffixesOf(kind).contains(suffix)) return &kind;
-    return nullptr;
+    for (const Kind& kind : kinds())
+        if (kind.suffixes.contains(suffix)) return kind;
+    return std::nullopt;
 }
 
 } // namespace
@@ -100,8 +93,8 @@ ExportDialog::~ExportDialog() = default;
 
 void ExportDialog::createFormat() {
     m_format = new QComboBox(m_options);
-    for (const Kind& kind : kinds)
-        addChoice(m_format, tr(kind.name), kind.file);
+    for (const Kind& kind : kinds())
+        addChoice(m_format, Text::tr(kind.title), kind.file);
     m_format->setAccessibleName(tr("Format"));
     m_format->setWhatsThis(
         tr("SVG and PDF are made of shapes, which stay sharp at every size; the others are made of pixels. "
@@ -110,7 +103,7 @@ void ExportDialog::createFormat() {
     m_size = new ExportSizeEditor({std::max(1, int(std::lround(m_camera.width * ratio))),
                                    std::max(1, int(std::lround(m_camera.height * ratio)))},
                                   m_options);
-    if (const Kind* kind = kindOf(QStringLiteral("last.") + last().format)) chooseValue(m_format, kind->file);
+    if (const auto kind = kindOf(QStringLiteral("last.") + last().format)) chooseValue(m_format, kind->file);
     m_size->choose(last().size);
     m_transparent = new QCheckBox(tr("&Transparent background"), m_options);
     m_transparent->setChecked(m_fractal.appearance.background.alpha == 0);
@@ -405,17 +398,19 @@ bool ExportDialog::isPossible() const {
 
 QString ExportDialog::chosenFile() {
     if (!isSvg() && !confirmLargeExport(this, m_size->pixels(), memory())) return {};
-    const QStringList suffixes = suffixesOf({chosenValue<File>(m_format), nullptr});
+    const QList<Kind> allKinds = kinds();
+    const QStringList suffixes =
+        std::ranges::find(allKinds, chosenValue<File>(m_format), &Kind::file)->suffixes;
     const QString suffix = suffixes.first();
     const QString filter =
         QStringLiteral("%1 (*.%2)").arg(suffix.toUpper(), suffixes.join(QStringLiteral(" *.")));
     const QString path = chooseFile({.title = tr("Export Picture"), .suffix = suffix, .filter = filter});
-    if (const Kind* kind = kindOf(path)) remember({suffixesOf(*kind).first(), m_size->choice()}, path);
+    if (const auto kind = kindOf(path)) remember({kind->suffixes.first(), m_size->choice()}, path);
     return path;
 }
 
 bool ExportDialog::takeFormat(const QString& path) {
-    const Kind* kind = kindOf(path);
+    const auto kind = kindOf(path);
     if (kind)
         chooseValue(m_format, kind->file);
     else
@@ -423,7 +418,7 @@ bool ExportDialog::takeFormat(const QString& path) {
                ".exr, .svg "
                "or .pdf.")
                 .arg(QFileInfo(path).fileName()));
-    return kind != nullptr;
+    return kind.has_value();
 }
 
 void ExportDialog::exportTo(const QString& path) {

@@ -31,11 +31,38 @@ namespace {
 
 constexpr int theCanvas = -1; // among the saved views
 
-QStringList suffixes() {
-    QStringList all;
-    for (const auto& format : ifs::names<SpaceExportDialog::Format>)
-        all << QLatin1String(format.id);
+struct BodyKind {
+    SpaceExportDialog::Format format;
+    QString title;
+    QString suffix; // the usual one
+};
+
+QList<BodyKind> bodyKinds() {
+    QList<BodyKind> all;
+    for (const io::PictureFileFacts& facts : io::pictureFiles())
+        if (facts.inSpace)
+            all << BodyKind{facts.file, Text::tr(facts.inSpace), QLatin1String(facts.suffixes.front())};
+    for (const auto& [file, suffix] : ifs::names<io::ShapeFile>)
+        all << BodyKind{file, Text::tr(io::titlesOf(file).inSpace), QLatin1String(suffix)};
+    for (const auto& [mesh, suffix] : ifs::names<io::MeshFormat>)
+        all << BodyKind{mesh, Text::tr(io::titleOf(mesh)), QLatin1String(suffix)};
+    all << BodyKind{SpaceExportDialog::OpenScad(), SpaceExportDialog::tr("OpenSCAD program (.scad)"),
+                    QStringLiteral("scad")};
     return all;
+}
+
+QString endings() {
+    QStringList all;
+    for (const BodyKind& kind : bodyKinds())
+        all << u'.' + kind.suffix;
+    return all.join(QStringLiteral(", "));
+}
+
+std::optional<SpaceExportDialog::Format> formatOf(const QString& ending) {
+    if (const auto file = io::pictureFileOf(ending)) return *file; // of several endings
+    for (const BodyKind& kind : bodyKinds())
+        if (kind.suffix == ending) return kind.format;
+    return std::nullopt;
 }
 
 } // namespace
@@ -49,18 +76,8 @@ SpaceExportDialog::SpaceExportDialog(document::Document* document, const attract
       m_form(new QFormLayout) {
     setWindowTitle(tr("Export “%1”").arg(titleText(m_fractal.name)));
     m_format = new QComboBox(this);
-    addChoice(m_format, tr("Picture (.png)"), Format::Png);
-    addChoice(m_format, tr("Picture (.jpg)"), Format::Jpeg);
-    addChoice(m_format, tr("Picture (.webp)"), Format::WebP);
-    addChoice(m_format, tr("Picture (.tiff)"), Format::Tiff);
-    addChoice(m_format, tr("Picture in linear light (.exr)"), Format::Exr);
-    addChoice(m_format, tr("Picture in SVG (.svg)"), Format::Svg);
-    addChoice(m_format, tr("Picture in PDF (.pdf)"), Format::Pdf);
-    addChoice(m_format, tr("Mesh for 3D printing (.stl)"), Format::Stl);
-    addChoice(m_format, tr("Mesh (.obj)"), Format::Obj);
-    addChoice(m_format, tr("Mesh (.glb)"), Format::Glb);
-    addChoice(m_format, tr("Mesh (.ply)"), Format::Ply);
-    addChoice(m_format, tr("OpenSCAD program (.scad)"), Format::OpenScad);
+    for (const BodyKind& kind : bodyKinds())
+        addChoice(m_format, kind.title, kind.format);
     m_format->setWhatsThis(tr("A picture as the camera shows it, a watertight mesh that contains the "
                               "attractor, or the maps as a program for OpenSCAD."));
     m_form->addRow(tr("&Format:"), m_format);
@@ -71,7 +88,7 @@ SpaceExportDialog::SpaceExportDialog(document::Document* document, const attract
     setStartHelp(tr("Asks for a file name and writes the file."));
     addQueueButton(tr("Asks for a file name and adds the file to the queue in the Exports panel. "
                       "The queue continues after a restart."));
-    setFormat(ifs::named<Format>(last().format.toStdString()).value_or(Format::Png));
+    setFormat(formatOf(last().format).value_or(io::PictureFile::Png));
     m_size->choose(last().size);
     showBody(last().more);
     connect(m_format, &QComboBox::currentIndexChanged, this, &SpaceExportDialog::update);
@@ -171,21 +188,25 @@ SpaceExportDialog::Format SpaceExportDialog::format() const {
 }
 
 std::optional<io::PictureFile> SpaceExportDialog::pictureFile() const {
-    return page() ? io::PictureFile::Png : io::pictureFileOf(suffix());
+    if (page()) return io::PictureFile::Png;
+    const Format chosen = format();
+    const auto* file = std::get_if<io::PictureFile>(&chosen);
+    return file ? std::optional(*file) : std::nullopt;
 }
 
 std::optional<io::ShapeFile> SpaceExportDialog::page() const {
-    if (format() == Format::Svg) return io::ShapeFile::Svg;
-    if (format() == Format::Pdf) return io::ShapeFile::Pdf;
-    return std::nullopt;
+    const Format chosen = format();
+    const auto* file = std::get_if<io::ShapeFile>(&chosen);
+    return file ? std::optional(*file) : std::nullopt;
 }
 
-void SpaceExportDialog::setFormat(Format format) {
+void SpaceExportDialog::setFormat(const Format& format) {
     chooseValue(m_format, format);
 }
 
 QString SpaceExportDialog::suffix() const {
-    return QLatin1String(ifs::nameOf(format()));
+    const QList<BodyKind> kinds = bodyKinds();
+    return std::ranges::find(kinds, format(), &BodyKind::format)->suffix;
 }
 
 // For the proportions of the canvas.
@@ -198,10 +219,10 @@ attractor::OrbitCamera SpaceExportDialog::camera() const {
 }
 
 std::optional<io::ExportRecipe> SpaceExportDialog::recipe() const {
-    if (format() == Format::OpenScad) return std::nullopt;
+    if (std::holds_alternative<OpenScad>(format())) return std::nullopt;
     if (isBody()) {
         io::BodyRecipe body;
-        body.format = *io::meshFormat(suffix());
+        body.format = std::get<io::MeshFormat>(format());
         body.longest = m_longest->value();
         body.resolution = m_resolution->value();
         body.wall = m_wall->value();
@@ -285,16 +306,12 @@ QString SpaceExportDialog::chosenFile() {
 }
 
 bool SpaceExportDialog::takeFormat(const QString& path) {
-    QString ending = QFileInfo(path).suffix().toLower();
-    if (const auto file = io::pictureFileOf(ending))
-        ending = QLatin1String(io::factsOf(*file).suffixes.front()); // of several
-    const auto format = ifs::named<Format>(ending.toStdString());
+    const auto format = formatOf(QFileInfo(path).suffix().toLower());
     if (format)
         setFormat(*format);
     else
         say(tr("The name “%1” does not determine the format. It must end with one of these: %2.")
-                .arg(QFileInfo(path).fileName(),
-                     QStringLiteral(".") + suffixes().join(QStringLiteral(", ."))));
+                .arg(QFileInfo(path).fileName(), endings()));
     return format.has_value();
 }
 
@@ -305,7 +322,7 @@ std::optional<io::ExportRecipe> SpaceExportDialog::recipeFor(const QString& path
 void SpaceExportDialog::exportTo(const QString& path) {
     if (!takeFormat(path) || !isPossible()) return;
     m_summary = std::make_shared<QString>();
-    if (format() == Format::OpenScad) {
+    if (std::holds_alternative<OpenScad>(format())) {
         const io::OpenScad program = io::openScad(m_fractal);
         return program.failure ? finish({program.failure}, path) : writeText(program.text, path);
     }

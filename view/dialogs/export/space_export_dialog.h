@@ -5,10 +5,10 @@
 #include "dialogs/export/export_shell.h"
 #include "document/document.h"
 #include "document/saved_views.h"
-#include "ifs/names.h"
 
 #include <memory>
 #include <optional>
+#include <variant>
 
 class QCheckBox;
 class QComboBox;
@@ -31,8 +31,12 @@ public:
                       QWidget* parent = nullptr);
     ~SpaceExportDialog() override;
 
-    enum class Format { Png, Jpeg, WebP, Tiff, Exr, Svg, Pdf, Stl, Obj, Glb, Ply, OpenScad };
-    void setFormat(Format format);
+    struct OpenScad {
+        friend bool operator==(OpenScad, OpenScad) = default;
+    };
+    // Pixels, alone or in a page of shapes; a body; or a program.
+    using Format = std::variant<io::PictureFile, io::ShapeFile, io::MeshFormat, OpenScad>;
+    void setFormat(const Format& format);
     void exportTo(const QString& path) override; // the ending of the name decides the format
     const ExportPreview& preview() const { return *m_preview; }
 
@@ -41,7 +45,9 @@ protected:
     std::optional<io::ExportRecipe> recipeFor(const QString& path) override;
     const document::Fractal* queuedFractal() const override { return &m_fractal; }
     bool isPossible() const override { return !m_obstacle; }
-    bool isQueueable() const override { return format() != Format::OpenScad; } // it is there at once
+    bool isQueueable() const override {
+        return !std::holds_alternative<OpenScad>(format());
+    } // it is there at once
     QString sentenceFor(const io::ExportOutcome& outcome, const QString& path) const override;
 
 private:
@@ -52,7 +58,7 @@ private:
     Format format() const;
     std::optional<io::PictureFile> pictureFile() const; // nullopt: no picture
     std::optional<io::ShapeFile> page() const;          // that it is embedded in
-    bool isBody() const { return !pictureFile() && format() != Format::OpenScad; }
+    bool isBody() const { return std::holds_alternative<io::MeshFormat>(format()); }
     QString suffix() const;
     attractor::OrbitCamera camera() const;
     std::optional<io::ExportRecipe> recipe() const; // nullopt of a program, which takes no time
@@ -84,21 +90,3 @@ private:
 };
 
 } // namespace view
-
-// By the ending of a file's name.
-template <>
-inline constexpr auto
-    ifs::names<view::SpaceExportDialog::Format> = std::to_array<ifs::Named<view::SpaceExportDialog::Format>>({
-        {view::SpaceExportDialog::Format::Png, "png"},
-        {view::SpaceExportDialog::Format::Jpeg, "jpg"},
-        {view::SpaceExportDialog::Format::WebP, "webp"},
-        {view::SpaceExportDialog::Format::Tiff, "tiff"},
-        {view::SpaceExportDialog::Format::Exr, "exr"},
-        {view::SpaceExportDialog::Format::Svg, "svg"},
-        {view::SpaceExportDialog::Format::Pdf, "pdf"},
-        {view::SpaceExportDialog::Format::Stl, "stl"},
-        {view::SpaceExportDialog::Format::Obj, "obj"},
-        {view::SpaceExportDialog::Format::Glb, "glb"},
-        {view::SpaceExportDialog::Format::Ply, "ply"},
-        {view::SpaceExportDialog::Format::OpenScad, "scad"},
-    });

@@ -280,4 +280,12 @@ std::unique_ptr<PictureWriter> pageWriter(OverlayMarks marks, PdfFile& file, con
     return std::make_unique<PdfPicturePage>(std::move(marks), file, format);
 }
 
+ShapeFileTitles titlesOf(ShapeFile file) {
+    if (file == ShapeFile::Pdf)
+        return {QT_TRANSLATE_NOOP("Text", "PDF: shapes for print"),
+                QT_TRANSLATE_NOOP("Text", "Picture in PDF (.pdf)")};
+    return {QT_TRANSLATE_NOOP("Text", "SVG: shapes for drawing programs"),
+            QT_TRANSLATE_NOOP("Text", "Picture in SVG (.svg)")};
+}
+
 } // namespace io

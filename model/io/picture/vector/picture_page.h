@@ -15,6 +15,13 @@ class PdfFile;
 
 enum class ShapeFile { Svg, Pdf };
 
+// In the lists of pictures of the plane and of solids; for Text::tr().
+struct ShapeFileTitles {
+    const char* inPlane;
+    const char* inSpace;
+};
+ShapeFileTitles titlesOf(ShapeFile file);
+
 // A file of vector graphics around a picture of pixels: the pixels as they are, and shapes over them.
 struct PicturePage {
     ShapeFile file = ShapeFile::Svg;
@@ -29,3 +36,10 @@ std::unique_ptr<PictureWriter> pageWriter(PicturePage page, QIODevice& device, c
 std::unique_ptr<PictureWriter> pageWriter(OverlayMarks marks, PdfFile& file, const PictureFormat& format);
 
 } // namespace io
+
+// By the ending of a file's name.
+template <>
+inline constexpr auto ifs::names<io::ShapeFile> = std::to_array<ifs::Named<io::ShapeFile>>({
+    {io::ShapeFile::Svg, "svg"},
+    {io::ShapeFile::Pdf, "pdf"},
+});

@@ -62,11 +62,12 @@ void ExportDataDialogTest::everyFormatIsWrittenAsItIsShown() {
     document.setFile(document::fileOf(document::sierpinskiTriangle()));
     view::ExportDataDialog dialog(&document);
     auto* format = dialog.findChildren<QComboBox*>().first();
-    const std::pair<Format, QByteArray> beginnings[] = {{Format::Flame, "<flames>"},
-                                                        {Format::Aifs, "@"},
-                                                        {Format::Latex, "% sierpinski\n"},
-                                                        {Format::Csv, "a,b,c,d,e,f,p\n"},
-                                                        {Format::Tsv, "a\tb\tc\td\te\tf\tp\n"}};
+    const std::pair<Format, QByteArray> beginnings[] = {
+        {Format(io::TextFormat::Flame), "<flames>"},
+        {Format(io::TextFormat::Aifs), "@"},
+        {Format(io::TextFormat::Latex), "% sierpinski\n"},
+        {Format(io::TextFormat::Csv), "a,b,c,d,e,f,p\n"},
+        {Format(io::TextFormat::Tsv), "a\tb\tc\td\te\tf\tp\n"}};
     for (const auto& [wanted, beginning] : beginnings) {
         support::choose(format, wanted);
         const QByteArray bytes = written(dialog);
@@ -101,9 +102,9 @@ void ExportDataDialogTest::systemsInSpaceGiveWhatFormatsHold() {
     view::ExportDataDialog dialog(&document);
     auto* format = dialog.findChildren<QComboBox*>().first();
     const auto isOffered = [&dialog] { return support::button(dialog, "export")->isEnabled(); };
-    support::choose(format, Format::Flame); // flames lie in the plane
+    support::choose(format, Format(io::TextFormat::Flame)); // flames lie in the plane
     QVERIFY(!isOffered());
-    support::choose(format, Format::PointsPly);
+    support::choose(format, Format(io::PointFormat::Ply));
     QVERIFY(isOffered());
     dialog.findChild<QSpinBox*>()->setValue(2000);
     const QByteArray points = written(dialog);
@@ -138,7 +139,7 @@ void ExportDataDialogTest::aSolidStartsWithAFormatThatHoldsIt() {
     view::ExportDataDialog dialog(&document);
     QVERIFY(support::button(dialog, "export")->isEnabled());
     const auto* format = dialog.findChildren<QComboBox*>().first();
-    QVERIFY(view::chosenValue<Format>(format) != Format::Flame);
+    QVERIFY(view::chosenValue<Format>(format) != Format(io::TextFormat::Flame));
     QVERIFY(!(format->model()->index(0, 0).flags() & Qt::ItemIsEnabled)); // Flame
 }
 
@@ -146,7 +147,7 @@ void ExportDataDialogTest::writesPoints() {
     document::Document document;
     document.setFile(document::fileOf(document::sierpinskiTriangle()));
     view::ExportDataDialog dialog(&document);
-    support::choose(dialog.findChildren<QComboBox*>().first(), Format::PointsCsv);
+    support::choose(dialog.findChildren<QComboBox*>().first(), Format(io::PointFormat::Csv));
     dialog.findChild<QSpinBox*>()->setValue(300);
     QCOMPARE(written(dialog).count('\n'), 301);
 }
@@ -164,9 +165,9 @@ void ExportDataDialogTest::tellsWhatIsLost() {
         return QString();
     };
     auto* format = dialog.findChildren<QComboBox*>().first();
-    support::choose(format, Format::Flame);
+    support::choose(format, Format(io::TextFormat::Flame));
     QCOMPARE(message(), QString());
-    support::choose(format, Format::Latex);
+    support::choose(format, Format(io::TextFormat::Latex));
     QVERIFY2(message().contains(QStringLiteral("without its background.")), qPrintable(message()));
     for (auto* box : dialog.findChildren<QCheckBox*>())
         if (box->text().contains(QStringLiteral("Bake"))) box->setChecked(false);
@@ -175,7 +176,7 @@ void ExportDataDialogTest::tellsWhatIsLost() {
     QVERIFY(!written(dialog).isEmpty());
     QVERIFY2(message().contains(both) && message().contains(QStringLiteral("Written to")),
              qPrintable(message()));
-    support::choose(format, Format::Flame);
+    support::choose(format, Format(io::TextFormat::Flame));
     QVERIFY2(message().contains(QStringLiteral("without its cage: other")), qPrintable(message()));
 }
 

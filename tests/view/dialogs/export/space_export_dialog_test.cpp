@@ -47,14 +47,14 @@ private slots:
     }
 
     void aPictureIsWhatTheCameraShows() {
-        QVERIFY(exportedAs(SpaceExportDialog::Format::Png, QStringLiteral("a.png")));
+        QVERIFY(exportedAs(io::PictureFile::Png, QStringLiteral("a.png")));
         const QImage picture(path(QStringLiteral("a.png")));
         QCOMPARE(picture.size(), QSize(160, 120));
         QVERIFY(!picture.textKeys().isEmpty()); // the system is in it
         for (auto* box : m_dialog->findChildren<QComboBox*>())
             if (box->count() == 3 && box->itemText(1).contains(QStringLiteral("side")))
                 support::choose(box, io::Stereo::SideBySide);
-        QVERIFY(exportedAs(SpaceExportDialog::Format::Png, QStringLiteral("both.png")));
+        QVERIFY(exportedAs(io::PictureFile::Png, QStringLiteral("both.png")));
         const QImage both(path(QStringLiteral("both.png")));
         QCOMPARE(both.size(), QSize(160, 120));
         QVERIFY(both.copy(0, 0, 80, 120) != both.copy(80, 0, 80, 120));
@@ -62,7 +62,7 @@ private slots:
 
     void thePreviewIsWhatIsWritten() {
         m_dialog->resize(1000, 600);
-        QVERIFY(exportedAs(SpaceExportDialog::Format::Png, QStringLiteral("preview.png")));
+        QVERIFY(exportedAs(io::PictureFile::Png, QStringLiteral("preview.png")));
         QTRY_COMPARE_WITH_TIMEOUT(m_dialog->preview().picture().size(), QSize(160, 120), 60'000);
         const QImage written = QImage(path(QStringLiteral("preview.png")));
         const QImage seen = m_dialog->preview().picture().convertToFormat(QImage::Format_RGB32);
@@ -72,17 +72,17 @@ private slots:
             for (int x = 0; x < file.width(); ++x)
                 others += seen.pixel(x, y) != file.pixel(x, y);
         QVERIFY2(others == 0, qPrintable(QString::number(others)));
-        m_dialog->setFormat(SpaceExportDialog::Format::Stl);
+        m_dialog->setFormat(io::MeshFormat::Stl);
         QVERIFY(!m_dialog->preview().isVisible());
     }
 
     // A dialog that opens for a mesh has fewer rows than one for a picture.
     void fieldsKeepTheirHeight() {
-        m_dialog->setFormat(SpaceExportDialog::Format::Stl);
+        m_dialog->setFormat(io::MeshFormat::Stl);
         QCoreApplication::processEvents();
         m_dialog->resize(m_dialog->width(), m_dialog->minimumSizeHint().height());
         QVERIFY(QTest::qWaitForWindowExposed(m_dialog.get()));
-        m_dialog->setFormat(SpaceExportDialog::Format::Png);
+        m_dialog->setFormat(io::PictureFile::Png);
         const auto squeezed = [this] {
             QStringList names;
             for (const auto* field : m_dialog->findChildren<QWidget*>())
@@ -109,7 +109,7 @@ private slots:
     }
 
     void escStopsBeforeItCloses() {
-        m_dialog->setFormat(SpaceExportDialog::Format::Stl);
+        m_dialog->setFormat(io::MeshFormat::Stl);
         QVERIFY(QTest::qWaitForWindowActive(m_dialog.get()));
         m_dialog->exportTo(path(QStringLiteral("stopped.stl")));
         auto* format = m_dialog->findChild<QComboBox*>();
@@ -125,7 +125,7 @@ private slots:
 
     // As where the program quits.
     void closingStopsAtOnce() {
-        m_dialog->setFormat(SpaceExportDialog::Format::Stl);
+        m_dialog->setFormat(io::MeshFormat::Stl);
         m_dialog->exportTo(path(QStringLiteral("closed.stl")));
         m_dialog->close();
         QVERIFY(!m_dialog->isVisible());
@@ -134,20 +134,22 @@ private slots:
     // The same pixels in every format that loses none; formats without transparency leave it out.
     void picturesComeInAllFormats() {
         using Format = SpaceExportDialog::Format;
-        QVERIFY(exportedAs(Format::Png, QStringLiteral("a.png")));
+        QVERIFY(exportedAs(io::PictureFile::Png, QStringLiteral("a.png")));
         const QImage png = QImage(path(QStringLiteral("a.png"))).convertToFormat(QImage::Format_RGB32);
         for (auto* box : m_dialog->findChildren<QCheckBox*>())
             if (box->text().contains(QStringLiteral("ransparent"))) box->setChecked(true);
-        QVERIFY(exportedAs(Format::Jpeg, QStringLiteral("a.jpg")));
+        QVERIFY(exportedAs(io::PictureFile::Jpeg, QStringLiteral("a.jpg")));
         const QImage jpeg = QImage(path(QStringLiteral("a.jpg"))).convertToFormat(QImage::Format_RGB32);
         QCOMPARE(jpeg.size(), png.size());
         for (int y = 4; y < png.height(); y += 8)
             for (int x = 4; x < png.width(); x += 8)
                 QVERIFY(std::abs(qGreen(jpeg.pixel(x, y)) - qGreen(png.pixel(x, y))) < 48);
         for (const auto& [format, name, magic] :
-             {std::tuple{Format::WebP, "a.webp", "RIFF"}, std::tuple{Format::Tiff, "a.tiff", "II*"},
-              std::tuple{Format::Exr, "a.exr", "\x76\x2f\x31\x01"}, std::tuple{Format::Svg, "a.svg", "<?xml"},
-              std::tuple{Format::Pdf, "a.pdf", "%PDF"}}) {
+             {std::tuple{Format(io::PictureFile::WebP), "a.webp", "RIFF"},
+              std::tuple{Format(io::PictureFile::Tiff), "a.tiff", "II*"},
+              std::tuple{Format(io::PictureFile::ExrHalf), "a.exr", "\x76\x2f\x31\x01"},
+              std::tuple{Format(io::ShapeFile::Svg), "a.svg", "<?xml"},
+              std::tuple{Format(io::ShapeFile::Pdf), "a.pdf", "%PDF"}}) {
             QVERIFY(exportedAs(format, QLatin1String(name)));
             QFile file(path(QLatin1String(name)));
             QVERIFY(file.open(QIODevice::ReadOnly));
@@ -163,10 +165,10 @@ private slots:
         };
         for (const auto& [name, magic] : {std::pair{"b.jpg", "\xff\xd8"}, std::pair{"b.JPEG", "\xff\xd8"},
                                           std::pair{"b.tif", "II*"}, std::pair{"b.scad", "//"}}) {
-            QVERIFY(exportedAs(SpaceExportDialog::Format::Png, QLatin1String(name)));
+            QVERIFY(exportedAs(io::PictureFile::Png, QLatin1String(name)));
             QVERIFY2(bytesOf(name).startsWith(magic), name);
         }
-        m_dialog->setFormat(SpaceExportDialog::Format::Png);
+        m_dialog->setFormat(io::PictureFile::Png);
         for (const char* name : {"b.docx", "b"}) {
             m_dialog->exportTo(path(QLatin1String(name)));
             QVERIFY(m_dialog->message().contains(QStringLiteral("must end with one of these: .png, .jpg")));
@@ -175,18 +177,18 @@ private slots:
     }
 
     void vectorGraphicsContainPixels() {
-        m_dialog->setFormat(SpaceExportDialog::Format::Svg);
+        m_dialog->setFormat(io::ShapeFile::Svg);
         QVERIFY2(m_dialog->message().contains(QStringLiteral("in pixels")), qPrintable(m_dialog->message()));
         QVERIFY(m_dialog->preview().isVisible());
-        m_dialog->setFormat(SpaceExportDialog::Format::Png);
+        m_dialog->setFormat(io::PictureFile::Png);
         QVERIFY(m_dialog->message().isEmpty());
     }
 
     void bodiesAreWrittenWithTheirFacts() {
-        for (const auto& [format, name] : {std::pair{SpaceExportDialog::Format::Stl, "a.stl"},
-                                           {SpaceExportDialog::Format::Obj, "a.obj"},
-                                           {SpaceExportDialog::Format::Glb, "a.glb"},
-                                           {SpaceExportDialog::Format::Ply, "a.ply"}}) {
+        for (const auto& [format, name] : {std::pair{io::MeshFormat::Stl, "a.stl"},
+                                           {io::MeshFormat::Obj, "a.obj"},
+                                           {io::MeshFormat::Glb, "a.glb"},
+                                           {io::MeshFormat::Ply, "a.ply"}}) {
             for (auto* field : m_dialog->findChildren<QSpinBox*>())
                 if (field->maximum() == io::SolidOptions::maxResolution) field->setValue(16);
             QVERIFY(exportedAs(format, QLatin1String(name)));
@@ -202,18 +204,19 @@ private slots:
             if (isSliced) fractal.inSpace.clip = attractor::SpaceClip{ifs::Vector<3>::UnitX(), 0, 1};
             m_document->setFile(document::fileOf(fractal));
             SpaceExportDialog dialog(m_document.get(), {});
-            for (const auto format : {SpaceExportDialog::Format::Stl, SpaceExportDialog::Format::OpenScad}) {
+            for (const Format& format :
+                 {Format(io::MeshFormat::Stl), Format(SpaceExportDialog::OpenScad())}) {
                 dialog.setFormat(format);
                 QVERIFY(!dialog.message().isEmpty());
                 QCOMPARE(dialog.message().contains(slice), isSliced);
             }
-            dialog.setFormat(SpaceExportDialog::Format::Png);
+            dialog.setFormat(io::PictureFile::Png);
             QVERIFY(!dialog.message().contains(slice));
         }
     }
 
     void openScadGetsOneMatrixForEachMap() {
-        QVERIFY(exportedAs(SpaceExportDialog::Format::OpenScad, QStringLiteral("a.scad")));
+        QVERIFY(exportedAs(SpaceExportDialog::OpenScad(), QStringLiteral("a.scad")));
         QFile file(path(QStringLiteral("a.scad")));
         QVERIFY(file.open(QIODevice::ReadOnly));
         QVERIFY(file.readAll().contains("multmatrix"));
@@ -262,7 +265,7 @@ private slots:
         for (auto* box : m_dialog->findChildren<QSpinBox*>())
             if (box->maximum() == io::SolidOptions::maxResolution) resolution = box;
         QVERIFY(longest && wall && resolution);
-        m_dialog->setFormat(SpaceExportDialog::Format::Stl);
+        m_dialog->setFormat(io::MeshFormat::Stl);
         const QString hint = m_dialog->message();
         QVERIFY(m_dialog->canExport());
         const auto isRefused = [&](const char* because) {
@@ -272,9 +275,9 @@ private slots:
         const auto isAccepted = [&] { return m_dialog->message() == hint && m_dialog->canExport(); };
         resolution->setValue(1000);
         QVERIFY2(isRefused("at most 510"), qPrintable(m_dialog->message()));
-        m_dialog->setFormat(SpaceExportDialog::Format::OpenScad); // which has no voxels
+        m_dialog->setFormat(SpaceExportDialog::OpenScad()); // which has no voxels
         QVERIFY(m_dialog->canExport());
-        m_dialog->setFormat(SpaceExportDialog::Format::Ply);
+        m_dialog->setFormat(io::MeshFormat::Ply);
         QVERIFY2(isRefused("at most 510"), qPrintable(m_dialog->message()));
         resolution->setValue(510);
         QVERIFY2(isAccepted(), qPrintable(m_dialog->message()));
@@ -294,13 +297,13 @@ private slots:
         m_document->setFile(document::fileOf(fractal));
         SpaceExportDialog dialog(m_document.get(), {});
         QVERIFY(dialog.canExport());
-        dialog.setFormat(SpaceExportDialog::Format::Jpeg);
+        dialog.setFormat(io::PictureFile::Jpeg);
         QVERIFY(!dialog.canExport());
         QVERIFY2(dialog.message().contains(QStringLiteral("PNG")), qPrintable(dialog.message()));
     }
 
     void whatCannotBeWrittenSaysSo() {
-        m_dialog->setFormat(SpaceExportDialog::Format::Png);
+        m_dialog->setFormat(io::PictureFile::Png);
         m_dialog->exportTo(QStringLiteral("/nowhere/at/all.png"));
         QTRY_VERIFY_WITH_TIMEOUT(m_dialog->message().contains(QStringLiteral("nowhere")), 60'000);
     }
