@@ -5605,6 +5605,10 @@
         <source>Show the views of both eyes in one picture, in red and cyan</source>
         <translation>Muestra en una imagen lo que ven ambos ojos, en rojo y cian</translation>
     </message>
+    <message>
+        <source>“%1” has %2 numbers for %3 maps, so it is not read as their weights, which are computed from the determinants.</source>
+        <translation>«%1» tiene %2 números para %3 aplicaciones; por eso no se lee como sus pesos, que se toman de los determinantes.</translation>
+    </message>
 </context>
 <context>
     <name>Tour</name>

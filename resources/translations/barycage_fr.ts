@@ -5605,6 +5605,10 @@
         <source>Show the views of both eyes in one picture, in red and cyan</source>
         <translation>Montre en une image ce que voient les deux yeux, en rouge et cyan</translation>
     </message>
+    <message>
+        <source>“%1” has %2 numbers for %3 maps, so it is not read as their weights, which are computed from the determinants.</source>
+        <translation>«&#x202f;%1&#x202f;» a %2 nombres pour %3 applications et n’est donc pas lu comme leurs poids, qui sont tirés des déterminants.</translation>
+    </message>
 </context>
 <context>
     <name>Tour</name>

@@ -5620,6 +5620,10 @@
         <source>Show the views of both eyes in one picture, in red and cyan</source>
         <translation>Прикажува во една слика што гледаат двете очи, во црвено и цијан</translation>
     </message>
+    <message>
+        <source>“%1” has %2 numbers for %3 maps, so it is not read as their weights, which are computed from the determinants.</source>
+        <translation>„%1“ има %2 броеви за %3 пресликувања, па не се чита како нивни тежини; тие се земаат од детерминантите.</translation>
+    </message>
 </context>
 <context>
     <name>Tour</name>

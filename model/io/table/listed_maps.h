@@ -4,6 +4,8 @@
 #include <QList>
 #include <QString>
 
+#include <cstddef>
+#include <optional>
 #include <vector>
 
 namespace io {
@@ -21,6 +23,12 @@ enum class Notation {
     Equations,
 };
 
+// A list beside maps that would hold their weights if it had as many numbers as there are maps.
+struct UnusedWeights {
+    QString name; // empty: there is none
+    std::size_t numbers = 0;
+};
+
 // A system that stands in another notation, as a table.
 struct ListedMaps {
     QString name;  // as the text calls it; may be empty
@@ -28,6 +36,8 @@ struct ListedMaps {
     qsizetype maps = 0;
     Notation notation = Notation::Lists;
     std::vector<int> lines; // of the text, from 1, for every line of `table`; empty where it is not known
+    UnusedWeights unused{};
+    std::optional<std::size_t> withoutWeight{}; // the first of the maps, from 0, where others have one
 };
 
 // The systems of affine maps in a text.

@@ -8,7 +8,7 @@ namespace io {
 
 std::optional<QString> cumulativeRemark(const std::vector<std::optional<double>>& weights) {
     constexpr double tolerance = 1e-6; // of what was rounded
-    if (weights.size() < 3) return std::nullopt;
+    if (weights.size() < 2) return std::nullopt;
     double before = -1;
     for (const auto& weight : weights) {
         if (!weight || *weight < 0 || *weight <= before) return std::nullopt;
