@@ -266,8 +266,8 @@ bool holdsFlame(const QByteArray& bytes) {
 bool isOfAnotherKind(const QByteArray& bytes) {
     constexpr qsizetype sample = 64 * 1024;
     constexpr int fewest = 3;
-    static const std::array marks{"\\begin{", "\\documentclass", "){", ") {", "();", "};", "</", "\n@",
-                                  "=> {"};
+    static const std::array marks{
+        "\\begin{", "\\documentclass", "){", ") {", "();", "};", "</", "\n@", "[{", "[[", "=> {"};
     QByteArray head = bytes.left(sample).toLower();
     head.replace("(3d)", ""); // an entry in space
     if (std::ranges::none_of(marks, [&](const char* mark) { return head.contains(mark); })) return false;

@@ -257,6 +257,8 @@ void CollectionReaderTest::weightsThatRiseAreSaid_data() {
     row("to 1", "", {"0.01", "0.86", "0.93", "1"}, true);
     row("two maps", "a,b,c,d,e,f,p\n", {"0.85", "1"}, true);
     row("all in the last", "", {"0", "0", "1"}, false);
+    row("a map without a part", "", {"1", "86", "86", "100"}, true);
+    row("two of the largest", "", {"0.5", "1", "1"}, false);
     row("to 100 %", "a,b,c,d,e,f,p\n", {"1%", "86%", "93%", "100%"}, true);
     row("named", "a,b,c,d,e,f,cumulative\n", {"1", "86", "93", "100"}, false);
     row("probabilities", "", {"0.01", "0.07", "0.07", "0.85"}, false);
@@ -290,6 +292,8 @@ void CollectionReaderTest::sumsAreReadAsTheRemarkSays_data() {
     const char* solid = ".5 0 0 0 .5 0 0 0 .5 0 0 ";
     QTest::newRow("solid") << QByteArray("a b c d e f g h i j k l cumulative\n") + solid + "0 25\n" + solid +
                                   "1 100\n";
+    QTest::newRow("solid, first") << QByteArray("cumulative a b c d e f g h i j k l\n25 ") + solid +
+                                         "0\n100 " + solid + "1\n";
     QTest::newRow("solid, more columns")
         << QByteArray("name;cum;a;b;c;d;e;f;g;h;i;j;k;l\nx;25;.5;0;0;0;.5;0;0;0;.5;0;0;0\n"
                       "y;100;.5;0;0;0;.5;0;0;0;.5;0;0;1\n");
@@ -336,6 +340,13 @@ void CollectionReaderTest::listsOfWeightsThatDoNotFitAreSaid_data() {
     QTest::newRow("more than lists") << maps + "weights = [.2,.3,.5]\n" << named("weights", 3);
     QTest::newRow("more than letters") << letters + "p = [.2,.3,.5]\n" << named("p", 3);
     QTest::newRow("before letters") << "p = [.2,.3,.5]\n" + letters << named("p", 3);
+    QTest::newRow("keys") << QByteArray("[{\"a\":.5,\"b\":0,\"c\":0,\"d\":.5,\"e\":0,\"f\":0,\"p\":0.3},"
+                                        "{\"a\":.5,\"b\":0,\"c\":0,\"d\":.5,\"e\":0,\"f\":1}]")
+                          << QStringLiteral("Map 2 has no weight");
+    QTest::newRow("lists of six and seven")
+        << QByteArray("[[.5,0,0,.5,0,0],[.5,0,0,.5,0,1,.3]]") << QStringLiteral("Map 1 has no weight");
+    QTest::newRow("named maps") << QByteArray("w1 = [.5,0,0,.5,0,0]\nw2 = [.5,0,0,.5,0,1,.3]\n")
+                                << QStringLiteral("Map 1 has no weight");
     QTest::newRow("matrices in LaTeX")
         << QByteArray("\\begin{bmatrix}.5&0\\\\0&.5\\end{bmatrix}, p=.2\n"
                       "\\begin{bmatrix}.5&0\\\\0&.5\\end{bmatrix}\\begin{bmatrix}0\\\\1\\end{bmatrix}\n")

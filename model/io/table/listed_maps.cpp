@@ -279,7 +279,9 @@ private:
         if (maps.size() < 2) return;
         if (weights) chances = {weights->key, *numbersOf(bare(*weights))};
         const UnusedWeights unused = weigh(maps, chances);
-        m_found << ListedMaps{{}, tableOf(maps), qsizetype(maps.size()), Notation::Lists, {}, unused};
+        const auto withoutWeight = takeIncompleteWeights(maps);
+        m_found << ListedMaps{{}, tableOf(maps), qsizetype(maps.size()), Notation::Lists,
+                              {}, unused,        withoutWeight};
     }
 
     // A list of numbers under the name of each column, all of one length.
@@ -355,7 +357,9 @@ private:
         if (maps.size() == 1 && !maps.front().isNamed) return false;
         UnusedWeights unused;
         if (weights) unused = weigh(maps, {weights->key, *numbersOf(bare(*weights))});
-        m_found << ListedMaps{name, tableOf(maps), qsizetype(maps.size()), Notation::Lists, {}, unused};
+        const auto withoutWeight = takeIncompleteWeights(maps);
+        m_found << ListedMaps{name, tableOf(maps), qsizetype(maps.size()), Notation::Lists,
+                              {},   unused,        withoutWeight};
         return true;
     }
 
@@ -366,15 +370,35 @@ private:
 
     // Unless they have weights. Those of which there are more or fewer are not used.
     static UnusedWeights weigh(std::vector<Map>& maps, const Weights& chances) {
-        if (maps.front().hasWeight) return {};
+        if (std::ranges::any_of(maps, &Map::hasWeight)) return {};
         if (chances.numbers.size() != maps.size()) return {chances.name, chances.numbers.size()};
         for (std::size_t i = 0; i < maps.size(); ++i)
             addWeight(maps[i], chances.numbers[i], isOneOf(chances.name, sumKeys));
         return {};
     }
 
+    // But for their weights.
     static bool areAlike(const Map& a, const Map& b) {
-        return a.names == b.names && a.numbers.size() == b.numbers.size();
+        const auto count = [](const Map& map) { return map.numbers.size() - (map.hasWeight ? 1 : 0); };
+        const auto names = [](const Map& map) {
+            return map.hasWeight && !map.names.isEmpty() ? map.names.first(map.names.size() - 1) : map.names;
+        };
+        return count(a) == count(b) && names(a) == names(b) &&
+               (!a.hasWeight || !b.hasWeight || a.names == b.names);
+    }
+
+    // Where some maps have no weight: the first of them, and then none has.
+    static std::optional<std::size_t> takeIncompleteWeights(std::vector<Map>& maps) {
+        const auto without = std::ranges::find(maps, false, &Map::hasWeight);
+        if (without == maps.end() || std::ranges::none_of(maps, &Map::hasWeight)) return std::nullopt;
+        const auto index = std::size_t(without - maps.begin());
+        for (Map& map : maps) {
+            if (!map.hasWeight) continue;
+            map.numbers.pop_back();
+            if (!map.names.isEmpty()) map.names.removeLast();
+            map.hasWeight = false;
+        }
+        return index;
     }
 
     // None, unless all items are maps of one kind.

@@ -190,7 +190,9 @@ private:
         if (m_chosen) return pickForOrder();
         QStringList names = textsOf(cells);
         m_isOrderKnown = takeNames(names);
-        if (!m_isOrderKnown && names.size() > planeNumbers) { // what stands over the labels, perhaps in words
+        const auto first = tableColumn(names.first());
+        const bool isOverLabels = !first || !isWeight(*first);
+        if (!m_isOrderKnown && isOverLabels && names.size() > planeNumbers) { // perhaps in words
             names.remove(0, wordsOfField(cells));
             m_isOrderKnown = takeNames(names);
             m_labels = m_isOrderKnown ? Labels::Named : Labels::Unknown;
@@ -319,9 +321,10 @@ private:
 
     void failOrder() {
         m_table.isTable = true;
-        fail(m_header.first(),
-             Text::tr("The header does not say which column is a, b, c, d, e and f; choose the order of "
-                      "the columns."));
+        const QString sentence = Text::tr("The header does not say which column is a, b, c, d, e and f; "
+                                          "choose the order of the columns.");
+        const bool isSaid = !m_table.problems.isEmpty() && m_table.problems.last().message == sentence;
+        if (!isSaid) fail(m_header.first(), sentence);
     }
 
     void readRow(const Row& all) {
@@ -330,9 +333,10 @@ private:
         if (m_picks) return readPicked(all);
         const Row cells = withoutWords(all);
         if (!m_chosen && !m_isOrderKnown && !m_header.isEmpty()) {
-            const bool isOverIt = m_dialect.separator == Separator::Blank ? cells.size() == m_header.size()
-                                                                          : cells.size() >= m_header.size();
-            if (isOverIt && m_header.size() >= planeNumbers) return failOrder();
+            const bool isParted = m_dialect.separator != Separator::Blank;
+            const qsizetype names = isParted ? fieldsOf(m_header).size() : m_header.size();
+            const bool isOverIt = isParted ? fieldsOf(cells).size() >= names : cells.size() == names;
+            if (isOverIt && names >= planeNumbers) return failOrder();
             m_header.clear(); // a title
         }
         const auto start = beginOfNumbers(cells);

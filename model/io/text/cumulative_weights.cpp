@@ -11,10 +11,11 @@ std::optional<QString> cumulativeRemark(const std::vector<std::optional<double>>
     if (weights.size() < 2) return std::nullopt;
     double before = -1;
     for (const auto& weight : weights) {
-        if (!weight || *weight < 0 || *weight <= before) return std::nullopt;
+        if (!weight || *weight < 0 || *weight < before) return std::nullopt;
         before = *weight;
     }
-    if (weights[weights.size() - 2] == 0) return std::nullopt; // the last is all there is
+    const double beforeLast = *weights[weights.size() - 2];
+    if (beforeLast == 0 || beforeLast == before) return std::nullopt; // as 0 0 1 and 1 1 1
     for (const int whole : {1, 100})
         if (std::abs(before - whole) <= tolerance * whole)
             return Text::tr("The weights rise to %1, so they may be running sums. They are read as weights; "

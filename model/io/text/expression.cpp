@@ -227,18 +227,21 @@ private:
 
 // In the letters and signs of the parser; empty where there is any other.
 std::string plain(QStringView text) {
-    static const std::array<std::pair<QChar, const char*>, 12> signs{{{u'−', "-"},
-                                                                      {u'·', "*"},
-                                                                      {u'×', "*"},
-                                                                      {u'÷', "/"},
-                                                                      {u'⁄', "/"},
-                                                                      {u'π', " pi "},
-                                                                      {u'φ', " phi "},
-                                                                      {u'√', "sqrt"},
-                                                                      {u'°', " deg "},
-                                                                      {u'²', "^2"},
-                                                                      {u'³', "^3"},
-                                                                      {u'½', "(1/2)"}}};
+    static const std::array<std::pair<QChar, const char*>, 14> signs{
+        {{u'−', "-"},
+         {u'·', "*"},
+         {u'×', "*"},
+         {u'÷', "/"},
+         {u'⁄', "/"},
+         {u'π', " pi "},
+         {u'φ', " phi "},
+         {u'√', "sqrt"},
+         {u'°', " deg "},
+         {u'º', " deg "}, // of ordinals, on Spanish keyboards
+         {u'˚', " deg "}, // a ring
+         {u'²', "^2"},
+         {u'³', "^3"},
+         {u'½', "(1/2)"}}};
     std::string result;
     for (const QChar c : text) {
         const auto sign = std::ranges::find(signs, c, &std::pair<QChar, const char*>::first);

@@ -93,6 +93,8 @@ void ExpressionTest::degrees_data() {
     row("90°", 90, true);
     row("-90°", -90, true);
     row("45°/2", 22.5, true);
+    row("45º", 45, true);
+    row("45˚", 45, true);
     row("2*45°", 90, true);
     row("1e-20°", 1e-20, true);
     row("180°/pi", 180 / std::numbers::pi, true);
