@@ -100,6 +100,7 @@ void CollectionReaderTest::formats_data() {
     row("a style sheet", "h1 {\n  color: red;\n}\np.a() {\n  margin: 0;\n}\n", "unknown", 0);
     row("a damaged entry", "x (y) {\n .5 0 0 .5 0 0 oops\n}\n", "fractint", 0);
     row("other JSON", "{\"points\": [[1, 2], [3, 4]], \"name\": \"a\"}\n", "unknown", 0);
+    row("dictionaries of Python", "maps = [{\"a\": np.pi, \"b\": f(2)}]\n", "unknown", 0);
     row("another program", "import math\n\ndef f(x):\n    return 2*x\n", "unknown", 0);
 }
 
@@ -343,6 +344,10 @@ void CollectionReaderTest::listsOfWeightsThatDoNotFitAreSaid_data() {
     QTest::newRow("keys") << QByteArray("[{\"a\":.5,\"b\":0,\"c\":0,\"d\":.5,\"e\":0,\"f\":0,\"p\":0.3},"
                                         "{\"a\":.5,\"b\":0,\"c\":0,\"d\":.5,\"e\":0,\"f\":1}]")
                           << QStringLiteral("Map 2 has no weight");
+    QTest::newRow("keys, of the last one")
+        << QByteArray("[{\"a\":.5,\"b\":0,\"c\":0,\"d\":.5,\"e\":0,\"f\":0},"
+                      "{\"a\":.5,\"b\":0,\"c\":0,\"d\":.5,\"e\":0,\"f\":1,\"p\":0.3}]")
+        << QStringLiteral("Map 1 has no weight");
     QTest::newRow("lists of six and seven")
         << QByteArray("[[.5,0,0,.5,0,0],[.5,0,0,.5,0,1,.3]]") << QStringLiteral("Map 1 has no weight");
     QTest::newRow("named maps") << QByteArray("w1 = [.5,0,0,.5,0,0]\nw2 = [.5,0,0,.5,0,1,.3]\n")

@@ -279,9 +279,7 @@ private:
         if (maps.size() < 2) return;
         if (weights) chances = {weights->key, *numbersOf(bare(*weights))};
         const UnusedWeights unused = weigh(maps, chances);
-        const auto withoutWeight = takeIncompleteWeights(maps);
-        m_found << ListedMaps{{}, tableOf(maps), qsizetype(maps.size()), Notation::Lists,
-                              {}, unused,        withoutWeight};
+        m_found << ListedMaps{{}, tableOf(maps), qsizetype(maps.size()), Notation::Lists, {}, unused};
     }
 
     // A list of numbers under the name of each column, all of one length.
@@ -357,9 +355,7 @@ private:
         if (maps.size() == 1 && !maps.front().isNamed) return false;
         UnusedWeights unused;
         if (weights) unused = weigh(maps, {weights->key, *numbersOf(bare(*weights))});
-        const auto withoutWeight = takeIncompleteWeights(maps);
-        m_found << ListedMaps{name, tableOf(maps), qsizetype(maps.size()), Notation::Lists,
-                              {},   unused,        withoutWeight};
+        m_found << ListedMaps{name, tableOf(maps), qsizetype(maps.size()), Notation::Lists, {}, unused};
         return true;
     }
 
@@ -377,7 +373,7 @@ private:
         return {};
     }
 
-    // But for their weights.
+    // But for weights, of which some may be missing.
     static bool areAlike(const Map& a, const Map& b) {
         const auto count = [](const Map& map) { return map.numbers.size() - (map.hasWeight ? 1 : 0); };
         const auto names = [](const Map& map) {
@@ -385,20 +381,6 @@ private:
         };
         return count(a) == count(b) && names(a) == names(b) &&
                (!a.hasWeight || !b.hasWeight || a.names == b.names);
-    }
-
-    // Where some maps have no weight: the first of them, and then none has.
-    static std::optional<std::size_t> takeIncompleteWeights(std::vector<Map>& maps) {
-        const auto without = std::ranges::find(maps, false, &Map::hasWeight);
-        if (without == maps.end() || std::ranges::none_of(maps, &Map::hasWeight)) return std::nullopt;
-        const auto index = std::size_t(without - maps.begin());
-        for (Map& map : maps) {
-            if (!map.hasWeight) continue;
-            map.numbers.pop_back();
-            if (!map.names.isEmpty()) map.names.removeLast();
-            map.hasWeight = false;
-        }
-        return index;
     }
 
     // None, unless all items are maps of one kind.

@@ -52,6 +52,8 @@ private slots:
         support::choose(named<QComboBox>(QStringLiteral("Number of maps")), 4);
         push("Suggest");
         settle();
+        m_canvas->navigation().zoomBy(3);
+        QVERIFY(!m_canvas->navigation().isFitted());
         use(0);
         QCOMPARE(m_document->file().entries.size(), 2);
         QVERIFY(*m_document->file().entries[0].fractal == moving); // not overwritten
