@@ -251,6 +251,13 @@ private slots:
         QCOMPARE(summary(table), QStringLiteral("0.5 0 0.25 -0.5 1 2 0.75"));
     }
 
+    void unitsStandBesideNames() {
+        const io::Table table = io::readTable(
+            QStringLiteral("θ°\tφ°\tr\ts\te\tf\tp %\n90\t90\t.5\t.5\t0\t0\t50\n0\t0\t.5\t.5\t1\t0\t50\n"));
+        QVERIFY(table.problems.isEmpty());
+        QCOMPARE(summary(table), QStringLiteral("0 -0.5 0.5 0 0 0 50/0.5 0 0 0.5 1 0 50"));
+    }
+
     void anglesTurnCounterClockwise() {
         const io::Table table = io::readTable(QStringLiteral("1 2 30 60 0 0"),
                                               io::tableColumns(QStringLiteral("r s theta phi e f")));

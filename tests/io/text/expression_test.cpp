@@ -34,6 +34,8 @@ void ExpressionTest::values_data() {
     row("-1/3", -1.0 / 3);
     row("sqrt(3)/6", std::sqrt(3.0) / 6);
     row("√(3)/6", std::sqrt(3.0) / 6);
+    row("√3/6", std::sqrt(3.0) / 6);
+    row("-2√0.25", -1);
     row("cos(36°)", std::cos(std::numbers::pi / 5));
     row("cos(60°)", 0.5);
     row("cos(90°)", 0);
