@@ -51,12 +51,6 @@ std::optional<std::size_t> someWeightMissing(const auto& rows) {
     return std::size_t(first - rows.begin());
 }
 
-QString missingWeight(std::size_t map) {
-    return Text::tr("Map %1 has no weight, so all weights are computed from the "
-                    "determinants and the given ones are ignored.")
-        .arg(map + 1);
-}
-
 void warn(document::Entry& entry, int line, const QString& sentence) {
     entry.problems << document::Problem{document::Problem::Severity::Warning, entry.fractal->name, line,
                                         line > 0 ? 1 : 0, sentence};
@@ -73,7 +67,8 @@ void warnOfSums(document::Entry& entry, const auto& rows, int line) {
 // `lines`: of the text, of every row; 0 where it is not known.
 void remarkOnWeights(document::Entry& entry, const auto& rows, const std::vector<int>& lines,
                      bool areDifferences) {
-    if (const auto index = someWeightMissing(rows)) warn(entry, lines[*index], missingWeight(*index));
+    if (const auto index = someWeightMissing(rows))
+        warn(entry, lines[*index], missingWeightRemark(*index + 1));
     for (std::size_t i = 0; i < rows.size() && entry.problems.size() < maxRemarks; ++i)
         if (const auto sentence = rows[i].weight ? weightRemark(i + 1, *rows[i].weight) : std::nullopt)
             warn(entry, lines[i], *sentence);
@@ -191,17 +186,6 @@ document::Problems located(document::Problems problems, const ListedMaps& listed
     return problems;
 }
 
-// Why weights that stand beside maps are not theirs.
-void remarkOnUnusedWeights(document::Entry& entry, const ListedMaps& listed) {
-    if (listed.withoutWeight)
-        warn(entry, lineOf(listed, int(*listed.withoutWeight) + 2), missingWeight(*listed.withoutWeight));
-    if (listed.unused.name.isEmpty()) return;
-    warn(entry, 0,
-         Text::tr("“%1” has %2 numbers for %3 maps, so it is not read as their weights, which are computed "
-                  "from the determinants.")
-             .arg(listed.unused.name, QString::number(listed.unused.numbers), QString::number(listed.maps)));
-}
-
 // Systems that stand in lists of another language or in its tables, each through the reader of tables.
 std::optional<Collection> collectionOfLists(const QByteArray& bytes, const QString& path,
                                             const std::optional<TableColumns>& columns) {
@@ -235,7 +219,8 @@ std::optional<Collection> collectionOfLists(const QByteArray& bytes, const QStri
         for (const int row : table.lines)
             lines.push_back(lineOf(listed, row));
         remarkOnWeights(entry, table, lines);
-        remarkOnUnusedWeights(entry, listed);
+        if (const QString unused = unusedWeightsRemark(listed); !unused.isEmpty())
+            warn(entry, lineOf(listed, int(listed.withoutWeight.value_or(0)) + 2), unused);
         result.file.entries << one.entries;
     }
     if (result.file.entries.isEmpty() && problems.isEmpty()) return std::nullopt;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "io/table/listed_maps.h"
 
+#include "document/text/text.h"
 #include "io/table/equation_maps.h"
 #include "io/table/gimp_maps.h"
 #include "io/table/markup_tables.h"
@@ -10,6 +11,7 @@
 #include "io/table/table_columns.h"
 #include "io/table/table_fields.h"
 #include "io/table/table_reader.h"
+#include "io/text/export_weights.h"
 #include "io/text/literal_lists.h"
 #include "io/text/number.h"
 #include "io/text/yaml_lists.h"
@@ -544,6 +546,14 @@ QList<ListedMaps> listedMaps(const QString& text) {
     if (auto found = oneBelowTheOther(text); !found.isEmpty()) return found;
     if (auto found = named(namedNumbers(text)); !found.isEmpty()) return found;
     return nearly;
+}
+
+QString unusedWeightsRemark(const ListedMaps& listed) {
+    if (listed.withoutWeight) return missingWeightRemark(*listed.withoutWeight + 1);
+    if (listed.unused.name.isEmpty()) return {};
+    return Text::tr("“%1” has %2 numbers for %3 maps, so it is not read as their weights, which are computed "
+                    "from the determinants.")
+        .arg(listed.unused.name, QString::number(listed.unused.numbers), QString::number(listed.maps));
 }
 
 QString tableIn(const QString& text) {

@@ -50,6 +50,9 @@ struct ListedMaps {
 // the other; and numbers each behind its name.
 QList<ListedMaps> listedMaps(const QString& text);
 
+// Why the weights beside the maps are not theirs; empty where they are, or there are none.
+QString unusedWeightsRemark(const ListedMaps& listed);
+
 // The text itself where it is a table by itself; else the table of the first system in it, if there is one.
 QString tableIn(const QString& text);
 

@@ -352,6 +352,11 @@ private slots:
         m_panel->appendPasted();
         QVERIFY2(messages.back().front().toString().contains(QStringLiteral("“cumulative”")),
                  qPrintable(messages.back().front().toString()));
+        QGuiApplication::clipboard()->setText(QStringLiteral(
+            "a = [.5,.5]\nb = [0,0]\nc = [0,0]\nd = [.5,.5]\ne = [0,1]\nf = [0,0]\np = [.2,.3,.5]\n"));
+        m_panel->appendPasted();
+        QVERIFY2(messages.back().front().toString().contains(QStringLiteral("“p” has 3 numbers")),
+                 qPrintable(messages.back().front().toString()));
     }
 
     // Each equation in a row: only in that order does every map contract, and the user may say otherwise.
