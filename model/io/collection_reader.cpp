@@ -23,6 +23,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
+#include <vector>
 
 namespace io {
 
@@ -49,14 +51,35 @@ std::optional<std::size_t> someWeightMissing(const auto& rows) {
     return std::size_t(first - rows.begin());
 }
 
+void warn(document::Entry& entry, int line, const QString& sentence) {
+    entry.problems << document::Problem{document::Problem::Severity::Warning, entry.fractal->name, line,
+                                        line > 0 ? 1 : 0, sentence};
+}
+
 // Weights that are read as such but rise like sums.
 void warnOfSums(document::Entry& entry, const auto& rows, int line) {
     std::vector<std::optional<double>> weights;
     for (const auto& row : rows)
         weights.push_back(row.weight);
-    if (const auto sentence = cumulativeRemark(weights))
-        entry.problems << document::Problem{document::Problem::Severity::Warning, entry.fractal->name, line,
-                                            line > 0 ? 1 : 0, *sentence};
+    if (const auto sentence = cumulativeRemark(weights)) warn(entry, line, *sentence);
+}
+
+// `lines`: of the text, of every row; 0 where it is not known.
+void remarkOnWeights(document::Entry& entry, const auto& rows, const std::vector<int>& lines,
+                     bool areDifferences) {
+    if (const auto index = someWeightMissing(rows))
+        warn(entry, lines[*index], missingWeightRemark(*index + 1));
+    for (std::size_t i = 0; i < rows.size() && entry.problems.size() < maxRemarks; ++i)
+        if (const auto sentence = rows[i].weight ? weightRemark(i + 1, *rows[i].weight) : std::nullopt)
+            warn(entry, lines[i], *sentence);
+    if (!areDifferences && !lines.empty()) warnOfSums(entry, rows, lines.front());
+}
+
+void remarkOnWeights(document::Entry& entry, const Table& table, const std::vector<int>& lines) {
+    if (table.spaceRows.empty())
+        remarkOnWeights(entry, table.rows, lines, table.isCumulative);
+    else
+        remarkOnWeights(entry, table.spaceRows, lines, table.isCumulative);
 }
 
 // Rows of six numbers that would fill rows of seven, with weights that sum to 1.
@@ -111,28 +134,8 @@ std::optional<Collection> collectionOfTable(const QByteArray& bytes, const QStri
     if (const auto other = otherReading(table); other && !columns)
         file.problems << document::Problem{
             document::Problem::Severity::Warning, {}, table.lines.front(), 1, *other};
-    for (document::Entry& entry : file.entries) {
-        const auto remark = [&](const auto& rows) {
-            const auto warn = [&](std::size_t i, const QString& sentence) {
-                entry.problems << document::Problem{document::Problem::Severity::Warning, entry.fractal->name,
-                                                    table.lines[i], 1, sentence};
-            };
-            if (const auto index = someWeightMissing(rows))
-                warn(*index, Text::tr("Map %1 has no weight, so all weights are computed from the "
-                                      "determinants and the given ones are ignored.")
-                                 .arg(*index + 1));
-            for (std::size_t i = 0; i < rows.size() && entry.problems.size() < maxRemarks; ++i)
-                if (const auto sentence =
-                        rows[i].weight ? weightRemark(i + 1, *rows[i].weight) : std::nullopt)
-                    warn(i, *sentence);
-        };
-        remark(table.rows);
-        remark(table.spaceRows);
-        if (!table.isCumulative) {
-            warnOfSums(entry, table.rows, table.lines.front());
-            warnOfSums(entry, table.spaceRows, table.lines.front());
-        }
-    }
+    for (document::Entry& entry : file.entries)
+        remarkOnWeights(entry, table, table.lines);
     return result;
 }
 
@@ -165,6 +168,11 @@ document::Problem recognised(Notation notation, qsizetype systems, qsizetype map
     return {document::Problem::Severity::Warning, {}, 0, 0, sentence};
 }
 
+// Of the text, for a line of the table.
+int lineOf(const ListedMaps& listed, int row) {
+    return row > 0 && std::size_t(row) <= listed.lines.size() ? listed.lines[std::size_t(row) - 1] : 0;
+}
+
 // The problems of a table that stands in another text: in which of its rows.
 document::Problems located(document::Problems problems, const ListedMaps& listed) {
     for (document::Problem& problem : problems) {
@@ -172,7 +180,7 @@ document::Problems located(document::Problems problems, const ListedMaps& listed
         if (row > 0 && !nameOf(listed.notation).isEmpty())
             problem.message =
                 Text::tr("In %1, row %2: %3").arg(nameOf(listed.notation)).arg(row).arg(problem.message);
-        problem.line = row > 0 && row <= listed.lines.size() ? listed.lines[row - 1] : 0;
+        problem.line = lineOf(listed, problem.line);
         problem.column = problem.line > 0 ? 1 : 0;
     }
     return problems;
@@ -206,10 +214,13 @@ std::optional<Collection> collectionOfLists(const QByteArray& bytes, const QStri
         result.isOrderAssumed = result.isOrderAssumed || !table.isOrdered;
         document::FractalFile one = document::fileOf(std::move(fractal));
         one.entries.first().id = document::freshId(result.file);
-        if (!table.isCumulative) {
-            warnOfSums(one.entries.first(), table.rows, 0);
-            warnOfSums(one.entries.first(), table.spaceRows, 0);
-        }
+        document::Entry& entry = one.entries.first();
+        std::vector<int> lines;
+        for (const int row : table.lines)
+            lines.push_back(lineOf(listed, row));
+        remarkOnWeights(entry, table, lines);
+        if (const QString unused = unusedWeightsRemark(listed); !unused.isEmpty())
+            warn(entry, lineOf(listed, int(listed.withoutWeight.value_or(0)) + 2), unused);
         result.file.entries << one.entries;
     }
     if (result.file.entries.isEmpty() && problems.isEmpty()) return std::nullopt;
@@ -240,8 +251,8 @@ bool holdsFlame(const QByteArray& bytes) {
 bool isOfAnotherKind(const QByteArray& bytes) {
     constexpr qsizetype sample = 64 * 1024;
     constexpr int fewest = 3;
-    static const std::array marks{"\\begin{", "\\documentclass", "){", ") {", "();", "};", "</", "\n@",
-                                  "=> {"};
+    static const std::array marks{
+        "\\begin{", "\\documentclass", "){", ") {", "();", "};", "</", "\n@", "[{", "[[", "=> {"};
     QByteArray head = bytes.left(sample).toLower();
     head.replace("(3d)", ""); // an entry in space
     if (std::ranges::none_of(marks, [&](const char* mark) { return head.contains(mark); })) return false;

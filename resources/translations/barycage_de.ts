@@ -5697,6 +5697,10 @@
         <source>Mesh (.ply)</source>
         <translation>Körper (.ply)</translation>
     </message>
+    <message>
+        <source>“%1” has %2 numbers for %3 maps, so it is not read as their weights, which are computed from the determinants.</source>
+        <translation>„%1“ hat %2 Zahlen für %3 Abbildungen und wird deshalb nicht als deren Gewichte gelesen; diese kommen von den Determinanten.</translation>
+    </message>
 </context>
 <context>
     <name>Tour</name>

@@ -5697,6 +5697,10 @@
         <source>Mesh (.ply)</source>
         <translation>Cuerpo (.ply)</translation>
     </message>
+    <message>
+        <source>“%1” has %2 numbers for %3 maps, so it is not read as their weights, which are computed from the determinants.</source>
+        <translation>«%1» tiene %2 números para %3 aplicaciones; por eso no se lee como sus pesos, que se toman de los determinantes.</translation>
+    </message>
 </context>
 <context>
     <name>Tour</name>

@@ -5697,6 +5697,10 @@
         <source>Mesh (.ply)</source>
         <translation>Corps (.ply)</translation>
     </message>
+    <message>
+        <source>“%1” has %2 numbers for %3 maps, so it is not read as their weights, which are computed from the determinants.</source>
+        <translation>«&#x202f;%1&#x202f;» a %2 nombres pour %3 applications et n’est donc pas lu comme leurs poids, qui sont tirés des déterminants.</translation>
+    </message>
 </context>
 <context>
     <name>Tour</name>

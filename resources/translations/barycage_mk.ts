@@ -5712,6 +5712,10 @@
         <source>Mesh (.ply)</source>
         <translation>Тело (.ply)</translation>
     </message>
+    <message>
+        <source>“%1” has %2 numbers for %3 maps, so it is not read as their weights, which are computed from the determinants.</source>
+        <translation>„%1“ има %2 броеви за %3 пресликувања, па не се чита како нивни тежини; тие се земаат од детерминантите.</translation>
+    </message>
 </context>
 <context>
     <name>Tour</name>

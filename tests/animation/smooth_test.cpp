@@ -8,6 +8,7 @@
 #include "ifs/existence/attractor_existence.h"
 #include "support/named_test.h"
 
+#include <Eigen/Geometry>
 #include <QtTest>
 
 #include <cstring>
@@ -287,6 +288,28 @@ private slots:
             from.after = {&last, 2};
             const Matrix<2> shrinking = along<2>(to, {0, 0}, *norm).map.linear;
             const Matrix<2> growing = along<2>(from, {0, 0}, *norm).map.linear;
+            QVERIFY((shrinking / shrinking.col(0).norm() - 2 * first.map.linear).norm() < 1e-12);
+            QVERIFY((growing / growing.col(0).norm() - 2 * last.map.linear).norm() < 1e-12);
+        }
+    }
+
+    void nothingTurnsOnTheWayToAPointInSpace() {
+        const auto turned = [](double degrees) {
+            const Vector<3> axis = Vector<3>(1, 2, 3).normalized();
+            const Matrix<3> turn =
+                Eigen::AngleAxisd(degrees * std::numbers::pi / 180, axis).toRotationMatrix();
+            return MapPose<3>{AffineMap<3>{0.5 * turn, {0, 0, 0}}, 1};
+        };
+        const MapPose<3> first = turned(40), point{AffineMap<3>{Matrix<3>::Zero(), {0, 0, 0}}, 1},
+                         last = turned(100);
+        const auto norm = commonNorm<3>(std::vector{first.map, last.map});
+        QVERIFY(norm.has_value());
+        for (const double t : {0.1, 0.5, 0.9}) {
+            Segment<MapPose<3>> to{first, point, t, true}, from{point, last, t, true};
+            to.before = from.before = {&first, -1};
+            to.after = from.after = {&last, 2};
+            const Matrix<3> shrinking = along<3>(to, {0, 0, 0}, *norm).map.linear;
+            const Matrix<3> growing = along<3>(from, {0, 0, 0}, *norm).map.linear;
             QVERIFY((shrinking / shrinking.col(0).norm() - 2 * first.map.linear).norm() < 1e-12);
             QVERIFY((growing / growing.col(0).norm() - 2 * last.map.linear).norm() < 1e-12);
         }

@@ -24,6 +24,10 @@ private slots:
     void weightsWithoutAPartAreSaid();
     void weightsThatRiseAreSaid_data();
     void weightsThatRiseAreSaid();
+    void sumsAreReadAsTheRemarkSays_data();
+    void sumsAreReadAsTheRemarkSays();
+    void listsOfWeightsThatDoNotFitAreSaid_data();
+    void listsOfWeightsThatDoNotFitAreSaid();
     void someWeightsMissingAreSaid();
     void roundTrips_data();
     void roundTrips();
@@ -96,6 +100,7 @@ void CollectionReaderTest::formats_data() {
     row("a style sheet", "h1 {\n  color: red;\n}\np.a() {\n  margin: 0;\n}\n", "unknown", 0);
     row("a damaged entry", "x (y) {\n .5 0 0 .5 0 0 oops\n}\n", "fractint", 0);
     row("other JSON", "{\"points\": [[1, 2], [3, 4]], \"name\": \"a\"}\n", "unknown", 0);
+    row("dictionaries of Python", "maps = [{\"a\": np.pi, \"b\": f(2)}]\n", "unknown", 0);
     row("another program", "import math\n\ndef f(x):\n    return 2*x\n", "unknown", 0);
 }
 
@@ -251,6 +256,10 @@ void CollectionReaderTest::weightsThatRiseAreSaid_data() {
     };
     row("to 100", "a,b,c,d,e,f,p\n", {"1", "86", "93", "100"}, true);
     row("to 1", "", {"0.01", "0.86", "0.93", "1"}, true);
+    row("two maps", "a,b,c,d,e,f,p\n", {"0.85", "1"}, true);
+    row("all in the last", "", {"0", "0", "1"}, false);
+    row("a map without a part", "", {"1", "86", "86", "100"}, true);
+    row("two of the largest", "", {"0.5", "1", "1"}, false);
     row("to 100 %", "a,b,c,d,e,f,p\n", {"1%", "86%", "93%", "100%"}, true);
     row("named", "a,b,c,d,e,f,cumulative\n", {"1", "86", "93", "100"}, false);
     row("probabilities", "", {"0.01", "0.07", "0.07", "0.85"}, false);
@@ -277,6 +286,96 @@ void CollectionReaderTest::weightsThatRiseAreSaid() {
              isSaid);
 }
 
+void CollectionReaderTest::sumsAreReadAsTheRemarkSays_data() {
+    QTest::addColumn<QByteArray>("bytes");
+    const char* map = ".5,0,0,.5,0,";
+    QTest::newRow("table") << QByteArray("a,b,c,d,e,f,cumulative\n") + map + "0,25\n" + map + "1,100\n";
+    const char* solid = ".5 0 0 0 .5 0 0 0 .5 0 0 ";
+    QTest::newRow("solid") << QByteArray("a b c d e f g h i j k l cumulative\n") + solid + "0 25\n" + solid +
+                                  "1 100\n";
+    QTest::newRow("solid, first") << QByteArray("cumulative a b c d e f g h i j k l\n25 ") + solid +
+                                         "0\n100 " + solid + "1\n";
+    QTest::newRow("solid, more columns")
+        << QByteArray("name;cum;a;b;c;d;e;f;g;h;i;j;k;l\nx;25;.5;0;0;0;.5;0;0;0;.5;0;0;0\n"
+                      "y;100;.5;0;0;0;.5;0;0;0;.5;0;0;1\n");
+    QTest::newRow("beside lists") << QByteArray(
+        "maps = [[.5,0,0,.5,0,0],[.5,0,0,.5,0,1]]\ncumulative = [25, 100]\n");
+    QTest::newRow("beside matrices") << QByteArray(
+        "A1 = [[.5,0],[0,.5]]\nb1 = [0,0]\nA2 = [[.5,0],[0,.5]]\nb2 = [0,1]\ncumulative = [25, 100]\n");
+    QTest::newRow("beside letters") << QByteArray(
+        "a = [.5,.5]\nb = [0,0]\nc = [0,0]\nd = [.5,.5]\ne = [0,0]\nf = [0,1]\ncum = [25,100]\n");
+    QTest::newRow("keys") << QByteArray(
+        "[{\"a\":.5,\"b\":0,\"c\":0,\"d\":.5,\"e\":0,\"f\":0,\"cumulative\":25},"
+        "{\"a\":.5,\"b\":0,\"c\":0,\"d\":.5,\"e\":0,\"f\":1,\"cumulative\":100}]");
+}
+
+// In all that is read: “cumulative” instead of “p”.
+void CollectionReaderTest::sumsAreReadAsTheRemarkSays() {
+    QFETCH(QByteArray, bytes);
+    const io::Collection collection = io::readCollection(bytes);
+    QCOMPARE(collection.file.entries.size(), 1);
+    const document::Entry& entry = collection.file.entries.first();
+    QVERIFY(entry.problems.isEmpty());
+    QList<double> weights;
+    if (const auto* system = document::system2(*entry.fractal))
+        for (const auto& map : system->maps)
+            weights << map.weight.value_or(-1);
+    if (const auto* system = document::system3(*entry.fractal))
+        for (const auto& map : system->maps)
+            weights << map.weight.value_or(-1);
+    QCOMPARE(weights, (QList<double>{25, 75}));
+}
+
+void CollectionReaderTest::listsOfWeightsThatDoNotFitAreSaid_data() {
+    QTest::addColumn<QByteArray>("bytes");
+    QTest::addColumn<QString>("start");
+    const QByteArray matrices = "A1 = [[.5,0],[0,.5]]\nb1 = [0,0]\nA2 = [[.5,0],[0,.5]]\nb2 = [0,1]\n";
+    const QByteArray maps = "maps = [[.5,0,0,.5,0,0],[.5,0,0,.5,0,1]]\n";
+    const QByteArray letters = "a = [.5,.5]\nb = [0,0]\nc = [0,0]\nd = [.5,.5]\ne = [0,0]\nf = [0,1]\n";
+    const auto named = [](const char* name, int numbers) {
+        return QStringLiteral("“%1” has %2 numbers for 2 maps").arg(QLatin1String(name)).arg(numbers);
+    };
+    QTest::newRow("more than matrices") << matrices + "p = [.2,.3,.5]\n" << named("p", 3);
+    QTest::newRow("fewer than matrices") << matrices + "prob = [.2]\n" << named("prob", 1);
+    QTest::newRow("one for two matrices") << matrices + "p1 = .2\n" << named("p", 1);
+    QTest::newRow("more than lists") << maps + "weights = [.2,.3,.5]\n" << named("weights", 3);
+    QTest::newRow("more than letters") << letters + "p = [.2,.3,.5]\n" << named("p", 3);
+    QTest::newRow("before letters") << "p = [.2,.3,.5]\n" + letters << named("p", 3);
+    QTest::newRow("keys") << QByteArray("[{\"a\":.5,\"b\":0,\"c\":0,\"d\":.5,\"e\":0,\"f\":0,\"p\":0.3},"
+                                        "{\"a\":.5,\"b\":0,\"c\":0,\"d\":.5,\"e\":0,\"f\":1}]")
+                          << QStringLiteral("Map 2 has no weight");
+    QTest::newRow("keys, of the last one")
+        << QByteArray("[{\"a\":.5,\"b\":0,\"c\":0,\"d\":.5,\"e\":0,\"f\":0},"
+                      "{\"a\":.5,\"b\":0,\"c\":0,\"d\":.5,\"e\":0,\"f\":1,\"p\":0.3}]")
+        << QStringLiteral("Map 1 has no weight");
+    QTest::newRow("lists of six and seven")
+        << QByteArray("[[.5,0,0,.5,0,0],[.5,0,0,.5,0,1,.3]]") << QStringLiteral("Map 1 has no weight");
+    QTest::newRow("named maps") << QByteArray("w1 = [.5,0,0,.5,0,0]\nw2 = [.5,0,0,.5,0,1,.3]\n")
+                                << QStringLiteral("Map 1 has no weight");
+    QTest::newRow("matrices in LaTeX")
+        << QByteArray("\\begin{bmatrix}.5&0\\\\0&.5\\end{bmatrix}, p=.2\n"
+                      "\\begin{bmatrix}.5&0\\\\0&.5\\end{bmatrix}\\begin{bmatrix}0\\\\1\\end{bmatrix}\n")
+        << QStringLiteral("Map 2 has no weight");
+    QTest::newRow("equations") << QByteArray("p = .2\nx' = .5x\ny' = .5y\n\nx' = .5x\ny' = .5y + 1\n")
+                               << QStringLiteral("Map 2 has no weight");
+    QTest::newRow("Markdown")
+        << QByteArray("|a|b|c|d|e|f|p|\n|-|-|-|-|-|-|-|\n|.5|0|0|.5|0|0|.2|\n|.5|0|0|.5|0|1||\n")
+        << QStringLiteral("Map 2 has no weight");
+}
+
+// The maps are read, and their weights computed.
+void CollectionReaderTest::listsOfWeightsThatDoNotFitAreSaid() {
+    QFETCH(QByteArray, bytes);
+    QFETCH(QString, start);
+    const io::Collection collection = io::readCollection(bytes);
+    QCOMPARE(collection.file.entries.size(), 1);
+    QCOMPARE(firstSystem(collection.file).maps.size(), std::size_t(2));
+    const document::Problems problems = collection.file.entries.first().problems;
+    QCOMPARE(problems.size(), 1);
+    QCOMPARE(problems[0].severity, document::Problem::Severity::Warning);
+    QVERIFY2(problems[0].message.startsWith(start), qPrintable(problems[0].message));
+}
+
 // Those that are given do not go silently, and nothing is said where there are all or none.
 void CollectionReaderTest::someWeightsMissingAreSaid() {
     const auto problemsOf = [](const QByteArray& bytes) {
@@ -288,7 +387,7 @@ void CollectionReaderTest::someWeightsMissingAreSaid() {
     QCOMPARE(problems[0].line, 2);
     QVERIFY2(problems[0].message.startsWith(QStringLiteral("Map 2 has no weight")),
              qPrintable(problems[0].message));
-    QVERIFY(problemsOf(".5,0,0,.5,0,0,.25\n.5,0,0,.1,1,0,1\n").isEmpty());
+    QVERIFY(problemsOf(".5,0,0,.5,0,0,.25\n.5,0,0,.1,1,0,.75\n").isEmpty());
     QVERIFY(problemsOf(".5,0,0,.5,0,0\n.5,0,0,.1,1,0\n").isEmpty());
 }
 

@@ -113,7 +113,12 @@ std::unique_ptr<QMimeData> mapsMimeData(CopiedMaps maps) {
 FoundMaps mapsIn(const QString& text, bool areOurs) {
     if (areOurs) return {io::readTable(text, io::fractintColumns()), false, {}};
     const QString table = io::tableIn(text);
-    return {io::readTable(table), io::isOrderOpen(table), table};
+    FoundMaps found{io::readTable(table), io::isOrderOpen(table), table};
+    const QList<io::ListedMaps> listed = table == text ? QList<io::ListedMaps>() : io::listedMaps(text);
+    const QString unused = listed.isEmpty() ? QString() : io::unusedWeightsRemark(listed.first());
+    if (!unused.isEmpty())
+        found.table.problems.append({document::Problem::Severity::Warning, {}, 0, 0, unused});
+    return found;
 }
 
 bool holdsOurMaps(const QMimeData& mimeData) {

@@ -171,10 +171,18 @@ QString vertexCount(std::size_t vertices) {
     return vertices == 1 ? Text::tr("1 vertex") : Text::tr("%1 vertices").arg(vertices);
 }
 
+// Where the hull is not known exactly, neither is the number of its vertices.
+template <int Dim> QString withItsExactness(const QString& count, const ifs::Facts<Dim>& facts) {
+    constexpr double roundOff = 1e-9; // of the size
+    const bool isExact = facts.isHullExact || facts.hull->error <= roundOff * extentOf<Dim>(facts);
+    return isExact ? count : Panel::tr("%1 (approximation)").arg(count);
+}
+
 std::optional<QString> hullText(const FactSource<2>& source, const Figures& number) {
     const auto& hull = source.facts.hull;
     if (!hull) return std::nullopt;
-    const QString area = *contentText<2>(source, number), vertices = vertexCount(hull->vertices.size());
+    const QString area = *contentText<2>(source, number);
+    const QString vertices = withItsExactness<2>(vertexCount(hull->vertices.size()), source.facts);
     if (source.facts.isLate(ifs::LongFact::ExtremePoints))
         return Text::tr("%1, area %2; error at most %3; periodic addresses not computed within the budget")
             .arg(vertices, area, upperDigits(hull->error));
@@ -193,19 +201,15 @@ std::optional<QString> hullText(const FactSource<3>& source, const Figures& numb
     const auto& hull = source.facts.hull;
     if (!hull) return std::nullopt;
     return Text::tr("%1, %2, volume %3; error at most %4")
-        .arg(vertexCount(hull->vertices.size()))
+        .arg(withItsExactness<3>(vertexCount(hull->vertices.size()), source.facts))
         .arg(hull->facets.size() == 1 ? Text::tr("1 facet") : Text::tr("%1 facets").arg(hull->facets.size()))
         .arg(*contentText<3>(source, number), upperDigits(hull->error));
 }
 
 template <int Dim> std::optional<QString> verticesText(const FactSource<Dim>& source, const Figures& number) {
-    constexpr double roundOff = 1e-9; // of the size
     const auto& hull = source.facts.hull;
     if (!hull) return std::nullopt;
-    const QString text = number.count(hull->vertices.size());
-    // Where the hull is not known exactly, neither is the number of its vertices.
-    const bool isExact = source.facts.isHullExact || hull->error <= roundOff * sizeOf(source.facts);
-    return isExact ? text : Panel::tr("%1 (approximation)").arg(text);
+    return withItsExactness<Dim>(number.count(hull->vertices.size()), source.facts);
 }
 
 struct Address {

@@ -59,7 +59,7 @@ std::vector<Equation> equationsIn(const QString& text) {
     static const QRegularExpression side(QStringLiteral(
         R"((?<![\w.\\])(?:(new_?|next_?|n|t|tmp_?|temp_?)?([xyzXYZ])()"
         R"('|′|’|\*|_?[nN]ew|_?[nN]ext|ₙ₊₁|\s?_?[nk]\s?\+\s?1|_[({]?[nk]\s?\+\s?1[)}]?|\{n\+1\}|\[[nki]\s?\+\s?1\]|)"
-        R"(\([nt]\s?\+\s?1\)|1|2|_1|n)?)(?:\([^()=\n]{0,12}\))?\s*(?::=|=|←|<-)(?!=)\s*)"));
+        R"(\([nt]\s?\+\s?1\)|1|2|_1|n)?)(?:\([^()=\n]{0,12}\))?\s*(?::=|=|←|<-|->|→|↦)(?!=)\s*)"));
     std::vector<Equation> equations;
     auto found = side.globalMatch(text);
     while (found.hasNext() && equations.size() < 4 * maxMaps) {

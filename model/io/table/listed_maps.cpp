@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "io/table/listed_maps.h"
 
+#include "document/text/text.h"
 #include "io/table/equation_maps.h"
 #include "io/table/gimp_maps.h"
 #include "io/table/markup_tables.h"
@@ -10,6 +11,7 @@
 #include "io/table/table_columns.h"
 #include "io/table/table_fields.h"
 #include "io/table/table_reader.h"
+#include "io/text/export_weights.h"
 #include "io/text/literal_lists.h"
 #include "io/text/number.h"
 #include "io/text/yaml_lists.h"
@@ -38,6 +40,8 @@ constexpr std::array weightKeys{"p",    "w",     "weight",      "weights",
 constexpr std::array matrixKeys{"linear",    "matrix", "m",      "mat",         "a",
                                 "transform", "coefs",  "coeffs", "coefficients"};
 constexpr std::array vectorKeys{"translation", "translate", "offset", "shift", "vector", "t", "b", "v"};
+
+constexpr std::array sumKeys{"cumulative", "cum"}; // of weights up to each map
 
 template <typename Keys> bool isOneOf(const QString& key, const Keys& keys) {
     return std::ranges::any_of(
@@ -130,10 +134,16 @@ std::optional<Map> ofParts(const Literal& matrix, const Literal& vector) {
     return Map{std::move(names), std::move(linear), false, false};
 }
 
-void addWeight(Map& map, double weight) {
+// Under the name of weights, or that of their sums.
+void addWeight(Map& map, double weight, bool isSum) {
+    if (map.names.isEmpty() && isSum) map.names = letters(map.numbers.size());
     map.numbers.push_back(weight);
     map.hasWeight = true;
-    if (!map.names.isEmpty()) map.names << QStringLiteral("p");
+    if (!map.names.isEmpty()) map.names << (isSum ? QStringLiteral("cumulative") : QStringLiteral("p"));
+}
+
+bool isOfWeights(const QString& key) {
+    return isOneOf(key, weightKeys) || isOneOf(key, sumKeys);
 }
 
 std::optional<Map> mapOf(const Literal& literal, int nesting = 0);
@@ -154,6 +164,7 @@ std::optional<Map> ofKeys(const Literal& object, int nesting) {
     QStringList names;
     Numbers numbers;
     std::optional<double> weight;
+    bool isSum = false;
     const Literal* matrix = nullptr;
     const Literal* vector = nullptr;
     for (const Literal& item : object.items) {
@@ -162,10 +173,12 @@ std::optional<Map> ofKeys(const Literal& object, int nesting) {
             vector = &item;
         else if (item.kind == Kind::List && !matrix && isOneOf(key, matrixKeys))
             matrix = &item;
-        else if (isNumber(item) && isOneOf(key, weightKeys))
+        else if (isNumber(item) && isOfWeights(key)) {
+            if (weight && isOneOf(key, sumKeys)) continue; // beside the weights themselves
             weight = item.number;
-        else if (isNumber(item) && ((key.size() == 1 && QStringLiteral("abcdefghijklrs").contains(key)) ||
-                                    key == u"theta" || key == u"phi")) {
+            isSum = isOneOf(key, sumKeys);
+        } else if (isNumber(item) && ((key.size() == 1 && QStringLiteral("abcdefghijklrs").contains(key)) ||
+                                      key == u"theta" || key == u"phi")) {
             names << key;
             numbers.push_back(item.number);
         }
@@ -179,7 +192,7 @@ std::optional<Map> ofKeys(const Literal& object, int nesting) {
         map = Map{names, numbers, false, true};
     else
         map = inSpace(names, numbers);
-    if (map && !map->hasWeight && weight) addWeight(*map, *weight);
+    if (map && !map->hasWeight && weight) addWeight(*map, *weight, isSum);
     return map;
 }
 
@@ -206,7 +219,7 @@ std::optional<Map> mapOf(const Literal& literal, int nesting) {
     }
     if (lists.size() != 2 && !(lists.size() == 1 && weight)) return std::nullopt;
     auto map = lists.size() == 2 ? ofParts(*lists[0], *lists[1]) : mapOf(*lists[0], nesting + 1);
-    if (map && weight && !map->hasWeight) addWeight(*map, *weight);
+    if (map && weight && !map->hasWeight) addWeight(*map, *weight, false);
     return map;
 }
 
@@ -229,8 +242,7 @@ private:
         if (takeLetters(list, own)) return;
         const Literal* weights = nullptr;
         for (const Literal& item : list.items)
-            if (isOneOf(item.key, weightKeys) && list.items.size() > 1 && numbersOf(bare(item)))
-                weights = &item;
+            if (isOfWeights(item.key) && list.items.size() > 1 && numbersOf(bare(item))) weights = &item;
         for (const Literal& item : list.items) {
             if (item.kind != Kind::List || m_found.size() >= maxSystems) continue;
             const bool isUseless = item.key.isEmpty() || isOneOf(item.key, mapsKeys);
@@ -242,12 +254,16 @@ private:
     void takeSequence(const Literal& root) {
         std::vector<Map> maps;
         const Literal* weights = nullptr;
-        Numbers chances; // p1 = 0.25
+        Weights chances; // p1 = 0.25
         for (qsizetype i = 0; i < root.items.size(); ++i) {
             const Literal& item = root.items[i];
             static const QRegularExpression digits(QStringLiteral("_?\\d+$"));
-            const bool isWeight = isOneOf(QString(item.key).remove(digits), weightKeys);
-            if (isWeight && isNumber(item)) chances.push_back(item.number);
+            const QString key = QString(item.key).remove(digits);
+            const bool isWeight = isOfWeights(key);
+            if (isWeight && isNumber(item)) {
+                chances.name = key;
+                chances.numbers.push_back(item.number);
+            }
             if (item.kind != Kind::List) continue;
             auto map = mapOf(item); // w1 = [six numbers] is one
             if (!map && isWeight && numbersOf(bare(item))) {
@@ -263,9 +279,9 @@ private:
             maps.push_back(*std::move(map));
         }
         if (maps.size() < 2) return;
-        if (weights) chances = *numbersOf(bare(*weights));
-        weigh(maps, chances);
-        m_found << ListedMaps{{}, tableOf(maps), qsizetype(maps.size()), Notation::Lists, {}};
+        if (weights) chances = {weights->key, *numbersOf(bare(*weights))};
+        const UnusedWeights unused = weigh(maps, chances);
+        m_found << ListedMaps{{}, tableOf(maps), qsizetype(maps.size()), Notation::Lists, {}, unused};
     }
 
     // A list of numbers under the name of each column, all of one length.
@@ -273,6 +289,7 @@ private:
         if (list.items.size() < 2) return false;
         QStringList names;
         std::vector<Numbers> columns;
+        Weights chances;
         for (const Literal& item : list.items) {
             if (item.kind != Kind::List || item.key.isEmpty()) continue;
             QString key = item.key.toLower().remove(u'$');
@@ -280,11 +297,20 @@ private:
             const bool isName = tableColumn(key) || (key.size() == 1 && key[0] >= u'a' && key[0] <= u'l');
             if (!isName) continue;
             auto column = numbersOf(bare(item));
-            if (!column || (!columns.empty() && column->size() != columns.front().size()) ||
-                names.contains(key))
+            if (!column) continue;
+            if (isOfWeights(key)) {
+                if (chances.name.isEmpty() || isOneOf(chances.name, sumKeys)) chances = {key, *column};
+                continue;
+            }
+            if (names.contains(key) || (!columns.empty() && column->size() != columns.front().size()))
                 continue;
             names << key;
             columns.push_back(*std::move(column));
+        }
+        const bool isWeighed = !columns.empty() && chances.numbers.size() == columns.front().size();
+        if (isWeighed) {
+            names << chances.name;
+            columns.push_back(chances.numbers);
         }
         const bool isPlane = tableColumns(names).has_value();
         if (columns.empty() || columns.front().size() < 2 ||
@@ -298,6 +324,7 @@ private:
             table += QString::fromLatin1(cells.join('\t')) + u'\n';
         }
         m_found << ListedMaps{name, table, qsizetype(columns.front().size()), Notation::Lists, {}};
+        if (!isWeighed) m_found.back().unused = {chances.name, chances.numbers.size()};
         return true;
     }
 
@@ -328,20 +355,34 @@ private:
             maps = mapsAlike(list);
         if (maps.empty()) return false;
         if (maps.size() == 1 && !maps.front().isNamed) return false;
-        if (weights) weigh(maps, *numbersOf(bare(*weights)));
-        m_found << ListedMaps{name, tableOf(maps), qsizetype(maps.size()), Notation::Lists, {}};
+        UnusedWeights unused;
+        if (weights) unused = weigh(maps, {weights->key, *numbersOf(bare(*weights))});
+        m_found << ListedMaps{name, tableOf(maps), qsizetype(maps.size()), Notation::Lists, {}, unused};
         return true;
     }
 
-    // Unless they have weights, or there are more or fewer of them.
-    static void weigh(std::vector<Map>& maps, const Numbers& chances) {
-        if (chances.size() != maps.size() || maps.front().hasWeight) return;
+    struct Weights {
+        QString name;
+        Numbers numbers;
+    };
+
+    // Unless they have weights. Those of which there are more or fewer are not used.
+    static UnusedWeights weigh(std::vector<Map>& maps, const Weights& chances) {
+        if (std::ranges::any_of(maps, &Map::hasWeight)) return {};
+        if (chances.numbers.size() != maps.size()) return {chances.name, chances.numbers.size()};
         for (std::size_t i = 0; i < maps.size(); ++i)
-            addWeight(maps[i], chances[i]);
+            addWeight(maps[i], chances.numbers[i], isOneOf(chances.name, sumKeys));
+        return {};
     }
 
+    // But for weights, of which some may be missing.
     static bool areAlike(const Map& a, const Map& b) {
-        return a.names == b.names && a.numbers.size() == b.numbers.size();
+        const auto count = [](const Map& map) { return map.numbers.size() - (map.hasWeight ? 1 : 0); };
+        const auto names = [](const Map& map) {
+            return map.hasWeight && !map.names.isEmpty() ? map.names.first(map.names.size() - 1) : map.names;
+        };
+        return count(a) == count(b) && names(a) == names(b) &&
+               (!a.hasWeight || !b.hasWeight || a.names == b.names);
     }
 
     // None, unless all items are maps of one kind.
@@ -415,6 +456,10 @@ QList<ListedMaps> written(const std::vector<WrittenMap>& maps, Notation notation
     ListedMaps listed{{}, tableOf(maps), qsizetype(maps.size()), notation, {maps.front().line}};
     for (const WrittenMap& map : maps)
         listed.lines.push_back(map.line);
+    const auto hasWeight = [](const WrittenMap& map) { return map.weight.has_value(); };
+    const auto without = std::ranges::find_if_not(maps, hasWeight);
+    if (without != maps.end() && std::ranges::any_of(maps, hasWeight))
+        listed.withoutWeight = std::size_t(without - maps.begin());
     return listed.table.isEmpty() ? QList<ListedMaps>() : QList{listed};
 }
 
@@ -501,6 +546,14 @@ QList<ListedMaps> listedMaps(const QString& text) {
     if (auto found = oneBelowTheOther(text); !found.isEmpty()) return found;
     if (auto found = named(namedNumbers(text)); !found.isEmpty()) return found;
     return nearly;
+}
+
+QString unusedWeightsRemark(const ListedMaps& listed) {
+    if (listed.withoutWeight) return missingWeightRemark(*listed.withoutWeight + 1);
+    if (listed.unused.name.isEmpty()) return {};
+    return Text::tr("“%1” has %2 numbers for %3 maps, so it is not read as their weights, which are computed "
+                    "from the determinants.")
+        .arg(listed.unused.name, QString::number(listed.unused.numbers), QString::number(listed.maps));
 }
 
 QString tableIn(const QString& text) {

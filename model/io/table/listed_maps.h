@@ -4,6 +4,8 @@
 #include <QList>
 #include <QString>
 
+#include <cstddef>
+#include <optional>
 #include <vector>
 
 namespace io {
@@ -21,6 +23,12 @@ enum class Notation {
     Equations,
 };
 
+// A list beside maps that would hold their weights if it had as many numbers as there are maps.
+struct UnusedWeights {
+    QString name; // empty: there is none
+    std::size_t numbers = 0;
+};
+
 // A system that stands in another notation, as a table.
 struct ListedMaps {
     QString name;  // as the text calls it; may be empty
@@ -28,6 +36,8 @@ struct ListedMaps {
     qsizetype maps = 0;
     Notation notation = Notation::Lists;
     std::vector<int> lines; // of the text, from 1, for every line of `table`; empty where it is not known
+    UnusedWeights unused{};
+    std::optional<std::size_t> withoutWeight{}; // the first of the maps, from 0, where others have one
 };
 
 // The systems of affine maps in a text.
@@ -39,6 +49,9 @@ struct ListedMaps {
 // them can be read, the first that nearly can. Matrices and vectors in LaTeX, and equations. Tables one below
 // the other; and numbers each behind its name.
 QList<ListedMaps> listedMaps(const QString& text);
+
+// Why the weights beside the maps are not theirs; empty where they are, or there are none.
+QString unusedWeightsRemark(const ListedMaps& listed);
 
 // The text itself where it is a table by itself; else the table of the first system in it, if there is one.
 QString tableIn(const QString& text);

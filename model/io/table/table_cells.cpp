@@ -143,6 +143,7 @@ private:
 
 // Names of columns such as “e” and “phi” are constants as well; no column is called “pi”.
 bool isName(QStringView text) {
+    if (!text.isEmpty() && QStringView(u"°º˚").contains(text.back())) text.chop(1); // φ° names a column
     const bool isWord = std::ranges::all_of(text, [](QChar c) { return c.isLetter(); });
     return isWord && text != u"π" && text.compare(u"pi", Qt::CaseInsensitive) != 0;
 }

@@ -82,7 +82,7 @@ bool isPolar(TableColumn column) {
 
 // Without the index of the map behind the letter, the unit in parentheses, and what sets mathematics.
 QString bareName(QString name) {
-    static const QRegularExpression unit(QStringLiteral("\\s*[(\\[](%|deg|degrees|°)[)\\]]$"));
+    static const QRegularExpression unit(QStringLiteral("\\s*([(\\[](%|deg|degrees?|[°º])[)\\]]|[°º]| %)$"));
     static const QRegularExpression index(QStringLiteral("^([a-zA-Zθφϕϑ])(_?[ijkn]|_\\{[ijkn]\\}|[ₙᵢⱼₖ])$"));
     static const QRegularExpression lowered(QStringLiteral("^([abt])_\\{?(\\d\\d?)\\}?$"));
     name = name.trimmed().remove(u'$').remove(u'*').remove(unit);

@@ -38,13 +38,22 @@ std::optional<Picks> picked(const QStringList& names, qsizetype first) {
     }
     picks.fields.clear();
     QStringList letters;
+    std::optional<qsizetype> weight;
     for (qsizetype i = first; i < names.size(); ++i)
-        if (names[i].size() == 1 && QStringLiteral("abcdefghijklp").contains(names[i].toLower())) {
+        if (names[i].size() == 1 && QStringLiteral("abcdefghijkl").contains(names[i].toLower())) {
             letters << names[i];
             picks.fields.push_back(i);
+        } else if (const auto column = tableColumn(names[i]);
+                   column && isWeight(*column) && !(hasWeight && column == TableColumn::Cumulative)) {
+            if (weight) return std::nullopt;
+            weight = i;
         }
-    picks.isSpace = spaceHeader(letters) != SpaceHeader::None;
-    return picks.isSpace ? std::optional(picks) : std::nullopt;
+    if (weight) {
+        letters << names[*weight];
+        picks.fields.push_back(*weight);
+    }
+    picks.space = spaceHeader(letters);
+    return picks.isSpace() ? std::optional(picks) : std::nullopt;
 }
 
 } // namespace
@@ -114,12 +123,15 @@ QStringList namesOf(const Row& header) {
 }
 
 SpaceHeader spaceHeader(const QStringList& names) {
-    QString letters;
-    for (const QString& name : names)
-        letters += name.toLower();
-    return letters == u"abcdefghijkl"    ? SpaceHeader::Plain
-           : letters == u"abcdefghijklp" ? SpaceHeader::Weighted
-                                         : SpaceHeader::None;
+    const QString letters = QStringLiteral("abcdefghijkl");
+    if (names.size() < letters.size() || names.size() > letters.size() + 1 ||
+        names.first(letters.size()).join(QString()).toLower() != letters)
+        return SpaceHeader::None;
+    if (names.size() == letters.size()) return SpaceHeader::Plain;
+    const auto last = tableColumn(names.last());
+    return last == TableColumn::Weight       ? SpaceHeader::Weighted
+           : last == TableColumn::Cumulative ? SpaceHeader::Cumulative
+                                             : SpaceHeader::None;
 }
 
 bool nameAllColumns(const QStringList& names) {

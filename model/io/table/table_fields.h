@@ -29,8 +29,8 @@ QList<Row> fieldsOf(const Row& cells);
 QStringList textsOf(const Row& cells);  // of each cell
 QStringList namesOf(const Row& header); // of each field, its words together
 
-// Names of the columns a … l of a map in space, with or without its weight.
-enum class SpaceHeader { None, Plain, Weighted };
+// Names of the columns a … l of a map in space, alone, or with its weight or the sum up to it behind them.
+enum class SpaceHeader { None, Plain, Weighted, Cumulative };
 SpaceHeader spaceHeader(const QStringList& names);
 // Whether these are the columns of a map, in the plane or in space.
 bool nameAllColumns(const QStringList& names);
@@ -38,10 +38,11 @@ bool nameAllColumns(const QStringList& names);
 // Which fields hold the columns of a map, where there are others.
 struct Picks {
     TableColumns columns; // of a map in the plane, as many as fields
-    bool isSpace = false;
+    SpaceHeader space = SpaceHeader::None;
     std::vector<qsizetype> fields;
     qsizetype width = 0; // fields of the header
 
+    bool isSpace() const { return space != SpaceHeader::None; }
     bool areAdjacent() const { return fields.back() - fields.front() + 1 == qsizetype(fields.size()); }
 };
 // By their names: every column once, and any others. Beside weights, their running sum is another. nullopt:

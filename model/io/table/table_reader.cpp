@@ -62,8 +62,8 @@ public:
             fail({},
                  Text::tr(
                      "There are no rows of numbers: a row consists of a b c d e f and optionally a weight."));
-        if (std::find(m_columns.begin(), m_columns.end(), TableColumn::Cumulative) != m_columns.end())
-            takeDifferences();
+        if (std::ranges::count(m_columns, TableColumn::Cumulative) > 0) takeDifferences(m_table.rows);
+        if (m_space == SpaceHeader::Cumulative) takeDifferences(m_table.spaceRows);
         return std::move(m_table);
     }
 
@@ -190,7 +190,9 @@ private:
         if (m_chosen) return pickForOrder();
         QStringList names = textsOf(cells);
         m_isOrderKnown = takeNames(names);
-        if (!m_isOrderKnown && names.size() > planeNumbers) { // what stands over the labels, perhaps in words
+        const auto first = tableColumn(names.first());
+        const bool isOverLabels = !first || !isWeight(*first);
+        if (!m_isOrderKnown && isOverLabels && names.size() > planeNumbers) { // perhaps in words
             names.remove(0, wordsOfField(cells));
             m_isOrderKnown = takeNames(names);
             m_labels = m_isOrderKnown ? Labels::Named : Labels::Unknown;
@@ -204,10 +206,11 @@ private:
         m_table.isTable = m_isOrderKnown;
     }
 
-    bool isWanted(const Picks& picks) const { return !picks.isSpace || m_wanted != TableMaps::Plane; }
+    bool isWanted(const Picks& picks) const { return !picks.isSpace() || m_wanted != TableMaps::Plane; }
 
     void take(Picks&& picks) {
-        if (!picks.isSpace) m_columns = picks.columns;
+        m_space = picks.space;
+        if (!picks.isSpace()) m_columns = picks.columns;
         m_picks = std::move(picks);
     }
 
@@ -216,7 +219,7 @@ private:
     void pickForOrder() {
         const QStringList names = namesOf(m_header);
         if (m_picks || names.size() <= qsizetype(m_columns.size()) + 1) return;
-        Picks picks{m_columns, false, {}, names.size()};
+        Picks picks{m_columns, {}, {}, names.size()};
         for (qsizetype i = 0; i < names.size(); ++i)
             if (tableColumn(names[i])) picks.fields.push_back(i);
         m_isToPick = !fits(picks);
@@ -231,7 +234,7 @@ private:
     void pickNumbers(const Row& cells) {
         m_isToPick = false;
         const QList<Row> fields = fieldsOf(cells);
-        Picks picks{m_columns, false, {}, fields.size()};
+        Picks picks{m_columns, {}, {}, fields.size()};
         for (qsizetype i = 0; i < fields.size(); ++i)
             if (fields[i].size() == 1 && value(fields[i].first())) picks.fields.push_back(i);
         if (picks.fields.size() == m_columns.size() + 1) picks.fields.erase(picks.fields.begin()); // labels
@@ -243,7 +246,7 @@ private:
         const Picks& picks = *m_picks;
         const QList<Row> fields = fieldsOf(cells);
         const bool isByPosition = m_dialect.separator != Separator::Blank || !picks.areAdjacent();
-        const bool mayEndEarly = !picks.isSpace && picks.columns.back() == TableColumn::Weight;
+        const bool mayEndEarly = !picks.isSpace() && picks.columns.back() == TableColumn::Weight;
         const qsizetype shift = isByPosition ? 0 : shiftOf(cells, mayEndEarly);
         Row chosen;
         for (const qsizetype field : picks.fields) {
@@ -303,6 +306,7 @@ private:
     bool takeNames(const QStringList& names) {
         if (const SpaceHeader space = spaceHeader(names); space != SpaceHeader::None) {
             if (m_wanted == TableMaps::Plane) return false;
+            m_space = space;
             m_fewest = names.size();
             m_most = spaceNumbers + 1;
             return true;
@@ -317,9 +321,10 @@ private:
 
     void failOrder() {
         m_table.isTable = true;
-        fail(m_header.first(),
-             Text::tr("The header does not say which column is a, b, c, d, e and f; choose the order of "
-                      "the columns."));
+        const QString sentence = Text::tr("The header does not say which column is a, b, c, d, e and f; "
+                                          "choose the order of the columns.");
+        const bool isSaid = !m_table.problems.isEmpty() && m_table.problems.last().message == sentence;
+        if (!isSaid) fail(m_header.first(), sentence);
     }
 
     void readRow(const Row& all) {
@@ -328,9 +333,10 @@ private:
         if (m_picks) return readPicked(all);
         const Row cells = withoutWords(all);
         if (!m_chosen && !m_isOrderKnown && !m_header.isEmpty()) {
-            const bool isOverIt = m_dialect.separator == Separator::Blank ? cells.size() == m_header.size()
-                                                                          : cells.size() >= m_header.size();
-            if (isOverIt && m_header.size() >= planeNumbers) return failOrder();
+            const bool isParted = m_dialect.separator != Separator::Blank;
+            const qsizetype names = isParted ? fieldsOf(m_header).size() : m_header.size();
+            const bool isOverIt = isParted ? fieldsOf(cells).size() >= names : cells.size() == names;
+            if (isOverIt && names >= planeNumbers) return failOrder();
             m_header.clear(); // a title
         }
         const auto start = beginOfNumbers(cells);
@@ -472,10 +478,10 @@ private:
         return row;
     }
 
-    void takeDifferences() {
+    void takeDifferences(auto& rows) {
         m_table.isCumulative = true;
         double before = 0;
-        for (auto& row : m_table.rows) {
+        for (auto& row : rows) {
             const double sum = row.weight.value_or(before);
             row.weight = sum - before;
             before = sum;
@@ -494,6 +500,7 @@ private:
     bool m_chosen;
     TableMaps m_wanted;
     TableColumns m_columns;
+    SpaceHeader m_space = SpaceHeader::None;
     qsizetype m_next = 0; // where the next line begins
     int m_line = 0;       // lines before it
     Row m_header;

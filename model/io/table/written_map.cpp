@@ -102,7 +102,12 @@ std::vector<std::optional<double>> weightsBetween(const QStringList& between) {
     for (const bool isBefore : {true, false})
         if (Weights beside = ofPairs(between, isBefore); areComplete(beside)) return beside;
     if (auto bounds = ofBounds(between.first(between.size() - 1))) return *std::move(bounds);
-    return Weights(behind.size());
+    const auto given = [](const Weights& weights) {
+        return std::ranges::count_if(weights, [](const auto& weight) { return weight.has_value(); });
+    };
+    Weights& more = given(behind) >= given(before) ? behind : before;
+    const bool areMeant = 2 * given(more) >= qsizetype(more.size());
+    return areMeant ? std::move(more) : Weights(behind.size());
 }
 
 } // namespace io

@@ -19,7 +19,8 @@ struct WrittenMap {
 QString tableOf(const std::vector<WrittenMap>& maps);
 
 // The weights that stand between the maps: `between` is the text before the first, between each two, and
-// behind the last. "p = 0.85", "probability 85%", "(85 %)"; or bounds of a random number, "r < 0.86".
+// behind the last. "p = 0.85", "probability 85%", "(85 %)"; or bounds of a random number, "r < 0.86". Some
+// are missing where at least half of the maps have one; else none has.
 std::vector<std::optional<double>> weightsBetween(const QStringList& between);
 
 } // namespace io

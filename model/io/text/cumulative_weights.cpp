@@ -8,13 +8,14 @@ namespace io {
 
 std::optional<QString> cumulativeRemark(const std::vector<std::optional<double>>& weights) {
     constexpr double tolerance = 1e-6; // of what was rounded
-    if (weights.size() < 3) return std::nullopt;
+    if (weights.size() < 2) return std::nullopt;
     double before = -1;
     for (const auto& weight : weights) {
-        if (!weight || *weight < 0 || *weight <= before) return std::nullopt;
+        if (!weight || *weight < 0 || *weight < before) return std::nullopt;
         before = *weight;
     }
-    if (weights[weights.size() - 2] == 0) return std::nullopt; // the last is all there is
+    const double beforeLast = *weights[weights.size() - 2];
+    if (beforeLast == 0 || beforeLast == before) return std::nullopt; // as 0 0 1 and 1 1 1
     for (const int whole : {1, 100})
         if (std::abs(before - whole) <= tolerance * whole)
             return Text::tr("The weights rise to %1, so they may be running sums. They are read as weights; "

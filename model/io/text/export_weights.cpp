@@ -27,4 +27,10 @@ std::optional<QString> weightRemark(std::size_t map, double weight) {
     return std::nullopt;
 }
 
+QString missingWeightRemark(std::size_t map) {
+    return Text::tr("Map %1 has no weight, so all weights are computed from the "
+                    "determinants and the given ones are ignored.")
+        .arg(map);
+}
+
 } // namespace io

@@ -227,26 +227,37 @@ private:
 
 // In the letters and signs of the parser; empty where there is any other.
 std::string plain(QStringView text) {
-    static const std::array<std::pair<QChar, const char*>, 12> signs{{{u'−', "-"},
-                                                                      {u'·', "*"},
-                                                                      {u'×', "*"},
-                                                                      {u'÷', "/"},
-                                                                      {u'⁄', "/"},
-                                                                      {u'π', " pi "},
-                                                                      {u'φ', " phi "},
-                                                                      {u'√', "sqrt"},
-                                                                      {u'°', " deg "},
-                                                                      {u'²', "^2"},
-                                                                      {u'³', "^3"},
-                                                                      {u'½', "(1/2)"}}};
+    static const std::array<std::pair<QChar, const char*>, 14> signs{
+        {{u'−', "-"},
+         {u'·', "*"},
+         {u'×', "*"},
+         {u'÷', "/"},
+         {u'⁄', "/"},
+         {u'π', " pi "},
+         {u'φ', " phi "},
+         {u'√', "sqrt"},
+         {u'°', " deg "},
+         {u'º', " deg "}, // of ordinals, on Spanish keyboards
+         {u'˚', " deg "}, // a ring
+         {u'²', "^2"},
+         {u'³', "^3"},
+         {u'½', "(1/2)"}}};
     std::string result;
-    for (const QChar c : text) {
+    for (qsizetype i = 0; i < text.size(); ++i) {
+        const QChar c = text[i];
         const auto sign = std::ranges::find(signs, c, &std::pair<QChar, const char*>::first);
         if (sign != signs.end()) {
             const char last = result.empty() ? ' ' : result.back();
             const bool isFactor = c == u'π' || c == u'φ' || c == u'√';
             if (isFactor && ((last >= '0' && last <= '9') || last == ')')) result += '*'; // as in 2π
             result += sign->second;
+            if (c != u'√') continue;
+            qsizetype end = i + 1; // of the number under it, as in √3/2
+            while (end < text.size() && ((text[end] >= u'0' && text[end] <= u'9') || text[end] == u'.'))
+                ++end;
+            if (end == i + 1) continue;
+            result += '(' + text.sliced(i + 1, end - i - 1).toLatin1().toStdString() + ')';
+            i = end - 1;
         } else if (c.unicode() < 128 && (c.isLetterOrNumber() || QStringView(u"+-*/^()., ").contains(c))) {
             result += c.toLower().toLatin1();
         } else {

@@ -58,6 +58,7 @@ void CliInfoTest::factsOfTheMaple() {
     QVERIFY(maple[QLatin1String("cage")].isNull());
     const QString text = QString::fromUtf8(run("info systems.ifs --entry MAPLE").out).simplified();
     QVERIFY2(text.contains(QStringLiteral("map 3 0.65 0.29 -0.3 0.48 0.74 0.39 ")), qPrintable(text));
+    QVERIFY2(text.contains(QStringLiteral(" vertices (approximation), ")), qPrintable(text));
 }
 
 // Lévy's curve is held by an octagon of exact corners; map 1 is off, so the maps of the addresses are 2

@@ -3,13 +3,16 @@
 #include "support/named_test.h"
 
 #include <QAction>
+#include <QComboBox>
 #include <QDialog>
 #include <QLabel>
 #include <QLineEdit>
 #include <QMessageBox>
 #include <QSignalSpy>
+#include <QSlider>
 #include <QTest>
 #include <QVBoxLayout>
+#include <QWheelEvent>
 
 class ApplicationTest : public QObject {
     Q_OBJECT
@@ -19,6 +22,7 @@ private slots:
     void aLongTitleIsCut();
     void fieldsLeaveCommandsTheirKeys();
     void aLetterAnswersNoQuestion();
+    void theWheelNeedsTheFocus();
 };
 
 namespace {
@@ -75,6 +79,38 @@ void ApplicationTest::aLetterAnswersNoQuestion() {
     QTest::keyClick(QApplication::focusWidget(), Qt::Key_D, Qt::AltModifier);
     QTRY_COMPARE(clicked.count(), 1);
     QCOMPARE(box.clickedButton(), box.button(QMessageBox::Discard));
+}
+
+// Of lists and sliders of every window.
+void ApplicationTest::theWheelNeedsTheFocus() {
+    QWidget window;
+    auto* layout = new QVBoxLayout(&window);
+    auto* field = new QLineEdit;
+    auto* list = new QComboBox;
+    list->addItems({QStringLiteral("a"), QStringLiteral("b")});
+    auto* slider = new QSlider(Qt::Horizontal);
+    slider->setValue(50);
+    for (QWidget* widget : QList<QWidget*>{field, list, slider})
+        layout->addWidget(widget);
+    window.show();
+    QVERIFY(QTest::qWaitForWindowActive(&window));
+    const auto turn = [](QWidget* widget) {
+        const QPointF middle = QRectF(widget->rect()).center();
+        QWheelEvent event(middle, widget->mapToGlobal(middle), {}, {0, -120}, Qt::NoButton, Qt::NoModifier,
+                          Qt::NoScrollPhase, false);
+        qApp->notify(widget, &event);
+    };
+    field->setFocus();
+    turn(list);
+    turn(slider);
+    QCOMPARE(list->currentIndex(), 0);
+    QCOMPARE(slider->value(), 50);
+    list->setFocus();
+    turn(list);
+    QCOMPARE(list->currentIndex(), 1);
+    slider->setFocus();
+    turn(slider);
+    QVERIFY(slider->value() < 50);
 }
 
 BARYCAGE_TEST(ApplicationTest, Application);

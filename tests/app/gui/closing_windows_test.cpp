@@ -41,6 +41,7 @@ private slots:
     void theQuestionGoesWithTheLastExport();
     void anExportInADialogIsAskedAbout();
     void whatIsSavedOnTheWayIsOpenedAgain();
+    void whoStaysKeepsItsPanels_data();
     void whoStaysKeepsItsPanels();
 };
 
@@ -193,10 +194,19 @@ void ClosingWindowsTest::whatIsSavedOnTheWayIsOpenedAgain() {
     QCOMPARE(*session::filesToReopen(), QStringList{path});
 }
 
+void ClosingWindowsTest::whoStaysKeepsItsPanels_data() {
+    QTest::addColumn<bool>("isChangedFirst");
+    QTest::newRow("the last one has changes") << false;
+    QTest::newRow("the first one has changes") << true;
+}
+
 // A panel that floats is a window of its own. Nothing is closed before all have been asked, and nobody twice.
 void ClosingWindowsTest::whoStaysKeepsItsPanels() {
-    MainWindow* saved = shown(support::testData(QStringLiteral("dos.ifs")));
-    MainWindow* changed = shown(support::testData(QStringLiteral("shapes.ifs")));
+    QFETCH(bool, isChangedFirst);
+    MainWindow* first = shown(support::testData(QStringLiteral("dos.ifs")));
+    MainWindow* last = shown(support::testData(QStringLiteral("shapes.ifs")));
+    MainWindow* saved = isChangedFirst ? last : first;
+    MainWindow* changed = isChangedFirst ? first : last;
     QVERIFY(QTest::qWaitForWindowExposed(changed));
     QList<QDockWidget*> panels;
     for (MainWindow* window : {saved, changed}) {

@@ -129,6 +129,10 @@ void NotationsTest::tablesInMarkup() {
 
 void NotationsTest::formulas_data() {
     addNotationColumns();
+    addNotation("arrows",
+                "T1: x -> 0.5 x + 0.1 y + 3, y -> -0.2 x + 0.4 y + 7 (25 %)\n"
+                "T2: x ↦ 0.1 x + 1, y ↦ 0.5 y (75 %)\n",
+                "equations");
     addNotation(
         "matrices and vectors",
         "\\begin{align*}\nw_1\\begin{bmatrix}x\\\\y\\end{bmatrix} &= \\begin{bmatrix}\\frac12 & 0.1\\\\[2pt] "

@@ -251,6 +251,13 @@ private slots:
         QCOMPARE(summary(table), QStringLiteral("0.5 0 0.25 -0.5 1 2 0.75"));
     }
 
+    void unitsStandBesideNames() {
+        const io::Table table = io::readTable(
+            QStringLiteral("θ°\tφ°\tr\ts\te\tf\tp %\n90\t90\t.5\t.5\t0\t0\t50\n0\t0\t.5\t.5\t1\t0\t50\n"));
+        QVERIFY(table.problems.isEmpty());
+        QCOMPARE(summary(table), QStringLiteral("0 -0.5 0.5 0 0 0 50/0.5 0 0 0.5 1 0 50"));
+    }
+
     void anglesTurnCounterClockwise() {
         const io::Table table = io::readTable(QStringLiteral("1 2 30 60 0 0"),
                                               io::tableColumns(QStringLiteral("r s theta phi e f")));
@@ -279,6 +286,12 @@ private slots:
             QVERIFY2(!io::tableColumns(QString::fromLatin1(bad)), bad);
     }
 
+    void anUnknownOrderIsSaidOnce() {
+        const io::Table table = io::readTable(QStringLiteral("m,n,o,p,q,r\n1,2,3,4,5,6\n1,2,3,4,5,6\n"));
+        QCOMPARE(table.problems.size(), 1);
+        QVERIFY(table.problems.first().message.contains(QStringLiteral("choose the order")));
+    }
+
     void errors_data() {
         QTest::addColumn<QString>("text");
         QTest::addColumn<int>("line");
@@ -291,6 +304,10 @@ private slots:
         QTest::newRow("mixed decimals") << QStringLiteral("0,5\t0.5\t3\t4\t5\t6") << 1 << 5;
         QTest::newRow("words later") << QStringLiteral("1 2 3 4 5 6\nend of table") << 2 << 1;
         QTest::newRow("unknown order of columns") << QStringLiteral("m n o p q r\n1 2 3 4 5 6") << 1 << 1;
+        QTest::newRow("unknown columns in words")
+            << QStringLiteral("scale x,scale y,turn x,turn y,to x,to y\n.5,.5,30,30,1,2") << 1 << 1;
+        QTest::newRow("unknown unit")
+            << QStringLiteral("r,s,theta (rad),phi (rad),e,f\n.5,.5,1,1,0,2\n.5,.5,0,0,0,2") << 1 << 1;
         QTest::newRow("last row of a matrix") << QStringLiteral("1\n.5\n1 0 0\n0 1 0\n0 0 2") << 5 << 1;
         const auto row = [](const char* text, int line, int column) {
             QTest::newRow(qPrintable(QString::fromUtf8(text).replace(u'\n', u'/')))

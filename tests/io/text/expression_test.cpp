@@ -34,6 +34,8 @@ void ExpressionTest::values_data() {
     row("-1/3", -1.0 / 3);
     row("sqrt(3)/6", std::sqrt(3.0) / 6);
     row("√(3)/6", std::sqrt(3.0) / 6);
+    row("√3/6", std::sqrt(3.0) / 6);
+    row("-2√0.25", -1);
     row("cos(36°)", std::cos(std::numbers::pi / 5));
     row("cos(60°)", 0.5);
     row("cos(90°)", 0);
@@ -93,6 +95,8 @@ void ExpressionTest::degrees_data() {
     row("90°", 90, true);
     row("-90°", -90, true);
     row("45°/2", 22.5, true);
+    row("45º", 45, true);
+    row("45˚", 45, true);
     row("2*45°", 90, true);
     row("1e-20°", 1e-20, true);
     row("180°/pi", 180 / std::numbers::pi, true);

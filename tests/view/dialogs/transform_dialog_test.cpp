@@ -111,6 +111,19 @@ private slots:
         dialog.reject();
     }
 
+    void anglesOfSolidsAreInDegrees() {
+        m_document->setFile(document::fileOf(solid()));
+        TransformDialog dialog(m_document.get());
+        dialog.show();
+        for (const char* typed : {"pi/2", "acos(0)", "90"}) {
+            type(dialog, TransformDialog::Rotation, QStringLiteral("10"));
+            QCOMPARE(dialog.spaceTransformation().rotation, 10.0);
+            type(dialog, TransformDialog::Rotation, QString::fromLatin1(typed));
+            QCOMPARE(dialog.spaceTransformation().rotation, 90.0);
+        }
+        dialog.reject();
+    }
+
     // In the field that follows, too.
     void expressionsStay() {
         TransformDialog dialog(m_document.get());

@@ -7,6 +7,8 @@
 
 #include <QtTest>
 
+#include <cmath>
+
 using namespace space_window;
 
 // What stays in its place while the view turns.
@@ -16,6 +18,7 @@ class SpacePivotTest : public QObject {
 private slots:
     void besideTheSolidOneTurnsAboutIt();
     void anOrbitTurnsAboutItsPivot();
+    void skewedSolidsTurnAboutTheirPivots();
     void anotherAxisIsSeenAtOnce();
 };
 
@@ -55,6 +58,34 @@ void SpacePivotTest::anOrbitTurnsAboutItsPivot() {
     }
     window.document.setMoment(animation::moment(0));
     QVERIFY((window.camera().target - beside.target).norm() < 1e-12);
+}
+
+// Placed askew, about an axis that leans, about the middle of what is shown and about another point.
+void SpacePivotTest::skewedSolidsTurnAboutTheirPivots() {
+    document::Fractal skewed = cubeOfEight();
+    document::space(skewed)->cage = document::spaceCage(skewed);
+    auto& corners = document::space(skewed)->cage->current;
+    corners[1] += ifs::Vector<3>(1, 0.5, 0);
+    corners[2] += ifs::Vector<3>(0, 1, 2);
+    const document::Fractal turning =
+        *document::withOrbit(skewed, document::directionOf({.axis = 1, .lean = 30, .towards = 40}));
+    document::OrbitPlace place = *document::orbitPlace(turning, 0);
+    for (int i = 0; i < 3; ++i) {
+        const auto [low, high] = document::extentAlong(skewed, ifs::Vector<3>::Unit(i));
+        QVERIFY(std::abs(place.centre[i] - (low + high) / 2) < 1e-4);
+    }
+    for (const ifs::Vector<3>& pivot : {place.centre, ifs::Vector<3>(2, -1, 0.5)}) {
+        place.centre = pivot;
+        Window window(document::withOrbitPlace(turning, 0, place));
+        QVERIFY(window.rests());
+        const attractor::OrbitCamera start = window.camera();
+        const ifs::Vector<2> before = toScreen(start, pivot).pixel;
+        for (const int frame : {30, 75, 110}) {
+            window.document.setMoment(animation::moment(frame));
+            QVERIFY((toScreen(window.camera(), pivot).pixel - before).norm() < 1e-3);
+            QVERIFY(window.camera().orientation.angularDistance(start.orientation) > 0.3);
+        }
+    }
 }
 
 // And when it is taken back, the view is what it was.

@@ -7,6 +7,7 @@
 #include "document/maps/map_names.h"
 #include "document/text/text.h"
 #include "io/file/background.h"
+#include "io/text/cumulative_weights.h"
 #include "widgets/background/wait_for.h"
 
 #include <QClipboard>
@@ -15,7 +16,9 @@
 
 #include <algorithm>
 #include <memory>
+#include <optional>
 #include <utility>
+#include <vector>
 
 namespace view {
 
@@ -43,6 +46,14 @@ std::vector<ifs::WeightedMap<3>> spaceMapsIn(const QString& text) {
     for (const document::Entry& entry : found.entries)
         if (const document::System3* solid = document::system3(*entry.fractal)) return solid->maps;
     return {};
+}
+
+// Of weights that may be running sums.
+template <int Dim> QString remarkOnSums(const std::vector<ifs::WeightedMap<Dim>>& maps) {
+    std::vector<std::optional<double>> weights;
+    for (const ifs::WeightedMap<Dim>& map : maps)
+        weights.push_back(map.weight);
+    return io::cumulativeRemark(weights).value_or(QString());
 }
 
 void giveNames(document::MapsEdit& edit, const QStringList& names) {
@@ -81,6 +92,7 @@ void MapsClipboard::pasteInPlane(const document::Rows& rows) {
     const QMimeData* data = QGuiApplication::clipboard()->mimeData();
     QString text;
     QStringList names;
+    QString remark;
     FoundMaps found;
     if (const CopiedMaps* ours = data ? ourMaps(*data) : nullptr) {
         if (ours->plane.empty())
@@ -94,6 +106,7 @@ void MapsClipboard::pasteInPlane(const document::Rows& rows) {
             [text, areOurs](QPromise<FoundMaps>& promise) { promise.addResult(mapsIn(text, areOurs)); });
         if (!waitFor(QFuture<void>(reading), Text::tr("Reading the pasted text…"), m_window)) return;
         found = reading.takeResult();
+        if (!found.table.isCumulative) remark = remarkOnSums<2>(found.table.rows);
     }
     const io::Table& table = found.table;
     if (found.isOrderOpen) {
@@ -120,12 +133,13 @@ void MapsClipboard::pasteInPlane(const document::Rows& rows) {
     document::MapsEdit edit = withMapsPasted(m_document->fractal(), rows, table.rows);
     giveNames(edit, names);
     finish(rows, int(table.rows.size()), std::move(edit),
-           table.problems.isEmpty() ? QString() : table.problems.front().message);
+           table.problems.isEmpty() ? remark : table.problems.front().message);
 }
 
 void MapsClipboard::pasteInSpace(const document::Rows& rows) {
     const QMimeData* data = QGuiApplication::clipboard()->mimeData();
     CopiedMaps maps;
+    QString remark;
     if (const CopiedMaps* ours = data ? ourMaps(*data) : nullptr) {
         maps = *ours;
         if (maps.space.empty())
@@ -137,12 +151,13 @@ void MapsClipboard::pasteInSpace(const document::Rows& rows) {
             });
         if (!waitFor(QFuture<void>(reading), Text::tr("Reading the pasted text…"), m_window)) return;
         maps = reading.takeResult();
+        remark = remarkOnSums<3>(maps.space);
     }
     if (maps.space.empty())
         return emit message(tr("Nothing was pasted: the clipboard contains no rows of 12 or 13 numbers."));
     document::MapsEdit edit = withMapsPasted(m_document->fractal(), rows, maps.space);
     giveNames(edit, maps.names);
-    finish(rows, int(maps.space.size()), std::move(edit), {});
+    finish(rows, int(maps.space.size()), std::move(edit), remark);
 }
 
 void MapsClipboard::finish(const document::Rows& rows, int count, document::MapsEdit edit,

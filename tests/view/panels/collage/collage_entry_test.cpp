@@ -52,6 +52,8 @@ private slots:
         support::choose(named<QComboBox>(QStringLiteral("Number of maps")), 4);
         push("Suggest");
         settle();
+        m_canvas->navigation().zoomBy(3);
+        QVERIFY(!m_canvas->navigation().isFitted());
         use(0);
         QCOMPARE(m_document->file().entries.size(), 2);
         QVERIFY(*m_document->file().entries[0].fractal == moving); // not overwritten
@@ -69,7 +71,9 @@ private slots:
         const document::Fractal chosen = m_document->fractal();
         auto* list = m_panel->findChild<view::SuggestionList*>();
         if (list->count() > 1) { // another one instead, in the same entry
+            m_canvas->navigation().zoomBy(3);
             use(1);
+            QVERIFY(m_canvas->navigation().isFitted());
             QCOMPARE(m_document->currentId(), made);
             QCOMPARE(m_document->file().entries.size(), 2);
             QVERIFY(!(m_document->fractal() == chosen));

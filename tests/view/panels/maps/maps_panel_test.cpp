@@ -347,6 +347,16 @@ private slots:
         QCOMPARE(m_panel->model()->rowCount(), 5);
         QVERIFY2(messages.back().front().toString().startsWith(QStringLiteral("Nothing was pasted")),
                  qPrintable(messages.back().front().toString()));
+        QGuiApplication::clipboard()->setText(
+            QStringLiteral("a b c d e f p\n.5 0 0 .5 0 0 1\n.5 0 0 .5 1 0 86\n.5 0 0 .5 0 1 100\n"));
+        m_panel->appendPasted();
+        QVERIFY2(messages.back().front().toString().contains(QStringLiteral("“cumulative”")),
+                 qPrintable(messages.back().front().toString()));
+        QGuiApplication::clipboard()->setText(QStringLiteral(
+            "a = [.5,.5]\nb = [0,0]\nc = [0,0]\nd = [.5,.5]\ne = [0,1]\nf = [0,0]\np = [.2,.3,.5]\n"));
+        m_panel->appendPasted();
+        QVERIFY2(messages.back().front().toString().contains(QStringLiteral("“p” has 3 numbers")),
+                 qPrintable(messages.back().front().toString()));
     }
 
     // Each equation in a row: only in that order does every map contract, and the user may say otherwise.
