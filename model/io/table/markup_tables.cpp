@@ -15,7 +15,6 @@
 #include <algorithm>
 #include <functional>
 #include <queue>
-#include <ranges>
 #include <vector>
 
 namespace io {
@@ -98,10 +97,8 @@ std::vector<Environment> allEnvironments(const QString& text) {
         }
     }
     qsizetype next = text.size();
-    for (Environment& one : all | std::views::reverse) {
-        if (one.end < 0) one.bodyEnd = one.end = std::max(next, one.body);
-        next = one.begin;
-    }
+    for (auto one = all.rbegin(); one != all.rend(); next = one++->begin)
+        if (one->end < 0) one->bodyEnd = one->end = std::max(next, one->body);
     return all;
 }
 
