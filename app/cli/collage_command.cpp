@@ -16,6 +16,7 @@
 #include "io/picture/plane_export.h"
 #include "io/report/json_writer.h"
 
+#include <QDir>
 #include <QFileInfo>
 
 #include <memory>
@@ -103,7 +104,10 @@ void checkOutputs(const CollageArguments& arguments) {
     if (!arguments.report) return;
     const QString report = fileNameOf(*arguments.report);
     refuseToReplaceInput(report);
-    if (report == output || (!isStandardOutput(report) && isSameFile(report, output)))
+    const auto place = [](const QString& path) {
+        return QDir::cleanPath(QFileInfo(path).absoluteFilePath());
+    };
+    if (place(report) == place(output) || (!isStandardOutput(report) && isSameFile(report, output)))
         throw UsageError{tr("--report “%1” names the output. Write to another file.").arg(report)};
 }
 

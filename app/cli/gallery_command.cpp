@@ -3,7 +3,6 @@
 #include "options/tr.h"
 #include "options/usage_error.h"
 #include "process/arguments.h"
-#include "process/files_read.h"
 #include "process/input.h"
 #include "process/interrupt.h"
 #include "process/messages.h"
@@ -153,7 +152,6 @@ ExitStatus gallery(const GalleryArguments& arguments) {
     if (file && arguments.page) throw UsageError{tr("--page cannot be used here: only a .pdf has pages.")};
     const QPageSize page = arguments.page.value_or(QPageSize(QPageSize::A4));
     const ExitStatus read = addFiles(arguments, style, sheet);
-    refuseToReplaceInput(output);
     if (sheet.sections.isEmpty()) {
         reportError(output, tr("No file contains an entry that can be shown, so nothing was written."));
         return std::max(read, ExitStatus::InputProblems);

@@ -18,6 +18,7 @@
 #include "widgets/wheel_needs_focus.h"
 
 #include <QDialog>
+#include <QDropEvent>
 #include <QEvent>
 #include <QFontMetrics>
 #include <QIcon>
@@ -26,6 +27,7 @@
 #include <QLibraryInfo>
 #include <QLocale>
 #include <QMessageBox>
+#include <QMimeData>
 #include <QScopeGuard>
 #include <QTextEdit>
 #include <QTimer>
@@ -104,6 +106,14 @@ bool isTyped(const QKeyEvent& event) {
     return isLetter && !(event.modifiers() & command);
 }
 
+// Whoever takes a file that another program offers only reads it, fields for text included: for a move, that
+// program would delete it.
+void leaveFilesWhereTheyAre(QDropEvent& event) {
+    const bool isFile = event.source() == nullptr && event.mimeData()->hasUrls();
+    if (isFile && event.isAccepted() && event.dropAction() == Qt::MoveAction)
+        event.setDropAction(Qt::CopyAction);
+}
+
 void makeRoomForTitle(QDialog& dialog) {
     if (!dialog.isWindow()) return;
     QFont font = QApplication::font("QMdiSubWindowTitleBar");
@@ -133,7 +143,11 @@ bool Application::notify(QObject* receiver, QEvent* event) try {
         if (auto* label = qobject_cast<QLabel*>(receiver)) makePlain(*label);
         if (auto* dialog = qobject_cast<QDialog*>(receiver)) makeRoomForTitle(*dialog);
     }
-    return QApplication::notify(receiver, event);
+    const bool done = QApplication::notify(receiver, event);
+    if (const QEvent::Type type = event->type();
+        type == QEvent::DragEnter || type == QEvent::DragMove || type == QEvent::Drop)
+        leaveFilesWhereTheyAre(*static_cast<QDropEvent*>(event));
+    return done;
 } catch (const std::system_error& error) {
     if (!shortage::isOfThread(error)) throw;
     shortage::sayNoThread();

@@ -15,6 +15,7 @@
 #include <atomic>
 #include <cstdio>
 #include <memory>
+#include <new>
 #include <system_error>
 
 namespace shortage {
@@ -102,8 +103,10 @@ void sayNoThread() {
     say(noThread());
 }
 
-void sayNoMemory() {
+void sayNoMemory() try {
     say(QCoreApplication::translate("Application", "There is not enough memory for this."));
+} catch (const std::bad_alloc&) {
+    // Not even for that.
 }
 
 void endAtStart() {

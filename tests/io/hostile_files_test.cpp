@@ -287,6 +287,20 @@ void HostileFilesTest::nestedListsTakeNoLonger_data() {
     QTest::newRow("matrices") << nested('{' + QByteArray("\"x\":1,").repeated(700) + "\"m\":", "[1]", "}");
     QTest::newRow("weighted lists") << '[' + times(nested("[1,", "1", "]") + ',', 1'500) + ']';
     QTest::newRow("lists around nothing") << '[' + times(nested("[", "", "]") + ',', 3'000) + ']';
+    const auto repeated = [](const char* name, const char* piece, int count, const QByteArray& end = {}) {
+        QTest::newRow(name) << QByteArray(piece).repeated(count) + end;
+    };
+    repeated("matrices without ends", "\\begin{pmatrix}", 50'000);
+    repeated("matrices with open braces", "\\begin{pmatrix}{", 50'000);
+    repeated("matrices inside each other", "\\begin{pmatrix}", 20'000,
+             QByteArray("\\end{pmatrix}").repeated(20'000));
+    repeated("points one after the other", "x=[[1,2,3,4,5,6],", 40'000);
+    repeated("rows with open brackets", "\\begin{pmatrix}1\\\\[", 50'000);
+    repeated("spaces with open brackets", "\\begin{pmatrix}\\hspace[", 50'000);
+    repeated("environments with open braces", "\\begin{tabularx}{{", 50'000);
+    repeated("words", "- ", 500'000, "1");
+    QTest::newRow("links of a wiki") << "{|\n|" + QByteArray("[[").repeated(200'000);
+    QTest::newRow("formulas of a wiki") << "{|\n|" + QByteArray("<math>").repeated(100'000);
 }
 
 // In proportion to the size of the file, however deep the lists.

@@ -38,6 +38,11 @@ QString remembered(const QString& chosen) {
 
 } // namespace
 
+QString suggestedName(const QString& name, const QString& suffix) {
+    const QString ending = u'.' + suffix;
+    return document::fileNamePart(name, document::maxFileName - ending.toUtf8().size()) + ending;
+}
+
 QString chooseFileToSave(QWidget* parent, const QString& title, const QString& suggestion,
                          const QString& filter, const QString& suffix, bool asksToReplace) {
     const QFileInfo suggested(suggestion);
@@ -46,7 +51,7 @@ QString chooseFileToSave(QWidget* parent, const QString& title, const QString& s
     dialog.setAcceptMode(QFileDialog::AcceptSave);
     dialog.setOption(QFileDialog::DontConfirmOverwrite, !asksToReplace);
     dialog.setDefaultSuffix(suffix);
-    dialog.selectFile(suggested.isAbsolute() ? suggested.fileName() : document::fileNamePart(suggestion));
+    dialog.selectFile(suggested.fileName());
     if (dialog.exec() != QDialog::Accepted) return {};
     return remembered(dialog.selectedFiles().value(0));
 }

@@ -10,7 +10,10 @@ class QWidget;
 // result: the user has cancelled.
 namespace view {
 
-// `suggestion` is a name, or the path of a file. `asksToReplace` is false where the caller asks.
+// The name of a new file for what has the given name, which may come from any file.
+QString suggestedName(const QString& name, const QString& suffix);
+
+// `suggestion` is such a name, or the path of a file. `asksToReplace` is false where the caller asks.
 QString chooseFileToSave(QWidget* parent, const QString& title, const QString& suggestion,
                          const QString& filter, const QString& suffix, bool asksToReplace = true);
 QString chooseFileToOpen(QWidget* parent, const QString& title, const QString& filter,

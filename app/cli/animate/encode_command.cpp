@@ -147,6 +147,10 @@ public:
             return ExitStatus::CannotReadOrWrite;
         }
         learnFromNewest(there);
+        if (m_obstacle) {
+            reportError(m_pattern, *m_obstacle);
+            return ExitStatus::CannotReadOrWrite;
+        }
         if (const ExitStatus status = chooseFrom(there); status != ExitStatus::Done) return status;
         m_size = m_looked[numberOf(0)].size;
         if (m_looked[numberOf(0)].isDeep)
@@ -241,19 +245,22 @@ private:
                 ++offsets[number - marks.number];
         if (!m_arguments.ranges && !offsets.empty())
             m_offset = std::ranges::max_element(offsets, {}, &std::pair<const int, int>::second)->first;
-        readEntry(numbered(m_pattern, source));
+        m_obstacle = readEntry(numbered(m_pattern, source));
+        if (m_looked[source].damage) m_obstacle.reset(); // which is said if the picture is wanted
     }
 
     // What the pictures carry, if they do.
-    void readEntry(const QString& path) {
+    io::Failure readEntry(const QString& path) {
         const io::Loaded first = io::loadFile(path);
+        if (first.failure) return first.failure;
         const io::EmbeddedSystem system = io::readPngSystem(first.bytes);
-        if (system.failure) return;
+        if (system.failure) return std::nullopt;
         const document::FractalFile file = io::readFractint(system.text);
-        if (file.entries.isEmpty()) return;
+        if (file.entries.isEmpty()) return std::nullopt;
         m_systemText = system.text;
         m_title = file.entries.first().fractal->name;
         m_facts = document::animationFacts(*file.entries.first().fractal);
+        return std::nullopt;
     }
 
     io::VideoSettings settings() const {
@@ -337,6 +344,7 @@ private:
     QString m_newest;
     QByteArray m_animation;
     int m_offset = 0;
+    io::Failure m_obstacle; // to learning what the pictures carry
     QByteArray m_systemText;
     QString m_title;
     std::optional<document::AnimationFacts> m_facts;

@@ -397,15 +397,16 @@ private:
     // The output is a file that was given to be read, and what it holds would be gone.
     bool wouldLose(const QString& output) const {
         if (m_arguments.overwrite || isStandardOutput(output)) return false;
-        if (isSameFile(output, m_input)) {
+        if (isSameFile(output, fileBehind(m_input))) {
             if (m_holdsLess)
                 reportError(output, tr("This is the input file, and the output would contain less than it "
                                        "does. Write to another file, or replace it with --overwrite."));
             return m_holdsLess;
         }
         const bool isOther =
-            std::any_of(m_arguments.files.begin(), m_arguments.files.end() - 1,
-                        [&](const std::string& file) { return isSameFile(output, fileNameOf(file)); });
+            std::any_of(m_arguments.files.begin(), m_arguments.files.end() - 1, [&](const std::string& file) {
+                return isSameFile(output, fileBehind(fileNameOf(file)));
+            });
         if (isOther)
             reportError(output,
                         tr("This is one of the input files, and “%1” would replace it. Write to another "

@@ -21,7 +21,7 @@ QSet<QString>& filesRead() {
 } // namespace
 
 void noteRead(const QString& path) {
-    if (!isStandardOutput(path)) filesRead() << path;
+    filesRead() << fileBehind(path);
 }
 
 void forgetFilesRead() {

@@ -12,6 +12,10 @@ bool isStandardOutput(const QString& output) {
     return output == u"-";
 }
 
+QString fileBehind(const QString& input) {
+    return input == u"-" ? QStringLiteral("/dev/stdin") : input;
+}
+
 bool isSameFile(const QString& a, const QString& b) {
     namespace fs = std::filesystem;
     std::error_code error;

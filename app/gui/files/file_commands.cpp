@@ -2,7 +2,6 @@
 #include "files/file_commands.h"
 
 #include "document/edits/cage/placements.h"
-#include "document/text/file_names.h"
 #include "document/tops/picture_paths.h"
 #include "io/file/background.h"
 #include "io/fractint/fractint_writer.h"
@@ -193,7 +192,8 @@ bool FileCommands::saveAs() {
     if (m_lessons.refusesSaving && m_lessons.refusesSaving()) return false;
     const QString suggestion =
         m_file->path().isEmpty()
-            ? document::uniqueName({}, m_context.document->fractal().name) + QStringLiteral(".ifs")
+            ? view::suggestedName(document::uniqueName({}, m_context.document->fractal().name),
+                                  QStringLiteral("ifs"))
             : m_file->path();
     const QString path = view::chooseFileToSave(m_context.window, tr("Save As"), suggestion,
                                                 tr("Fractint collections (*.ifs)"), QStringLiteral("ifs"));
@@ -212,13 +212,15 @@ bool FileCommands::saveTo(const QString& path) {
 void FileCommands::saveForOtherPrograms() {
     if (m_lessons.refusesSaving && m_lessons.refusesSaving()) return;
     const QFileInfo own(m_file->path());
-    const QString base =
+    const QString suggestion =
         m_file->path().isEmpty()
-            ? document::fileNamePart(document::uniqueName({}, m_context.document->fractal().name))
-            : own.path() + u'/' + own.completeBaseName();
-    const QString path = view::chooseFileToSave(m_context.window, tr("Save a Copy for Other Programs"),
-                                                base + QStringLiteral("-copy.ifs"),
-                                                tr("Fractint collections (*.ifs)"), QStringLiteral("ifs"));
+            ? view::suggestedName(document::uniqueName({}, m_context.document->fractal().name) +
+                                      QStringLiteral("-copy"),
+                                  QStringLiteral("ifs"))
+            : own.path() + u'/' + own.completeBaseName() + QStringLiteral("-copy.ifs");
+    const QString path =
+        view::chooseFileToSave(m_context.window, tr("Save a Copy for Other Programs"), suggestion,
+                               tr("Fractint collections (*.ifs)"), QStringLiteral("ifs"));
     if (path.isEmpty()) return;
     const QString name = QFileInfo(path).fileName();
     if (!m_file->path().isEmpty() && QFileInfo(path).absoluteFilePath() == own.absoluteFilePath())

@@ -28,7 +28,8 @@ struct WindowText {
 void exportWebPage(const MenuContext& context, const QString& folder) {
     io::PageExport page;
     page.fractal = context.document->fractal();
-    QString suggestion = document::uniqueName({}, page.fractal.name) + QStringLiteral(".html");
+    QString suggestion =
+        view::suggestedName(document::uniqueName({}, page.fractal.name), QStringLiteral("html"));
     if (!folder.isEmpty()) suggestion.prepend(folder + u'/');
     const QString path = view::chooseFileToSave(context.window, WindowText::tr("Export Web Page"), suggestion,
                                                 WindowText::tr("Web pages (*.html)"), QStringLiteral("html"));

@@ -436,10 +436,10 @@ bool LessonCommands::saveAs() {
     const QFileInfo fractals(m_file->path());
     QString suggestion = m_notebook->path();
     if (suggestion.isEmpty())
-        suggestion =
-            hasFile
-                ? fractals.dir().filePath(fractals.completeBaseName() + QStringLiteral(".lesson"))
-                : document::uniqueName({}, context().document->fractal().name) + QStringLiteral(".lesson");
+        suggestion = hasFile
+                         ? fractals.dir().filePath(fractals.completeBaseName() + QStringLiteral(".lesson"))
+                         : view::suggestedName(document::uniqueName({}, context().document->fractal().name),
+                                               QStringLiteral("lesson"));
     const QString path = view::chooseFileToSave(m_parts.window, tr("Save Lesson"), suggestion,
                                                 tr("Lessons (*.lesson)"), QStringLiteral("lesson"));
     return !path.isEmpty() && saveFractalsBeside(path) && saveTo(path);

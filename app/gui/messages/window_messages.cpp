@@ -10,6 +10,15 @@ namespace {
 
 constexpr int sayingTime = 8000; // milliseconds
 
+// As much as a screen holds is read at once; the rest is behind the button for details.
+void addFailure(QMessageBox& box, const QString& text) {
+    constexpr qsizetype atOnce = 6;
+    if (const QString before = box.informativeText(); before.count(u'\n') < atOnce)
+        box.setInformativeText(before + u'\n' + text);
+    else
+        box.setDetailedText(box.detailedText() + text + u'\n');
+}
+
 } // namespace
 
 WindowMessages::WindowMessages(QMainWindow* window) : QObject(window), m_window(window) {}
@@ -19,11 +28,12 @@ void WindowMessages::say(const QString& sentence) {
 }
 
 void WindowMessages::fail(const QString& title, const QString& sentence) {
+    if (m_failures.size() > 1) return addFailure(*m_failures.last(), title + QStringLiteral(". ") + sentence);
     auto* box = new QMessageBox(QMessageBox::Critical, QApplication::applicationDisplayName(), title + u'.',
                                 QMessageBox::Ok, m_window);
     box->setInformativeText(sentence);
     box->setAttribute(Qt::WA_DeleteOnClose);
-    // One after the other: with two open, keys would reach neither.
+    // One after the other: with two open, keys would reach neither. What fails meanwhile is said together.
     connect(box, &QMessageBox::finished, this, [this, box] {
         m_failures.removeOne(box);
         if (!m_failures.isEmpty()) m_failures.first()->open();

@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdlib>
 #include <optional>
 
 #ifdef Q_OS_UNIX
@@ -140,12 +141,12 @@ QByteArray linkOf(int file) {
 
 // Whether it is half a file of this user whose program has ended: nobody has it locked, nor has just made it.
 bool isAbandoned(const QByteArray& name, time_t now) {
-    constexpr time_t justNow = 60; // seconds, of the same clock
+    constexpr time_t justNow = 60; // seconds, of the same clock, which may have been set back since
     const Descriptor file(::open(name.constData(), O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC));
     struct stat status {};
     return file.isOpen() && ::fstat(file.number(), &status) == 0 && S_ISREG(status.st_mode) &&
-           status.st_uid == ::geteuid() && status.st_nlink == 1 && now - status.st_mtime > justNow &&
-           ::flock(file.number(), LOCK_EX | LOCK_NB) == 0;
+           status.st_uid == ::geteuid() && status.st_nlink == 1 &&
+           std::abs(now - status.st_mtime) > justNow && ::flock(file.number(), LOCK_EX | LOCK_NB) == 0;
 }
 
 // A file that has its name while it is written stays when the program is killed: the next one to need such a

@@ -24,7 +24,7 @@ QString plainLines(const QString& text) {
     if (!text.contains(u'\\')) return text;
     QStringList lines;
     for (QString line : withoutLatexComments(text).split(u'\n')) {
-        static const QRegularExpression rowEnd(QStringLiteral(R"(\\\\\*?(\[[^\]]*\])?)"));
+        static const QRegularExpression rowEnd(QStringLiteral(R"(\\\\\*?(\[[^\]]{0,1000}\])?)"));
         line.replace(rowEnd, QStringLiteral(" ; ")).remove(u'&');
         lines << plainLatex(line);
     }
@@ -88,8 +88,10 @@ std::vector<Point> pointsIn(const QString& text) {
     static const QRegularExpression opening(QStringLiteral(
         R"((?:(?<![<>=!])=(?!=)>?|→|↦|->|lambda [^:\n]{0,40}:|\breturn\b)\s*[A-Za-z.]{0,20}\s*[\(\[\{]?)"));
     std::vector<Point> points;
+    if (!QStringView(text).isValidUtf16()) return points;
     for (qsizetype from = 0; points.size() < maxMaps;) {
-        const auto match = opening.match(text, from);
+        const auto match = opening.match(text, from, QRegularExpression::NormalMatch,
+                                         QRegularExpression::DontCheckSubjectStringMatchOption);
         if (!match.hasMatch()) return points;
         from = match.capturedEnd();
         const bool isOpen = QStringView(u"([{").contains(text[from - 1]);

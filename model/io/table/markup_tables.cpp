@@ -8,10 +8,13 @@
 #include "io/text/number.h"
 #include "io/text/plain_signs.h"
 
+#include <QHash>
 #include <QRegularExpression>
 #include <QStringView>
 
 #include <algorithm>
+#include <functional>
+#include <queue>
 #include <vector>
 
 namespace io {
@@ -34,10 +37,12 @@ private:
     std::vector<qsizetype> m_feeds;
 };
 
-// Behind the group that opens here.
+constexpr qsizetype longestArgument = 1000; // of what opens an environment or ends a row
+
+// Behind the group that opens here, if it is no longer than an argument.
 qsizetype endOfGroup(QStringView text, qsizetype open) {
     int depth = 0;
-    for (qsizetype i = open; i < text.size(); ++i) {
+    for (qsizetype i = open; i < std::min(text.size(), open + longestArgument); ++i) {
         if (text[i] == u'\\')
             ++i;
         else if (text[i] == u'{')
@@ -45,44 +50,70 @@ qsizetype endOfGroup(QStringView text, qsizetype open) {
         else if (text[i] == u'}' && --depth == 0)
             return i + 1;
     }
-    return text.size();
+    return open;
+}
+
+// Behind the bracket that closes what opens here, if it is no longer than an argument.
+qsizetype endOfOption(QStringView text, qsizetype open) {
+    const QStringView near = text.sliced(open, std::min(text.size() - open, longestArgument));
+    return open + near.indexOf(u']') + 1;
 }
 
 struct Environment {
     QString name;
     qsizetype begin = 0; // of \begin
     qsizetype body = 0;
-    qsizetype bodyEnd = 0;
-    qsizetype end = 0;
+    qsizetype bodyEnd = -1;
+    qsizetype end = -1;
 };
 
-// The environments of tables and matrices; of those inside another, only the outer one where `isNested` is
-// false.
-QList<Environment> environments(const QString& text, bool isNested) {
-    static const QRegularExpression opening(QStringLiteral(
-        R"(\\begin\{((?:tabular[xy]?|longtable|tabu|tblr|array|[pbBvV]?(?:small)?matrix)\*?)\})"));
-    QList<Environment> found;
-    for (qsizetype from = 0;;) {
-        const auto match = opening.match(text, from);
-        if (!match.hasMatch() || found.size() >= maxTableRows) return found;
-        Environment one{match.captured(1), match.capturedStart(), match.capturedEnd(), 0, 0};
-        if (one.body < text.size() && text[one.body] == u'[')
-            one.body = std::max(text.indexOf(u']', one.body) + 1, one.body);
-        const bool hasWidth = one.name.startsWith(u"tabular") && one.name.size() > 7;
-        const int arguments = one.name.contains(u"matrix") ? 0 : hasWidth ? 2 : 1;
-        for (int i = 0; i < arguments && one.body < text.size() && text[one.body] == u'{'; ++i)
-            one.body = endOfGroup(text, one.body);
-        const QString closing = QStringLiteral("\\end{%1}").arg(one.name);
-        const QString again = QStringLiteral("\\begin{%1}").arg(one.name);
-        qsizetype end = text.indexOf(closing, one.body);
-        for (qsizetype inner = text.indexOf(again, one.body); inner >= 0 && end >= 0 && inner < end;
-             inner = text.indexOf(again, inner + 1))
-            end = text.indexOf(closing, end + 1);
-        one.bodyEnd = end < 0 ? text.size() : end;
-        one.end = end < 0 ? text.size() : end + closing.size();
-        found << one;
-        from = isNested ? one.body : one.end;
+Environment openedAt(const QRegularExpressionMatch& match, QStringView text) {
+    Environment one{match.captured(2), match.capturedStart(), match.capturedEnd()};
+    if (one.body < text.size() && text[one.body] == u'[') one.body = endOfOption(text, one.body);
+    const bool hasWidth = one.name.startsWith(u"tabular") && one.name.size() > 7;
+    const int arguments = one.name.contains(u"matrix") ? 0 : hasWidth ? 2 : 1;
+    for (int i = 0; i < arguments && one.body < text.size() && text[one.body] == u'{'; ++i)
+        one.body = endOfGroup(text, one.body);
+    return one;
+}
+
+// The environments of tables and matrices, in their order. One without an end ends where the next begins.
+std::vector<Environment> allEnvironments(const QString& text) {
+    static const QRegularExpression tag(QStringLiteral(
+        R"(\\(begin|end)\{((?:tabular[xy]?|longtable|tabu|tblr|array|[pbBvV]?(?:small)?matrix)\*?)\})"));
+    std::vector<Environment> all;
+    QHash<QString, std::vector<std::size_t>> open; // of each name, the inner ones last
+    for (auto tags = tag.globalMatch(text); tags.hasNext() && all.size() < std::size_t(maxTableRows);) {
+        const auto match = tags.next();
+        if (!all.empty() && match.capturedStart() < all.back().body) continue; // in an argument
+        std::vector<std::size_t>& same = open[match.captured(2)];
+        if (match.capturedView(1) == u"begin") {
+            same.push_back(all.size());
+            all.push_back(openedAt(match, text));
+        } else if (!same.empty()) {
+            all[same.back()].bodyEnd = match.capturedStart();
+            all[same.back()].end = match.capturedEnd();
+            same.pop_back();
+        }
     }
+    qsizetype next = text.size();
+    for (auto one = all.rbegin(); one != all.rend(); next = one++->begin)
+        if (one->end < 0) one->bodyEnd = one->end = std::max(next, one->body);
+    return all;
+}
+
+// Of those inside another, only the outer one where `isNested` is false; else none deep inside many.
+QList<Environment> environments(const QString& text, bool isNested) {
+    constexpr std::size_t deepest = 8;
+    QList<Environment> found;
+    std::priority_queue<qsizetype, std::vector<qsizetype>, std::greater<>> ends; // of those around
+    for (const Environment& one : allEnvironments(text)) {
+        while (!ends.empty() && ends.top() <= one.begin)
+            ends.pop();
+        if (ends.size() < (isNested ? deepest : 1)) found << one;
+        ends.push(one.end);
+    }
+    return found;
 }
 
 // Cells between "&" and rows that end in "\\", outside of groups and inner environments.
@@ -137,7 +168,7 @@ private:
     void skipOption() {
         if (m_at + 1 < m_text.size() && m_text[m_at + 1] == u'*') ++m_at;
         if (m_at + 1 >= m_text.size() || m_text[m_at + 1] != u'[') return;
-        if (const qsizetype close = m_text.indexOf(u']', m_at); close > 0) m_at = close;
+        if (const qsizetype end = endOfOption(m_text, m_at + 1); end > m_at + 1) m_at = end - 1;
         m_begin = m_at + 1;
     }
 
@@ -312,6 +343,7 @@ private:
 
     // {{math|0.5}}, [[target|text]] and '''bold''' without their marks.
     static QString textOfWiki(QString cell) {
+        if (cell.size() > longestArgument) return cell; // no number
         static const QRegularExpression model(QStringLiteral(R"(\{\{(?:[^{}|]*\|)?([^{}|]*)[^{}]*\}\})"));
         static const QRegularExpression link(QStringLiteral(R"(\[\[(?:[^\]|]*\|)?([^\]]*)\]\])"));
         static const QRegularExpression math(QStringLiteral("<math[^>]*>(.*?)</math>"));

@@ -111,18 +111,20 @@ std::vector<WrittenMap> matrixMaps(const QString& text) {
     const std::vector<Matrix> matrices = matricesOfNumbers(text);
     std::vector<WrittenMap> maps;
     QStringList between;
-    qsizetype before = 0;
+    qsizetype before = 0, counted = 0;
+    int line = 1;
     for (std::size_t i = 0; i < matrices.size(); ++i) {
         const Matrix& matrix = matrices[i];
-        if (matrix.columns < 2) continue;
+        line += int(QStringView(text).sliced(counted, matrix.begin - counted).count(u'\n'));
+        counted = matrix.begin;
+        if (matrix.columns < 2 || matrix.begin < before) continue;
         const bool hasVector = i + 1 < matrices.size() && matrices[i + 1].isVector() &&
                                matrices[i + 1].rows == matrix.rows && matrix.columns == matrix.rows;
         auto numbers = numbersOf(matrix, hasVector ? &matrices[i + 1] : nullptr);
         if (!numbers) continue;
         const qsizetype end = matrices[i + (hasVector ? 1 : 0)].end;
         between << plainLatex(QStringView(text).sliced(before, matrix.begin - before));
-        maps.push_back(
-            {*std::move(numbers), {}, int(QStringView(text).first(matrix.begin).count(u'\n')) + 1});
+        maps.push_back({*std::move(numbers), {}, line});
         before = end;
     }
     if (maps.empty()) return {};

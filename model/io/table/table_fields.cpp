@@ -20,8 +20,9 @@ std::optional<Picks> picked(const QStringList& names, qsizetype first) {
     Picks picks;
     picks.width = names.size();
     QStringList known;
-    if (names.contains(QStringLiteral("|")) || names.contains(QStringLiteral("&")))
-        return std::nullopt; // of a table in another notation
+    constexpr qsizetype most = 1000;
+    if (names.size() > most || names.contains(QStringLiteral("|")) || names.contains(QStringLiteral("&")))
+        return std::nullopt; // of a table in another notation, or of none
     const bool hasWeight = std::any_of(names.begin() + first, names.end(), [](const QString& name) {
         return tableColumn(name) == TableColumn::Weight;
     });

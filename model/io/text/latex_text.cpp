@@ -11,6 +11,7 @@ namespace io {
 namespace {
 
 constexpr int maxBraces = 32;
+constexpr qsizetype longestOption = 1000;
 
 struct Command {
     const char* name;
@@ -252,8 +253,9 @@ private:
     QString option() {
         for (const auto& [open, close] : {std::pair{u'[', u']'}, std::pair{u'(', u')'}}) {
             if (at() != open) continue;
-            const qsizetype end = m_source.indexOf(close, m_at);
-            if (end < 0) return {};
+            const QStringView near = m_source.sliced(m_at, std::min(m_source.size() - m_at, longestOption));
+            const qsizetype end = m_at + near.indexOf(close);
+            if (end < m_at) return {};
             const QString text = inner(m_source.sliced(m_at + 1, end - m_at - 1));
             m_at = end + 1;
             if (open == u'(' || at() != u'(') return text;

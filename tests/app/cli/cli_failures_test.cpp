@@ -26,6 +26,7 @@ private slots:
     void noThreadIsWaitedFor_data();
     void noThreadIsWaitedFor();
     void startsWithoutMemory();
+    void everyFrameIsReadOrSaid();
     void everyFileIsOldOrNew_data();
     void everyFileIsOldOrNew();
 
@@ -218,6 +219,26 @@ void CliFailuresTest::startsWithoutMemory() {
                  ("allocation " + QByteArray::number(qint64(which)) + ": " + ended.err).constData());
         QVERIFY(ended.status == 0 || ended.err.contains("There is not enough memory for this."));
     }
+}
+
+// A video of frames carries the entry that they carry, or there is none.
+void CliFailuresTest::everyFrameIsReadOrSaid() {
+#ifndef BARYCAGE_VIDEO
+    QSKIP("No videos are written.");
+#endif
+    const QString command = QStringLiteral("encode @g.####.png -o @o.gif");
+    const auto calls = begin(command);
+    if (!calls) QSKIP("The kernel does not let a program answer the calls of another one.");
+    constexpr int most = 8; // each frame, and the one that has the entry
+    int opened = 0;
+    for (int i = 0; i < calls->size() && opened < most && !QTest::currentTestFailed(); ++i) {
+        if (calls->at(i) != "openat") continue;
+        ++opened;
+        judge(program(command).withFailingCall(i + 1, Lasting::No),
+              "openat, call " + QByteArray::number(i + 1));
+        restore();
+    }
+    QCOMPARE(opened, most);
 }
 
 void CliFailuresTest::everyFileIsOldOrNew() {

@@ -110,7 +110,7 @@ void CliFilesTest::anInputIsNotReplacedByLess_data() {
           "same.ifs link.ifs --entry plain", "same.ifs same.ifs --to flame", "same.ifs same.ifs --strict",
           "same.ifs same.ifs --entry caged --bake", "same.ifs same.ifs --to csv --entry plain",
           "same.ifs same.ifs --to csv --points 9 --entry plain",
-          "other.ifs same.ifs . --to ifs --entry plain"})
+          "other.ifs same.ifs . --to ifs --entry plain", "deep/same.ifs same.ifs . --to ifs --entry plain"})
         QTest::newRow(arguments) << QByteArray(arguments);
 }
 
@@ -118,6 +118,8 @@ void CliFilesTest::anInputIsNotReplacedByLess() {
     QFETCH(QByteArray, arguments);
     write("same.ifs", read("caged.ifs"));
     write("other.ifs", read("caged.ifs"));
+    QVERIFY(QDir(path("")).mkpath(QStringLiteral("deep")));
+    write("deep/same.ifs", read("caged.ifs"));
     QFile::link(QStringLiteral("same.ifs"), path("link.ifs"));
     const Result refused = run("convert " + arguments);
     QCOMPARE(refused.status, 1);

@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: MIT
 #include "app/cli/command_line.h"
 #include "support/named_test.h"
+#include "support/paths.h"
 
 #include <QDir>
 #include <QFile>
+#include <QProcess>
 #include <QTest>
 
 #include <algorithm>
+#include <filesystem>
 
 // Where barycage-cli writes: over none of the files that it reads, and under names that every file system
 // takes.
@@ -16,10 +19,14 @@ class CliOutputsTest : public CommandLineTest {
 private slots:
     void noCommandReplacesAnInput_data();
     void noCommandReplacesAnInput();
+    void standardInputIsNotReplaced_data();
+    void standardInputIsNotReplaced();
+    void noOutputReplacesAnother();
     void sumsAreReplacedByMore();
     void everyNameMakesAFile_data();
     void everyNameMakesAFile();
     void longNamesAreToldApart();
+    void librariesPrintNothing_data();
     void librariesPrintNothing();
 };
 
@@ -44,6 +51,8 @@ void CliOutputsTest::noCommandReplacesAnInput_data() {
     row("animate frame.0002.png -o frame.####.png --size 9x9", "frame.0002.png");
     row("animate film.apng -o film.apng --size 9x9", "film.apng");
     row("encode frame.####.png -o pointing.apng", "frame.0001.png");
+    row("page p.ifs --entry one -o p.ifs", "p.ifs");
+    row("render p.ifs -o named.png --size 9x9", "p.ifs"); // another name of it, no link
     row("morph p.ifs --from one --to two -o p.ifs", "p.ifs");
     row("collage shape.ifs -o shape.ifs --seconds 1", "shape.ifs");
     row("collage shape.png -o new.ifs --report shape.png --seconds 1", "shape.png");
@@ -76,6 +85,8 @@ void CliOutputsTest::noCommandReplacesAnInput() {
     }
     write("p.png", read("p.sum"));
     write("shape.ifs", read("shape.png"));
+    QFile::remove(path("named.png"));
+    std::filesystem::create_hard_link(path("p.ifs").toStdString(), path("named.png").toStdString());
     QFile::link(QStringLiteral("p.ifs"), path("pointing.sum"));
     QFile::link(QStringLiteral("frame.0001.png"), path("pointing.apng"));
     const QByteArray before = read(file.toLatin1());
@@ -85,6 +96,53 @@ void CliOutputsTest::noCommandReplacesAnInput() {
              refused.err.constData());
     QCOMPARE(refused.status, 2);
     QCOMPARE(read(file.toLatin1()), before);
+}
+
+void CliOutputsTest::standardInputIsNotReplaced_data() {
+    QTest::addColumn<QString>("arguments");
+    QTest::addColumn<int>("status");
+    const auto row = [](const char* arguments, int status) {
+        QTest::newRow(arguments) << QString::fromLatin1(arguments) << status;
+    };
+    row("render - -o in.ifs --to png --size 9x9", 2);
+    row("render - -o given.ifs --to png --size 9x9", 2);
+    row("gallery - -o given.png", 2);
+    row("convert - in.ifs --to flame", 1);
+    row("convert - in.ifs --entry one", 1);
+    row("convert - given.ifs --to csv --entry one", 1);
+    row("convert - in.ifs", 0); // which holds as much
+}
+
+// A file that the shell gives to the program is read as well.
+void CliOutputsTest::standardInputIsNotReplaced() {
+    QFETCH(const QString, arguments);
+    QFETCH(const int, status);
+    const QByteArray rows = " .5 0 0 .5 0 0 .5\n .5 0 0 .5 .5 0 .5\n}\n";
+    write("in.ifs", "one {\n" + rows + "two {\n" + rows);
+    for (const char* link : {"given.ifs", "given.png"})
+        QFile::link(QStringLiteral("in.ifs"), path(link));
+    const QByteArray before = read("in.ifs");
+    QProcess shell;
+    shell.setWorkingDirectory(path(""));
+    shell.start(QStringLiteral("/bin/sh"),
+                {QStringLiteral("-c"), QStringLiteral("exec $0 ") + arguments + QStringLiteral(" < in.ifs"),
+                 support::buildPath(QStringLiteral("barycage-cli"))});
+    QVERIFY(shell.waitForFinished(60'000));
+    QVERIFY2(shell.exitCode() == status, shell.readAllStandardError().constData());
+    QCOMPARE(read("in.ifs"), before);
+}
+
+// Neither one that is there nor one that is about to be.
+void CliOutputsTest::noOutputReplacesAnother() {
+    write("p.ifs", "one {\n .5 0 0 .5 0 0 .5\n .5 0 0 .5 .5 0 .5\n}\n");
+    QCOMPARE(run("render p.ifs -o drawn.png --size 60x60 --background white").status, 0);
+    QVERIFY(QDir(path("")).mkpath(QStringLiteral("deep")));
+    for (const char* report : {"both.ifs", "./both.ifs", "deep/../both.ifs"}) {
+        const Result result =
+            run(QByteArray("collage drawn.png -o both.ifs --starts 1 --maps 2 --report ") + report);
+        QVERIFY2(result.status == 2 && result.err.contains("names the output"), result.err.constData());
+    }
+    QVERIFY(!QFile::exists(path("both.ifs")));
 }
 
 void CliOutputsTest::sumsAreReplacedByMore() {
@@ -153,19 +211,27 @@ void CliOutputsTest::longNamesAreToldApart() {
     QCOMPARE(QDir(path("long")).entryList({QStringLiteral("*.csv")}).size(), 2);
 }
 
-// What is wrong with a picture is one sentence of ours.
+void CliOutputsTest::librariesPrintNothing_data() {
+    QTest::addColumn<QByteArray>("suffix");
+    for (const char* suffix : {"jpg", "png", "tif", "webp", "exr"})
+        QTest::newRow(suffix) << QByteArray(suffix);
+}
+
+// What is wrong with a picture is one sentence of ours, also where Qt or a library of the system has its own.
 void CliOutputsTest::librariesPrintNothing() {
+    QFETCH(const QByteArray, suffix);
     const QByteArray rows = " .5 0 0 .5 0 0 .5\n .5 0 0 .5 .5 0 .5\n}\n";
     write("p.ifs", "one {\n" + rows + "two {\n" + rows);
-    QCOMPARE(run("render p.ifs -o whole.jpg --size 64x64 --points 10k").status, 0);
-    const QByteArray whole = read("whole.jpg");
+    QCOMPARE(run("render p.ifs -o whole." + suffix + " --size 64x64 --points 10k").status, 0);
+    const QByteArray whole = read("whole." + suffix), damagedName = "damaged." + suffix;
     int refused = 0;
     for (qsizetype at = 2; at < whole.size(); at += std::max<qsizetype>(1, whole.size() / 40)) {
         QByteArray damaged = whole;
         damaged[at] = char(damaged[at] ^ 0x5a);
-        write("damaged.jpg", at % 3 == 0 ? damaged.left(at + 1) : damaged);
-        const Result result = run("steal p.ifs --entry one --from two --picture damaged.jpg -o stolen.png "
-                                  "--size 9x9 --points 1k");
+        write(damagedName, at % 3 == 0 ? damaged.left(at + 1) : damaged);
+        const Result result = runProgram("steal p.ifs --entry one --from two --picture " + damagedName +
+                                         " -o stolen.png --size 9x9 --points 1k");
+        QVERIFY(result.status >= 0);
         refused += result.status == 0 ? 0 : 1;
         for (const QByteArray& line : result.err.split('\n'))
             QVERIFY2(line.isEmpty() || line.contains(": error: ") || line.contains(": warning: "),

@@ -1,18 +1,30 @@
 // SPDX-License-Identifier: MIT
 #include "application.h"
+#include "session/session.h"
 #include "support/named_test.h"
+#include "support/own_settings.h"
+#include "support/paths.h"
 
 #include <QAction>
 #include <QComboBox>
 #include <QDialog>
+#include <QDropEvent>
+#include <QKeyEvent>
 #include <QLabel>
 #include <QLineEdit>
 #include <QMessageBox>
+#include <QMimeData>
+#include <QPlainTextEdit>
+#include <QPushButton>
 #include <QSignalSpy>
 #include <QSlider>
 #include <QTest>
+#include <QTimer>
+#include <QUrl>
 #include <QVBoxLayout>
 #include <QWheelEvent>
+
+#include <new>
 
 class ApplicationTest : public QObject {
     Q_OBJECT
@@ -23,6 +35,10 @@ private slots:
     void fieldsLeaveCommandsTheirKeys();
     void aLetterAnswersNoQuestion();
     void theWheelNeedsTheFocus();
+    void manyFilesAreAskedAboutAtTheStart();
+    void filesAreNotMovedIntoTexts();
+    void anEventWithoutMemoryIsSaid_data();
+    void anEventWithoutMemoryIsSaid();
 };
 
 namespace {
@@ -111,6 +127,94 @@ void ApplicationTest::theWheelNeedsTheFocus() {
     slider->setFocus();
     turn(slider);
     QVERIFY(slider->value() < 50);
+}
+
+void ApplicationTest::manyFilesAreAskedAboutAtTheStart() {
+    support::useOwnSettings();
+    QStringList paths;
+    for (int i = 0; i < 12; ++i)
+        paths << support::testData(QStringLiteral("shapes.ifs"));
+    int asked = 0;
+    QTimer answering;
+    connect(&answering, &QTimer::timeout, &answering, [&asked] {
+        auto* box = qobject_cast<QMessageBox*>(QApplication::activeModalWidget());
+        if (!box || box->findChild<QPushButton*>(QStringLiteral("all")) == nullptr) return;
+        ++asked;
+        box->reject();
+    });
+    answering.start(10);
+    QVERIFY(static_cast<Application*>(qApp)->openWindows(paths));
+    QCOMPARE(asked, 1);
+    QCOMPARE(session::windows().size(), 1);
+    QVERIFY(session::windows().first()->path().isEmpty());
+    delete session::windows().first();
+}
+
+// Texts take what is moved to them, and a file manager would delete the file.
+void ApplicationTest::filesAreNotMovedIntoTexts() {
+    QPlainTextEdit text;
+    text.show();
+    QMimeData data;
+    data.setUrls({QUrl::fromLocalFile(QStringLiteral("/somewhere/a.ifs"))});
+    data.setText(QStringLiteral("/somewhere/a.ifs"));
+    const Qt::DropActions offered = Qt::CopyAction | Qt::MoveAction;
+    const QPoint middle = text.viewport()->rect().center();
+    QDragEnterEvent enter(middle, offered, &data, Qt::LeftButton, Qt::ShiftModifier);
+    QDragMoveEvent move(middle, offered, &data, Qt::LeftButton, Qt::ShiftModifier);
+    QDropEvent drop(middle, offered, &data, Qt::LeftButton, Qt::ShiftModifier);
+    for (QDropEvent* event : {static_cast<QDropEvent*>(&enter), static_cast<QDropEvent*>(&move), &drop}) {
+        event->setDropAction(Qt::MoveAction);
+        QApplication::sendEvent(text.viewport(), event);
+        QVERIFY(event->isAccepted());
+        QCOMPARE(event->dropAction(), Qt::CopyAction);
+    }
+    QVERIFY(text.toPlainText().contains(QStringLiteral("a.ifs")));
+}
+
+void ApplicationTest::anEventWithoutMemoryIsSaid_data() {
+    QTest::addColumn<QByteArray>("event");
+    for (const char* event : {"timer", "posted call", "key", "event"})
+        QTest::newRow(event) << QByteArray(event);
+}
+
+// The windows there are go on, and the next event is no worse off.
+void ApplicationTest::anEventWithoutMemoryIsSaid() {
+    QFETCH(const QByteArray, event);
+    class Greedy : public QWidget { // all its events of two kinds fail
+        bool event(QEvent* event) override {
+            if (event->type() == QEvent::User || event->type() == QEvent::KeyPress) fail();
+            return QWidget::event(event);
+        }
+
+    public:
+        [[noreturn]] static void fail() { throw std::bad_alloc(); }
+    } window;
+    window.show();
+    const auto boxes = [] {
+        QList<QMessageBox*> shown;
+        for (QWidget* widget : QApplication::topLevelWidgets())
+            if (auto* box = qobject_cast<QMessageBox*>(widget); box && box->isVisible()) shown << box;
+        return shown;
+    };
+    for (int i = 0; i < 2; ++i) {
+        window.activateWindow();
+        QVERIFY(QTest::qWaitForWindowActive(&window));
+        if (event == "timer")
+            QTimer::singleShot(0, &window, &Greedy::fail);
+        else if (event == "posted call")
+            QMetaObject::invokeMethod(&window, &Greedy::fail, Qt::QueuedConnection);
+        else if (event == "key")
+            for (const QEvent::Type type : {QEvent::KeyPress, QEvent::KeyRelease})
+                QApplication::postEvent(&window, new QKeyEvent(type, Qt::Key_A, Qt::NoModifier));
+        else
+            QApplication::postEvent(&window, new QEvent(QEvent::User));
+        QTRY_COMPARE(boxes().size(), 1);
+        QVERIFY2(boxes().first()->text().contains(QStringLiteral("not enough memory")),
+                 qPrintable(boxes().first()->text()));
+        boxes().first()->accept();
+        QTRY_VERIFY(boxes().isEmpty());
+    }
+    QVERIFY(window.isVisible());
 }
 
 BARYCAGE_TEST(ApplicationTest, Application);

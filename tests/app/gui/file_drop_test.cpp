@@ -16,6 +16,8 @@
 #include <QApplication>
 #include <QDockWidget>
 #include <QDragEnterEvent>
+#include <QFile>
+#include <QFileInfo>
 #include <QImage>
 #include <QMessageBox>
 #include <QMimeData>
@@ -42,6 +44,7 @@ private slots:
     void manyDroppedFilesAreAskedAbout_data();
     void manyDroppedFilesAreAskedAbout();
     void manyFilesAreCancelled();
+    void manyBrokenFilesAreSaidTogether();
 };
 
 namespace {
@@ -245,8 +248,7 @@ void FileDropTest::manyDroppedFilesAreAskedAbout() {
         auto* box = qobject_cast<QMessageBox*>(QApplication::activeModalWidget());
         if (!box) return;
         asked = box->text();
-        (answer.isEmpty() ? box->button(QMessageBox::Cancel) : support::button(*box, answer.constData()))
-            ->click();
+        answer.isEmpty() ? box->reject() : support::button(*box, answer.constData())->click();
     });
     answering.start(10);
     const QPoint middle = window->rect().center();
@@ -274,6 +276,32 @@ void FileDropTest::manyFilesAreCancelled() {
     MainWindow::openEach(paths);
     QCOMPARE(openWindows(paths), 2);
     QCOMPARE(session::windows().size(), 2);
+    closeAll();
+}
+
+// Nobody closes a box for each.
+void FileDropTest::manyBrokenFilesAreSaidTogether() {
+    const QTemporaryDir folder;
+    QStringList paths;
+    for (int i = 10; i < 40; ++i) {
+        paths << folder.filePath(QStringLiteral("%1.ifs").arg(i));
+        QFile file(paths.last());
+        QVERIFY(file.open(QIODevice::WriteOnly) && file.write("no fractal") > 0);
+    }
+    MainWindow::openEach(paths);
+    QCOMPARE(session::windows().size(), 1);
+    const auto boxes = session::windows().first()->findChildren<QMessageBox*>();
+    QCOMPARE(boxes.size(), 2);
+    QString said;
+    for (const QMessageBox* box : boxes) {
+        said += box->text() + box->informativeText() + box->detailedText();
+        QVERIFY(box->informativeText().count(u'\n') < 10);
+    }
+    for (const QString& path : paths)
+        QVERIFY2(said.contains(QFileInfo(path).fileName()), qPrintable(path));
+    boxes.first()->accept();
+    QVERIFY(boxes.last()->isVisible());
+    boxes.last()->accept();
     closeAll();
 }
 

@@ -89,6 +89,8 @@ private slots:
     void itIsKeptOnceInASitting();
     void theNextSittingReplacesIt();
     void anotherFileOfThatNameStays();
+    void whatIsNoFileStays_data();
+    void whatIsNoFileStays();
     void onlyOnesOfOursAreReplaced();
     void nobodyElseReadsIt();
     void behindALinkItIsACopy();
@@ -96,6 +98,7 @@ private slots:
     void aNewFileHasNone();
     void lessonsKeepTheirs();
     void copiesKeepTheirs();
+    void whatIsReplacedByAnotherNameIsKept();
     void aFileOpenElsewhereIsSaid();
     void aClosedWindowGivesItsFileUp();
 
@@ -135,6 +138,35 @@ void PreviousVersionTest::anotherFileOfThatNameStays() {
     QVERIFY2(said.contains(QStringLiteral("not kept")), qPrintable(said));
     QVERIFY(bytesOf(m_path).startsWith("one"));
     QCOMPARE(bytesOf(m_kept), QByteArray("theirs"));
+}
+
+void PreviousVersionTest::whatIsNoFileStays_data() {
+    QTest::addColumn<QByteArray>("kind");
+    for (const char* kind : {"folder", "dangling link", "link to the file", "pipe", "hard link"})
+        QTest::newRow(kind) << QByteArray(kind);
+}
+
+void PreviousVersionTest::whatIsNoFileStays() {
+    QFETCH(const QByteArray, kind);
+    const QByteArray name = QFile::encodeName(m_kept), file = QFile::encodeName(m_path);
+    int made = -1;
+    if (kind == "folder") made = ::mkdir(name.constData(), 0700);
+    if (kind == "dangling link") made = ::symlink("nowhere", name.constData());
+    if (kind == "link to the file") made = ::symlink("maple.ifs", name.constData());
+    if (kind == "pipe") made = ::mkfifo(name.constData(), 0600);
+    if (kind == "hard link") made = ::link(file.constData(), name.constData());
+    QCOMPARE(made, 0);
+    struct stat before {
+    }, after{};
+    QCOMPARE(::lstat(name.constData(), &before), 0);
+    const QString said = saveAs(*opened(), QStringLiteral("one"));
+    QVERIFY(bytesOf(m_path).startsWith("one"));
+    QCOMPARE(::lstat(name.constData(), &after), 0);
+    QCOMPARE(after.st_ino, before.st_ino);
+    QCOMPARE(after.st_mode, before.st_mode);
+    if (kind == "hard link") QCOMPARE(bytesOf(m_kept), firstVersion);
+    QVERIFY2(said.contains(QStringLiteral("not kept")) == (kind != "hard link"), qPrintable(said));
+    QVERIFY(!QFile::exists(m_folder->filePath(QStringLiteral("nowhere"))));
 }
 
 // It was ours, and somebody has changed it since, or put a link in its place.
@@ -229,6 +261,16 @@ void PreviousVersionTest::copiesKeepTheirs() {
         QVERIFY2(said.contains(QStringLiteral("copy.ifs~")) == isFirst, qPrintable(said));
     }
     QCOMPARE(bytesOf(m_path), firstVersion);
+}
+
+void PreviousVersionTest::whatIsReplacedByAnotherNameIsKept() {
+    const QString other = m_folder->filePath(QStringLiteral("other.ifs"));
+    const QByteArray before = "older { .5 0 0 .5 0 0 1 }\n";
+    putBytes(other, before);
+    QVERIFY(!opened()->file().saveAs(other));
+    QVERIFY(bytesOf(other).startsWith("leaf"));
+    QCOMPARE(bytesOf(other + u'~'), before);
+    QVERIFY(!QFile::exists(m_kept));
 }
 
 void PreviousVersionTest::aFileOpenElsewhereIsSaid() {

@@ -507,12 +507,14 @@ private slots:
 
     void halvesOfTheDeadAreRemoved() {
         const auto name = [this](const char* of) { return m_folder->filePath(QLatin1String(of)); };
-        for (const char* each : {".barycage-part-dead", ".barycage-part-living", ".barycage-whole"}) {
+        for (const char* each :
+             {".barycage-part-dead", ".barycage-part-future", ".barycage-part-living", ".barycage-whole"}) {
             put(name(each), "half");
             QFile file(name(each));
+            const int age = QByteArray(each).endsWith("future") ? -3600 : 3600; // the clock was set back
             QVERIFY(
                 file.open(QIODevice::ReadWrite) &&
-                file.setFileTime(QDateTime::currentDateTime().addSecs(-3600), QFile::FileModificationTime));
+                file.setFileTime(QDateTime::currentDateTime().addSecs(-age), QFile::FileModificationTime));
         }
         put(name(".barycage-part-new"), "half");
         QFile living(name(".barycage-part-living"));

@@ -225,6 +225,9 @@ private slots:
         QCOMPARE(dialog.printedName(), document.fractal().name + QStringLiteral("-handout.pdf"));
         dialog.setName(QStringLiteral("ferns 1.2"));
         QCOMPARE(dialog.printedName(), QStringLiteral("ferns 1.2-handout.pdf"));
+        dialog.setName(QStringLiteral("../a\u202e\n") + QChar(0) + QStringLiteral("ä").repeated(300));
+        QVERIFY2(dialog.printedName().startsWith(u"_._a___ä"), qPrintable(dialog.printedName()));
+        QVERIFY(dialog.printedName().toUtf8().size() <= 255);
     }
 
     // As the print dialog does it, where there is no printer.

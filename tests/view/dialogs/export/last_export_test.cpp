@@ -52,6 +52,7 @@ private slots:
     void theEndingOfTheNameIsTheFormat();
     void kindsKnowNothingOfEachOther();
     void theFolderOfTheFileIsTheFirst();
+    void namesAreNoPaths();
 
 private:
     template <class Widget> static Widget* named(const QDialog& dialog, const char* name) {
@@ -222,6 +223,15 @@ void LastExportTest::theFolderOfTheFileIsTheFirst() {
     dialog = picture();
     dialog->suggestFolderOf(own.filePath(QStringLiteral("a.ifs")));
     QCOMPARE(QFileInfo(exportAs(*dialog, {})).path(), m_folder->path());
+}
+
+void LastExportTest::namesAreNoPaths() {
+    view::rememberExport(u"picture"_s, {}, path("a.png"));
+    for (const QString& name : {u"/etc/x"_s, u"../up"_s, u"a\u202ez"_s}) {
+        const QString suggested = view::suggestedPath(u"picture"_s, name + u".png"_s, {});
+        QCOMPARE(QFileInfo(suggested).path(), m_folder->path());
+        QVERIFY2(!suggested.contains(u'\u202e') && suggested.endsWith(u".png"_s), qPrintable(suggested));
+    }
 }
 
 BARYCAGE_TEST(LastExportTest, QApplication);

@@ -83,6 +83,7 @@ GradientEditor::GradientEditor(QWidget* parent) : QWidget(parent) {
     connect(spread, &QToolButton::clicked, this, &GradientEditor::distribute);
     connect(open, &QToolButton::clicked, this, &GradientEditor::chooseAndLoad);
     connect(keep, &QToolButton::clicked, this, &GradientEditor::chooseAndSave);
+    keep->setObjectName(QStringLiteral("save-palette"));
     connectEditors();
 }
 
@@ -151,9 +152,9 @@ void GradientEditor::chooseAndLoad() {
 
 void GradientEditor::chooseAndSave() {
     const QString name = QString::fromStdString(m_strip->gradient().name);
-    const QString path = chooseFileToSave(this, tr("Save Palette"),
-                                          (name.isEmpty() ? tr("palette") : name) + QStringLiteral(".gpl"),
-                                          tr("GIMP palettes (*.gpl)"), QStringLiteral("gpl"));
+    const QString path = chooseFileToSave(
+        this, tr("Save Palette"), suggestedName(name.isEmpty() ? tr("palette") : name, QStringLiteral("gpl")),
+        tr("GIMP palettes (*.gpl)"), QStringLiteral("gpl"));
     if (!path.isEmpty()) save(path);
 }
 
