@@ -445,7 +445,7 @@ void MainWindow::adopt(const view::Preferences& preferences) {
     m_bridge->setQuality(preferences.quality);
     m_stage->space()->navigation().setTrackball(preferences.trackball);
     m_stage->compare()->setTrackball(preferences.trackball);
-    m_toolBar->adopt(preferences);
+    if (m_toolBar) m_toolBar->adopt(preferences); // which is made later, with those that are stored
 }
 
 void MainWindow::showCollection() {

@@ -6482,6 +6482,18 @@
         <source>Choose how many tasks share the frames, then click On a Cluster… again.</source>
         <translation>Wählen Sie, wie viele Aufgaben sich die Bilder teilen, und klicken Sie noch einmal auf „Auf einem Cluster …“.</translation>
     </message>
+    <message>
+        <source>Supersampling</source>
+        <translation>Überabtastung</translation>
+    </message>
+    <message>
+        <source>Computes this many cells along each side of a pixel, for smoother edges.</source>
+        <translation>Zeichnet so viele Pixel längs jeder Seite eines Pixels: glattere Kanten.</translation>
+    </message>
+    <message>
+        <source>S&amp;upersampling:</source>
+        <translation>Ü&amp;berabtastung:</translation>
+    </message>
 </context>
 <context>
     <name>view::AppearancePanel</name>

@@ -6482,6 +6482,18 @@
         <source>Choose how many tasks share the frames, then click On a Cluster… again.</source>
         <translation>Elija cuántas tareas se reparten los fotogramas y vuelva a hacer clic en «En un clúster…».</translation>
     </message>
+    <message>
+        <source>Supersampling</source>
+        <translation>Supermuestreo</translation>
+    </message>
+    <message>
+        <source>Computes this many cells along each side of a pixel, for smoother edges.</source>
+        <translation>Dibuja tantos píxeles a lo largo de cada lado de uno: bordes más suaves.</translation>
+    </message>
+    <message>
+        <source>S&amp;upersampling:</source>
+        <translation>Sobre&amp;muestreo:</translation>
+    </message>
 </context>
 <context>
     <name>view::AppearancePanel</name>

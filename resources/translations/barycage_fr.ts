@@ -6482,6 +6482,18 @@
         <source>Choose how many tasks share the frames, then click On a Cluster… again.</source>
         <translation>Choisissez combien de tâches se partagent les images, puis cliquez de nouveau sur « Sur une grappe… ».</translation>
     </message>
+    <message>
+        <source>Supersampling</source>
+        <translation>Suréchantillonnage</translation>
+    </message>
+    <message>
+        <source>Computes this many cells along each side of a pixel, for smoother edges.</source>
+        <translation>Dessine autant de pixels le long de chaque côté d’un pixel : des bords plus lisses.</translation>
+    </message>
+    <message>
+        <source>S&amp;upersampling:</source>
+        <translation>S&amp;uréchantillonnage :</translation>
+    </message>
 </context>
 <context>
     <name>view::AppearancePanel</name>

@@ -6499,6 +6499,18 @@
         <source>Choose how many tasks share the frames, then click On a Cluster… again.</source>
         <translation>Изберете колку задачи ќе ги делат кадрите, па кликнете повторно на „На кластер…“.</translation>
     </message>
+    <message>
+        <source>Supersampling</source>
+        <translation>Суперсемплирање</translation>
+    </message>
+    <message>
+        <source>Computes this many cells along each side of a pixel, for smoother edges.</source>
+        <translation>Црта толку пиксели по секоја страна на еден: помазни рабови.</translation>
+    </message>
+    <message>
+        <source>S&amp;upersampling:</source>
+        <translation>&amp;Натсемплирање:</translation>
+    </message>
 </context>
 <context>
     <name>view::AppearancePanel</name>

@@ -64,6 +64,7 @@ public:
         picture.look = frame.fractal.inSpace.look;
         picture.solid = document::solidAppearance(frame.fractal);
         picture.request = document::spaceRequest(frame.fractal, camera);
+        if (m_what.supersample) picture.supersample = *m_what.supersample;
         picture.request.samples = samples();
         picture.request.seed = 1;
         picture.request.threads = threadsOfThisMachine();
@@ -89,6 +90,7 @@ QByteArray requestHash(const AnimationExport& what, std::optional<int> frame) {
     text.addCount("height", std::uint64_t(what.size.height()));
     text.addCount("seed", 1);
     if (what.points) text.addCount("points", *what.points);
+    if (what.supersample) text.addCount("supersample", std::uint64_t(*what.supersample));
     if (what.frames.shutter > 0) text.addCount("shutter", std::uint64_t(what.frames.shutter));
     text.add("exposure", ifs::nameOf(what.frames.exposing));
     return text.hash(what.entry);
@@ -176,6 +178,7 @@ QStringList options(const AnimationExport& what) {
     QStringList list{QStringLiteral("--size"),
                      QStringLiteral("%1x%2").arg(what.size.width()).arg(what.size.height())};
     if (what.points) list << QStringLiteral("--points") << QString::number(*what.points);
+    if (what.supersample) list << QStringLiteral("--supersample") << QString::number(*what.supersample);
     if (what.frames.shutter > 0)
         list << QStringLiteral("--shutter")
              << QString::fromLatin1(formatNumber(what.frames.shutter / 1000.0));

@@ -23,6 +23,7 @@ struct AnimationExport {
     std::optional<VideoFormat> format; // nullopt: PNG pictures
     QSize size;
     std::optional<std::uint64_t> points; // of each frame; nullopt: 100 a pixel
+    std::optional<int> supersample{};    // of a solid, 1 … 4; nullopt: 2
     FrameOptions frames;
     int first = 0; // frames, counted from 0
     int last = 0;

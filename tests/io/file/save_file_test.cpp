@@ -506,18 +506,16 @@ private slots:
     }
 
     void halvesOfTheDeadAreRemoved() {
-        const auto name = [this](const char* of) { return m_folder->filePath(QLatin1String(of)); };
-        for (const char* each :
-             {".barycage-part-dead", ".barycage-part-future", ".barycage-part-living", ".barycage-whole"}) {
-            put(name(each), "half");
-            QFile file(name(each));
-            const int age = QByteArray(each).endsWith("future") ? -3600 : 3600; // the clock was set back
-            QVERIFY(
-                file.open(QIODevice::ReadWrite) &&
-                file.setFileTime(QDateTime::currentDateTime().addSecs(-age), QFile::FileModificationTime));
-        }
-        put(name(".barycage-part-new"), "half");
-        QFile living(name(".barycage-part-living"));
+        const auto putAt = [this](const char* name, int s) {
+            QFile file(m_folder->filePath(QLatin1String(name)));
+            QVERIFY(file.open(QIODevice::WriteOnly) && file.write("half") == 4 && file.flush());
+            QVERIFY(file.setFileTime(QDateTime::currentDateTime().addSecs(s), QFile::FileModificationTime));
+        };
+        for (const char* old : {".barycage-part-dead", ".barycage-part-living", ".barycage-whole"})
+            putAt(old, -3600);
+        putAt(".barycage-part-new", 0);
+        putAt(".barycage-part-future", 3600); // the clock was set back
+        QFile living(m_folder->filePath(QStringLiteral(".barycage-part-living")));
         QVERIFY(living.open(QIODevice::ReadOnly) && ::flock(living.handle(), LOCK_EX | LOCK_NB) == 0);
         isNamingRefused = true;
         const bool isSaved = !io::saveFile(m_path, "new");

@@ -90,7 +90,11 @@ void PreferencesDialogTest::choicesAreStoredAndTold() {
     support::handleEvents();
     QVERIFY(restart->height() >= restart->heightForWidth(restart->width()));
     reopening(dialog)->click();
-    const Preferences chosen{QStringLiteral("mk"), Preferences::Theme::Dark, 1'000'000'000, false, true};
+    Preferences chosen;
+    chosen.language = QStringLiteral("mk");
+    chosen.theme = Preferences::Theme::Dark;
+    chosen.quality = 1'000'000'000;
+    chosen.reopen = true;
     QCOMPARE(told.size(), 4);
     QVERIFY(told.last().first().value<Preferences>() == chosen);
     QVERIFY(Preferences::stored() == chosen);
@@ -150,7 +154,12 @@ void PreferencesDialogTest::unsavedWorkIsNamedWithTheLanguage() {
 }
 
 void PreferencesDialogTest::defaultsComeBack() {
-    Preferences{QStringLiteral("fr"), Preferences::Theme::Light, 50'000'000, true, true}.store();
+    Preferences before;
+    before.language = QStringLiteral("fr");
+    before.theme = Preferences::Theme::Light;
+    before.quality = 50'000'000;
+    before.trackball = before.reopen = true;
+    before.store();
     PreferencesDialog dialog;
     QSignalSpy told(&dialog, &PreferencesDialog::changed);
     dialog.findChild<QDialogButtonBox*>()->button(QDialogButtonBox::RestoreDefaults)->click();

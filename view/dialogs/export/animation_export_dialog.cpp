@@ -33,6 +33,7 @@ namespace view {
 namespace {
 
 constexpr int usualPointsPerPixel = 100;
+constexpr int usualSupersample = 2; // of solids
 // Of a format of the list, as the settings have it.
 QString formatName(AnimationExportDialog::Format format) {
     return format == AnimationExportDialog::Pictures ? QStringLiteral("pictures")
@@ -180,6 +181,14 @@ void AnimationExportDialog::createFrames() {
     const auto* space = document::space(m_entry);
     const bool isSolid = space && !attractor::showsCloud(m_entry.inSpace.look);
     m_form->setRowVisible(m_quality, !isSolid);
+    m_supersample = spinBox(tr("Supersampling"), 1, 4, usualSupersample,
+                            tr("Computes this many cells along each side of a pixel, for smoother edges."));
+    m_form->addRow(tr("S&upersampling:"), m_supersample);
+    using attractor::LookInSpace;
+    const bool isLit =
+        m_entry.inSpace.look != LookInSpace::Depth && m_entry.inSpace.look != LookInSpace::Normals;
+    m_form->setRowVisible(m_supersample, isSolid && isLit);
+    connect(m_supersample, &QSpinBox::valueChanged, this, &AnimationExportDialog::update);
     m_shutter = spinBox(tr("Shutter"), 0, 360, 0,
                         tr("Motion blur: the angle for which the shutter is open around each frame. 180° is "
                            "half the time of a frame, as in films."));
@@ -298,6 +307,7 @@ io::AnimationExport AnimationExportDialog::chosen() const {
     if (perPixel != usualPointsPerPixel)
         what.points =
             std::uint64_t(perPixel) * std::uint64_t(what.size.width()) * std::uint64_t(what.size.height());
+    if (m_supersample->value() != usualSupersample) what.supersample = m_supersample->value();
     what.frames.shutter = 1000 * m_shutter->value();
     what.frames.exposing = chosenValue<io::Exposing>(m_exposure);
     what.first = m_first->value();

@@ -80,6 +80,7 @@ private:
     QSpinBox* m_first = nullptr;
     QSpinBox* m_last = nullptr;
     QComboBox* m_quality = nullptr;
+    QSpinBox* m_supersample = nullptr; // of a lit solid
     QSpinBox* m_shutter = nullptr;
     QComboBox* m_exposure = nullptr;
     QSpinBox* m_tasks = nullptr; // shown where there is Slurm, or once a cluster was asked for

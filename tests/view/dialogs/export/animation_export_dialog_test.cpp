@@ -231,6 +231,9 @@ void AnimationExportDialogTest::picturesAreThoseOfTheCommandLine() {
     number(QStringLiteral("First frame"))->setValue(2);
     number(QStringLiteral("Last frame"))->setValue(3);
     if (!inSpace) support::choose(named<QComboBox>(QStringLiteral("Quality")), 400);
+    auto* supersample = number(QStringLiteral("Supersampling"));
+    QCOMPARE(supersample->isVisibleTo(m_dialog.get()), inSpace);
+    if (inSpace) supersample->setValue(3);
     QVERIFY2(exported(Dialog::Pictures, QStringLiteral("a.png")), qPrintable(m_dialog->message()));
     QCOMPARE(files(), list({"a.0003.png", "a.0004.png"}));
     prepare(m_folder->path());
@@ -239,6 +242,7 @@ void AnimationExportDialogTest::picturesAreThoseOfTheCommandLine() {
     const QString submit = QString::fromUtf8(contents(path(jobs[0] + QStringLiteral("/submit.sh"))));
     const qsizetype from = submit.indexOf(QStringLiteral("--size"));
     QVERIFY(from > 0);
+    QCOMPARE(submit.mid(from).contains(QStringLiteral("--supersample 3")), inSpace);
     QProcess animate;
     animate.setWorkingDirectory(path(jobs[0]));
     animate.start(support::buildPath(QStringLiteral("barycage-cli")),

@@ -204,6 +204,7 @@ private slots:
             if (isSliced) fractal.inSpace.clip = attractor::SpaceClip{ifs::Vector<3>::UnitX(), 0, 1};
             m_document->setFile(document::fileOf(fractal));
             SpaceExportDialog dialog(m_document.get(), {});
+            using Format = SpaceExportDialog::Format;
             for (const Format& format :
                  {Format(io::MeshFormat::Stl), Format(SpaceExportDialog::OpenScad())}) {
                 dialog.setFormat(format);
@@ -238,9 +239,11 @@ private slots:
         SpaceExportDialog dialog(m_document.get(), document::fittedTo(fractal, camera, 0.05));
         dialog.setQueue(&queue);
         QSignalSpy queued(&dialog, &SpaceExportDialog::queued);
-        using enum SpaceExportDialog::Format;
-        for (const auto format : {Stl, Obj, Glb, Ply, OpenScad}) {
-            dialog.setFormat(Png);
+        QList<SpaceExportDialog::Format> formats{SpaceExportDialog::OpenScad()};
+        for (const auto& mesh : ifs::names<io::MeshFormat>)
+            formats << mesh.value;
+        for (const SpaceExportDialog::Format& format : std::as_const(formats)) {
+            dialog.setFormat(io::PictureFile::Png);
             QVERIFY(dialog.canExport());
             dialog.setFormat(format);
             QVERIFY(!dialog.canExport());
@@ -248,7 +251,7 @@ private slots:
             dialog.addToQueue(path(QStringLiteral("bent.stl")));
         }
         QVERIFY(queued.isEmpty());
-        m_dialog->setFormat(Stl); // the straight one
+        m_dialog->setFormat(io::MeshFormat::Stl); // the straight one
         QVERIFY(m_dialog->canExport());
     }
 
