@@ -12185,7 +12185,7 @@ Tasten: Bild auf und Bild ab wählen eine Marke, die Pfeile bewegen sie, Einfg f
     </message>
     <message>
         <source>Restart &amp;Now</source>
-        <translation>Jetzt &amp;neu starten</translation>
+        <translation>Jetzt n&amp;eu starten</translation>
     </message>
     <message>
         <source>Closes all windows, asking about unsaved changes first, and opens the same files again in the new language.</source>
@@ -12260,8 +12260,8 @@ Tasten: Bild auf und Bild ab wählen eine Marke, die Pfeile bewegen sie, Einfg f
         <translation>Die Einstellungen von Fenstern und Bildern, die Befehle der Werkzeugleiste und die Tasten der Befehle.</translation>
     </message>
     <message>
-        <source>&amp;Toolbar</source>
-        <translation>&amp;Werkzeugleiste</translation>
+        <source>Tool&amp;bar</source>
+        <translation>Werkzeug&amp;leiste</translation>
     </message>
 </context>
 <context>

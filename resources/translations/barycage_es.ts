@@ -12241,7 +12241,7 @@ Teclas: Re Pág y Av Pág eligen una parada, las flechas la mueven, Ins añade u
     </message>
     <message>
         <source>&amp;Picture at rest:</source>
-        <translation>Ima&amp;gen en reposo:</translation>
+        <translation>Imag&amp;en en reposo:</translation>
     </message>
     <message>
         <source>&amp;Solids turn like:</source>
@@ -12260,7 +12260,7 @@ Teclas: Re Pág y Av Pág eligen una parada, las flechas la mueven, Ins añade u
         <translation>Los ajustes de las ventanas y las imágenes, las órdenes de la barra de herramientas y las teclas de las órdenes.</translation>
     </message>
     <message>
-        <source>&amp;Toolbar</source>
+        <source>Tool&amp;bar</source>
         <translation>Barra de &amp;herramientas</translation>
     </message>
 </context>

@@ -12185,7 +12185,7 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
     </message>
     <message>
         <source>Restart &amp;Now</source>
-        <translation>Redémarrer &amp;maintenant</translation>
+        <translation>Re&amp;démarrer maintenant</translation>
     </message>
     <message>
         <source>Closes all windows, asking about unsaved changes first, and opens the same files again in the new language.</source>
@@ -12260,8 +12260,8 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
         <translation>Les réglages des fenêtres et des images, les commandes de la barre d’outils et les touches des commandes.</translation>
     </message>
     <message>
-        <source>&amp;Toolbar</source>
-        <translation>Barre d’&amp;outils</translation>
+        <source>Tool&amp;bar</source>
+        <translation>Barre d’o&amp;utils</translation>
     </message>
 </context>
 <context>

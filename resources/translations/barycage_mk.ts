@@ -12137,7 +12137,7 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
     </message>
     <message>
         <source>Re&amp;open last files on startup</source>
-        <translation>Повторно &amp;отвори ги последните датотеки на почеток</translation>
+        <translation>Повторно отвори ги &amp;последните датотеки на почеток</translation>
     </message>
     <message>
         <source>Preferences</source>
@@ -12277,7 +12277,7 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
     </message>
     <message>
         <source>&amp;Solids turn like:</source>
-        <translation>&amp;Телата се вртат како:</translation>
+        <translation>Телата се &amp;вртат како:</translation>
     </message>
     <message>
         <source>&amp;Names under the symbols of the toolbar</source>
@@ -12292,7 +12292,7 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
         <translation>Поставките на прозорците и сликите, наредбите на лентата со алатки и копчињата на наредбите.</translation>
     </message>
     <message>
-        <source>&amp;Toolbar</source>
+        <source>Tool&amp;bar</source>
         <translation>&amp;Лента со алатки</translation>
     </message>
 </context>

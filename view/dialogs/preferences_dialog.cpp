@@ -69,7 +69,7 @@ void PreferencesDialog::addToolbarPage(const QList<NamedAction>& commands, const
     m_fields.push_back({[page](const Preferences& preferences) { page->setTools(preferences.tools); },
                         [page](Preferences& preferences) { preferences.tools = page->tools(); }});
     connect(page, &ToolbarPage::changed, this, &PreferencesDialog::take);
-    m_pages->addTab(page, tr("&Toolbar"));
+    m_pages->addTab(page, tr("Tool&bar"));
 }
 
 template <class Value>

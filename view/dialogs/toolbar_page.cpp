@@ -6,9 +6,13 @@
 #include "widgets/text/tooltip_text.h"
 
 #include <QComboBox>
+#include <QCompleter>
 #include <QHBoxLayout>
+#include <QKeyEvent>
 #include <QLabel>
+#include <QLineEdit>
 #include <QListWidget>
+#include <QPixmap>
 #include <QPushButton>
 #include <QSet>
 #include <QSignalBlocker>
@@ -25,6 +29,16 @@ namespace {
 // "Discover › Variations…" without its menu.
 QString nameInMenu(const NamedAction& command) {
     return command.path.section(QStringLiteral(" › "), -1);
+}
+
+constexpr QSize iconSize{22, 22};
+
+// Names are in line, whether or not a command has an icon.
+QIcon iconOr(const QIcon& icon) {
+    if (!icon.isNull()) return icon;
+    QPixmap room(iconSize);
+    room.fill(Qt::transparent);
+    return room;
 }
 
 QString idOf(const QListWidgetItem* item) {
@@ -52,8 +66,12 @@ ToolbarPage::ToolbarPage(const QList<NamedAction>& commands, const QStringList& 
     m_list->setWhatsThis(tr("The toolbar from left to right. Drag a command to move it."));
     m_list->setDragDropMode(QAbstractItemView::InternalMove);
     m_list->setDefaultDropAction(Qt::MoveAction);
-    m_list->setIconSize({22, 22});
-    m_others->setPlaceholderText(tr("Choose a command"));
+    m_list->setIconSize(iconSize);
+    m_others->setEditable(true); // so that typing finds a command
+    m_others->setInsertPolicy(QComboBox::NoInsert);
+    m_others->completer()->setCompletionMode(QCompleter::PopupCompletion);
+    m_others->completer()->setFilterMode(Qt::MatchContains);
+    m_others->lineEdit()->setPlaceholderText(tr("Choose a command"));
     m_others->setAccessibleName(tr("Command to add"));
     m_others->setWhatsThis(tr("Adds a command of the menus, or a separator, after the selected one."));
     m_others->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
@@ -122,11 +140,13 @@ void ToolbarPage::insert(int row, const QString& id) {
     const auto found = std::ranges::find(
         m_commands, id, [](const NamedAction& command) { return command.action->objectName(); });
     if (id == separatorId()) {
+        item->setIcon(iconOr({}));
         item->setText(tr("Separator"));
+        item->setForeground(palette().placeholderText());
     } else if (found != m_commands.end()) {
         item->setText(nameInMenu(*found));
         item->setToolTip(tooltipText(found->path));
-        item->setIcon(found->action->icon());
+        item->setIcon(iconOr(found->action->icon()));
     } else {
         return;
     }
@@ -158,19 +178,36 @@ void ToolbarPage::add() {
     insert(row, chosenValue<QString>(m_others));
     m_list->setCurrentRow(row);
     listOthers();
+    // The completer writes what was chosen into the field afterwards.
+    QMetaObject::invokeMethod(m_others, &QComboBox::clearEditText, Qt::QueuedConnection);
     emit changed();
+}
+
+// Enter in the field adds the first command that is found, and does not close the dialog.
+void ToolbarPage::keyPressEvent(QKeyEvent* event) {
+    const QWidget* focused = focusWidget();
+    const bool isField = focused == m_others || focused == m_others->lineEdit();
+    const bool isEnter = event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter;
+    if (!isField || !isEnter) return QWidget::keyPressEvent(event);
+    const QString typed = m_others->currentText();
+    const int found = typed.isEmpty() ? -1 : m_others->findText(typed, Qt::MatchContains);
+    if (found < 0) return;
+    m_others->setCurrentIndex(found);
+    add();
 }
 
 void ToolbarPage::listOthers() {
     m_others->clear();
     const QStringList present = ids();
     addChoice(m_others, tr("Separator"), separatorId());
+    m_others->setItemIcon(0, iconOr({}));
     for (const NamedAction& command : std::as_const(m_commands)) {
         if (present.contains(command.action->objectName())) continue;
         addChoice(m_others, command.path, command.action->objectName());
-        m_others->setItemIcon(m_others->count() - 1, command.action->icon());
+        m_others->setItemIcon(m_others->count() - 1, iconOr(command.action->icon()));
     }
     m_others->setCurrentIndex(-1);
+    m_others->clearEditText();
 }
 
 // The last command stays, since an empty list stands for the usual ones.

@@ -27,6 +27,9 @@ public:
 signals:
     void changed(); // by the user
 
+protected:
+    void keyPressEvent(QKeyEvent* event) override;
+
 private:
     QLayout* makeButtons();
     void insert(int row, const QString& id);

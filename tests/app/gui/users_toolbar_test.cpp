@@ -9,6 +9,7 @@
 #include "window_fixture.h"
 
 #include <QDialogButtonBox>
+#include <QLineEdit>
 #include <QListWidget>
 #include <QPushButton>
 #include <QTabWidget>
@@ -22,6 +23,7 @@ private slots:
     void anOrderCountsInEveryWindowAndIsKept();
     void aDragMovesATool();
     void commandsAreAddedAndRemoved();
+    void typingFindsACommand();
     void theLastToolStays();
     void defaultsReturnPageByPage();
     void toolsOfOtherVersionsAreSkipped();
@@ -107,6 +109,21 @@ void UsersToolbarTest::commandsAreAddedAndRemoved() {
     wanted.removeAt(1);
     QCOMPARE(shown(), wanted);
     QVERIFY(others->findData(QStringLiteral("rotate-view-left")) >= 0);
+}
+
+void UsersToolbarTest::typingFindsACommand() {
+    openPage();
+    list()->setCurrentRow(0);
+    auto* field = m_page->findChild<QComboBox*>()->lineEdit();
+    field->setFocus();
+    QTest::keyClicks(field, QStringLiteral("view left"));
+    QTest::keyClick(field, Qt::Key_Return);
+    QCOMPARE(shown().value(1), QStringLiteral("rotate-view-left"));
+    QVERIFY(dialog()->isVisible());
+    QTRY_VERIFY(field->text().isEmpty());
+    QTest::keyClick(field, Qt::Key_Return);
+    QVERIFY(dialog()->isVisible());
+    QCOMPARE(shown().size(), usual().size() + 1);
 }
 
 void UsersToolbarTest::theLastToolStays() {

@@ -529,7 +529,7 @@ void SolidExportTest::hardSystemsEnd() {
     QElapsedTimer clock;
     clock.start();
     const io::PrintableSolid solid =
-        io::printableSolid(solidOf(system), resolution(support::isThorough() ? 100 : 40));
+        io::printableSolid(solidOf(system), resolution(support::isThorough() ? 100 : 20));
     QVERIFY2(clock.elapsed() < 240'000, qPrintable(QString::number(clock.elapsed())));
     QVERIFY(solid.failure ? !solid.failure->isEmpty() : !solid.mesh.triangles.empty());
 }
