@@ -130,7 +130,7 @@ private:
         QByteArray geometry;
         QByteArray layout; // of panels and bars
         bool fullScreen = false;
-    } m_before;                       // the presentation
+    } m_before; // the presentation
     ToolBar* m_toolBar = nullptr;
     QToolBar* m_optionsBar = nullptr; // under the canvas
 };
