@@ -25,8 +25,8 @@ class RoomForPicture;
 class SnapshotCommands;
 class Stage;
 class StatusLine;
-class ToolBar;
 class TeachMenu;
+class ToolBar;
 class ViewMenu;
 class WindowMessages;
 namespace view {

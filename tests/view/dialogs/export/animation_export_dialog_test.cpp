@@ -363,13 +363,18 @@ void AnimationExportDialogTest::closingAsksFirst() {
     m_dialog->show();
     m_dialog->exportTo(path("a.mp4"));
     QStringList asked;
+    const char* wanted = nullptr;
+    QTimer answering;
+    connect(&answering, &QTimer::timeout, this, [&] {
+        auto* box = qobject_cast<QMessageBox*>(QApplication::activeModalWidget());
+        if (!box) return;
+        answering.stop();
+        asked << box->text();
+        support::button(*box, wanted)->click();
+    });
     const auto answer = [&](const char* name) {
-        QTimer::singleShot(50, this, [&asked, name] {
-            auto* box = qobject_cast<QMessageBox*>(QApplication::activeModalWidget());
-            if (!box) return;
-            asked << box->text();
-            support::button(*box, name)->click();
-        });
+        wanted = name;
+        answering.start(10);
     };
     answer("continue");
     QTest::keyClick(m_dialog.get(), Qt::Key_Escape);
