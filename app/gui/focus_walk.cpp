@@ -26,7 +26,7 @@ QWidget* firstIn(QWidget* part) {
     return nullptr;
 }
 
-// Those that can take the focus, in the order in which they are visited.
+// Parts that can take the focus, in the order in which they are visited.
 QWidgetList parts(QMainWindow& window) {
     QWidgetList found{window.centralWidget()};
     for (const Qt::DockWidgetArea area :

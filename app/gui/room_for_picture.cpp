@@ -14,7 +14,7 @@ namespace {
 constexpr char gaveWay[] = "gaveWay"; // a property of panels that were hidden for the picture
 constexpr double least = 0.4;         // of the window, that a layout the user made leaves to the picture
 
-// Of a panel with the names of those that share its place: the window divides its room among both.
+// The width of a panel with the names of those that share its place: the window divides its room among both.
 int widthOf(const QDockWidget* panel) {
     int width = panel->width();
     for (const auto* names : panel->parentWidget()->findChildren<QTabBar*>(Qt::FindDirectChildrenOnly)) {

@@ -103,7 +103,7 @@ void handle(int signal, void (*handler)(int)) {
     ::sigaction(signal, &action, nullptr);
 }
 
-// Those that the caller does not want ignored, as nohup does.
+// Whether the caller wants the signal ignored, as nohup does.
 bool isIgnored(int signal) {
     struct sigaction action {};
     return ::sigaction(signal, nullptr, &action) == 0 && action.sa_handler == SIG_IGN;

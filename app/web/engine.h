@@ -67,7 +67,7 @@ BARYCAGE_WEB void barycage_clip(web::Engine* engine, const double* clip);
 // While the exposure is kept, the picture does not flicker as it is dragged. Returns how many points are
 // drawn.
 BARYCAGE_WEB double barycage_draw(web::Engine* engine, double samples, int begin, int keepExposure);
-// Of the last picture: straight (not premultiplied) RGBA, rows from the top, width × height × 4 bytes.
+// The last picture: straight (not premultiplied) RGBA, rows from the top, width × height × 4 bytes.
 BARYCAGE_WEB const std::uint8_t* barycage_pixels(web::Engine* engine);
 // FNV-1a of its premultiplied 0xAARRGGBB pixels, lowest byte first: the low or the high half.
 BARYCAGE_WEB std::uint32_t barycage_hash(web::Engine* engine, int high);

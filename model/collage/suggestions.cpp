@@ -209,7 +209,7 @@ void Search::batch(std::size_t first, std::size_t count) {
     }
 }
 
-// Of a Candidate or a Suggestion.
+// Whether two of Candidate or Suggestion are near each other.
 bool areNear(const auto& a, const auto& b, double size) {
     const auto found = animation::correspondence<2>({a.maps, a.weights, {}}, {b.maps, b.weights, {}});
     return found && found->total < alike * alike * size * size;

@@ -48,7 +48,7 @@ enum class CageMode {
 // The open file, the entry being edited, and the history. Lives in the GUI thread.
 // One step of the history holds whole values before and after; undoing an edit shows the entry it belongs to.
 // Undo or redo while a gesture is open drops what the gesture was showing.
-// Of an animation, one moment is shown and edited: docs/decisions/0010.
+// One moment of an animation is shown and edited: docs/decisions/0010.
 class Document : public QObject, private GestureHost {
     Q_OBJECT
 

@@ -119,7 +119,7 @@ QStringList linesOf(const SavedView& view) {
     return lines << line;
 }
 
-// Of the entry's dimension.
+// The block of a view of the entry's dimension.
 std::optional<Block> blockNamed(const Fractal& fractal, const QString& name) {
     for (Block& block : blocksIn(fractal.comments))
         if (block.name == name && cameraOf(block, dimension(fractal))) return std::move(block);

@@ -25,7 +25,7 @@ struct SavedView {
 
 inline constexpr std::size_t maxSavedViews = 100; // of an entry; further lines are kept and passed over
 
-// Those of the entry's dimension in their order, each name once: the first one counts. Lines that make no
+// Views of the entry's dimension in their order, each name once: the first one counts. Lines that make no
 // sense are passed over.
 std::vector<SavedView> savedViews(const Fractal& fractal);
 std::optional<SavedView> savedView(const Fractal& fractal, const QString& name);

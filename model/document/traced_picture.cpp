@@ -125,7 +125,7 @@ private:
 void place(TracedPicture& traced, const Box& onto) {
     const collage::PixelBox shape = collage::boxOf(traced.mask);
     const ifs::Vector<2> size = onto.max - onto.min;
-    // Of a line only one side counts.
+    // Only one side of a line counts.
     const double pixel = std::min(size.x() > 0 ? size.x() / shape.width() : HUGE_VAL,
                                   size.y() > 0 ? size.y() / shape.height() : HUGE_VAL);
     if (!std::isfinite(pixel)) return;

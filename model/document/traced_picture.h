@@ -35,7 +35,7 @@ struct TracedPicture {
     collage::GreyPicture picture; // cropped
     collage::Mask mask;           // of the same size
     collage::Target target;       // one cell for each pixel of the mask
-    // Of large shapes also with cells of coarseFactor² pixels, for numbers that keep up with a hand.
+    // Large shapes also have cells of coarseFactor² pixels, for numbers that keep up with a hand.
     std::optional<collage::Target> coarse;
     int coarseFactor = 1;
     // Closed outlines of the mask, in the plane: holes run the other way round. At most 3/4 of a pixel away

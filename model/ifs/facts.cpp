@@ -13,8 +13,10 @@
 #include "ifs/separation/affine_hull.h"
 #include "ifs/separation/exact_hull.h"
 #include "ifs/separation/exact_map.h"
+#include "ifs/separation/graph_proof.h"
 #include "ifs/separation/hull_cover.h"
 #include "ifs/separation/neighbour_graph.h"
+#include "ifs/tiles/tile_area.h"
 
 #include <algorithm>
 #include <chrono>
@@ -75,6 +77,7 @@ template <int Dim>
 bool findExistence(Facts<Dim>& facts, const IteratedFunctionSystem<Dim>& system, Budget& budget) {
     facts.probabilities = probabilities(system);
     facts.active = activeMaps(system);
+    facts.typed = typedMaps(system, facts.active);
     facts.mean = mean(facts.active);
     facts.moments = moments(facts.active);
     return budget.spend(LongFact::Existence, [&](const std::stop_token&) {
@@ -143,7 +146,7 @@ void findLinkedExtents(Facts<2>& facts, std::optional<double> hullTolerance, Bud
     });
 }
 
-// Of linked maps everything is different; what has no counterpart stays empty.
+// Finds the facts of linked maps, which are all different; what has no counterpart stays empty.
 template <int Dim> void findLinked(Facts<Dim>& facts, std::optional<double> hullTolerance, Budget& budget) {
     const bool isKnown = budget.spend(LongFact::Existence, [&](const std::stop_token&) {
         facts.existence = classifyLinked<Dim>(facts.active);
@@ -213,12 +216,20 @@ bool settleExtremePoints(Facts<2>& facts, const std::stop_token& stop) {
 
 template <int Dim> void findContacts(const Facts<Dim>& facts, Invariants& result) {
     const auto& maps = facts.active.maps;
-    const auto graph = facts.box ? neighbourGraph<Dim>(maps, *facts.box) : std::nullopt;
+    auto graph = facts.box ? neighbourGraph<Dim>(maps, *facts.box) : std::nullopt;
+    if (graph && !facts.typed.empty())
+        graph->setCertainty(isGraphOf(*graph, facts.typed) ? Certainty::Exact : Certainty::ToRounding);
     const NeighbourGraph* neighbours = graph ? &*graph : nullptr;
     result.contacts = pieceContacts(*facts.support, neighbours);
+    prove(*result.contacts, facts.typed);
     result.openSet = openSetFacts<Dim>(maps, *result.contacts, neighbours);
+    proveDimension(*result.openSet, facts.typed);
     if constexpr (Dim == 2) {
         if (facts.box) result.tile = tile(maps, *facts.box, neighbours);
+        if (result.tile && !facts.typed.empty())
+            result.tile->isExact =
+                (!result.tile->area || isAreaOf(maps, facts.typed)) &&
+                (!result.tile->boundaryDimension || neighbours->certainty() == Certainty::Exact);
         if (result.tile && result.tile->area)
             settleByArea<2>(*result.openSet, maps,
                             result.tile->isExact ? Certainty::Exact : Certainty::ToRounding);
@@ -412,6 +423,7 @@ template <int Dim> Facts<Dim> moved(const AffineMap<Dim>& transformation, const 
         result.simplex = minimalCanonicalSimplexOfImage(transformation, *facts.support, tolerance);
     }
     if (facts.hull) result.hull = moved(transformation, *facts.hull);
+    result.typed.clear();
     result.extremePoints.clear();
     result.isHullExact = false;
     result.invariants = scaled(facts.invariants, std::abs(determinant<Dim>(transformation.linear)));

@@ -12,6 +12,7 @@
 #include "ifs/separation/piece_contacts.h"
 #include "ifs/system/iterated_function_system.h"
 #include "ifs/tiles/tile.h"
+#include "ifs/typed/surd_map.h"
 
 #include <algorithm>
 #include <chrono>
@@ -35,7 +36,7 @@ struct Invariants {
     std::optional<Tile> tile;                               // in the plane
 };
 
-// Those that can take long.
+// Facts that can take long.
 enum class LongFact {
     Existence, // and with it everything else but the moments
     Extents,   // box and simplex
@@ -61,6 +62,7 @@ struct FactLimits {
 template <int Dim> struct Facts {
     std::vector<double> probabilities; // one for each map, 0 for a map that takes no part
     ActiveMaps<Dim> active;
+    std::vector<SurdMap> typed;    // these without rounding; empty where nothing is typed
     Existence existence;           // of the active maps
     std::optional<Mean<Dim>> mean; // can exist without the covariance
     std::optional<Moments<Dim>> moments;
@@ -102,10 +104,10 @@ Facts<Dim> geometricFacts(const IteratedFunctionSystem<Dim>& system,
 template <int Dim> void capAffinityDimension(Facts<Dim>& facts);
 
 template <int Dim> Invariants invariantsOf(const Facts<Dim>& facts);
-// Those of an image whose area is so many times that of the attractor.
+// Invariants of an image whose area is so many times that of the attractor.
 Invariants scaled(Invariants invariants, double areaFactor);
 
-// Those of the attractor's image under an affine map T: of the maps T∘w∘T⁻¹, whose attractor it is. Extents
+// Facts of the attractor's image under an affine map T: of the maps T∘w∘T⁻¹, whose attractor it is. Extents
 // come from the support function of the code (which is kept), so that they are as sharp however T leans. An
 // image that is flat has extents and moments, but no maps and no dimension, and in space no hull.
 template <int Dim> Facts<Dim> moved(const AffineMap<Dim>& transformation, const Facts<Dim>& facts);

@@ -168,7 +168,7 @@ document::Problem recognised(Notation notation, qsizetype systems, qsizetype map
     return {document::Problem::Severity::Warning, {}, 0, 0, sentence};
 }
 
-// Of the text, for a line of the table.
+// The line of the text for a row of the table.
 int lineOf(const ListedMaps& listed, int row) {
     return row > 0 && std::size_t(row) <= listed.lines.size() ? listed.lines[std::size_t(row) - 1] : 0;
 }

@@ -5701,6 +5701,30 @@
         <source>“%1” has %2 numbers for %3 maps, so it is not read as their weights, which are computed from the determinants.</source>
         <translation>„%1“ hat %2 Zahlen für %3 Abbildungen und wird deshalb nicht als deren Gewichte gelesen; diese kommen von den Determinanten.</translation>
     </message>
+    <message>
+        <source>MP4: plays everywhere</source>
+        <translation>MP4: läuft überall</translation>
+    </message>
+    <message>
+        <source>WebM: for web pages, with transparency</source>
+        <translation>WebM: für Webseiten, mit Transparenz</translation>
+    </message>
+    <message>
+        <source>MKV: lossless, for editing</source>
+        <translation>MKV: verlustfrei, zum Bearbeiten</translation>
+    </message>
+    <message>
+        <source>GIF: 256 colours</source>
+        <translation>GIF: 256 Farben</translation>
+    </message>
+    <message>
+        <source>WebP: a lossless animated image</source>
+        <translation>WebP: bewegtes Bild ohne Verlust</translation>
+    </message>
+    <message>
+        <source>APNG: a lossless animated image</source>
+        <translation>APNG: bewegtes Bild ohne Verlust</translation>
+    </message>
 </context>
 <context>
     <name>Tour</name>
@@ -6205,30 +6229,6 @@
         <translation>Format</translation>
     </message>
     <message>
-        <source>MP4: plays everywhere</source>
-        <translation>MP4: läuft überall</translation>
-    </message>
-    <message>
-        <source>WebM: for web pages, with transparency</source>
-        <translation>WebM: für Webseiten, mit Transparenz</translation>
-    </message>
-    <message>
-        <source>MKV: lossless, for editing</source>
-        <translation>MKV: verlustfrei, zum Bearbeiten</translation>
-    </message>
-    <message>
-        <source>GIF: 256 colours</source>
-        <translation>GIF: 256 Farben</translation>
-    </message>
-    <message>
-        <source>WebP: a lossless animated image</source>
-        <translation>WebP: bewegtes Bild ohne Verlust</translation>
-    </message>
-    <message>
-        <source>APNG: a lossless animated image</source>
-        <translation>APNG: bewegtes Bild ohne Verlust</translation>
-    </message>
-    <message>
         <source>PNG: one picture for each frame</source>
         <translation>PNG: ein Bild für jeden Zeitpunkt</translation>
     </message>
@@ -6377,14 +6377,6 @@
         <translation>Schreibt einen Ordner mit der Animation und mit Skripten, die sie auf einem Slurm-Cluster zeichnen, und reicht ihn ein, wo sbatch gefunden wird.</translation>
     </message>
     <message>
-        <source>MP4 needs even sides: the last column or row is shown twice.</source>
-        <translation>MP4 braucht gerade Seiten: Die letzte Spalte oder Zeile wird doppelt gezeigt.</translation>
-    </message>
-    <message>
-        <source>MP4 has no transparency: the background becomes black.</source>
-        <translation>MP4 kennt keine Transparenz: Der Hintergrund wird schwarz.</translation>
-    </message>
-    <message>
         <source>Export Animation</source>
         <translation>Animation exportieren</translation>
     </message>
@@ -6493,6 +6485,14 @@
     <message>
         <source>S&amp;upersampling:</source>
         <translation>Ü&amp;berabtastung:</translation>
+    </message>
+    <message>
+        <source>%1 needs even sides: the last column or row is shown twice.</source>
+        <translation>%1 braucht gerade Seiten: Die letzte Spalte oder Zeile wird doppelt gezeigt.</translation>
+    </message>
+    <message>
+        <source>%1 has no transparency: the background becomes black.</source>
+        <translation>%1 kennt keine Transparenz: Der Hintergrund wird schwarz.</translation>
     </message>
 </context>
 <context>

@@ -5701,6 +5701,30 @@
         <source>“%1” has %2 numbers for %3 maps, so it is not read as their weights, which are computed from the determinants.</source>
         <translation>«%1» tiene %2 números para %3 aplicaciones; por eso no se lee como sus pesos, que se toman de los determinantes.</translation>
     </message>
+    <message>
+        <source>MP4: plays everywhere</source>
+        <translation>MP4: se reproduce en todas partes</translation>
+    </message>
+    <message>
+        <source>WebM: for web pages, with transparency</source>
+        <translation>WebM: para páginas web, con transparencia</translation>
+    </message>
+    <message>
+        <source>MKV: lossless, for editing</source>
+        <translation>MKV: sin pérdida, para editar</translation>
+    </message>
+    <message>
+        <source>GIF: 256 colours</source>
+        <translation>GIF: 256 colores</translation>
+    </message>
+    <message>
+        <source>WebP: a lossless animated image</source>
+        <translation>WebP: imagen en movimiento sin pérdida</translation>
+    </message>
+    <message>
+        <source>APNG: a lossless animated image</source>
+        <translation>APNG: imagen en movimiento sin pérdida</translation>
+    </message>
 </context>
 <context>
     <name>Tour</name>
@@ -6205,30 +6229,6 @@
         <translation>Formato</translation>
     </message>
     <message>
-        <source>MP4: plays everywhere</source>
-        <translation>MP4: se reproduce en todas partes</translation>
-    </message>
-    <message>
-        <source>WebM: for web pages, with transparency</source>
-        <translation>WebM: para páginas web, con transparencia</translation>
-    </message>
-    <message>
-        <source>MKV: lossless, for editing</source>
-        <translation>MKV: sin pérdida, para editar</translation>
-    </message>
-    <message>
-        <source>GIF: 256 colours</source>
-        <translation>GIF: 256 colores</translation>
-    </message>
-    <message>
-        <source>WebP: a lossless animated image</source>
-        <translation>WebP: imagen en movimiento sin pérdida</translation>
-    </message>
-    <message>
-        <source>APNG: a lossless animated image</source>
-        <translation>APNG: imagen en movimiento sin pérdida</translation>
-    </message>
-    <message>
         <source>PNG: one picture for each frame</source>
         <translation>PNG: una imagen por fotograma</translation>
     </message>
@@ -6377,14 +6377,6 @@
         <translation>Escribe una carpeta con la animación y con guiones que la dibujan en un clúster Slurm, y la envía si se encuentra sbatch.</translation>
     </message>
     <message>
-        <source>MP4 needs even sides: the last column or row is shown twice.</source>
-        <translation>MP4 necesita lados pares: la última columna o fila se muestra dos veces.</translation>
-    </message>
-    <message>
-        <source>MP4 has no transparency: the background becomes black.</source>
-        <translation>MP4 no tiene transparencia: el fondo se vuelve negro.</translation>
-    </message>
-    <message>
         <source>Export Animation</source>
         <translation>Exportar animación</translation>
     </message>
@@ -6493,6 +6485,14 @@
     <message>
         <source>S&amp;upersampling:</source>
         <translation>Sobre&amp;muestreo:</translation>
+    </message>
+    <message>
+        <source>%1 needs even sides: the last column or row is shown twice.</source>
+        <translation>%1 necesita lados pares: la última columna o fila se muestra dos veces.</translation>
+    </message>
+    <message>
+        <source>%1 has no transparency: the background becomes black.</source>
+        <translation>%1 no tiene transparencia: el fondo se vuelve negro.</translation>
     </message>
 </context>
 <context>

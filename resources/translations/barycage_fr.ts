@@ -5701,6 +5701,30 @@
         <source>“%1” has %2 numbers for %3 maps, so it is not read as their weights, which are computed from the determinants.</source>
         <translation>«&#x202f;%1&#x202f;» a %2 nombres pour %3 applications et n’est donc pas lu comme leurs poids, qui sont tirés des déterminants.</translation>
     </message>
+    <message>
+        <source>MP4: plays everywhere</source>
+        <translation>MP4 : lisible partout</translation>
+    </message>
+    <message>
+        <source>WebM: for web pages, with transparency</source>
+        <translation>WebM : pour les pages web, avec transparence</translation>
+    </message>
+    <message>
+        <source>MKV: lossless, for editing</source>
+        <translation>MKV : sans perte, pour le montage</translation>
+    </message>
+    <message>
+        <source>GIF: 256 colours</source>
+        <translation>GIF : 256 couleurs</translation>
+    </message>
+    <message>
+        <source>WebP: a lossless animated image</source>
+        <translation>WebP : image animée sans perte</translation>
+    </message>
+    <message>
+        <source>APNG: a lossless animated image</source>
+        <translation>APNG : image animée sans perte</translation>
+    </message>
 </context>
 <context>
     <name>Tour</name>
@@ -6205,30 +6229,6 @@
         <translation>Format</translation>
     </message>
     <message>
-        <source>MP4: plays everywhere</source>
-        <translation>MP4 : lisible partout</translation>
-    </message>
-    <message>
-        <source>WebM: for web pages, with transparency</source>
-        <translation>WebM : pour les pages web, avec transparence</translation>
-    </message>
-    <message>
-        <source>MKV: lossless, for editing</source>
-        <translation>MKV : sans perte, pour le montage</translation>
-    </message>
-    <message>
-        <source>GIF: 256 colours</source>
-        <translation>GIF : 256 couleurs</translation>
-    </message>
-    <message>
-        <source>WebP: a lossless animated image</source>
-        <translation>WebP : image animée sans perte</translation>
-    </message>
-    <message>
-        <source>APNG: a lossless animated image</source>
-        <translation>APNG : image animée sans perte</translation>
-    </message>
-    <message>
         <source>PNG: one picture for each frame</source>
         <translation>PNG : une image par trame</translation>
     </message>
@@ -6377,14 +6377,6 @@
         <translation>Écrit un dossier avec l’animation et les scripts qui la dessinent sur une grappe Slurm, et le soumet là où sbatch est trouvé.</translation>
     </message>
     <message>
-        <source>MP4 needs even sides: the last column or row is shown twice.</source>
-        <translation>MP4 exige des côtés pairs : la dernière colonne ou ligne est montrée deux fois.</translation>
-    </message>
-    <message>
-        <source>MP4 has no transparency: the background becomes black.</source>
-        <translation>MP4 n’a pas de transparence : le fond devient noir.</translation>
-    </message>
-    <message>
         <source>Export Animation</source>
         <translation>Exporter l’animation</translation>
     </message>
@@ -6493,6 +6485,14 @@
     <message>
         <source>S&amp;upersampling:</source>
         <translation>S&amp;uréchantillonnage :</translation>
+    </message>
+    <message>
+        <source>%1 needs even sides: the last column or row is shown twice.</source>
+        <translation>%1 exige des côtés pairs : la dernière colonne ou ligne est montrée deux fois.</translation>
+    </message>
+    <message>
+        <source>%1 has no transparency: the background becomes black.</source>
+        <translation>%1 n’a pas de transparence : le fond devient noir.</translation>
     </message>
 </context>
 <context>

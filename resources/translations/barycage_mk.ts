@@ -5716,6 +5716,30 @@
         <source>“%1” has %2 numbers for %3 maps, so it is not read as their weights, which are computed from the determinants.</source>
         <translation>„%1“ има %2 броеви за %3 пресликувања, па не се чита како нивни тежини; тие се земаат од детерминантите.</translation>
     </message>
+    <message>
+        <source>MP4: plays everywhere</source>
+        <translation>MP4: се пушта насекаде</translation>
+    </message>
+    <message>
+        <source>WebM: for web pages, with transparency</source>
+        <translation>WebM: за веб-страници, со проѕирност</translation>
+    </message>
+    <message>
+        <source>MKV: lossless, for editing</source>
+        <translation>MKV: без загуба, за обработка</translation>
+    </message>
+    <message>
+        <source>GIF: 256 colours</source>
+        <translation>GIF: 256 бои</translation>
+    </message>
+    <message>
+        <source>WebP: a lossless animated image</source>
+        <translation>WebP: подвижна слика без загуба</translation>
+    </message>
+    <message>
+        <source>APNG: a lossless animated image</source>
+        <translation>APNG: подвижна слика без загуба</translation>
+    </message>
 </context>
 <context>
     <name>Tour</name>
@@ -6220,30 +6244,6 @@
         <translation>Формат</translation>
     </message>
     <message>
-        <source>MP4: plays everywhere</source>
-        <translation>MP4: се пушта насекаде</translation>
-    </message>
-    <message>
-        <source>WebM: for web pages, with transparency</source>
-        <translation>WebM: за веб-страници, со проѕирност</translation>
-    </message>
-    <message>
-        <source>MKV: lossless, for editing</source>
-        <translation>MKV: без загуба, за обработка</translation>
-    </message>
-    <message>
-        <source>GIF: 256 colours</source>
-        <translation>GIF: 256 бои</translation>
-    </message>
-    <message>
-        <source>WebP: a lossless animated image</source>
-        <translation>WebP: подвижна слика без загуба</translation>
-    </message>
-    <message>
-        <source>APNG: a lossless animated image</source>
-        <translation>APNG: подвижна слика без загуба</translation>
-    </message>
-    <message>
         <source>PNG: one picture for each frame</source>
         <translation>PNG: по една слика за секој кадар</translation>
     </message>
@@ -6392,14 +6392,6 @@
         <translation>Запишува папка со анимацијата и со скрипти што ја цртаат на кластер со Slurm, и ја поднесува ако се најде sbatch.</translation>
     </message>
     <message>
-        <source>MP4 needs even sides: the last column or row is shown twice.</source>
-        <translation>MP4 бара парни страни: последната колона или редица се прикажува двапати.</translation>
-    </message>
-    <message>
-        <source>MP4 has no transparency: the background becomes black.</source>
-        <translation>MP4 нема проѕирност: позадината станува црна.</translation>
-    </message>
-    <message>
         <source>Export Animation</source>
         <translation>Извоз на анимација</translation>
     </message>
@@ -6510,6 +6502,14 @@
     <message>
         <source>S&amp;upersampling:</source>
         <translation>&amp;Натсемплирање:</translation>
+    </message>
+    <message>
+        <source>%1 needs even sides: the last column or row is shown twice.</source>
+        <translation>%1 бара парни страни: последната колона или редица се прикажува двапати.</translation>
+    </message>
+    <message>
+        <source>%1 has no transparency: the background becomes black.</source>
+        <translation>%1 нема проѕирност: позадината станува црна.</translation>
     </message>
 </context>
 <context>

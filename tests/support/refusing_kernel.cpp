@@ -14,6 +14,7 @@ namespace support {
 bool readsFail = false;
 int failedReads = 0;
 bool linksAreProtected = false;
+unsigned permissionsOfNewFiles = 0;
 
 } // namespace support
 
@@ -50,7 +51,11 @@ int opened(const char* path, int flags, std::va_list rest) {
     }
     const bool makesFile = (flags & O_CREAT) != 0 || (flags & O_TMPFILE) == O_TMPFILE;
     const mode_t mode = makesFile ? va_arg(rest, mode_t) : 0;
-    return int(::syscall(SYS_openat, AT_FDCWD, path, flags, mode));
+    const int file = int(::syscall(SYS_openat, AT_FDCWD, path, flags, mode));
+    struct stat made {};
+    if (makesFile && file >= 0 && ::fstat(file, &made) == 0)
+        support::permissionsOfNewFiles |= made.st_mode & 0777;
+    return file;
 }
 
 ssize_t readAt(int file, void* data, std::size_t size, off_t position) {

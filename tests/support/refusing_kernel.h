@@ -13,4 +13,7 @@ extern int failedReads;
 // to, only those of the user or of the owner of the folder are followed.
 extern bool linksAreProtected;
 
+// The permissions with which files were made, all of them together, before anything changed them.
+extern unsigned permissionsOfNewFiles;
+
 } // namespace support

@@ -30,7 +30,7 @@ class BranchBar : public QWidget {
 public:
     BranchBar(document::Document* document, CanvasView* canvas, QWidget* parent = nullptr);
 
-    // Of the window into space, whose selected maps swing about the line of sight; `hint` is shown beside it.
+    // The window into space, whose selected maps swing about the line of sight; `hint` is shown beside it.
     void setSpace(SpaceView* space, const QString& hint);
     // Another canvas, whose branch is the one that is spoken of once it was selected later.
     void setBeside(CanvasView* canvas);

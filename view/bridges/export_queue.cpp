@@ -54,7 +54,7 @@ void ExportQueue::takeOver(const io::TaskFolder::TakenOver& taken) {
         left.push_back(std::move(one));
     }
     m_exports.insert(m_exports.begin(), left.begin(), left.end());
-    // Those that were added meanwhile come last.
+    // Exports that were added meanwhile come last.
     for (std::size_t k = 0; k < m_exports.size(); ++k)
         if (std::exchange(m_exports[k].task.place, qint64(k)) != qint64(k)) keep(m_exports[k]);
     emit listChanged();

@@ -43,7 +43,7 @@ public:
 
     void show(std::optional<int> step); // nullopt: no steps are shown
 
-    // Of the step that is shown, as it was a moment ago; nullopt while nothing is known.
+    // The distance of the step that is shown, as it was a moment ago; nullopt while nothing is known.
     const std::optional<document::StepDistance>& distance() const { return m_distance; }
 
 signals:

@@ -103,7 +103,7 @@ void CanvasNavigation::takeExtent(document::MotionExtent extent) {
 
 void CanvasNavigation::fitTo(const document::MotionExtent& extent) {
     std::vector<ifs::Vector<2>> corners = extent.corners;
-    // Of an entry at rest, and of one whose corners are not stored: they are the same at every moment.
+    // The corners of an entry at rest, or of one that stores none, are the same at every moment.
     if (const auto& cage = m_scene.handles().cage(); corners.empty() && cage) corners = cage->current;
     std::optional<document::Box> attractor = extent.picture;
     if (m_fittedToo) attractor = attractor ? document::united(*attractor, *m_fittedToo) : m_fittedToo;

@@ -42,7 +42,7 @@ public:
     const CanvasOptions& options() const { return m_options; }
     const CanvasScene& canvas() const { return *m_scene; }
 
-    // Of an analysis; `outer` contain the cylinders among the shapes, of which a click chooses one.
+    // Outlines of an analysis; `outer` contain the cylinders among the shapes, of which a click chooses one.
     void showOutlines(std::vector<document::OutlineShape> shapes,
                       std::vector<document::OutlineShape> outer = {});
     void showTrail(const std::vector<ifs::Vector<2>>& points); // of a chaos game, the newest last

@@ -15,8 +15,9 @@ struct PointerPosition {
     attractor::Camera camera{}; // of the view: says how many digits mean anything
     // With respect to the first three vertices of the current cage; nullopt while they lie on one line.
     std::optional<ifs::Barycentric<2>> barycentric;
-    // Of the point of the attractor under the pointer, by indices in the system; empty where there is none
-    // and while something is dragged. The fixed point, displayed, is that of its first `fixedLength` maps.
+    // The address of the point of the attractor under the pointer, by indices in the system; empty where
+    // there is none and while something is dragged. The fixed point, displayed, is that of its first
+    // `fixedLength` maps.
     ifs::Word address{};
     std::size_t fixedLength = 0;
     std::optional<ifs::Vector<2>> fixedPoint{};

@@ -136,7 +136,7 @@ public:
     void drawControl(ControlElement element, const QStyleOption* option, QPainter* painter,
                      const QWidget* widget) const override {
         QProxyStyle::drawControl(element, option, painter, widget);
-        // Of a row that is selected as a whole, one cell takes the keys: however it was chosen.
+        // One cell takes the keys of a row that is selected as a whole, however it was chosen.
         if (element == CE_ItemViewItem && option->state & State_HasFocus &&
             qobject_cast<const QTableView*>(widget))
             paintFocus(*option, *painter, 2);
@@ -209,7 +209,7 @@ public:
 private:
     static constexpr int arrowSide = 8, arrowMargin = 3;
 
-    // Of a menu, beside the text.
+    // Whether the arrow of a menu is beside the text.
     static bool hasArrowBeside(const QStyleOptionToolButton& button) {
         const bool isBeside = button.toolButtonStyle == Qt::ToolButtonTextBesideIcon ||
                               button.toolButtonStyle == Qt::ToolButtonTextOnly;

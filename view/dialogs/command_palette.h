@@ -25,7 +25,7 @@ struct NamedAction {
 inline constexpr char commandName[] = "commandName";
 
 QList<NamedAction> actionsOf(const QWidget* menuBar);
-// Those of the menu bar, then those of the panels and bars that no menu has.
+// Commands of the menu bar, then those of the panels and bars that no menu has.
 QList<NamedAction> actionsOf(const QMainWindow& window);
 
 // Every command of a window, found by typing a few letters of what it does.

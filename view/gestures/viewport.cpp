@@ -118,7 +118,7 @@ void Viewport::keyReleaseEvent(QKeyEvent* event) {
     event->setAccepted(input().releaseKey(*event));
 }
 
-// That the keyboard is here is shown to those who use it.
+// The focus is shown to those who use the keyboard.
 void Viewport::focusInEvent(QFocusEvent* event) {
     m_showsFocus = event->reason() == Qt::TabFocusReason || event->reason() == Qt::BacktabFocusReason;
     QGraphicsView::focusInEvent(event);

@@ -26,7 +26,7 @@ public:
     bool areFourShown() const { return m_areFourShown; }
     void showFour(bool four);
 
-    // Of all that are shown:
+    // All views that are shown:
     void fit();
     void setOverlaysVisible(bool visible);
     void setUpAxis(attractor::UpAxis up);

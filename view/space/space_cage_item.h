@@ -29,7 +29,7 @@ public:
     void setMarks(std::optional<std::size_t> hovered, std::optional<std::size_t> pressed,
                   std::optional<std::size_t> focused);
 
-    // Of two handles there, the nearer one; the others follow.
+    // Handles at a position, the nearest first.
     std::vector<std::size_t> handlesAt(const QPointF& position) const;
     // The face towards the eye that has its middle there; nullopt without one.
     std::optional<std::size_t> faceAt(const QPointF& position) const;

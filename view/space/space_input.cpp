@@ -110,7 +110,7 @@ bool SpaceInput::pressHandle() {
         handles = held().handlesAt(position);
     }
     if (handles.empty()) return false;
-    // Of two, the one that Tab has chosen.
+    // Tab has chosen one of two.
     const bool isChosen = m_focused && std::ranges::find(handles, *m_focused) != handles.end();
     beginDrag(isChosen ? *m_focused : handles.front());
     return true;

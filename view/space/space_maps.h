@@ -52,7 +52,7 @@ public:
     // `adds` selects and holds one more, or gives one up.
     void pick(std::size_t index, bool adds);
     bool selectIds(const std::vector<ifs::MapId>& ids); // and hold one of them; false: as before
-    // Of the maps that are not held, the one that has a corner there; of several the nearest to the eye.
+    // The map that has a corner there and is not held; of several the nearest to the eye.
     std::optional<std::size_t> mapAt(const QPointF& position) const;
 
     void layOut(const attractor::OrbitCamera& camera, const std::optional<ifs::ControlCage<3>>& cage,

@@ -25,7 +25,7 @@ bool showsNothing(const attractor::SolidFrame& frame) {
                                [](std::uint32_t key) { return key == attractor::emptyKey; });
 }
 
-// Of the box around what is displayed, where it is cut.
+// Corners of the box around what is displayed, where it is cut.
 std::vector<ifs::Vector<3>> cornersOfCut(const document::Fractal& fractal) {
     if (!document::space(fractal) || !fractal.inSpace.clip || !document::isSpaceExtentKnown(fractal))
         return {};
@@ -374,7 +374,7 @@ void SpaceView::begin() {
 }
 
 void SpaceView::contextMenuEvent(QContextMenuEvent* event) {
-    // Of the mouse, a click of the right button that does not turn the view.
+    // The mouse opens the menu by a click of the right button that does not turn the view.
     if (event->reason() != QContextMenuEvent::Mouse) showMenu(mapToGlobal(rect().center()));
     event->accept();
 }

@@ -38,7 +38,7 @@ struct SpatialDrag {
     Mode mode = Mode::Move;
 };
 
-// Of a face: its corners follow its middle, which is held as one more vertex, the last.
+// The drag of a face: its corners follow its middle, which is held as one more vertex, the last.
 SpatialDrag faceDrag(std::vector<ifs::Vector<3>> vertices, const std::vector<int>& corners);
 
 struct Pull {

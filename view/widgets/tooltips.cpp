@@ -49,7 +49,7 @@ QString shortcutOf(const QWidget& widget) {
                                                     : QString();
 }
 
-// Of a field that shows an expression: the expression and its value. Of a label that is cut: all of it.
+// The expression and its value for a field that shows one; all of a label that is cut.
 QString contentOf(const QWidget& widget) {
     if (const auto* label = dynamic_cast<const ElidedLabel*>(&widget))
         return label->isCut() ? label->text() : QString();

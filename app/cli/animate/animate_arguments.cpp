@@ -6,6 +6,7 @@
 #include "options/usage_error.h"
 #include "process/input.h"
 #include "process/output.h"
+#include "process/picture_suffixes.h"
 
 #include <QFileInfo>
 #include <QRegularExpression>
@@ -51,12 +52,11 @@ void addAnimateOptions(Command& command, AnimateArguments& arguments) {
     files
         .add("-o,--output", "OUT", &arguments.picture.output,
              "Pictures to write, such as NAME.####.png: #### is the number of the frame plus 1, with "
-             "leading zeros; or a video: .mp4, .webm, .mkv (lossless), .gif, .webp or .apng")
-        .moreOf("A folder that does not exist is created. Videos are .mp4 (H.264), .webm (VP9, with "
-                "transparency), .mkv (FFV1, lossless), .gif (one palette for all frames), .webp and "
-                ".apng (both lossless). A video contains the entry, and Barycage can open it again as "
-                "an animation.")
-        .completedBy(Completion::Kind::Files, {"png", "mp4", "webm", "mkv", "gif", "webp", "apng"})
+             "leading zeros; or a video: " +
+                 namedVideos(tr("or")).toStdString())
+        .moreOf("A folder that does not exist is created. " + describedVideos() +
+                " A video contains the entry, and Barycage can open it again as an animation.")
+        .completedBy(Completion::Kind::Files, videoSuffixes({"png"}))
         .is(Work)
         .fileName()
         .required();
@@ -163,8 +163,8 @@ void checkPattern(const QString& pattern) {
     if (QFileInfo(pattern).suffix().toLower() != u"png" || isStandardOutput(pattern))
         throw UsageError{
             tr("The frames of an animation are written to .png files, such as NAME.####.png, or to a video "
-               "(.mp4, .webm, .mkv, .gif, .webp or .apng), and “%1” is none of them.")
-                .arg(pattern)};
+               "(%1), and “%2” is none of them.")
+                .arg(namedVideos(tr("or")), pattern)};
     const QString name = QFileInfo(pattern).fileName();
     static const QRegularExpression groups(QStringLiteral("(?<!#)#")); // count() lets matches overlap
     if (name.count(groups) != 1)

@@ -10,6 +10,7 @@
 #include "process/interrupt.h"
 #include "process/messages.h"
 #include "process/output.h"
+#include "process/picture_suffixes.h"
 #include "process/progress_bar.h"
 
 #include "animation/keys/moment.h"
@@ -55,9 +56,8 @@ void check(EncodeArguments& arguments) {
     const QString output = fileNameOf(arguments.output);
     const auto format = io::videoFormat(QFileInfo(output).suffix());
     if (!format)
-        throw UsageError{tr("The video can be written as .mp4, .webm, .mkv, .gif, .webp or .apng, and “%1” "
-                            "is none of them.")
-                             .arg(output)};
+        throw UsageError{tr("The video can be written as %1, and “%2” is none of them.")
+                             .arg(namedVideos(tr("or")), output)};
     arguments.format = *format;
 }
 
@@ -376,8 +376,9 @@ Command encodeCommand() {
         .required();
     files
         .add("-o,--output", "OUT", &arguments->output,
-             "Video to write: .mp4, .webm, .mkv (lossless), .gif, .webp or .apng")
-        .completedBy(Completion::Kind::Files, {"mp4", "webm", "mkv", "gif", "webp", "apng"})
+             "Video to write: " + namedVideos(tr("or")).toStdString())
+        .moreOf(describedVideos())
+        .completedBy(Completion::Kind::Files, videoSuffixes())
         .fileName()
         .required();
     const OptionGroup frames = command.group("Frames");

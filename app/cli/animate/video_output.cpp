@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "animate/video_output.h"
 
+#include "options/parser.h"
 #include "options/tr.h"
 #include "process/messages.h"
+
+#include <QLatin1String>
+#include <QStringList>
 
 #include <memory>
 #include <optional>
@@ -14,19 +18,27 @@ namespace {
 
 constexpr double shareOfFrames = 0.9; // of the progress; the rest is finishing
 
+// Titles of formats that store any transparency; a colour of a palette is transparent or not.
+QStringList transparentFormats() {
+    QStringList titles;
+    for (const io::VideoFormatFacts& facts : io::videoFormats())
+        if (facts.storesAlpha && !facts.isPaletted) titles << QLatin1String(facts.title);
+    return titles;
+}
+
 void warnAboutFormat(const QString& path, const io::VideoSettings& settings) {
-    const io::VideoFormatFacts facts = io::factsOf(settings.format);
+    const io::VideoFormatFacts& facts = io::factsOf(settings.format);
     const bool isOdd = settings.width % 2 != 0 || settings.height % 2 != 0;
     if (facts.needsEvenSides && isOdd)
         reportWarning(path,
-                      tr("MP4 needs even sides: the last column or row is shown twice, and the video has "
-                         "%1x%2 pixels.")
+                      tr("%1 needs even sides: the last column or row is shown twice, and the video has "
+                         "%2x%3 pixels.")
+                          .arg(QLatin1String(facts.title))
                           .arg(settings.width + settings.width % 2)
                           .arg(settings.height + settings.height % 2));
     if (!facts.storesAlpha && settings.isTransparent)
-        reportWarning(path,
-                      tr("MP4 stores no transparency: the background is black. WebM, MKV, WebP and APNG "
-                         "store it."));
+        reportWarning(path, tr("%1 stores no transparency: the background is black. %2 store it.")
+                                .arg(QLatin1String(facts.title), listed(transparentFormats(), tr("and"))));
 }
 
 class VideoSession {

@@ -46,7 +46,7 @@ DimensionChange dimensionChange(const SolidArguments& arguments); // throws Usag
 // The entry after the change, or why there is none.
 std::optional<QString> changeDimension(document::Entry& entry, const DimensionChange& change);
 
-// That what was lifted by a factor for z that does not contract has no attractor.
+// Warns that a lift by a factor for z that does not contract has no attractor; nullopt: it has one.
 std::optional<QString> liftWarning(const document::Fractal& lifted, const DimensionChange& change);
 
 // Prints lines on standard output, and says it of the file where that fails.

@@ -26,8 +26,8 @@ Call parse(const Program& program, const std::vector<std::string>& words);
 QString listed(QStringList words, const QString& last);
 QString listed(const std::vector<std::string>& words, const QString& last);
 
-// Of the candidates the one that was probably meant: one that begins like the word, or else differs from it
-// in few letters. Empty when there is none.
+// The candidate that was probably meant: one that begins like the word, or else differs from it in few
+// letters. Empty when there is none.
 std::string nearest(const std::string& word, const std::vector<std::string>& candidates);
 
 } // namespace cli

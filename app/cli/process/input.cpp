@@ -128,7 +128,7 @@ Option& addEntriesOption(Command& command, std::vector<std::string>& entries, co
 
 namespace {
 
-// Those named, each once, in the order of the names.
+// Entries that are named, each once, in the order of the names.
 struct Found {
     std::vector<const document::Entry*> entries;
     bool complete = true;

@@ -20,7 +20,7 @@ constexpr Clock::duration patience = std::chrono::seconds(1), lastMoment = std::
 constexpr int outOfTime = -1; // in place of a signal
 constexpr int wake = SIGURG;  // tells the watch to look whether it is over; ignored by default
 
-// Those that the caller does not want ignored, as nohup does.
+// Signals that the caller does not want ignored, as nohup does.
 sigset_t watched() {
     sigset_t set;
     sigemptyset(&set);

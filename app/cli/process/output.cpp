@@ -19,7 +19,7 @@ int otherNames(const QString& output) {
     return isStandardOutput(output) ? 0 : io::otherNames(output);
 }
 
-// Of the file that was there before.
+// Warns of other names of the file that was there before.
 void warnAboutLinks(const QString& output, int otherNames) {
     if (otherNames == 0) return;
     reportWarning(output, tr("Other names of the file (hard links) keep the old contents."));

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "process/picture_suffixes.h"
 
+#include "io/video/format/video_format.h"
 #include "options/parser.h"
 
 namespace cli {
@@ -30,6 +31,26 @@ QString namedSuffixes(const WhichPictures& which, const QString& last, const std
     for (std::string& name : names)
         name.insert(0, 1, '.');
     return listed(names, last);
+}
+
+std::vector<std::string> videoSuffixes(std::vector<std::string> others) {
+    for (const io::VideoFormatFacts& facts : io::videoFormats())
+        others.emplace_back(facts.suffix);
+    return others;
+}
+
+QString namedVideos(const QString& last) {
+    std::vector<std::string> names;
+    for (const io::VideoFormatFacts& facts : io::videoFormats())
+        names.push_back(std::string(".") + facts.suffix);
+    return listed(names, last);
+}
+
+std::string describedVideos() {
+    std::vector<std::string> kinds;
+    for (const io::VideoFormatFacts& facts : io::videoFormats())
+        kinds.push_back(std::string(".") + facts.suffix + " (" + facts.details + ")");
+    return "Videos are " + listed(kinds, tr("and")).toStdString() + ".";
 }
 
 } // namespace cli

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-// The endings of the names of pictures, for messages, help and completions.
+// The endings of the names of pictures and videos, for messages, help and completions.
 namespace cli {
 
 using WhichPictures = std::function<bool(const io::PictureFileFacts&)>;
@@ -23,5 +23,12 @@ std::vector<std::string> usualSuffixes(const WhichPictures& which, const std::ve
 // ".png, .jpg or .pdf"
 QString namedSuffixes(const WhichPictures& which, const QString& last,
                       const std::vector<std::string>& more = {});
+
+// "mp4", "webm", …, after others.
+std::vector<std::string> videoSuffixes(std::vector<std::string> others = {});
+// ".mp4, .webm or .apng"
+QString namedVideos(const QString& last);
+// "Videos are .mp4 (H.264), …"
+std::string describedVideos();
 
 } // namespace cli

@@ -145,9 +145,9 @@ struct RenderArguments : AppearanceOptions,
 };
 
 void addRenderOptions(Command& command, RenderArguments& arguments);
-// Those that animate has as well: view, space, samples, colours, bits and resolution.
+// Options that animate has as well: view, space, samples, colours, bits and resolution.
 void addFrameOptions(Command& command, RenderArguments& arguments);
-// Of what other commands than render have as well.
+// Options that other commands than render have as well.
 Option& addQualityOption(const OptionGroup& group, std::optional<int>& quality);
 Option& addThreadsOption(const OptionGroup& group, std::optional<int>& threads);
 Option& addSimdOption(const OptionGroup& group, std::optional<std::string>& simd);
@@ -163,7 +163,7 @@ Format checked(const RenderArguments& arguments);
 
 void selectInstructions(const std::string& name); // --simd
 int threadsOf(const std::optional<int>& threads);
-// Of an entry in the plane as shapes: what makes no sense, or has a value out of its range.
+// Refuses options for shapes that make no sense together or are out of range.
 void checkShapes(const RenderArguments& arguments);
 io::SvgFormat shapesOf(const RenderArguments& arguments);
 void applyAppearance(attractor::Appearance& appearance, const RenderArguments& arguments);

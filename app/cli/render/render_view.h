@@ -10,7 +10,7 @@ namespace cli {
 using io::boxOfAttractor;
 using io::ViewBox;
 
-// Of Wⁿ(rest cage), as displayed. Throws UsageError when n asks for more than 10 million copies.
+// The box of Wⁿ(rest cage), as displayed. Throws UsageError when n asks for more than 10 million copies.
 ViewBox boxOfIterate(const document::Fractal& fractal, int n);
 
 } // namespace cli

@@ -38,7 +38,7 @@ private:
     Shown m_common;
 };
 
-// That the moment is after the last frame of the entry; empty if it is not.
+// Says that the moment is after the last frame of the entry; empty if it is not.
 QString frameObstacle(const document::Fractal& entry, const animation::Moment& moment);
 
 } // namespace cli

@@ -119,7 +119,7 @@ void ClipboardCommands::copy() const {
     }
 }
 
-// Of an entry without a picture, the text.
+// Copies the text of an entry without a picture.
 void ClipboardCommands::copyPicture() const {
     auto* copying = m_context.window->findChild<QAction*>(QStringLiteral("copy-picture"));
     if (copying && copying->isEnabled())

@@ -108,8 +108,8 @@ void EditMenu::addHistory() {
     addToolBarGroup({{undo, tr("&Undo").remove(u'&')}, {redo, tr("&Redo").remove(u'&')}});
 }
 
-// Of the maps or the entries, whichever have the focus. The keys that many widgets take for themselves are
-// shown here and left to them.
+// Commands for the maps or the entries, whichever have the focus. The keys that many widgets take for
+// themselves are shown here and left to them.
 void EditMenu::addClipboard() {
     const ClipboardCommands commands(context());
     add({"cut", tr("&Cut"), QKeySequence::Cut, tr("Move the selected maps or entries to the clipboard")},

@@ -12,7 +12,7 @@ QString sentence(const char* text) {
     return QCoreApplication::translate("MainWindow", text);
 }
 
-// Those of the toolkit have no letters to press.
+// Names buttons anew, since those of the toolkit have no letters to press.
 void nameButtons(QMessageBox& box) {
     constexpr std::pair<QMessageBox::StandardButton, const char*> names[] = {
         {QMessageBox::Save, QT_TRANSLATE_NOOP("MainWindow", "&Save")},

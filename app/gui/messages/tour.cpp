@@ -240,7 +240,7 @@ void Tour::leaveStep() {
     m_target = nullptr;
 }
 
-// That of the longest step, so that the buttons stay under the pointer.
+// Keeps the size of the longest step, so that the buttons stay under the pointer.
 void Tour::keepSize() {
     const auto widthOf = [this](const QString& text) {
         return m_next->fontMetrics().horizontalAdvance(text);

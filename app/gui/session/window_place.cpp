@@ -43,7 +43,7 @@ std::optional<QRect> freeFrom(QRect place, const QList<QRect>& others, const QRe
     }
 }
 
-// Of a window that is not shown yet only the inside is known.
+// The room on a screen; of a window that is not shown yet only the inside is known.
 QRect roomOn(const QScreen& screen, const QMainWindow& window) {
     const int titleBar = window.style()->pixelMetric(QStyle::PM_TitleBarHeight, nullptr, &window);
     return screen.availableGeometry().adjusted(0, titleBar, 0, 0);

@@ -16,7 +16,7 @@
 
 namespace {
 
-// Of the selected rows, the one that the form shows; nullopt: none is selected.
+// The selected row that the form shows; nullopt: none is selected.
 std::optional<std::size_t> shownRow(const view::MapsPanel& maps, const std::vector<ifs::MapId>& selected) {
     if (selected.empty()) return std::nullopt;
     const ifs::MapId current = maps.model()->idAt(maps.table()->currentIndex().row());
@@ -25,7 +25,8 @@ std::optional<std::size_t> shownRow(const view::MapsPanel& maps, const std::vect
     return rows.empty() ? std::nullopt : std::optional(std::size_t(rows.front()));
 }
 
-// Of several rows the window into space holds the map that the form shows; Weave swings all of them.
+// The window into space holds the map that the form shows, when several are selected; Weave swings all of
+// them.
 void holdSelected(const view::MapsPanel& maps, Stage* stage) {
     const std::vector<ifs::MapId> selected = maps.selectedMaps();
     const std::optional<std::size_t> row = shownRow(maps, selected);

@@ -29,7 +29,7 @@ public:
 
     void setCompared(bool compared); // with another entry, to its right
 
-    // Of the one that is shown:
+    // Views of the canvas that is shown:
     void fit();
     void keepFitted() {
         navigation().adoptViewport();

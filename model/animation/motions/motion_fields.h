@@ -71,7 +71,7 @@ struct SkippedFields {
     void waves(const auto& /*waves*/) {}
 };
 
-// Of a Motion<Dim>, which may be constant.
+// Calls `use` for each field of a Motion<Dim>, which may be constant.
 void listFields(auto& motion, auto& use) {
     std::visit(
         [&](auto& kind) {

@@ -9,7 +9,7 @@ namespace animation {
 
 namespace {
 
-// Of a motion w ↦ q + L(w − q) with q = w(reference).
+// The reference of a motion w ↦ q + L(w − q) with q = w(reference).
 template <int Dim> ifs::Vector<Dim> referenceOf(const Motion<Dim>& motion) {
     struct : SkippedFields {
         ifs::Vector<Dim> reference = ifs::Vector<Dim>::Zero();

@@ -10,7 +10,7 @@ namespace animation {
 
 namespace {
 
-// Of a polynomial of degree Dim.
+// The Bernstein coefficients of a polynomial of degree Dim.
 template <int Dim> using Bernstein = std::array<double, Dim + 1>;
 
 // Whether it is above 0 in all of [0, 1].
@@ -27,7 +27,7 @@ template <int Dim> bool isPositive(const Bernstein<Dim>& coefficients, int halvi
     return isPositive<Dim>(left, halvings - 1) && isPositive<Dim>(right, halvings - 1);
 }
 
-// Of det((1 − t)I + tA).
+// The coefficients of det((1 − t)I + tA).
 Bernstein<2> determinants(const ifs::Matrix<2>& a) {
     return {1, a.trace() / 2, a.determinant()};
 }

@@ -56,7 +56,7 @@ template <class Value> struct Flat {
     static Value moved(const Value& from, const Step& step) { return from + step; }
 };
 
-// Of the tangents at `from` and at `to`, from 0 (the curve stops there) to 1.
+// Shares of the tangents at `from` and at `to`, from 0 (the curve stops there) to 1.
 struct TangentShares {
     double from = 1;
     double to = 1;

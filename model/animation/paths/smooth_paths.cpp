@@ -42,7 +42,7 @@ ifs::Matrix<3> turned(const KeysAround<ifs::Matrix<3>>& rotations, double t, con
     return smoothCurve<Rotations>(orientations, t, shares).toRotationMatrix();
 }
 
-// Of a symmetric matrix.
+// The norm of a symmetric matrix.
 double normOf(const ifs::Matrix<2>& stretch) {
     const double half = (stretch(0, 0) - stretch(1, 1)) / 2;
     return std::abs(stretch(0, 0) + stretch(1, 1)) / 2 +

@@ -20,7 +20,7 @@ enum class CellKind { Count, Colour };
 // nobody has asked for are passed over by all that read.
 class CellSums {
 public:
-    // Of so many colours at most it takes no more memory to count the samples of each than to add up colours.
+    // The largest number of colours whose samples can be counted in no more memory than their sum takes.
     static constexpr std::size_t maxLayers = sizeof(ColourCell) / sizeof(std::uint32_t);
 
     // Zero everywhere; memory of an earlier use is kept where it fits. CellKind::Colour: where there are but

@@ -14,7 +14,7 @@ inline constexpr std::size_t maxPictureColours = 64;
 // picture has fewer; always two stops at least. Transparent pixels do not count. The same for the same
 // pixels. From dark to light, at equal distances.
 Palette paletteOfPicture(std::span<const Rgba> pixels, std::size_t colours);
-// Of pixels along a line: each colour where its pixels are on average.
+// The palette of pixels along a line, each colour where its pixels are on average.
 Palette paletteAlongLine(std::span<const Rgba> pixels, std::size_t colours);
 
 } // namespace attractor

@@ -55,7 +55,7 @@ public:
     AffineView(const PreparedSystem& system, const Projection& projection, CutMemory&)
         : m_system(system), m_projection(projection) {}
 
-    // Of a part of the address tree that is shown through `change`.
+    // The root of a part of the address tree that is shown through `change`.
     Node<Real> root(const ifs::AffineMap<2>& change) const {
         const ifs::AffineMap<2>& cage = m_projection.cage.affine();
         const ifs::Matrix<2> linear = m_projection.scale * (cage.linear * change.linear);
@@ -276,7 +276,8 @@ private:
         return result;
     }
 
-    // Of the measure of a word of linked maps, what its child has; 0 where the child is not admissible.
+    // The share of the measure of a word of linked maps that its child has; 0 where the child is not
+    // admissible.
     double share(const Node<Real>& node, std::size_t i) const {
         const ifs::Transitions& chain = m_system.chain;
         return node.depth == 0 ? chain.stationary[i] : chain.backward[node.lastMap * chain.size + i];

@@ -85,8 +85,8 @@ struct AddressCut {
         return word >= firstCurved && word < firstExact ? &curves[word - firstCurved] : nullptr;
     }
     ShownWord shown(std::size_t word) const { return {words[word], curveOf(word)}; } // before firstExact
-    // Of linked maps, for each word the number of the sample set that it shows (PreparedSystem::sampleSetOf);
-    // empty otherwise.
+    // For each word of linked maps, the number of the sample set that it shows (PreparedSystem::sampleSetOf);
+    // empty without links.
     std::vector<std::uint32_t> sampleSets;
     std::uint32_t sampleSet(std::size_t word) const { return sampleSets.empty() ? 0 : sampleSets[word]; }
     bool isThinned = false; // words stand for others; another seed chooses others

@@ -177,7 +177,7 @@ void BendTable::measure(Square& square) {
     }
 }
 
-// Of the corners of a piece, one after the other.
+// Coordinates of the corners of a piece, one after the other.
 std::span<const double> BendTable::cornerCoordinates(const Vector<2>& x, const ifs::Matrix<2>& spread) {
     const std::size_t number = corners * m_rest.size();
     if (!m_keepsPieces)
@@ -254,7 +254,7 @@ BendTable::Piece BendTable::piece(const Vector<2>& x, const ifs::Matrix<2>& spre
     const Expansion e = movedBy(s.expansion, x - s.centre);
     const Vector<2> a = spread.col(0);
     const Vector<2> b = spread.col(1);
-    // Of the cubic terms, a³ is nearest to ¾a, a²b to ½b; a quarter and a half are missed.
+    // Cubic terms: a³ is nearest to ¾a, a²b to ½b; a quarter and a half are missed.
     const Vector<2> aaa = third(e, a, a) / 6;
     const Vector<2> aab = third(e, a, b) / 2;
     const Vector<2> abb = third(e, b, a) / 2;

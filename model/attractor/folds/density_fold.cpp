@@ -147,7 +147,7 @@ void DensityFold::drawSampleSet(std::size_t place) {
     m_drawn[place] = key;
 }
 
-// Those of which something is counted.
+// Draws the sample sets of which something is counted.
 void DensityFold::drawSampleSets() {
     const PreparedSystem& system = prepared().system();
     if (system.isLinked()) {

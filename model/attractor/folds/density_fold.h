@@ -61,7 +61,7 @@ private:
     CutSettings cutSettings() const;
     bool makeFirstCut(const std::stop_token& stop);
     bool makeCut(const std::stop_token& stop);
-    // Of the sample sets that are counted together.
+    // Sample sets that are counted together:
     SampleSetKey keyOf(std::size_t place) const { return {prepared().request().seed, m_sampleSets + place}; }
     bool holdsSampleSet(std::size_t place) const;
     bool isInPart(std::size_t place) const;

@@ -41,7 +41,7 @@ public:
     virtual std::uint64_t samples() const = 0; // drawn since rewind()
     // Samples as they would be if those outside the view were drawn as well.
     virtual double samplesOverAttractor() const = 0;
-    // Of the words that meet the view, estimated.
+    // The measure of the words that meet the view, estimated.
     virtual double measure() const { return 1; }
     virtual int iterations() const { return 0; } // drawn, where Wⁿ is
     // What it had to leave out.

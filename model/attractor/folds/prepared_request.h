@@ -30,12 +30,12 @@ public:
 
     bool coloured() const { return coloursSamples(m_request.appearance.colourBy); }
     const ColourCoordinates& coordinates() const { return m_coordinates; }
-    // Of a coloured sample; its map is counted among those that take part.
+    // The colour of a sample; its map is counted among those that take part.
     const ColourCell& colourOf(std::uint32_t map, double addressCoordinate) const {
         return m_colours.of(map, addressCoordinate);
     }
 
-    // Those of the maps that take part, where samples have the colour of their map.
+    // Colours of the maps that take part, where samples have the colour of their map.
     std::span<const ColourCell> mapColours() const { return m_colours.ofMaps(); }
 
 private:

@@ -21,7 +21,7 @@ public:
 
     // The map is counted among those that take part.
     const ColourCell& of(std::uint32_t map, double addressCoordinate) const;
-    // Of all maps, where samples have the colour of theirs; otherwise empty.
+    // Colours of all maps, where samples have the colour of theirs; otherwise empty.
     std::span<const ColourCell> ofMaps() const { return m_byMap ? m_colours : std::span<const ColourCell>(); }
 
 private:

@@ -32,7 +32,7 @@ private:
 constexpr std::uint32_t emptyKey = 0xFFFFFFFF; // nothing there
 constexpr std::uint32_t maxDepthCode = 0xFFFFFE;
 
-// Of a key that is not empty.
+// The depth in a key that is not empty.
 inline std::uint32_t depthCode(std::uint32_t key) {
     return key >> 8;
 }

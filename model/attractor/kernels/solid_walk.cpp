@@ -132,7 +132,7 @@ struct Row {
     }
 };
 
-// Of the depths in the box.
+// The octant of the box by depth.
 HWY_ATTR static HWY_INLINE std::size_t octant(const SolidWord& word) {
     return (word.linear[6] < 0 ? 1U : 0U) | (word.linear[7] < 0 ? 2U : 0U) | (word.linear[8] < 0 ? 4U : 0U);
 }

@@ -18,7 +18,7 @@ using Int = hwy::HWY_NAMESPACE::RebindToSigned<Float>;
 using FloatVector = hwy::HWY_NAMESPACE::Vec<Float>;
 using IntVector = hwy::HWY_NAMESPACE::Vec<Int>;
 
-// Of numbers in [0, 2³¹), which need none of the care that a general conversion takes.
+// Truncates numbers in [0, 2³¹), which need none of the care that a general conversion takes.
 HWY_ATTR static HWY_INLINE IntVector truncated(FloatVector value) {
 #if HWY_TARGET == HWY_AVX3
     return IntVector{_mm512_cvttps_epi32(value.raw)};

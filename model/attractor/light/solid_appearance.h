@@ -57,7 +57,7 @@ struct SolidView {
     double highest = 1;
 };
 
-// Of a camera in a world whose y points up, the palette running between these values of y.
+// The view of a camera in a world whose y points up, the palette running between these values of y.
 SolidView solidView(const OrbitCamera& camera, double lowest, double highest);
 
 } // namespace attractor

@@ -92,7 +92,7 @@ std::uint32_t narrow(const Rgba16& colour) { // opaque
 
 } // namespace
 
-// Of the pixels of a row, from its first.
+// Numbers of the pixels of a row, from its first.
 struct SolidLight::Band {
     explicit Band(int width) : light(padded(width)), tints(padded(width)) {}
     static std::size_t padded(int width) { return static_cast<std::size_t>(width) + 16; }

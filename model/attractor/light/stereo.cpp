@@ -8,7 +8,7 @@ namespace attractor {
 
 namespace {
 
-// Of code values, as colours are weighed on screens (Rec. 709).
+// The grey of code values, as colours are weighed on screens (Rec. 709).
 std::uint32_t grey(std::uint32_t red, std::uint32_t green, std::uint32_t blue) {
     return (2126 * red + 7152 * green + 722 * blue + 5000) / 10000;
 }

@@ -69,7 +69,7 @@ public:
 
     Exposure exposure() const;                  // after the first band
     void useExposure(const Exposure& exposure); // another one, mean density included, for all bands
-    // That of the whole picture, before any band; nullopt when stopped.
+    // The exposure of the whole picture, before any band; nullopt when stopped.
     std::optional<Exposure> measuredExposure(const std::stop_token& stop = {});
     RenderNote note() const;
 

@@ -220,7 +220,7 @@ void CloudRendering::State::plotExactly(std::size_t k, std::uint64_t count, cons
     }
 }
 
-// Of a large picture this takes a second, once. False when stopped.
+// Clears everything, which takes a second for a large picture, once. False when stopped.
 bool CloudRendering::State::clearAll(std::size_t thread, const std::stop_token& stop) {
     constexpr int together = 64;
     const CellWindow& window = sums.window();

@@ -65,7 +65,7 @@ Rgba mapColour(const Appearance& appearance, ifs::MapId id, std::size_t index);
 
 // At even distances along the palette, half of the way at a time.
 MapBlend usualBlend(std::size_t index, std::size_t maps);
-// Of the map at `index` of so many.
+// The blend of the map at `index` of so many.
 MapBlend mapBlend(const Appearance& appearance, ifs::MapId id, std::size_t index, std::size_t maps);
 // What two maps do, `outer` after `inner`.
 MapBlend composed(const MapBlend& outer, const MapBlend& inner);

@@ -32,7 +32,7 @@ public:
         if (m_blends.empty()) return (static_cast<double>(map) + c) / static_cast<double>(m_maps);
         return (1 - m_blends[map].speed) * c + m_blends[map].speed * m_blends[map].coordinate;
     }
-    // Of the word with this map as its new innermost one.
+    // The interval of the word with this map as its new innermost one.
     PaletteInterval child(const PaletteInterval& word, std::size_t map) const {
         if (m_blends.empty()) {
             const double width = word.width / static_cast<double>(m_maps);
@@ -48,7 +48,7 @@ public:
     // Whether a word is to be divided because its points differ in colour; never along the address, where
     // the least length of words sees to that.
     bool isMixed(const PaletteInterval& word) const { return word.width * m_range > maxRange; }
-    // Of the measure in view, what a word needs to be divided for that.
+    // The share of the measure in view above which a word is divided.
     double minShare() const { return static_cast<double>(m_maps) / words; }
 
 private:

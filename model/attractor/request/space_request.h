@@ -37,12 +37,12 @@ struct SpaceRequest {
     std::optional<ifs::ControlCage<3>> cage; // nullopt, or not valid: the code is drawn as it is
     OrbitCamera camera;
     std::optional<SpaceClip> clip; // usable
-    // Of the eye to the right of the camera's, in distances from the target; what is in the plane of the
-    // target stays at its pixel. docs/mathematics.md, "Stereo".
+    // How far the eye is to the right of the camera's, in distances from the target; what is in the plane of
+    // the target stays at its pixel. docs/mathematics.md, "Stereo".
     double eyeShift = 0;
     SolidKey key = SolidKey::Map; // of a solid
     int threads = 1;              // ≥ 1; never changes a byte
-    // Of a density:
+    // For densities:
     CloudColour cloudColour = CloudColour::Appearance;
     Appearance appearance;
     std::uint64_t samples = 10'000'000; // in one pass, all spent on words that meet the view

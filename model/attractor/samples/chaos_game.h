@@ -44,9 +44,9 @@ inline constexpr float escapeRadius = 1e6F;
 // Fills the ends of the arrays of a sample set, from which kernels read beyond its size.
 void repeatBeginning(std::vector<float>& values);
 
-// Of maps that are not linked: 64 orbits that have forgotten their start, with streams of their own for every
-// (seed, pass). The same bits whatever the instruction set. An orbit that escapes begins anew in the middle
-// of the box. Neighbours along an orbit are correlated; strata of the same system undo that.
+// Draws samples of maps that are not linked: 64 orbits that have forgotten their start, with streams of their
+// own for every (seed, pass). The same bits whatever the instruction set. An orbit that escapes begins anew
+// in the middle of the box. Neighbours along an orbit are correlated; strata of the same system undo that.
 void drawSamples(const PreparedSystem& system, std::uint64_t seed, std::uint64_t pass, SampleSet& samples,
                  const AddressStrata* strata = nullptr);
 

@@ -9,9 +9,9 @@
 
 namespace attractor {
 
-// Of linked maps, one set for each number in `sampleSetOf`, as many as `sets` has: points of the invariant
-// measure as they are when one of its maps is drawn next. The same bits on every machine. An orbit that
-// escapes begins anew in the middle of the box.
+// Draws samples of linked maps, one set for each number in `sampleSetOf`, as many as `sets` has: points of
+// the invariant measure as they are when one of its maps is drawn next. The same bits on every machine. An
+// orbit that escapes begins anew in the middle of the box.
 void drawLinkedSamples(const PreparedSystem& system, std::uint64_t seed, std::uint64_t pass,
                        std::vector<SampleSet>& sets);
 

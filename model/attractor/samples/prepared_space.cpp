@@ -25,7 +25,7 @@ struct Box {
     Vector<3> max = Vector<3>::Constant(-HUGE_VAL);
 };
 
-// Of a short orbit with a guard against escape.
+// The box of a short orbit with a guard against escape.
 Box pilotBox(const PreparedSpace& system) {
     constexpr int points = 4000;
     constexpr int skipped = 100;

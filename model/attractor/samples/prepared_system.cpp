@@ -156,7 +156,7 @@ Enclosure::Values pilotExtent(const std::vector<ifs::AffineMap<2>>& centred,
     return h;
 }
 
-// Those that can lead to the border of the attractor: of many thousands, a few.
+// Maps that can lead to the border of the attractor: of many thousands, a few.
 std::vector<ifs::AffineMap<2>> outerMaps(const PreparedSystem& system,
                                          const std::vector<ifs::AffineMap<2>>& centred) {
     constexpr std::size_t few = 256;
@@ -169,8 +169,8 @@ std::vector<ifs::AffineMap<2>> outerMaps(const PreparedSystem& system,
     return outer;
 }
 
-// Of maps that stretch before they contract: an orbit may leave the far ends of a thin attractor out, and
-// interpolated values need not settle.
+// A box for maps that stretch before they contract: an orbit may leave the far ends of a thin attractor out,
+// and interpolated values need not settle.
 std::optional<ifs::BoundingBox<2>> certifiedBox(const PreparedSystem& system) {
     const auto stretches = [](const auto& map) { return ifs::spectralNorm<2>(map.linear) >= 1; };
     if (system.note != RenderNote::None || std::ranges::none_of(system.maps, stretches)) return std::nullopt;

@@ -26,8 +26,8 @@ struct PreparedSystem : ifs::ActiveMaps<2> {
     RenderNote note = RenderNote::None; // None, NoMaps, NoAttractor or Undecided
     bool coincides = false;             // some short words of maps that are not linked are the same map
 
-    // Of linked maps: the chain of the maps applied, and for each map which sample set holds the points that
-    // it is applied to. Empty otherwise.
+    // For linked maps, the chain of the maps applied, and for each map which sample set holds the points that
+    // it is applied to. Empty without links.
     ifs::Transitions chain{};
     std::vector<std::uint32_t> sampleSetOf{};
 };

@@ -14,12 +14,12 @@ namespace {
 
 using ifs::Vector;
 
-// Of the box [−1, 1]³, which all coordinates here lie in.
+// Half the width of the image of the box [−1, 1]³, which all coordinates here lie in.
 double halfWidth(const ifs::Matrix<3>& linear) {
     return linear.cwiseAbs().rowwise().sum().maxCoeff();
 }
 
-// Of a box that is not certified, points may lie outside; what is drawn must not.
+// Points may lie outside a box that is not certified; what is drawn must not.
 bool isInBox(const Vector<3>& x) {
     return x.cwiseAbs().maxCoeff() <= 1; // false for what is no number
 }

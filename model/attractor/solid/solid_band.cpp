@@ -117,7 +117,7 @@ void SolidBand::draw(const SolidScene& scene, int firstRow, int rows, DepthRaste
     m_isThinning =
         scene.thinningRatio && ThinnedCovers::isExact(*scene.thinningRatio, raster.width, scene.range);
     if (m_isThinning) m_thinned.use(scene.covers, *scene.thinningRatio);
-    // Of a system whose words lie on each other there are too many: then larger ones are drawn.
+    // Larger words are drawn where they lie on each other and there are too many.
     for (const std::size_t points : {SolidScene::leafPoints, Covers::maxPoints}) {
         m_covers = scene.covers.ofAtMost(points);
         m_covers.insert(m_covers.begin(), scene.facing.isEmpty() ? kernels::Cover() : scene.facing.cover());
@@ -150,8 +150,8 @@ void SolidBand::expand(const SolidScene& scene, const Open& open, int firstRow) 
     openSorted(scene, firstRow);
 }
 
-// Those children that meet the view, the nearest one on top. Where words bend there are many: those that miss
-// the band are left out at once.
+// Opens the children that meet the view, the nearest one on top. Where words bend there are many: those that
+// miss the band are left out at once.
 void SolidBand::openSorted(const SolidScene& scene, int firstRow) {
     m_order.clear();
     for (std::size_t i = 0; i < m_children.size(); ++i) {

@@ -40,7 +40,7 @@ struct SolidScene {
     };
     std::vector<Root> roots;
 
-    // Of words that are drawn as one; more of them would hide each other unseen.
+    // Points of words that are drawn as one; more of them would hide each other unseen.
     static constexpr std::size_t leafPoints = 1024;
     static constexpr std::size_t facingPoints = 8192;
 

@@ -90,7 +90,7 @@ StraightWord straightened(const ifs::AffineMap<3>& word, const SpaceView& view) 
         along += off;
     }
     result.word.translation = toPixels(middle);
-    // Of what mixes two directions, every corner has what one of these four has.
+    // Each corner has the part of one of these four in what mixes two directions.
     ifs::Vector<3> mixed = ifs::Vector<3>::Zero();
     for (const auto& corner : {ifs::Vector<3>(1, 1, 1), ifs::Vector<3>(1, -1, -1), ifs::Vector<3>(-1, 1, -1),
                                ifs::Vector<3>(-1, -1, 1)}) {
@@ -125,7 +125,7 @@ StraightWord straightened(const BentWord& model, const ifs::AffineMap<3>& within
     return result;
 }
 
-// Of the word itself: from what is known of its address, or from the cage.
+// The bend of the word itself: from what is known of its address, or from the cage.
 std::shared_ptr<const BentWord> bentWord(const WalkedWord& word, const SpaceView& view) {
     if (view.bends && word.node != nullptr)
         if (const BentWord* known = view.bends->bent(*word.node, word.word))

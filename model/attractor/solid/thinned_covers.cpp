@@ -26,7 +26,7 @@ ifs::Matrix<3> tolerances() {
 constexpr std::size_t minPoints = 4 * kernels::solidLanes;
 constexpr std::size_t maxPoints = 1024;
 
-// Of the points of a cover, in some order, those that are seen in words of this linear map or one near it.
+// Points of a cover, in some order, that are seen in words of this linear map or one near it.
 std::vector<std::size_t> seenPoints(const kernels::CoverPoints& points, std::size_t count,
                                     const ifs::Matrix<3>& linear) {
     constexpr kernels::PointTolerance tolerance{flat, deep, ThinnedCovers::pixelSlack,
@@ -48,7 +48,7 @@ std::vector<std::size_t> seenPoints(const kernels::CoverPoints& points, std::siz
     return result;
 }
 
-// Of words whose box this is, as kernels::drawSolid computes it.
+// The size of words whose box this is, as kernels::drawSolid computes it.
 double sizeOf(const ifs::Matrix<3>& linear, double depthScale) {
     const ifs::Vector<3> half = linear.cwiseAbs().rowwise().sum();
     return 2 * std::max({half.x(), half.y(), half.z() * depthScale});
@@ -97,7 +97,7 @@ ThinnedCovers::Thinned* ThinnedCovers::known(const ifs::Matrix<3>& linear, const
     if (m_last < m_thinned.size() && fits(m_thinned[m_last])) return &m_thinned[m_last];
     const auto found = std::ranges::find_if(m_thinned, fits);
     if (found == m_thinned.end()) return nullptr;
-    // Those that are asked for often come to the front.
+    // Covers that are asked for often come to the front.
     const auto earlier = m_thinned.begin() + (found - m_thinned.begin()) / 2;
     std::iter_swap(found, earlier);
     return &*earlier;

@@ -24,8 +24,8 @@ struct CoupledSamples {
     struct Image {
         double x, y;    // of the point in G
         double address; // Σ σ_k N^−k
-        // Of the shortest beginning of the address whose piece is at most `pieceSize` times as large as the
-        // attractor.
+        // The stretch of the shortest beginning of the address whose piece is at most `pieceSize` times as
+        // large as the attractor.
         double stretch;
     };
     std::vector<Image> images;

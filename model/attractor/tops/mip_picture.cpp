@@ -83,7 +83,7 @@ void MipPicture::repeatLast() {
     std::copy_n(row - stride(level), stride(level), row);
 }
 
-// Of an odd number of columns or rows, the last is averaged with itself.
+// Halves both sides; the last of an odd number of columns or rows is averaged with itself.
 void MipPicture::halve() {
     const PictureLevel from = m_levels.back();
     const int columns = (from.columns + 1) / 2, rows = (from.rows + 1) / 2;

@@ -13,7 +13,7 @@ namespace attractor {
 
 namespace {
 
-// Of the grid around the box; nullopt when there would be too many voxels.
+// The size of the grid around the box; nullopt when there would be too many voxels.
 std::optional<VoxelGrid::Index> gridSize(const VoxelRequest& request) {
     VoxelGrid::Index size{};
     double voxels = 1;
@@ -122,7 +122,8 @@ private:
         return true;
     }
 
-    // Of a map, in box coordinates; one that shrinks so much that the point is exact but for rounding.
+    // The fixed point of a map, in box coordinates, that shrinks so much that the point is exact but for
+    // rounding.
     std::optional<ifs::Vector<3>> fixedPoint() const {
         for (const ifs::AffineMap<3>& map : m_maps) {
             const ifs::Matrix<3> difference = ifs::Matrix<3>::Identity() - map.linear;

@@ -37,8 +37,8 @@ enum class SurfaceFlaw {
     Open,        // an edge has no second triangle
     NotManifold, // more than two triangles meet in an edge, or more than one fan in a corner
 };
-// Of any mesh: every edge must be used once in each direction, and the triangles around a point must be one
-// ring.
+// What is wrong with any mesh: every edge must be used once in each direction, and the triangles around a
+// point must be one ring.
 SurfaceFlaw flawOf(const SurfaceMesh& mesh);
 
 double enclosedVolume(const SurfaceMesh& mesh); // in units of the lattice

@@ -46,7 +46,7 @@ std::vector<ifs::Matrix<2>> linearDirections(const ifs::Matrix<2>& a, const Cons
     return {matrix(1, 0, 0, 0), matrix(0, 1, 0, 0), matrix(0, 0, 1, 0), matrix(0, 0, 0, 1)};
 }
 
-// Those of its numbers a b c d e f, one in each column.
+// Directions of its numbers a b c d e f, one in each column.
 Eigen::MatrixXd directions(const ifs::AffineMap<2>& map, const Constraints& constraints, std::size_t index) {
     const auto linear = linearDirections(map.linear, constraints, index);
     const auto count = Eigen::Index(linear.size());

@@ -66,7 +66,7 @@ Points centresOf(const Grid& grid, const Mask& mask) {
     return points;
 }
 
-// Of the attractor, in the plane of the code.
+// The outline of the attractor, in the plane of the code.
 Points outlineOf(std::span<const ifs::AffineMap<2>> maps, std::span<const ifs::Vector<2>> rest) {
     const Box box = boxOf(rest);
     const ifs::Vector<2> size = box.max - box.min;

@@ -22,7 +22,7 @@ double areaOf(const ifs::AffineMap<2>& map) {
     return std::max(std::abs(ifs::determinant<2>(map.linear)), minArea);
 }
 
-// Of the moments of so many points.
+// The spread across, from the moments of so many points.
 ifs::Vector<2> across(const Eigen::Matrix3d& moments, double count) {
     const ifs::Vector<2> mean = moments.topRightCorner<2, 1>() / count;
     const ifs::Matrix<2> covariance = moments.topLeftCorner<2, 2>() / count - mean * mean.transpose();

@@ -31,7 +31,7 @@ struct CollageMeasure {
     // W(L)) + (2 + s)/√2)/(1 − γ), where every map contracts by γ in the norm with |x| ≤ ‖x‖ ≤ C|x|. For a
     // target made with the factor 1; nullopt where no such norm is known.
     std::optional<double> bound;
-    // Of the bound; Euclidean, with γ = s and C = 1, unless another one says more.
+    // The norm of the bound; Euclidean, with γ = s and C = 1, unless another one says more.
     ifs::ContractingNorm<2> norm;
 };
 

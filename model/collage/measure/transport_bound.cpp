@@ -24,8 +24,8 @@ Lump together(const Lump& a, const Lump& b) {
                 share * (1 - share) * (b.mean - a.mean).squaredNorm()};
 }
 
-// Of a unit of mass, if each point of a sends to all of b alike: the root of the mean square is no less than
-// the mean.
+// The distance of a unit of mass, if each point of a sends to all of b alike: the root of the mean square is
+// no less than the mean.
 double distance(const Lump& a, const Lump& b) {
     return std::sqrt((a.mean - b.mean).squaredNorm() + a.variance + b.variance);
 }

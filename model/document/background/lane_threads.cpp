@@ -14,7 +14,7 @@ LaneThreads::LaneThreads(int most) : m_most(most) {
 void LaneThreads::start(std::function<void()> work) {
     const std::lock_guard lock(m_mutex);
     m_waiting.push_back(std::move(work));
-    // Those that were woken for earlier work may still count as idle.
+    // Threads that were woken for earlier work may still count as idle.
     if (int(m_waiting.size()) <= m_idle || m_threads >= m_most) return m_wake.notify_one();
     ++m_threads;
     try {

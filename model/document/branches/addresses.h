@@ -25,8 +25,8 @@ class Addresses {
 public:
     explicit Addresses(const Fractal& fractal);
 
-    // Of the point of the attractor nearest to `displayed`, as far as it can be told apart at `pixel`, the
-    // size of one in the plane; empty when none is within a few pixels.
+    // The address of the point of the attractor nearest to `displayed`, as far as it can be told apart at
+    // `pixel`, the size of one in the plane; empty when none is within a few pixels.
     ifs::Word at(const ifs::Vector<2>& displayed, double pixel) const;
 
     // Where the point whose address repeats the word is displayed; nullopt for the empty word.

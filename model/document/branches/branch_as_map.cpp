@@ -17,8 +17,8 @@ namespace {
 
 template <int Dim> using System = ifs::IteratedFunctionSystem<Dim>;
 
-// Of the maps over the cut set of the branch, which come first, and of those that take no part. Where
-// addresses colour, the blends that give the points the colours of their old addresses.
+// Appearance of the maps over the cut set of the branch, which come first, and of those that take no part.
+// Where addresses colour, their blends give the points the colours of their old addresses.
 template <int Dim>
 attractor::MapBlends blendsOver(const Fractal& fractal, const ifs::ActiveMaps<Dim>& active,
                                 const ifs::Word& branch, const System<Dim>& system) {

@@ -27,7 +27,7 @@ ifs::AffineMap<Dim> shownChange(std::span<const ifs::MovedBranch<Dim>> moved, co
     return change;
 }
 
-// Of the branches around this one, as they are shown.
+// The change of the branches around this one, as they are shown.
 template <int Dim>
 ifs::AffineMap<Dim> changeAround(std::span<const ifs::MovedBranch<Dim>> moved, const ifs::Word& branch) {
     ifs::AffineMap<Dim> change;

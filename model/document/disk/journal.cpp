@@ -24,7 +24,7 @@ namespace {
 const char magic[] = "barycage-journal 1\n";
 constexpr qint64 maxJournal = 512LL << 20; // bytes; larger files are not ours
 
-// Of the fractals and the lesson alone, as earlier versions wrote it.
+// The digest of the fractals and the lesson alone, as earlier versions wrote it.
 QByteArray digestOf(const Snapshot& snapshot) {
     QCryptographicHash hash(QCryptographicHash::Sha256);
     hash.addData(snapshot.bytes);
@@ -35,7 +35,8 @@ QByteArray digestOf(const Snapshot& snapshot) {
 constexpr char digestMark[] = "\"digest\":\""; // quotes in texts are escaped, so there is no other
 constexpr qsizetype digestSize = 64;
 
-// Of all that the file says: the text of its header, with zeros in the place of the digest, and what follows.
+// The digest of all that the file says: the text of its header, with zeros in the place of the digest, and
+// what follows.
 QByteArray digestOf(QByteArray header, qsizetype place, const QByteArray& bytes) {
     header.replace(place, digestSize, QByteArray(digestSize, '0'));
     QCryptographicHash hash(QCryptographicHash::Sha256);

@@ -12,9 +12,9 @@
 
 namespace document {
 
-// Of active maps, whose indices in the system are given: their positions in the order that lists these
-// indices, the one on top first; empty: as they are. Copies of a map under a symmetry stay together, in their
-// order. nullopt where the order does not name each map once.
+// Positions of active maps, whose indices in the system are given, in the order that lists these indices, the
+// one on top first; empty: as they are. Copies of a map under a symmetry stay together, in their order.
+// nullopt where the order does not name each map once.
 std::optional<std::vector<std::size_t>> placesInOrder(std::span<const std::size_t> order,
                                                       const std::vector<std::size_t>& indices);
 

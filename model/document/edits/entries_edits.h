@@ -21,8 +21,8 @@ Inserted inserted(FractalFile file, const QList<Entry>& entries, EntryId after);
 
 FractalFile removed(FractalFile file, const QList<EntryId>& ids);
 
-// Those entries, in the order of the file, together in front of the entry `before` (None: at the end). When
-// `before` is one of them, they gather where it stands.
+// Moves the entries, in the order of the file, together in front of the entry `before` (None: at the end).
+// When `before` is one of them, they gather where it stands.
 FractalFile moved(FractalFile file, const QList<EntryId>& ids, EntryId before);
 
 FractalFile replaced(FractalFile file, EntryId id, Fractal fractal);

@@ -22,7 +22,8 @@ namespace {
 // sees.
 constexpr double relativeTolerance = 1e-10;
 
-// Of the words of a fine cut, in the smallest picture that holds the current vertices with room to spare.
+// The box of the words of a fine cut, in the smallest picture that holds the current vertices with room to
+// spare.
 std::optional<Box> boxOfBend(const Fractal& fractal, const ifs::Placement& placement,
                              const std::vector<ifs::Vector<2>>& vertices) {
     ifs::Vector<2> low = vertices[0];
@@ -78,7 +79,7 @@ ifs::Placement placement(const Fractal& fractal) {
     return {*cage, ifs::suitableCoordinates(cage->rest, support.get(), pieces)};
 }
 
-// Those that are moved once come first: they move what the others have moved.
+// Branches that are moved once come first: they move what the others have moved.
 template <int Dim> std::vector<ifs::MovedBranch<Dim>> movedBranches(const Shape<Dim>& shape) {
     std::vector<ifs::MovedBranch<Dim>> result, inside, again;
     const std::vector<ifs::AffineMap<Dim>> maps =
@@ -190,7 +191,7 @@ attractor::RenderRequest renderRequest(const Fractal& fractal, const attractor::
 
 namespace {
 
-// Of the picture moved by `map`.
+// The box of the picture moved by `map`.
 std::optional<Box> boxOf(const Fractal& fractal, const ifs::AffineMap<2>& map) {
     const auto support = supportFunction(fractal);
     const auto linked = linkedExtent(fractal);

@@ -35,7 +35,7 @@ ifs::Placement placement(const Fractal& fractal);
 // The branches that are moved, as words over indices into the system. Those with a map that is gone are left
 // out.
 template <int Dim> std::vector<ifs::MovedBranch<Dim>> movedBranches(const Shape<Dim>& shape);
-// Those of an entry in the plane; of others none.
+// Branches of an entry in the plane; others have none here.
 std::vector<ifs::MovedBranch<2>> movedBranches(const Fractal& fractal);
 // What is shown in place of the attractor: ifs::pieces over the active maps of the code. Empty where no
 // branch is moved.

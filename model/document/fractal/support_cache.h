@@ -34,7 +34,7 @@ private:
     std::shared_ptr<Newest> m_newest; // null when moved from
 };
 
-// Of so many maps in space, extents take long enough to be found in the background, and to a hundredth of
+// With so many maps in space, extents take long enough to be found in the background, and to a hundredth of
 // the size.
 constexpr std::size_t manyMapsInSpace = 10'000;
 // How far extents in space may be off, as a part of their size: nobody sees more digits.

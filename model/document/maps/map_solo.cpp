@@ -13,7 +13,7 @@ namespace document {
 
 namespace {
 
-// Of the largest extent; what is as thin looks flat, and can be drawn as a solid.
+// Share of the largest extent; what is as thin looks flat, and can be drawn as a solid.
 constexpr double thin = 1e-3;
 
 template <int Dim>

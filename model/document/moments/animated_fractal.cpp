@@ -11,7 +11,7 @@ namespace document {
 
 namespace {
 
-// Of the moments at which existence is looked at.
+// Numbers of the moments at which existence is looked at.
 constexpr int trials = 33, mostFrames = 240;
 constexpr std::size_t mostMaps = 20'000; // of all frames together
 

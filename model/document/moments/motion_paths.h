@@ -14,12 +14,12 @@ struct MotionPath {
     std::vector<ifs::Vector<2>> points;
     std::vector<ifs::Vector<2>> keys; // at the frames of its keys …
     std::vector<int> frames;          // … which are these
-    // Of a map: the image of the cage at these frames.
+    // Images of the cage under a map at these frames.
     std::vector<std::vector<ifs::Vector<2>>> outlines{};
 };
 
-// Of the vertices of the cage in their order, and of the centres of the maps that have keys: the images of
-// the middle of the cage. Empty where there are no such keys.
+// Paths of the vertices of the cage in their order, and of the centres of the maps that have keys: the images
+// of the middle of the cage. Empty where there are no such keys.
 struct MotionPaths {
     std::vector<MotionPath> vertices;
     std::vector<MotionPath> maps;

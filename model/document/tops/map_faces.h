@@ -17,8 +17,8 @@ struct MapFace {
 };
 using MapFaces = std::vector<MapFace>;
 
-// Of the maps of `to`, by their indices: the k-th of the maps that take part has the face of the k-th in
-// `from`, whichever of them is on top. Maps that take no part keep their colours. Empty where the numbers
+// Faces of the maps of `to`, by their indices: the k-th of the maps that take part has the face of the k-th
+// in `from`, whichever of them is on top. Maps that take no part keep their colours. Empty where the numbers
 // of these maps differ, or where an entry is not a system of the plane.
 MapFaces facesOfPartner(const Fractal& from, const Fractal& to);
 

@@ -12,8 +12,8 @@ struct Filling {
 };
 constexpr Filling wellFilled{0.12, 0.25};
 
-// Of the code, without what its cage does to it; in space as it is seen at first. Zero without a certified
-// attractor.
+// The filling of the code, without what its cage does to it; in space as it is seen at first. Zero without a
+// certified attractor.
 Filling filling(const Fractal& fractal);
 
 // At least 1 where a view is filled as well as that.

@@ -109,7 +109,7 @@ template <int Dim> struct MapWeights {
     double rule = 0;   // by determinants
 };
 
-// Of the maps that take part.
+// Weights of the maps that take part.
 template <int Dim> std::map<ifs::MapId, MapWeights<Dim>> weightsOf(const System<Dim>& system) {
     std::vector<ifs::AffineMap<Dim>> maps;
     std::vector<std::size_t> listed;

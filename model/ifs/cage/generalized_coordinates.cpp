@@ -138,8 +138,8 @@ std::optional<std::size_t> cornerAt(std::span<const Vector<2>> polygon, const Ve
     return std::nullopt;
 }
 
-// Of a symmetric, positive semidefinite matrix; directions in which it is smaller than 1e-8 of its largest
-// eigenvalue count as its kernel.
+// The pseudo-inverse of a symmetric, positive semidefinite matrix; directions in which it is smaller than
+// 1e-8 of its largest eigenvalue count as its kernel.
 Matrix<2> pseudoInverse(const Matrix<2>& s) {
     const double trace = s.trace();
     const double determinant = s(0, 0) * s(1, 1) - s(0, 1) * s(1, 0);

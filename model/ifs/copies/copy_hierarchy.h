@@ -40,7 +40,7 @@ public:
     std::vector<Copy> copies(int level, int depth) const; // that a level above 0 is made of
     std::vector<Copy> picture(int depth) const; // that the whole is made of, in coordinates of the code
 
-    // Of copies that name one, and by map; nullopt for a map that is not singular.
+    // The projection of copies that name one, by map; nullopt for a map that is not singular.
     const std::optional<CopyProjection>& projection(std::size_t i) const { return m_projections[i]; }
 
     // Level 0 for a picture of this depth: contains the attractor; convex, counter-clockwise. So much wider

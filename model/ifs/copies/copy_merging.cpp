@@ -62,7 +62,7 @@ private:
         return sum;
     }
 
-    // That one path for the level has, or `many`.
+    // The number of corners that one path for the level has, or `many`.
     std::size_t cornersIn(int level) {
         if (level == 0) return m_corners;
         if (const auto known = m_known.find(level); known != m_known.end()) return known->second;

@@ -120,7 +120,7 @@ std::vector<std::uint64_t> leastBoxCounts(const CellGrid& grid) {
 
 namespace {
 
-// Of a range: the line, and by how much the slopes over parts of it of at least half its length differ.
+// The line through a range, and by how much the slopes over parts of it of at least half its length differ.
 struct RangeFit {
     int first = 0;
     LogLogFit fit;

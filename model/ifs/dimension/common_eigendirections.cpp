@@ -71,7 +71,7 @@ std::optional<std::vector<Entries>> triangular(std::span<const AffineMap<2>> map
     return result;
 }
 
-// Of matrices each of which is diagonal, or the other way round, along the two directions.
+// Entries of matrices each of which is diagonal, or the other way round, along the two directions.
 std::optional<std::vector<Entries>> exchanging(std::span<const AffineMap<2>> maps, const Vector<2>& one,
                                                const Vector<2>& other) {
     Matrix<2> axes;

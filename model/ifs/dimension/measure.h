@@ -6,7 +6,7 @@
 #include <optional>
 #include <span>
 
-// Of the measure that the probabilities make. docs/mathematics.md, "Dimensions".
+// Numbers of the measure that the probabilities make. docs/mathematics.md, "Dimensions".
 namespace ifs {
 
 // −Σ p_i ln p_i in nats, of probabilities that sum to 1.
@@ -29,7 +29,7 @@ struct DimensionSpectrum {
     double least = 0;       // D_∞, at the densest points
 };
 
-// Of similarities that are not all constant, in some coordinates.
+// The spectrum of similarities that are not all constant, in some coordinates.
 template <int Dim> std::optional<DimensionSpectrum> dimensionSpectrum(const ActiveMaps<Dim>& maps);
 
 } // namespace ifs

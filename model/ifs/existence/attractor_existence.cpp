@@ -140,7 +140,7 @@ private:
         return m_symbols + length <= maxSymbols;
     }
 
-    // Of a shorter word, which was asked before.
+    // Whether the word is a power of a shorter one, which was asked before.
     static bool isPower(const std::vector<int>& word) {
         for (std::size_t period = 1; 2 * period <= word.size(); ++period)
             if (word.size() % period == 0 &&

@@ -27,7 +27,7 @@ Digits sum(const Digits& a, const Digits& b) {
     return result;
 }
 
-// Of a ≥ b.
+// The difference of a ≥ b.
 Digits difference(const Digits& a, const Digits& b) {
     Digits result(a.size());
     std::int64_t borrow = 0;

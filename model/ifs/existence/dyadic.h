@@ -21,7 +21,7 @@ public:
 
     // Within 2⁻⁵¹ of itself; infinite or 0 where the number is too large or too small for a double.
     double rounded() const;
-    // Of a/b with b ≠ 0, alike.
+    // The same of a/b with b ≠ 0.
     friend double roundedQuotient(const Dyadic& a, const Dyadic& b);
 
 private:

@@ -20,7 +20,8 @@ enum class Expansion {
 // docs/mathematics.md, "When does a system have an attractor?"
 template <int Dim> Expansion expansion(const Matrix<Dim>& linear, double error);
 
-// Of the product of the maps of a word, without rounding: never Unknown. Slow: some 10 µs for each symbol.
+// Whether the product of the maps of a word expands, without rounding: never Unknown. Slow: some 10 µs for
+// each symbol.
 template <int Dim>
 Expansion exactExpansion(std::span<const AffineMap<Dim>> maps, const std::vector<int>& word);
 

@@ -46,7 +46,7 @@ public:
         return result;
     }
 
-    // Those of the singular values that are the longest of all but for a factor.
+    // Slopes of the singular values that are the longest of all but for a factor.
     std::vector<Slope<Dim>> slopes(const Matrix<Dim>& root, double factor) const {
         constexpr std::size_t maxSlopes = 16;
         std::vector<Slope<Dim>> result;

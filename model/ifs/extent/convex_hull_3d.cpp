@@ -395,8 +395,8 @@ ConvexHull3 flatHull(const Points& points, double flatness) {
     return hull;
 }
 
-// Of an attractor in the plane of those points, by its maps there. How far they are from what the maps do
-// counts as error, as in a collage. nullopt where they are not seen to contract, or when stopped.
+// The hull of an attractor in the plane of those points, by its maps there. How far they are from what the
+// maps do counts as error, as in a collage. nullopt where they are not seen to contract, or when stopped.
 std::optional<ConvexHull3> hullInPlane(const SupportFunction<3>& support, const Points& points,
                                        double tolerance, const std::stop_token& stop) {
     const Eigen::Matrix<double, 3, 2> axes = spread(points).directions.leftCols<2>();

@@ -79,7 +79,7 @@ private:
     std::vector<Split> m_splits;
     std::vector<Cone> m_cones;
     std::vector<Vector<Dim>> m_directions;
-    // Those that were given, counter-clockwise; empty where cones are halved.
+    // Directions that were given, counter-clockwise; empty where cones are halved.
     std::vector<std::uint32_t> m_around;
 };
 

@@ -25,7 +25,7 @@ SupportValue<Dim> supportOfImage(const AffineMap<Dim>& image, const Vector<Dim>&
     return h;
 }
 
-// Of a union, the largest. What the ball of the attractor keeps below it is not looked at.
+// The largest height of a union. What the ball of the attractor keeps below it is not looked at.
 template <int Dim>
 SupportValue<Dim> supportOfImages(std::span<const AffineMap<Dim>> images, const Vector<Dim>& direction,
                                   const SupportFunction<Dim>& support, double tolerance) {

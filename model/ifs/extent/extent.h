@@ -29,7 +29,8 @@ template <int Dim> struct CanonicalSimplex {
     Simplex<Dim> vertices; // V_0 the right-angle corner, V_k = V_0 + ω_k·leg·e_k
     double error = 0;      // A lies within this distance of the simplex
 };
-// Of every orientation, in the order (+,+), (−,+), (+,−), (−,−); in space likewise, x changing fastest.
+// The canonical simplexes of every orientation, in the order (+,+), (−,+), (+,−), (−,−); in space likewise, x
+// changing fastest.
 template <int Dim>
 std::vector<CanonicalSimplex<Dim>> canonicalSimplices(const SupportFunction<Dim>& support,
                                                       double tolerance = 0);

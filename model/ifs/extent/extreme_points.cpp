@@ -103,7 +103,7 @@ public:
     }
 
 private:
-    // Of length 1 again, for only the direction counts; 0 when the map leaves none.
+    // The image under Aᵀ, of length 1 again, for only the direction counts; 0 when the map leaves none.
     Vector<2> transposed(int symbol, const Vector<2>& v) const {
         const Vector<2> next = m_transposed[std::size_t(symbol)] * v;
         const double length = next.norm();

@@ -66,10 +66,9 @@ std::vector<Vector<2>> outerFixedPoints(std::span<const AffineMap<2>> maps) {
     return outer;
 }
 
-// Of the maps at `indices`, those that can lead to the hull of the attractor. One that takes all of a
-// container into the hull of some `points` of the attractor does not: without it the hull solves the same
-// equation h(u) = max_i ⟨u, t_i⟩ + h(A_iᵀu), which has one solution. `bound` is that of the container seen
-// from `centre`.
+// The maps at `indices` that can lead to the hull of the attractor. One that takes all of a container into
+// the hull of some `points` of the attractor does not: without it the hull solves the same equation h(u) =
+// max_i ⟨u, t_i⟩ + h(A_iᵀu), which has one solution. `bound` is that of the container seen from `centre`.
 template <class Bound>
 std::vector<std::size_t> outerMaps(std::span<const AffineMap<2>> maps, std::vector<std::size_t> indices,
                                    const Vector<2>& centre, double radius, Bound bound,
@@ -134,8 +133,8 @@ public:
     }
 
 private:
-    // Of many maps, those alone that can lead to the hull. Where that leaves as many, more directions may
-    // tell more.
+    // The container by those alone of many maps that can lead to the hull. Where that leaves as many, more
+    // directions may tell more.
     std::shared_ptr<const Container> ofOuterMaps(std::vector<std::size_t> all) const {
         std::vector<Vector<2>> points = outerFixedPoints(m_maps);
         const auto ofEllipsoid = [&](const Vector<2>& v) {

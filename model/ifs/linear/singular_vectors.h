@@ -12,7 +12,7 @@ template <int Dim> struct SingularVectors {
     Eigen::Matrix<double, Dim, Dim> right;
 };
 
-// Of a 2×2 or 3×3 matrix.
+// The singular vectors of a 2×2 or 3×3 matrix.
 template <int Dim> SingularVectors<Dim> singularVectors(const Eigen::Matrix<double, Dim, Dim>& matrix);
 
 } // namespace ifs

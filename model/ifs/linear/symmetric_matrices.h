@@ -13,7 +13,7 @@ template <int Dim> struct SymmetricEigenvalues {
     Eigen::Matrix<double, Dim, Dim> vectors;
 };
 
-// Of a symmetric 2×2 or 3×3 matrix, of which only the lower triangle is read.
+// The eigenvalues of a symmetric 2×2 or 3×3 matrix, of which only the lower triangle is read.
 template <int Dim>
 SymmetricEigenvalues<Dim> symmetricEigenvalues(const Eigen::Matrix<double, Dim, Dim>& symmetric);
 

@@ -24,7 +24,7 @@ template <int Dim> class WordSearch {
 public:
     WordSearch(const ActiveMaps<Dim>& active, int maxProducts) : m_active(active), m_left(maxProducts) {}
 
-    // Of the words of these maps, which no others may follow.
+    // The verdict on the words of these maps, which no others may follow.
     Existence result(const std::vector<std::size_t>& maps) {
         std::vector<Word> open;
         for (const std::size_t i : maps)
@@ -168,7 +168,7 @@ std::vector<std::size_t> circleOf(const ActiveMaps<Dim>& active, const std::vect
     }
 }
 
-// Of maps that follow one another in a circle alone, admissible words are powers of the word of all of them,
+// Admissible words of maps that follow one another in a circle alone are powers of the word of all of them,
 // and beginnings of these. The sum of their norms is at most n·C·M/(1 − γ), where the word contracts by γ in
 // a norm with this C and beginnings have norms up to M, whichever map comes first.
 template <int Dim>

@@ -29,7 +29,7 @@ constexpr double unit = std::numeric_limits<double>::epsilon();
 constexpr int maxExact = 600;     // letters of words without rounding
 constexpr double grain = 0x1p-46; // of |u|: vectors as close as this are merged
 
-// Of w(centre) − centre.
+// The rounding of w(centre) − centre.
 double shiftRounding(const AffineMap<2>& map, const Vector<2>& centre) {
     return 2 * unit * (map.linear.norm() * centre.norm() + map.translation.norm() + centre.norm());
 }
@@ -331,7 +331,7 @@ LinkedExtent::Height LinkedExtent::operator()(const Vector<2>& u, double toleran
 
 namespace {
 
-// Of what has such heights in every direction.
+// The box of what has such heights in every direction.
 template <class Heights> BoundingBox<2> boxOf(const Heights& height) {
     const auto right = height({1, 0}), left = height({-1, 0}), top = height({0, 1}), bottom = height({0, -1});
     BoundingBox<2> box{{0.0 - left.value, 0.0 - bottom.value}, {right.value, top.value}};

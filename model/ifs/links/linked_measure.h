@@ -6,8 +6,8 @@
 
 #include <optional>
 
-// Of the invariant measure Σ π_j μ_j of linked maps, whose parts are μ_j = Σ_i Q_ji μ_i∘w_j⁻¹ with the
-// backward chain Q, and of their attractor. docs/mathematics.md, "Linked maps".
+// Numbers of the invariant measure Σ π_j μ_j of linked maps, whose parts are μ_j = Σ_i Q_ji μ_i∘w_j⁻¹ with
+// the backward chain Q, and of their attractor. docs/mathematics.md, "Linked maps".
 namespace ifs {
 
 inline constexpr std::size_t maxLinkedStates = 128; // beyond, nothing here is worked out

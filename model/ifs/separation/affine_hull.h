@@ -12,11 +12,11 @@ namespace ifs {
 // The smallest affine subspace that contains the attractor, known without rounding.
 struct AffineHull {
     int dimension = 0;
-    // Those along which it extends, if it is parallel to as many axes as its dimension.
+    // Axes along which it extends, if it is parallel to as many as its dimension.
     std::optional<std::vector<int>> axes{};
 };
 
-// Of maps that have an attractor; nullopt where there is no map.
+// The affine hull of the attractor, which the maps must have; nullopt where there is no map.
 template <int Dim> std::optional<AffineHull> affineHull(std::span<const AffineMap<Dim>> maps);
 
 } // namespace ifs

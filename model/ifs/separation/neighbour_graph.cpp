@@ -14,6 +14,7 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <utility>
 
 namespace ifs {
 
@@ -144,7 +145,7 @@ std::optional<Matrix<Dim>> rootOfOneRatio(std::span<const AffineMap<Dim>> maps, 
 // matter. nullopt where the hull is flat and not parallel to the axes, or nearly flat.
 template <int Dim>
 std::optional<std::vector<AffineMap<Dim>>> spanning(std::span<const AffineMap<Dim>> maps,
-                                                    const BoundingBox<Dim>& box) {
+                                                    const BoundingBox<Dim>& box, std::vector<int>& axes) {
     std::vector<AffineMap<Dim>> result(maps.begin(), maps.end());
     const auto hull = affineHull<Dim>(maps);
     if (!hull || hull->dimension == 0) return std::nullopt;
@@ -163,6 +164,7 @@ std::optional<std::vector<AffineMap<Dim>>> spanning(std::span<const AffineMap<Di
         return result;
     }
     if (!hull->axes) return std::nullopt;
+    axes.assign(hull->axes->begin(), hull->axes->end());
     const auto isAlong = [&](int axis) { return std::ranges::find(*hull->axes, axis) != hull->axes->end(); };
     const int first = hull->axes->front();
     for (auto& map : result)
@@ -201,8 +203,9 @@ public:
     }
 
     // nullopt where there is no end of them.
-    std::optional<NeighbourGraph> graph(double ratio) {
+    std::optional<NeighbourGraph> graph(double ratio, std::vector<int> axes) {
         NeighbourGraph result;
+        result.m_axes = std::move(axes);
         for (std::size_t k = 0; k < m_found.size(); ++k)
             for (std::size_t i = 0; i < m_maps.size(); ++i)
                 for (std::size_t j = 0; j < m_maps.size(); ++j) {
@@ -341,11 +344,12 @@ std::optional<NeighbourGraph> neighbourGraph(std::span<const AffineMap<Dim>> map
     if (!(sizeOf<Dim>(box).maxCoeff() > 0)) return std::nullopt;
     double ratio = 0;
     if (!std::ranges::all_of(maps, isFinite<Dim>) || !rootOfOneRatio<Dim>(maps, ratio)) return std::nullopt;
-    const auto upright = spanning<Dim>(maps, box);
+    std::vector<int> axes;
+    const auto upright = spanning<Dim>(maps, box, axes);
     if (!upright) return std::nullopt;
     const auto root = rootOfOneRatio<Dim>(*upright, ratio);
     if (!root) return std::nullopt;
-    return NeighbourSearch<Dim>(*upright, *root, box).graph(ratio);
+    return NeighbourSearch<Dim>(*upright, *root, box).graph(ratio, std::move(axes));
 }
 
 template std::optional<NeighbourGraph> neighbourGraph<2>(std::span<const AffineMap<2>>,

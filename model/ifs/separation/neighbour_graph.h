@@ -28,6 +28,13 @@ public:
     };
 
     Certainty certainty() const { return m_certainty; }
+    void setCertainty(Certainty certainty) { m_certainty = certainty; }
+    std::size_t maps() const { return m_maps; }
+    // By `from`, and a map before the first step that begins with it.
+    std::span<const Edge> edges() const { return m_edges; }
+    // Axes that span the affine hull of the attractor, where it is parallel to them; empty where it is the
+    // plane or space.
+    const std::vector<int>& axes() const { return m_axes; }
     double ratio() const { return m_ratio; }
     // How many maps but the identity have h(A) ∩ A ≠ ∅.
     std::size_t neighbours() const { return m_count - 1; }
@@ -48,6 +55,7 @@ private:
     double m_ratio = 0;
     std::size_t m_maps = 0, m_count = 0;
     std::vector<Edge> m_edges; // by `from` and `i`
+    std::vector<int> m_axes;
     std::vector<char> m_meet;
     std::optional<std::pair<Word, Word>> m_overlap;
 };

@@ -164,7 +164,7 @@ private:
 
     std::size_t pairIndex(std::size_t i, std::size_t j) const { return i * m_maps.size() + j; }
 
-    // Of pairs i < j; the others count as apart.
+    // Whether the pieces of each pair i < j are proved apart.
     std::vector<bool> piecesApart() const {
         constexpr int maxWork = 400'000, maxPairWork = 40'000; // balls, altogether and for one pair
         const int maps = int(m_maps.size());
@@ -185,7 +185,7 @@ private:
 
     Cover cover(const AffineMap<Dim>& map) const {
         const double reach = m_seen.radius() + m_seen.centre().norm() + m_off;
-        // Of all the products that have led to the map.
+        // The rounding of all the products that have led to the map.
         const double rounding = 1024 * roundingUnit * (map.linear.norm() * reach + map.translation.norm());
         return {map, map(m_seen.centre()),
                 spectralNorm<Dim>(map.linear) * (m_seen.radius() + m_off) * (1 + 1e-12) + rounding};
@@ -236,6 +236,7 @@ private:
                 if (!apart[pairIndex(i, j)]) meet(points, i, j, exact, rounded);
         if (joinsAll([&](std::size_t i, std::size_t j) { return exact[pairIndex(i, j)]; }))
             return Connectedness::Connected;
+        if (m_neighbours && m_neighbours->certainty() == Certainty::Exact) return byNeighbours();
         if (joinsAll([&](std::size_t i, std::size_t j) { return rounded[pairIndex(i, j)]; }))
             return Connectedness::ConnectedToRounding;
         return byNeighbours();

@@ -18,7 +18,7 @@ template <int Dim> struct StoredRounding {
         return {share * stored.linear.cwiseAbs(), share * stored.translation.cwiseAbs()};
     }
 
-    // Of outer∘inner, this being that of `outer`, to first order.
+    // The rounding of outer∘inner, this being that of `outer`, to first order.
     StoredRounding after(const AffineMap<Dim>& outer, const AffineMap<Dim>& inner,
                          const StoredRounding& ofInner) const {
         const Matrix<Dim> size = outer.linear.cwiseAbs();
@@ -26,7 +26,7 @@ template <int Dim> struct StoredRounding {
                 translation + linear * inner.translation.cwiseAbs() + size * ofInner.translation};
     }
 
-    // Of the image of a point that is off by `ofPoint`, this being that of `map`.
+    // The rounding of the image of a point that is off by `ofPoint`, this being that of `map`.
     Vector<Dim> ofImage(const AffineMap<Dim>& map, const Vector<Dim>& point,
                         const Vector<Dim>& ofPoint) const {
         return linear * point.cwiseAbs() + translation + map.linear.cwiseAbs() * ofPoint;

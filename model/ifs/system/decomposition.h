@@ -30,7 +30,7 @@ template <int Dim> bool isRotationOpen(const Matrix<Dim>& linear);
 // With that rotation, if it is open, which is nearest to another one.
 template <int Dim> Polar<Dim> polarNear(const Matrix<Dim>& linear, const Matrix<Dim>& rotation);
 
-// Of two maps one of which becomes the other: what is open turns no more than it must.
+// Decompositions of two maps one of which becomes the other: what is open turns no more than it must.
 template <int Dim> struct PolarPair {
     Polar<Dim> from;
     Polar<Dim> to;

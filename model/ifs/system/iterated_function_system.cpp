@@ -166,7 +166,7 @@ template <int Dim> std::size_t countActive(const IteratedFunctionSystem<Dim>& sy
 
 namespace {
 
-// Of a system whose maps are each followed by their copies.
+// Links of a system whose maps are each followed by their copies.
 template <int Dim>
 std::vector<Link> linksOfCopies(const IteratedFunctionSystem<Dim>& system,
                                 const std::vector<WeightedMap<Dim>>& expanded, std::size_t copies) {

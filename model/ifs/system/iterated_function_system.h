@@ -3,6 +3,7 @@
 
 #include "ifs/system/affine_map.h"
 #include "ifs/system/symmetry.h"
+#include "ifs/typed/typed_coefficients.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -21,6 +22,7 @@ template <int Dim> struct WeightedMap {
     // The weight as given: not normalised, possibly 0 or negative; nullopt when the source gives none.
     std::optional<double> weight;
     bool enabled = true;
+    TypedCoefficients typed{}; // of `map`
 
     friend bool operator==(const WeightedMap&, const WeightedMap&) = default;
 };
@@ -71,9 +73,9 @@ template <int Dim> std::vector<AffineMap<Dim>> mapsOf(const IteratedFunctionSyst
 // enabled map has no weight at all, the determinant rule serves for all maps that are not off.
 template <int Dim> std::vector<double> probabilities(const IteratedFunctionSystem<Dim>& system);
 
-// Those maps of the expanded system that have a positive probability; `index` holds, in ascending order, the
-// indices in `system` of the maps that they are copies of. Without a symmetry each index occurs once.
-// Of linked maps, those that the chaos game applies for ever: LinkState::TakesPart of ifs/system/links.h.
+// Maps of the expanded system that have a positive probability; `index` holds, in ascending order, the
+// indices in `system` of the maps that they are copies of. Without a symmetry each index occurs once. Linked
+// maps are those that the chaos game applies for ever: LinkState::TakesPart of ifs/system/links.h.
 template <int Dim> struct ActiveMaps {
     std::vector<AffineMap<Dim>> maps;
     std::vector<double> probabilities;

@@ -19,7 +19,7 @@ enum class LinkState {
     Left,      // the chaos game leaves it and never returns
 };
 
-// Of maps that are on or not, with the matrix of their links by rows.
+// States of maps that are on or not, with the matrix of their links by rows.
 std::vector<LinkState> statesOf(std::vector<double> matrix, const std::vector<char>& on);
 
 // The maps of each strongly connected part of the graph of positive entries, in increasing order; a map that

@@ -48,7 +48,7 @@ Turn adjugate(const Turn& m) {
     return {Integers{m[1][1], -m[0][1]}, Integers{-m[1][0], m[0][0]}};
 }
 
-// Of a matrix with the determinant 1 or −1.
+// The inverse of a matrix with the determinant 1 or −1.
 Turn inverseTurn(const Turn& turn) {
     Turn result = adjugate(turn);
     if (integerDeterminant(turn) < 0)

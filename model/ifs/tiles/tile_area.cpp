@@ -68,6 +68,53 @@ bool isAsStored(const DigitSystem& system, std::span<const AffineMap<2>> maps) {
     return true;
 }
 
+Surd wholeOf(std::int64_t number) {
+    return {number};
+}
+
+SurdMap matrixOf(const Integers& first, const Integers& second) { // columns
+    return {{{wholeOf(first[0]), wholeOf(second[0])}, {wholeOf(first[1]), wholeOf(second[1])}},
+            {Surd(), Surd()}};
+}
+
+SurdMap matrixOf(const std::vector<Surd>& first, const std::vector<Surd>& second) {
+    return {{{first[0], second[0]}, {first[1], second[1]}}, {Surd(), Surd()}};
+}
+
+// The image of a vector, without the translation.
+std::vector<Surd> image(const SurdMap& matrix, const std::vector<Surd>& v) {
+    return (matrix * SurdMap{identity(2).linear, v}).translation;
+}
+
+// What the integers stand for: the v of A⁻¹(b_i − b_1) and of their images under A⁻¹.
+struct Generator {
+    Integers integers;
+    std::vector<Surd> v;
+};
+
+std::vector<Generator> generatorsOf(const DigitSystem& system, std::span<const SurdMap> typed,
+                                    const SurdMap& expansion) {
+    std::vector<Generator> result;
+    for (std::size_t i = 0; i < typed.size(); ++i) {
+        std::vector<Surd> apart;
+        for (std::size_t k = 0; k < 2; ++k)
+            apart.push_back(typed[i].translation[k] - typed[0].translation[k]);
+        const std::vector<Surd> v = image(expansion, apart);
+        result.push_back({system.digits[i], v});
+        result.push_back({system.product(system.digits[i]), image(expansion, v)});
+    }
+    return result;
+}
+
+// The exact basis of the lattice, from two generators that are not along each other.
+std::optional<SurdMap> basisOf(const std::vector<Generator>& generators) {
+    for (const Generator& a : generators)
+        for (const Generator& b : generators)
+            if (a.integers[0] * b.integers[1] != a.integers[1] * b.integers[0])
+                return matrixOf(a.v, b.v) * inverse(matrixOf(a.integers, b.integers));
+    return std::nullopt;
+}
+
 std::optional<DigitSystem> digitSystem(std::span<const AffineMap<2>> maps) {
     const Matrix<2>& linear = maps[0].linear;
     if (std::ranges::any_of(maps, [&](const auto& map) { return map.linear != linear; })) return std::nullopt;
@@ -142,6 +189,19 @@ std::optional<TileArea> tileArea(std::span<const AffineMap<2>> maps, const Bound
     if (!area) area = areaByCopies(maps, box, neighbours);
     if (!area) return std::nullopt;
     return TileArea{*area, areShort(maps) ? Certainty::Exact : Certainty::ToRounding};
+}
+
+bool isAreaOf(std::span<const AffineMap<2>> maps, std::span<const SurdMap> typed) {
+    const auto system = digitSystem(maps);
+    if (!system || !system->isComplete() || typed.size() != maps.size()) return false;
+    if (std::ranges::any_of(typed, [&](const SurdMap& map) { return map.linear != typed[0].linear; }))
+        return false;
+    const SurdMap expansion = inverse({typed[0].linear, {Surd(), Surd()}});
+    const std::vector<Generator> generators = generatorsOf(*system, typed, expansion);
+    const auto basis = basisOf(generators);
+    return basis && basis->hasValue() && std::ranges::all_of(generators, [&](const Generator& each) {
+               return image(*basis, {wholeOf(each.integers[0]), wholeOf(each.integers[1])}) == each.v;
+           });
 }
 
 } // namespace ifs

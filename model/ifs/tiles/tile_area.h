@@ -4,6 +4,7 @@
 #include "ifs/extent/extent.h"
 #include "ifs/separation/neighbour_graph.h"
 #include "ifs/system/affine_map.h"
+#include "ifs/typed/surd_map.h"
 
 #include <optional>
 #include <span>
@@ -21,5 +22,9 @@ struct TileArea {
 // docs/mathematics.md, "Tiles".
 std::optional<TileArea> tileArea(std::span<const AffineMap<2>> maps, const BoundingBox<2>& box,
                                  const NeighbourGraph* neighbours);
+
+// Whether the area that the lattice of the digits gives is proved of the maps that are typed: they all have
+// one linear part, and the integers found give them back without rounding.
+bool isAreaOf(std::span<const AffineMap<2>> maps, std::span<const SurdMap> typed);
 
 } // namespace ifs

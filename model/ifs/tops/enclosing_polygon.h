@@ -20,7 +20,8 @@ struct EnclosingPolygon {
     explicit EnclosingPolygon(const SupportFunction<2>& attractor);
 
     Heights heights; // ⟨u_k, x⟩ ≤ heights[k] for every point of the attractor
-    // Of a convex polygon that contains the attractor, counter-clockwise; the last one fills what is left.
+    // Corners of a convex polygon that contains the attractor, counter-clockwise; the last one fills what is
+    // left.
     Corners corners;
 
     Corners image(const AffineMap<2>& map) const; // of the corners
@@ -28,7 +29,7 @@ struct EnclosingPolygon {
 
 EnclosingPolygon::Heights heightsOf(const EnclosingPolygon::Corners& corners);
 double diameterOf(const EnclosingPolygon::Corners& corners);
-// Of the union of both.
+// The diameter of the union of both.
 double diameterOf(const EnclosingPolygon::Corners& a, const EnclosingPolygon::Corners& b);
 
 } // namespace ifs

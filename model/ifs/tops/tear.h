@@ -10,9 +10,9 @@
 // How continuous a fractal transformation is. docs/mathematics.md, "Fractal tops".
 namespace ifs {
 
-// Of words σ, ω that differ in their first symbol, the shortest whose pieces of F have diameters of at most ε
-// and lie within ε of each other: the largest diameter of v_σ(A_G) ∪ v_ω(A_G). This is proved: no jump of
-// T_FG between points of different pieces w_i(A_F) is larger.
+// The largest diameter of v_σ(A_G) ∪ v_ω(A_G), where σ, ω differ in their first symbol and are the shortest
+// words whose pieces of F have diameters of at most ε and lie within ε of each other. This is proved: no jump
+// of T_FG between points of different pieces w_i(A_F) is larger.
 struct Tear {
     double size = 0;
     std::optional<std::array<Vector<2>, 2>>

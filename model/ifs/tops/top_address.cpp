@@ -138,7 +138,7 @@ TopAddress TopSearch::completed(const Word& settled, const Vector<2>& x) const {
     return result;
 }
 
-// Of beginnings and periods that together are at most half as long as what doubles carry, the shortest.
+// The shortest beginning and period that together are at most half as long as what doubles carry.
 std::optional<TopAddress> TopSearch::repeating(const Word& settled, std::size_t carried,
                                                const Vector<2>& x) const {
     const std::size_t most = std::min({carried / 2, settled.size(), maxPeriod});

@@ -35,7 +35,7 @@ public:
         std::optional<TopAddress> top; // none: x is farther than reach() from the attractor
         bool isCutShort = false;
     };
-    // Of x, or of the point of the attractor nearest to it.
+    // The address of x, or of the point of the attractor nearest to it.
     Answer at(const Vector<2>& x) const;
 
     double reach() const { return 1e-9 * m_size; }   // of the attractor's size, the diagonal of its box

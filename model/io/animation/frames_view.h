@@ -20,9 +20,9 @@ struct ViewBox {
 // In the plane, as displayed, under its cage and with its shadow.
 ViewBox boxOfAttractor(const document::Fractal& fractal, attractor::YAxis yAxis = attractor::YAxis::Up);
 
-// Of an entry with an animation, at up to 121 moments in the plane and 33 in space: margins cover what is
-// between them. Moments that are proved to have no attractor, whose points escape, count only where no other
-// does.
+// The box of an entry with an animation, at up to 121 moments in the plane and 33 in space: margins cover
+// what is between them. Moments that are proved to have no attractor, whose points escape, count only where
+// no other does.
 ViewBox boxOfFrames(const document::Fractal& entry, attractor::YAxis yAxis = attractor::YAxis::Up);
 // In space, as a camera sees them that has not gone round yet: turns about a pivot are taken back. Those
 // about the target of the camera are not, because the target is not known.

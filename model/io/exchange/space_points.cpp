@@ -110,7 +110,7 @@ struct SpacePoints::State {
         return point;
     }
 
-    // Of a point of the orbit, as its branch is moved.
+    // The place of a point of the orbit, as its branch is moved.
     ifs::Vector<3> shown(const ifs::Vector<3>& x) const {
         return address.empty() ? x : ifs::pieceOf<3>(pieces, address).change(x);
     }

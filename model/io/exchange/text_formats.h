@@ -37,7 +37,7 @@ bool holds(TextFormat format, const document::Fractal& fractal);
 // What of the fractal the format has no place for, as a sentence; nullopt when nothing is lost.
 std::optional<QString> lossOf(TextFormat format, const document::Fractal& fractal);
 
-// Those of the fractals that the format holds; of a format that holds one system, the first.
+// The text of the fractals that the format holds; a format that holds one system gets the first.
 QByteArray textOf(const QList<std::shared_ptr<const document::Fractal>>& fractals, TextFormat format,
                   const TextOptions& options = {});
 

@@ -33,7 +33,7 @@ public:
     void remove(const QString& id);
     void letGo(); // all of them: they belong to whoever comes next
 
-    // Those of processes that are gone, which are ours from now on, in their order; and what is no task, in
+    // Tasks of processes that are gone, which are ours from now on, in their order; and what is no task, in
     // sentences. Its file gets another name, so that it is said once.
     struct Found {
         QString id;

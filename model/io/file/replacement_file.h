@@ -27,7 +27,7 @@ public:
     ReplacementFile(const ReplacementFile&) = delete;
     ReplacementFile& operator=(const ReplacementFile&) = delete;
 
-    // Of the last call, the constructor included.
+    // The error of the last call, the constructor included.
     const SystemError& error() const { return m_error; }
 
     // All of it, from a position on; false with an error.

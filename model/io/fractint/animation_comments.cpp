@@ -5,7 +5,7 @@
 #include "document/fractal/recurring_branches.h"
 #include "document/text/text.h"
 #include "io/fractint/appearance_comments.h"
-#include "io/fractint/metadata_line.h"
+#include "io/text/metadata_line.h"
 #include "io/text/number.h"
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "io/fractint/animation_lines.h"
 
-#include "io/fractint/metadata_line.h"
+#include "io/text/metadata_line.h"
 #include "io/text/number.h"
 
 #include <QString>
@@ -168,7 +168,7 @@ bool AnimationLines::readMotion(const QByteArray& key, const QByteArrayList& val
     return true;
 }
 
-// Of the key or wave that was begun last.
+// Reads values of the key or wave that was begun last.
 bool AnimationLines::readValues(const QByteArrayList& values) {
     std::vector<double>* numbers = nullptr;
     if (Stored::Key* key = lastKey())

@@ -2,9 +2,9 @@
 #include "io/fractint/appearance_comments.h"
 
 #include "attractor/request/appearance_fields.h"
-#include "io/fractint/metadata_line.h"
 #include "io/fractint/space_comments.h"
 #include "io/palette/palette_stops.h"
+#include "io/text/metadata_line.h"
 #include "io/text/number.h"
 
 #include <span>

@@ -2,7 +2,7 @@
 #include "io/fractint/blend_comments.h"
 
 #include "document/fractal/fractal_geometry.h"
-#include "io/fractint/metadata_line.h"
+#include "io/text/metadata_line.h"
 #include "io/text/number.h"
 
 #include <QString>

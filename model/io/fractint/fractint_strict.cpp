@@ -139,7 +139,7 @@ private:
         }
     }
 
-    // Those that hold something, without blanks, a byte order mark and ^Z.
+    // Lines that hold something, without blanks, a byte order mark and ^Z.
     static QByteArrayList linesOf(QByteArray text) {
         if (text.startsWith("\xef\xbb\xbf")) text.remove(0, 3);
         QByteArrayList lines;

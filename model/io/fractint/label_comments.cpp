@@ -2,7 +2,7 @@
 #include "io/fractint/label_comments.h"
 
 #include "document/maps/map_names.h"
-#include "io/fractint/metadata_line.h"
+#include "io/text/metadata_line.h"
 
 #include <QString>
 

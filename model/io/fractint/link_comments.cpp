@@ -3,7 +3,7 @@
 
 #include "document/text/text.h"
 #include "ifs/system/links.h"
-#include "io/fractint/metadata_line.h"
+#include "io/text/metadata_line.h"
 #include "io/text/number.h"
 
 #include <algorithm>

@@ -4,8 +4,8 @@
 #include "document/fractal/recurring_branches.h"
 #include "document/text/text.h"
 #include "ifs/system/links.h"
-#include "io/fractint/metadata_line.h"
 #include "io/palette/palette_stops.h"
+#include "io/text/metadata_line.h"
 #include "io/text/number.h"
 
 #include <algorithm>
@@ -123,6 +123,7 @@ template <int Dim> void renumber(document::Shape<Dim>& shape, document::Fractal&
         if (const auto* colour = appearance.mapColours.find(map.id)) colours[id] = *colour;
         if (const auto* blend = appearance.mapBlends.find(map.id)) blends[id] = *blend;
         if (!fractal.mapLabels.isEmpty()) labels.set(id, storedLabel(fractal.mapLabels.of(map.id)));
+        map.typed = storedTyped(map);
         ids[map.id] = id;
         map.id = id;
     }
@@ -146,7 +147,8 @@ QByteArrayList metadataComments(const document::Fractal& fractal) {
     const QByteArrayList appearance = appearanceComments(fractal.appearance) + spaceComments(fractal.inSpace);
     const auto linesOf = [&](const auto& shape) {
         return placementLines(shape) + appearance + mapLines(shape.system, fractal.appearance) +
-               blendComments(fractal) + labelComments(fractal) + linkComments(shape.system);
+               blendComments(fractal) + labelComments(fractal) + linkComments(shape.system) +
+               typedComments(shape.system);
     };
     QByteArrayList lines = appearance;
     if (const auto* plane = document::plane(fractal))
@@ -171,7 +173,7 @@ document::Fractal asStored(document::Fractal fractal) {
 bool isOwnComment(QByteArrayView comment) {
     const QByteArrayView text = comment.trimmed();
     if (!text.startsWith(prefix)) return false;
-    // Of a fractal transformation and of saved views: they stay among the comments of the entry,
+    // Lines of a fractal transformation and of saved views stay among the comments of the entry:
     // document/tops/kept_theft and document/saved_views.
     const QByteArrayView key = text.sliced(qsizetype(std::strlen(prefix))).trimmed();
     return !key.startsWith("partner") && !key.startsWith("view");
@@ -187,7 +189,7 @@ bool MetadataComments::read(QByteArrayView comment) {
     return key == "version" || readSetting(key, values) || readMapSetting(key, values) ||
            m_colouring.read(key, values) || readBranch(key, values) ||
            m_links.read(key, values, m_ownComments - 1) || m_labels.read(key, values) ||
-           m_blends.read(key, values) || m_inSpace.read(key, values) ||
+           m_blends.read(key, values) || m_typed.read(key, values) || m_inSpace.read(key, values) ||
            m_symmetry.read(key, values, m_ownComments - 1) ||
            m_animations.read(key, values, m_ownComments - 1);
 }
@@ -400,6 +402,7 @@ MetadataComments::Outcome MetadataComments::applyTo(document::Fractal& fractal) 
                                           "kept.")
                                      .arg(document::dimension(fractal));
         applyToMaps(shape.system, fractal.appearance.mapColours, outcome.sentences);
+        m_typed.applyTo(shape.system);
         m_labels.applyTo(fractal);
         m_blends.applyTo(fractal);
         if (const auto flaw = m_symmetry.applyTo(shape.system)) {

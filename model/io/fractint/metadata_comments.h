@@ -9,6 +9,7 @@
 #include "io/fractint/link_comments.h"
 #include "io/fractint/space_comments.h"
 #include "io/fractint/symmetry_comments.h"
+#include "io/fractint/typed_comments.h"
 
 #include <QByteArrayList>
 #include <QByteArrayView>
@@ -39,9 +40,9 @@ public:
 
     struct Outcome {
         QStringList sentences; // one for everything that did not fit the system
-        // Of the own comments read, counted from 0 and ascending: those of a cage or a branch that is not of
-        // the system's dimension, and of an animation or a symmetry that is not valid. They are kept as they
-        // are.
+        // Own comments that are kept as they are, counted from 0 among those read, ascending: lines of a cage
+        // or a branch that is not of the system's dimension, and of an animation or a symmetry that is not
+        // valid.
         std::vector<std::size_t> kept;
     };
     // Needs the system in place. Of an entry that could not be read, the cage, all branches, the symmetry and
@@ -89,6 +90,7 @@ private:
     BlendComments m_blends;
     AnimationComments m_animations;
     LinkComments m_links;
+    TypedComments m_typed;
     AppearanceComments m_colouring;
     SpaceComments m_inSpace;
     std::vector<MapSetting> m_colours;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "io/fractint/space_comments.h"
 
-#include "io/fractint/metadata_line.h"
+#include "io/text/metadata_line.h"
 #include "io/text/number.h"
 
 #include <cmath>

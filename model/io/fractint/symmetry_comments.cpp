@@ -2,7 +2,7 @@
 #include "io/fractint/symmetry_comments.h"
 
 #include "document/text/text.h"
-#include "io/fractint/metadata_line.h"
+#include "io/text/metadata_line.h"
 #include "io/text/number.h"
 #include "io/text/symmetry_text.h"
 

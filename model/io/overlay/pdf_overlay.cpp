@@ -66,7 +66,7 @@ QByteArray painted(const OverlayMark& mark, const QByteArray& path) {
     return content + path + paint + "\nQ\n";
 }
 
-// Of digits, upright although y is down.
+// A word of digits, upright although y is down.
 QByteArray word(const OverlayMark& mark) {
     const double width = digitWidth * mark.letterSize * double(mark.word.size());
     const double x = mark.centre.x() - width / 2;

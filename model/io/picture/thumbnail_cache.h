@@ -16,7 +16,7 @@ namespace io {
 // pictures are drawn again.
 class ThumbnailCache {
 public:
-    // Of this user, below the folder for caches of the desktop.
+    // The folder of this user, below that for caches of the desktop.
     static QString usualFolder();
 
     explicit ThumbnailCache(const QString& folder, qint64 maxBytes = 64 * 1024 * 1024);

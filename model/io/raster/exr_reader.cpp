@@ -69,7 +69,7 @@ void take(const FileBytes& bytes, QByteArrayView name, std::uint64_t at, Header&
     }
 }
 
-// Of the first part; nullopt when it is damaged.
+// The header of the first part; nullopt when it is damaged.
 std::optional<Header> headerOf(const QByteArray& file) {
     const FileBytes bytes(file);
     Header header;
@@ -103,7 +103,7 @@ std::uint64_t blockOf(const Header& header) {
     return width * rows * number * std::max<std::uint64_t>(header.channels, 4);
 }
 
-// Of all channels, also those that are not read.
+// Bytes of all channels, also those that are not read.
 std::uint64_t allOf(const Header& header) {
     constexpr std::uint64_t number = sizeof(float);
     return std::uint64_t(header.pixels.width()) * std::uint64_t(header.pixels.height()) * number *

@@ -22,7 +22,7 @@ public:
     }
     qint64 position() const { return m_device.pos(); }
 
-    // Of the library itself.
+    // Failures of the library itself.
     void fail() noexcept { m_isFailed = true; }
     bool isFailed() const { return m_isFailed; }
 

@@ -18,8 +18,8 @@ namespace {
 
 constexpr tmsize_t maxAllocation = tmsize_t{512} << 20; // bytes of one strip or tile, and of any table
 constexpr std::uint16_t maxSamples = 16;                // for a pixel
-// Of all strips or tiles together, which may be the same ones again and again: as they are in the file, and
-// decompressed.
+// Limits of all strips or tiles together, which may be the same ones again and again: as they are in the
+// file, and decompressed.
 constexpr std::uint64_t maxStored = std::uint64_t{512} << 20, maxUnpacked = std::uint64_t{2} << 30;
 
 using Tiff = std::unique_ptr<TIFF, decltype(&TIFFClose)>;
@@ -102,7 +102,7 @@ QImage imageOf(const std::vector<std::uint32_t>& packed, const QSize& size) {
     return image;
 }
 
-// Of pictures in colours; nothing where there is none.
+// The profile of pictures in colours; nothing where there is none.
 QByteArray profileOf(TIFF* tiff) {
     std::uint32_t size = 0;
     void* profile = nullptr;

@@ -58,7 +58,7 @@ void TiffWriter::State::open() {
                                 (withAlpha() ? 4 : 3) * (isDeep() ? 2 : 1);
     const std::unique_ptr<TIFFOpenOptions, decltype(&TIFFOpenOptionsFree)> options(TIFFOpenOptionsAlloc(),
                                                                                    TIFFOpenOptionsFree);
-    // Of some errors only this is told, as of those of a file that is closed.
+    // Some errors are told here only, as those of a file that is closed.
     const auto onError = [](TIFF*, void* state, const char*, const char*, va_list) {
         static_cast<State*>(state)->device.fail();
         return 1;

@@ -33,7 +33,7 @@ template <int Dim> struct FactSource {
 
 // How numbers are written.
 struct Figures {
-    // Of things of that size, which may be off by the error; 0: as a number alone.
+    // Texts of numbers of things of that size, which may be off by the error; 0: as a number alone.
     QString (*text)(double value, double error, double size);
     QString (*count)(std::size_t number);
     QString (*bound)(double error);
@@ -100,7 +100,7 @@ public:
         lines = [&source, write](FactLines& out) { write(source, out); };
         return *this;
     }
-    // Of a value, or of a function that works it out when it is needed.
+    // Adds a member: a value, or a function that works it out when it is needed.
     template <class T> Fact& member(const char* key, T member, const char* remark = "") {
         members.push_back([=](JsonMembers& out) {
             if constexpr (std::is_invocable_v<T>)

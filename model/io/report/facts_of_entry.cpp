@@ -154,7 +154,7 @@ std::vector<FixedPoint<2>> fixedPoints(const FactSource<2>& source, std::size_t 
     return points;
 }
 
-// Of the active maps that have one.
+// Fixed points of the active maps that have one.
 std::vector<FixedPoint<3>> fixedPoints(const FactSource<3>& source, std::size_t most) {
     std::vector<FixedPoint<3>> points;
     for (const auto& map : source.facts.active.maps)

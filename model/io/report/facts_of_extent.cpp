@@ -89,8 +89,8 @@ template <int Dim> std::optional<QString> sidesText(const FactSource<Dim>& sourc
 
 constexpr auto certified = "Certified: the truth is within this distance outside what is given.";
 
-// Of the parts of linked maps, by the maps that make them: none for a map that takes no part, and nothing for
-// maps that are not linked.
+// Boxes of the parts of linked maps, by the maps that make them: none for a map that takes no part, and
+// nothing for maps that are not linked.
 using Parts = std::vector<std::optional<ifs::BoundingBox<2>>>;
 
 std::optional<Parts> partsOf(const FactSource<2>& source) {
@@ -156,7 +156,7 @@ double contentError(const ifs::ConvexHull3& hull) {
     return ifs::volumeError(hull);
 }
 
-// Of an area or a volume; of a point, what rounding leaves of it.
+// The text of an area or a volume; of a point, what rounding leaves of it.
 template <int Dim> std::optional<QString> contentText(const FactSource<Dim>& source, const Figures& number) {
     if (!source.facts.hull) return std::nullopt;
     const auto& hull = *source.facts.hull;

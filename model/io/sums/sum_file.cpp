@@ -23,7 +23,7 @@ constexpr std::uint32_t maxTile = 1U << 20; // of a block: 4096 cells of four nu
 constexpr std::size_t maxLines = 1U << 14;  // of passes or shares
 constexpr std::int64_t maxCells = std::int64_t{1} << 40;
 
-// Of a block and the number of its tile; that of the header is 0.
+// The checksum of a block and the number of its tile; that of the header is 0.
 std::uint32_t checksum(const QByteArray& block, std::uint32_t tile = 0) {
     const auto number = qToLittleEndian(tile);
     const auto sum = ::crc32(0, reinterpret_cast<const Bytef*>(&number), sizeof number);

@@ -95,7 +95,7 @@ public:
 
     const Failure& failure() const { return m_failure; } // the first
     const SumHeader& header() const { return m_header; }
-    // Of each tile that the file holds, where it begins.
+    // Where each tile that the file holds begins.
     const std::map<std::uint32_t, qint64>& tiles() const { return m_tiles; }
     std::optional<SumTile> read(std::uint32_t number);         // nullopt: not in the file, or a failure
     std::optional<QByteArray> readBlock(std::uint32_t number); // the same for tileIn()

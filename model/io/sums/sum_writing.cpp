@@ -23,7 +23,7 @@ public:
           m_values(TileGrid::valuesPerCell(header.kind)),
           m_tiles(m_grid.across()) {}
 
-    // Of all columns.
+    // Adds the values of all columns.
     void add(int row, std::span<const std::uint64_t> values) {
         for (std::size_t t = 0; t < m_tiles.size(); ++t) {
             const std::uint32_t number = m_first + std::uint32_t(t);

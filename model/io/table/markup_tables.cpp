@@ -102,7 +102,8 @@ std::vector<Environment> allEnvironments(const QString& text) {
     return all;
 }
 
-// Of those inside another, only the outer one where `isNested` is false; else none deep inside many.
+// Environments; of one inside another only the outer one where `isNested` is false, else none deep inside
+// many.
 QList<Environment> environments(const QString& text, bool isNested) {
     constexpr std::size_t deepest = 8;
     QList<Environment> found;
@@ -216,7 +217,7 @@ MarkupTable latexTable(QStringView text, qsizetype begin, qsizetype end, bool li
     return table;
 }
 
-// Of tables without \begin, the lines that have cells.
+// The lines with cells of a table without \begin.
 std::optional<MarkupTable> looseLatexTable(const QString& text, const Lines& lines) {
     qsizetype begin = -1;
     qsizetype end = 0;

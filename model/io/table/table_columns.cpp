@@ -211,13 +211,29 @@ ifs::WeightedMap<2> mapOf(const TableColumns& columns, std::span<const double> n
     return row;
 }
 
-NumberUnit unitOfNumber(const TableColumns& columns, std::size_t number, std::size_t count) {
+namespace {
+
+// The column of the number in a row of so many.
+std::optional<TableColumn> columnOf(const TableColumns& columns, std::size_t number, std::size_t count) {
     for (const TableColumn column : columns) {
         if (isWeight(column) && count < columns.size()) continue;
-        if (number == 0) return column == Theta || column == Phi ? NumberUnit::Degrees : NumberUnit::None;
+        if (number == 0) return column;
         --number;
     }
-    return NumberUnit::None;
+    return std::nullopt;
+}
+
+} // namespace
+
+NumberUnit unitOfNumber(const TableColumns& columns, std::size_t number, std::size_t count) {
+    const auto column = columnOf(columns, number, count);
+    return column == Theta || column == Phi ? NumberUnit::Degrees : NumberUnit::None;
+}
+
+std::optional<int> coefficientOf(const TableColumns& columns, std::size_t number, std::size_t count) {
+    const auto column = columnOf(columns, number, count);
+    if (column == E || column == F) return column == E ? 4 : 5;
+    return column >= A && column <= D ? std::optional(int(*column)) : std::nullopt;
 }
 
 std::vector<double> numbersOf(const TableColumns& columns, const ifs::AffineMap<2>& map, double weight) {

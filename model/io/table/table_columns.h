@@ -50,6 +50,8 @@ QStringList columnNames(const TableColumns& columns);
 ifs::WeightedMap<2> mapOf(const TableColumns& columns, std::span<const double> numbers);
 // Degrees of angles. In such a row with `count` numbers.
 NumberUnit unitOfNumber(const TableColumns& columns, std::size_t number, std::size_t count);
+// Which coefficient it is, 0 … 5 for A … F; nullopt for a weight, and where coefficients are made of it.
+std::optional<int> coefficientOf(const TableColumns& columns, std::size_t number, std::size_t count);
 // `weight` is what stands under Weight or Cumulative.
 std::vector<double> numbersOf(const TableColumns& columns, const ifs::AffineMap<2>& map, double weight);
 

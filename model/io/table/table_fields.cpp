@@ -15,7 +15,7 @@ bool isNoFiniteNumber(const QString& text) {
     });
 }
 
-// Of the fields whose names are known, from `first` on.
+// Picks the fields whose names are known, from `first` on.
 std::optional<Picks> picked(const QStringList& names, qsizetype first) {
     Picks picks;
     picks.width = names.size();

@@ -6,6 +6,8 @@
 #include "io/table/table_fields.h"
 #include "io/text/coefficient.h"
 #include "io/text/number.h"
+#include "io/text/plain_signs.h"
+#include "io/text/typed_coefficient.h"
 
 #include <QStringList>
 
@@ -74,7 +76,7 @@ private:
     static constexpr qsizetype spaceNumbers = 12;
 
     std::optional<double> value(const Cell& cell) const { return numberIn(cell, m_dialect); }
-    // Of a number in a row with that many.
+    // The unit of a number in a row with that many.
     NumberUnit unitOf(std::size_t number, std::size_t count) const {
         return count < std::size_t(spaceNumbers) ? unitOfNumber(m_columns, number, count) : NumberUnit::None;
     }
@@ -214,8 +216,8 @@ private:
         m_picks = std::move(picks);
     }
 
-    // Of more columns than the chosen order has, those that have its names are meant; else those that hold
-    // numbers in the first row.
+    // Where there are more columns than the chosen order has, those that have its names are meant; else those
+    // that hold numbers in the first row.
     void pickForOrder() {
         const QStringList names = namesOf(m_header);
         if (m_picks || names.size() <= qsizetype(m_columns.size()) + 1) return;
@@ -400,7 +402,7 @@ private:
         return next - cells.begin();
     }
 
-    // Of "map 1,0.5,0 …" two, of "w1 0.5,0 …" one; 0 of what could be both.
+    // Words of the label: two in "map 1,0.5,0 …", one in "w1 0.5,0 …"; 0 in what could be both.
     qsizetype wordsOfLabel(const Row& cells) const {
         const qsizetype words = wordsOfField(cells);
         if (words == 1) return 1;
@@ -452,15 +454,27 @@ private:
         if (m_table.rows.size() + m_table.spaceRows.size() >= std::size_t(maxTableRows))
             return fail(cells.first(),
                         Text::tr("The table has more than %1 rows, which is the limit.").arg(maxTableRows));
-        if (cells.size() < spaceNumbers)
+        if (cells.size() < spaceNumbers) {
             m_table.rows.push_back(mapOf(m_columns, numbers));
-        else
+            keepTyped(m_table.rows.back(), cells);
+        } else {
             m_table.spaceRows.push_back(spaceMapOf(numbers));
+            keepTyped(m_table.spaceRows.back(), cells);
+        }
         m_table.lines.push_back(cells.first().line);
         if (!m_table.rows.empty() && !m_table.spaceRows.empty())
             fail(cells.first(), Text::tr("The table mixes maps of the plane and maps of space."));
         else if (!m_table.spaceRows.empty())
             m_table.isOrdered = true;
+    }
+
+    // Fractions and roots, where the cell is the coefficient itself.
+    template <int Dim> void keepTyped(ifs::WeightedMap<Dim>& map, const Row& cells) const {
+        const auto count = std::size_t(cells.size());
+        for (std::size_t i = 0; i < count; ++i) {
+            const auto which = Dim == 3 ? std::optional(int(i)) : coefficientOf(m_columns, i, count);
+            if (which) io::keepTyped(map, *which, plainSigns(cells[qsizetype(i)].text));
+        }
     }
 
     bool isWeightColumn(qsizetype i, qsizetype count) const {

@@ -8,8 +8,8 @@
 
 namespace io {
 
-// That weights rise to 1 or 100 and may be sums up to each map, and how to read them as such; nullopt of
-// weights that do not, or sum to as much.
+// Says that weights rise to 1 or 100 and may be sums up to each map, and how to read them as such; nullopt
+// for weights that do not, or sum to as much.
 std::optional<QString> cumulativeRemark(const std::vector<std::optional<double>>& weights);
 
 } // namespace io

@@ -17,7 +17,7 @@ template <int Dim> std::vector<double> exportWeights(const ifs::IteratedFunction
 // What is to be said of a weight that was read and leaves its map, counted from 1, without a part.
 std::optional<QString> weightRemark(std::size_t map, double weight);
 
-// Of a map without a weight, counted from 1, where others have one.
+// Remarks on a map without a weight, counted from 1, where others have one.
 QString missingWeightRemark(std::size_t map);
 
 } // namespace io

@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <functional>
 #include <numbers>
 #include <string_view>
@@ -21,7 +22,7 @@ namespace {
 
 constexpr double degree = std::numbers::pi / 180;
 
-// Of what is a whole number of degrees but for rounding: as many degrees.
+// As many degrees as the angle has, if that is a whole number but for rounding; else NaN.
 double wholeDegrees(double radians) {
     const double degrees = radians / degree;
     const double whole = std::nearbyint(degrees);
@@ -62,10 +63,12 @@ struct Quantity {
     double reading = 0; // without units: 90 for 90°, π/2 for pi/2
     double degrees = 0; // how often ° is a factor, minus how often a divisor
     double radians = 0; // the same of π and of inverse functions
+    // Without units and rounding: the value is this · (π/180)^degrees · π^radians. Often there is none.
+    ifs::Surd exact = ifs::Surd::none();
 };
 
-Quantity plainNumber(double value) {
-    return {value, value};
+Quantity plainNumber(double value, const ifs::Surd& exact = ifs::Surd::none()) {
+    return {value, value, 0, 0, exact};
 }
 
 Quantity inRadians(double value) {
@@ -93,23 +96,78 @@ template <class Function> Quantity together(const Quantity& a, const Quantity& b
     return {value, function(inDegrees(a), inDegrees(b)), 1, 0};
 }
 
+Quantity sum(const Quantity& a, const Quantity& b) {
+    Quantity result = together(a, b, std::plus());
+    if (isSameUnit(a, b)) result.exact = a.exact + b.exact;
+    return result;
+}
+
+Quantity difference(const Quantity& a, const Quantity& b) {
+    Quantity result = together(a, b, std::minus());
+    if (isSameUnit(a, b)) result.exact = a.exact - b.exact;
+    return result;
+}
+
 Quantity product(const Quantity& a, const Quantity& b) {
-    return {a.value * b.value, a.reading * b.reading, a.degrees + b.degrees, a.radians + b.radians};
+    return {a.value * b.value, a.reading * b.reading, a.degrees + b.degrees, a.radians + b.radians,
+            a.exact * b.exact};
 }
 
 Quantity quotient(const Quantity& a, const Quantity& b) {
-    return {a.value / b.value, a.reading / b.reading, a.degrees - b.degrees, a.radians - b.radians};
+    return {a.value / b.value, a.reading / b.reading, a.degrees - b.degrees, a.radians - b.radians,
+            a.exact / b.exact};
+}
+
+ifs::Surd exactPower(const Quantity& base, const Quantity& exponent) {
+    constexpr std::int64_t most = 64;
+    if (base.degrees != 0 || base.radians != 0 || exponent.degrees != 0 || exponent.radians != 0)
+        return ifs::Surd::none();
+    if (exponent.exact == ifs::Surd(1) / ifs::Surd(2)) return ifs::Surd::root(base.exact);
+    const auto times = exponent.exact.whole();
+    if (!times || *times < -most || *times > most) return ifs::Surd::none();
+    ifs::Surd result(1);
+    for (std::int64_t k = 0; k < std::abs(*times); ++k)
+        result = result * base.exact;
+    return *times < 0 ? ifs::Surd(1) / result : result;
 }
 
 Quantity power(const Quantity& base, const Quantity& exponent) {
     return {std::pow(base.value, exponent.value), std::pow(base.reading, exponent.value),
-            base.degrees * exponent.value, base.radians * exponent.value};
+            base.degrees * exponent.value, base.radians * exponent.value, exactPower(base, exponent)};
+}
+
+// The sine of as many degrees, where it is such a number.
+ifs::Surd exactSine(const ifs::Surd& degrees) {
+    using ifs::Surd;
+    const auto whole = degrees.whole();
+    if (!whole) return Surd::none();
+    const auto turned = (*whole % 360 + 360) % 360;
+    const auto inHalf = turned % 180, angle = std::min(inHalf, 180 - inHalf);
+    const Surd half = Surd(1) / Surd(2), golden = (Surd(1) + Surd::root(5)) / Surd(4);
+    const std::array<std::pair<std::int64_t, Surd>, 7> known{{{0, Surd(0)},
+                                                              {18, golden - half},
+                                                              {30, half},
+                                                              {45, Surd::root(half)},
+                                                              {54, golden},
+                                                              {60, Surd::root(3) * half},
+                                                              {90, Surd(1)}}};
+    const auto found = std::ranges::find(known, angle, &std::pair<std::int64_t, Surd>::first);
+    if (found == known.end()) return Surd::none();
+    return turned > 180 ? -found->second : found->second;
+}
+
+// In degrees, of an angle that is written with ° or π; else without value.
+ifs::Surd exactDegrees(const Quantity& angle) {
+    if (angle.degrees == 1 && angle.radians == 0) return angle.exact;
+    if (angle.degrees == 0 && angle.radians == 1) return angle.exact * ifs::Surd(180);
+    return angle.exact.isZero() ? angle.exact : ifs::Surd::none();
 }
 
 // The parser knows doubles only: those that it is given, and that it gives its operators, are places in here.
 thread_local std::vector<Quantity> quantities;
-const std::array constants{inRadians(std::numbers::pi), plainNumber(std::numbers::e),
-                           plainNumber(std::numbers::phi)};
+const std::array constants{
+    Quantity{std::numbers::pi, std::numbers::pi, 0, 1, ifs::Surd(1)}, plainNumber(std::numbers::e),
+    plainNumber(std::numbers::phi, (ifs::Surd(1) + ifs::Surd::root(5)) / ifs::Surd(2))};
 
 double placeOf(const Quantity& quantity) {
     quantities.push_back(quantity);
@@ -139,9 +197,20 @@ protected:
         DefineInfixOprtChars("+-");
     }
     void InitFun() override {
-        DefineFun("sin", number<sine>);
-        DefineFun("cos", number<cosine>);
-        DefineFun("tan", number<tangent>);
+        DefineFun(
+            "sin", +[](double x) {
+                return placeOf(plainNumber(sine(at(x).value), exactSine(exactDegrees(at(x)))));
+            });
+        DefineFun(
+            "cos", +[](double x) {
+                const ifs::Surd complement = ifs::Surd(90) - exactDegrees(at(x));
+                return placeOf(plainNumber(cosine(at(x).value), exactSine(complement)));
+            });
+        DefineFun(
+            "tan", +[](double x) {
+                const ifs::Surd angle = exactDegrees(at(x)), complement = ifs::Surd(90) - angle;
+                return placeOf(plainNumber(tangent(at(x).value), exactSine(angle) / exactSine(complement)));
+            });
         DefineFun("asin", angle<std::asin>);
         DefineFun("acos", angle<std::acos>);
         DefineFun("atan", angle<std::atan>);
@@ -151,7 +220,13 @@ protected:
         DefineFun("sinh", number<std::sinh>);
         DefineFun("cosh", number<std::cosh>);
         DefineFun("tanh", number<std::tanh>);
-        DefineFun("sqrt", number<std::sqrt>);
+        DefineFun(
+            "sqrt", +[](double x) {
+                const Quantity q = at(x);
+                const bool isPlain = q.degrees == 0 && q.radians == 0;
+                return placeOf(
+                    plainNumber(std::sqrt(q.value), isPlain ? ifs::Surd::root(q.exact) : ifs::Surd::none()));
+            });
         DefineFun("cbrt", number<std::cbrt>);
         DefineFun("exp", number<std::exp>);
         DefineFun("ln", number<std::log>);
@@ -160,7 +235,8 @@ protected:
         DefineFun(
             "abs", +[](double x) {
                 const Quantity q = at(x);
-                return placeOf({std::abs(q.value), std::abs(q.reading), q.degrees, q.radians});
+                return placeOf({std::abs(q.value), std::abs(q.reading), q.degrees, q.radians,
+                                q.exact.hasValue() && q.exact.sign() < 0 ? -q.exact : q.exact});
             });
         DefineFun(
             "min", +[](double x, double y) {
@@ -178,11 +254,9 @@ protected:
     }
     void InitOprt() override {
         DefineOprt(
-            "+", +[](double x, double y) { return placeOf(together(at(x), at(y), std::plus())); },
-            mu::prADD_SUB);
+            "+", +[](double x, double y) { return placeOf(sum(at(x), at(y))); }, mu::prADD_SUB);
         DefineOprt(
-            "-", +[](double x, double y) { return placeOf(together(at(x), at(y), std::minus())); },
-            mu::prADD_SUB);
+            "-", +[](double x, double y) { return placeOf(difference(at(x), at(y))); }, mu::prADD_SUB);
         DefineOprt(
             "*", +[](double x, double y) { return placeOf(product(at(x), at(y))); }, mu::prMUL_DIV);
         DefineOprt(
@@ -192,14 +266,16 @@ protected:
         DefineInfixOprt(
             "-", +[](double x) {
                 const Quantity q = at(x);
-                return placeOf({-q.value, -q.reading, q.degrees, q.radians});
+                return placeOf({-q.value, -q.reading, q.degrees, q.radians, -q.exact});
             });
         DefineInfixOprt(
             "+", +[](double x) { return x; });
         DefinePostfixOprt(
             "deg", +[](double x) {
                 const Quantity q = at(x);
-                return placeOf({q.value * degree, q.reading, isInRadians(q) ? 0.0 : 1.0, q.radians});
+                if (isInRadians(q)) return placeOf({q.value * degree, q.reading, 0, q.radians});
+                return placeOf({q.value * degree, q.reading, 1, q.radians,
+                                q.degrees == 0 ? q.exact : ifs::Surd::none()});
             });
     }
     void Init() {
@@ -220,7 +296,8 @@ private:
         const auto result = fromChars(rest.data(), rest.data() + rest.size(), *value);
         if (result.ec != std::errc()) return 0;
         *position += int(result.ptr - rest.data());
-        *value = placeOf(plainNumber(*value));
+        const auto length = std::size_t(result.ptr - rest.data());
+        *value = placeOf(plainNumber(*value, ifs::Surd::decimal(rest.substr(0, length))));
         return 1;
     }
 };
@@ -321,6 +398,13 @@ std::optional<double> evaluate(QStringView text, NumberUnit unit) {
     if (!quantity) return std::nullopt;
     const double value = unit == NumberUnit::Degrees ? inDegrees(*quantity) : quantity->value;
     return std::isfinite(value) ? std::optional(value) : std::nullopt;
+}
+
+std::optional<ifs::Surd> evaluateExactly(QStringView text) {
+    if (parseNumber(text)) return std::nullopt;
+    const std::optional<Quantity> quantity = quantityOf(text);
+    const bool isPlain = quantity && quantity->degrees == 0 && quantity->radians == 0;
+    return isPlain && quantity->exact.hasValue() ? std::optional(quantity->exact) : std::nullopt;
 }
 
 bool isAngle(QStringView text) {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "ifs/typed/surd.h"
+
 #include <QStringView>
 
 #include <optional>
@@ -23,6 +25,10 @@ enum class NumberUnit { None, Degrees };
 // 135. Angles cancel: acos(0.8)*180/pi is 36.87. The arguments of functions and their other results are those
 // of evaluate(): cos(60°) is 0.5. NumberUnit::None is evaluate().
 std::optional<double> evaluate(QStringView text, NumberUnit unit);
+
+// The value of evaluate() without rounding; nullopt where it is none of the numbers that ifs::Surd can hold,
+// and of a plain number, which means the double that is stored for it.
+std::optional<ifs::Surd> evaluateExactly(QStringView text);
 
 // Whether the expression is an angle by itself, by ° or in radians, which a field of degrees shows as a
 // number.

@@ -58,7 +58,7 @@ constexpr std::array hidden{
     Hidden{"ref", 1},          Hidden{"footnotemark", 0},  Hidden{"begin", 1},     Hidden{"end", 1},
     Hidden{"renewcommand", 2}, Hidden{"extrarowheight", 0}};
 
-// Of these, the last argument is shown.
+// Commands whose last argument is shown.
 constexpr std::array lastShown{Hidden{"multicolumn", 3}, Hidden{"multirow", 3}, Hidden{"textcolor", 2},
                                Hidden{"colorbox", 2},    Hidden{"scalebox", 2}, Hidden{"raisebox", 2},
                                Hidden{"parbox", 2},      Hidden{"href", 2}};
@@ -191,7 +191,7 @@ private:
                                    : QStringLiteral("((%2)^(1/(%1)))").arg(degree, of);
     }
 
-    // Of what follows without parentheses, a number with what belongs to it.
+    // Takes a number with what belongs to it, where no parentheses follow.
     void function(const QString& name) {
         skipBlanks();
         if (!m_text.isEmpty() && m_text.back().isDigit()) m_text += u'*';

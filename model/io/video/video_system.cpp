@@ -5,9 +5,11 @@
 
 #include <QByteArrayView>
 #include <QCoreApplication>
+#include <QLatin1String>
 #include <QtEndian>
 
 #include <algorithm>
+#include <array>
 #include <optional>
 
 namespace io {
@@ -127,7 +129,7 @@ QByteArrayView commentOfMatroska(QByteArrayView file) {
 
 // GIF: blocks of up to 255 bytes, GIF89a.
 
-// Those of one block of data, the empty one at its end included; nullopt where it does not end.
+// The blocks of one piece of data, the empty one at its end included; nullopt where it does not end.
 std::optional<QByteArray> takeBlocks(QByteArrayView& bytes, bool isKept) {
     QByteArray data;
     while (!bytes.isEmpty()) {
@@ -188,30 +190,61 @@ EmbeddedSystem systemOfWebP(QByteArrayView bytes) {
     return {};
 }
 
-QByteArray textOf(const QString& format, const QByteArray& bytes) {
-    if (format == u"mp4") return commentOfMp4(bytes).toByteArray();
-    if (format == u"gif") return commentOfGif(bytes);
-    return format == u"webp" ? systemOfWebP(bytes).text : commentOfMatroska(bytes).toByteArray();
+// A kind of file, by its first bytes, and the text that is embedded in it.
+struct Container {
+    const char* name;
+    bool (*begins)(const QByteArray& bytes);
+    QByteArray (*text)(const QByteArray& bytes);
+};
+
+bool beginsMatroska(const QByteArray& bytes) {
+    return bytes.startsWith("\x1a\x45\xdf\xa3");
+}
+QByteArray textOfMatroska(const QByteArray& bytes) {
+    return commentOfMatroska(bytes).toByteArray();
+}
+
+constexpr std::array containers{
+    Container{"mp4", [](const QByteArray& bytes) { return bytes.mid(4, 4) == "ftyp" && bytes.size() >= 16; },
+              [](const QByteArray& bytes) { return commentOfMp4(bytes).toByteArray(); }},
+    Container{
+        "gif",
+        [](const QByteArray& bytes) { return bytes.startsWith("GIF87a") || bytes.startsWith("GIF89a"); },
+        [](const QByteArray& bytes) { return commentOfGif(bytes); }},
+    Container{"webp",
+              [](const QByteArray& bytes) {
+                  constexpr int isAnimated = 2; // in the flags
+                  return bytes.startsWith("RIFF") && bytes.mid(8, 8) == "WEBPVP8X" && bytes.size() > 20 &&
+                         bytes[20] & isAnimated;
+              },
+              [](const QByteArray& bytes) { return systemOfWebP(bytes).text; }},
+    Container{"webm",
+              [](const QByteArray& bytes) {
+                  constexpr qsizetype sample = 64; // within which a WebM file says that it is one
+                  return beginsMatroska(bytes) && bytes.left(sample).contains("webm");
+              },
+              textOfMatroska},
+    Container{"mkv", beginsMatroska, textOfMatroska},
+};
+
+// Null for other files.
+const Container* containerOf(const QByteArray& bytes) {
+    const auto* found =
+        std::ranges::find_if(containers, [&](const Container& each) { return each.begins(bytes); });
+    return found == containers.end() ? nullptr : found;
 }
 
 } // namespace
 
 QString looksLikeVideo(const QByteArray& bytes) {
-    constexpr qsizetype sample = 64; // within which a WebM file says that it is one
-    if (bytes.mid(4, 4) == "ftyp" && bytes.size() >= 16) return QStringLiteral("mp4");
-    if (bytes.startsWith("GIF87a") || bytes.startsWith("GIF89a")) return QStringLiteral("gif");
-    constexpr int isAnimated = 2; // in the flags of a WebP file
-    if (bytes.startsWith("RIFF") && bytes.mid(8, 8) == "WEBPVP8X" && bytes.size() > 20 &&
-        bytes[20] & isAnimated)
-        return QStringLiteral("webp");
-    if (!bytes.startsWith("\x1a\x45\xdf\xa3")) return {};
-    return bytes.left(sample).contains("webm") ? QStringLiteral("webm") : QStringLiteral("mkv");
+    const Container* container = containerOf(bytes);
+    return container ? QLatin1String(container->name) : QLatin1String();
 }
 
 EmbeddedSystem readVideoSystem(const QByteArray& bytes) {
-    const QString format = looksLikeVideo(bytes);
-    if (format.isEmpty()) return refusal(QT_TRANSLATE_NOOP("VideoSystem", "The file is not a video."));
-    QByteArray text = textOf(format, bytes);
+    const Container* container = containerOf(bytes);
+    if (!container) return refusal(QT_TRANSLATE_NOOP("VideoSystem", "The file is not a video."));
+    QByteArray text = container->text(bytes);
     if (!text.startsWith(mark))
         return refusal(QT_TRANSLATE_NOOP(
             "VideoSystem", "The video contains no system: it was not written by Barycage, it is damaged, or "

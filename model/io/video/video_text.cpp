@@ -9,6 +9,8 @@
 #include <zlib.h>
 
 #include <algorithm>
+#include <array>
+#include <utility>
 
 namespace io {
 
@@ -95,6 +97,17 @@ QByteArray threeBytes(quint32 number) {
     return littleEndian(number).first(3);
 }
 
+using Adder = bool (*)(QIODevice& device, qint64 size, const QByteArray& text);
+
+// Null where the encoder writes the text itself.
+Adder adderOf(VideoFormat format) {
+    static constexpr std::array adders{std::pair{VideoFormat::Gif, &addToGif},
+                                       std::pair{VideoFormat::WebP, &addToWebP},
+                                       std::pair{VideoFormat::Apng, &addToApng}};
+    const auto* found = std::ranges::find(adders, format, &std::pair<VideoFormat, Adder>::first);
+    return found == adders.end() ? nullptr : found->second;
+}
+
 } // namespace
 
 std::optional<qint64> animatedWebP(QIODevice& device, qint64 size, const VideoSettings& settings,
@@ -121,20 +134,13 @@ std::optional<qint64> animatedWebP(QIODevice& device, qint64 size, const VideoSe
     return isMoved ? std::optional(whole) : std::nullopt;
 }
 
+bool hasTextAdded(VideoFormat format) {
+    return adderOf(format) != nullptr;
+}
+
 bool addVideoText(QIODevice& device, qint64 size, VideoFormat format, const QByteArray& text) {
-    switch (format) {
-    case VideoFormat::Gif:
-        return addToGif(device, size, text);
-    case VideoFormat::WebP:
-        return addToWebP(device, size, text);
-    case VideoFormat::Apng:
-        return addToApng(device, size, text);
-    case VideoFormat::Mp4:
-    case VideoFormat::WebM:
-    case VideoFormat::Mkv:
-        break;
-    }
-    return false;
+    const auto add = adderOf(format);
+    return add != nullptr && add(device, size, text);
 }
 
 } // namespace io

@@ -11,13 +11,17 @@
 
 namespace io {
 
+// Whether the text is added to a file of this format once it is complete; in others it is a tag that the
+// encoder writes.
+bool hasTextAdded(VideoFormat format);
+
 // Adds the text to a complete GIF, WebP or APNG file of `size` bytes, for readVideoSystem(), where other
 // programs pass over it: as a comment, as XMP, as iTXt. The device is open for reading and writing,
 // random-access. False when it cannot be read or written, or is no such file.
 bool addVideoText(QIODevice& device, qint64 size, VideoFormat format, const QByteArray& text);
 
-// Of pictures that are all the same, the encoder of WebP makes one that does not move: becomes an animation
-// of one frame, which lasts as long as they. The new size of the file; nullopt as above.
+// Makes an animation of one frame out of the still picture that the encoder of WebP writes when all pictures
+// are the same; it lasts as long as they. The new size of the file; nullopt where the device fails.
 std::optional<qint64> animatedWebP(QIODevice& device, qint64 size, const VideoSettings& settings,
                                    std::int64_t pictures);
 

@@ -55,7 +55,7 @@ QImage straight(const QImage& image) {
 
 // Straight alpha in BGRA, with sides that are even if they have to be; null when there is no memory.
 libav::Frame pictureOf(const QImage& image, const VideoSettings& settings) {
-    const VideoFormatFacts facts = factsOf(settings.format);
+    const VideoFormatFacts& facts = factsOf(settings.format);
     const int width = image.width() + (facts.needsEvenSides ? image.width() % 2 : 0);
     const int height = image.height() + (facts.needsEvenSides ? image.height() % 2 : 0);
     libav::Frame frame = libav::newFrame(AV_PIX_FMT_BGRA, width, height);
@@ -85,10 +85,6 @@ VideoSettings encoded(VideoSettings settings) {
     return settings;
 }
 
-bool isAddedLater(VideoFormat format) {
-    return format == VideoFormat::Gif || format == VideoFormat::WebP || format == VideoFormat::Apng;
-}
-
 // What goes on between two looks at the stop token.
 struct Course {
     const VideoWriter::Progress& progress;
@@ -109,7 +105,7 @@ struct VideoWriter::State {
         if (failure) return;
         encoder = std::make_unique<libav::Encoder>(file, encoded(settings));
         takeFailure();
-        if (settings.format == VideoFormat::Gif) spool = std::make_unique<FrameSpool>();
+        if (factsOf(settings.format).isPaletted) spool = std::make_unique<FrameSpool>();
     }
 
     void takeFailure() {
@@ -203,7 +199,7 @@ void VideoWriter::State::finish(const Course& course) {
     std::optional<qint64> size = encoder->size();
     if (settings.format == VideoFormat::WebP) size = animatedWebP(file, *size, settings, encoder->pictures());
     const bool isAdded =
-        size && (!isAddedLater(settings.format) || settings.systemText.isEmpty() ||
+        size && (!hasTextAdded(settings.format) || settings.systemText.isEmpty() ||
                  addVideoText(file, *size, settings.format, libav::commentOf(settings.systemText)));
     if (!isAdded)
         failure =
@@ -213,12 +209,12 @@ void VideoWriter::State::finish(const Course& course) {
 
 Failure videoObstacle(const VideoSettings& settings) {
     if (const Failure missing = libav::encoderObstacle(settings.format)) return missing;
-    const VideoFormatFacts facts = factsOf(settings.format);
+    const VideoFormatFacts& facts = factsOf(settings.format);
     const int side = std::max(settings.width, settings.height);
-    if (facts.maxSide && side > *facts.maxSide)
+    if (side > facts.maxSide)
         return VideoTexts::tr("A side of %1 pixels is too long for this format; the limit is %2.")
             .arg(side)
-            .arg(*facts.maxSide);
+            .arg(facts.maxSide);
     if (facts.maxRate && settings.rate.frames > std::int64_t(*facts.maxRate) * settings.rate.seconds)
         return VideoTexts::tr("This format shows at most %1 frames per second. Choose a lower rate.")
             .arg(*facts.maxRate);

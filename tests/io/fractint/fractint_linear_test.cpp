@@ -20,7 +20,7 @@ using document::FractalFile;
 
 namespace {
 
-using Layout = QByteArray (*)(int count);
+using TextLayout = QByteArray (*)(int count);
 using FileChange = void (*)(FractalFile& file);
 
 const QByteArray row = ".5 0 0 .5 0 0 .5";
@@ -173,7 +173,7 @@ private:
 };
 
 void FractintLinearTest::layouts() {
-    QTest::addColumn<Layout>("layout");
+    QTest::addColumn<TextLayout>("layout");
     QTest::newRow("one line") << &shareOneLine;
     QTest::newRow("one line without an end") << &shareOneOpenLine;
     QTest::newRow("two on each line") << &standInPairs;
@@ -187,7 +187,7 @@ void FractintLinearTest::layouts() {
 }
 
 void FractintLinearTest::reading() {
-    QFETCH(Layout, layout);
+    QFETCH(TextLayout, layout);
     const double exponent = growth([layout](int count) {
         const QByteArray bytes = layout(count);
         return effort([&] { io::readFractint(bytes); });
@@ -196,9 +196,9 @@ void FractintLinearTest::reading() {
 }
 
 void FractintLinearTest::writing_data() {
-    QTest::addColumn<Layout>("layout");
+    QTest::addColumn<TextLayout>("layout");
     QTest::addColumn<FileChange>("change");
-    const std::pair<const char*, Layout> layouts[] = {
+    const std::pair<const char*, TextLayout> layouts[] = {
         {"one line", &shareOneLine}, {"one open line", &shareOneOpenLine},    {"pairs", &standInPairs},
         {"lines", &haveALineEach},   {"rows on one line", &areRowsOnOneLine}, {"rows", &areRows},
         {"comments", &areComments}};
@@ -220,7 +220,7 @@ void FractintLinearTest::writing_data() {
 }
 
 void FractintLinearTest::writing() {
-    QFETCH(Layout, layout);
+    QFETCH(TextLayout, layout);
     QFETCH(FileChange, change);
     const double exponent = growth([layout, change](int count) {
         FractalFile file = io::readFractint(layout(count));
@@ -231,7 +231,7 @@ void FractintLinearTest::writing() {
 }
 
 void FractintLinearTest::writingForOthers() {
-    QFETCH(Layout, layout);
+    QFETCH(TextLayout, layout);
     const double exponent = growth([layout](int count) {
         const FractalFile file = io::readFractint(layout(count));
         return effort([&] { io::writeStrict(file); });

@@ -4,9 +4,13 @@
 
 #include <QTest>
 
+#include <array>
 #include <clocale>
 #include <cmath>
+#include <cstddef>
+#include <functional>
 #include <numbers>
+#include <random>
 
 class ExpressionTest : public QObject {
     Q_OBJECT
@@ -20,6 +24,11 @@ private slots:
     void whatIsNone();
     void hostileTextsEnd();
     void theLocaleDoesNotMatter();
+    void exactValues_data();
+    void exactValues();
+    void whatIsNotExact_data();
+    void whatIsNotExact();
+    void exactValuesAreNearTheOthers();
 };
 
 void ExpressionTest::values_data() {
@@ -170,6 +179,99 @@ void ExpressionTest::theLocaleDoesNotMatter() {
     QCOMPARE(io::evaluate(u"1.5/2").value_or(0), 0.75);
     QVERIFY(!io::evaluate(u"1,5/2"));
     if (german) std::setlocale(LC_ALL, "C");
+}
+
+void ExpressionTest::exactValues_data() {
+    using ifs::Surd;
+    QTest::addColumn<QString>("text");
+    QTest::addColumn<ifs::Surd>("value");
+    const auto row = [](const char* text, const Surd& value) {
+        QTest::newRow(text) << QString::fromUtf8(text) << value;
+    };
+    const Surd half = Surd(1) / Surd(2);
+    row("1/3", Surd(1) / Surd(3));
+    row("-0.1*3", Surd(-3) / Surd(10));
+    row("sqrt(3)/6", Surd::root(3) / Surd(6));
+    row("√3/6", Surd::root(3) / Surd(6));
+    row("2^-3", Surd(1) / Surd(8));
+    row("3^(1/2)", Surd::root(3));
+    row("phi^2", (Surd(3) + Surd::root(5)) * half);
+    row("1/(1+√2)", Surd::root(2) - Surd(1));
+    row("cos(60°)", half);
+    row("sin(pi/3)", Surd::root(3) * half);
+    row("cos(π/4)/2", Surd::root(2) / Surd(4));
+    row("cos(36°)", (Surd(1) + Surd::root(5)) / Surd(4));
+    row("sin(-18°)", (Surd(1) - Surd::root(5)) / Surd(4));
+    row("cos(120°)", -half);
+    row("tan(30°)", Surd::root(3) / Surd(3));
+    row("abs(-1/3)", Surd(1) / Surd(3));
+    row("pi/pi", Surd(1));
+    row("½", half);
+}
+
+void ExpressionTest::exactValues() {
+    QFETCH(QString, text);
+    QFETCH(ifs::Surd, value);
+    const auto exact = io::evaluateExactly(text);
+    QVERIFY(exact);
+    QVERIFY2(*exact == value, qPrintable(QString::number(exact->rounded(), 'g', 17)));
+}
+
+void ExpressionTest::whatIsNotExact_data() {
+    QTest::addColumn<QString>("text");
+    // Plain numbers stand for the doubles that are stored; the others are no roots of rationals.
+    for (const char* text : {"0.5",
+                             "1e-3",
+                             "pi",
+                             "2π",
+                             "30°",
+                             "cos(20°)",
+                             "cos(1.0471975511965976)",
+                             "e/2",
+                             "asin(1/2)",
+                             "ln(2)",
+                             "sqrt(2)+sqrt(3)",
+                             "sqrt(phi)",
+                             "cbrt(8)",
+                             "sin(30)",
+                             "cos(60°°)",
+                             "1/0",
+                             "tan(90°)",
+                             "nonsense",
+                             "2^100",
+                             "1°+pi/4"})
+        QTest::newRow(text) << QString::fromUtf8(text);
+}
+
+void ExpressionTest::whatIsNotExact() {
+    QFETCH(QString, text);
+    QVERIFY(!io::evaluateExactly(text));
+}
+
+// Random expressions: the exact value is the other but for its rounding.
+void ExpressionTest::exactValuesAreNearTheOthers() {
+    std::mt19937 random(11);
+    int found = 0;
+    const std::function<QString(int)> expression = [&](int depth) -> QString {
+        const int kind = int(random() % (depth > 3 ? 3 : 9));
+        const QString number = QString::number(int(random() % 9) + 1);
+        if (kind < 2) return number;
+        if (kind == 2) return QStringLiteral("sqrt(%1)").arg(number);
+        if (kind == 3) return QStringLiteral("cos(%1°)").arg(30 * int(random() % 13));
+        const QString a = expression(depth + 1), b = expression(depth + 1);
+        static const std::array signs{u'+', u'-', u'*', u'/', u'*'};
+        return u'(' + a + signs[std::size_t(kind - 4)] + b + u')';
+    };
+    for (int run = 0; run < 3000; ++run) {
+        const QString text = expression(0);
+        const auto value = io::evaluate(text);
+        const auto exact = io::evaluateExactly(text);
+        if (!exact || !value) continue;
+        ++found;
+        QVERIFY2(std::abs(exact->rounded() - *value) <= 1e-9 * (1 + std::abs(*value)),
+                 qPrintable(text + QStringLiteral(" = %1").arg(*value, 0, 'g', 17)));
+    }
+    QVERIFY(found > 500);
 }
 
 BARYCAGE_TEST(ExpressionTest);

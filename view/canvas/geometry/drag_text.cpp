@@ -27,7 +27,7 @@ QString lengthText(double length) {
     return QString::number(length, 'g', 4).replace(u'-', QChar(0x2212));
 }
 
-// Of the edges that meet at the vertices that move, where these are one or two of a polygon.
+// Lengths of the edges that meet at the vertices that move, where these are one or two of a polygon.
 QStringList edgeLengths(const PolygonDrag& drag, const std::vector<ifs::Vector<2>>& points) {
     const std::size_t count = points.size(), moving = drag.vertices.size();
     if (count < 3 || moving == 0 || moving > 2) return {};

@@ -102,7 +102,7 @@ CanvasPart framePartAt(const std::vector<MapFrame>& frames, const QPointF& posit
         if (!frame.outline.containsPoint(position, Qt::OddEvenFill) &&
             distanceToOutline(frame.outline, position) > edge)
             continue;
-        // Of frames that cover each other, the one that is selected.
+        // The selected frame wins where frames cover each other.
         if (const double a = area(frame.outline) * (frame.selected ? 0.99 : 1); a < least) {
             least = a;
             smallest = {Kind::Inside, 0, frame.index};
@@ -164,7 +164,7 @@ void MapFramesItem::paintCorners(QPainter& painter, const MapFrame& frame) const
     }
 }
 
-// Of ten thousand no more can be seen, and painted in time.
+// A dot is all that can be seen of one map in ten thousand, and painted in time.
 void MapFramesItem::paintDot(QPainter& painter, const MapFrame& frame) const {
     const int side = frame.selected ? 4 : 2;
     painter.fillRect(QRect(frame.outline.boundingRect().center().toPoint(), QSize(side, side)),

@@ -230,7 +230,7 @@ void CanvasScene::layoutKnobs() {
     m_shadowItem->setMarks(shadowLayout(m_document->fractal(), m_camera));
 }
 
-// Those that can be taken now.
+// Positions of the handles that can be taken now.
 std::vector<QPointF> CanvasScene::handlePositions() const {
     std::vector<QPointF> positions;
     if (!m_handles.cage()) return positions;
@@ -254,7 +254,7 @@ std::vector<QPointF> CanvasScene::handlePositions() const {
     return positions;
 }
 
-// Of what is in hand: the cage, or the maps.
+// Shows the paths of what is in hand: the cage, or the maps.
 void CanvasScene::layoutPaths() {
     std::vector<MotionPathItem::Way> ways;
     for (const document::MotionPath& path : paths())

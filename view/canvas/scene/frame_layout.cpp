@@ -12,7 +12,7 @@ namespace view {
 
 namespace {
 
-// Of maps that are held; more, and their moves, would take longer than an event of a drag may.
+// The most frames of maps; more, and their moves, would take longer than an event of a drag may.
 constexpr std::size_t maxFrames = 10'000;
 constexpr std::size_t maxSelected = 1000; // that are never left out
 
@@ -67,7 +67,7 @@ private:
                                    maps.maps()[index].enabled});
     }
 
-    // Of too many those near the view, and if these are too many every so many of them.
+    // Maps to show: of too many, those near the view, and if these are too many, every so many of them.
     std::vector<std::size_t> shown(const document::MapHandles& maps) {
         std::vector<std::size_t> indices(maps.count());
         std::iota(indices.begin(), indices.end(), std::size_t(0));

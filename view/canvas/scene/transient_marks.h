@@ -41,7 +41,7 @@ public:
     void setFont(const QFont& font);
     void showBand(const QRectF& band); // that selects, in pixels; empty: none
     void showRubber(const std::vector<ifs::Vector<2>>& clicked, const std::optional<ifs::Vector<2>>& pointer);
-    // Of an analysis; `outer` contain the cylinders among the shapes.
+    // Outlines of an analysis; `outer` contain the cylinders among the shapes.
     void showOutlines(std::vector<document::OutlineShape> shapes, std::vector<document::OutlineShape> outer);
     bool chooseCylinderAt(const QPointF& position); // in pixels; whether another is chosen, or none any more
     std::vector<const document::OutlineShape*> cylinderWalk() const { return m_cylinders.walk(); }

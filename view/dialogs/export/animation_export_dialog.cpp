@@ -5,6 +5,7 @@
 #include "dialogs/animation/frame_size_editor.h"
 #include "dialogs/export/cluster_queue.h"
 #include "dialogs/export/export_preview.h"
+#include "document/text/text.h"
 #include "document/text/unique_names.h"
 #include "io/animation/frames_view.h"
 #include "io/file/background.h"
@@ -19,6 +20,7 @@
 #include <QFormLayout>
 #include <QHBoxLayout>
 #include <QLabel>
+#include <QLatin1String>
 #include <QMessageBox>
 #include <QPointer>
 #include <QPushButton>
@@ -34,10 +36,9 @@ namespace {
 
 constexpr int usualPointsPerPixel = 100;
 constexpr int usualSupersample = 2; // of solids
-// Of a format of the list, as the settings have it.
+// The name of a format in the settings.
 QString formatName(AnimationExportDialog::Format format) {
-    return format == AnimationExportDialog::Pictures ? QStringLiteral("pictures")
-                                                     : io::videoSuffix(io::VideoFormat(format));
+    return format ? io::videoSuffix(*format) : QStringLiteral("pictures");
 }
 
 QSpinBox* spinBox(const QString& name, int min, int max, int value, const QString& explanation) {
@@ -112,13 +113,9 @@ void AnimationExportDialog::createFormat() {
     m_format = comboBox(tr("Format"),
                         tr("A video, an animated image for web pages and messages, or one picture for each "
                            "frame. All of them contain the animation, so Barycage can open them again."));
-    addChoice(m_format, tr("MP4: plays everywhere"), Mp4);
-    addChoice(m_format, tr("WebM: for web pages, with transparency"), WebM);
-    addChoice(m_format, tr("MKV: lossless, for editing"), Mkv);
-    addChoice(m_format, tr("GIF: 256 colours"), Gif);
-    addChoice(m_format, tr("WebP: a lossless animated image"), WebP);
-    addChoice(m_format, tr("APNG: a lossless animated image"), Apng);
-    addChoice(m_format, tr("PNG: one picture for each frame"), Pictures);
+    for (const io::VideoFormatFacts& facts : io::videoFormats())
+        addChoice(m_format, Text::tr(facts.listed), Format(facts.format));
+    addChoice(m_format, tr("PNG: one picture for each frame"), Format());
     m_form->addRow(tr("&Format:"), m_format);
     m_section = comboBox(tr("Section"),
                          tr("What the frames show where the camera has no keys: the view on the canvas, or "
@@ -143,8 +140,10 @@ void AnimationExportDialog::createFormat() {
 void AnimationExportDialog::createSize() {
     m_size = new FrameSizeEditor;
     m_form->addRow(tr("&Size in pixels:"), m_size);
-    for (const Format format : {Mp4, WebM, Mkv, Gif, WebP, Apng, Pictures})
+    for (int row = 0; row < m_format->count(); ++row) {
+        const auto format = m_format->itemData(row).value<Format>();
         if (formatName(format) == last().format) chooseValue(m_format, format);
+    }
     const QStringList sides = last().size.split(u' ');
     if (sides.size() == 2)
         m_size->setFrameSize({sides[0].toInt(), sides[1].toInt()});
@@ -154,10 +153,12 @@ void AnimationExportDialog::createSize() {
     connect(m_size, &FrameSizeEditor::changed, this, &AnimationExportDialog::update);
 }
 
-// Of an animated image in 256 colours, mail and web pages want a small one.
+// Small for an animated image in 256 colours, which goes into mails and web pages.
 void AnimationExportDialog::proposeSize() {
-    if (m_isSizeProposed)
-        m_size->setFrameSize(chosenValue<Format>(m_format) == Gif ? QSize(640, 360) : QSize(1920, 1080));
+    if (!m_isSizeProposed) return;
+    const auto format = chosenValue<Format>(m_format);
+    const bool isPaletted = format && io::factsOf(*format).isPaletted;
+    m_size->setFrameSize(isPaletted ? QSize(640, 360) : QSize(1920, 1080));
 }
 
 void AnimationExportDialog::createFrames() {
@@ -277,11 +278,12 @@ void AnimationExportDialog::setFormat(Format format) {
 }
 
 bool AnimationExportDialog::isPictures() const {
-    return chosenValue<Format>(m_format) == Pictures;
+    return !chosenValue<Format>(m_format);
 }
 
 QString AnimationExportDialog::suffix() const {
-    return isPictures() ? QStringLiteral("png") : io::videoSuffix(chosenValue<io::VideoFormat>(m_format));
+    const auto format = chosenValue<Format>(m_format);
+    return format ? io::videoSuffix(*format) : QStringLiteral("png");
 }
 
 // With the view of the canvas as a key, where that is to be shown.
@@ -301,7 +303,7 @@ io::AnimationExport AnimationExportDialog::chosen() const {
     const auto* solid = std::get_if<attractor::OrbitCamera>(&m_camera);
     const bool isWhole = chosenValue<Section>(m_section) == Section::Animation;
     if (solid && isWhole && !io::hasCameraKeys(m_entry)) what.seenFrom = *solid;
-    if (!isPictures()) what.format = chosenValue<io::VideoFormat>(m_format);
+    what.format = chosenValue<Format>(m_format);
     what.size = m_size->size();
     const int perPixel = chosenValue<int>(m_quality);
     if (perPixel != usualPointsPerPixel)
@@ -322,10 +324,13 @@ void AnimationExportDialog::update() {
     QString plan = tr("%n frame(s), %1 s.", nullptr, count).arg(seconds, 0, 'g', 3);
     const io::AnimationExport what = chosen();
     const bool isOdd = what.size.width() % 2 != 0 || what.size.height() % 2 != 0;
-    if (what.format && io::factsOf(*what.format).needsEvenSides && isOdd)
-        plan += u' ' + tr("MP4 needs even sides: the last column or row is shown twice.");
-    if (what.format && !io::factsOf(*what.format).storesAlpha && m_entry.appearance.background.alpha < 255)
-        plan += u' ' + tr("MP4 has no transparency: the background becomes black.");
+    const io::VideoFormatFacts* video = what.format ? &io::factsOf(*what.format) : nullptr;
+    if (video && video->needsEvenSides && isOdd)
+        plan += u' ' + tr("%1 needs even sides: the last column or row is shown twice.")
+                           .arg(QLatin1String(video->title));
+    if (video && !video->storesAlpha && m_entry.appearance.background.alpha < 255)
+        plan += u' ' +
+                tr("%1 has no transparency: the background becomes black.").arg(QLatin1String(video->title));
     m_plan->setText(plan);
     m_obstacle = io::animationObstacle(what);
     if (m_obstacle) say(*m_obstacle);
@@ -336,12 +341,12 @@ void AnimationExportDialog::update() {
 void AnimationExportDialog::adoptEnding(const QString& path) {
     const auto format = io::videoFormat(QFileInfo(path).suffix());
     m_isSizeProposed = false; // what was shown is what is written
-    if (format && !isPictures()) chooseValue(m_format, *format);
+    if (format && !isPictures()) chooseValue(m_format, format);
 }
 
 QString AnimationExportDialog::chosenFile() {
     WantedFile wanted{.title = tr("Export Animation"), .suffix = suffix(), .asksToReplace = !isPictures()};
-    // Of pictures the first is asked for; mayReplace() looks for all of them.
+    // The first picture is asked for; mayReplace() looks for all of them.
     if (isPictures())
         wanted.name = [this](const QString& name) {
             return io::framePath(name, m_first->value(), m_last->value());

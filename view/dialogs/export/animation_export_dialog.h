@@ -7,6 +7,7 @@
 #include "document/document.h"
 #include "document/saved_views.h"
 #include "io/animation/cluster_job.h"
+#include "io/video/format/video_format.h"
 
 #include <optional>
 #include <variant>
@@ -35,9 +36,9 @@ public:
     AnimationExportDialog(document::Document* document, const Camera& camera, QWidget* parent = nullptr);
     ~AnimationExportDialog() override;
 
-    enum class Section { View = -2, Animation = -1 };          // saved views have the numbers from 0
-    void setSection(Section section);                          // what is shown where no camera key says
-    enum Format { Mp4, WebM, Mkv, Gif, WebP, Apng, Pictures }; // the first as in io::VideoFormat
+    enum class Section { View = -2, Animation = -1 }; // saved views have the numbers from 0
+    void setSection(Section section);                 // what is shown where no camera key says
+    using Format = std::optional<io::VideoFormat>;    // nullopt: a picture for each frame
     void setFormat(Format format);
     void exportTo(const QString& path) override;
     void prepareCluster(const QString& folder); // what On a Cluster does once a folder is chosen

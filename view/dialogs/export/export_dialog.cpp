@@ -322,7 +322,7 @@ void ExportDialog::update() {
     m_memory->setText(tr("about %1").arg(QLocale::c().formattedDataSize(qint64(memory()))));
 }
 
-// Of pixels, wherever they look.
+// The memory of the pixels, wherever they look.
 std::uint64_t ExportDialog::memory() const {
     const auto pixels = std::get<io::PixelRecipe>(recipe(resized(m_camera, m_size->pixels())));
     return io::memoryFor(io::exportOf(pixels, m_fractal));

@@ -24,7 +24,7 @@ public:
 
     explicit ExportPreview(QWidget* parent = nullptr);
 
-    // Of a picture of this size, > 0; without a drawing it is not known yet.
+    // Shows a picture of this size, > 0; without a drawing it is not known yet.
     void show(const QSize& size, Drawing drawing);
     const QImage& picture() const { return m_picture; } // null before the first
     bool isBusy() const { return m_work.isBusy(); }

@@ -171,7 +171,7 @@ private:
         return lines;
     }
 
-    // Those that do not fit are counted.
+    // Formulas that do not fit are counted.
     void paintMaps(const QRectF& room, const QStringList& formulas) {
         const QList<QStringList> maps = broken(formulas, room.width());
         const qsizetype fit = linesIn(room);

@@ -73,7 +73,7 @@ io::PlaneExport pictureFor(const document::Fractal& fractal, attractor::Camera c
     return picture;
 }
 
-// Of what is displayed or, where no maps have that picture, of the picture at rest.
+// Tables of what is displayed or, where no maps have that picture, of the picture at rest.
 std::pair<std::vector<PrintedTable>, bool> tablesOf(const document::Fractal& fractal) {
     if (const auto* system = document::system2(fractal)) {
         const auto displayed = document::effectiveSystem(fractal);
@@ -102,7 +102,7 @@ void paintTables(QPainter& painter, const QRectF& page, double top, const std::v
             newPage();
             room = page;
         }
-        // Those that follow take their share of the page where it is large enough.
+        // Lines that follow take their share of the page where it is large enough.
         const double share = room.height() * own / double(lines - 1);
         QRectF place = share < own * line ? room : QRectF(room.topLeft(), QSizeF(room.width(), share));
         // Wide columns of few numbers would be hard to read across.

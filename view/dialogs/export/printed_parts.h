@@ -24,7 +24,7 @@ struct PrintedTable {
 };
 // Number, a to f or, in space, a to l, and p.
 QStringList coefficientNames(int dimension);
-// Of as many maps as anybody reads on paper.
+// Tables of as many maps as anybody reads on paper.
 template <int Dim> PrintedTable coefficientTable(const ifs::IteratedFunctionSystem<Dim>& system);
 PrintedTable cornerTable(const ifs::ControlCage<3>& cage); // where they are now
 

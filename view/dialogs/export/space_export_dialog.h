@@ -85,7 +85,7 @@ private:
     QDoubleSpinBox* m_wall = nullptr;
     QCheckBox* m_fill = nullptr;
     io::Failure m_obstacle;
-    // Of the body that was written. A thread writes it, so that each export has its own.
+    // Sentences on the body that was written. A thread writes it, so that each export has its own.
     std::shared_ptr<QString> m_summary = std::make_shared<QString>();
 };
 

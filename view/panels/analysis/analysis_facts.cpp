@@ -45,7 +45,7 @@ const io::Figures fullFigures{.text = fullFigure,
                               .bound = fullNumber,
                               .digits = allDigits};
 
-// Of those without a reason of their own, and of all where there may be nothing to measure.
+// Why facts without a reason of their own are missing, and all where there may be nothing to measure.
 QString absenceOf(const ifs::Existence& existence, const QString& reason) {
     if (existence.verdict == ifs::Verdict::Undecided)
         return Texts::tr("There is no value, because it is not proved that there is an attractor.");

@@ -291,7 +291,7 @@ void CagePanel::arrange() {
         arrangeRow(vertex);
 }
 
-// Those that are shown share the width.
+// Columns that are shown share the width.
 void CagePanel::stretchColumns() {
     const int shown = m_restShown ? 2 * m_arrangedFor : m_arrangedFor;
     for (int column = 1; column <= 6; ++column)

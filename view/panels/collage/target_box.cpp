@@ -56,7 +56,7 @@ QToolButton* button(const QString& text, const QString& tip, QWidget* parent) {
 std::shared_ptr<const collage::GreyPicture> pictureOf(const document::Fractal& fractal, QString& sentence) {
     const auto box = document::displayedBox(fractal);
     const auto shown = document::effectiveSystem(fractal);
-    // Those that a symmetry stands for, too.
+    // Maps that a symmetry stands for count, too.
     const auto maps = shown ? ifs::activeMaps(*shown) : ifs::ActiveMaps<2>{};
     if (!box || maps.maps.empty() || maps.isLinked() || collage::contraction(maps.maps) >= 1) {
         sentence = document::collageObstacle(fractal);

@@ -33,7 +33,7 @@ public:
     const std::vector<Arrow>& arrows() const { return m_arrows; }
 
     int nodeAt(const QPointF& position) const; // −1: none
-    // Of the arrow nearest to the position, within a few pixels; −1: none.
+    // The index of the arrow nearest to the position, within a few pixels; −1: none.
     int arrowAt(const QPointF& position) const;
 
 private:

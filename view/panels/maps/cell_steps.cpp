@@ -31,7 +31,7 @@ bool isEscape(const QEvent& event) {
            static_cast<const QKeyEvent&>(event).key() == Qt::Key_Escape;
 }
 
-// Of the turns of the wheel over one cell that become one step.
+// The kind of the turns of the wheel over one cell that become one step.
 int turnsOf(const MapsModel& model, const QModelIndex& cell) {
     return int(qHashMulti(1, int(model.idAt(cell.row())), cell.column()) & std::numeric_limits<int>::max());
 }

@@ -3,6 +3,7 @@
 
 #include "document/edits/maps/map_locks.h"
 #include "document/maps/map_names.h"
+#include "io/text/typed_coefficient.h"
 #include "panels/maps/map_blend_row.h"
 #include "panels/maps/maps_model.h"
 #include "panels/maps/maps_texts.h"
@@ -171,18 +172,22 @@ void MapShapeEditor::clear() {
 
 template <int Dim> void MapShapeEditor::show(const ifs::IteratedFunctionSystem<Dim>& system) {
     const Form& form = formOf(Dim);
-    const ifs::AffineMap<Dim>& map = system.maps[std::size_t(rowIn(system, m_id))].map;
+    const ifs::WeightedMap<Dim>& map = system.maps[std::size_t(rowIn(system, m_id))];
     document::MapShapeIn<Dim>& shape = shapes<Dim>().known[m_id];
-    shape.show(map.linear);
+    shape.show(map.map.linear);
     const auto showPart = [&](int part, double value) {
-        const QString typed =
-            m_document->typedNumbers().text(m_document->currentId(), placeOf(Dim, part), value);
-        form.fields[std::size_t(part)]->setValue(value, typed);
+        const ifs::TypedCoefficient* typed =
+            part < form.firstTranslation ? nullptr
+                                         : map.typed.of(Dim * Dim + part - form.firstTranslation, value);
+        form.fields[std::size_t(part)]->setValue(
+            value, typed
+                       ? QString::fromStdString(typed->text)
+                       : m_document->typedNumbers().text(m_document->currentId(), placeOf(Dim, part), value));
     };
     for (std::size_t part = 0; part < shape.parts().size(); ++part)
         showPart(int(part), shape.parts()[part]);
     for (int k = 0; k < Dim; ++k)
-        showPart(form.firstTranslation + k, map.translation[k]);
+        showPart(form.firstTranslation + k, map.map.translation[k]);
 }
 
 // A translation is a number of the table, too, and is written in both places as it was typed in one.
@@ -194,13 +199,16 @@ QString MapShapeEditor::placeOf(int dimension, int part) const {
 
 void MapShapeEditor::commit(int dimension, int part) {
     const NumberField* field = formOf(dimension).fields[std::size_t(part)];
-    if (m_edit.isOpen())
+    if (m_edit.isOpen()) {
+        if (part >= formOf(dimension).firstTranslation)
+            edit(dimension, part, field->value(), field->typedText());
         m_document->typedNumbers().keep(m_document->currentId(), placeOf(dimension, part), field->value(),
                                         field->typedText());
+    }
     m_edit.commit();
 }
 
-void MapShapeEditor::edit(int dimension, int part, double value) {
+void MapShapeEditor::edit(int dimension, int part, double value, const QString& typed) {
     const int row = rowOfMap();
     if (row < 0 || document::dimension(m_document->fractal()) != dimension) return;
     if (!m_edit.isOpen()) {
@@ -214,23 +222,27 @@ void MapShapeEditor::edit(int dimension, int part, double value) {
         tr("%1: %2 %3").arg(tr("Map %1").arg(row + 1), field->accessibleName(), shortNumber(value));
     m_edit.preview(text, [&](document::Fractal& fractal) {
         if (dimension == 2)
-            change(*document::system2(fractal), part, value);
+            change(*document::system2(fractal), part, value, typed);
         else
-            change(*document::system3(fractal), part, value);
+            change(*document::system3(fractal), part, value, typed);
     });
 }
 
 template <int Dim>
-void MapShapeEditor::change(ifs::IteratedFunctionSystem<Dim>& system, int part, double value) {
+void MapShapeEditor::change(ifs::IteratedFunctionSystem<Dim>& system, int part, double value,
+                            const QString& typed) {
     const Form& form = formOf(Dim);
     const int row = rowIn(system, m_id);
     if (row < 0) return;
-    ifs::AffineMap<Dim>& map = system.maps[std::size_t(row)].map;
+    ifs::WeightedMap<Dim>& map = system.maps[std::size_t(row)];
     using Shape = document::MapShapeIn<Dim>;
-    if (part >= form.firstTranslation)
-        map.translation[part - form.firstTranslation] = value; // the linear part keeps its digits
-    else
-        map.linear = shapes<Dim>().known[m_id].changed(typename Shape::Part(part), value);
+    if (const int axis = part - form.firstTranslation; axis >= 0) {
+        map.map.translation[axis] = value; // the linear part keeps its digits
+        map.typed.clear(Dim * Dim + axis);
+        io::keepTyped(map, Dim * Dim + axis, typed);
+    } else {
+        map.map.linear = shapes<Dim>().known[m_id].changed(typename Shape::Part(part), value);
+    }
 }
 
 // A number that changes no coefficient, as the axis of no rotation, comes back as well.

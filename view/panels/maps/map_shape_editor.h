@@ -57,7 +57,7 @@ private:
         std::vector<NumberField*> fields;
         int firstTranslation = 0;
     };
-    // Of the maps shown so far: what was typed stays.
+    // Shapes of the maps shown so far: what was typed stays.
     template <int Dim> struct Shapes {
         std::map<ifs::MapId, document::MapShapeIn<Dim>> known;
         document::MapShapeIn<Dim> before; // of the map being edited, when the edit began
@@ -76,9 +76,10 @@ private:
     void clear();
     template <int Dim> void show(const ifs::IteratedFunctionSystem<Dim>& system);
     QString placeOf(int dimension, int part) const; // of the map being edited, in document::TypedNumbers
-    void edit(int dimension, int part, double value);
+    void edit(int dimension, int part, double value, const QString& typed = {});
     void commit(int dimension, int part);
-    template <int Dim> void change(ifs::IteratedFunctionSystem<Dim>& system, int part, double value);
+    template <int Dim>
+    void change(ifs::IteratedFunctionSystem<Dim>& system, int part, double value, const QString& typed);
     void cancel();
     int rowOfMap() const; // -1: none
 

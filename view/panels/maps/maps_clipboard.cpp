@@ -48,7 +48,7 @@ std::vector<ifs::WeightedMap<3>> spaceMapsIn(const QString& text) {
     return {};
 }
 
-// Of weights that may be running sums.
+// Remarks on weights that may be running sums.
 template <int Dim> QString remarkOnSums(const std::vector<ifs::WeightedMap<Dim>>& maps) {
     std::vector<std::optional<double>> weights;
     for (const ifs::WeightedMap<Dim>& map : maps)

@@ -12,6 +12,7 @@
 
 #include "io/text/export_weights.h"
 #include "io/text/number.h"
+#include "io/text/typed_coefficient.h"
 
 #include <QColor>
 #include <QGuiApplication>
@@ -27,16 +28,14 @@ namespace view {
 
 namespace {
 
-// A coefficient of the map, counted from 0: the linear part row by row, then the translation.
-template <int Dim> double coefficient(const ifs::AffineMap<Dim>& map, int which) {
-    return which < Dim * Dim ? map.linear(which / Dim, which % Dim) : map.translation[which - Dim * Dim];
-}
-
-template <int Dim> void setCoefficient(ifs::AffineMap<Dim>& map, int which, double value) {
+template <int Dim>
+void setCoefficient(ifs::WeightedMap<Dim>& map, int which, double value, const QString& text) {
     if (which < Dim * Dim)
-        map.linear(which / Dim, which % Dim) = value;
+        map.map.linear(which / Dim, which % Dim) = value;
     else
-        map.translation[which - Dim * Dim] = value;
+        map.map.translation[which - Dim * Dim] = value;
+    map.typed.clear(which);
+    io::keepTyped(map, which, text);
 }
 
 template <int Dim> bool contracts(const ifs::AffineMap<Dim>& map) {
@@ -280,10 +279,10 @@ std::optional<double> MapsModel::number(int row, int column) const {
         const ifs::WeightedMap<Dim>& map = shown.maps[at];
         switch (kind) {
         case A:
-            return coefficient(map.map, which);
+            return ifs::coefficient(map.map, which);
         case EffectiveA:
             if (const auto effective = shown.display ? effectiveMap(*shown.display, map.map) : std::nullopt)
-                return coefficient(*effective, which);
+                return ifs::coefficient(*effective, which);
             return std::nullopt;
         case Weight:
             return map.weight ? *map.weight : m_probabilities[at];
@@ -486,15 +485,16 @@ Qt::ItemFlags MapsModel::flags(const QModelIndex& index) const {
     return flags;
 }
 
-void MapsModel::change(document::Fractal& fractal, const QModelIndex& index, double value) const {
+void MapsModel::change(document::Fractal& fractal, const QModelIndex& index, double value,
+                       const QString& text) const {
     const auto [kind, which] = meaningOf(index.column());
     const auto row = static_cast<std::size_t>(index.row());
     if (kind == Weight)
         fractal = withWeight(std::move(fractal), index.row(), value);
     else if (document::System2* system = document::system2(fractal))
-        setCoefficient(system->maps[row].map, which, value);
+        setCoefficient(system->maps[row], which, value, text);
     else
-        setCoefficient(document::system3(fractal)->maps[row].map, which, value);
+        setCoefficient(document::system3(fractal)->maps[row], which, value, text);
 }
 
 QString MapsModel::editText(int row, int column, double value) const {
@@ -507,6 +507,8 @@ QString MapsModel::placeOf(int row, int column) const {
 
 void MapsModel::keepTyped(const QModelIndex& index, double value, const QString& text) {
     if (!index.isValid() || !m_edit.isOpen()) return; // an editor may be closed after its document
+    m_edit.preview(editText(index.row(), index.column(), value),
+                   [&](document::Fractal& fractal) { change(fractal, index, value, text); });
     m_document->typedNumbers().keep(m_document->currentId(), placeOf(index.row(), index.column()), value,
                                     text);
     emit dataChanged(index, index, {Qt::DisplayRole});
@@ -514,9 +516,15 @@ void MapsModel::keepTyped(const QModelIndex& index, double value, const QString&
 
 QString MapsModel::typedText(const QModelIndex& index) const {
     const auto value = isEditable(index.column()) ? number(index.row(), index.column()) : std::nullopt;
-    return value ? m_document->typedNumbers().text(m_document->currentId(),
-                                                   placeOf(index.row(), index.column()), *value)
-                 : QString();
+    if (!value) return {};
+    const auto [kind, which] = meaningOf(index.column());
+    const ifs::TypedCoefficient* typed =
+        kind != A ? nullptr : withMap(index.row(), [&, which = which](const auto& map) {
+            return map.typed.of(which, *value);
+        });
+    if (typed) return QString::fromStdString(typed->text);
+    const QString place = placeOf(index.row(), index.column());
+    return m_document->typedNumbers().text(m_document->currentId(), place, *value);
 }
 
 void MapsModel::preview(const QModelIndex& index, double value, int kind) {
@@ -583,7 +591,7 @@ bool MapsModel::setData(const QModelIndex& index, const QVariant& value, int rol
                                                              : std::optional(value.toDouble());
     if (!number || !std::isfinite(*number)) return false;
     document::Fractal fractal = m_document->fractal();
-    change(fractal, index, *number);
+    change(fractal, index, *number, value.toString());
     m_document->edit(editText(index.row(), index.column(), *number), std::move(fractal));
     return true;
 }

@@ -134,7 +134,8 @@ private:
     QVariant alignment(int column) const;
     int maxDecimalsOf(int column) const { return column <= columnOf(Weight) ? m_maxDecimals : maxDecimals; }
     int decimals(int column) const;
-    void change(document::Fractal& fractal, const QModelIndex& index, double value) const;
+    void change(document::Fractal& fractal, const QModelIndex& index, double value,
+                const QString& text = {}) const;
 
     document::Document* m_document;
     document::LiveEdit m_edit;

@@ -343,7 +343,7 @@ void MapsPanel::followNames(const document::Change& change) {
         toggle->setChecked(false);
 }
 
-// Of the current map, as far as it is selected.
+// Shows details of the current map if it is selected.
 void MapsPanel::showDetails() {
     const document::Rows rows = selectedRows();
     const int current = m_table->currentIndex().row();

@@ -48,8 +48,8 @@ public:
     void mark(quint64 key);
     std::optional<quint64> present() const; // the one that the entry is like, but for a gesture that is open
     bool isAsNow(const Snapshot& snapshot) const;
-    // Those of all entries, deleted ones too, that are like no entry of the file, each with the name of its
-    // own: they are lost when the file is closed.
+    // Snapshots of all entries, deleted ones too, that are like no entry of the file, each with the name of
+    // its own: they are lost when the file is closed.
     QStringList unsaved() const;
     QStringList lostByDiscarding() const; // besides these: they are like entries with unsaved changes
 
@@ -65,7 +65,7 @@ private:
         quint64 marked = 0;
         int count = 0; // taken so far
     };
-    // Of an entry that is not in the file; it may come back by undo.
+    // Snapshots of an entry that is not in the file; it may come back by undo.
     struct Parked {
         document::EntryId id;
         std::shared_ptr<const document::Fractal> fractal;

@@ -31,7 +31,7 @@ struct RulerLabel {
     QRectF room; // around the frame; that of no two labels meets
 };
 
-// Those that are in sight, with the ones that the edges cut.
+// Labels that are in sight, with the ones that the edges cut.
 std::vector<RulerLabel> rulerLabels(const RulerPlace& place, const QFont& font);
 
 // Labels that meet `covered` are left out. A tick is bold at the frames where any track has a key.

@@ -150,7 +150,7 @@ TimelinePanel::TimelinePanel(document::Document* document, QWidget* parent)
     follow();
 }
 
-// Of another entry, nothing is known yet.
+// Nothing is known yet of another entry.
 void TimelinePanel::watch(const document::Change& change) {
     using document::Change;
     const bool isAnother = change.parts & (Change::Current | Change::File);

@@ -18,7 +18,7 @@ namespace view {
 
 namespace {
 
-// Of the arrow keys.
+// How many steps an arrow key takes.
 double paceOf(Qt::KeyboardModifiers modifiers) {
     double pace = 1;
     if (modifiers & Qt::ShiftModifier) pace *= 10;

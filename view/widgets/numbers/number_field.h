@@ -32,7 +32,8 @@ public:
     // Takes angles as degrees: 90, 90° and pi/2 are the same, and Enter shows the number.
     void setDegrees();
     void setRounding(double rounding) { m_rounding = rounding; } // what is no larger reads 0, until edited
-    // Of arrow keys (Shift: ×10, Alt or Ctrl: ×0.1), of the wheel and of drags (Shift: ×0.1, Ctrl: ×10).
+    // Sets the step of arrow keys (Shift: ×10, Alt or Ctrl: ×0.1), of the wheel and of drags (Shift: ×0.1,
+    // Ctrl: ×10).
     void setStep(double step) { m_step = step; }
     // As the wheel does, also without the focus: one edit until endSteps(), or none after cancelSteps().
     void takeSteps(int count, Qt::KeyboardModifiers modifiers);

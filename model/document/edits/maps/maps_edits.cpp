@@ -142,7 +142,7 @@ void setWeights(ifs::IteratedFunctionSystem<Dim>& system, WeightRule rule, const
     }
 }
 
-// Of the maps that are on; none where one has no weight, or none to share by.
+// The sum of the weights of maps that are on; none where one has no weight, or none to share by.
 template <int Dim> std::optional<double> sumOfWeights(const ifs::IteratedFunctionSystem<Dim>& system) {
     double sum = 0;
     for (const auto& map : system.maps) {

@@ -66,7 +66,7 @@ template <class Motion, class Use> void visitNumbers(Motion& motion, Use use) {
             if constexpr (requires { which.strength; })
                 use(isSway ? Kind::Degrees : Kind::Share, which.strength);
             if constexpr (requires { which.turns; }) use(Kind::Turns, which.turns);
-            // Those of a palette go either way.
+            // Positions on a palette go either way.
             if constexpr (requires { which.cycles; })
                 use(
                     requires { which.reference; } ? Kind::Cycles : Kind::Turns, which.cycles);
@@ -88,7 +88,7 @@ std::vector<Track> tracksIn(std::span<const KeyAt> keys) {
     return result;
 }
 
-// Of several keys at one frame the last one counts.
+// Sorts the keys; the last one of several at one frame counts.
 template <class Value> void putInOrder(animation::Keys<Value>& keys) {
     animation::Keys<Value> result;
     std::ranges::stable_sort(keys, {}, &animation::Key<Value>::frame);

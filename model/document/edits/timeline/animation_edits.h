@@ -87,7 +87,7 @@ struct CopiedKey {
         key;
 };
 std::vector<CopiedKey> copiedKeys(const Fractal& entry, std::span<const KeyAt> keys);
-// Of tracks that this entry has, at `frame` and later, within the animation. Where they are now.
+// The keys that were pasted into tracks of this entry, at `frame` and later, and where they are now.
 struct Pasted {
     Fractal fractal;
     std::vector<KeyAt> keys;

@@ -36,7 +36,7 @@ std::vector<animation::Pin> overActive(std::span<const animation::Pin> pins, con
     return result;
 }
 
-// Of listed maps, from those of their copies.
+// Weights of listed maps, from those of their copies.
 template <int Dim>
 std::vector<animation::Shipment> overListed(const std::vector<animation::Shipment>& pairs,
                                             const ifs::ActiveMaps<Dim>& from,

@@ -36,7 +36,7 @@ struct LeaningAxis {
     double towards = 0;
 };
 ifs::Vector<3> directionOf(const LeaningAxis& leaning); // of length 1
-// That of the nearest coordinate axis.
+// The axis next to the direction among those of the coordinates.
 LeaningAxis leaningAxisOf(const ifs::Vector<3>& direction);
 
 } // namespace document

@@ -245,7 +245,7 @@ QString flawOf(const RasterPicture& picture) {
     return damaged();
 }
 
-// Of the formats that Qt reads with a plug-in at best; none when the file has another.
+// Reads the formats for which Qt has a plug-in at best; none when the file has another.
 std::optional<RasterPicture> rasterPicture(const QByteArray& bytes, const std::stop_token& stop) {
     const QString format = rasterFormat(bytes);
     if (format == u"webp") return readWebP(bytes, maxDecodedPixels, stop);

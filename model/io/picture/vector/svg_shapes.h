@@ -23,7 +23,7 @@ ShapeLevels shapeLevels(const document::Fractal& fractal, const attractor::Camer
 // One colour for what has shades in a picture made of points: the plain one, or the bright part of the
 // palette.
 attractor::Rgba shapeColour(const attractor::Appearance& appearance);
-// Of a copy in the picture; nullopt: the colour of all.
+// The colour of a copy in the picture; nullopt: that of all.
 std::optional<attractor::Rgba> shapeColour(const document::Fractal& fractal, const ifs::CopyHierarchy& levels,
                                            const ifs::Copy& copy);
 

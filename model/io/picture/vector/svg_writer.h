@@ -49,7 +49,7 @@ struct SvgPlan {
     Failure failure;              // why there can be no structured picture
 };
 SvgPlan svgPlan(const document::Fractal& fractal, const attractor::Camera& camera, const SvgFormat& format);
-// Of the plan alone: measuring the error takes longer.
+// The depth of the plan alone: measuring the error takes longer.
 int svgDepth(const ifs::CopyHierarchy& levels, const SvgFormat& format);
 
 // The fractal as the camera shows it, in a scalable picture. Of a structured one `<defs>` holds an outline

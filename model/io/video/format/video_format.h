@@ -4,6 +4,7 @@
 #include <QString>
 
 #include <optional>
+#include <span>
 
 namespace io {
 
@@ -16,17 +17,25 @@ enum class VideoFormat {
     Apng, // without loss
 };
 
+// What a kind of video is called and what it can hold.
+struct VideoFormatFacts {
+    VideoFormat format;
+    const char* suffix;  // "mp4", also its name in settings and requests
+    const char* title;   // "MP4"
+    const char* listed;  // in lists, for Text::tr()
+    const char* details; // in the help of the command line
+    bool storesAlpha = true;
+    bool isPaletted = false; // one palette of 256 colours serves all frames
+    bool needsEvenSides = false;
+    std::optional<int> maxRate = std::nullopt; // frames per second
+    int maxSide = 16'384;                      // pixels
+};
+std::span<const VideoFormatFacts> videoFormats(); // in the order of lists
+const VideoFormatFacts& factsOf(VideoFormat format);
+
 // By the suffix of a file name, whatever its case; nullopt for any other.
 std::optional<VideoFormat> videoFormat(const QString& suffix);
 
 QString videoSuffix(VideoFormat format); // "mp4", …
-
-struct VideoFormatFacts {
-    bool storesAlpha = true;
-    bool needsEvenSides = false;
-    std::optional<int> maxRate; // frames per second
-    std::optional<int> maxSide; // pixels
-};
-VideoFormatFacts factsOf(VideoFormat format);
 
 } // namespace io

@@ -73,11 +73,7 @@ Recipe recipeOf(const VideoSettings& settings) {
     return {};
 }
 
-const char* suffixOf(VideoFormat format) {
-    return std::array{".mp4", ".webm", ".mkv", ".gif", ".webp", ".apng"}[std::size_t(format)];
-}
-
-// Of the options that the library takes; it leaves the others in the dictionary.
+// Options of an encoder or a muxer; the library leaves those that it does not take in the dictionary.
 class Options {
 public:
     explicit Options(const std::vector<Option>& options) {
@@ -176,7 +172,7 @@ Failure encoderObstacle(VideoFormat format) {
         return std::nullopt;
     return Text::tr("FFmpeg's libraries on this machine cannot write %1 files: the encoder "
                     "%2 is missing. Choose another format.")
-        .arg(QLatin1String(suffixOf(format)), QLatin1String(recipe.encoder));
+        .arg(u'.' + videoSuffix(format), QLatin1String(recipe.encoder));
 }
 
 Encoder::Encoder(QIODevice& device, const VideoSettings& settings)

@@ -15,7 +15,7 @@ namespace io::libav {
 // The comment of a video that carries this text.
 QByteArray commentOf(const QByteArray& systemText);
 
-// That the encoder of the format is missing; nullopt: it is there.
+// Says that the encoder of the format is missing; nullopt: it is there.
 Failure encoderObstacle(VideoFormat format);
 
 // One stream of pictures into one file. Failures carry the words of the libraries.

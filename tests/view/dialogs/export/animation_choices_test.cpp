@@ -108,12 +108,12 @@ private:
 
 void AnimationChoicesTest::aGifIsProposedSmall() {
     QCOMPARE(size(), QSize(1920, 1080));
-    m_dialog->setFormat(Dialog::Gif);
+    m_dialog->setFormat(io::VideoFormat::Gif);
     QCOMPARE(size(), QSize(640, 360));
-    m_dialog->setFormat(Dialog::WebM);
+    m_dialog->setFormat(io::VideoFormat::WebM);
     QCOMPARE(size(), QSize(1920, 1080));
     number(QStringLiteral("Width"))->setValue(1280);
-    m_dialog->setFormat(Dialog::Gif);
+    m_dialog->setFormat(io::VideoFormat::Gif);
     QCOMPARE(size(), QSize(1280, 720)); // what was chosen stays
 }
 
@@ -170,7 +170,7 @@ void AnimationChoicesTest::aClusterIsNotMentionedWithoutSlurm() {
 void AnimationChoicesTest::theFolderIsShownAfterwards() {
     const auto button = [this] { return support::button(*m_dialog, "show-in-folder"); };
     QVERIFY(!button()->isVisibleTo(m_dialog.get()));
-    m_dialog->setFormat(Dialog::Gif);
+    m_dialog->setFormat(io::VideoFormat::Gif);
     number(QStringLiteral("Width"))->setValue(64);
     QSignalSpy written(m_dialog.get(), &Dialog::exported);
     m_dialog->exportTo(m_folder->filePath(QStringLiteral("a.gif")));

@@ -169,29 +169,27 @@ bool AnimationExportDialogTest::exported(Dialog::Format format, const QString& n
 }
 
 void AnimationExportDialogTest::videosHoldTheFrames_data() {
-    QTest::addColumn<int>("format");
     QTest::addColumn<QString>("suffix");
     QTest::addColumn<QString>("codec");
-    QTest::newRow("MP4") << int(Dialog::Mp4) << "mp4"
+    QTest::newRow("MP4") << "mp4"
                          << "h264";
-    QTest::newRow("WebM") << int(Dialog::WebM) << "webm"
+    QTest::newRow("WebM") << "webm"
                           << "vp9";
-    QTest::newRow("MKV") << int(Dialog::Mkv) << "mkv"
+    QTest::newRow("MKV") << "mkv"
                          << "ffv1";
-    QTest::newRow("GIF") << int(Dialog::Gif) << "gif"
+    QTest::newRow("GIF") << "gif"
                          << "gif";
-    QTest::newRow("WebP") << int(Dialog::WebP) << "webp"
+    QTest::newRow("WebP") << "webp"
                           << "";
-    QTest::newRow("APNG") << int(Dialog::Apng) << "apng"
+    QTest::newRow("APNG") << "apng"
                           << "apng";
 }
 
 void AnimationExportDialogTest::videosHoldTheFrames() {
-    QFETCH(int, format);
     QFETCH(QString, suffix);
     QFETCH(QString, codec);
     const QString name = QStringLiteral("wind.") + suffix;
-    QVERIFY2(exported(Dialog::Format(format), name), qPrintable(m_dialog->message()));
+    QVERIFY2(exported(io::videoFormat(suffix), name), qPrintable(m_dialog->message()));
     QCOMPARE(files(), QStringList{name});
     const io::Collection again = io::readCollection(contents(path(name)), path(name));
     QCOMPARE(again.file.entries.size(), 1);
@@ -234,7 +232,7 @@ void AnimationExportDialogTest::picturesAreThoseOfTheCommandLine() {
     auto* supersample = number(QStringLiteral("Supersampling"));
     QCOMPARE(supersample->isVisibleTo(m_dialog.get()), inSpace);
     if (inSpace) supersample->setValue(3);
-    QVERIFY2(exported(Dialog::Pictures, QStringLiteral("a.png")), qPrintable(m_dialog->message()));
+    QVERIFY2(exported(std::nullopt, QStringLiteral("a.png")), qPrintable(m_dialog->message()));
     QCOMPARE(files(), list({"a.0003.png", "a.0004.png"}));
     prepare(m_folder->path());
     const QStringList jobs = QDir(m_folder->path()).entryList(QDir::Dirs | QDir::NoDotAndDotDot);
@@ -262,7 +260,7 @@ void AnimationExportDialogTest::aSolidIsShownWhole() {
     QCOMPARE(shownSection(), Dialog::Section::View);
     open(turningSponge());
     QCOMPARE(shownSection(), Dialog::Section::Animation);
-    QVERIFY(exported(Dialog::Gif, QStringLiteral("a.gif")));
+    QVERIFY(exported(io::VideoFormat::Gif, QStringLiteral("a.gif")));
     const io::Collection again = io::readCollection(contents(path("a.gif")), path("a.gif"));
     const auto camera = document::frameAt(*again.file.entries[0].fractal, animation::moment(0)).camera;
     QVERIFY(camera.has_value());
@@ -271,7 +269,7 @@ void AnimationExportDialogTest::aSolidIsShownWhole() {
 }
 
 void AnimationExportDialogTest::completePicturesStay() {
-    QVERIFY(exported(Dialog::Pictures, QStringLiteral("a.png")));
+    QVERIFY(exported(std::nullopt, QStringLiteral("a.png")));
     QCOMPARE(files().size(), 6);
     const QByteArray whole = contents(path("a.0002.png"));
     const QDateTime written = QDateTime::currentDateTime().addDays(-1);
@@ -280,14 +278,14 @@ void AnimationExportDialogTest::completePicturesStay() {
             first.setFileTime(written, QFileDevice::FileModificationTime));
     first.close();
     QVERIFY(QFile::resize(path("a.0002.png"), 100)); // as a full disk would leave it
-    QVERIFY(exported(Dialog::Pictures, QStringLiteral("a.png")));
+    QVERIFY(exported(std::nullopt, QStringLiteral("a.png")));
     QVERIFY(contents(path("a.0002.png")) == whole);
     QCOMPARE(QFileInfo(path("a.0001.png")).lastModified(), written);
 }
 
 // Also when the name that was typed is that of no file.
 void AnimationExportDialogTest::otherPicturesAreAskedAbout() {
-    QVERIFY(exported(Dialog::Pictures, QStringLiteral("a.png")));
+    QVERIFY(exported(std::nullopt, QStringLiteral("a.png")));
     for (const QString& name : {QStringLiteral("a.0002.png"), QStringLiteral("a.0005.png")}) {
         QFile file(path(name));
         QVERIFY(file.open(QIODevice::WriteOnly) && file.write("mine") == 4);
@@ -331,7 +329,7 @@ void AnimationExportDialogTest::otherPicturesAreAskedAbout() {
 
 // What is exported is the animation as it was when the dialog opened.
 void AnimationExportDialogTest::editingGoesOn() {
-    m_dialog->setFormat(Dialog::Mkv);
+    m_dialog->setFormat(io::VideoFormat::Mkv);
     QSignalSpy spy(m_dialog.get(), &Dialog::exported);
     m_dialog->exportTo(path("a.mkv"));
     document::Fractal other = m_document->entryFractal();
@@ -345,7 +343,7 @@ void AnimationExportDialogTest::editingGoesOn() {
 void AnimationExportDialogTest::stoppingLeavesNothing() {
     setSize({1600, 1200});
     support::choose(named<QComboBox>(QStringLiteral("Quality")), 2000);
-    m_dialog->setFormat(Dialog::Mp4);
+    m_dialog->setFormat(io::VideoFormat::Mp4);
     m_dialog->exportTo(path("a.mp4"));
     QTRY_VERIFY_WITH_TIMEOUT(m_dialog->findChild<QProgressBar*>()->value() > 0, 60'000);
     auto* stop = support::button(*m_dialog, "close");
@@ -359,7 +357,7 @@ void AnimationExportDialogTest::stoppingLeavesNothing() {
 void AnimationExportDialogTest::closingAsksFirst() {
     setSize({1600, 1200});
     support::choose(named<QComboBox>(QStringLiteral("Quality")), 2000);
-    m_dialog->setFormat(Dialog::Mp4);
+    m_dialog->setFormat(io::VideoFormat::Mp4);
     m_dialog->show();
     m_dialog->exportTo(path("a.mp4"));
     QStringList asked;
@@ -391,7 +389,7 @@ void AnimationExportDialogTest::closingAsksFirst() {
 }
 
 void AnimationExportDialogTest::theQuestionEndsWithTheExport() {
-    m_dialog->setFormat(Dialog::Gif);
+    m_dialog->setFormat(io::VideoFormat::Gif);
     m_dialog->show();
     m_dialog->exportTo(path("a.gif"));
     QTest::keyClick(m_dialog.get(), Qt::Key_Escape); // nobody answers
@@ -403,13 +401,14 @@ void AnimationExportDialogTest::theQuestionEndsWithTheExport() {
 }
 
 void AnimationExportDialogTest::theEndingDecidesTheFormat() {
-    m_dialog->setFormat(Dialog::Mp4);
+    m_dialog->setFormat(io::VideoFormat::Mp4);
     m_dialog->exportTo(path("a.gif"));
     QTRY_VERIFY_WITH_TIMEOUT(m_dialog->message().startsWith(QStringLiteral("Written to")), 120'000);
     QFile file(path("a.gif"));
     QVERIFY(file.open(QIODevice::ReadOnly));
     QCOMPARE(file.read(4), QByteArray("GIF8"));
-    QCOMPARE(view::chosenValue<Dialog::Format>(named<QComboBox>(QStringLiteral("Format"))), Dialog::Gif);
+    QCOMPARE(view::chosenValue<Dialog::Format>(named<QComboBox>(QStringLiteral("Format"))),
+             io::VideoFormat::Gif);
 }
 
 void AnimationExportDialogTest::theTimeLeftIsSaid() {
@@ -417,13 +416,13 @@ void AnimationExportDialogTest::theTimeLeftIsSaid() {
     support::choose(named<QComboBox>(QStringLiteral("Quality")), 2000);
     auto* left = named<QLabel>(QStringLiteral("Time left"));
     QVERIFY(left && !left->isVisible());
-    m_dialog->setFormat(Dialog::Pictures);
+    m_dialog->setFormat(std::nullopt);
     m_dialog->exportTo(path("a.png"));
     QTRY_VERIFY_WITH_TIMEOUT(left->isVisible() && left->text().endsWith(QStringLiteral(" left.")), 120'000);
 }
 
 void AnimationExportDialogTest::failuresAreSaid() {
-    m_dialog->setFormat(Dialog::Mp4);
+    m_dialog->setFormat(io::VideoFormat::Mp4);
     m_dialog->exportTo(QStringLiteral("/nowhere/at/all.mp4"));
     QTRY_VERIFY_WITH_TIMEOUT(m_dialog->message().contains(QStringLiteral("nowhere")), 60'000);
 }
@@ -436,7 +435,7 @@ void AnimationExportDialogTest::whatAFormatLacksIsSaid() {
     document::Fractal fast = wind();
     document::plane(fast)->animation->rate = {120, 1};
     open(fast);
-    m_dialog->setFormat(Dialog::Gif); // has at most 50 frames a second
+    m_dialog->setFormat(io::VideoFormat::Gif); // has at most 50 frames a second
     QVERIFY(m_dialog->message().contains(QStringLiteral("50")));
 }
 

@@ -165,7 +165,7 @@ void LastExportTest::animations() {
             m_document.get(), attractor::View{{0.4, 0.3}, 1.5, attractor::YAxis::Up});
     };
     auto dialog = open();
-    dialog->setFormat(view::AnimationExportDialog::Pictures);
+    dialog->setFormat(std::nullopt);
     named<QToolButton>(*dialog, "Lock proportions")->setChecked(false);
     named<QSpinBox>(*dialog, "Width")->setValue(32);
     named<QSpinBox>(*dialog, "Height")->setValue(24);
@@ -173,7 +173,7 @@ void LastExportTest::animations() {
     QTRY_VERIFY(dialog->message().contains(m_folder->path()));
     dialog = open();
     using Dialog = view::AnimationExportDialog;
-    QCOMPARE(view::chosenValue<Dialog::Format>(format(*dialog)), Dialog::Pictures);
+    QCOMPARE(view::chosenValue<Dialog::Format>(format(*dialog)), std::nullopt);
     QCOMPARE(named<QSpinBox>(*dialog, "Width")->value(), 32);
     QCOMPARE(named<QSpinBox>(*dialog, "Height")->value(), 24);
     QCOMPARE(QFileInfo(exportAs(*dialog, {})).path(), m_folder->path());

@@ -38,6 +38,7 @@ private slots:
 
     void whatWasTypedStaysWithTheMap();
     void aTranslationIsWrittenAlikeInTheTable();
+    void whatIsTypedIsPartOfTheEntry();
     void degreesAreReadOnce_data();
     void degreesAreReadOnce();
     void degreesInSpace();
@@ -145,6 +146,35 @@ void MapShapeEditorTest::aTranslationIsWrittenAlikeInTheTable() {
     model.keepTyped(cell, 0.25, QStringLiteral("1/4"));
     model.commitEdit();
     QCOMPARE(text(MapShapeEditor::TranslationY), QStringLiteral("1/4"));
+}
+
+// And so of the file and of each step of the history; a plain number takes its place.
+void MapShapeEditorTest::whatIsTypedIsPartOfTheEntry() {
+    const auto typed = [this](int which) {
+        const auto& map = systemOf(*m_document).maps[1];
+        const auto* kept = map.typed.of(which, map.map);
+        return kept ? QString::fromStdString(kept->text) : QString();
+    };
+    type(MapShapeEditor::TranslationX, QStringLiteral("1/3"));
+    QCOMPARE(typed(4), QStringLiteral("1/3"));
+    MapsModel model(m_document.get());
+    const QModelIndex a = model.index(1, MapsModel::A);
+    model.preview(a, 1.0 / 7);
+    model.keepTyped(a, 1.0 / 7, QStringLiteral("1/7"));
+    model.commitEdit();
+    QCOMPARE(typed(0), QStringLiteral("1/7"));
+    QCOMPARE(m_document->undoStack()->count(), 2); // the number and its text are one step
+    m_document->undoStack()->undo();
+    QCOMPARE(typed(0), QString());
+    QCOMPARE(typed(4), QStringLiteral("1/3"));
+    m_document->undoStack()->redo();
+    QCOMPARE(typed(0), QStringLiteral("1/7"));
+    QVERIFY(model.setData(a, QStringLiteral("sqrt(3)/6"), Qt::EditRole));
+    QCOMPARE(typed(0), QStringLiteral("sqrt(3)/6"));
+    QVERIFY(model.setData(a, systemOf(*m_document).maps[1].map.linear(0, 0), Qt::EditRole));
+    QCOMPARE(typed(0), QString());
+    type(MapShapeEditor::TranslationX, QStringLiteral("0.25"));
+    QCOMPARE(typed(4), QString());
 }
 
 BARYCAGE_TEST(MapShapeEditorTest, QApplication);

@@ -117,7 +117,7 @@ int GradientStrip::stopAt(const QPointF& point) const {
     double nearest = handleHalf + 3;
     for (std::size_t i = 0; i < m_gradient.stops.size(); ++i) {
         const double distance = std::abs(point.x() - handleOf(i).x());
-        // Of stops at one place the selected one, which lies on top.
+        // The selected stop lies on top of others at its place.
         if (distance < nearest || (distance == nearest && i == m_selected)) {
             nearest = distance;
             found = int(i);

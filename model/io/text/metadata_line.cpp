@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "io/fractint/metadata_line.h"
+#include "io/text/metadata_line.h"
 
 #include "io/text/number.h"
 

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "ifs/separation/neighbour_graph.h"
+#include "ifs/separation/open_set.h"
+#include "ifs/separation/piece_contacts.h"
+#include "ifs/typed/surd_map.h"
+
+#include <span>
+
+// What is found of the stored coefficients to rounding error, proved of those that are typed.
+namespace ifs {
+
+// Whether the graph, found of the maps that these round to, is that of these: they are similarities of one
+// ratio, and each of its steps h ↦ w_i⁻¹ h w_j leads exactly to the map that it names.
+bool isGraphOf(const NeighbourGraph& graph, std::span<const SurdMap> typed);
+
+// Tells of each overlap whether its words have the same map.
+void prove(PieceContacts& contacts, std::span<const SurdMap> typed);
+
+// Tells whether a dimension by the open set condition is that of similarities without rounding.
+void proveDimension(OpenSetFacts& facts, std::span<const SurdMap> typed);
+
+} // namespace ifs

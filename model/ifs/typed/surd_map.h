@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "ifs/system/affine_map.h"
+#include "ifs/system/branch.h"
+#include "ifs/system/iterated_function_system.h"
+#include "ifs/typed/surd.h"
+
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace ifs {
+
+// x ↦ Ax + b in 1 to 3 dimensions, without rounding.
+struct SurdMap {
+    std::vector<std::vector<Surd>> linear; // by rows
+    std::vector<Surd> translation;
+
+    std::size_t dimension() const { return translation.size(); }
+    bool hasValue() const; // each of its numbers
+
+    friend bool operator==(const SurdMap&, const SurdMap&) = default;
+};
+
+SurdMap identity(std::size_t dimension);
+SurdMap operator*(const SurdMap& outer, const SurdMap& inner);
+SurdMap inverse(const SurdMap& map); // without value where there is none
+// The s² of a map with AᵀA = s²I; nullopt where it is no similarity.
+std::optional<Surd> squaredRatio(const SurdMap& map);
+Surd determinant(const SurdMap& map);
+SurdMap word(std::span<const SurdMap> maps, const Word& word);
+
+// The map in the coordinates along these axes, which it must leave alone: what it does to the affine hull of
+// the attractor. nullopt where it does not, or moves that hull.
+std::optional<SurdMap> restricted(const SurdMap& map, std::span<const int> axes);
+
+// The active maps as they are typed, and as they are stored where nothing is. Empty where nothing is typed,
+// one of the numbers is too long, or maps are copied by a symmetry.
+template <int Dim>
+std::vector<SurdMap> typedMaps(const IteratedFunctionSystem<Dim>& system, const ActiveMaps<Dim>& active);
+
+} // namespace ifs
