@@ -9,7 +9,8 @@
 /** What is to be drawn: sizes in pixels of the page, and of the screen for each of them.
  * @typedef {{width: number, height: number, ratio: number, view: number[], rest: Point[], current: Point[],
  *   bends: boolean}} Scene */
-/** @typedef {{kind: string, palettes?: Palette[], extent?: Extent | null, pixels?: Uint8ClampedArray<ArrayBuffer>,
+/** @typedef {{kind: string, palettes?: Palette[], versions?: string, knowsSpace?: boolean,
+ *   extent?: Extent | null, pixels?: Uint8ClampedArray<ArrayBuffer>,
  *   width?: number, height?: number, samples?: number, milliseconds?: number, hash?: string}} Answer */
 
 const liveMilliseconds = 11; // for a picture of a drag

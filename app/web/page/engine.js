@@ -14,6 +14,7 @@
  * @property {Appearance} [appearance]
  * @property {Solid} [solid]
  * @property {number[]} [view]
+ * @property {string} [palette] of those of the program, chosen on the page
  * @property {{begin: string, lines: string[], rows: string[]}} [text] the entry as a collection has it
  */
 /** In space: attractor::LookInSpace and SolidColour; clip is a normal and two heights, null without end.

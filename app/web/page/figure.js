@@ -2,7 +2,7 @@
 // The picture with its cage: what is held, dragged, turned and zoomed.
 
 import { byId, shape } from "./dom.js";
-import { carried, dragged, fitted, middle, minus, offsetInSpace, partAt, plus, times, toPixel, toPixelInSpace,
+import { carried, dragged, fitted, fittedInSpace, middle, minus, offsetInSpace, partAt, plus, times, toPixel, toPixelInSpace,
   toWorld, zoomed } from "./geometry.js";
 import { readable } from "./numbers.js";
 import { filled } from "./texts.js";
@@ -87,6 +87,8 @@ export class Figure {
       this.current = isPlaced ? carried(before.rest, before.current, this.rest) : this.rest;
     }
     this.makeHandles();
+    if (this.isSpace && !this.entry.view && extent && before.rest.length === 0)
+      this.home = fittedInSpace(this.home, [...this.current, extent.box.slice(0, 3), extent.box.slice(3, 6)], margin);
     if (before.rest.length === 0) this.fit();
     else this.change();
   }

@@ -3,8 +3,10 @@
 
 import { byId, element, save } from "./dom.js";
 import { Drawing } from "./drawing.js";
+import { readEntry } from "./entry_reader.js";
 import { Figure } from "./figure.js";
 import { entryText } from "./ifs_text.js";
+import { linkData, packed, unpacked } from "./link.js";
 import { fillTable } from "./table.js";
 import { filled, paletteTitle, spokenLanguage, textsOf } from "./texts.js";
 
@@ -16,7 +18,7 @@ import { filled, paletteTitle, spokenLanguage, textsOf } from "./texts.js";
 const content = /** @type {Content} */ (JSON.parse(byId("content").textContent ?? ""));
 const language = content.language || spokenLanguage(navigator.languages);
 const texts = textsOf(language);
-const { entry } = content;
+let { entry } = content; // or that of a link
 const isHeld = content.allow.includes("cage"), isTyped = content.allow.includes("code");
 let isEdited = false;
 
@@ -48,6 +50,54 @@ function speak() {
 function failed() {
   document.body.dataset.state = "still";
   byId("plain").textContent = texts.failed;
+}
+
+/** Takes up the entry of the link by which the page was opened, if there is one.
+ * @param {Palette[]} palettes @param {boolean} knowsSpace whether the engine draws solids */
+async function takeLink(palettes, knowsSpace) {
+  if (location.hash.length < 2) return;
+  const found = await unpacked(location.hash.slice(1)).catch(() => ({ flaw: /** @type {const} */ ("linkForeign") }));
+  const read = "text" in found ? readEntry(found.text, palettes) : found;
+  if ("flaw" in read || (read.entry.dimension === 3 && !knowsSpace)) {
+    byId("notice").textContent = texts["flaw" in read ? read.flaw : "linkForeign"];
+    return;
+  }
+  entry = read.entry;
+  document.title = entry.name;
+  document.querySelector("h1")?.replaceChildren(entry.name);
+  document.querySelector(".caption")?.replaceChildren(); // it is of the other entry
+  const [red, green, blue, alpha] = entry.appearance?.background ?? [13, 16, 23, 255];
+  byId("stage").style.background = `rgb(${red} ${green} ${blue} / ${alpha / 255})`;
+  speak();
+}
+
+/** @param {Figure} figure */
+async function copyLink(figure) {
+  const data = await packed(entryText(entry, figure.rest, figure.current, isEdited));
+  const field = /** @type {HTMLInputElement} */ (byId("link")), said = byId("copied");
+  field.hidden = true;
+  said.textContent = "";
+  if (data === null) said.textContent = texts.linkTooLong;
+  else {
+    const hasAddress = ["http:", "https:", "file:"].includes(location.protocol);
+    field.value = (hasAddress ? `${location.href.replace(/#.*/, "")}#` : "barycage:") + data;
+    try {
+      await navigator.clipboard.writeText(field.value);
+      said.textContent = texts.copied;
+    } catch {
+      field.hidden = false;
+      field.select();
+      said.textContent = texts.copyThis;
+    }
+  }
+}
+
+function listenForLinks() {
+  addEventListener("hashchange", () => location.reload());
+  document.addEventListener("paste", (event) => {
+    const data = event.target instanceof HTMLInputElement ? "" : linkData(event.clipboardData?.getData("text/plain") ?? "");
+    if (data) location.hash = data;
+  });
 }
 
 /** @param {{width?: number, height?: number, pixels?: Uint8ClampedArray<ArrayBuffer>, samples?: number}} picture */
@@ -109,11 +159,13 @@ function connect(drawing, figure) {
   });
   byId("ifs").addEventListener("click", () =>
     save(new Blob([entryText(entry, figure.rest, figure.current, isEdited)], { type: "text/plain" }), `${entry.name}.ifs`));
+  byId("copy-link").addEventListener("click", () => copyLink(figure));
   return load;
 }
 
 async function start() {
   speak();
+  listenForLinks();
   const source = new Blob([byId("worker").textContent ?? ""], { type: "text/javascript" });
   const worker = new Worker(URL.createObjectURL(source));
   /** @type {Figure} */
@@ -121,15 +173,17 @@ async function start() {
   const drawing = new Drawing(worker, () => ({ ...figure.size, ratio: Math.min(devicePixelRatio, 2),
     view: figure.view(), rest: figure.rest, current: figure.current, bends: entry.cage?.bends ?? true }),
     showPicture, failed, content.points);
-  const started = drawing.ask({ kind: "start", wasm: byId("engine").textContent ?? "" });
+  const { palettes = [], versions, knowsSpace = false } =
+    await drawing.ask({ kind: "start", wasm: byId("engine").textContent ?? "" });
+  await takeLink(palettes, knowsSpace);
   let isReady = false;
   figure = new Figure(entry, texts, language, isHeld, {
     draw: (findsExposure) => isReady && drawing.begin(findsExposure),
     setLive: (isLive) => drawing.setLive(isLive),
   });
   const load = connect(drawing, figure);
-  const { palettes = [], versions } = /** @type {{palettes?: Palette[], versions?: string}} */ (await started);
   fillPalettes(palettes, async (palette) => {
+    entry.palette = palette.name;
     entry.appearance = { ...entry.appearance, stops: palette.stops };
     await drawing.ask({ kind: "look", appearance: entry.appearance });
     drawing.begin();

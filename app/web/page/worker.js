@@ -29,7 +29,8 @@ let engine = null;
 async function answer(request) {
   if (request.kind === "start") {
     engine = await startedEngine(await unpacked(request.wasm));
-    return [{ kind: "started", palettes: engine.palettes(), versions: engine.versions() }, []];
+    return [{ kind: "started", palettes: engine.palettes(), versions: engine.versions(),
+      knowsSpace: engine.knows({ name: "", dimension: 3, maps: [] }) }, []];
   }
   if (!engine) throw new Error("the engine has not started");
   if (request.kind === "load") return [{ kind: "loaded", extent: engine.load(request.entry) }, []];
