@@ -9,7 +9,7 @@ import { constants, deflateRawSync, gunzipSync, inflateRawSync } from "node:zlib
 import { startedEngine } from "../../app/web/page/engine.js";
 import { readEntry } from "../../app/web/page/entry_reader.js";
 import { entryText } from "../../app/web/page/ifs_text.js";
-import { cli, collection, corners, current, keep, page, paper, pixels, rested, shown, source } from "./pages.mjs";
+import { cli, collection, corners, current, keep, page, paper, pixels, press, rested, shown, source } from "./pages.mjs";
 
 const maple = page(paper, "--entry", "maple", "--caption", "A caption of the maple");
 const solid = page(join(source, "ifs_library/space_sponges.ifs"), "--entry", "menger");
@@ -40,15 +40,6 @@ async function visit(browser, url) {
 /** In place of the clipboard, which nobody may read here. @param {string} writeText */
 const onClipboard = (browser, writeText) =>
   browser.value(`void Object.defineProperty(navigator, "clipboard", { configurable: true, value: { writeText: ${writeText} } })`);
-
-/** A click of the mouse. @param {string} id */
-async function press(browser, id) {
-  const { x, y } = await browser.value(`(() => { const button = document.getElementById("${id}");
-    button.scrollIntoView({ block: "center" });
-    const r = button.getBoundingClientRect();
-    return { x: r.left + r.width / 2, y: r.top + r.height / 2 }; })()`);
-  await browser.drag([[x, y]]);
-}
 
 /** What Copy Link puts on the clipboard. */
 async function copied(browser) {

@@ -55,3 +55,11 @@ export const pixels = (browser) => browser.value(`(() => { const c = document.ge
   copy.drawImage(c, 0, 0);
   const d = copy.getImageData(0, 0, c.width, c.height).data; let sum = 0;
   for (let i = 0; i < d.length; i += 4) sum = (sum * 31 + d[i] + 256 * d[i + 1]) % 4294967291; return sum; })()`);
+/** A click of the mouse. @param {string} id */
+export async function press(browser, id) {
+  const { x, y } = await browser.value(`(() => { const button = document.getElementById("${id}");
+    button.scrollIntoView({ block: "center" });
+    const r = button.getBoundingClientRect();
+    return { x: r.left + r.width / 2, y: r.top + r.height / 2 }; })()`);
+  await browser.drag([[x, y]]);
+}

@@ -27,6 +27,7 @@ export class Drawing {
     /** @type {((answer: Answer) => void)[]} */
     this.waiting = [];
     this.isBusy = false; // with a picture
+    this.isStopped = false; // until it begins again
     this.isStale = false; // the newest picture is not of the scene as it is
     this.isLive = false; // in a drag
     this.findsExposure = true;
@@ -57,10 +58,18 @@ export class Drawing {
   begin(findsExposure = false) {
     this.findsExposure ||= findsExposure;
     this.isStale = true;
+    this.isStopped = false;
     if (!this.isBusy) this.next();
   }
 
+  /** Lets the engine do something else: what is drawn now is the last picture. */
+  stop() {
+    this.isStopped = true;
+    this.isStale = false;
+  }
+
   next() {
+    if (this.isStopped) return;
     if (!this.isStale && (this.isLive || this.total === 0 || this.total >= this.enough)) return;
     const scene = this.scene();
     const begin = this.isStale;

@@ -33,6 +33,9 @@ const english = {
   linkDamaged: "The link is damaged, so this page shows its own fractal.",
   linkTooLarge: "The link unpacks to more than 1 MB, so this page shows its own fractal.",
   linkForeign: "This page cannot draw the fractal of the link, but Barycage can: paste the link there.",
+  all: "All Fractals",
+  find: "Search by name",
+  found: "{0} of {1} fractals",
   made: "Made with Barycage",
 };
 /** @typedef {typeof english} Texts */
@@ -75,6 +78,9 @@ const languages = {
     linkDamaged: "Der Link ist beschädigt, deshalb zeigt diese Seite ihr eigenes Fraktal.",
     linkTooLarge: "Der Link enthält mehr als 1 MB, deshalb zeigt diese Seite ihr eigenes Fraktal.",
     linkForeign: "Diese Seite kann das Fraktal des Links nicht zeichnen, Barycage aber schon: Fügen Sie den Link dort ein.",
+    all: "Alle Fraktale",
+    find: "Nach Namen suchen",
+    found: "{0} von {1} Fraktalen",
     made: "Erstellt mit Barycage",
   },
   es: {
@@ -109,6 +115,9 @@ const languages = {
     linkDamaged: "El enlace está dañado, por lo que esta página muestra su propio fractal.",
     linkTooLarge: "El enlace contiene más de 1 MB, por lo que esta página muestra su propio fractal.",
     linkForeign: "Esta página no puede dibujar el fractal del enlace, pero Barycage sí: pegue allí el enlace.",
+    all: "Todos los fractales",
+    find: "Buscar por nombre",
+    found: "{0} de {1} fractales",
     made: "Hecho con Barycage",
   },
   fr: {
@@ -143,6 +152,9 @@ const languages = {
     linkDamaged: "Le lien est endommagé ; cette page montre donc sa propre fractale.",
     linkTooLarge: "Le lien contient plus de 1 Mo ; cette page montre donc sa propre fractale.",
     linkForeign: "Cette page ne peut pas dessiner la fractale du lien, mais Barycage le peut : collez-y le lien.",
+    all: "Toutes les fractales",
+    find: "Chercher par nom",
+    found: "{0} fractales sur {1}",
     made: "Fait avec Barycage",
   },
   mk: {
@@ -177,6 +189,9 @@ const languages = {
     linkDamaged: "Врската е оштетена, па оваа страница го прикажува својот фрактал.",
     linkTooLarge: "Врската содржи повеќе од 1 MB, па оваа страница го прикажува својот фрактал.",
     linkForeign: "Оваа страница не може да го нацрта фракталот од врската, но Barycage може: залепете ја врската таму.",
+    all: "Сите фрактали",
+    find: "Барај по име",
+    found: "{0} од {1} фрактали",
     made: "Направено со Barycage",
   },
 };

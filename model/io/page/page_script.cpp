@@ -25,7 +25,8 @@ QByteArray plainScript(const QByteArray& module) {
         } else if (inImport) {
             inImport = !text.endsWith("\";");
         } else if (!text.isEmpty() && !text.startsWith("//")) {
-            script += (line.startsWith("export ") ? text.sliced(7) : text) + '\n';
+            const char* indent = line.startsWith(' ') ? " " : "";
+            script += indent + (line.startsWith("export ") ? text.sliced(7) : text) + '\n';
         }
     }
     return script;
@@ -48,7 +49,7 @@ QByteArray pagePart(const char* name) {
 
 QByteArray pageScript() {
     return joined({"numbers.js", "geometry.js", "texts.js", "dom.js", "drawing.js", "table.js", "ifs_text.js",
-                   "entry_reader.js", "link.js", "figure.js", "main.js"});
+                   "entry_reader.js", "link.js", "figure.js", "gallery.js", "main.js"});
 }
 
 QByteArray workerScript() {
