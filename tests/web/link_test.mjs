@@ -182,6 +182,17 @@ test("a link and a page give the engine the same entry, and so the same pixels",
   assert.equal(hashes.size, 9);
 });
 
+test("points that go on in another line are read, and branches inside themselves are left to the program", () => {
+  const palettes = [{ name: "Maple", stops: [[0, 0, 0, 0, 255], [1, 255, 255, 255, 255]] }];
+  const line = (text) => `  ; barycage: ${text}\n`;
+  const solidText = (lines) => `a (3D) {\n${lines.map(line).join("")}  .5 0 0 0 .5 0 0 0 .5 0 0 0 1\n}\n`;
+  const rest = ["0 0 0", "1 0 0", "0 1 0", "0 0 1"];
+  const moved = ["0 0 0", "1.25 \\", "0.5 \\", "0.125", "0 1 0", "0 0 \\", "1"];
+  const read = readEntry(solidText([...rest.map((p) => `rest ${p}`), ...moved.map((p) => `current ${p}`)]), palettes);
+  assert.deepEqual(read.entry.cage.current, [[0, 0, 0], [1.25, .5, .125], [0, 1, 0], [0, 0, 1]]);
+  assert.deepEqual(readEntry(solidText(["branch 0 1", "by 1 0 0", "by 0 1 0", "by 0 0 1", "by 0 0 1"]), palettes), { flaw: "linkForeign" });
+});
+
 test("a link that is copied holds what has been dragged, typed and chosen", async () => {
   const browser = await shown(maple);
   await rested(browser);
