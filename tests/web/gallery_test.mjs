@@ -42,7 +42,7 @@ test("a gallery shows all entries as pictures, one engine draws them", async () 
 
 test("pictures are drawn when they come into sight, and not before", async () => {
   const browser = await shown(page(join(source, "ifs_library/tiles.ifs"), "--all"), { width: 500, height: 700 });
-  await browser.until(`${colours(0)} > 20`);
+  await browser.until(`${colours(0)} > 20 && barycage.drawing.waiting.length === 0`); // no picture is waited for
   const last = (await names(browser)).length - 1;
   assert.ok(last > 12);
   assert.equal(await browser.value(colours(last)), 1);
