@@ -3,6 +3,7 @@
 #include "options/tr.h"
 #include "options/usage_error.h"
 #include "process/arguments.h"
+#include "process/heading.h"
 #include "process/input.h"
 #include "process/interrupt.h"
 #include "process/messages.h"
@@ -36,14 +37,6 @@ struct GalleryArguments {
     std::optional<QPageSize> page;
     Verbosity verbosity;
 };
-
-// "sierpinski.ifs" → "Sierpinski"
-QString headingOf(const QString& fileName) {
-    QString title = QFileInfo(fileName).completeBaseName();
-    title.replace(u'_', u' ').replace(u'-', u' ');
-    if (!title.isEmpty()) title[0] = title[0].toUpper();
-    return title;
-}
 
 io::ContactSheet sheetOf(const GalleryArguments& arguments) {
     io::ContactSheet sheet;

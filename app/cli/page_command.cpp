@@ -3,6 +3,7 @@
 #include "options/tr.h"
 #include "options/usage_error.h"
 #include "process/arguments.h"
+#include "process/heading.h"
 #include "process/input.h"
 #include "process/messages.h"
 #include "process/output.h"
@@ -24,6 +25,7 @@ namespace {
 
 struct PageArguments {
     std::string file, entry, output;
+    bool all = false;
     std::string caption, language;
     io::PageParts parts = io::PageParts::All;
     std::vector<std::string> allowed{"cage", "code"};
@@ -65,15 +67,49 @@ io::PageExport pageWith(const PageArguments& arguments, const document::Fractal&
     return page;
 }
 
+// What cannot be shown is left out, which is no failure of the gallery.
+ExitStatus writeGallery(const PageArguments& arguments, const Input& input) {
+    constexpr qsizetype most = 2000;
+    const auto warn = [&](const QString& name, const QString& sentence) {
+        report({document::Problem::Severity::Warning, name, 0, 0, sentence}, input.name);
+    };
+    QList<std::shared_ptr<const document::Fractal>> shown;
+    for (const document::Entry& entry : input.collection.file.entries) {
+        for (const document::Problem& problem : entry.problems)
+            warn(entry.fractal->name, problem.message);
+        if (!isLoaded(entry)) continue;
+        const QString obstacle = io::pageObstacle(*entry.fractal);
+        if (obstacle.isEmpty())
+            shown << entry.fractal;
+        else
+            warn(entry.fractal->name, obstacle);
+    }
+    const ExitStatus read = reportAll(input.collection.file.problems, input.name);
+    if (shown.isEmpty() || shown.size() > most) {
+        reportError(input.name,
+                    shown.isEmpty()
+                        ? tr("The file contains no entry that can be drawn.")
+                        : tr("The file has %1 entries that can be shown; a web page can have at most %2.")
+                              .arg(shown.size())
+                              .arg(most));
+        return std::max(read, ExitStatus::InputProblems);
+    }
+    io::PageExport page = pageWith(arguments, *shown.front());
+    page.entries = shown;
+    page.title = input.name == u"-" ? tr("Fractals") : headingOf(input.name);
+    return std::max(read, writeOutput(fileNameOf(arguments.output), io::pageOf(page)));
+}
+
 ExitStatus writePage(const PageArguments& arguments) {
     applied(arguments.verbosity);
     const auto input = readInput(arguments.file);
     if (!input) return ExitStatus::CannotReadOrWrite;
+    if (arguments.all) return writeGallery(arguments, *input);
     std::vector<std::string> names;
     if (!arguments.entry.empty()) names.push_back(arguments.entry);
     const ToDraw found = entriesToDraw(*input, names);
     if (found.entries.size() > 1)
-        throw UsageError{tr("A page shows one entry: give its name or #NUMBER with --entry.")};
+        throw UsageError{tr("A page shows one entry: give its name or #NUMBER with --entry, or --all.")};
     if (found.entries.empty()) return std::max(found.status, ExitStatus::InputProblems);
     const document::Fractal& fractal = *found.entries.front()->fractal;
     if (const QString obstacle = io::pageObstacle(fractal); !obstacle.isEmpty()) {
@@ -89,7 +125,7 @@ ExitStatus writePage(const PageArguments& arguments) {
 
 Command pageCommand() {
     auto arguments = std::make_shared<PageArguments>();
-    Command command("page", "Write an entry as a web page in which its cage can be dragged",
+    Command command("page", "Write an entry, or a collection, as a web page in which cages can be dragged",
                     "page FILE -o PAGE.html [OPTION]...");
     const OptionGroup files = command.group("Files");
     files
@@ -105,6 +141,11 @@ Command pageCommand() {
         .add("--entry", "NAME", &arguments->entry, "The entry that is shown: its name, or #NUMBER",
              "the first that can be read")
         .completedBy(Completion::Kind::Entries);
+    files
+        .flag("--all", &arguments->all,
+              "A gallery of all entries: small pictures, to be searched by name, each of which leads to its "
+              "figure")
+        .excludes("--entry");
     const OptionGroup page = command.group("Page");
     page.add("--show", "PARTS", choice(&arguments->parts),
              "Parts of the page: figure, table (and the maps) or all (and palettes and files to save)",

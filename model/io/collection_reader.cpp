@@ -4,6 +4,7 @@
 #include "document/text/text.h"
 #include "document/text/unique_names.h"
 #include "io/exchange/aifs_reader.h"
+#include "io/exchange/entry_link.h"
 #include "io/fractint/format_detection.h"
 #include "io/fractint/fractint_reader.h"
 #include "io/picture/png/png_system.h"
@@ -292,7 +293,8 @@ Collection collectionOfUtf16(QByteArray text, const QString& path, const ReadOpt
 } // namespace
 
 QStringList collectionFormats() {
-    return QStringLiteral("fractint flame aifs table jpeg webp tiff exr png svg mp4 webm mkv gif unknown")
+    return QStringLiteral(
+               "fractint flame aifs table jpeg webp tiff exr png svg mp4 webm mkv gif link unknown")
         .split(u' ');
 }
 
@@ -303,6 +305,7 @@ Collection readCollection(const QByteArray& bytes, const QString& path, const Re
     if (const QString format = rasterFormat(bytes); !format.isEmpty())
         return {format, fileOf(readRasterSystem(bytes)), false};
     if (auto text = fromUtf16(bytes)) return collectionOfUtf16(*std::move(text), path, options);
+    if (looksLikeLink(bytes)) return {QStringLiteral("link"), fileOf(readLink(bytes)), false};
     const bool isMarkup = !beginsWithEntry(bytes);
     if (isMarkup && looksLikeSvg(bytes)) return {QStringLiteral("svg"), fileOf(readSvgSystem(bytes)), false};
     if (isMarkup && looksLikeFlame(bytes))

@@ -121,7 +121,7 @@ _barycage_cli_options_of() {
       options=(--help --output --entry --from --from-file --order --mode --map --tear --json --picture --picture-view --size --view --background --exact --points --seed --threads --simd --progress --quiet)
       ;;
     page)
-      options=(--help --output --entry --show --allow --caption --lang --size --points --progress --quiet)
+      options=(--help --output --entry --all --show --allow --caption --lang --size --points --progress --quiet)
       ;;
     *) options=() ;;
   esac

@@ -30,7 +30,7 @@ end
 # Written by barycage-cli --describe fish; ./dev describe renews it.
 set -g __barycage_cli_commands info render convert gallery animate encode morph merge collage steal page
 # The options that take no value.
-set -g __barycage_cli_flags -h --help --json --names --list --no-dimension -q --quiet --y-down --legend --list-palettes --dry-run --overwrite --bake --strict --y-as-written --fill --expand --invert --similarities --no-mirrors --stem --exact
+set -g __barycage_cli_flags -h --help --json --names --list --no-dimension -q --quiet --y-down --legend --list-palettes --dry-run --overwrite --bake --strict --y-as-written --fill --expand --invert --similarities --no-mirrors --stem --exact --all
 complete -c barycage-cli -n "not __fish_seen_subcommand_from $__barycage_cli_commands" -f -a info -d "Show what a file contains and the properties of its systems"
 complete -c barycage-cli -n "not __fish_seen_subcommand_from $__barycage_cli_commands" -f -a render -d "Draw an entry as PNG, SVG or PDF"
 complete -c barycage-cli -n "not __fish_seen_subcommand_from $__barycage_cli_commands" -f -a convert -d "Convert entries to another format"
@@ -41,7 +41,7 @@ complete -c barycage-cli -n "not __fish_seen_subcommand_from $__barycage_cli_com
 complete -c barycage-cli -n "not __fish_seen_subcommand_from $__barycage_cli_commands" -f -a merge -d "Merge the parts of a picture"
 complete -c barycage-cli -n "not __fish_seen_subcommand_from $__barycage_cli_commands" -f -a collage -d "Find a system whose attractor looks like a picture"
 complete -c barycage-cli -n "not __fish_seen_subcommand_from $__barycage_cli_commands" -f -a steal -d "Paint an entry with the colours of a picture on another entry"
-complete -c barycage-cli -n "not __fish_seen_subcommand_from $__barycage_cli_commands" -f -a page -d "Write an entry as a web page in which its cage can be dragged"
+complete -c barycage-cli -n "not __fish_seen_subcommand_from $__barycage_cli_commands" -f -a page -d "Write an entry, or a collection, as a web page in which cages can be dragged"
 complete -c barycage-cli -n "not __fish_seen_subcommand_from $__barycage_cli_commands" -f -a help -d "Show the options of a command"
 complete -c barycage-cli -n "not __fish_seen_subcommand_from $__barycage_cli_commands" -l help -d "Show this help"
 complete -c barycage-cli -n "not __fish_seen_subcommand_from $__barycage_cli_commands" -l version -d "Show the version"
@@ -244,6 +244,7 @@ complete -c barycage-cli -n "__fish_seen_subcommand_from steal" -s q -l quiet -d
 complete -c barycage-cli -n "__fish_seen_subcommand_from page" -s h -l help -d "Print this help message and exit"
 complete -c barycage-cli -n "__fish_seen_subcommand_from page" -s o -l output -r -a - -d "Page to write"
 complete -c barycage-cli -n "__fish_seen_subcommand_from page" -l entry -x -a "(__barycage_cli_names)" -d "The entry that is shown"
+complete -c barycage-cli -n "__fish_seen_subcommand_from page" -l all -d "A gallery of all entries"
 complete -c barycage-cli -n "__fish_seen_subcommand_from page" -l show -x -a "figure table all" -d "Parts of the page"
 complete -c barycage-cli -n "__fish_seen_subcommand_from page" -l allow -x -a "cage code cage,code none" -d "What the reader can edit"
 complete -c barycage-cli -n "__fish_seen_subcommand_from page" -l caption -x -d "Caption below the name"

@@ -2443,6 +2443,18 @@
         <source>Web page written</source>
         <translation>Webseite geschrieben</translation>
     </message>
+    <message>
+        <source>Copy &amp;Link</source>
+        <translation>Li&amp;nk kopieren</translation>
+    </message>
+    <message>
+        <source>Copy a link that holds the fractal: Barycage opens it when it is pasted</source>
+        <translation>Einen Link kopieren, der das Fraktal enthält: Barycage öffnet ihn, wenn er eingefügt wird</translation>
+    </message>
+    <message>
+        <source>The link was copied to the clipboard. It holds the whole fractal.</source>
+        <translation>Der Link wurde in die Zwischenablage kopiert. Er enthält das ganze Fraktal.</translation>
+    </message>
 </context>
 <context>
     <name>NumberField</name>
@@ -5724,6 +5736,18 @@
     <message>
         <source>APNG: a lossless animated image</source>
         <translation>APNG: bewegtes Bild ohne Verlust</translation>
+    </message>
+    <message>
+        <source>The link holds more than 1 MB of text, which is the limit.</source>
+        <translation>Der Link enthält mehr als 1 MB Text; das ist die Grenze.</translation>
+    </message>
+    <message>
+        <source>This link is damaged, or it holds no fractal.</source>
+        <translation>Dieser Link ist beschädigt, oder er enthält kein Fraktal.</translation>
+    </message>
+    <message>
+        <source>This link was cut off: its end is missing. Copy all of it.</source>
+        <translation>Dieser Link wurde abgeschnitten: Sein Ende fehlt. Kopieren Sie ihn ganz.</translation>
     </message>
 </context>
 <context>

@@ -2443,6 +2443,18 @@
         <source>Web page written</source>
         <translation>Página web guardada</translation>
     </message>
+    <message>
+        <source>Copy &amp;Link</source>
+        <translation>Copiar &amp;enlace</translation>
+    </message>
+    <message>
+        <source>Copy a link that holds the fractal: Barycage opens it when it is pasted</source>
+        <translation>Copiar un enlace que contiene el fractal: Barycage lo abre al pegarlo</translation>
+    </message>
+    <message>
+        <source>The link was copied to the clipboard. It holds the whole fractal.</source>
+        <translation>El enlace se ha copiado al portapapeles. Contiene el fractal completo.</translation>
+    </message>
 </context>
 <context>
     <name>NumberField</name>
@@ -5724,6 +5736,18 @@
     <message>
         <source>APNG: a lossless animated image</source>
         <translation>APNG: imagen en movimiento sin pérdida</translation>
+    </message>
+    <message>
+        <source>The link holds more than 1 MB of text, which is the limit.</source>
+        <translation>El enlace contiene más de 1 MB de texto, que es el límite.</translation>
+    </message>
+    <message>
+        <source>This link is damaged, or it holds no fractal.</source>
+        <translation>Este enlace está dañado o no contiene ningún fractal.</translation>
+    </message>
+    <message>
+        <source>This link was cut off: its end is missing. Copy all of it.</source>
+        <translation>Este enlace está cortado: falta el final. Cópielo entero.</translation>
     </message>
 </context>
 <context>

@@ -2443,6 +2443,18 @@
         <source>Web page written</source>
         <translation>Page web enregistrée</translation>
     </message>
+    <message>
+        <source>Copy &amp;Link</source>
+        <translation>Copier le l&amp;ien</translation>
+    </message>
+    <message>
+        <source>Copy a link that holds the fractal: Barycage opens it when it is pasted</source>
+        <translation>Copier un lien qui contient la fractale : Barycage l’ouvre quand on le colle</translation>
+    </message>
+    <message>
+        <source>The link was copied to the clipboard. It holds the whole fractal.</source>
+        <translation>Le lien a été copié dans le presse-papiers. Il contient toute la fractale.</translation>
+    </message>
 </context>
 <context>
     <name>NumberField</name>
@@ -5724,6 +5736,18 @@
     <message>
         <source>APNG: a lossless animated image</source>
         <translation>APNG : image animée sans perte</translation>
+    </message>
+    <message>
+        <source>The link holds more than 1 MB of text, which is the limit.</source>
+        <translation>Le lien contient plus de 1 Mo de texte, ce qui est la limite.</translation>
+    </message>
+    <message>
+        <source>This link is damaged, or it holds no fractal.</source>
+        <translation>Ce lien est endommagé, ou il ne contient pas de fractale.</translation>
+    </message>
+    <message>
+        <source>This link was cut off: its end is missing. Copy all of it.</source>
+        <translation>Ce lien a été coupé : il manque la fin. Copiez-le en entier.</translation>
     </message>
 </context>
 <context>

@@ -2449,6 +2449,18 @@
         <source>Web page written</source>
         <translation>Веб-страницата е запишана</translation>
     </message>
+    <message>
+        <source>Copy &amp;Link</source>
+        <translation>Копирај &amp;врска</translation>
+    </message>
+    <message>
+        <source>Copy a link that holds the fractal: Barycage opens it when it is pasted</source>
+        <translation>Копирај врска што го содржи фракталот: Barycage ја отвора кога ќе се залепи</translation>
+    </message>
+    <message>
+        <source>The link was copied to the clipboard. It holds the whole fractal.</source>
+        <translation>Врската е на таблата со исечоци. Го содржи целиот фрактал.</translation>
+    </message>
 </context>
 <context>
     <name>NumberField</name>
@@ -5739,6 +5751,18 @@
     <message>
         <source>APNG: a lossless animated image</source>
         <translation>APNG: подвижна слика без загуба</translation>
+    </message>
+    <message>
+        <source>The link holds more than 1 MB of text, which is the limit.</source>
+        <translation>Врската содржи повеќе од 1 MB текст, а тоа е границата.</translation>
+    </message>
+    <message>
+        <source>This link is damaged, or it holds no fractal.</source>
+        <translation>Оваа врска е оштетена или не содржи фрактал.</translation>
+    </message>
+    <message>
+        <source>This link was cut off: its end is missing. Copy all of it.</source>
+        <translation>Оваа врска е пресечена: недостасува крајот. Копирајте ја целата.</translation>
     </message>
 </context>
 <context>

@@ -5,6 +5,7 @@
 
 #include "document/disk/journal.h"
 #include "io/collection_reader.h"
+#include "io/exchange/entry_link.h"
 #include "io/fractint/entry_writer.h"
 #include "io/fractint/fractint_reader.h"
 #include "io/fractint/fractint_writer.h"
@@ -191,6 +192,16 @@ void readPalettes(const QByteArray& bytes) {
     }
 }
 
+// Bytes as what a link holds, and as the link.
+void readLinks(const QByteArray& bytes) {
+    for (const QByteArray& link : {"barycage:" + bytes.toBase64(QByteArray::Base64UrlEncoding), bytes}) {
+        const io::EmbeddedSystem system = io::readLink(link);
+        promise(!system.failure || system.text.isEmpty(), "a failure gives no text");
+        promise(system.text.size() <= io::maxLinkedText, "a link has a limit");
+        checkHandled(io::readFractint(system.text));
+    }
+}
+
 // With checksums that fit, or what is inside would hardly ever be looked at.
 QByteArray withChecksums(QByteArray png) {
     constexpr qsizetype head = 8; // the signature, and the length and type of a chunk
@@ -351,6 +362,7 @@ std::span<const Reader> readers() {
         {"flame", readFlame, {"flame", "flam3", "xml"}},
         {"table", readTable, {"csv", "tsv", "txt"}},
         {"lesson", readLesson, {"lesson"}},
+        {"links", readLinks, {"link"}},
         {"palettes", readPalettes, {"gpl", "ggr", "ugr", "map"}},
         {"sums", readSums, {"sum"}},
         {"png", readPng, {"png"}},

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "document/disk/journal.h"
 #include "fuzz/readers.h"
+#include "io/exchange/entry_link.h"
 #include "io/exchange/text_formats.h"
 #include "io/fractint/entry_writer.h"
 #include "io/fractint/fractint_reader.h"
@@ -129,6 +130,10 @@ QByteArrayList written(const QByteArray& suffix) {
     if (suffix == "svg") return {svg(triangle)};
     if (const auto file = io::pictureFileOf(QString::fromLatin1(suffix)))
         return {raster(*file, io::writeEntry(triangle)), raster(*file, {})};
+    if (suffix == "link") {
+        const QByteArray link = io::linkOf(triangle).link, data = link.sliced(link.indexOf(':') + 1);
+        return {link, QByteArray::fromBase64(data, QByteArray::Base64UrlEncoding)};
+    }
     if (suffix == "sum") return {sums(triangle)};
     if (suffix == "journal")
         return {document::recoveryFile({QStringLiteral("/somewhere/a.ifs"),

@@ -37,6 +37,7 @@ private slots:
     void manyEntriesOfOneName();
     void manyFlamesOfOneName();
     void aCompressedTextDoesNotGrowWithoutEnd();
+    void aLinkIsNotUnpackedBeyondItsLimit();
     void hugePalettes();
     void nestedListsTakeNoLonger_data();
     void nestedListsTakeNoLonger();
@@ -243,6 +244,30 @@ void HostileFilesTest::aCompressedTextDoesNotGrowWithoutEnd() {
     QVERIFY(many.size() < 1'000'000);
     const auto refusal = io::readPngSystem(many).failure;
     QVERIFY(refusal && refusal->contains(QStringLiteral("too much text")));
+}
+
+// Zeros, far more than there is memory for, in a link shorter than any that a text of 1 MB needs.
+void HostileFilesTest::aLinkIsNotUnpackedBeyondItsLimit() {
+    constexpr qsizetype piece = 16 << 20;
+    QByteArray zeros(piece, '\0'), packed(1 << 20, Qt::Uninitialized);
+    z_stream stream{};
+    QCOMPARE(deflateInit2(&stream, 9, Z_DEFLATED, -15, 9, Z_DEFAULT_STRATEGY), Z_OK);
+    stream.next_in = reinterpret_cast<Bytef*>(zeros.data());
+    stream.avail_in = uInt(piece);
+    stream.next_out = reinterpret_cast<Bytef*>(packed.data());
+    stream.avail_out = uInt(packed.size());
+    QCOMPARE(deflate(&stream, Z_FULL_FLUSH), Z_OK); // whole blocks, which can be repeated
+    packed.truncate(qsizetype(stream.total_out));
+    deflateEnd(&stream);
+    for (const qsizetype pieces : {60, 256}) { // 1 GB and 4 GB
+        const QByteArray link =
+            "barycage:" +
+            packed.repeated(pieces).toBase64(QByteArray::Base64UrlEncoding | QByteArray::OmitTrailingEquals);
+        const io::Collection collection = io::readCollection(link);
+        QVERIFY(collection.format == u"link" && collection.file.entries.isEmpty());
+        QVERIFY2(everythingSaid(collection.file).contains(u"1 MB"),
+                 qPrintable(everythingSaid(collection.file)));
+    }
 }
 
 void HostileFilesTest::hugePalettes() {

@@ -17,4 +17,4 @@ cp "$here"/package.json "$here"/package-lock.json "$here"/.npmrc "$kept"
 (cd "$kept" && npm ci --no-fund --no-audit --silent)
 "$BARYCAGE_NODE_MODULES"/.bin/tsc -p "$here/tsconfig.json"
 for engine in "$here"/../../app/web/built/*.wasm.gz; do node "$here/hashes.mjs" "$engine"; done
-node --test "$here/page_test.mjs"
+for tests in "$here"/*_test.mjs; do node --test "$tests"; done

@@ -6,6 +6,7 @@
 #include "process/files_read.h"
 #include "process/messages.h"
 
+#include "io/exchange/entry_link.h"
 #include "io/file/native_path.h"
 #include "io/file/save_file.h"
 
@@ -88,13 +89,28 @@ QString fileNameOf(const std::string& argument) {
     return io::pathOf(QByteArray::fromStdString(argument));
 }
 
+namespace {
+
+// A link in place of a file, which would go before it.
+bool isLink(const std::string& argument) {
+    return io::looksLikeLink(argument) && !QFile::exists(fileNameOf(argument));
+}
+
+// What messages and names of output files call it: a link has no name, and may be long.
+QString inputName(const std::string& argument) {
+    return isLink(argument) ? QStringLiteral("link") : fileNameOf(argument);
+}
+
+} // namespace
+
 io::Loaded loadBytes(const std::string& file) {
+    if (isLink(file)) return {QByteArray::fromStdString(file), {}};
     noteRead(fileNameOf(file));
     return file == "-" ? readStandardInput() : io::loadSource(fileNameOf(file));
 }
 
 std::optional<Input> readInput(const std::string& file, const io::ReadOptions& options) {
-    const QString name = fileNameOf(file);
+    const QString name = inputName(file);
     const io::Loaded loaded = loadBytes(file);
     if (loaded.failure) {
         reportError(name, *loaded.failure);

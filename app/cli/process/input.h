@@ -19,16 +19,17 @@ struct Command;
 struct Option;
 
 struct Input {
-    QString name; // as given, "-" for standard input
+    QString name; // as given, "-" for standard input, "link" for a link
     QByteArray bytes;
     io::Collection collection;
 };
 
 QString fileNameOf(const std::string& argument); // whose bytes need not be UTF-8
 
-io::Loaded loadBytes(const std::string& file); // of FILE, or of standard input for -
+io::Loaded loadBytes(const std::string& file); // of FILE, of standard input for -, or a link itself
 
-// Reads FILE; nullopt when it cannot be read, which has then been reported.
+// Reads FILE, or what a link holds that no file is called; nullopt when it cannot be read, which has then
+// been reported.
 std::optional<Input> readInput(const std::string& file, const io::ReadOptions& options = {});
 
 // --entry, as often as one likes.

@@ -14,6 +14,8 @@
 #include "files/file_commands.h"
 #include "files/open_file.h"
 #include "files/web_page.h"
+#include "io/exchange/entry_link.h"
+#include "io/file/background.h"
 #include "io/page/page_export.h"
 #include "menus/latex_menu.h"
 #include "stage/stage.h"
@@ -51,6 +53,11 @@ ExportMenu::ExportMenu(const MenuContext& context, FileCommands* commands, const
     QAction* copy = add({"copy-picture", tr("&Copy Picture"), QKeySequence(tr("Ctrl+Shift+C")),
                          tr("Copy the picture to the clipboard"), nullptr, false, "copy"},
                         [this] { copyPicture(); });
+    QAction* link = add({"copy-link",
+                         tr("Copy &Link"),
+                         {},
+                         tr("Copy a link that holds the fractal: Barycage opens it when it is pasted")},
+                        [this] { copyLink(); });
     addMenu(new LatexMenu(context));
     addSeparator();
     add({"save-for-other-programs",
@@ -62,6 +69,7 @@ ExportMenu::ExportMenu(const MenuContext& context, FileCommands* commands, const
     disableWhen(m_picture, &document::cageObstacle);
     disableWhen(page, &io::pageObstacle);
     disableWhen(copy, &document::cageObstacle);
+    disableWhen(link, &io::linkObstacle);
 }
 
 namespace {
@@ -120,6 +128,17 @@ void ExportMenu::exportAnimation() {
 
 void ExportMenu::exportData() {
     present(new view::ExportDataDialog(context().document, context().window));
+}
+
+// In the background: an entry may have many maps.
+void ExportMenu::copyLink() {
+    io::inBackground<io::WrittenLink>([fractal = context().document->sharedFractal()](auto& promise) {
+        promise.addResult(io::linkOf(*fractal));
+    }).then(context().window, [messages = context().messages](const io::WrittenLink& written) {
+        if (written.failure) return messages->say(*written.failure);
+        QGuiApplication::clipboard()->setText(QString::fromLatin1(written.link));
+        messages->say(tr("The link was copied to the clipboard. It holds the whole fractal."));
+    });
 }
 
 void ExportMenu::copyPicture() {

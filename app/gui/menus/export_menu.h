@@ -23,6 +23,7 @@ private:
     void exportPicture();
     void exportAnimation();
     void exportData();
+    void copyLink();
     void copyPicture();
 
     FileCommands* m_commands;

@@ -9,7 +9,8 @@
 /** What is to be drawn: sizes in pixels of the page, and of the screen for each of them.
  * @typedef {{width: number, height: number, ratio: number, view: number[], rest: Point[], current: Point[],
  *   bends: boolean}} Scene */
-/** @typedef {{kind: string, palettes?: Palette[], extent?: Extent | null, pixels?: Uint8ClampedArray<ArrayBuffer>,
+/** @typedef {{kind: string, palettes?: Palette[], versions?: string, knowsSpace?: boolean,
+ *   extent?: Extent | null, pixels?: Uint8ClampedArray<ArrayBuffer>,
  *   width?: number, height?: number, samples?: number, milliseconds?: number, hash?: string}} Answer */
 
 const liveMilliseconds = 11; // for a picture of a drag
@@ -26,6 +27,7 @@ export class Drawing {
     /** @type {((answer: Answer) => void)[]} */
     this.waiting = [];
     this.isBusy = false; // with a picture
+    this.isStopped = false; // until it begins again
     this.isStale = false; // the newest picture is not of the scene as it is
     this.isLive = false; // in a drag
     this.findsExposure = true;
@@ -56,10 +58,18 @@ export class Drawing {
   begin(findsExposure = false) {
     this.findsExposure ||= findsExposure;
     this.isStale = true;
+    this.isStopped = false;
     if (!this.isBusy) this.next();
   }
 
+  /** Lets the engine do something else: what is drawn now is the last picture. */
+  stop() {
+    this.isStopped = true;
+    this.isStale = false;
+  }
+
   next() {
+    if (this.isStopped) return;
     if (!this.isStale && (this.isLive || this.total === 0 || this.total >= this.enough)) return;
     const scene = this.scene();
     const begin = this.isStale;

@@ -14,6 +14,8 @@
  * @property {Appearance} [appearance]
  * @property {Solid} [solid]
  * @property {number[]} [view]
+ * @property {number[]} [box] of what is shown in the plane: least and greatest coordinates
+ * @property {string} [palette] of those of the program, chosen on the page
  * @property {{begin: string, lines: string[], rows: string[]}} [text] the entry as a collection has it
  */
 /** In space: attractor::LookInSpace and SolidColour; clip is a normal and two heights, null without end.

@@ -2,7 +2,7 @@
 // The picture with its cage: what is held, dragged, turned and zoomed.
 
 import { byId, shape } from "./dom.js";
-import { carried, dragged, fitted, middle, minus, offsetInSpace, partAt, plus, times, toPixel, toPixelInSpace,
+import { carried, dragged, fitted, fittedInSpace, middle, minus, offsetInSpace, partAt, plus, times, toPixel, toPixelInSpace,
   toWorld, zoomed } from "./geometry.js";
 import { readable } from "./numbers.js";
 import { filled } from "./texts.js";
@@ -28,7 +28,6 @@ export class Figure {
     this.canvas = /** @type {HTMLCanvasElement} */ (byId("canvas"));
     this.svg = byId("cage");
     this.said = byId("said");
-    this.entry = entry;
     this.texts = texts;
     this.language = language;
     this.isHeld = isHeld;
@@ -41,18 +40,32 @@ export class Figure {
     this.current = [];
     /** @type {PlaneView} */
     this.plane = { centre: [0, 0], scale: 100 };
-    const [x, y, z, azimuth, elevation, height, field] = entry.view ?? [0, 0, 0, 30, 20, 2, 0];
     /** @type {SpaceView} */
-    this.home = { target: [x, y, z], azimuth, elevation, height, field };
+    this.home = { target: [0, 0, 0], azimuth: 30, elevation: 20, height: 2, field: 0 };
     this.space = this.home;
     this.size = { width: 1, height: 1 };
     /** @type {Press | null} */
     this.press = null;
     /** @type {Map<number, Point>} */
     this.pointers = new Map();
-    this.isSpace = entry.dimension === 3;
-    this.stage.setAttribute("aria-label", filled(this.isSpace ? texts.orbit : texts.figure, entry.name));
+    this.isSpace = false;
+    this.isKnown = false; // the engine has the entry
+    this.entry = entry;
+    this.take(entry);
     this.listen();
+  }
+
+  /** Shows this entry from now on, once hold() has its extent. @param {Entry} entry */
+  take(entry) {
+    this.entry = entry;
+    this.isKnown = false;
+    this.extent = null;
+    this.rest = this.current = [];
+    const [x, y, z, azimuth, elevation, height, field] = entry.view ?? [0, 0, 0, 30, 20, 2, 0];
+    this.home = { target: [x, y, z], azimuth, elevation, height, field };
+    this.space = this.home;
+    this.isSpace = entry.dimension === 3;
+    this.stage.setAttribute("aria-label", filled(this.isSpace ? this.texts.orbit : this.texts.figure, entry.name));
   }
 
   listen() {
@@ -78,6 +91,7 @@ export class Figure {
     const before = { rest: this.rest, current: this.current };
     const { cage } = this.entry;
     this.extent = extent;
+    this.isKnown = true;
     if (cage && before.rest.length === 0) {
       this.rest = cage.rest;
       this.current = cage.current;
@@ -87,6 +101,8 @@ export class Figure {
       this.current = isPlaced ? carried(before.rest, before.current, this.rest) : this.rest;
     }
     this.makeHandles();
+    if (this.isSpace && !this.entry.view && extent && before.rest.length === 0)
+      this.home = fittedInSpace(this.home, [...this.current, extent.box.slice(0, 3), extent.box.slice(3, 6)], margin);
     if (before.rest.length === 0) this.fit();
     else this.change();
   }
@@ -146,12 +162,14 @@ export class Figure {
   }
 
   change(findsExposure = false) {
+    if (!this.isKnown) return; // the handles are of another entry
     this.layOut();
     this.drawing.draw(findsExposure);
   }
 
   resized() {
     const { width, height } = this.stage.getBoundingClientRect();
+    if (width === 0) return; // it is hidden
     const isFirst = this.size.width === 1;
     const factor = Math.min(width / this.size.width, height / this.size.height);
     this.size = { width, height };

@@ -84,6 +84,16 @@ export function offsetInSpace(view, size, point, pixels) {
   return plus(times(right, pixels[0] / scale), times(up, -pixels[1] / scale));
 }
 
+/** Seen from the same direction, all points with a margin, in a picture as wide as high.
+ * @param {SpaceView} view @param {Point[]} points @param {number} margin as a part of the picture @returns {SpaceView} */
+export function fittedInSpace(view, points, margin) {
+  const [right, up] = axes(view);
+  const of = (/** @type {(...values: number[]) => number} */ end) => [0, 1, 2].map((i) => end(...points.map((p) => p[i])));
+  const target = middle([of(Math.min), of(Math.max)]);
+  const reach = Math.max(...points.flatMap((p) => [right, up].map((axis) => Math.abs(dot(minus(p, target), axis)))));
+  return { ...view, target, height: reach > 0 ? (2 * reach) / (1 - 2 * margin) : view.height };
+}
+
 /** @param {Point} p @param {Point} a @param {Point} b distance of p from the segment ab */
 export function distanceToSegment(p, a, b) {
   const along = minus(b, a);

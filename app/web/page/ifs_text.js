@@ -25,10 +25,12 @@ export function entryText(entry, rest, current, isEdited) {
   const point = (/** @type {string} */ key) => (/** @type {Point} */ p) =>
     `; barycage: ${key} ${p.map((x) => (p.length === 3 ? Number(x.toPrecision(11)) : x)).join(" ")}`;
   const cage = entry.cage || isMoved ? [...rest.map(point("rest")), ...current.map(point("current"))] : [];
-  const version = lines.length === 0 && cage.length > 0 ? ["; barycage: version 1"] : [];
+  const chosen = entry.palette === undefined ? [] : [`; barycage: palette ${entry.palette}`];
+  const kept = chosen.length > 0 ? lines.filter((line) => !/^; barycage: (palette|stop)\b/.test(line)) : lines;
+  const version = lines.length === 0 && cage.length + chosen.length > 0 ? ["; barycage: version 1"] : [];
   const at = entry.dimension * (entry.dimension + 1);
   const usual = entry.maps.some((map) => map[at] === null || map[at] === undefined) ? shares(entry) : [];
   const typed = entry.maps.map((map, i) => [...map.slice(0, at), usual[i] ?? map[at]].join(" "));
-  return [begin, ...[...version, ...lines, ...cage, ...(isEdited || rows.length === 0 ? typed : rows)].map((l) => `  ${l}`),
+  return [begin, ...[...version, ...kept, ...chosen, ...cage, ...(isEdited || rows.length === 0 ? typed : rows)].map((l) => `  ${l}`),
     "}", ""].join("\n");
 }

@@ -3,20 +3,24 @@
 
 import { byId, element, save } from "./dom.js";
 import { Drawing } from "./drawing.js";
+import { readEntry } from "./entry_reader.js";
 import { Figure } from "./figure.js";
+import { Gallery } from "./gallery.js";
 import { entryText } from "./ifs_text.js";
+import { linkData, packed, unpacked } from "./link.js";
 import { fillTable } from "./table.js";
 import { filled, paletteTitle, spokenLanguage, textsOf } from "./texts.js";
 
 /** @typedef {import("./engine.js").Entry} Entry */
 /** @typedef {import("./engine.js").Palette} Palette */
 /** What the program has written into the page.
- * @typedef {{entry: Entry, show: string, allow: string[], language: string, points: number}} Content */
+ * @typedef {{entry: Entry, entries?: Entry[], title?: string, caption?: string, show: string, allow: string[], language: string,
+ *   points: number}} Content */
 
 const content = /** @type {Content} */ (JSON.parse(byId("content").textContent ?? ""));
 const language = content.language || spokenLanguage(navigator.languages);
 const texts = textsOf(language);
-const { entry } = content;
+let entry = content.entries?.[0] ?? content.entry; // or that of a link, or one that is chosen
 const isHeld = content.allow.includes("cage"), isTyped = content.allow.includes("code");
 let isEdited = false;
 
@@ -40,6 +44,9 @@ function speak() {
     place.setAttribute("aria-label", text);
     place.setAttribute("title", text);
   }
+}
+
+function speakOfEntry() {
   const isTouch = matchMedia("(pointer: coarse)").matches;
   const hints = entry.dimension === 3 ? [texts.turn, texts.deform] : ["", isTouch ? texts.touch : texts.drag];
   byId("hint").textContent = hints.slice(0, isHeld ? 2 : 1).join(" ");
@@ -48,6 +55,57 @@ function speak() {
 function failed() {
   document.body.dataset.state = "still";
   byId("plain").textContent = texts.failed;
+}
+
+/** The entry of the link by which the page was opened, if there is one that can be shown.
+ * @param {Palette[]} palettes @param {boolean} knowsSpace whether the engine draws solids @returns {Promise<Entry | null>} */
+async function linkedEntry(palettes, knowsSpace) {
+  if (location.hash.length < 2) return null;
+  const found = await unpacked(location.hash.slice(1)).catch(() => ({ flaw: /** @type {const} */ ("linkForeign") }));
+  const read = "text" in found ? readEntry(found.text, palettes) : found;
+  if ("entry" in read && (read.entry.dimension === 2 || knowsSpace)) return read.entry;
+  byId("notice").textContent = texts["flaw" in read ? read.flaw : "linkForeign"];
+  return null;
+}
+
+/** Shows this entry in place of the one that the program has put here. @param {Entry} shown */
+function takeEntry(shown) {
+  entry = shown;
+  isEdited = false;
+  document.title = entry.name;
+  byId("name").textContent = entry.name;
+  byId("caption").textContent = ""; // it is of the other entry
+  const [red, green, blue, alpha] = entry.appearance?.background ?? [13, 16, 23, 255];
+  byId("stage").style.background = `rgb(${red} ${green} ${blue} / ${alpha / 255})`;
+}
+
+/** @param {Figure} figure */
+async function copyLink(figure) {
+  const data = await packed(entryText(entry, figure.rest, figure.current, isEdited));
+  const field = /** @type {HTMLInputElement} */ (byId("link")), said = byId("copied");
+  field.hidden = true;
+  said.textContent = "";
+  if (data === null) said.textContent = texts.linkTooLong;
+  else {
+    const hasAddress = ["http:", "https:", "file:"].includes(location.protocol);
+    field.value = (hasAddress ? `${location.href.replace(/#.*/, "")}#` : "barycage:") + data;
+    try {
+      await navigator.clipboard.writeText(field.value);
+      said.textContent = texts.copied;
+    } catch {
+      field.hidden = false;
+      field.select();
+      said.textContent = texts.copyThis;
+    }
+  }
+}
+
+function listenForLinks() {
+  addEventListener("hashchange", () => location.reload());
+  document.addEventListener("paste", (event) => {
+    const data = event.target instanceof HTMLInputElement ? "" : linkData(event.clipboardData?.getData("text/plain") ?? "");
+    if (data) location.hash = data;
+  });
 }
 
 /** @param {{width?: number, height?: number, pixels?: Uint8ClampedArray<ArrayBuffer>, samples?: number}} picture */
@@ -79,10 +137,13 @@ function fillPalettes(palettes, choose) {
   }));
 }
 
-/** @param {Drawing} drawing @param {Figure} figure */
-function connect(drawing, figure) {
+/** @param {Drawing} drawing @param {Figure} figure @param {Palette[]} palettes
+ * @returns {() => Promise<void>} shows the entry of the page */
+function connect(drawing, figure, palettes) {
   const load = async () => {
+    const loaded = entry;
     const { extent } = await drawing.ask({ kind: "load", entry });
+    if (loaded !== entry) return;
     tell(extent ? "" : texts.noAttractor);
     figure.hold(extent ?? null);
   };
@@ -97,10 +158,6 @@ function connect(drawing, figure) {
     }
     isLoading = false;
   };
-  fillTable(byId("maps"), entry, texts, isTyped, () => {
-    isEdited = true;
-    reload();
-  }, tell);
   byId("reset").addEventListener("click", () => figure.reset());
   byId("fit").addEventListener("click", () => figure.fit());
   byId("png").addEventListener("click", () => {
@@ -109,11 +166,64 @@ function connect(drawing, figure) {
   });
   byId("ifs").addEventListener("click", () =>
     save(new Blob([entryText(entry, figure.rest, figure.current, isEdited)], { type: "text/plain" }), `${entry.name}.ifs`));
-  return load;
+  byId("copy-link").addEventListener("click", () => copyLink(figure));
+  return async () => {
+    drawing.stop();
+    speakOfEntry();
+    figure.take(entry);
+    fillTable(byId("maps"), entry, texts, isTyped, () => {
+      isEdited = true;
+      reload();
+    }, tell);
+    fillPalettes(palettes, async (palette) => {
+      entry.palette = palette.name;
+      entry.appearance = { ...entry.appearance, stops: palette.stops };
+      await drawing.ask({ kind: "look", appearance: entry.appearance });
+      drawing.begin();
+    });
+    await load();
+  };
+}
+
+/** The gallery of a collection, a click in which leads to a figure, and the browser's Back from there.
+ * @param {Entry[]} entries @param {Drawing} drawing @param {() => Promise<void>} showEntry
+ * @param {boolean} isLinked whether the figure is shown first */
+function openGallery(entries, drawing, showEntry, isLinked) {
+  const title = content.title ?? "";
+  const gallery = new Gallery(entries, title, content.caption ?? "", texts, drawing, (index) => {
+    history.pushState({ entry: index }, "");
+    open(index);
+  });
+  /** @type {number | null} */
+  let shown = null;
+  const open = (/** @type {number} */ index) => {
+    shown = index;
+    gallery.hide();
+    takeEntry(structuredClone(entries[index]));
+    byId("name").focus();
+    showEntry();
+  };
+  const close = () => {
+    drawing.stop();
+    document.title = title;
+    gallery.show(shown);
+  };
+  byId("back").hidden = false;
+  byId("back").addEventListener("click", () => (history.state?.entry === undefined ? close() : history.back()));
+  addEventListener("popstate", () => {
+    const index = history.state?.entry;
+    if (entries[index]) open(index);
+    else close();
+  });
+  const index = history.state?.entry; // of a page that is opened again
+  if (isLinked) gallery.hide();
+  else if (entries[index]) open(index);
+  else close();
 }
 
 async function start() {
   speak();
+  listenForLinks();
   const source = new Blob([byId("worker").textContent ?? ""], { type: "text/javascript" });
   const worker = new Worker(URL.createObjectURL(source));
   /** @type {Figure} */
@@ -121,23 +231,22 @@ async function start() {
   const drawing = new Drawing(worker, () => ({ ...figure.size, ratio: Math.min(devicePixelRatio, 2),
     view: figure.view(), rest: figure.rest, current: figure.current, bends: entry.cage?.bends ?? true }),
     showPicture, failed, content.points);
-  const started = drawing.ask({ kind: "start", wasm: byId("engine").textContent ?? "" });
-  let isReady = false;
+  const { palettes = [], versions, knowsSpace = false } =
+    await drawing.ask({ kind: "start", wasm: byId("engine").textContent ?? "" });
+  const linked = await linkedEntry(palettes, knowsSpace);
+  if (linked) takeEntry(linked);
   figure = new Figure(entry, texts, language, isHeld, {
-    draw: (findsExposure) => isReady && drawing.begin(findsExposure),
+    draw: (findsExposure) => document.body.dataset.view !== "gallery" && drawing.begin(findsExposure),
     setLive: (isLive) => drawing.setLive(isLive),
   });
-  const load = connect(drawing, figure);
-  const { palettes = [], versions } = /** @type {{palettes?: Palette[], versions?: string}} */ (await started);
-  fillPalettes(palettes, async (palette) => {
-    entry.appearance = { ...entry.appearance, stops: palette.stops };
-    await drawing.ask({ kind: "look", appearance: entry.appearance });
-    drawing.begin();
-  });
-  isReady = true;
-  await load();
+  const showEntry = connect(drawing, figure, palettes);
   // For tests, and for the curious.
-  Object.assign(window, { barycage: { drawing, figure, entry, versions } });
+  Object.assign(window, { barycage: { drawing, figure, versions, get entry() { return entry; } } });
+  if (content.entries) {
+    document.body.dataset.state = "live";
+    openGallery(content.entries, drawing, showEntry, linked !== null);
+  }
+  if (!content.entries || linked) await showEntry();
 }
 
 start().catch(failed);

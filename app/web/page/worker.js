@@ -9,7 +9,7 @@ import { startedEngine } from "./engine.js";
 /** @typedef {import("./geometry.js").Point} Point */
 /** What the page asks for; cage and camera are those of the moment.
  * @typedef {{kind: "start", wasm: string} | {kind: "load", entry: Entry} | {kind: "look", appearance: Appearance} |
- *   {kind: "hash"} | {kind: "draw", id: number, width: number, height: number, view: number[], rest: Point[], current: Point[],
+ *   {kind: "hash"} | {kind: "thumbnail", entry: Entry, width: number, height: number, samples: number} | {kind: "draw", id: number, width: number, height: number, view: number[], rest: Point[], current: Point[],
  *    bends: boolean, samples: number, begin: boolean, keepExposure: boolean}} Request
  */
 
@@ -21,6 +21,26 @@ async function unpacked(base64) {
   return new Response(stream).arrayBuffer();
 }
 
+/** A small picture of all of an entry, as it is in the collection.
+ * @param {Engine} drawing @param {Entry} entry @param {number} width @param {number} height @param {number} samples */
+function drawSmall(drawing, entry, width, height, samples) {
+  const extent = drawing.load(entry);
+  const box = entry.box ?? extent?.box ?? [-1, -1, 1, 1];
+  let view = entry.view ?? [];
+  if (entry.dimension === 2) {
+    const [left, bottom, right, top] = box;
+    const scale = 0.9 * Math.min(width / Math.max(right - left, 1e-9), height / Math.max(top - bottom, 1e-9));
+    view = [(left + right) / 2, (bottom + top) / 2, scale];
+  } else if (extent && !entry.cage) { // without the corners around it: no side is longer than the diagonal of the box
+    const middle = [0, 1, 2].map((i) => (box[i] + box[i + 3]) / 2), sides = [0, 1, 2].map((i) => box[i + 3] - box[i]);
+    view = [...middle, view[3], view[4], Math.max(Math.hypot(...sides), 1e-9), view[6]];
+  }
+  drawing.setCamera(width, height, view);
+  const { rest, current, bends } = entry.cage ?? { rest: [], current: [], bends: true };
+  drawing.setCage(rest, current, bends);
+  drawing.draw(samples, true, false);
+}
+
 /** @type {Engine | null} */
 let engine = null;
 
@@ -29,13 +49,20 @@ let engine = null;
 async function answer(request) {
   if (request.kind === "start") {
     engine = await startedEngine(await unpacked(request.wasm));
-    return [{ kind: "started", palettes: engine.palettes(), versions: engine.versions() }, []];
+    return [{ kind: "started", palettes: engine.palettes(), versions: engine.versions(),
+      knowsSpace: engine.knows({ name: "", dimension: 3, maps: [] }) }, []];
   }
   if (!engine) throw new Error("the engine has not started");
   if (request.kind === "load") return [{ kind: "loaded", extent: engine.load(request.entry) }, []];
   if (request.kind === "look") {
     engine.setAppearance(request.appearance);
     return [{ kind: "looked" }, []];
+  }
+  if (request.kind === "thumbnail") {
+    const { entry, width, height } = request;
+    drawSmall(engine, entry, width, height, request.samples);
+    const pixels = engine.pixels();
+    return [{ kind: "picture", width, height, pixels }, [pixels.buffer]];
   }
   if (request.kind === "hash") return [{ kind: "hashed", hash: engine.hash() }, []];
   const { id, width, height, begin } = request;

@@ -216,6 +216,10 @@ void writePageEntry(JsonWriter& json, const document::Fractal& fractal) {
     json.member("name", fractal.name);
     if (const auto* shape = document::plane(fractal)) writeShape<2>(json, *shape);
     if (const auto* shape = document::space(fractal)) writeShape<3>(json, *shape);
+    if (const auto box = document::displayedBox(fractal)) {
+        json.key("box");
+        writeArray(json, std::vector<double>{box->min.x(), box->min.y(), box->max.x(), box->max.y()});
+    }
     writeAppearance(json, fractal);
     if (document::space(fractal)) writeSolid(json, fractal);
     writeText(json, fractal);

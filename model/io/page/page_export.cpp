@@ -104,12 +104,26 @@ QByteArray stillAddress(const document::Fractal& fractal) {
     return "data:image/jpeg;base64," + file.data().toBase64();
 }
 
+void writeGallery(JsonWriter& json, const PageExport& page) {
+    json.member("title", page.title);
+    json.member("caption", page.caption);
+    json.key("entries");
+    json.beginArray();
+    for (const auto& fractal : page.entries)
+        writePageEntry(json, *fractal);
+    json.endArray();
+}
+
 // JSON that nothing in it can end: no “<” stands in it.
 QByteArray contentOf(const PageExport& page) {
     JsonWriter json;
     json.beginObject();
-    json.key("entry");
-    writePageEntry(json, page.fractal);
+    if (page.entries.isEmpty()) {
+        json.key("entry");
+        writePageEntry(json, page.fractal);
+    } else {
+        writeGallery(json, page);
+    }
     json.member("show", QString::fromLatin1(ifs::nameOf(page.parts)));
     json.key("allow");
     json.beginArray(JsonWriter::Layout::Inline);
@@ -181,10 +195,13 @@ QString pageObstacle(const document::Fractal& fractal) {
 
 QByteArray pageOf(const PageExport& page) {
     const QByteArray script = pageScript(), style = styleOf(page);
-    const char* engine = document::space(page.fractal) ? "engine.wasm.gz" : "engine_plane.wasm.gz";
+    const auto isSolid = [](const auto& fractal) { return document::space(*fractal) != nullptr; };
+    const bool knowsSpace = document::space(page.fractal) || std::ranges::any_of(page.entries, isSolid);
+    const char* engine = knowsSpace ? "engine.wasm.gz" : "engine_plane.wasm.gz";
+    const QString& title = page.entries.isEmpty() ? page.fractal.name : page.title;
     const QMap<QByteArray, QByteArray> fields{
         {"language", page.language.isEmpty() ? QByteArray("en") : page.language.toLatin1()},
-        {"title", page.fractal.name.toHtmlEscaped().toUtf8()},
+        {"title", title.toHtmlEscaped().toUtf8()},
         {"caption", page.caption.toHtmlEscaped().toUtf8()},
         {"plain", sentenceIn(page.language)},
         {"show", ifs::nameOf(page.parts)},

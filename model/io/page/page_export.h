@@ -5,14 +5,17 @@
 #include "ifs/names.h"
 
 #include <QByteArray>
+#include <QList>
 #include <QSize>
 #include <QString>
 
 #include <array>
 #include <cstdint>
+#include <memory>
 #include <optional>
 
-// An entry as one file for browsers: the attractor in its cage, live, without a server or a network.
+// An entry, or all of a collection, as one file for browsers: the attractor in its cage, live, without a
+// server or a network.
 namespace io {
 
 enum class PageParts {
@@ -23,10 +26,13 @@ enum class PageParts {
 
 struct PageExport {
     document::Fractal fractal;
+    QList<std::shared_ptr<const document::Fractal>>
+        entries;   // of a gallery, which begins with the fractal; empty: none
+    QString title; // of a gallery
     PageParts parts = PageParts::All;
     bool allowsCage = true;    // may the reader drag the cage
     bool allowsCode = true;    // may the reader type maps
-    QString caption;           // below the name; empty: none
+    QString caption;           // below the name, or the title; empty: none
     QString language;          // one of pageLanguages(); empty: that of the browser
     std::optional<QSize> size; // of the picture, in pixels of the page; nullopt: what the window has room for
     std::uint64_t points = 20'000'000; // of a picture at rest

@@ -10,7 +10,8 @@ namespace io {
 
 namespace {
 
-// Without what belongs to modules and to people: imports, exports, and comments on lines of their own.
+// Without what belongs to modules and to people: imports, exports, indents, and comments on lines of their
+// own.
 QByteArray plainScript(const QByteArray& module) {
     QByteArray script;
     bool inImport = false, inComment = false;
@@ -24,7 +25,8 @@ QByteArray plainScript(const QByteArray& module) {
         } else if (inImport) {
             inImport = !text.endsWith("\";");
         } else if (!text.isEmpty() && !text.startsWith("//")) {
-            script += (line.startsWith("export ") ? line.sliced(7) : line) + '\n';
+            const char* indent = line.startsWith(' ') ? " " : "";
+            script += indent + (line.startsWith("export ") ? text.sliced(7) : text) + '\n';
         }
     }
     return script;
@@ -47,7 +49,7 @@ QByteArray pagePart(const char* name) {
 
 QByteArray pageScript() {
     return joined({"numbers.js", "geometry.js", "texts.js", "dom.js", "drawing.js", "table.js", "ifs_text.js",
-                   "figure.js", "main.js"});
+                   "entry_reader.js", "link.js", "figure.js", "gallery.js", "main.js"});
 }
 
 QByteArray workerScript() {

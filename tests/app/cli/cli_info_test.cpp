@@ -7,6 +7,8 @@
 #include <QPointF>
 #include <QTest>
 
+using namespace Qt::StringLiterals;
+
 // The facts that barycage-cli info prints as JSON.
 class CliInfoTest : public CommandLineTest {
     Q_OBJECT
@@ -23,6 +25,7 @@ private slots:
     void everyNameIsAString_data();
     void everyNameIsAString();
     void namesAreOnesThatEntryTakes();
+    void linksAreReadInPlaceOfFiles();
 };
 
 // The exact values of docs/mathematics.md for the maple with equal weights.
@@ -235,6 +238,25 @@ void CliInfoTest::namesAreOnesThatEntryTakes() {
         QCOMPARE(found.toUtf8().replace("\x1b", "\xef\xbf\xbd"), name);
     }
     QCOMPARE(run("info names.ifs --names --json").status, 2);
+}
+
+void CliInfoTest::linksAreReadInPlaceOfFiles() {
+    // triangle { .5 0 0 .5 0 0 .3; .5 0 0 .5 .5 0 .3; .5 0 0 .5 .25 .5 .4 }, by another program.
+    const QByteArray data = "KynKTMxLz0lVqOZS0DNVMABCGGWMLAJmoQkZgYX1TLhquQA";
+    for (const QByteArray& link : {"barycage:" + data, "https://example.org/a.html#" + data}) {
+        const Result result = run("info --json " + link);
+        QCOMPARE(result.status, 0);
+        QCOMPARE(result.entry()[u"name"].toString(), u"triangle"_s);
+        QCOMPARE(result.entry()[u"maps"].toArray().size(), 3);
+        QVERIFY(result.out.contains("\"format\": \"link\""));
+    }
+    QCOMPARE(run("info --json -", "barycage:" + data + '\n').entry()[u"name"].toString(), u"triangle"_s);
+    QCOMPARE(run("render barycage:" + data + " --size 20x20 -o link.png").status, 0);
+    const Result cut = run("info barycage:" + data.chopped(4));
+    QCOMPARE(cut.status, 1);
+    QVERIFY2(cut.err.contains("error: This link was cut off"), cut.err);
+    write("barycage:" + data, read("systems.ifs")); // a file that is called so goes first
+    QVERIFY(run("info barycage:" + data).out.contains("maple"));
 }
 
 BARYCAGE_TEST(CliInfoTest, QGuiApplication);

@@ -12,6 +12,7 @@ private slots:
     void aPageIsWritten();
     void theFirstReadableEntryIsShown();
     void optionsReachThePage();
+    void aGalleryHasAllEntriesThatCanBeShown();
     void wrongUsage_data();
     void wrongUsage();
     void whatCannotBeWritten();
@@ -44,12 +45,35 @@ void CliPageTest::optionsReachThePage() {
     const QByteArray page = read("page.html");
     QVERIFY(page.contains("data-show=\"table\""));
     QVERIFY(page.contains("\"allow\": [\"code\"]"));
-    QVERIFY(page.contains("<p class=\"caption\">x &lt; y</p>"));
+    QVERIFY(page.contains("<p class=\"caption\" id=\"caption\">x &lt; y</p>"));
     QVERIFY(page.contains("<html lang=\"de\">"));
     QVERIFY(page.contains("--figure-width: 640px"));
     QVERIFY(page.contains("\"points\": 3e+06"));
     QCOMPARE(run("page systems.ifs --allow none -o page.html").status, 0);
     QVERIFY(read("page.html").contains("\"allow\": []"));
+}
+
+void CliPageTest::aGalleryHasAllEntriesThatCanBeShown() {
+    const Result result = run("page systems.ifs --all --caption \"x < y\" -o gallery.html");
+    QCOMPARE(result.status, 0);
+    const QByteArray page = read("gallery.html");
+    QVERIFY(page.contains("<title>Systems</title>"));
+    QVERIFY(page.contains("\"title\": \"Systems\""));
+    QVERIFY(page.contains("\"caption\": \"x \\u003c y\""));
+    const QByteArray names = run("info systems.ifs --names").out;
+    for (const QByteArray& name : names.trimmed().split('\n'))
+        QVERIFY2(page.contains("\"name\": \"" + name + '"'), name);
+    QCOMPARE(page.count("\"dimension\": "), names.count('\n'));
+    QCOMPARE(page.count("id=\"engine\""), 1);
+    // What cannot be read is left out, and said.
+    const Result broken = run("page broken.ifs --all -o broken.html");
+    QVERIFY2(broken.err.contains("warning"), broken.err);
+    QVERIFY(read("broken.html").contains("\"dimension\": 2"));
+    write("none.ifs", "none {\n 1 2 3\n}\n");
+    const Result none = run("page none.ifs --all -o none.html");
+    QCOMPARE(none.status, 1);
+    QVERIFY2(none.err.contains("no entry that can be drawn"), none.err);
+    QVERIFY(!QFile::exists(path("none.html")));
 }
 
 void CliPageTest::wrongUsage_data() {
@@ -60,6 +84,7 @@ void CliPageTest::wrongUsage_data() {
     QTest::newRow("language") << QByteArray("--lang it") << QByteArray("--lang");
     QTest::newRow("points") << QByteArray("--points 12") << QByteArray("--points");
     QTest::newRow("entries") << QByteArray("--entry all") << QByteArray("A page shows one entry");
+    QTest::newRow("all and one") << QByteArray("--all --entry maple") << QByteArray("--all");
 }
 
 void CliPageTest::wrongUsage() {

@@ -1,15 +1,20 @@
 // SPDX-License-Identifier: MIT
 #include "app/gui/choose_file.h"
 #include "app/gui/window_fixture.h"
+#include "io/exchange/entry_link.h"
+#include "panels/entries/entries_panel.h"
 #include "support/named.h"
 #include "support/named_test.h"
 
 #include <QAction>
+#include <QClipboard>
 #include <QDesktopServices>
 #include <QFile>
 #include <QFrame>
+#include <QGuiApplication>
 #include <QLabel>
 #include <QPushButton>
+#include <QSignalSpy>
 #include <QTemporaryDir>
 #include <QTest>
 #include <QTimer>
@@ -28,6 +33,8 @@ private slots:
     void theBannerLeadsToTheFolder();
     void longNamesAreShortened();
     void theNextEditClosesTheBanner();
+    void aLinkIsCopiedAndPasted();
+    void aLinkThatWasCutOffSaysSo();
 
 private:
     void write(const QString& name);
@@ -78,6 +85,36 @@ void WebPageTest::theNextEditClosesTheBanner() {
     fractal.name = u"another"_s;
     document.edit(u"Rename"_s, fractal);
     QTRY_VERIFY(banners().isEmpty());
+}
+
+void WebPageTest::aLinkIsCopiedAndPasted() {
+    document::Document& document = m_window->document();
+    document::Fractal fractal = document.fractal();
+    fractal.name = u"linked"_s;
+    fractal.appearance.gamma = 3;
+    document.edit(u"Change"_s, fractal);
+    QGuiApplication::clipboard()->clear();
+    m_window->findChild<QAction*>(u"copy-link"_s)->trigger();
+    QTRY_VERIFY(QGuiApplication::clipboard()->text().startsWith(u"barycage:"));
+    const auto count = document.file().entries.size();
+    m_window->findChild<view::EntriesPanel*>()->paste();
+    QTRY_COMPARE(document.file().entries.size(), count + 1);
+    QVERIFY(document.fractal().name.startsWith(u"linked"));
+    QCOMPARE(document.fractal().appearance.gamma, 3.0);
+    QVERIFY(*document::system2(document.fractal()) == *document::system2(fractal));
+}
+
+void WebPageTest::aLinkThatWasCutOffSaysSo() {
+    const QString link = QString::fromLatin1(io::linkOf(m_window->document().fractal()).link);
+    QGuiApplication::clipboard()->setText(link.chopped(5));
+    const auto count = m_window->document().file().entries.size();
+    auto* panel = m_window->findChild<view::EntriesPanel*>();
+    QSignalSpy said(panel, &view::EntriesPanel::message);
+    panel->paste();
+    QTRY_COMPARE(said.size(), 1);
+    QVERIFY2(said.first().first().toString().contains(u"cut off"),
+             qPrintable(said.first().first().toString()));
+    QCOMPARE(m_window->document().file().entries.size(), count);
 }
 
 BARYCAGE_TEST(WebPageTest, QApplication);
