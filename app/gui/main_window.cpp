@@ -70,6 +70,7 @@
 #include <QMimeData>
 #include <QPointer>
 #include <QResizeEvent>
+#include <QScrollArea>
 #include <QToolBar>
 #include <QToolButton>
 
@@ -180,7 +181,7 @@ QDockWidget* MainWindow::dock(Panel panel, QWidget* content) {
     auto* made = new QDockWidget(facts.title, this);
     m_panels.add(panel, made);
     made->setObjectName(QLatin1String(ifs::nameOf(panel)));
-    made->setWidget(content);
+    made->setWidget(qobject_cast<QScrollArea*>(content) ? content : new view::PanelArea(content));
     made->setWhatsThis(facts.whatsThis);
     addDockWidget(facts.area, made);
     made->toggleViewAction()->setObjectName(QStringLiteral("panel-") + made->objectName());

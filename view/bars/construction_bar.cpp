@@ -26,7 +26,7 @@ namespace {
 
 using Mode = Construction::Mode;
 
-constexpr int fewLetters = 12;  // of a count, in a narrow window
+constexpr int fewLetters = 8;   // of a count, in a narrow window
 constexpr double readable = 10; // jumps per second of which each can be seen
 
 QString superscript(int n) {

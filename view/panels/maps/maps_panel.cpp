@@ -66,7 +66,9 @@ MapsPanel::MapsPanel(document::Document* document, QWidget* parent)
     auto* symmetry = new SymmetryRow(document, content);
     connect(symmetry, &SymmetryRow::message, this, &MapsPanel::message);
     connect(symmetry, &SymmetryRow::groupChosen, this, &MapsPanel::symmetryChosen);
-    contentLayout->addWidget(VerticalScrollArea::ofRows({symmetry, m_shape, m_facts}, content));
+    auto* details = VerticalScrollArea::ofRows({symmetry, m_shape, m_facts}, content);
+    details->setObjectName(QStringLiteral("details"));
+    contentLayout->addWidget(details);
     m_pages->addWidget(content);
     m_pages->addWidget(makeNotice());
 
