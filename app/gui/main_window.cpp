@@ -249,6 +249,10 @@ void MainWindow::createPanels() {
     connect(appearance, &view::AppearancePanel::message, m_messages, &WindowMessages::say);
     connect(cage, &view::CagePanel::defineRequested, m_canvas,
             [this] { m_canvas->setTool(view::CanvasView::Tool::DefineTriangle); });
+    connect(m_room, &RoomForPicture::hidden, m_messages, [this](const QStringList& titles) {
+        m_messages->say(
+            tr("Hidden in this small window: %1 (View › Panels).").arg(titles.join(QStringLiteral(", "))));
+    });
     showEntriesWithSeveral();
     connectCollection(
         collection, {&m_document, &m_file, m_fileCommands, [this] { m_discoverMenu->showTransformation(); }});

@@ -2443,6 +2443,10 @@
         <source>Web page written</source>
         <translation>Webseite geschrieben</translation>
     </message>
+    <message>
+        <source>Hidden in this small window: %1 (View › Panels).</source>
+        <translation>In diesem kleinen Fenster ausgeblendet: %1 (Ansicht › Felder).</translation>
+    </message>
 </context>
 <context>
     <name>NumberField</name>
@@ -6838,10 +6842,6 @@
         <translation>Was eine Änderung des Astes bewirkt</translation>
     </message>
     <message>
-        <source>&amp;Weave</source>
-        <translation>&amp;Wiegen</translation>
-    </message>
-    <message>
         <source>Angle by which the selected maps swing about their roots</source>
         <translation>Winkel, um den die gewählten Abbildungen um ihre Wurzeln schwingen</translation>
     </message>
@@ -6916,6 +6916,10 @@
     <message>
         <source>Maps cannot swing while the cage is flat. First open or reset the cage.</source>
         <translation>Abbildungen können nicht schwingen, solange der Käfig flach ist. Öffnen Sie ihn erst oder setzen Sie ihn zurück.</translation>
+    </message>
+    <message>
+        <source>S&amp;wing</source>
+        <translation>Sch&amp;wingen</translation>
     </message>
 </context>
 <context>
@@ -7812,10 +7816,6 @@
         <translation>Der Hausdorff-Abstand; die Marke auf der Zeichenfläche zeigt, wo er ist</translation>
     </message>
     <message>
-        <source>Guarantee</source>
-        <translation>Garantie</translation>
-    </message>
-    <message>
         <source>%1 (s = %2)</source>
         <translation>%1 (s = %2)</translation>
     </message>
@@ -7890,6 +7890,10 @@
     <message>
         <source>Overlap of the maps</source>
         <translation>Überlappung der Abbildungen</translation>
+    </message>
+    <message>
+        <source>Guaranteed within</source>
+        <translation>Garantiert innerhalb</translation>
     </message>
 </context>
 <context>
@@ -8434,10 +8438,6 @@
         <translation>Das invariante Maß, verfeinert, solange sich nichts bewegt</translation>
     </message>
     <message>
-        <source>Steps Wⁿ</source>
-        <translation>Schritte Wⁿ</translation>
-    </message>
-    <message>
         <source>Chaos Game</source>
         <translation>Chaos-Spiel</translation>
     </message>
@@ -8496,10 +8496,6 @@
     <message>
         <source>no points yet: press Play (▶)</source>
         <translation>noch keine Punkte: „Abspielen“ (▶) drücken</translation>
-    </message>
-    <message>
-        <source>The deterministic algorithm: all maps applied n times to the cage or another shape</source>
-        <translation>Der deterministische Algorithmus: alle Abbildungen n-mal auf den Käfig oder eine andere Figur angewandt</translation>
     </message>
     <message>
         <source>How many times all maps are applied: 0 is the starting shape, and with every step the picture gets closer to the attractor. Each image has the colour of its outermost map.</source>
@@ -8561,6 +8557,14 @@
         <source>%1/s</source>
         <comment>jumps per second</comment>
         <translation>%1/s</translation>
+    </message>
+    <message>
+        <source>Step by Step</source>
+        <translation>Schritt für Schritt</translation>
+    </message>
+    <message>
+        <source>All maps at once, applied n times to the cage or another shape (Wⁿ)</source>
+        <translation>Alle Abbildungen zugleich, n-mal auf den Käfig oder eine andere Figur angewandt (Wⁿ)</translation>
     </message>
 </context>
 <context>
@@ -11460,6 +11464,10 @@ Tasten: Bild auf und Bild ab wählen eine Marke, die Pfeile bewegen sie, Einfg f
     <message>
         <source>Map %1 only, of %2 selected    %3</source>
         <translation>Nur Abbildung %1, von %2 gewählten    %3</translation>
+    </message>
+    <message>
+        <source>Show the coefficients of the maps</source>
+        <translation>Die Koeffizienten der Abbildungen zeigen</translation>
     </message>
 </context>
 <context>
@@ -14370,10 +14378,6 @@ Tasten: Bild auf und Bild ab wählen eine Marke, die Pfeile bewegen sie, Einfg f
         <translation>Atmung</translation>
     </message>
     <message>
-        <source>Weave</source>
-        <translation>Wiegen</translation>
-    </message>
-    <message>
         <source>Add Motion</source>
         <translation>Bewegung hinzufügen</translation>
     </message>
@@ -14500,6 +14504,10 @@ Tasten: Bild auf und Bild ab wählen eine Marke, die Pfeile bewegen sie, Einfg f
     <message>
         <source>Frame without an attractor</source>
         <translation>Bild ohne Attraktor</translation>
+    </message>
+    <message>
+        <source>Steady Sway</source>
+        <translation>Gleichmäßiges Wiegen</translation>
     </message>
 </context>
 <context>

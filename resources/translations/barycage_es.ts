@@ -2443,6 +2443,10 @@
         <source>Web page written</source>
         <translation>Página web guardada</translation>
     </message>
+    <message>
+        <source>Hidden in this small window: %1 (View › Panels).</source>
+        <translation>Ocultos en esta ventana pequeña: %1 (Ver › Paneles).</translation>
+    </message>
 </context>
 <context>
     <name>NumberField</name>
@@ -6838,10 +6842,6 @@
         <translation>Qué cambia al editar la rama</translation>
     </message>
     <message>
-        <source>&amp;Weave</source>
-        <translation>&amp;Tejer</translation>
-    </message>
-    <message>
         <source>Angle by which the selected maps swing about their roots</source>
         <translation>Ángulo en que las aplicaciones elegidas oscilan sobre sus raíces</translation>
     </message>
@@ -6916,6 +6916,10 @@
     <message>
         <source>Maps cannot swing while the cage is flat. First open or reset the cage.</source>
         <translation>Las aplicaciones no pueden oscilar mientras la jaula es plana. Antes abra la jaula o restablézcala.</translation>
+    </message>
+    <message>
+        <source>S&amp;wing</source>
+        <translation>&amp;Balancear</translation>
     </message>
 </context>
 <context>
@@ -7812,10 +7816,6 @@
         <translation>La distancia de Hausdorff; la marca del lienzo muestra dónde está</translation>
     </message>
     <message>
-        <source>Guarantee</source>
-        <translation>Garantía</translation>
-    </message>
-    <message>
         <source>%1 (s = %2)</source>
         <translation>%1 (s = %2)</translation>
     </message>
@@ -7890,6 +7890,10 @@
     <message>
         <source>Overlap of the maps</source>
         <translation>Solapamiento de las aplicaciones</translation>
+    </message>
+    <message>
+        <source>Guaranteed within</source>
+        <translation>Garantizado dentro de</translation>
     </message>
 </context>
 <context>
@@ -8434,10 +8438,6 @@
         <translation>La medida invariante, que se refina mientras nada se mueve</translation>
     </message>
     <message>
-        <source>Steps Wⁿ</source>
-        <translation>Pasos Wⁿ</translation>
-    </message>
-    <message>
         <source>Chaos Game</source>
         <translation>Juego del caos</translation>
     </message>
@@ -8496,10 +8496,6 @@
     <message>
         <source>no points yet: press Play (▶)</source>
         <translation>aún no hay puntos: pulse Reproducir (▶)</translation>
-    </message>
-    <message>
-        <source>The deterministic algorithm: all maps applied n times to the cage or another shape</source>
-        <translation>El algoritmo determinista: todas las aplicaciones, aplicadas n veces a la jaula o a otra figura</translation>
     </message>
     <message>
         <source>How many times all maps are applied: 0 is the starting shape, and with every step the picture gets closer to the attractor. Each image has the colour of its outermost map.</source>
@@ -8561,6 +8557,14 @@
         <source>%1/s</source>
         <comment>jumps per second</comment>
         <translation>%1/s</translation>
+    </message>
+    <message>
+        <source>Step by Step</source>
+        <translation>Paso a paso</translation>
+    </message>
+    <message>
+        <source>All maps at once, applied n times to the cage or another shape (Wⁿ)</source>
+        <translation>Todas las aplicaciones a la vez, n veces sobre la jaula u otra figura (Wⁿ)</translation>
     </message>
 </context>
 <context>
@@ -11460,6 +11464,10 @@ Teclas: Re Pág y Av Pág eligen una parada, las flechas la mueven, Ins añade u
     <message>
         <source>Map %1 only, of %2 selected    %3</source>
         <translation>Solo la aplicación %1, de %2 seleccionadas    %3</translation>
+    </message>
+    <message>
+        <source>Show the coefficients of the maps</source>
+        <translation>Mostrar los coeficientes de las aplicaciones</translation>
     </message>
 </context>
 <context>
@@ -14370,10 +14378,6 @@ Teclas: Re Pág y Av Pág eligen una parada, las flechas la mueven, Ins añade u
         <translation>Respiración</translation>
     </message>
     <message>
-        <source>Weave</source>
-        <translation>Tejido</translation>
-    </message>
-    <message>
         <source>Add Motion</source>
         <translation>Añadir movimiento</translation>
     </message>
@@ -14500,6 +14504,10 @@ Teclas: Re Pág y Av Pág eligen una parada, las flechas la mueven, Ins añade u
     <message>
         <source>Frame without an attractor</source>
         <translation>Fotograma sin atractor</translation>
+    </message>
+    <message>
+        <source>Steady Sway</source>
+        <translation>Vaivén regular</translation>
     </message>
 </context>
 <context>

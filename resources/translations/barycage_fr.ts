@@ -2443,6 +2443,10 @@
         <source>Web page written</source>
         <translation>Page web enregistrée</translation>
     </message>
+    <message>
+        <source>Hidden in this small window: %1 (View › Panels).</source>
+        <translation>Masqués dans cette petite fenêtre : %1 (Affichage › Panneaux).</translation>
+    </message>
 </context>
 <context>
     <name>NumberField</name>
@@ -6838,10 +6842,6 @@
         <translation>Ce que change une modification de la branche</translation>
     </message>
     <message>
-        <source>&amp;Weave</source>
-        <translation>&amp;Tisser</translation>
-    </message>
-    <message>
         <source>Angle by which the selected maps swing about their roots</source>
         <translation>Angle dont les applications choisies oscillent autour de leurs racines</translation>
     </message>
@@ -6916,6 +6916,10 @@
     <message>
         <source>Maps cannot swing while the cage is flat. First open or reset the cage.</source>
         <translation>Les applications ne peuvent pas osciller tant que la cage est plate. Ouvrez ou réinitialisez d’abord la cage.</translation>
+    </message>
+    <message>
+        <source>S&amp;wing</source>
+        <translation>&amp;Balancer</translation>
     </message>
 </context>
 <context>
@@ -7812,10 +7816,6 @@
         <translation>La distance de Hausdorff ; la marque sur le canevas montre où elle se trouve</translation>
     </message>
     <message>
-        <source>Guarantee</source>
-        <translation>Garantie</translation>
-    </message>
-    <message>
         <source>%1 (s = %2)</source>
         <translation>%1 (s = %2)</translation>
     </message>
@@ -7890,6 +7890,10 @@
     <message>
         <source>Overlap of the maps</source>
         <translation>Recouvrement des applications</translation>
+    </message>
+    <message>
+        <source>Guaranteed within</source>
+        <translation>Garanti à moins de</translation>
     </message>
 </context>
 <context>
@@ -8434,10 +8438,6 @@
         <translation>La mesure invariante, affinée tant que rien ne bouge</translation>
     </message>
     <message>
-        <source>Steps Wⁿ</source>
-        <translation>Étapes Wⁿ</translation>
-    </message>
-    <message>
         <source>Chaos Game</source>
         <translation>Jeu du chaos</translation>
     </message>
@@ -8496,10 +8496,6 @@
     <message>
         <source>no points yet: press Play (▶)</source>
         <translation>pas encore de points : appuyez sur Lancer (▶)</translation>
-    </message>
-    <message>
-        <source>The deterministic algorithm: all maps applied n times to the cage or another shape</source>
-        <translation>L’algorithme déterministe : toutes les applications appliquées n fois à la cage ou à une autre figure</translation>
     </message>
     <message>
         <source>How many times all maps are applied: 0 is the starting shape, and with every step the picture gets closer to the attractor. Each image has the colour of its outermost map.</source>
@@ -8561,6 +8557,14 @@
         <source>%1/s</source>
         <comment>jumps per second</comment>
         <translation>%1/s</translation>
+    </message>
+    <message>
+        <source>Step by Step</source>
+        <translation>Pas à pas</translation>
+    </message>
+    <message>
+        <source>All maps at once, applied n times to the cage or another shape (Wⁿ)</source>
+        <translation>Toutes les applications à la fois, n fois sur la cage ou une autre figure (Wⁿ)</translation>
     </message>
 </context>
 <context>
@@ -11460,6 +11464,10 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
     <message>
         <source>Map %1 only, of %2 selected    %3</source>
         <translation>Application %1 seule, sur %2 sélectionnées    %3</translation>
+    </message>
+    <message>
+        <source>Show the coefficients of the maps</source>
+        <translation>Afficher les coefficients des applications</translation>
     </message>
 </context>
 <context>
@@ -14370,10 +14378,6 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
         <translation>Souffle</translation>
     </message>
     <message>
-        <source>Weave</source>
-        <translation>Tissage</translation>
-    </message>
-    <message>
         <source>Add Motion</source>
         <translation>Ajouter un mouvement</translation>
     </message>
@@ -14500,6 +14504,10 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
     <message>
         <source>Frame without an attractor</source>
         <translation>Image sans attracteur</translation>
+    </message>
+    <message>
+        <source>Steady Sway</source>
+        <translation>Balancement régulier</translation>
     </message>
 </context>
 <context>

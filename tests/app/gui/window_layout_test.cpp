@@ -106,6 +106,7 @@ void WindowLayoutTest::aSmallWindowIsHalfPicture() {
     QTRY_COMPARE(window->size(), QSize(800, 600));
     QTRY_VERIFY2(canvas->width() >= 400, qPrintable(QString::number(canvas->width())));
     QVERIFY(!entries->isVisible());
+    QVERIFY(window->statusBar()->currentMessage().contains(entries->windowTitle())); // not silently
     entries->toggleViewAction()->trigger();
     QTRY_VERIFY(entries->isVisible());
     window->resize(1200, 780);

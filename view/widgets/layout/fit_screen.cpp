@@ -54,7 +54,10 @@ void scrollContents(QDialog& dialog) {
     column->setContentsMargins(margins);
     column->setSpacing(spacing);
     column->addWidget(new Contents(content), 1);
-    if (foot != nullptr) column->addItem(foot);
+    if (foot == nullptr) return;
+    if (foot->layout() == nullptr) return column->addItem(foot);
+    foot->layout()->setParent(nullptr);
+    column->addLayout(foot->layout());
 }
 
 void fit(QDialog& dialog) {
