@@ -14,6 +14,7 @@
 #include "session/session.h"
 #include "shortage.h"
 #include "welcome.h"
+#include "widgets/layout/fit_screen.h"
 #include "widgets/tooltips.h"
 #include "widgets/wheel_needs_focus.h"
 
@@ -48,6 +49,7 @@ Application::Application(int& argc, char** argv) : QApplication(argc, argv) {
 
     new view::Tooltips(this);
     new view::WheelNeedsFocus(this);
+    new view::FitScreen(this);
     const view::Preferences preferences = view::Preferences::stored();
     view::applyTheme(preferences.theme);
     view::Preferences::setSpokenLanguage(preferences.language);

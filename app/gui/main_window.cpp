@@ -70,6 +70,7 @@
 #include <QMimeData>
 #include <QPointer>
 #include <QResizeEvent>
+#include <QScrollArea>
 #include <QToolBar>
 #include <QToolButton>
 
@@ -180,7 +181,7 @@ QDockWidget* MainWindow::dock(Panel panel, QWidget* content) {
     auto* made = new QDockWidget(facts.title, this);
     m_panels.add(panel, made);
     made->setObjectName(QLatin1String(ifs::nameOf(panel)));
-    made->setWidget(content);
+    made->setWidget(qobject_cast<QScrollArea*>(content) ? content : new view::PanelArea(content));
     made->setWhatsThis(facts.whatsThis);
     addDockWidget(facts.area, made);
     made->toggleViewAction()->setObjectName(QStringLiteral("panel-") + made->objectName());
@@ -248,6 +249,10 @@ void MainWindow::createPanels() {
     connect(appearance, &view::AppearancePanel::message, m_messages, &WindowMessages::say);
     connect(cage, &view::CagePanel::defineRequested, m_canvas,
             [this] { m_canvas->setTool(view::CanvasView::Tool::DefineTriangle); });
+    connect(m_room, &RoomForPicture::hidden, m_messages, [this](const QStringList& titles) {
+        m_messages->say(
+            tr("Hidden in this small window: %1 (View › Panels).").arg(titles.join(QStringLiteral(", "))));
+    });
     showEntriesWithSeveral();
     connectCollection(
         collection, {&m_document, &m_file, m_fileCommands, [this] { m_discoverMenu->showTransformation(); }});

@@ -53,13 +53,16 @@ QList<QDockWidget*> RoomForPicture::columns() const {
 }
 
 void RoomForPicture::hideLeftPanels() {
+    QStringList titles;
     for (QDockWidget* panel : panels())
         if (m_window->dockWidgetArea(panel) == Qt::LeftDockWidgetArea && !panel->isFloating() &&
             !panel->isHidden()) {
             panel->hide();
             panel->setProperty(gaveWay, true);
+            titles << panel->windowTitle();
             m_hasYielded = true;
         }
+    if (!titles.isEmpty()) emit hidden(titles);
 }
 
 bool RoomForPicture::showHiddenPanels() {

@@ -4,6 +4,7 @@
 #include <QHash>
 #include <QObject>
 #include <QSize>
+#include <QStringList>
 
 class QDockWidget;
 class QMainWindow;
@@ -23,6 +24,9 @@ public:
     // However small the window is, before its layout is stored; false: none was hidden.
     bool showHiddenPanels();
     bool isSmall() const; // too small for panels on the left
+
+signals:
+    void hidden(const QStringList& titles);
 
 protected:
     bool eventFilter(QObject* watched, QEvent* event) override;

@@ -2455,6 +2455,10 @@
         <source>The link was copied to the clipboard. It holds the whole fractal.</source>
         <translation>Der Link wurde in die Zwischenablage kopiert. Er enthält das ganze Fraktal.</translation>
     </message>
+    <message>
+        <source>Hidden in this small window: %1 (View › Panels).</source>
+        <translation>In diesem kleinen Fenster ausgeblendet: %1 (Ansicht › Felder).</translation>
+    </message>
 </context>
 <context>
     <name>NumberField</name>
@@ -6862,10 +6866,6 @@
         <translation>Was eine Änderung des Astes bewirkt</translation>
     </message>
     <message>
-        <source>&amp;Weave</source>
-        <translation>&amp;Wiegen</translation>
-    </message>
-    <message>
         <source>Angle by which the selected maps swing about their roots</source>
         <translation>Winkel, um den die gewählten Abbildungen um ihre Wurzeln schwingen</translation>
     </message>
@@ -6940,6 +6940,10 @@
     <message>
         <source>Maps cannot swing while the cage is flat. First open or reset the cage.</source>
         <translation>Abbildungen können nicht schwingen, solange der Käfig flach ist. Öffnen Sie ihn erst oder setzen Sie ihn zurück.</translation>
+    </message>
+    <message>
+        <source>S&amp;wing</source>
+        <translation>Sch&amp;wingen</translation>
     </message>
 </context>
 <context>
@@ -7836,10 +7840,6 @@
         <translation>Der Hausdorff-Abstand; die Marke auf der Zeichenfläche zeigt, wo er ist</translation>
     </message>
     <message>
-        <source>Guarantee</source>
-        <translation>Garantie</translation>
-    </message>
-    <message>
         <source>%1 (s = %2)</source>
         <translation>%1 (s = %2)</translation>
     </message>
@@ -7914,6 +7914,10 @@
     <message>
         <source>Overlap of the maps</source>
         <translation>Überlappung der Abbildungen</translation>
+    </message>
+    <message>
+        <source>Guaranteed within</source>
+        <translation>Garantiert innerhalb</translation>
     </message>
 </context>
 <context>
@@ -8458,10 +8462,6 @@
         <translation>Das invariante Maß, verfeinert, solange sich nichts bewegt</translation>
     </message>
     <message>
-        <source>Steps Wⁿ</source>
-        <translation>Schritte Wⁿ</translation>
-    </message>
-    <message>
         <source>Chaos Game</source>
         <translation>Chaos-Spiel</translation>
     </message>
@@ -8520,10 +8520,6 @@
     <message>
         <source>no points yet: press Play (▶)</source>
         <translation>noch keine Punkte: „Abspielen“ (▶) drücken</translation>
-    </message>
-    <message>
-        <source>The deterministic algorithm: all maps applied n times to the cage or another shape</source>
-        <translation>Der deterministische Algorithmus: alle Abbildungen n-mal auf den Käfig oder eine andere Figur angewandt</translation>
     </message>
     <message>
         <source>How many times all maps are applied: 0 is the starting shape, and with every step the picture gets closer to the attractor. Each image has the colour of its outermost map.</source>
@@ -8585,6 +8581,14 @@
         <source>%1/s</source>
         <comment>jumps per second</comment>
         <translation>%1/s</translation>
+    </message>
+    <message>
+        <source>Step by Step</source>
+        <translation>Schritt für Schritt</translation>
+    </message>
+    <message>
+        <source>All maps at once, applied n times to the cage or another shape (Wⁿ)</source>
+        <translation>Alle Abbildungen zugleich, n-mal auf den Käfig oder eine andere Figur angewandt (Wⁿ)</translation>
     </message>
 </context>
 <context>
@@ -11484,6 +11488,10 @@ Tasten: Bild auf und Bild ab wählen eine Marke, die Pfeile bewegen sie, Einfg f
     <message>
         <source>Map %1 only, of %2 selected    %3</source>
         <translation>Nur Abbildung %1, von %2 gewählten    %3</translation>
+    </message>
+    <message>
+        <source>Show the coefficients of the maps</source>
+        <translation>Die Koeffizienten der Abbildungen zeigen</translation>
     </message>
 </context>
 <context>
@@ -14394,10 +14402,6 @@ Tasten: Bild auf und Bild ab wählen eine Marke, die Pfeile bewegen sie, Einfg f
         <translation>Atmung</translation>
     </message>
     <message>
-        <source>Weave</source>
-        <translation>Wiegen</translation>
-    </message>
-    <message>
         <source>Add Motion</source>
         <translation>Bewegung hinzufügen</translation>
     </message>
@@ -14524,6 +14528,10 @@ Tasten: Bild auf und Bild ab wählen eine Marke, die Pfeile bewegen sie, Einfg f
     <message>
         <source>Frame without an attractor</source>
         <translation>Bild ohne Attraktor</translation>
+    </message>
+    <message>
+        <source>Steady Sway</source>
+        <translation>Gleichmäßiges Wiegen</translation>
     </message>
 </context>
 <context>

@@ -2455,6 +2455,10 @@
         <source>The link was copied to the clipboard. It holds the whole fractal.</source>
         <translation>El enlace se ha copiado al portapapeles. Contiene el fractal completo.</translation>
     </message>
+    <message>
+        <source>Hidden in this small window: %1 (View › Panels).</source>
+        <translation>Ocultos en esta ventana pequeña: %1 (Ver › Paneles).</translation>
+    </message>
 </context>
 <context>
     <name>NumberField</name>
@@ -6862,10 +6866,6 @@
         <translation>Qué cambia al editar la rama</translation>
     </message>
     <message>
-        <source>&amp;Weave</source>
-        <translation>&amp;Tejer</translation>
-    </message>
-    <message>
         <source>Angle by which the selected maps swing about their roots</source>
         <translation>Ángulo en que las aplicaciones elegidas oscilan sobre sus raíces</translation>
     </message>
@@ -6940,6 +6940,10 @@
     <message>
         <source>Maps cannot swing while the cage is flat. First open or reset the cage.</source>
         <translation>Las aplicaciones no pueden oscilar mientras la jaula es plana. Antes abra la jaula o restablézcala.</translation>
+    </message>
+    <message>
+        <source>S&amp;wing</source>
+        <translation>&amp;Balancear</translation>
     </message>
 </context>
 <context>
@@ -7836,10 +7840,6 @@
         <translation>La distancia de Hausdorff; la marca del lienzo muestra dónde está</translation>
     </message>
     <message>
-        <source>Guarantee</source>
-        <translation>Garantía</translation>
-    </message>
-    <message>
         <source>%1 (s = %2)</source>
         <translation>%1 (s = %2)</translation>
     </message>
@@ -7914,6 +7914,10 @@
     <message>
         <source>Overlap of the maps</source>
         <translation>Solapamiento de las aplicaciones</translation>
+    </message>
+    <message>
+        <source>Guaranteed within</source>
+        <translation>Garantizado dentro de</translation>
     </message>
 </context>
 <context>
@@ -8458,10 +8462,6 @@
         <translation>La medida invariante, que se refina mientras nada se mueve</translation>
     </message>
     <message>
-        <source>Steps Wⁿ</source>
-        <translation>Pasos Wⁿ</translation>
-    </message>
-    <message>
         <source>Chaos Game</source>
         <translation>Juego del caos</translation>
     </message>
@@ -8520,10 +8520,6 @@
     <message>
         <source>no points yet: press Play (▶)</source>
         <translation>aún no hay puntos: pulse Reproducir (▶)</translation>
-    </message>
-    <message>
-        <source>The deterministic algorithm: all maps applied n times to the cage or another shape</source>
-        <translation>El algoritmo determinista: todas las aplicaciones, aplicadas n veces a la jaula o a otra figura</translation>
     </message>
     <message>
         <source>How many times all maps are applied: 0 is the starting shape, and with every step the picture gets closer to the attractor. Each image has the colour of its outermost map.</source>
@@ -8585,6 +8581,14 @@
         <source>%1/s</source>
         <comment>jumps per second</comment>
         <translation>%1/s</translation>
+    </message>
+    <message>
+        <source>Step by Step</source>
+        <translation>Paso a paso</translation>
+    </message>
+    <message>
+        <source>All maps at once, applied n times to the cage or another shape (Wⁿ)</source>
+        <translation>Todas las aplicaciones a la vez, n veces sobre la jaula u otra figura (Wⁿ)</translation>
     </message>
 </context>
 <context>
@@ -11484,6 +11488,10 @@ Teclas: Re Pág y Av Pág eligen una parada, las flechas la mueven, Ins añade u
     <message>
         <source>Map %1 only, of %2 selected    %3</source>
         <translation>Solo la aplicación %1, de %2 seleccionadas    %3</translation>
+    </message>
+    <message>
+        <source>Show the coefficients of the maps</source>
+        <translation>Mostrar los coeficientes de las aplicaciones</translation>
     </message>
 </context>
 <context>
@@ -14394,10 +14402,6 @@ Teclas: Re Pág y Av Pág eligen una parada, las flechas la mueven, Ins añade u
         <translation>Respiración</translation>
     </message>
     <message>
-        <source>Weave</source>
-        <translation>Tejido</translation>
-    </message>
-    <message>
         <source>Add Motion</source>
         <translation>Añadir movimiento</translation>
     </message>
@@ -14524,6 +14528,10 @@ Teclas: Re Pág y Av Pág eligen una parada, las flechas la mueven, Ins añade u
     <message>
         <source>Frame without an attractor</source>
         <translation>Fotograma sin atractor</translation>
+    </message>
+    <message>
+        <source>Steady Sway</source>
+        <translation>Vaivén regular</translation>
     </message>
 </context>
 <context>

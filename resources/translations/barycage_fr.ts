@@ -2455,6 +2455,10 @@
         <source>The link was copied to the clipboard. It holds the whole fractal.</source>
         <translation>Le lien a été copié dans le presse-papiers. Il contient toute la fractale.</translation>
     </message>
+    <message>
+        <source>Hidden in this small window: %1 (View › Panels).</source>
+        <translation>Masqués dans cette petite fenêtre : %1 (Affichage › Panneaux).</translation>
+    </message>
 </context>
 <context>
     <name>NumberField</name>
@@ -6862,10 +6866,6 @@
         <translation>Ce que change une modification de la branche</translation>
     </message>
     <message>
-        <source>&amp;Weave</source>
-        <translation>&amp;Tisser</translation>
-    </message>
-    <message>
         <source>Angle by which the selected maps swing about their roots</source>
         <translation>Angle dont les applications choisies oscillent autour de leurs racines</translation>
     </message>
@@ -6940,6 +6940,10 @@
     <message>
         <source>Maps cannot swing while the cage is flat. First open or reset the cage.</source>
         <translation>Les applications ne peuvent pas osciller tant que la cage est plate. Ouvrez ou réinitialisez d’abord la cage.</translation>
+    </message>
+    <message>
+        <source>S&amp;wing</source>
+        <translation>&amp;Balancer</translation>
     </message>
 </context>
 <context>
@@ -7836,10 +7840,6 @@
         <translation>La distance de Hausdorff ; la marque sur le canevas montre où elle se trouve</translation>
     </message>
     <message>
-        <source>Guarantee</source>
-        <translation>Garantie</translation>
-    </message>
-    <message>
         <source>%1 (s = %2)</source>
         <translation>%1 (s = %2)</translation>
     </message>
@@ -7914,6 +7914,10 @@
     <message>
         <source>Overlap of the maps</source>
         <translation>Recouvrement des applications</translation>
+    </message>
+    <message>
+        <source>Guaranteed within</source>
+        <translation>Garanti à moins de</translation>
     </message>
 </context>
 <context>
@@ -8458,10 +8462,6 @@
         <translation>La mesure invariante, affinée tant que rien ne bouge</translation>
     </message>
     <message>
-        <source>Steps Wⁿ</source>
-        <translation>Étapes Wⁿ</translation>
-    </message>
-    <message>
         <source>Chaos Game</source>
         <translation>Jeu du chaos</translation>
     </message>
@@ -8520,10 +8520,6 @@
     <message>
         <source>no points yet: press Play (▶)</source>
         <translation>pas encore de points : appuyez sur Lancer (▶)</translation>
-    </message>
-    <message>
-        <source>The deterministic algorithm: all maps applied n times to the cage or another shape</source>
-        <translation>L’algorithme déterministe : toutes les applications appliquées n fois à la cage ou à une autre figure</translation>
     </message>
     <message>
         <source>How many times all maps are applied: 0 is the starting shape, and with every step the picture gets closer to the attractor. Each image has the colour of its outermost map.</source>
@@ -8585,6 +8581,14 @@
         <source>%1/s</source>
         <comment>jumps per second</comment>
         <translation>%1/s</translation>
+    </message>
+    <message>
+        <source>Step by Step</source>
+        <translation>Pas à pas</translation>
+    </message>
+    <message>
+        <source>All maps at once, applied n times to the cage or another shape (Wⁿ)</source>
+        <translation>Toutes les applications à la fois, n fois sur la cage ou une autre figure (Wⁿ)</translation>
     </message>
 </context>
 <context>
@@ -11484,6 +11488,10 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
     <message>
         <source>Map %1 only, of %2 selected    %3</source>
         <translation>Application %1 seule, sur %2 sélectionnées    %3</translation>
+    </message>
+    <message>
+        <source>Show the coefficients of the maps</source>
+        <translation>Afficher les coefficients des applications</translation>
     </message>
 </context>
 <context>
@@ -14394,10 +14402,6 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
         <translation>Souffle</translation>
     </message>
     <message>
-        <source>Weave</source>
-        <translation>Tissage</translation>
-    </message>
-    <message>
         <source>Add Motion</source>
         <translation>Ajouter un mouvement</translation>
     </message>
@@ -14524,6 +14528,10 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
     <message>
         <source>Frame without an attractor</source>
         <translation>Image sans attracteur</translation>
+    </message>
+    <message>
+        <source>Steady Sway</source>
+        <translation>Balancement régulier</translation>
     </message>
 </context>
 <context>

@@ -2461,6 +2461,10 @@
         <source>The link was copied to the clipboard. It holds the whole fractal.</source>
         <translation>Врската е на таблата со исечоци. Го содржи целиот фрактал.</translation>
     </message>
+    <message>
+        <source>Hidden in this small window: %1 (View › Panels).</source>
+        <translation>Скриени во овој мал прозорец: %1 (Приказ › Панели).</translation>
+    </message>
 </context>
 <context>
     <name>NumberField</name>
@@ -6879,10 +6883,6 @@
         <translation>Што менува промената на гранката</translation>
     </message>
     <message>
-        <source>&amp;Weave</source>
-        <translation>&amp;Ткај</translation>
-    </message>
-    <message>
         <source>Angle by which the selected maps swing about their roots</source>
         <translation>Агол за кој избраните пресликувања се нишаат околу своите корени</translation>
     </message>
@@ -6957,6 +6957,10 @@
     <message>
         <source>Maps cannot swing while the cage is flat. First open or reset the cage.</source>
         <translation>Пресликувањата не може да се нишаат додека кафезот е рамен. Прво отворете го или вратете го кафезот.</translation>
+    </message>
+    <message>
+        <source>S&amp;wing</source>
+        <translation>&amp;Заниши</translation>
     </message>
 </context>
 <context>
@@ -7853,10 +7857,6 @@
         <translation>Хаусдорфовото растојание; ознаката на платното покажува каде е</translation>
     </message>
     <message>
-        <source>Guarantee</source>
-        <translation>Гаранција</translation>
-    </message>
-    <message>
         <source>%1 (s = %2)</source>
         <translation>%1 (s = %2)</translation>
     </message>
@@ -7931,6 +7931,10 @@
     <message>
         <source>Overlap of the maps</source>
         <translation>Преклоп на пресликувањата</translation>
+    </message>
+    <message>
+        <source>Guaranteed within</source>
+        <translation>Гарантирано во рамки од</translation>
     </message>
 </context>
 <context>
@@ -8476,10 +8480,6 @@
         <translation>Инваријантната мера, сѐ попрецизна додека ништо не се движи</translation>
     </message>
     <message>
-        <source>Steps Wⁿ</source>
-        <translation>Чекори Wⁿ</translation>
-    </message>
-    <message>
         <source>Chaos Game</source>
         <translation>Игра на хаос</translation>
     </message>
@@ -8538,10 +8538,6 @@
     <message>
         <source>no points yet: press Play (▶)</source>
         <translation>сѐ уште нема точки: притиснете „Пушти“ (▶)</translation>
-    </message>
-    <message>
-        <source>The deterministic algorithm: all maps applied n times to the cage or another shape</source>
-        <translation>Детерминистичкиот алгоритам: сите пресликувања применети n пати врз кафезот или врз друга фигура</translation>
     </message>
     <message>
         <source>How many times all maps are applied: 0 is the starting shape, and with every step the picture gets closer to the attractor. Each image has the colour of its outermost map.</source>
@@ -8603,6 +8599,14 @@
         <source>%1/s</source>
         <comment>jumps per second</comment>
         <translation>%1/s</translation>
+    </message>
+    <message>
+        <source>Step by Step</source>
+        <translation>Чекор по чекор</translation>
+    </message>
+    <message>
+        <source>All maps at once, applied n times to the cage or another shape (Wⁿ)</source>
+        <translation>Сите пресликувања одеднаш, применети n пати врз кафезот или друга фигура (Wⁿ)</translation>
     </message>
 </context>
 <context>
@@ -11517,6 +11521,10 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
         <source>Map %1 only, of %2 selected    %3</source>
         <translation>Само пресликувањето %1, од избрани %2    %3</translation>
     </message>
+    <message>
+        <source>Show the coefficients of the maps</source>
+        <translation>Прикажи ги коефициентите на пресликувањата</translation>
+    </message>
 </context>
 <context>
     <name>view::MapsRowHeader</name>
@@ -14430,10 +14438,6 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
         <translation>Здив</translation>
     </message>
     <message>
-        <source>Weave</source>
-        <translation>Ткаење</translation>
-    </message>
-    <message>
         <source>Add Motion</source>
         <translation>Додај движење</translation>
     </message>
@@ -14560,6 +14564,10 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
     <message>
         <source>Frame without an attractor</source>
         <translation>Слика без атрактор</translation>
+    </message>
+    <message>
+        <source>Steady Sway</source>
+        <translation>Рамномерно нишање</translation>
     </message>
 </context>
 <context>

@@ -148,7 +148,7 @@ QWidget* BranchBar::makeBranch() {
 
 QWidget* BranchBar::makeSwing() {
     auto* row = new QWidget(this);
-    auto* label = new QLabel(tr("&Weave"), row);
+    auto* label = new QLabel(tr("S&wing"), row);
     m_swing = new QSlider(Qt::Horizontal, row);
     m_swing->setRange(-maxAngle, maxAngle);
     m_swing->setPageStep(5);

@@ -26,7 +26,7 @@ namespace {
 
 using Mode = Construction::Mode;
 
-constexpr int fewLetters = 12;  // of a count, in a narrow window
+constexpr int fewLetters = 8;   // of a count, in a narrow window
 constexpr double readable = 10; // jumps per second of which each can be seen
 
 QString superscript(int n) {
@@ -54,9 +54,8 @@ ConstructionBar::ConstructionBar(Construction* construction, QWidget* parent)
     layout->setSpacing(4);
     for (const auto& [mode, name, tip] :
          {std::tuple{Mode::Density, tr("Density"), tr("The invariant measure, refined while nothing moves")},
-          std::tuple{
-              Mode::Steps, tr("Steps Wⁿ"),
-              tr("The deterministic algorithm: all maps applied n times to the cage or another shape")},
+          std::tuple{Mode::Steps, tr("Step by Step"),
+                     tr("All maps at once, applied n times to the cage or another shape (Wⁿ)")},
           std::tuple{
               Mode::ChaosGame, tr("Chaos Game"),
               tr("One point that jumps by maps chosen at random; the first 14 points are not plotted")}}) {

@@ -100,8 +100,7 @@ void CanvasInput::markArrow() {
     BorderArrowsItem& arrows = m_scene.marks().borderArrows();
     const int before = arrows.hovered();
     arrows.setHovered(arrow ? arrow->vertex : -1);
-    if (before < 0 && arrow)
-        emit message(tr("Corner outside the view: click to fit the picture and its cage"));
+    if (before < 0 && arrow) emit message(cornerOutside());
     if (before >= 0 && !arrow) emit message({});
 }
 

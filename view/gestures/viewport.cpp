@@ -21,7 +21,7 @@ Viewport::Viewport(QWidget* parent) : QGraphicsView(parent) {
     setTransformationAnchor(QGraphicsView::NoAnchor);
     setViewportUpdateMode(QGraphicsView::FullViewportUpdate);
     setFocusPolicy(Qt::StrongFocus);
-    setMinimumSize(160, 120);
+    setMinimumSize(110, 110);
     setAcceptDrops(false); // a file dropped here is the window's business
     viewport()->setAcceptDrops(false);
     viewport()->setMouseTracking(true);

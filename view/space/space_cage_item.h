@@ -38,6 +38,7 @@ public:
     void setFaceMark(std::optional<std::size_t> face); // hovered or held
     void setFacesHeld(bool held) { m_holdsFaces = held; }
     QPointF handle(std::size_t vertex) const { return m_points[qsizetype(vertex)]; }
+    const QPolygonF& handles() const { return m_points; }
     std::size_t count() const { return m_handles.size(); }
     const std::vector<ifs::Vector<3>>& vertices() const { return m_vertices; }
 

@@ -51,6 +51,7 @@ SpaceInput::SpaceInput(document::Document* document, SpaceNavigation& navigation
       m_slice(items.slice),
       m_symmetry(items.symmetry),
       m_ball(items.ball),
+      m_arrows(items.arrows),
       m_ballFocus(m_ball, navigation),
       m_session(*document) {
     connect(&m_session, &DragSession::runEnded, this, &SpaceInput::settle);
@@ -69,6 +70,8 @@ bool SpaceInput::pressed(Qt::MouseButton button) {
         define();
     } else if (m_isEnabled && pressHandle()) {
         // it is held now
+    } else if (arrowUnder()) {
+        m_navigation.fit();
     } else if (isOnSymmetry()) {
         beginSymmetryDrag();
     } else if (isOnSlice()) {
@@ -250,7 +253,24 @@ void SpaceInput::hover() {
         if (!handles.empty()) m_hovered = handles.front();
         if (!m_hovered && !isOnSlice() && !isOnSymmetry()) m_face = held().faceAt(position);
     }
+    markArrow();
     report(position);
+}
+
+std::optional<BorderArrow> SpaceInput::arrowUnder() const {
+    if (!m_isEnabled || !isIdle() || m_definition.isActive() || !m_arrows.isVisible() || isOnHandle())
+        return std::nullopt;
+    return m_arrows.arrowAt(pointer().position, pointer().reach == Reach::Touch
+                                                    ? BorderArrowsItem::fingerReach
+                                                    : BorderArrowsItem::mouseReach);
+}
+
+void SpaceInput::markArrow() {
+    const auto arrow = arrowUnder();
+    const int before = m_arrows.hovered();
+    m_arrows.setHovered(arrow ? arrow->vertex : -1);
+    if (before < 0 && arrow) emit message(cornerOutside());
+    if (before >= 0 && !arrow) emit message({});
 }
 
 void SpaceInput::follow(Orbiting& orbiting) {
@@ -536,7 +556,7 @@ QCursor SpaceInput::cursorOver() const {
     const bool isDragging = !isIdle() && !std::holds_alternative<Orbiting>(m_gesture);
     if (isDragging) return Qt::ClosedHandCursor;
     if (isIdle() && (m_hovered || m_face || isOnSlice() || isOnSymmetry())) return Qt::OpenHandCursor;
-    return isIdle() && isOnBall() ? Qt::PointingHandCursor : Qt::CrossCursor;
+    return arrowUnder() || (isIdle() && isOnBall()) ? Qt::PointingHandCursor : Qt::CrossCursor;
 }
 
 void SpaceInput::report(const QPointF& position) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "canvas/items/border_arrows_item.h"
 #include "canvas/items/symmetry_item.h"
 #include "gestures/drag_session.h"
 #include "gestures/viewport_input.h"
@@ -36,6 +37,7 @@ public:
         SliceItem& slice;
         SymmetryItem& symmetry;
         AxisBall& ball;
+        BorderArrowsItem& arrows;
     };
     SpaceInput(document::Document* document, SpaceNavigation& navigation, const Items& items);
 
@@ -118,6 +120,8 @@ private:
     void showSelected();
     bool mapsKeyPress(const QKeyEvent& event);
     bool holdsMap() const { return m_maps.isActive() || m_branch.isActive(); } // or a branch
+    std::optional<BorderArrow> arrowUnder() const;                             // to a corner outside the view
+    void markArrow();
     SpaceCageItem& held() const { return holdsMap() ? m_map : m_cage; }
     void settle();
     void chooseBranch();
@@ -146,6 +150,7 @@ private:
     SliceItem& m_slice;
     SymmetryItem& m_symmetry;
     AxisBall& m_ball;
+    BorderArrowsItem& m_arrows;
     AxisBallFocus m_ballFocus;
     std::variant<std::monostate, Orbiting, Dragging, Slicing> m_gesture;
     DragSession m_session;      // of Dragging, Slicing and m_nudging

@@ -4,7 +4,10 @@
 #include "canvas/geometry/canvas_geometry.h"
 #include "document/fractal/space_geometry.h"
 #include "document/moments/animated_fractal.h"
+#include "document/moments/motion_extent.h"
+#include "io/file/background.h"
 
+#include <chrono>
 #include <cmath>
 #include <utility>
 
@@ -15,6 +18,7 @@ namespace {
 constexpr double fitMargin = 0.09;
 constexpr double unitPixels = 100; // of one unit at 100 %
 constexpr int glideTime = 200;     // milliseconds
+constexpr std::chrono::milliseconds fitPatience{12};
 constexpr attractor::Direction fromTheSide{30, 20};
 
 } // namespace
@@ -28,6 +32,11 @@ SpaceNavigation::SpaceNavigation(document::Document* document, SolidBridge* brid
     m_glide.setEasingCurve(QEasingCurve::InOutCubic);
     m_glide.setStartValue(0.0);
     m_glide.setEndValue(1.0);
+    connect(&m_corners, &QFutureWatcherBase::finished, this, [this] {
+        if (!m_sought || m_corners.future().resultCount() == 0) return;
+        takeMotion(m_corners.result());
+        if (m_isFitted && m_document->currentEntry().fractal == m_moving && !m_motion.empty()) fitMotion();
+    });
 }
 
 void SpaceNavigation::set(const attractor::OrbitCamera& camera, bool isMoving) {
@@ -88,10 +97,16 @@ void SpaceNavigation::fit() {
     fitAgain();
 }
 
+// What moves is fitted as a whole, as soon as that is known.
 void SpaceNavigation::fitAgain() {
     if (m_camera.size.width <= 0 || m_camera.size.height <= 0) return;
     m_glide.stop();
     m_isFitted = true;
+    const auto entry = m_document->currentEntry().fractal;
+    if (document::space(*entry) && document::animationFacts(*entry)) {
+        if (entry != m_moving) seekMotion(entry);
+        if (entry == m_moving && !m_motion.empty()) return fitMotion();
+    }
     const auto fitTo = [this](const document::Fractal& fractal) {
         if (document::isSpaceExtentKnown(fractal))
             set(document::fittedTo(fractal, m_camera, fitMargin), false);
@@ -100,6 +115,27 @@ void SpaceNavigation::fitAgain() {
     document::Fractal fractal = document::frameAt(m_document->entryFractal(), m_fitted).fractal;
     fractal.lasting = m_document->fractal().lasting;
     fitTo(fractal);
+}
+
+void SpaceNavigation::seekMotion(const std::shared_ptr<const document::Fractal>& entry) {
+    using Corners = std::vector<ifs::Vector<3>>;
+    if (entry == m_sought) return;
+    m_corners.future().cancel();
+    m_sought = entry;
+    const QFuture<Corners> corners = io::inBackground<Corners>([entry](QPromise<Corners>& promise) {
+        promise.addResult(document::motionCorners(*entry, [&] { return promise.isCanceled(); }));
+    });
+    m_corners.setFuture(corners);
+    if (io::finishesWithin(fitPatience, corners) && corners.resultCount() > 0) takeMotion(corners.result());
+}
+
+void SpaceNavigation::takeMotion(std::vector<ifs::Vector<3>> corners) {
+    m_moving = std::exchange(m_sought, nullptr);
+    m_motion = std::move(corners);
+}
+
+void SpaceNavigation::fitMotion() {
+    set(attractor::fitted(m_camera, document::reachOfVertices(m_motion), fitMargin), false);
 }
 
 void SpaceNavigation::zoomAt(const QPointF& position, double factor) {

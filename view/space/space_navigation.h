@@ -7,8 +7,12 @@
 #include "gestures/view_navigation.h"
 #include "space/axis_ball.h"
 
+#include <QFutureWatcher>
 #include <QVariantAnimation>
 #include <QWidget>
+
+#include <memory>
+#include <vector>
 
 namespace view {
 
@@ -34,7 +38,7 @@ public:
     void moveTo(const attractor::OrbitCamera& camera, bool isMoving = false);
     void followKeys(attractor::OrbitCamera camera, bool isMoving); // whatever its size
     void glideTo(const attractor::OrbitCamera& camera);            // within a moment
-    void fit() override; // picture and cage into the view
+    void fit() override;                                           // picture and cage into the view
     bool isFitted() const override { return m_isFitted; }
     void zoomAt(const QPointF& position, double factor) override;
     void resetZoom() override; // of a unit at the target
@@ -86,6 +90,9 @@ private:
     void restoreHeld() override { moveTo(m_held); }
     void set(const attractor::OrbitCamera& camera, bool isMoving);
     void fitAgain();
+    void seekMotion(const std::shared_ptr<const document::Fractal>& entry);
+    void takeMotion(std::vector<ifs::Vector<3>> corners);
+    void fitMotion();
     void choosePerspective(bool on);
     void project(); // as it is chosen
 
@@ -102,7 +109,10 @@ private:
     bool m_isPerspectiveLent = false;
     bool m_isAlongAxis = false; // and orthographic for as long
     bool m_isFitted = true;     // follows the size of the window until the user moves the view
-    animation::Moment m_fitted; // so that a resized window shows it again, whichever is shown
+    QFutureWatcher<std::vector<ifs::Vector<3>>> m_corners; // of what moves
+    std::shared_ptr<const document::Fractal> m_sought, m_moving;
+    std::vector<ifs::Vector<3>> m_motion; // of m_moving; empty: nothing of it moves
+    animation::Moment m_fitted;           // so that a resized window shows it again, whichever is shown
 };
 
 } // namespace view

@@ -55,6 +55,7 @@ SpaceView::SpaceView(document::Document* document, SolidBridge* bridge, QWidget*
       m_slice(new SliceItem),
       m_symmetry(new SymmetryItem),
       m_ball(new AxisBall),
+      m_arrows(new BorderArrowsItem),
       m_note(new NoteItem(NoteItem::Edge::Top)),
       m_title(new NoteItem(NoteItem::Edge::Bottom)),
       m_navigation(document, bridge, viewport()),
@@ -62,15 +63,16 @@ SpaceView::SpaceView(document::Document* document, SolidBridge* bridge, QWidget*
       m_branch(document, *m_mapOutlines, *m_mapItem),
       m_definition(*m_definitionLines),
       m_input(document, m_navigation,
-              {*m_cageItem, m_maps, m_branch, *m_mapItem, m_definition, *m_slice, *m_symmetry, *m_ball}),
+              {*m_cageItem, m_maps, m_branch, *m_mapItem, m_definition, *m_slice, *m_symmetry, *m_ball,
+               *m_arrows}),
       m_around(cornersOfCut(document->fractal())),
       m_orbit(document->orbit()) {
     showScene(new QGraphicsScene(this)); // owns the items
     setCage(document::knownSpaceCage(document->fractal()));
     m_isExtentKnown = document::isSpaceExtentKnown(document->fractal());
-    for (OverlayItem* item : std::initializer_list<OverlayItem*>{m_solid, m_ball, m_outlines, m_cageItem,
-                                                                 m_mapOutlines, m_mapItem, m_definitionLines,
-                                                                 m_slice, m_symmetry, m_note, m_title})
+    for (OverlayItem* item : std::initializer_list<OverlayItem*>{
+             m_solid, m_ball, m_outlines, m_cageItem, m_mapOutlines, m_mapItem, m_definitionLines, m_slice,
+             m_symmetry, m_arrows, m_note, m_title})
         scene()->addItem(item);
     setUpWidget();
     connect(document, &document::Document::changed, this, &SpaceView::followDocument);
@@ -309,6 +311,7 @@ void SpaceView::layOut() {
     m_ball->layOut(camera);
     m_ball->setVisible(isShown && !isFixed());
     m_note->avoid({}, m_ball->isVisible() ? m_ball->boundingRect() : QRectF());
+    m_arrows->setVisible(isShown && !holdsMap() && !m_definition.isActive());
     m_mapOutlines->setVisible(isShown && holdsMap());
     m_mapItem->setVisible(isShown && holdsMap());
     if (!isShown) return refreshMarks(); // what is hidden has no focus
@@ -321,6 +324,8 @@ void SpaceView::layOut() {
         return frame && depthAt(*frame, seen.pixel * ratio) < seen.depth - touching;
     };
     m_cageItem->layOut(camera, m_cage->current, m_faces, isHidden);
+    m_arrows->setView({QPointF(), size});
+    m_arrows->setArrows(borderArrows(m_cageItem->handles(), {QPointF(), size}));
     m_maps.layOut(camera, m_cage, isHidden);
     m_branch.layOut(camera, m_cage, isHidden);
     refreshMarks();
@@ -334,9 +339,9 @@ void SpaceView::layOutSlice() {
 
 void SpaceView::adoptDesktop() {
     const OverlayStyle style = overlayStyle(document::backgroundInSpace(m_document->fractal()), palette());
-    for (OverlayItem* item : std::initializer_list<OverlayItem*>{m_solid, m_ball, m_outlines, m_cageItem,
-                                                                 m_mapOutlines, m_mapItem, m_definitionLines,
-                                                                 m_slice, m_symmetry, m_note, m_title})
+    for (OverlayItem* item : std::initializer_list<OverlayItem*>{
+             m_solid, m_ball, m_outlines, m_cageItem, m_mapOutlines, m_mapItem, m_definitionLines, m_slice,
+             m_symmetry, m_arrows, m_note, m_title})
         item->setStyle(style);
     m_note->setFont(font());
     m_title->setFont(font());

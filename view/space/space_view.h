@@ -92,6 +92,7 @@ private:
     SliceItem* m_slice;
     SymmetryItem* m_symmetry;
     AxisBall* m_ball;
+    BorderArrowsItem* m_arrows;
     NoteItem* m_note;
     NoteItem* m_title;
     SpaceNavigation m_navigation;

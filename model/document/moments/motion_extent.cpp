@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "document/moments/motion_extent.h"
 
+#include "document/fractal/space_geometry.h"
 #include "document/moments/animated_fractal.h"
 
 #include <set>
@@ -20,6 +21,12 @@ Fractal heldByItsCage(Fractal entry) {
     return entry;
 }
 
+Fractal heldInSpace(Fractal entry) {
+    Shape<3>* shape = space(entry);
+    if (!shape->cage) shape->cage = spaceCage(entry);
+    return entry;
+}
+
 void addMoment(MotionExtent& extent, const Fractal& shown, attractor::YAxis yAxis) {
     if (const auto box = boxWithShadow(shown, yAxis))
         extent.picture = extent.picture ? united(*extent.picture, *box) : *box;
@@ -27,7 +34,7 @@ void addMoment(MotionExtent& extent, const Fractal& shown, attractor::YAxis yAxi
         extent.corners.insert(extent.corners.end(), cage->current.begin(), cage->current.end());
 }
 
-std::set<int> keyFrames(const animation::Animation<2>& animation) {
+template <int Dim> std::set<int> keyFrames(const animation::Animation<Dim>& animation) {
     std::set<int> frames;
     for (const auto& key : animation.cage)
         frames.insert(key.frame);
@@ -35,6 +42,33 @@ std::set<int> keyFrames(const animation::Animation<2>& animation) {
         for (const auto& key : track.keys)
             if (frames.size() < mostKeys) frames.insert(key.frame);
     return frames;
+}
+
+template <int Dim>
+std::vector<animation::Moment> momentsToLookAt(const AnimationFacts& facts,
+                                               const animation::Animation<Dim>& animation) {
+    std::vector<animation::Moment> looked = moments(facts, evenMoments);
+    for (const int frame : keyFrames(animation))
+        looked.push_back(animation::moment(frame));
+    return looked;
+}
+
+void addCorners(std::vector<ifs::Vector<3>>& corners, const Fractal& shown) {
+    ifs::Vector<3> low, high;
+    for (int i = 0; i < 3; ++i) {
+        const Extent extent = extentAlong(shown, ifs::Vector<3>::Unit(i));
+        low[i] = extent.low;
+        high[i] = extent.high;
+    }
+    for (int corner = 0; corner < 8; ++corner)
+        corners.push_back({corner & 1 ? high.x() : low.x(), corner & 2 ? high.y() : low.y(),
+                           corner & 4 ? high.z() : low.z()});
+    if (const auto cage = spaceCage(shown))
+        corners.insert(corners.end(), cage->current.begin(), cage->current.end());
+}
+
+bool showsTheSame(const Fractal& a, const Fractal& b) {
+    return isSameSystem(a, b) && space(a)->cage == space(b)->cage;
 }
 
 } // namespace
@@ -54,14 +88,30 @@ MotionExtent motionExtent(const Fractal& entry, const std::function<bool()>& sto
         addMoment(extent, held, yAxis);
         return extent;
     }
-    std::vector<animation::Moment> looked = moments(*facts, evenMoments);
-    for (const int frame : keyFrames(*shape->animation))
-        looked.push_back(animation::moment(frame));
-    for (const animation::Moment& moment : looked) {
+    for (const animation::Moment& moment : momentsToLookAt(*facts, *shape->animation)) {
         if (stopped()) break;
         addMoment(extent, frameAt(held, moment).fractal, yAxis);
     }
     return extent;
+}
+
+std::vector<ifs::Vector<3>> motionCorners(const Fractal& entry, const std::function<bool()>& stopped) {
+    std::vector<ifs::Vector<3>> corners;
+    const Shape<3>* shape = space(entry);
+    const auto facts = animationFacts(entry);
+    if (!shape || !facts) return corners;
+    std::optional<Fractal> before;
+    bool moves = false;
+    const Fractal held = heldInSpace(entry);
+    for (const animation::Moment& moment : momentsToLookAt(*facts, *shape->animation)) {
+        if (stopped()) break;
+        Fractal shown = frameAt(held, moment).fractal;
+        if (before && showsTheSame(*before, shown)) continue;
+        moves = moves || before;
+        addCorners(corners, shown);
+        before = std::move(shown);
+    }
+    return moves ? corners : std::vector<ifs::Vector<3>>();
 }
 
 } // namespace document

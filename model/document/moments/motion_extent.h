@@ -25,4 +25,9 @@ MotionExtent motionExtent(
     const Fractal& entry, const std::function<bool()>& stopped = [] { return false; },
     attractor::YAxis yAxis = attractor::YAxis::Up);
 
+// The same in space: the corners of a box around the picture at each of these moments, and of the cage. Empty
+// where nothing moves, or only the view. Any thread.
+std::vector<ifs::Vector<3>> motionCorners(
+    const Fractal& entry, const std::function<bool()>& stopped = [] { return false; });
+
 } // namespace document

@@ -156,7 +156,7 @@ void ActionMenuTest::buttonsAreFoundAsCommands() {
     for (const char* path : {"Cage › Show the rest cage", "Analysis › On the canvas › Hull",
                              "Analysis › On the canvas › Cylinders", "Appearance › Reset to Default",
                              "Appearance › Edit Palette", "Maps › Show columns: Effective",
-                             "How It Is Built › Steps Wⁿ", "How It Is Built › Chaos Game"})
+                             "How It Is Built › Step by Step", "How It Is Built › Chaos Game"})
         QVERIFY2(command(path), path);
     // Those of what is not unfolded come with it.
     const char* reverse = "Appearance › Palette editor › Reverse";

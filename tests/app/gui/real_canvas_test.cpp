@@ -208,7 +208,7 @@ void RealCanvasTest::theAddressUnderThePointerIsRead() {
 void RealCanvasTest::theStepsOfTheAlgorithmAreShown() {
     const auto* construction = window().findChild<view::Construction*>();
     hand().key("w");
-    click(named<QToolButton>(window(), QStringLiteral("Steps Wⁿ")));
+    click(named<QToolButton>(window(), QStringLiteral("Step by Step")));
     QTRY_COMPARE(construction->mode(), view::Construction::Mode::Steps);
     auto* slider = window().findChild<view::ConstructionBar*>()->steps();
     click(slider);

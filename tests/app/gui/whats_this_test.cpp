@@ -59,6 +59,7 @@ private slots:
     void whatsThisSaysMoreThanTheTip();
     void everyTipIsOneSentence();
     void iconsAreNamed();
+    void labelsAreWords();
     void digitsStandInGroups();
     void everythingHasAName();
     void everyTextIsTranslated();
@@ -221,6 +222,21 @@ void WhatsThisTest::digitsStandInGroups() {
     }
     QVERIFY2(wrong.isEmpty(), qPrintable(wrong.join(u'\n')));
     QVERIFY2(labels > 60 && boxes >= 2, qPrintable(QStringLiteral("%1 %2").arg(labels).arg(boxes)));
+}
+
+// A beginner meets them: formulas are for explanations.
+void WhatsThisTest::labelsAreWords() {
+    const EveryWindow windows;
+    QStringList formulas;
+    int labels = 0;
+    for (const QWidget* window : windows.all()) {
+        for (const auto* button : window->findChildren<QAbstractButton*>())
+            if (++labels; button->text().contains(u'ⁿ')) formulas << EveryWindow::describe(button);
+        for (const QAction* action : actionsOf(window))
+            if (++labels; action->text().contains(u'ⁿ')) formulas << action->text();
+    }
+    QVERIFY2(formulas.isEmpty(), qPrintable(formulas.join(u'\n')));
+    QVERIFY(labels > 300);
 }
 
 void WhatsThisTest::everythingHasAName() {

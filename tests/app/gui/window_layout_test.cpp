@@ -16,7 +16,6 @@
 #include "support/named_test.h"
 #include "support/paths.h"
 #include "support/patient_tries.h"
-#include "widgets/layout/vertical_scroll_area.h"
 #include "widgets/numbers/number_field.h"
 
 #include <QAbstractButton>
@@ -27,6 +26,7 @@
 #include <QMenuBar>
 #include <QPushButton>
 #include <QScopeGuard>
+#include <QScrollArea>
 #include <QScrollBar>
 #include <QSettings>
 #include <QStatusBar>
@@ -106,6 +106,7 @@ void WindowLayoutTest::aSmallWindowIsHalfPicture() {
     QTRY_COMPARE(window->size(), QSize(800, 600));
     QTRY_VERIFY2(canvas->width() >= 400, qPrintable(QString::number(canvas->width())));
     QVERIFY(!entries->isVisible());
+    QVERIFY(window->statusBar()->currentMessage().contains(entries->windowTitle())); // not silently
     entries->toggleViewAction()->trigger();
     QTRY_VERIFY(entries->isVisible());
     window->resize(1200, 780);
@@ -361,7 +362,7 @@ void WindowLayoutTest::detailsOfMapsScrollWhereTheyHaveNoRoom() {
     window->resize(1200, 900);
     QVERIFY(QTest::qWaitForWindowExposed(window));
     auto* dock = window->findChild<QDockWidget*>(QStringLiteral("maps"));
-    const auto* area = dock->findChild<view::VerticalScrollArea*>();
+    const auto* area = dock->findChild<QScrollArea*>(QStringLiteral("details"));
     QTRY_VERIFY(!area->verticalScrollBar()->isVisible());
     QCOMPARE(area->height(), area->widget()->sizeHint().height());
     dock->setFloating(true);

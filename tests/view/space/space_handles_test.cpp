@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "bridges/extent_finder.h"
 #include "canvas/geometry/canvas_geometry.h"
+#include "canvas/items/border_arrows_item.h"
 #include "document/edits/cage/space_cage_edits.h"
+#include "document/moments/animated_fractal.h"
 #include "ifs/cage/map_handles.h"
 #include "space/four_views.h"
+#include "space/seen_line.h"
 #include "support/background_rest.h"
 #include "support/named_test.h"
 #include "support/patient_tries.h"
@@ -24,6 +27,8 @@ class SpaceHandlesTest : public QObject {
 
 private slots:
     void theBallNeverWinsOverACorner();
+    void anArrowLeadsToACornerOutside();
+    void fitTakesInTheWholeMotion();
     void theCageOfVeryManyMapsIsFoundInTheBackground();
     void theExtentIsAnnouncedAfterAGesture();
     void aCornerOfAMapIsDraggedInOneStep();
@@ -70,6 +75,69 @@ void SpaceHandlesTest::theBallNeverWinsOverACorner() {
     window.drag(ball + QPoint(25, 25), ball + QPoint(-60, 40));
     QCOMPARE(window.document.undoStack()->count(), 1);
     QVERIFY(window.camera() != before);
+}
+
+// Of a corner that a zoom has taken out of the view; a click on it fits.
+void SpaceHandlesTest::anArrowLeadsToACornerOutside() {
+    Window window;
+    QVERIFY(window.rests());
+    const auto arrows = [&]() -> std::vector<view::BorderArrow> {
+        for (const QGraphicsItem* item : window.view->scene()->items())
+            if (const auto* found = dynamic_cast<const view::BorderArrowsItem*>(item))
+                return found->isVisible() ? found->arrows() : std::vector<view::BorderArrow>();
+        return {};
+    };
+    QVERIFY(arrows().empty());
+    attractor::OrbitCamera near = window.camera();
+    near.height /= 2;
+    window.view->navigation().moveTo(near);
+    QVERIFY(window.rests());
+    QVERIFY(!arrows().empty());
+    const QSignalSpy said(window.view.get(), &SpaceView::message);
+    const QPointF at = arrows().front().at;
+    window.send(QEvent::MouseMove, at, Qt::NoButton);
+    QCOMPARE(window.view->viewport()->cursor().shape(), Qt::PointingHandCursor);
+    QVERIFY(!said.isEmpty());
+    window.send(QEvent::MouseButtonPress, at, Qt::LeftButton);
+    window.send(QEvent::MouseButtonRelease, at, Qt::LeftButton);
+    QVERIFY(arrows().empty());
+    QVERIFY(window.view->navigation().isFitted());
+    for (std::size_t vertex = 0; vertex < window.view->cageItem().count(); ++vertex)
+        QVERIFY(window.view->viewport()->rect().contains(window.handle(vertex)));
+    QCOMPARE(window.document.undoStack()->count(), 0);
+    window.view->setOverlaysVisible(false);
+    window.view->navigation().moveTo(near);
+    QVERIFY(arrows().empty());
+}
+
+void SpaceHandlesTest::fitTakesInTheWholeMotion() {
+    document::Fractal swelling = cubeOfEight();
+    animation::Animation<3> animation;
+    animation.length = 48;
+    animation.motions.push_back(animation::Breathe<3>{{}, 0.8, 1});
+    document::space(swelling)->animation = animation;
+    const Window window(swelling);
+    QVERIFY(support::backgroundRests());
+    const auto leaves = [&](int frame) { // the view
+        const document::Fractal shown =
+            document::frameAt(window.document.entryFractal(), animation::moment(frame)).fractal;
+        for (int way = 0; way < 8; ++way) {
+            ifs::Vector<3> corner;
+            for (int i = 0; i < 3; ++i) {
+                const document::Extent extent = document::extentAlong(shown, ifs::Vector<3>::Unit(i));
+                corner[i] = (way >> i & 1) != 0 ? extent.high : extent.low;
+            }
+            const QPointF seen = view::seenPoint(window.camera(), corner);
+            if (!QRectF(window.view->viewport()->rect()).contains(seen)) return true;
+        }
+        return false;
+    };
+    window.view->navigation().moveTo(document::fittedTo(window.document.fractal(), window.camera(), 0.09));
+    QVERIFY(leaves(12)); // where the moment alone is fitted
+    window.view->navigation().fit();
+    QVERIFY(support::backgroundRests());
+    for (const int frame : {0, 12, 24, 36, 47})
+        QVERIFY2(!leaves(frame), qPrintable(QString::number(frame)));
 }
 
 void SpaceHandlesTest::theCageOfVeryManyMapsIsFoundInTheBackground() {

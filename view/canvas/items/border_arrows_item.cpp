@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "canvas/items/border_arrows_item.h"
 
+#include <QCoreApplication>
 #include <QLineF>
 #include <QPainter>
 #include <QPainterPath>
@@ -54,6 +55,11 @@ std::vector<BorderArrow> borderArrows(const QPolygonF& corners, const QRectF& vi
         arrows.push_back({at, way / std::hypot(way.x(), way.y()), i});
     }
     return arrows;
+}
+
+QString cornerOutside() {
+    return QCoreApplication::translate("view::CanvasInput",
+                                       "Corner outside the view: click to fit the picture and its cage");
 }
 
 void BorderArrowsItem::setView(const QRectF& view) {

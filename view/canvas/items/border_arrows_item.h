@@ -4,6 +4,7 @@
 #include "canvas/items/overlay_item.h"
 
 #include <QPolygonF>
+#include <QString>
 
 #include <optional>
 #include <vector>
@@ -20,6 +21,9 @@ struct BorderArrow {
 
 // One arrow at the border of `view` for each corner outside; corners in nearly the same place share one.
 std::vector<BorderArrow> borderArrows(const QPolygonF& corners, const QRectF& view);
+
+// What a click on one does.
+QString cornerOutside();
 
 // These arrows, each with the number of its corner.
 class BorderArrowsItem : public OverlayItem {

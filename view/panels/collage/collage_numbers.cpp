@@ -94,7 +94,7 @@ CollageNumbers::CollageNumbers(QWidget* parent) : QWidget(parent) {
                                  "picture as it is traced")},
         {tr("95 % within"), tr("95 % of all points are within this distance of the other shape")},
         {tr("Largest distance"), tr("The Hausdorff distance; the mark on the canvas shows where it is")},
-        {tr("Guarantee"),
+        {tr("Guaranteed within"),
          tr("No point of the target is farther from the attractor than this, and no point of the attractor "
             "from the target. The value is larger during a drag, when a coarser picture is measured")},
     };

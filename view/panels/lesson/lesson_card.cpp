@@ -62,6 +62,9 @@ LessonCard::LessonCard(QWidget* parent)
     m_text->setAutoFillBackground(false);
     for (QLabel* label : {m_lesson, m_progress})
         label->setForegroundRole(QPalette::PlaceholderText);
+    m_back->setObjectName(QStringLiteral("back"));
+    m_next->setObjectName(QStringLiteral("next"));
+    m_end->setObjectName(QStringLiteral("end"));
     m_back->setToolTip(tr("Show the previous step (Page Up)"));
     m_next->setToolTip(tr("Show the next step (Page Down)"));
     m_end->setToolTip(tr("End the lesson and return to the window as it was (Esc)"));

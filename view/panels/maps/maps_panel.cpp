@@ -66,7 +66,9 @@ MapsPanel::MapsPanel(document::Document* document, QWidget* parent)
     auto* symmetry = new SymmetryRow(document, content);
     connect(symmetry, &SymmetryRow::message, this, &MapsPanel::message);
     connect(symmetry, &SymmetryRow::groupChosen, this, &MapsPanel::symmetryChosen);
-    contentLayout->addWidget(VerticalScrollArea::ofRows({symmetry, m_shape, m_facts}, content));
+    auto* details = VerticalScrollArea::ofRows({symmetry, m_shape, m_facts}, content);
+    details->setObjectName(QStringLiteral("details"));
+    contentLayout->addWidget(details);
     m_pages->addWidget(content);
     m_pages->addWidget(makeNotice());
 
@@ -186,12 +188,12 @@ QWidget* MapsPanel::makeEditBar() {
 
 QToolButton* MapsPanel::columnToggle(const QString& text, const QString& tip, Columns group, bool shown) {
     auto* toggle = new QToolButton(this);
+    toggle->setObjectName(QStringLiteral("columns"));
     toggle->setText(text);
     toggle->setToolTip(tip);
     toggle->setAccessibleName(tr("Show columns: %1").arg(text));
     toggle->setCheckable(true);
     toggle->setChecked(shown);
-    toggle->setAutoRaise(true);
     connect(toggle, &QToolButton::toggled, this, [this, group](bool on) { showColumns(group, on); });
     m_columnToggles[group] = toggle;
     showColumns(group, shown);
@@ -202,9 +204,9 @@ QWidget* MapsPanel::makeColumnBar() {
     auto* bar = new QWidget(this);
     auto* layout = new QHBoxLayout(bar);
     layout->setContentsMargins(0, 0, 0, 0);
-    layout->setSpacing(0); // they have margins of their own
+    layout->setSpacing(2);
     layout->addWidget(columnToggle(tr("Names"), tr("Show the names of the maps"), Columns::Names, false));
-    layout->addWidget(columnToggle(tr("Code"), {}, Columns::Code, true));
+    layout->addWidget(columnToggle(tr("Code"), tr("Show the coefficients of the maps"), Columns::Code, true));
     layout->addWidget(columnToggle(tr("Properties"),
                                    tr("Show determinant, contraction factor and kind of each map"),
                                    Columns::Facts, false));

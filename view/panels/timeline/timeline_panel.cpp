@@ -42,7 +42,7 @@ constexpr const char* windNames[] = {
     QT_TRANSLATE_NOOP("view::TimelinePanel", "Storm"),
     QT_TRANSLATE_NOOP("view::TimelinePanel", "Under Water"),
     QT_TRANSLATE_NOOP("view::TimelinePanel", "Breathing"),
-    QT_TRANSLATE_NOOP("view::TimelinePanel", "Weave"),
+    QT_TRANSLATE_NOOP("view::TimelinePanel", "Steady Sway"),
 };
 
 constexpr std::size_t usualWind = 1; // Gusts

@@ -4,6 +4,7 @@
 #include <QCoreApplication>
 #include <QEvent>
 #include <QLayout>
+#include <QScreen>
 #include <QScrollArea>
 #include <QScrollBar>
 #include <QTimer>
@@ -63,6 +64,33 @@ protected:
 
 private:
     Bar m_bar;
+};
+
+// Holds a panel that needs more height than a small screen can give to one: there the panel scrolls.
+class PanelArea : public QScrollArea {
+public:
+    explicit PanelArea(QWidget* panel) {
+        setAccessibleName(panel->accessibleName());
+        setWidgetResizable(true);
+        setFrameShape(QFrame::NoFrame);
+        setFocusPolicy(Qt::NoFocus);
+        setWidget(panel);
+    }
+
+    QSize sizeHint() const override { return widget()->sizeHint(); }
+    QSize minimumSizeHint() const override {
+        constexpr double share = 0.26; // of the screen: two are one above the other, among bars
+        const QSize needed = widget()->minimumSizeHint().expandedTo(widget()->minimumSize());
+        const int most = int(share * screen()->availableSize().height());
+        if (needed.height() <= most) return needed;
+        return {needed.width() + verticalScrollBar()->sizeHint().width(), most};
+    }
+
+protected:
+    bool eventFilter(QObject* watched, QEvent* event) override {
+        if (watched == widget() && event->type() == QEvent::LayoutRequest) updateGeometry();
+        return QScrollArea::eventFilter(watched, event);
+    }
 };
 
 // Once the widget has its place, the areas around it scroll to where all of it is seen.

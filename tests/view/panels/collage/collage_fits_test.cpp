@@ -206,7 +206,7 @@ private slots:
         QVERIFY(said->isHidden());
         const auto numbers = [this] {
             return std::pair(number("Mean distance"),
-                             number("Guarantee").section(QStringLiteral(" ("), 0, 0));
+                             number("Guaranteed within").section(QStringLiteral(" ("), 0, 0));
         };
         const auto [distance, guarantee] = numbers();
         push("Refine Maps");
@@ -262,7 +262,7 @@ private slots:
         numbers.show(measured);
         const QLabel* guarantee = nullptr;
         for (const QLabel* label : numbers.findChildren<QLabel*>())
-            if (label->accessibleName() == QLatin1String("Guarantee")) guarantee = label;
+            if (label->accessibleName() == QLatin1String("Guaranteed within")) guarantee = label;
         QVERIFY(guarantee && guarantee->text().contains(QStringLiteral("any 12 maps in a row")));
         QVERIFY(numbers.minimumSizeHint().width() <
                 guarantee->fontMetrics().horizontalAdvance(guarantee->text()));

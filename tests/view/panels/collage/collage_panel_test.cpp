@@ -89,7 +89,7 @@ private slots:
         QVERIFY(number("Coverage").endsWith(QStringLiteral("%")));
         QVERIFY(number("Overlap of the maps").toDouble() >= 1 &&
                 number("Overlap of the maps").toDouble() <= 3);
-        QVERIFY2(number("Guarantee").contains(QStringLiteral("s = 0.5")), qPrintable(number("Guarantee")));
+        QVERIFY2(number("Guaranteed within").contains(QStringLiteral("s = 0.5")), qPrintable(number("Guaranteed within")));
         QCOMPARE(steps(), 0); // a target is no step of the history
         QVERIFY(layer()->mark().has_value());
     }
@@ -479,7 +479,7 @@ private slots:
             });
         };
         QVERIFY(says("A symmetry repeats the maps"));
-        QVERIFY(!named<QLabel>(QStringLiteral("Guarantee"))->isVisible());
+        QVERIFY(!named<QLabel>(QStringLiteral("Guaranteed within"))->isVisible());
         const QSignalSpy said(m_panel.get(), &CollagePanel::message);
         const int before = steps();
         push("Refine Maps");
@@ -495,7 +495,7 @@ private slots:
         m_document->edit(QStringLiteral("Link"), fractal);
         settle();
         QVERIFY(says("The maps are linked"));
-        QVERIFY(!named<QLabel>(QStringLiteral("Guarantee"))->isVisible());
+        QVERIFY(!named<QLabel>(QStringLiteral("Guaranteed within"))->isVisible());
     }
 
     // They follow the shape within a pixel, with few corners.

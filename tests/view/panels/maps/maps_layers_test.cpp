@@ -13,6 +13,7 @@
 #include <QClipboard>
 #include <QElapsedTimer>
 #include <QHeaderView>
+#include <QImage>
 #include <QLineEdit>
 #include <QMimeData>
 #include <QSignalSpy>
@@ -76,6 +77,23 @@ private slots:
                     .contains(QStringLiteral("stem")));
         m_document->undoStack()->undo();
         QVERIFY(m_document->fractal().mapLabels.isEmpty());
+    }
+
+    // Each is on or off by itself: a button to press, not a tab of several.
+    void columnsHaveSwitches() {
+        int off = 0;
+        for (auto* toggle : m_panel->findChildren<QToolButton*>(QStringLiteral("columns"))) {
+            QVERIFY2(!toggle->toolTip().isEmpty(), qPrintable(toggle->text()));
+            if (toggle->isChecked()) continue;
+            ++off;
+            const QImage seen = toggle->grab().toImage();
+            const QColor ground = m_panel->palette().color(QPalette::Window);
+            bool isFramed = false;
+            for (int x = 0; x < seen.width() / 8; ++x) // left of the text
+                isFramed = isFramed || seen.pixelColor(x, seen.height() / 2) != ground;
+            QVERIFY2(isFramed, qPrintable(toggle->text()));
+        }
+        QCOMPARE(off, 3);
     }
 
     void escapeLeavesTheName() {
