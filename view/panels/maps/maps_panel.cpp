@@ -172,14 +172,10 @@ QWidget* MapsPanel::makeEditBar() {
     auto* layout = new QHBoxLayout(bar);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(2);
-    for (QAction* each : {m_add, m_duplicate, m_delete})
+    for (QAction* each : {m_add, m_duplicate, m_delete, m_up, m_down, m_lock, m_alone}) {
+        if (each == m_up || each == m_lock) layout->addSpacing(8);
         layout->addWidget(button(each));
-    layout->addSpacing(8);
-    for (QAction* each : {m_up, m_down})
-        layout->addWidget(button(each));
-    layout->addSpacing(8);
-    for (QAction* each : {m_lock, m_alone}) // names are edited in their column
-        layout->addWidget(button(each));
+    }
     layout->addStretch();
     layout->addWidget(
         makeWeightsButton([this](document::WeightRule rule) { applyWeights(rule); }, this, m_weightActions));

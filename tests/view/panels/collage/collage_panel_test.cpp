@@ -89,7 +89,8 @@ private slots:
         QVERIFY(number("Coverage").endsWith(QStringLiteral("%")));
         QVERIFY(number("Overlap of the maps").toDouble() >= 1 &&
                 number("Overlap of the maps").toDouble() <= 3);
-        QVERIFY2(number("Guaranteed within").contains(QStringLiteral("s = 0.5")), qPrintable(number("Guaranteed within")));
+        QVERIFY2(number("Guaranteed within").contains(QStringLiteral("s = 0.5")),
+                 qPrintable(number("Guaranteed within")));
         QCOMPARE(steps(), 0); // a target is no step of the history
         QVERIFY(layer()->mark().has_value());
     }
