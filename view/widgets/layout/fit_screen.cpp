@@ -76,6 +76,14 @@ void fit(QDialog& dialog) {
     if (dialog.size() != wanted) dialog.resize(wanted);
 }
 
+// A window manager that puts a dialog of the screen's height at its top hides the title bar, by which people
+// move it.
+void showTitleBar(QDialog& dialog) {
+    const QRect frame = dialog.frameGeometry(), room = dialog.screen()->availableGeometry();
+    const QPoint inside(std::max(frame.left(), room.left()), std::max(frame.top(), room.top()));
+    if (frame.top() < room.top()) dialog.move(inside);
+}
+
 } // namespace
 
 QSize roomOnScreen(const QWidget& window) {
@@ -91,10 +99,14 @@ FitScreen::FitScreen(QCoreApplication* application) : QObject(application) {
 }
 
 bool FitScreen::eventFilter(QObject* watched, QEvent* event) {
-    if (event->type() != QEvent::Show && event->type() != QEvent::LayoutRequest) return false;
+    const QEvent::Type type = event->type();
+    if (type != QEvent::Show && type != QEvent::LayoutRequest && type != QEvent::WindowActivate) return false;
     auto* dialog = qobject_cast<QDialog*>(watched);
     const bool isOwn = dialog && dialog->isWindow() && !qobject_cast<QMessageBox*>(dialog);
-    if (isOwn && (event->type() == QEvent::Show || dialog->isVisible())) fit(*dialog);
+    if (isOwn && type == QEvent::WindowActivate) // its frame is known by then
+        showTitleBar(*dialog);
+    else if (isOwn && (type == QEvent::Show || dialog->isVisible()))
+        fit(*dialog);
     return false;
 }
 
