@@ -10,9 +10,9 @@
 #include "ifs/extent/extreme_points.h"
 #include "ifs/separation/open_set.h"
 #include "ifs/separation/piece_contacts.h"
+#include "ifs/separation/surd_map.h"
 #include "ifs/system/iterated_function_system.h"
 #include "ifs/tiles/tile.h"
-#include "ifs/typed/surd_map.h"
 
 #include <algorithm>
 #include <chrono>

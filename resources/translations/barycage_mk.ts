@@ -8602,7 +8602,7 @@
     </message>
     <message>
         <source>Step by Step</source>
-        <translation>Чекор по чекор</translation>
+        <translation>По чекори</translation>
     </message>
     <message>
         <source>All maps at once, applied n times to the cage or another shape (Wⁿ)</source>

@@ -68,10 +68,10 @@ const QWidget* contentOf(const QWidget* panel, const QWidget* widget) {
 // The panel, and the parts of its content with names of their own that the widget is in.
 QString pathOf(const QWidget* widget, const QWidget* panel) {
     QStringList names;
-    for (const QWidget* at = widget; at != contentOf(panel, widget); at = at->parentWidget())
-        if (const QString name = at->accessibleName();
-            at != widget && !name.isEmpty() && name != panel->windowTitle())
-            names.prepend(name);
+    const QWidget* content = contentOf(panel, widget);
+    const QStringList ofAll{QString(), panel->windowTitle(), content->accessibleName()};
+    for (const QWidget* at = widget; at != content; at = at->parentWidget())
+        if (at != widget && !ofAll.contains(at->accessibleName())) names.prepend(at->accessibleName());
     names.prepend(panel->windowTitle());
     return names.join(QStringLiteral(" › "));
 }

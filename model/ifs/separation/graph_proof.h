@@ -4,7 +4,7 @@
 #include "ifs/separation/neighbour_graph.h"
 #include "ifs/separation/open_set.h"
 #include "ifs/separation/piece_contacts.h"
-#include "ifs/typed/surd_map.h"
+#include "ifs/separation/surd_map.h"
 
 #include <span>
 

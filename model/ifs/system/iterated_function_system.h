@@ -3,7 +3,7 @@
 
 #include "ifs/system/affine_map.h"
 #include "ifs/system/symmetry.h"
-#include "ifs/typed/typed_coefficients.h"
+#include "ifs/system/typed_coefficients.h"
 
 #include <cstddef>
 #include <cstdint>

@@ -3,8 +3,8 @@
 
 #include "ifs/extent/extent.h"
 #include "ifs/separation/neighbour_graph.h"
+#include "ifs/separation/surd_map.h"
 #include "ifs/system/affine_map.h"
-#include "ifs/typed/surd_map.h"
 
 #include <optional>
 #include <span>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "ifs/typed/surd.h"
+#include "ifs/numbers/surd.h"
 
 #include <QStringView>
 

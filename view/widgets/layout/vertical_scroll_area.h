@@ -75,15 +75,17 @@ public:
         setFrameShape(QFrame::NoFrame);
         setFocusPolicy(Qt::NoFocus);
         setWidget(panel);
+        connect(verticalScrollBar(), &QScrollBar::rangeChanged, this, [this] { updateGeometry(); });
     }
 
     QSize sizeHint() const override { return widget()->sizeHint(); }
+    // The scroll bar takes its width from the picture only while there is one.
     QSize minimumSizeHint() const override {
         constexpr double share = 0.26; // of the screen: two are one above the other, among bars
         const QSize needed = widget()->minimumSizeHint().expandedTo(widget()->minimumSize());
         const int most = int(share * screen()->availableSize().height());
-        if (needed.height() <= most) return needed;
-        return {needed.width() + verticalScrollBar()->sizeHint().width(), most};
+        const int bar = verticalScrollBar()->maximum() > 0 ? verticalScrollBar()->sizeHint().width() : 0;
+        return {needed.width() + bar, std::min(needed.height(), most)};
     }
 
 protected:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "ifs/typed/surd_map.h"
+#include "ifs/separation/surd_map.h"
 
 #include <algorithm>
 

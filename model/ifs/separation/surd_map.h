@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "ifs/numbers/surd.h"
 #include "ifs/system/affine_map.h"
 #include "ifs/system/branch.h"
 #include "ifs/system/iterated_function_system.h"
-#include "ifs/typed/surd.h"
 
 #include <optional>
 #include <span>

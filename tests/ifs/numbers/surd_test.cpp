@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "ifs/typed/surd.h"
+#include "ifs/numbers/surd.h"
 
 #include "support/named_test.h"
 

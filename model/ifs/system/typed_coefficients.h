@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "ifs/numbers/surd.h"
 #include "ifs/system/affine_map.h"
-#include "ifs/typed/surd.h"
 
 #include <algorithm>
 #include <array>
