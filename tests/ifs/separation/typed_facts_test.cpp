@@ -20,7 +20,7 @@ const Surd third = Surd(1) / Surd(3), two_thirds = Surd(2) / Surd(3);
 const Surd root3 = Surd::root(3);
 
 // The doubles next to these numbers, with the numbers where they are typed.
-IteratedFunctionSystem<2> systemOf(const std::vector<Numbers>& maps, bool areTyped = true) {
+IteratedFunctionSystem<2> typedSystem(const std::vector<Numbers>& maps, bool areTyped = true) {
     IteratedFunctionSystem<2> system;
     for (const Numbers& numbers : maps) {
         std::array<double, 6> stored{};
@@ -42,7 +42,7 @@ std::vector<Numbers> thirds(const std::vector<Surd>& digits) {
     return maps;
 }
 
-std::vector<Numbers> koch() {
+std::vector<Numbers> typedKoch() {
     const Surd half = Surd(1) / Surd(6), high = root3 / Surd(6);
     return {{third, 0, 0, third, 0, 0},
             {half, -high, high, half, third, 0},
@@ -51,7 +51,7 @@ std::vector<Numbers> koch() {
 }
 
 // With the corners (0, 0), (1, 0) and (0, 1).
-std::vector<Numbers> goldenGasket() {
+std::vector<Numbers> typedGasket() {
     const Surd ratio = (Surd::root(5) - Surd(1)) / Surd(2), rest = Surd(1) - ratio;
     return {{ratio, 0, 0, ratio, 0, 0}, {ratio, 0, 0, ratio, rest, 0}, {ratio, 0, 0, ratio, 0, rest}};
 }
@@ -70,10 +70,10 @@ private slots:
     }
     void theOpenSetConditionIsProved() {
         QFETCH(const int, which);
-        const std::vector<Numbers> maps = which == 0 ? koch() : thirds({0, 1, 2});
-        const OpenSetFacts stored = *factsOf(systemOf(maps, false)).invariants.openSet;
+        const std::vector<Numbers> maps = which == 0 ? typedKoch() : thirds({0, 1, 2});
+        const OpenSetFacts stored = *factsOf(typedSystem(maps, false)).invariants.openSet;
         QCOMPARE(stored.condition, OpenSetCondition::Holds);
-        const OpenSetFacts typed = *factsOf(systemOf(maps)).invariants.openSet;
+        const OpenSetFacts typed = *factsOf(typedSystem(maps)).invariants.openSet;
         QCOMPARE(typed.condition, OpenSetCondition::Holds);
         QCOMPARE(typed.certainty, Certainty::Exact);
         QVERIFY(typed.dimension);
@@ -83,17 +83,18 @@ private slots:
                 stored.dimension->certainty == Certainty::ToRounding);
     }
     void kochIsConnected() {
-        QCOMPARE(factsOf(systemOf(koch(), false)).invariants.contacts->connectedness,
+        QCOMPARE(factsOf(typedSystem(typedKoch(), false)).invariants.contacts->connectedness,
                  Connectedness::ConnectedToRounding);
-        QCOMPARE(factsOf(systemOf(koch())).invariants.contacts->connectedness, Connectedness::Connected);
+        QCOMPARE(factsOf(typedSystem(typedKoch())).invariants.contacts->connectedness,
+                 Connectedness::Connected);
     }
     // 03 = 10, as of the digits 0, 1 and 3.
     void overlapsAreProved() {
         const std::vector<Numbers> maps = thirds({0, Surd(1) / Surd(7), Surd(3) / Surd(7)});
-        const Facts<2> stored = factsOf(systemOf(maps, false));
+        const Facts<2> stored = factsOf(typedSystem(maps, false));
         QVERIFY(!stored.invariants.contacts->overlaps.empty());
         QVERIFY(!stored.invariants.contacts->overlaps.front().isExact);
-        const Facts<2> typed = factsOf(systemOf(maps));
+        const Facts<2> typed = factsOf(typedSystem(maps));
         QVERIFY(typed.invariants.contacts->overlaps.front().isExact);
         QCOMPARE(typed.invariants.openSet->condition, OpenSetCondition::Fails);
         QCOMPARE(typed.invariants.openSet->certainty, Certainty::Exact);
@@ -101,7 +102,7 @@ private slots:
         QVERIFY(near(typed.invariants.openSet->dimension->value, 0.8760357589718848, 1e-12));
     }
     void theGoldenGasketOverlaps() {
-        const OpenSetFacts typed = *factsOf(systemOf(goldenGasket())).invariants.openSet;
+        const OpenSetFacts typed = *factsOf(typedSystem(typedGasket())).invariants.openSet;
         QCOMPARE(typed.condition, OpenSetCondition::Fails);
         QCOMPARE(typed.certainty, Certainty::Exact);
         QVERIFY(typed.dimension);
@@ -118,28 +119,28 @@ private slots:
                                              {half, sixth, -sixth, half, half, sixth},
                                              {half, sixth, -sixth, half, half, -sixth}};
         for (const auto& maps : {square, terdragon}) {
-            const Tile stored = *factsOf(systemOf(maps, false)).invariants.tile;
+            const Tile stored = *factsOf(typedSystem(maps, false)).invariants.tile;
             QVERIFY(stored.area && !stored.isExact);
-            const Tile typed = *factsOf(systemOf(maps)).invariants.tile;
+            const Tile typed = *factsOf(typedSystem(maps)).invariants.tile;
             QVERIFY(typed.isExact);
             QCOMPARE(typed.area, stored.area);
         }
         square[8][4] = square[8][4] + Surd(1) / Surd(std::int64_t(1) << 56);
         QCOMPARE(square[8][4].rounded(), 2.0 / 3);
-        QVERIFY(!factsOf(systemOf(square)).invariants.tile->isExact);
+        QVERIFY(!factsOf(typedSystem(square)).invariants.tile->isExact);
     }
     // 3 + 2⁻⁵⁰ has the same double over 3, and no two words the same map.
     void whatOnlyRoundsTheSameIsNotProved() {
         const Surd almost = Surd(3) + Surd(1) / Surd(std::int64_t(1) << 53);
         const std::vector<Numbers> maps = thirds({0, 1, almost});
         QCOMPARE(maps[2][4].rounded(), 1.0);
-        const Invariants typed = factsOf(systemOf(maps)).invariants;
+        const Invariants typed = factsOf(typedSystem(maps)).invariants;
         QVERIFY(!typed.contacts->overlaps.front().isExact);
         QCOMPARE(typed.openSet->certainty, Certainty::ToRounding);
     }
     // The number that is typed counts only while it is that of the map.
     void changedNumbersAreAsStored() {
-        IteratedFunctionSystem<2> system = systemOf(thirds({0, 1, 3}));
+        IteratedFunctionSystem<2> system = typedSystem(thirds({0, 1, 3}));
         system.maps[0].map.linear(0, 0) = 0.25;
         system.maps[0].map.linear(1, 1) = 0.25;
         QVERIFY(system.maps[0].typed.of(0, 1.0 / 3));
@@ -149,24 +150,24 @@ private slots:
     }
     // One number that has no value leaves all as it is stored.
     void numbersOfOtherKindsProveNothing() {
-        IteratedFunctionSystem<2> system = systemOf(koch());
+        IteratedFunctionSystem<2> system = typedSystem(typedKoch());
         system.maps[1].typed.set({0, system.maps[1].map.linear(0, 0), Surd::none(), "cos(20°)"});
         QVERIFY(typedMaps(system, activeMaps(system)).empty());
         QCOMPARE(factsOf(system).invariants.contacts->connectedness, Connectedness::ConnectedToRounding);
     }
     void copiesBySymmetryProveNothing() {
-        IteratedFunctionSystem<2> system = systemOf(thirds({0, 1}));
+        IteratedFunctionSystem<2> system = typedSystem(thirds({0, 1}));
         system.symmetry.group = SymmetryGroup::Rotation;
         system.symmetry.order = 3;
         QVERIFY(typedMaps(system, activeMaps(system)).empty());
     }
     void mapsThatAreOffDoNotCount() {
-        IteratedFunctionSystem<2> system = systemOf(koch());
+        IteratedFunctionSystem<2> system = typedSystem(typedKoch());
         system.maps[1].enabled = false;
         QCOMPARE(typedMaps(system, activeMaps(system)).size(), std::size_t(3));
     }
     void valuesAreShared() {
-        IteratedFunctionSystem<2> system = systemOf(koch());
+        IteratedFunctionSystem<2> system = typedSystem(typedKoch());
         const IteratedFunctionSystem<2> copy = system;
         QVERIFY(copy == system);
         system.maps[0].typed.clear(0);
