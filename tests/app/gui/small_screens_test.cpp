@@ -255,6 +255,8 @@ void SmallScreensTest::everythingFits() {
     auto environment = QProcessEnvironment::systemEnvironment();
     environment.insert(QStringLiteral("QT_QPA_PLATFORM"),
                        QStringLiteral("offscreen:configfile=") + screen.fileName());
+    environment.insert(QStringLiteral("HOME"), folder.path()); // where the language is stored
+    environment.remove(QStringLiteral("XDG_CONFIG_HOME"));
     QProcess program;
     program.setProcessEnvironment(environment);
     program.start(QCoreApplication::applicationFilePath(),
