@@ -20,7 +20,8 @@ QString textOf(const collage::Suggestion& one) {
     text += u'\n' + SuggestionList::tr("Mean distance %1 px").arg(roundedNumber(one.attractor.mean, 2));
     text += u'\n' + SuggestionList::tr("Overlap %1 %").arg(roundedNumber(100 * one.attractor.iou, 1));
     if (one.collage.bound)
-        text += u'\n' + SuggestionList::tr("Guaranteed within %1 px").arg(roundedNumber(*one.collage.bound, 1));
+        text +=
+            u'\n' + SuggestionList::tr("Guaranteed within %1 px").arg(roundedNumber(*one.collage.bound, 1));
     return text;
 }
 
