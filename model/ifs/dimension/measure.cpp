@@ -33,7 +33,8 @@ template <int Dim> std::optional<double> measureDimension(const ActiveMaps<Dim>&
 
 template <int Dim> std::optional<DimensionSpectrum> dimensionSpectrum(const ActiveMaps<Dim>& active) {
     const auto ratios = similarityRatios<Dim>(active.maps);
-    const auto capacity = ratios ? moranDimension(*ratios) : std::nullopt;
+    if (!ratios) return std::nullopt;
+    const auto capacity = moranDimension(*ratios);
     const auto exponent = lyapunovExponent(active);
     if (!capacity || !exponent || !(*exponent < 0)) return std::nullopt;
     DimensionSpectrum result{.capacity = *capacity,
