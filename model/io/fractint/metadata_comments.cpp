@@ -118,12 +118,13 @@ template <int Dim> void renumber(document::Shape<Dim>& shape, document::Fractal&
     document::MapLabels labels;
     std::map<ifs::MapId, ifs::MapId> ids;
     std::uint32_t number = 0;
+    std::size_t typedLines = maxTypedLines;
     for (auto& map : shape.system.maps) {
         const auto id = static_cast<ifs::MapId>(++number);
         if (const auto* colour = appearance.mapColours.find(map.id)) colours[id] = *colour;
         if (const auto* blend = appearance.mapBlends.find(map.id)) blends[id] = *blend;
         if (!fractal.mapLabels.isEmpty()) labels.set(id, storedLabel(fractal.mapLabels.of(map.id)));
-        map.typed = storedTyped(map);
+        map.typed = storedTyped(map, typedLines);
         ids[map.id] = id;
         map.id = id;
     }

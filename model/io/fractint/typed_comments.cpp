@@ -12,7 +12,6 @@ namespace io {
 namespace {
 
 constexpr const char* exactKey = "exact";
-constexpr std::size_t maxTyped = 100'000; // lines of an entry
 
 template <int Dim> constexpr int coefficients = Dim*(Dim + 1);
 
@@ -34,18 +33,23 @@ template <int Dim> QByteArrayList typedComments(const ifs::IteratedFunctionSyste
     for (std::size_t i = 0; i < system.maps.size(); ++i) {
         if (system.maps[i].typed.isEmpty()) continue;
         for (int which = 0; which < coefficients<Dim>; ++which)
-            if (const auto line = lineOf<Dim>(system.maps[i], i + 1, which)) lines << *line;
+            if (const auto line = lineOf<Dim>(system.maps[i], i + 1, which);
+                line && std::size_t(lines.size()) < maxTypedLines)
+                lines << *line;
     }
     return lines;
 }
 
 // The number of the map counts among the bytes of its line: the longest that there can be does here.
-template <int Dim> ifs::TypedCoefficients storedTyped(const ifs::WeightedMap<Dim>& map) {
+template <int Dim> ifs::TypedCoefficients storedTyped(const ifs::WeightedMap<Dim>& map, std::size_t& left) {
     constexpr std::size_t longest = 999'999;
     ifs::TypedCoefficients stored;
     if (map.typed.isEmpty()) return stored;
     for (int which = 0; which < coefficients<Dim>; ++which)
-        if (lineOf<Dim>(map, longest, which)) stored.set(*map.typed.of(which, map.map));
+        if (left > 0 && lineOf<Dim>(map, longest, which)) {
+            stored.set(*map.typed.of(which, map.map));
+            --left;
+        }
     return stored;
 }
 
@@ -53,7 +57,7 @@ bool TypedComments::read(const QByteArray& key, const QByteArrayList& values) {
     if (key != exactKey || values.size() < 3 || values[1].size() != 1) return false;
     bool isNumber = false;
     const int map = values[0].toInt(&isNumber), which = values[1].front() - 'a';
-    if (!isNumber || map < 1 || which < 0 || which >= coefficients<3> || m_lines.size() >= maxTyped)
+    if (!isNumber || map < 1 || which < 0 || which >= coefficients<3> || m_lines.size() >= maxTypedLines)
         return false;
     m_lines.push_back({std::size_t(map), which, QString::fromUtf8(values.sliced(2).join(' '))});
     return true;
@@ -66,8 +70,8 @@ template <int Dim> void TypedComments::applyTo(ifs::IteratedFunctionSystem<Dim>&
 
 template QByteArrayList typedComments(const ifs::IteratedFunctionSystem<2>&);
 template QByteArrayList typedComments(const ifs::IteratedFunctionSystem<3>&);
-template ifs::TypedCoefficients storedTyped(const ifs::WeightedMap<2>&);
-template ifs::TypedCoefficients storedTyped(const ifs::WeightedMap<3>&);
+template ifs::TypedCoefficients storedTyped(const ifs::WeightedMap<2>&, std::size_t&);
+template ifs::TypedCoefficients storedTyped(const ifs::WeightedMap<3>&, std::size_t&);
 template void TypedComments::applyTo(ifs::IteratedFunctionSystem<2>&) const;
 template void TypedComments::applyTo(ifs::IteratedFunctionSystem<3>&) const;
 

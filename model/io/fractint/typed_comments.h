@@ -7,15 +7,19 @@
 #include <QByteArrayList>
 #include <QString>
 
+#include <cstddef>
 #include <vector>
 
 // Coefficients as they were typed, in comment lines. docs/formats.md, "Barycage's comment lines".
 namespace io {
 
+inline constexpr std::size_t maxTypedLines =
+    100'000; // of an entry, whose lines have a limit; more are left out
+
 template <int Dim> QByteArrayList typedComments(const ifs::IteratedFunctionSystem<Dim>& system);
 
-// What of them survives being written and read.
-template <int Dim> ifs::TypedCoefficients storedTyped(const ifs::WeightedMap<Dim>& map);
+// What of them survives being written and read, where so many lines are left, which are counted down.
+template <int Dim> ifs::TypedCoefficients storedTyped(const ifs::WeightedMap<Dim>& map, std::size_t& left);
 
 // Collects the lines of one entry.
 class TypedComments {

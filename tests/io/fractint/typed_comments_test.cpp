@@ -4,6 +4,7 @@
 #include "io/fractint/fractint_reader.h"
 #include "io/fractint/fractint_writer.h"
 #include "io/fractint/metadata_comments.h"
+#include "io/fractint/typed_comments.h"
 #include "io/table/table_reader.h"
 #include "io/text/typed_coefficient.h"
 #include "support/named_test.h"
@@ -105,6 +106,17 @@ private slots:
         QVERIFY(map.typed.of(0, map.map));
         QVERIFY(!io::writeEntry(fractal).contains("exact"));
         QVERIFY(readEntry(io::writeEntry(fractal)) == io::asStored(fractal));
+    }
+    // Else the entry would have more lines than can be read.
+    void anEntryHasOnlySoManyLines() {
+        Fractal fractal = readEntry(entryOf({}));
+        auto& maps = document::system2(fractal)->maps;
+        io::keepTyped(maps[0], 0, u"1/3");
+        io::keepTyped(maps[0], 3, u"1/3");
+        maps.resize(60'000, maps[0]);
+        const QByteArray text = io::writeEntry(fractal);
+        QCOMPARE(text.count("; barycage: exact "), qsizetype(io::maxTypedLines));
+        QVERIFY(readEntry(text) == io::asStored(fractal));
     }
     void plainNumbersAreNotKept() {
         QVERIFY(!io::typedCoefficient(0, u"0.25"));
