@@ -217,11 +217,12 @@ bool settleExtremePoints(Facts<2>& facts, const std::stop_token& stop) {
 template <int Dim> void findContacts(const Facts<Dim>& facts, Invariants& result) {
     const auto& maps = facts.active.maps;
     auto graph = facts.box ? neighbourGraph<Dim>(maps, *facts.box) : std::nullopt;
+    const bool isProved = graph && isGraphOf(*graph, facts.typed);
     if (graph && !facts.typed.empty())
-        graph->setCertainty(isGraphOf(*graph, facts.typed) ? Certainty::Exact : Certainty::ToRounding);
+        graph->setCertainty(isProved ? Certainty::Exact : Certainty::ToRounding);
     const NeighbourGraph* neighbours = graph ? &*graph : nullptr;
     result.contacts = pieceContacts(*facts.support, neighbours);
-    prove(*result.contacts, facts.typed);
+    prove(*result.contacts, facts.typed, isProved);
     result.openSet = openSetFacts<Dim>(maps, *result.contacts, neighbours);
     proveDimension(*result.openSet, facts.typed);
     if constexpr (Dim == 2) {
@@ -262,7 +263,7 @@ template <int Dim> void findInvariants(const Facts<Dim>& facts, Invariants& resu
 
 // The hull that is the union of its images is the attractor, and convex.
 void settleConnectedness(const Facts<2>& facts, Invariants& invariants) {
-    if (!invariants.contacts || !facts.isHullExact) return;
+    if (!invariants.contacts || !facts.isHullExact || !facts.typed.empty()) return;
     Connectedness& known = invariants.contacts->connectedness;
     if (known == Connectedness::Connected || known == Connectedness::Disconnected) return;
     if (imagesCoverHull(facts.active.maps, facts.extremePoints)) known = Connectedness::Connected;

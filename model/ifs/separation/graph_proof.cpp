@@ -34,26 +34,30 @@ bool isGraphOf(const NeighbourGraph& graph, std::span<const SurdMap> typed) {
     std::vector<SurdMap> inverses;
     for (const SurdMap& map : *maps)
         inverses.push_back(inverse(map));
-    std::vector<std::optional<SurdMap>> known(graph.neighbours() + 1);
+    std::vector<std::optional<SurdMap>> known(graph.found());
     known[0] = identity(maps->front().dimension());
     // The first step to a map comes from one that was found before it.
-    for (const auto& [from, i, j, to] : graph.edges()) {
+    for (const auto& [from, i, j, to] : graph.steps()) {
         if (!known[from]) return false;
         SurdMap image = inverses[i] * (*known[from] * (*maps)[j]);
         if (!image.hasValue() || (known[to] && !(*known[to] == image))) return false;
         known[to] = std::move(image);
     }
-    // Those that rounding tells apart are different; the identity must be one of its own.
-    return std::all_of(known.begin() + 1, known.end(),
-                       [&](const auto& map) { return map && !(*map == *known[0]); });
+    for (std::size_t k = 0; k < known.size(); ++k)
+        for (std::size_t l = 0; l <= k; ++l)
+            if (!known[k] || (l < k && *known[k] == *known[l])) return false;
+    return true;
 }
 
-void prove(PieceContacts& contacts, std::span<const SurdMap> typed) {
+void prove(PieceContacts& contacts, std::span<const SurdMap> typed, bool isGraphProved) {
     if (typed.empty()) return;
     for (Overlap& overlap : contacts.overlaps) {
         const SurdMap first = word(typed, overlap.first), second = word(typed, overlap.second);
         overlap.isExact = first.hasValue() && first == second;
     }
+    // Found of the stored coefficients without rounding, and so of others.
+    if (contacts.connectedness == Connectedness::Connected && typed.size() > 1 && !isGraphProved)
+        contacts.connectedness = Connectedness::ConnectedToRounding;
 }
 
 void proveDimension(OpenSetFacts& facts, std::span<const SurdMap> typed) {

@@ -12,11 +12,13 @@
 namespace ifs {
 
 // Whether the graph, found of the maps that these round to, is that of these: they are similarities of one
-// ratio, and each of its steps h ↦ w_i⁻¹ h w_j leads exactly to the map that it names.
+// ratio, and each of its steps h ↦ w_i⁻¹ h w_j leads exactly to the map that it names, no two of which are
+// the same.
 bool isGraphOf(const NeighbourGraph& graph, std::span<const SurdMap> typed);
 
-// Tells of each overlap whether its words have the same map.
-void prove(PieceContacts& contacts, std::span<const SurdMap> typed);
+// Tells of each overlap whether its words have the same map, and leaves connectedness proved only where the
+// graph that it comes from is.
+void prove(PieceContacts& contacts, std::span<const SurdMap> typed, bool isGraphProved);
 
 // Tells whether a dimension by the open set condition is that of similarities without rounding.
 void proveDimension(OpenSetFacts& facts, std::span<const SurdMap> typed);

@@ -250,7 +250,8 @@ private:
             edges.push_back({index[from], i, j, index[to]});
             if (from == 0) result.m_meet[i * m_maps.size() + j] = 1;
         }
-        result.m_edges = std::move(edges);
+        result.m_found = m_found.size();
+        result.m_steps = std::exchange(result.m_edges, std::move(edges));
         result.m_count = kept.size();
     }
 

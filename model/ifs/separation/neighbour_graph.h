@@ -30,8 +30,10 @@ public:
     Certainty certainty() const { return m_certainty; }
     void setCertainty(Certainty certainty) { m_certainty = certainty; }
     std::size_t maps() const { return m_maps; }
-    // By `from`, and a map before the first step that begins with it.
-    std::span<const Edge> edges() const { return m_edges; }
+    // All maps that were looked at, also those that turned out to be of no neighbours, and the steps between
+    // them; a map comes before those that are found from it.
+    std::size_t found() const { return m_found; }
+    std::span<const Edge> steps() const { return m_steps; }
     // Axes that span the affine hull of the attractor, where it is parallel to them; empty where it is the
     // plane or space.
     const std::vector<int>& axes() const { return m_axes; }
@@ -55,6 +57,8 @@ private:
     double m_ratio = 0;
     std::size_t m_maps = 0, m_count = 0;
     std::vector<Edge> m_edges; // by `from` and `i`
+    std::size_t m_found = 0;
+    std::vector<Edge> m_steps;
     std::vector<int> m_axes;
     std::vector<char> m_meet;
     std::optional<std::pair<Word, Word>> m_overlap;

@@ -227,6 +227,7 @@ private:
     Connectedness connectedness(const std::vector<bool>& apart) const {
         if (!joinsAll([&](std::size_t i, std::size_t j) { return !apart[pairIndex(i, j)]; }))
             return Connectedness::Disconnected;
+        if (m_neighbours && m_neighbours->certainty() == Certainty::Exact) return byNeighbours();
         // Two pieces cannot be disjoint where those of a neighbourhood cannot.
         if (m_maps.size() == 2 && fillSpace<Dim>(m_maps)) return Connectedness::Connected;
         const auto points = knownPoints();
@@ -236,7 +237,6 @@ private:
                 if (!apart[pairIndex(i, j)]) meet(points, i, j, exact, rounded);
         if (joinsAll([&](std::size_t i, std::size_t j) { return exact[pairIndex(i, j)]; }))
             return Connectedness::Connected;
-        if (m_neighbours && m_neighbours->certainty() == Certainty::Exact) return byNeighbours();
         if (joinsAll([&](std::size_t i, std::size_t j) { return rounded[pairIndex(i, j)]; }))
             return Connectedness::ConnectedToRounding;
         return byNeighbours();

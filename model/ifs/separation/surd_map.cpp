@@ -53,10 +53,13 @@ template <int Dim> SurdMap typedMap(const WeightedMap<Dim>& map) {
     return result;
 }
 
+// Whether a number that is typed is another one than the double next to it.
 template <int Dim> bool isAnyTyped(const WeightedMap<Dim>& map) {
     if (map.typed.isEmpty()) return false;
     for (int which = 0; which < Dim * (Dim + 1); ++which)
-        if (map.typed.of(which, map.map)) return true;
+        if (const TypedCoefficient* typed = map.typed.of(which, map.map);
+            typed && !(typed->value == Surd::stored(typed->number)))
+            return true;
     return false;
 }
 

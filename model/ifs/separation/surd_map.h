@@ -35,8 +35,8 @@ SurdMap word(std::span<const SurdMap> maps, const Word& word);
 // the attractor. nullopt where it does not, or moves that hull.
 std::optional<SurdMap> restricted(const SurdMap& map, std::span<const int> axes);
 
-// The active maps as they are typed, and as they are stored where nothing is. Empty where nothing is typed,
-// one of the numbers is too long, or maps are copied by a symmetry.
+// The active maps as they are typed, and as they are stored where nothing is. Empty where what is typed is
+// what is stored, one of the numbers is too long, or maps are copied by a symmetry.
 template <int Dim>
 std::vector<SurdMap> typedMaps(const IteratedFunctionSystem<Dim>& system, const ActiveMaps<Dim>& active);
 

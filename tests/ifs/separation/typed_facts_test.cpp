@@ -138,6 +138,34 @@ private slots:
         QVERIFY(!typed.contacts->overlaps.front().isExact);
         QCOMPARE(typed.openSet->certainty, Certainty::ToRounding);
     }
+    // Triangles that touch in doubles, and lie a little apart as they are typed.
+    void whatOnlyTouchesRoundedIsNotConnected() {
+        const Surd half = Surd(1) / Surd(2), less = half - Surd(1) / Surd(std::int64_t(1) << 60);
+        QCOMPARE(less.rounded(), 0.5);
+        const auto gasket = [&](const Surd& ratio) {
+            return std::vector<Numbers>{
+                {ratio, 0, 0, ratio, 0, 0}, {ratio, 0, 0, ratio, half, 0}, {ratio, 0, 0, ratio, 0, half}};
+        };
+        const Invariants touching = factsOf(typedSystem(gasket(half))).invariants;
+        QCOMPARE(touching.contacts->connectedness, Connectedness::Connected);
+        QCOMPARE(touching.openSet->certainty, Certainty::Exact);
+        const Invariants apart = factsOf(typedSystem(gasket(less))).invariants;
+        QVERIFY(apart.contacts->connectedness != Connectedness::Connected);
+        QVERIFY(apart.openSet->condition == OpenSetCondition::Unknown ||
+                apart.openSet->certainty == Certainty::ToRounding);
+        // The same with a square, whose hull is the union of its images.
+        std::vector<Numbers> square = gasket(less);
+        square.push_back({less, 0, 0, less, half, half});
+        QVERIFY(factsOf(typedSystem(square)).invariants.contacts->connectedness != Connectedness::Connected);
+    }
+    // 1/2 is the double 0.5, of which all is known that doubles tell.
+    void whatIsStoredAsTypedIsAsStored() {
+        const Surd half = Surd(1) / Surd(2);
+        const IteratedFunctionSystem<2> system =
+            typedSystem({{half, 0, 0, half, 0, 0}, {half, 0, 0, half, half, 0}});
+        QVERIFY(system.maps[0].typed.of(0, 0.5));
+        QVERIFY(typedMaps(system, activeMaps(system)).empty());
+    }
     // The number that is typed counts only while it is that of the map.
     void changedNumbersAreAsStored() {
         IteratedFunctionSystem<2> system = typedSystem(thirds({0, 1, 3}));
