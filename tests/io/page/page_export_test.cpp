@@ -75,7 +75,7 @@ void PageExportTest::everyEntryOfTheCollectionHasAPage() {
         io::PageExport what;
         what.fractal = *entry.fractal;
         const QByteArray page = io::pageOf(what);
-        const qsizetype limit = document::space(*entry.fractal) ? 620'000 : 470'000;
+        const qsizetype limit = document::space(*entry.fractal) ? 600'000 : 450'000;
         QVERIFY2(page.size() <= limit, QByteArray::number(page.size()));
         static const QRegularExpression field(QStringLiteral("\\{\\{[a-z-]+\\}\\}"));
         QVERIFY(!field.match(QString::fromUtf8(page)).hasMatch()); // all are filled in
