@@ -146,7 +146,7 @@ QByteArray backgroundOf(const document::Fractal& fractal) {
 }
 
 QByteArray styleOf(const PageExport& page) {
-    QByteArray style = pagePart("page.css").replace("{{background}}", backgroundOf(page.fractal));
+    QByteArray style = pageStyle().replace("{{background}}", backgroundOf(page.fractal));
     if (page.size) {
         const QByteArray width = QByteArray::number(page.size->width()),
                          height = QByteArray::number(page.size->height());
@@ -194,7 +194,7 @@ QString pageObstacle(const document::Fractal& fractal) {
 }
 
 QByteArray pageOf(const PageExport& page) {
-    const QByteArray script = pageScript(), style = styleOf(page);
+    const QByteArray script = pageScript(!page.entries.isEmpty()), style = styleOf(page);
     const auto isSolid = [](const auto& fractal) { return document::space(*fractal) != nullptr; };
     const bool knowsSpace = document::space(page.fractal) || std::ranges::any_of(page.entries, isSolid);
     const char* engine = knowsSpace ? "engine.wasm.gz" : "engine_plane.wasm.gz";

@@ -4,7 +4,7 @@
 #include <QFile>
 #include <QString>
 
-#include <initializer_list>
+#include <vector>
 
 namespace io {
 
@@ -25,14 +25,13 @@ QByteArray plainScript(const QByteArray& module) {
         } else if (inImport) {
             inImport = !text.endsWith("\";");
         } else if (!text.isEmpty() && !text.startsWith("//")) {
-            const char* indent = line.startsWith(' ') ? " " : "";
-            script += indent + (line.startsWith("export ") ? text.sliced(7) : text) + '\n';
+            script += (line.startsWith("export ") ? text.sliced(7) : text) + '\n';
         }
     }
     return script;
 }
 
-QByteArray joined(std::initializer_list<const char*> modules) {
+QByteArray joined(const std::vector<const char*>& modules) {
     QByteArray script = "\"use strict\";\n(() => {\n";
     for (const char* module : modules)
         script += plainScript(pagePart(module));
@@ -47,9 +46,19 @@ QByteArray pagePart(const char* name) {
     return file.readAll();
 }
 
-QByteArray pageScript() {
-    return joined({"numbers.js", "geometry.js", "texts.js", "dom.js", "drawing.js", "table.js", "ifs_text.js",
-                   "entry_reader.js", "link.js", "figure.js", "gallery.js", "main.js"});
+QByteArray pageScript(bool isGallery) {
+    std::vector modules{"numbers.js", "geometry.js", "texts.js",        "dom.js",  "drawing.js",
+                        "table.js",   "ifs_text.js", "entry_reader.js", "link.js", "figure.js"};
+    if (isGallery) modules.push_back("gallery.js");
+    modules.push_back("main.js");
+    return joined(modules);
+}
+
+QByteArray pageStyle() {
+    QByteArray style;
+    for (const QByteArray& line : pagePart("page.css").split('\n'))
+        style += line.trimmed() + '\n';
+    return style;
 }
 
 QByteArray workerScript() {

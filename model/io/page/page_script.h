@@ -9,8 +9,9 @@ namespace io {
 // The file of this name, such as page.css or engine.wasm.gz.
 QByteArray pagePart(const char* name);
 
-// The modules of the page, and those of its worker, each as one script.
-QByteArray pageScript();
+// The modules of the page, and those of its worker, each as one script, and its style sheet, without indents.
+QByteArray pageScript(bool isGallery);
+QByteArray pageStyle();
 QByteArray workerScript();
 
 } // namespace io
