@@ -65,7 +65,6 @@
 #include <QDragEnterEvent>
 #include <QFileInfo>
 #include <QKeyEvent>
-#include <QLineEdit>
 #include <QMenuBar>
 #include <QMimeData>
 #include <QPointer>
@@ -454,8 +453,7 @@ void MainWindow::adopt(const view::Preferences& preferences) {
 }
 
 void MainWindow::showCollection() {
-    m_panels.show(Panel::Collection);
-    if (auto* search = m_panels.dock(Panel::Collection)->findChild<QLineEdit*>()) search->setFocus();
+    m_panels.dock(Panel::Collection)->findChild<view::CollectionPanel*>()->browse();
 }
 
 void MainWindow::updateTitle() {

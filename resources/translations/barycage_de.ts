@@ -8055,6 +8055,25 @@
     </message>
 </context>
 <context>
+    <name>view::CollectionGrid</name>
+    <message>
+        <source>Fractals of the collection</source>
+        <translation>Fraktale der Sammlung</translation>
+    </message>
+    <message>
+        <source>No matches</source>
+        <translation>Keine Treffer</translation>
+    </message>
+    <message>
+        <source>No favourites yet. Select a fractal and press Ctrl+D.</source>
+        <translation>Noch keine Favoriten. Wählen Sie ein Fraktal und drücken Sie Strg+D.</translation>
+    </message>
+    <message>
+        <source>Fractals that you use appear here.</source>
+        <translation>Fraktale, die Sie verwenden, erscheinen hier.</translation>
+    </message>
+</context>
+<context>
     <name>view::CollectionModel</name>
     <message>
         <source>Theme: %1</source>
@@ -8082,18 +8101,6 @@
     <message>
         <source>Show only fractals whose name, title, theme or source contains these words.</source>
         <translation>Nur Fraktale zeigen, deren Name, Titel, Thema oder Quelle diese Wörter enthält.</translation>
-    </message>
-    <message>
-        <source>Fractals of the collection</source>
-        <translation>Fraktale der Sammlung</translation>
-    </message>
-    <message>
-        <source>No favourites yet. Select a fractal and press Ctrl+D.</source>
-        <translation>Noch keine Favoriten. Wählen Sie ein Fraktal und drücken Sie Strg+D.</translation>
-    </message>
-    <message>
-        <source>No matches</source>
-        <translation>Keine Treffer</translation>
     </message>
     <message>
         <source>Open the selected fractal as a separate document.</source>
@@ -8182,6 +8189,85 @@
     <message>
         <source>Stop reading this folder; files that were already read stay in the list</source>
         <translation>Diesen Ordner nicht weiter lesen; was schon gelesen ist, bleibt in der Liste</translation>
+    </message>
+    <message>
+        <source>&amp;Browse…</source>
+        <translation>&amp;Durchblättern…</translation>
+    </message>
+    <message>
+        <source>Show the collection over the whole window, in large pictures.</source>
+        <translation>Die Sammlung über das ganze Fenster zeigen, in großen Bildern.</translation>
+    </message>
+    <message>
+        <source>&amp;Recent Only</source>
+        <translation>Nur &amp;zuletzt verwendete</translation>
+    </message>
+    <message>
+        <source>Show only the fractals that you used last.</source>
+        <translation>Nur die zuletzt verwendeten Fraktale zeigen.</translation>
+    </message>
+</context>
+<context>
+    <name>view::CollectionWindow</name>
+    <message>
+        <source>Collection</source>
+        <translation>Sammlung</translation>
+    </message>
+    <message>
+        <source>Ready-made fractals. Double-click one or press Enter to open it. Those with a triangle in the corner move under the pointer.</source>
+        <translation>Fertige Fraktale. Ein Doppelklick oder die Eingabetaste öffnet eines. Die mit einem Dreieck in der Ecke bewegen sich unter dem Zeiger.</translation>
+    </message>
+    <message>
+        <source>Search the collection</source>
+        <translation>Die Sammlung durchsuchen</translation>
+    </message>
+    <message>
+        <source>Shows only the fractals whose name, theme or comment contains these words. Enter opens the first of them.</source>
+        <translation>Zeigt nur die Fraktale, deren Name, Thema oder Kommentar diese Wörter enthält. Eingabe öffnet das erste davon.</translation>
+    </message>
+    <message>
+        <source>Themes</source>
+        <translation>Themen</translation>
+    </message>
+    <message>
+        <source>Favourite</source>
+        <translation>Favorit</translation>
+    </message>
+    <message>
+        <source>Add the selected fractal to your favourites (Ctrl+D)</source>
+        <translation>Das ausgewählte Fraktal zu den Favoriten hinzufügen (Strg+D)</translation>
+    </message>
+    <message>
+        <source>&amp;Open</source>
+        <translation>Ö&amp;ffnen</translation>
+    </message>
+    <message>
+        <source>Add the selected fractal to the open file, or open it if you have not edited anything.</source>
+        <translation>Das ausgewählte Fraktal zur geöffneten Datei hinzufügen oder öffnen, wenn noch nichts bearbeitet wurde.</translation>
+    </message>
+    <message>
+        <source>&amp;Add to This File</source>
+        <translation>Zu dieser D&amp;atei hinzufügen</translation>
+    </message>
+    <message>
+        <source>Add the selected fractal to the open file.</source>
+        <translation>Das gewählte Fraktal der offenen Datei hinzufügen.</translation>
+    </message>
+    <message>
+        <source>All</source>
+        <translation>Alle</translation>
+    </message>
+    <message>
+        <source>Favourites</source>
+        <translation>Favoriten</translation>
+    </message>
+    <message>
+        <source>Recent</source>
+        <translation>Zuletzt verwendet</translation>
+    </message>
+    <message>
+        <source>Double-click a fractal to open it.</source>
+        <translation>Ein Doppelklick auf ein Fraktal öffnet es.</translation>
     </message>
 </context>
 <context>

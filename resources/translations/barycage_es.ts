@@ -8055,6 +8055,25 @@
     </message>
 </context>
 <context>
+    <name>view::CollectionGrid</name>
+    <message>
+        <source>Fractals of the collection</source>
+        <translation>Fractales de la colección</translation>
+    </message>
+    <message>
+        <source>No matches</source>
+        <translation>Sin resultados</translation>
+    </message>
+    <message>
+        <source>No favourites yet. Select a fractal and press Ctrl+D.</source>
+        <translation>Todavía no hay favoritos. Elija un fractal y pulse Ctrl+D.</translation>
+    </message>
+    <message>
+        <source>Fractals that you use appear here.</source>
+        <translation>Aquí aparecen los fractales que usa.</translation>
+    </message>
+</context>
+<context>
     <name>view::CollectionModel</name>
     <message>
         <source>Theme: %1</source>
@@ -8082,18 +8101,6 @@
     <message>
         <source>Show only fractals whose name, title, theme or source contains these words.</source>
         <translation>Mostrar solo los fractales cuyo nombre, título, tema o fuente contiene estas palabras.</translation>
-    </message>
-    <message>
-        <source>Fractals of the collection</source>
-        <translation>Fractales de la colección</translation>
-    </message>
-    <message>
-        <source>No favourites yet. Select a fractal and press Ctrl+D.</source>
-        <translation>Todavía no hay favoritos. Elija un fractal y pulse Ctrl+D.</translation>
-    </message>
-    <message>
-        <source>No matches</source>
-        <translation>Sin resultados</translation>
     </message>
     <message>
         <source>Open the selected fractal as a separate document.</source>
@@ -8182,6 +8189,85 @@
     <message>
         <source>Stop reading this folder; files that were already read stay in the list</source>
         <translation>Dejar de leer esta carpeta; lo ya leído queda en la lista</translation>
+    </message>
+    <message>
+        <source>&amp;Browse…</source>
+        <translation>E&amp;xplorar…</translation>
+    </message>
+    <message>
+        <source>Show the collection over the whole window, in large pictures.</source>
+        <translation>Mostrar la colección en toda la ventana, con imágenes grandes.</translation>
+    </message>
+    <message>
+        <source>&amp;Recent Only</source>
+        <translation>Solo &amp;recientes</translation>
+    </message>
+    <message>
+        <source>Show only the fractals that you used last.</source>
+        <translation>Mostrar solo los fractales usados últimamente.</translation>
+    </message>
+</context>
+<context>
+    <name>view::CollectionWindow</name>
+    <message>
+        <source>Collection</source>
+        <translation>Colección</translation>
+    </message>
+    <message>
+        <source>Ready-made fractals. Double-click one or press Enter to open it. Those with a triangle in the corner move under the pointer.</source>
+        <translation>Fractales listos para usar. Un doble clic o Intro abre uno. Los que tienen un triángulo en la esquina se mueven bajo el puntero.</translation>
+    </message>
+    <message>
+        <source>Search the collection</source>
+        <translation>Buscar en la colección</translation>
+    </message>
+    <message>
+        <source>Shows only the fractals whose name, theme or comment contains these words. Enter opens the first of them.</source>
+        <translation>Muestra solo los fractales cuyo nombre, tema o comentario contiene estas palabras. Intro abre el primero.</translation>
+    </message>
+    <message>
+        <source>Themes</source>
+        <translation>Temas</translation>
+    </message>
+    <message>
+        <source>Favourite</source>
+        <translation>Favorita</translation>
+    </message>
+    <message>
+        <source>Add the selected fractal to your favourites (Ctrl+D)</source>
+        <translation>Añadir el fractal seleccionado a los favoritos (Ctrl+D)</translation>
+    </message>
+    <message>
+        <source>&amp;Open</source>
+        <translation>A&amp;brir</translation>
+    </message>
+    <message>
+        <source>Add the selected fractal to the open file, or open it if you have not edited anything.</source>
+        <translation>Añadir el fractal seleccionado al archivo abierto, o abrirlo si aún no se ha editado nada.</translation>
+    </message>
+    <message>
+        <source>&amp;Add to This File</source>
+        <translation>Aña&amp;dir a este archivo</translation>
+    </message>
+    <message>
+        <source>Add the selected fractal to the open file.</source>
+        <translation>Añadir el fractal elegido al archivo abierto.</translation>
+    </message>
+    <message>
+        <source>All</source>
+        <translation>Todo</translation>
+    </message>
+    <message>
+        <source>Favourites</source>
+        <translation>Favoritos</translation>
+    </message>
+    <message>
+        <source>Recent</source>
+        <translation>Recientes</translation>
+    </message>
+    <message>
+        <source>Double-click a fractal to open it.</source>
+        <translation>Haga doble clic en un fractal para abrirlo.</translation>
     </message>
 </context>
 <context>

@@ -2457,7 +2457,7 @@
     </message>
     <message>
         <source>Hidden in this small window: %1 (View › Panels).</source>
-        <translation>Masqués dans cette petite fenêtre : %1 (Affichage › Panneaux).</translation>
+        <translation>Masqués dans cette petite fenêtre&#xa0;: %1 (Affichage › Panneaux).</translation>
     </message>
 </context>
 <context>
@@ -8055,6 +8055,25 @@
     </message>
 </context>
 <context>
+    <name>view::CollectionGrid</name>
+    <message>
+        <source>Fractals of the collection</source>
+        <translation>Fractales de la collection</translation>
+    </message>
+    <message>
+        <source>No matches</source>
+        <translation>Aucun résultat</translation>
+    </message>
+    <message>
+        <source>No favourites yet. Select a fractal and press Ctrl+D.</source>
+        <translation>Pas encore de favoris. Choisissez une fractale et appuyez sur Ctrl+D.</translation>
+    </message>
+    <message>
+        <source>Fractals that you use appear here.</source>
+        <translation>Les fractales que vous utilisez apparaissent ici.</translation>
+    </message>
+</context>
+<context>
     <name>view::CollectionModel</name>
     <message>
         <source>Theme: %1</source>
@@ -8082,18 +8101,6 @@
     <message>
         <source>Show only fractals whose name, title, theme or source contains these words.</source>
         <translation>N’afficher que les fractales dont le nom, le titre, le thème ou la source contient ces mots.</translation>
-    </message>
-    <message>
-        <source>Fractals of the collection</source>
-        <translation>Fractales de la collection</translation>
-    </message>
-    <message>
-        <source>No favourites yet. Select a fractal and press Ctrl+D.</source>
-        <translation>Pas encore de favoris. Choisissez une fractale et appuyez sur Ctrl+D.</translation>
-    </message>
-    <message>
-        <source>No matches</source>
-        <translation>Aucun résultat</translation>
     </message>
     <message>
         <source>Open the selected fractal as a separate document.</source>
@@ -8182,6 +8189,85 @@
     <message>
         <source>Stop reading this folder; files that were already read stay in the list</source>
         <translation>Arrêter la lecture de ce dossier ; ce qui a été lu reste dans la liste</translation>
+    </message>
+    <message>
+        <source>&amp;Browse…</source>
+        <translation>&amp;Parcourir…</translation>
+    </message>
+    <message>
+        <source>Show the collection over the whole window, in large pictures.</source>
+        <translation>Afficher la collection sur toute la fenêtre, en grandes images.</translation>
+    </message>
+    <message>
+        <source>&amp;Recent Only</source>
+        <translation>&amp;Récentes seulement</translation>
+    </message>
+    <message>
+        <source>Show only the fractals that you used last.</source>
+        <translation>N’afficher que les fractales utilisées en dernier.</translation>
+    </message>
+</context>
+<context>
+    <name>view::CollectionWindow</name>
+    <message>
+        <source>Collection</source>
+        <translation>Collection</translation>
+    </message>
+    <message>
+        <source>Ready-made fractals. Double-click one or press Enter to open it. Those with a triangle in the corner move under the pointer.</source>
+        <translation>Des fractales toutes prêtes. Un double-clic ou Entrée en ouvre une. Celles qui portent un triangle dans le coin bougent sous le pointeur.</translation>
+    </message>
+    <message>
+        <source>Search the collection</source>
+        <translation>Rechercher dans la collection</translation>
+    </message>
+    <message>
+        <source>Shows only the fractals whose name, theme or comment contains these words. Enter opens the first of them.</source>
+        <translation>N’affiche que les fractales dont le nom, le thème ou le commentaire contient ces mots. Entrée ouvre la première.</translation>
+    </message>
+    <message>
+        <source>Themes</source>
+        <translation>Thèmes</translation>
+    </message>
+    <message>
+        <source>Favourite</source>
+        <translation>Favori</translation>
+    </message>
+    <message>
+        <source>Add the selected fractal to your favourites (Ctrl+D)</source>
+        <translation>Ajouter la fractale sélectionnée aux favorites (Ctrl+D)</translation>
+    </message>
+    <message>
+        <source>&amp;Open</source>
+        <translation>&amp;Ouvrir</translation>
+    </message>
+    <message>
+        <source>Add the selected fractal to the open file, or open it if you have not edited anything.</source>
+        <translation>Ajouter la fractale sélectionnée au fichier ouvert, ou l’ouvrir si rien n’a encore été modifié.</translation>
+    </message>
+    <message>
+        <source>&amp;Add to This File</source>
+        <translation>&amp;Ajouter à ce fichier</translation>
+    </message>
+    <message>
+        <source>Add the selected fractal to the open file.</source>
+        <translation>Ajouter la fractale choisie au fichier ouvert.</translation>
+    </message>
+    <message>
+        <source>All</source>
+        <translation>Tout</translation>
+    </message>
+    <message>
+        <source>Favourites</source>
+        <translation>Favorites</translation>
+    </message>
+    <message>
+        <source>Recent</source>
+        <translation>Récentes</translation>
+    </message>
+    <message>
+        <source>Double-click a fractal to open it.</source>
+        <translation>Double-cliquez sur une fractale pour l’ouvrir.</translation>
     </message>
 </context>
 <context>

@@ -8073,6 +8073,25 @@
     </message>
 </context>
 <context>
+    <name>view::CollectionGrid</name>
+    <message>
+        <source>Fractals of the collection</source>
+        <translation>Фрактали од збирката</translation>
+    </message>
+    <message>
+        <source>No matches</source>
+        <translation>Нема резултати</translation>
+    </message>
+    <message>
+        <source>No favourites yet. Select a fractal and press Ctrl+D.</source>
+        <translation>Сѐ уште нема омилени. Изберете фрактал и притиснете Ctrl+D.</translation>
+    </message>
+    <message>
+        <source>Fractals that you use appear here.</source>
+        <translation>Фракталите што ги користите се појавуваат тука.</translation>
+    </message>
+</context>
+<context>
     <name>view::CollectionModel</name>
     <message>
         <source>Theme: %1</source>
@@ -8100,18 +8119,6 @@
     <message>
         <source>Show only fractals whose name, title, theme or source contains these words.</source>
         <translation>Прикажи ги само фракталите чие име, наслов, тема или извор ги содржи овие зборови.</translation>
-    </message>
-    <message>
-        <source>Fractals of the collection</source>
-        <translation>Фрактали од збирката</translation>
-    </message>
-    <message>
-        <source>No favourites yet. Select a fractal and press Ctrl+D.</source>
-        <translation>Сѐ уште нема омилени. Изберете фрактал и притиснете Ctrl+D.</translation>
-    </message>
-    <message>
-        <source>No matches</source>
-        <translation>Нема резултати</translation>
     </message>
     <message>
         <source>Open the selected fractal as a separate document.</source>
@@ -8200,6 +8207,85 @@
     <message>
         <source>Stop reading this folder; files that were already read stay in the list</source>
         <translation>Запри со читање на оваа папка; прочитаното останува во списокот</translation>
+    </message>
+    <message>
+        <source>&amp;Browse…</source>
+        <translation>&amp;Прелистај…</translation>
+    </message>
+    <message>
+        <source>Show the collection over the whole window, in large pictures.</source>
+        <translation>Прикажи ја збирката преку целиот прозорец, со големи слики.</translation>
+    </message>
+    <message>
+        <source>&amp;Recent Only</source>
+        <translation>Само &amp;неодамнешни</translation>
+    </message>
+    <message>
+        <source>Show only the fractals that you used last.</source>
+        <translation>Прикажи ги само последно користените фрактали.</translation>
+    </message>
+</context>
+<context>
+    <name>view::CollectionWindow</name>
+    <message>
+        <source>Collection</source>
+        <translation>Збирка</translation>
+    </message>
+    <message>
+        <source>Ready-made fractals. Double-click one or press Enter to open it. Those with a triangle in the corner move under the pointer.</source>
+        <translation>Готови фрактали. Двоен клик или Enter отвора еден. Оние со триаголник во аголот се движат под покажувачот.</translation>
+    </message>
+    <message>
+        <source>Search the collection</source>
+        <translation>Пребарај ја збирката</translation>
+    </message>
+    <message>
+        <source>Shows only the fractals whose name, theme or comment contains these words. Enter opens the first of them.</source>
+        <translation>Ги прикажува само фракталите чие име, тема или коментар ги содржи овие зборови. Enter го отвора првиот од нив.</translation>
+    </message>
+    <message>
+        <source>Themes</source>
+        <translation>Теми</translation>
+    </message>
+    <message>
+        <source>Favourite</source>
+        <translation>Омилена</translation>
+    </message>
+    <message>
+        <source>Add the selected fractal to your favourites (Ctrl+D)</source>
+        <translation>Додади го избраниот фрактал во омилените (Ctrl+D)</translation>
+    </message>
+    <message>
+        <source>&amp;Open</source>
+        <translation>&amp;Отвори</translation>
+    </message>
+    <message>
+        <source>Add the selected fractal to the open file, or open it if you have not edited anything.</source>
+        <translation>Додај го избраниот фрактал во отворената датотека или отвори го ако сè уште ништо не е изменето.</translation>
+    </message>
+    <message>
+        <source>&amp;Add to This File</source>
+        <translation>&amp;Додај во оваа датотека</translation>
+    </message>
+    <message>
+        <source>Add the selected fractal to the open file.</source>
+        <translation>Додај го избраниот фрактал во отворената датотека.</translation>
+    </message>
+    <message>
+        <source>All</source>
+        <translation>Сите</translation>
+    </message>
+    <message>
+        <source>Favourites</source>
+        <translation>Омилени</translation>
+    </message>
+    <message>
+        <source>Recent</source>
+        <translation>Неодамнешни</translation>
+    </message>
+    <message>
+        <source>Double-click a fractal to open it.</source>
+        <translation>Кликнете двапати на фрактал за да го отворите.</translation>
     </message>
 </context>
 <context>

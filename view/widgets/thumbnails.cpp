@@ -7,8 +7,7 @@
 #include "document/fractal/fractal_geometry.h"
 #include "document/fractal/space_geometry.h"
 #include "io/picture/thumbnail_cache.h"
-
-#include <QPainter>
+#include "widgets/thumbnail_tile.h"
 
 #include <algorithm>
 #include <optional>
@@ -211,17 +210,7 @@ void Thumbnails::take(std::uint64_t job, const QImage& picture) {
 
 Thumbnail Thumbnails::toThumbnail(const QImage& picture) const {
     if (picture.width() <= 1) return {Thumbnail::State::NoAttractor, {}};
-    QImage rounded(picture.size(), QImage::Format_ARGB32_Premultiplied);
-    rounded.fill(Qt::transparent);
-    QPainter painter(&rounded);
-    painter.setRenderHint(QPainter::Antialiasing);
-    painter.setPen(Qt::NoPen);
-    painter.setBrush(picture);
-    painter.drawRoundedRect(rounded.rect(), cornerRadius * m_ratio, cornerRadius * m_ratio);
-    painter.end();
-    QPixmap pixmap = QPixmap::fromImage(std::move(rounded));
-    pixmap.setDevicePixelRatio(m_ratio);
-    return {Thumbnail::State::Ready, pixmap};
+    return {Thumbnail::State::Ready, roundedPixmap(picture, m_ratio)};
 }
 
 } // namespace view

@@ -12,12 +12,23 @@
 
 namespace ifs {
 
+namespace {
+
+// Number of a cell, row by row, where the grid is cut into 2^levels × 2^levels of them; nullopt outside.
+std::optional<std::size_t> cellOf(const Vector<2>& x, const CellGrid& grid, int levels) {
+    const auto across = double(std::size_t(1) << levels);
+    const double column = std::floor((x.x() - grid.origin.x()) / grid.side * across);
+    const double row = std::floor((x.y() - grid.origin.y()) / grid.side * across);
+    if (!(column >= 0 && row >= 0 && column < across && row < across)) return std::nullopt;
+    return (std::size_t(row) << levels) + std::size_t(column);
+}
+
+} // namespace
+
 bool CellGrid::mark(const Vector<2>& x) {
-    const double across = std::ldexp(1, levels);
-    const double column = std::floor((x.x() - origin.x()) / side * across);
-    const double row = std::floor((x.y() - origin.y()) / side * across);
-    if (!(column >= 0 && row >= 0 && column < across && row < across)) return false;
-    std::uint8_t& cell = occupied[(std::size_t(row) << levels) + std::size_t(column)];
+    const auto number = cellOf(x, *this, levels);
+    if (!number) return false;
+    std::uint8_t& cell = occupied[*number];
     const bool isNew = cell == 0;
     cell = 1;
     return isNew;
@@ -80,19 +91,32 @@ std::optional<CellGrid> occupiedCells(const SupportFunction<2>& support, int lev
     const double least = ((box.max - box.min).maxCoeff() + 2 * box.error) * (1 + 0x1p-30);
     if (!(least > 64 * box.error)) return std::nullopt;
     const double side = std::max(least, minSide);
-    CellGrid fine = emptyGrid(box.min - Vector<2>::Constant(box.error), side, levels + 1);
+    CellGrid grid = emptyGrid(box.min - Vector<2>::Constant(box.error), side, levels);
+    // Half-cells as bits, which stay in the caches of the processor.
+    std::vector<std::uint64_t> halves((std::size_t(1) << 2 * (levels + 1)) / 64 + 1);
+    const auto mark = [&](const Vector<2>& x) {
+        const auto half = cellOf(x, grid, levels + 1);
+        if (!half) return false;
+        std::uint64_t& word = halves[*half / 64];
+        const std::uint64_t bit = std::uint64_t{1} << (*half % 64);
+        if (word & bit) return false;
+        word |= bit;
+        const std::size_t row = *half >> (levels + 1), column = *half & ((std::size_t(2) << levels) - 1);
+        grid.occupied[((row / 2) << levels) + column / 2] = 1;
+        return true;
+    };
     std::vector<Vector<2>> open{support.pointOfAttractor()};
-    fine.mark(image(open.back()));
+    mark(image(open.back()));
     while (!open.empty()) {
         if (open.size() % 1024 == 0 && stop.stop_requested()) return std::nullopt;
         const Vector<2> point = open.back();
         open.pop_back();
         for (const auto& map : support.maps()) {
             const Vector<2> next = map(point);
-            if (fine.mark(image(next))) open.push_back(next);
+            if (mark(image(next))) open.push_back(next);
         }
     }
-    return halved(fine);
+    return grid;
 }
 
 std::vector<std::uint64_t> leastBoxCounts(const CellGrid& grid) {

@@ -228,20 +228,32 @@ Failure animationObstacle(const AnimationExport& what) {
     return what.format ? videoObstacle(settingsOf(what)) : Failure();
 }
 
-std::optional<QImage> framePreview(AnimationExport what, int frame, const QSize& pixels,
-                                   const std::stop_token& stop) {
+FramePreviews::FramePreviews(AnimationExport what, const QSize& pixels) : m_what(std::move(what)) {
     constexpr std::uint64_t perPixel = 40;
-    if (pixels.isEmpty()) return std::nullopt;
-    what = withViewKeyed(std::move(what));
-    what.size = pixels;
-    what.points = perPixel * std::uint64_t(pixels.width()) * std::uint64_t(pixels.height());
+    m_what.size = pixels;
+    m_what.points = perPixel * std::uint64_t(pixels.width()) * std::uint64_t(pixels.height());
+}
+
+FramePreviews::~FramePreviews() = default;
+
+std::optional<QImage> FramePreviews::draw(int frame, const std::stop_token& stop) {
+    if (m_what.size.isEmpty()) return std::nullopt;
     try {
-        FrameDrawing drawing(std::make_unique<PlainFrames>(what), {0, Exposing::Each});
-        const QImage image = drawing.draw(frame, {}, stop).image;
+        if (!m_drawing) {
+            m_what = withViewKeyed(std::move(m_what));
+            m_drawing = std::make_unique<FrameDrawing>(std::make_unique<PlainFrames>(m_what),
+                                                       FrameOptions{0, Exposing::Each});
+        }
+        const QImage image = m_drawing->draw(frame, {}, stop).image;
         return image.isNull() || stop.stop_requested() ? std::nullopt : std::optional(image);
     } catch (const std::bad_alloc&) {
         return std::nullopt;
     }
+}
+
+std::optional<QImage> framePreview(AnimationExport what, int frame, const QSize& pixels,
+                                   const std::stop_token& stop) {
+    return FramePreviews(std::move(what), pixels).draw(frame, stop);
 }
 
 ExportOutcome exportAnimation(const AnimationExport& what, const QString& path, const Progress& progress,

@@ -10,6 +10,7 @@
 #include <QStringList>
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <stop_token>
 #include <vector>
@@ -53,6 +54,20 @@ Failure animationObstacle(const AnimationExport& what);
 // there is no room for it.
 std::optional<QImage> framePreview(AnimationExport what, int frame, const QSize& pixels,
                                    const std::stop_token& stop = {});
+
+// The same for many frames of one entry: what all of them share is found out with the first. One thread at a
+// time.
+class FramePreviews {
+public:
+    FramePreviews(AnimationExport what, const QSize& pixels);
+    ~FramePreviews();
+
+    std::optional<QImage> draw(int frame, const std::stop_token& stop = {});
+
+private:
+    AnimationExport m_what;
+    std::unique_ptr<FrameDrawing> m_drawing;
+};
 
 // Draws the frames one after the other and writes them. A video appears whole or not at all. So does each
 // picture; those that are complete and of the same request stay as they are, so that stopped work goes on

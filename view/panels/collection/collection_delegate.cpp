@@ -15,12 +15,7 @@ namespace view {
 namespace {
 
 constexpr int padding = 4;
-
-QFont nameFont(const QFont& font) {
-    QFont smaller = font;
-    if (font.pointSizeF() > 0) smaller.setPointSizeF(font.pointSizeF() * 0.86);
-    return smaller;
-}
+constexpr int smallSide = 100; // pixels: below, names are written smaller
 
 QFont headingFont(const QFont& font) {
     QFont bold = font;
@@ -46,11 +41,41 @@ void paintStar(QPainter* painter, const QRect& picture) {
     painter->restore();
 }
 
+// A white triangle on a dark disk, for what moves.
+void paintPlay(QPainter* painter, const QRect& picture) {
+    constexpr double radius = 9;
+    const QPointF centre(picture.right() - radius - 4, picture.bottom() - radius - 4);
+    painter->save();
+    painter->setRenderHint(QPainter::Antialiasing);
+    painter->setPen(QPen(QColor(255, 255, 255, 110), 1));
+    painter->setBrush(QColor(0, 0, 0, 150));
+    painter->drawEllipse(centre, radius, radius);
+    painter->setPen(Qt::NoPen);
+    painter->setBrush(Qt::white);
+    painter->drawPolygon(
+        QPolygonF{centre + QPointF(-3, -4.5), centre + QPointF(5, 0), centre + QPointF(-3, 4.5)});
+    painter->restore();
+}
+
 bool isHeading(const QModelIndex& index) {
     return index.data(CollectionModel::HeadingRole).toBool();
 }
 
 } // namespace
+
+CollectionDelegate::CollectionDelegate(int pictureSide, QObject* parent)
+    : QStyledItemDelegate(parent), m_side(pictureSide) {}
+
+void CollectionDelegate::setFrame(const QModelIndex& index, const QPixmap& frame) {
+    m_moving = index;
+    m_frame = frame;
+}
+
+QFont CollectionDelegate::nameFont(const QFont& font) const {
+    QFont smaller = font;
+    if (m_side < smallSide && font.pointSizeF() > 0) smaller.setPointSizeF(font.pointSizeF() * 0.86);
+    return smaller;
+}
 
 void CollectionDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option,
                                const QModelIndex& index) const {
@@ -63,12 +88,11 @@ void CollectionDelegate::paint(QPainter* painter, const QStyleOptionViewItem& op
 }
 
 QSize CollectionDelegate::sizeHint(const QStyleOptionViewItem& option, const QModelIndex& index) const {
-    if (!isHeading(index))
-        return {pictureSide + 2 * padding, pictureSide + 3 * padding + heights(option.font).name};
+    if (!isHeading(index)) return {m_side + 2 * padding, m_side + 3 * padding + heights(option.font).name};
     const int height = heights(option.font).heading + 4 * padding;
     const auto* list = qobject_cast<const QListView*>(option.widget);
     const int width = list ? list->viewport()->width() - 2 * list->spacing() - 1 : 200;
-    return {qMax(width, pictureSide), height}; // alone in its row
+    return {qMax(width, m_side), height}; // alone in its row
 }
 
 const CollectionDelegate::Heights& CollectionDelegate::heights(const QFont& font) const {
@@ -94,13 +118,16 @@ void CollectionDelegate::paintEntry(QPainter* painter, QStyleOptionViewItem opti
     const QStyle* style = option.widget ? option.widget->style() : QApplication::style();
     style->drawPrimitive(QStyle::PE_PanelItemViewItem, &option, painter, option.widget);
 
-    const QRect picture(option.rect.left() + (option.rect.width() - pictureSide) / 2,
-                        option.rect.top() + padding, pictureSide, pictureSide);
-    paintThumbnail(*painter, picture,
-                   {static_cast<Thumbnail::State>(index.data(CollectionModel::ThumbnailStateRole).toInt()),
-                    index.data(Qt::DecorationRole).value<QPixmap>()},
+    const QRect picture(option.rect.left() + (option.rect.width() - m_side) / 2, option.rect.top() + padding,
+                        m_side, m_side);
+    const bool isMoving = m_moving == index && !m_frame.isNull();
+    const Thumbnail still{
+        static_cast<Thumbnail::State>(index.data(CollectionModel::ThumbnailStateRole).toInt()),
+        index.data(Qt::DecorationRole).value<QPixmap>()};
+    paintThumbnail(*painter, picture, isMoving ? Thumbnail{Thumbnail::State::Ready, m_frame} : still,
                    option.palette);
-
+    if (!isMoving && m_side >= smallSide && index.data(CollectionModel::MovesRole).toBool())
+        paintPlay(painter, picture);
     if (index.data(CollectionModel::FavouriteRole).toBool()) paintStar(painter, picture);
 
     const QFont font = nameFont(option.font);

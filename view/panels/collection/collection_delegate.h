@@ -2,18 +2,23 @@
 #pragma once
 
 #include <QFont>
+#include <QPersistentModelIndex>
+#include <QPixmap>
 #include <QStyledItemDelegate>
 
 namespace view {
 
-// Draws a theme's title across the whole width, and each of its entries as a picture with its name below.
+// Draws a theme's title across the whole width, and each of its entries as a picture with its name below. One
+// entry may show another picture: the frame of its animation.
 class CollectionDelegate : public QStyledItemDelegate {
     Q_OBJECT
 
 public:
-    static constexpr int pictureSide = 76; // device-independent pixels
+    // The side of the pictures, in device-independent pixels.
+    CollectionDelegate(int pictureSide, QObject* parent);
 
-    using QStyledItemDelegate::QStyledItemDelegate;
+    int pictureSide() const { return m_side; }
+    void setFrame(const QModelIndex& index, const QPixmap& frame); // an invalid index: of none
 
     void paint(QPainter* painter, const QStyleOptionViewItem& option,
                const QModelIndex& index) const override;
@@ -29,7 +34,12 @@ private:
     void paintHeading(QPainter* painter, const QStyleOptionViewItem& option, const QModelIndex& index) const;
     void paintEntry(QPainter* painter, QStyleOptionViewItem option, const QModelIndex& index) const;
 
+    QFont nameFont(const QFont& font) const;
+
+    int m_side;
     mutable Heights m_heights;
+    QPersistentModelIndex m_moving;
+    QPixmap m_frame;
 };
 
 } // namespace view

@@ -2,6 +2,7 @@
 #include "panels/collection/collection_model.h"
 
 #include "desktop/clipboard.h"
+#include "document/moments/animated_fractal.h"
 #include "document/text/user_comments.h"
 #include "document/tops/kept_theft.h"
 #include "document/tops/partner_names.h"
@@ -16,6 +17,8 @@
 
 namespace view {
 namespace {
+
+constexpr qsizetype mostRecent = 24; // two screens of small pictures
 
 bool isReadable(const document::Entry& entry) {
     return document::dimension(*entry.fractal) != 0;
@@ -46,11 +49,8 @@ QString toolTip(const document::Fractal& fractal, const QString& theme) {
 CollectionModel::CollectionModel(Thumbnails* thumbnails, QObject* parent)
     : QAbstractListModel(parent), m_thumbnails(thumbnails) {
     connect(thumbnails, &Thumbnails::ready, this, [this](quint64 key) {
-        const auto row =
-            std::find_if(m_rows.begin(), m_rows.end(), [key](const Row& r) { return r.key == key; });
-        if (row == m_rows.end()) return;
-        const QModelIndex changed = index(static_cast<int>(row - m_rows.begin()));
-        emit dataChanged(changed, changed, {Qt::DecorationRole, ThumbnailStateRole});
+        const QModelIndex changed = indexOf(key);
+        if (changed.isValid()) emit dataChanged(changed, changed, {Qt::DecorationRole, ThumbnailStateRole});
     });
 }
 
@@ -66,9 +66,15 @@ int CollectionModel::placeFor(const QString& folder) const {
 }
 
 void CollectionModel::append(const io::CollectionTheme& theme, const QString& folder) {
-    QList<Row> rows{{0, theme.title, theme.description, folder, {}}};
+    QList<Row> rows{{0, theme.title, theme.description, folder, {}, false}};
     for (const document::Entry& entry : theme.entries)
-        if (isReadable(entry)) rows.append({++m_lastKey, theme.title, {}, folder, entry});
+        if (isReadable(entry))
+            rows.append({++m_lastKey,
+                         theme.title,
+                         {},
+                         folder,
+                         entry,
+                         document::animationFacts(*entry.fractal).has_value()});
     expect(folder);
     const int first = placeFor(folder);
     beginInsertRows({}, first, first + static_cast<int>(rows.size()) - 1);
@@ -92,6 +98,15 @@ void CollectionModel::removeFolder(const QString& folder) {
 
 std::shared_ptr<const document::Fractal> CollectionModel::fractalAt(const QModelIndex& index) const {
     return index.isValid() ? m_rows[index.row()].entry.fractal : nullptr;
+}
+
+Thumbnails::Key CollectionModel::keyAt(const QModelIndex& index) const {
+    return index.isValid() ? m_rows[index.row()].key : 0;
+}
+
+QModelIndex CollectionModel::indexOf(Thumbnails::Key key) const {
+    const auto row = std::ranges::find(m_rows, key, &Row::key);
+    return key == 0 || row == m_rows.end() ? QModelIndex() : index(int(row - m_rows.begin()));
 }
 
 QList<document::Fractal> CollectionModel::withPartnerAt(const QModelIndex& index) const {
@@ -118,6 +133,7 @@ QVariant CollectionModel::data(const QModelIndex& index, int role) const {
     if (!checkIndex(index, CheckIndexOption::ParentIsInvalid)) return {};
     const Row& row = m_rows[index.row()];
     if (role == FolderRole) return row.folder;
+    if (role == SectionRole) return QString(row.folder + u'|' + row.theme);
     return row.entry.fractal ? entryData(row, role) : headingData(row, role);
 }
 
@@ -139,6 +155,20 @@ bool CollectionModel::setData(const QModelIndex& index, const QVariant& value, i
         m_favourites.remove(key);
     emit dataChanged(index, index, {FavouriteRole});
     return true;
+}
+
+void CollectionModel::setRecent(const QStringList& recent) {
+    m_recent = recent.first(std::min(recent.size(), mostRecent));
+    if (!m_rows.isEmpty()) emit dataChanged(index(0), index(rowCount() - 1), {RecentRole});
+}
+
+void CollectionModel::addRecent(const QModelIndex& index) {
+    if (!fractalAt(index)) return;
+    QStringList recent = m_recent;
+    const QString key = favouriteKey(m_rows[index.row()]);
+    recent.removeAll(key);
+    recent.prepend(key);
+    setRecent(recent);
 }
 
 QVariant CollectionModel::headingData(const Row& row, int role) const {
@@ -179,6 +209,10 @@ QVariant CollectionModel::entryData(const Row& row, int role) const {
         return false;
     case FavouriteRole:
         return m_favourites.contains(favouriteKey(row));
+    case RecentRole:
+        return int(m_recent.indexOf(favouriteKey(row)));
+    case MovesRole:
+        return row.moves;
     case SearchRole:
         return (QStringList{fractal.name, fractal.headerComment, row.theme} + fractal.comments)
             .join(QLatin1Char('\n'));

@@ -20,6 +20,9 @@ public:
         SearchRole,                 // QString: all that a search looks at
         FolderRole,    // QString: the user's folder the theme came from, empty for the bundled ones
         FavouriteRole, // bool; can be set
+        RecentRole,    // int: 0 for the entry used last, then 1, …; −1 for those not used lately
+        MovesRole,     // bool: the entry has an animation
+        SectionRole,   // QString: the theme and its folder, which tell it from themes of the same name
     };
 
     explicit CollectionModel(Thumbnails* thumbnails, QObject* parent = nullptr); // which must outlive it
@@ -33,9 +36,16 @@ public:
     // What the user likes, by folder, theme and name.
     void setFavourites(const QStringList& favourites);
     QStringList favourites() const { return {m_favourites.begin(), m_favourites.end()}; }
+    // Entries used last, the newest first, named like favourites.
+    void setRecent(const QStringList& recent);
+    const QStringList& recent() const { return m_recent; }
+    void addRecent(const QModelIndex& index);
 
     // nullptr for the title of a theme.
     std::shared_ptr<const document::Fractal> fractalAt(const QModelIndex& index) const;
+    // The number of an entry that no other one has, as long as it is there; 0 for titles.
+    Thumbnails::Key keyAt(const QModelIndex& index) const;
+    QModelIndex indexOf(Thumbnails::Key key) const; // invalid for 0, and where it is gone
     // It, and behind it the partner of its fractal transformation, with the picture by its full path.
     QList<document::Fractal> withPartnerAt(const QModelIndex& index) const;
 
@@ -53,6 +63,7 @@ private:
         QString description; // of the theme; for its title only
         QString folder;
         document::Entry entry; // without fractal: the title of a theme
+        bool moves = false;
     };
 
     int placeFor(const QString& folder) const; // behind what is there
@@ -64,6 +75,7 @@ private:
     QList<Row> m_rows;
     QStringList m_folders; // in their order
     QSet<QString> m_favourites;
+    QStringList m_recent;
     Thumbnails::Key m_lastKey = 0;
 };
 

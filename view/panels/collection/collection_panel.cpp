@@ -3,9 +3,9 @@
 
 #include "desktop/settings.h"
 #include "io/picture/thumbnail_cache.h"
-#include "panels/collection/collection_delegate.h"
-#include "panels/collection/collection_filter.h"
+#include "panels/collection/collection_grid.h"
 #include "panels/collection/collection_model.h"
+#include "panels/collection/collection_window.h"
 #include "widgets/file_dialogs.h"
 #include "widgets/flat_buttons.h"
 #include "widgets/focus_shortcuts.h"
@@ -13,12 +13,11 @@
 #include "widgets/thumbnails.h"
 
 #include <QAction>
+#include <QActionGroup>
 #include <QEvent>
 #include <QFileInfo>
 #include <QHBoxLayout>
-#include <QLabel>
 #include <QLineEdit>
-#include <QListView>
 #include <QMenu>
 #include <QProgressBar>
 #include <QToolButton>
@@ -33,8 +32,8 @@ namespace {
 
 const QString foldersKey = QStringLiteral("collection/folders");
 const QString favouritesKey = QStringLiteral("collection/favourites");
-constexpr int lowest =
-    64; // pixels of the list: on small screens with large letters the picture needs the rest
+const QString recentKey = QStringLiteral("collection/recent");
+constexpr int pictureSide = 76;                    // device-independent pixels
 constexpr std::chrono::milliseconds patience{400}; // before reading is worth a word
 
 } // namespace
@@ -43,10 +42,8 @@ CollectionPanel::CollectionPanel(QWidget* parent)
     : QWidget(parent),
       m_thumbnails(new Thumbnails(this)),
       m_model(new CollectionModel(m_thumbnails, this)),
-      m_filtered(new CollectionFilter(this)),
       m_search(new QLineEdit(this)),
-      m_grid(new QListView(this)),
-      m_whyEmpty(new QLabel(m_grid->viewport())),
+      m_grid(new CollectionGrid(m_model, pictureSide, this)),
       m_progress(createProgress()) {
     setAccessibleName(tr("Collection"));
     m_thumbnails->setCache(std::make_unique<io::ThumbnailCache>(io::ThumbnailCache::usualFolder()));
@@ -66,9 +63,17 @@ CollectionPanel::CollectionPanel(QWidget* parent)
     layout->addWidget(m_search);
     layout->addWidget(m_grid, 1);
     layout->addWidget(m_progress);
-    layout->addWidget(buttonBar({m_open, m_add, m_onlyFavourites, m_addFolder}, m_onlyFavourites, this));
+    layout->addWidget(
+        buttonBar({m_browse, m_add, m_onlyFavourites, m_onlyRecent, m_addFolder}, m_onlyFavourites, this));
 
     m_model->setFavourites(stored(favouritesKey).toStringList());
+    m_model->setRecent(stored(recentKey).toStringList());
+    connect(m_model, &QAbstractItemModel::dataChanged, this,
+            [this](const QModelIndex&, const QModelIndex&, const QList<int>& roles) {
+                if (roles.contains(CollectionModel::FavouriteRole))
+                    store(favouritesKey, m_model->favourites());
+                if (roles.contains(CollectionModel::RecentRole)) store(recentKey, m_model->recent());
+            });
     read({});
     m_folders = stored(foldersKey).toStringList();
     for (const QString& folder : std::as_const(m_folders))
@@ -82,31 +87,11 @@ CollectionPanel::~CollectionPanel() {
 }
 
 void CollectionPanel::createGrid() {
-    m_filtered->setSourceModel(m_model);
-    m_grid->setModel(m_filtered);
-    m_grid->setItemDelegate(new CollectionDelegate(m_grid));
-    m_grid->setAccessibleName(tr("Fractals of the collection"));
     m_grid->setWhatsThis(tr("Ready-made fractals. Double-click one or press Enter to open it in this window; "
                             "right-click it to add it to the file instead."));
-    m_grid->setViewMode(QListView::IconMode);
-    m_grid->setMovement(QListView::Static);
-    m_grid->setMinimumHeight(lowest);
-    m_grid->setResizeMode(QListView::Adjust);
-    m_grid->setSpacing(2);
-    m_grid->setVerticalScrollMode(QAbstractItemView::ScrollPerPixel);
-    m_grid->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     m_grid->setDragEnabled(true);
     m_grid->setDragDropMode(QAbstractItemView::DragOnly);
-    m_grid->setContextMenuPolicy(Qt::CustomContextMenu);
-    m_whyEmpty->setAlignment(Qt::AlignCenter);
-    m_whyEmpty->setWordWrap(true);
-    m_whyEmpty->setEnabled(false); // as a placeholder is drawn
-    m_whyEmpty->hide();
-    auto* cover = new QVBoxLayout(m_grid->viewport());
-    cover->addWidget(m_whyEmpty);
-    connect(m_search, &QLineEdit::textChanged, m_filtered, &CollectionFilter::setWords);
-    connect(m_search, &QLineEdit::textChanged, this, &CollectionPanel::sayWhyEmpty);
-    connect(m_search, &QLineEdit::textChanged, this, &CollectionPanel::chooseFound);
+    connect(m_search, &QLineEdit::textChanged, m_grid, &CollectionGrid::search);
     connect(m_search, &QLineEdit::returnPressed, this, [this] { m_use->trigger(); });
     connect(m_grid, &QListView::doubleClicked, this, [this] { m_use->trigger(); });
     connect(m_grid->selectionModel(), &QItemSelectionModel::currentChanged, this,
@@ -114,63 +99,71 @@ void CollectionPanel::createGrid() {
     connect(m_grid, &QWidget::customContextMenuRequested, this, &CollectionPanel::showContextMenu);
 }
 
-// The first, so that Enter opens it.
-void CollectionPanel::chooseFound() {
-    if (m_search->text().isEmpty()) return;
-    for (int row = 0; row < m_filtered->rowCount(); ++row) {
-        const QModelIndex index = m_filtered->index(row, 0);
-        if (index.flags() & Qt::ItemIsSelectable) return m_grid->setCurrentIndex(index);
-    }
-}
-
-void CollectionPanel::sayWhyEmpty() {
-    m_whyEmpty->setVisible(m_filtered->rowCount() == 0);
-    m_whyEmpty->setText(m_search->text().isEmpty()
-                            ? tr("No favourites yet. Select a fractal and press Ctrl+D.")
-                            : tr("No matches"));
-}
-
 void CollectionPanel::createActions() {
     m_use = createAction(
         tr("&Use"),
         tr("Add the selected fractal to the open file, or open it if you have not edited anything."),
         QStringLiteral("add"), {Qt::Key_Return, Qt::Key_Enter});
-    connect(m_use, &QAction::triggered, this, [this] {
-        if (const auto fractals = current(); !fractals.isEmpty()) emit chosen(fractals);
-    });
+    connect(m_use, &QAction::triggered, this, [this] { use(&CollectionPanel::chosen); });
     m_open =
         createAction(tr("&Open as New Document"), tr("Open the selected fractal as a separate document."),
                      QStringLiteral("open"), {});
     m_open->setObjectName(QStringLiteral("open"));
+    connect(m_open, &QAction::triggered, this, [this] { use(&CollectionPanel::openRequested); });
     m_add = createAction(tr("&Add to This File"), tr("Add the selected fractal to the open file."),
                          QStringLiteral("add"), {Qt::SHIFT | Qt::Key_Return, Qt::SHIFT | Qt::Key_Enter});
+    connect(m_add, &QAction::triggered, this, [this] { use(&CollectionPanel::addRequested); });
     m_favourite = createAction(tr("Fa&vourite"), tr("Add the selected fractal to your favourites."),
                                QStringLiteral("favourite"), {Qt::CTRL | Qt::Key_D});
     m_favourite->setObjectName(QStringLiteral("favourite"));
     m_favourite->setCheckable(true);
+    connect(m_favourite, &QAction::triggered, this,
+            [this](bool on) { m_model->setData(m_grid->current(), on, CollectionModel::FavouriteRole); });
+    m_browse =
+        createAction(tr("&Browse…"), tr("Show the collection over the whole window, in large pictures."),
+                     QStringLiteral("collection"), {});
+    m_browse->setObjectName(QStringLiteral("browse"));
+    connect(m_browse, &QAction::triggered, this, &CollectionPanel::browse);
     m_onlyFavourites = createAction(tr("Fa&vourites Only"), tr("Show only your favourites."),
                                     QStringLiteral("favourite"), {});
     m_onlyFavourites->setObjectName(QStringLiteral("favourites-only"));
-    m_onlyFavourites->setCheckable(true);
-    connect(m_favourite, &QAction::triggered, this, [this](bool on) {
-        m_model->setData(m_filtered->mapToSource(m_grid->currentIndex()), on, CollectionModel::FavouriteRole);
-        store(favouritesKey, m_model->favourites());
-        if (m_onlyFavourites->isChecked()) m_filtered->setOnlyFavourites(true); // titles may go as well
-        sayWhyEmpty();
-    });
-    connect(m_onlyFavourites, &QAction::toggled, m_filtered, &CollectionFilter::setOnlyFavourites);
-    connect(m_onlyFavourites, &QAction::toggled, this, &CollectionPanel::sayWhyEmpty);
+    m_onlyRecent = createAction(tr("&Recent Only"), tr("Show only the fractals that you used last."),
+                                QStringLiteral("history"), {});
+    m_onlyRecent->setObjectName(QStringLiteral("recent-only"));
+    auto* parts = new QActionGroup(this);
+    parts->setExclusionPolicy(QActionGroup::ExclusionPolicy::ExclusiveOptional);
+    for (QAction* part : {m_onlyFavourites, m_onlyRecent}) {
+        part->setCheckable(true);
+        parts->addAction(part);
+        connect(part, &QAction::toggled, this, &CollectionPanel::showPart);
+    }
     m_addFolder =
         createAction(tr("Add &Folder…"), tr("Add the .ifs files of one of your own folders to this list."),
                      QStringLiteral("add-folder"), {});
-    connect(m_open, &QAction::triggered, this, [this] {
-        if (const auto fractals = current(); !fractals.isEmpty()) emit openRequested(fractals);
-    });
-    connect(m_add, &QAction::triggered, this, [this] {
-        if (const auto fractals = current(); !fractals.isEmpty()) emit addRequested(fractals);
-    });
     connect(m_addFolder, &QAction::triggered, this, &CollectionPanel::chooseFolder);
     new FocusShortcuts(m_grid);
+}
+
+void CollectionPanel::showPart() {
+    using Part = CollectionFilter::Part;
+    m_grid->setPart(m_onlyFavourites->isChecked() ? Part::Favourites
+                    : m_onlyRecent->isChecked()   ? Part::Recent
+                                                  : Part::All);
+}
+
+void CollectionPanel::use(void (CollectionPanel::*used)(const QList<document::Fractal>&)) {
+    const QList<document::Fractal> fractals = current();
+    if (fractals.isEmpty()) return;
+    m_model->addRecent(m_grid->current());
+    emit(this->*used)(fractals);
+}
+
+void CollectionPanel::browse() {
+    auto* browser = new CollectionWindow(m_model, window());
+    browser->setAttribute(Qt::WA_DeleteOnClose);
+    connect(browser, &CollectionWindow::chosen, this, &CollectionPanel::chosen);
+    connect(browser, &CollectionWindow::addRequested, this, &CollectionPanel::addRequested);
+    browser->open();
 }
 
 QAction* CollectionPanel::createAction(const QString& text, const QString& statusTip, const QString& iconName,
@@ -302,12 +295,12 @@ void CollectionPanel::updateActions() {
 }
 
 QList<document::Fractal> CollectionPanel::current() const {
-    return m_model->withPartnerAt(m_filtered->mapToSource(m_grid->currentIndex()));
+    return m_model->withPartnerAt(m_grid->current());
 }
 
 bool CollectionPanel::event(QEvent* event) {
     if (event->type() == QEvent::Show || event->type() == QEvent::ScreenChangeInternal)
-        m_thumbnails->setSize(CollectionDelegate::pictureSide, devicePixelRatioF());
+        m_thumbnails->setSize(pictureSide, devicePixelRatioF());
     return QWidget::event(event);
 }
 

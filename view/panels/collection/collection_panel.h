@@ -9,14 +9,12 @@
 #include <QWidget>
 
 class QAction;
-class QLabel;
 class QLineEdit;
-class QListView;
 class QProgressBar;
 
 namespace view {
 
-class CollectionFilter;
+class CollectionGrid;
 class CollectionModel;
 class Thumbnails;
 
@@ -32,6 +30,7 @@ public:
     void addFolder(const QString& folder); // remembered in the settings
     void removeFolder(const QString& folder);
     QStringList folders() const { return m_folders; }
+    void browse(); // opens a CollectionWindow
 
 signals:
     // The fractal, and behind it the partner of its fractal transformation.
@@ -57,21 +56,21 @@ private:
     void chooseFolder();
     void saveFolders() const;
     void updateActions();
-    void chooseFound();
-    void sayWhyEmpty();
+    void showPart();
+    void use(void (CollectionPanel::*used)(const QList<document::Fractal>&));
     QList<document::Fractal> current() const; // nothing, one, or with its partner
 
     Thumbnails* m_thumbnails;
     CollectionModel* m_model;
-    CollectionFilter* m_filtered;
     QLineEdit* m_search;
-    QListView* m_grid;
-    QLabel* m_whyEmpty;
+    CollectionGrid* m_grid;
     QAction* m_use = nullptr;
     QAction* m_open = nullptr;
     QAction* m_add = nullptr;
     QAction* m_favourite = nullptr;
+    QAction* m_browse = nullptr;
     QAction* m_onlyFavourites = nullptr;
+    QAction* m_onlyRecent = nullptr;
     QAction* m_addFolder = nullptr;
     QStringList m_folders;
     struct Reading {
