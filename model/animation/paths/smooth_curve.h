@@ -11,8 +11,8 @@
 // The curves that smooth ways follow. docs/mathematics.md, "Smooth ways".
 namespace animation {
 
-// What is at the two keys of a segment, and at the keys beside them where there are any. `from` is at time 0,
-// `to` at 1, `before` at begin < 0 and `after` at end > 1.
+// The values at the two keys of a segment and, where they exist, at the keys beside them. `from` is at time
+// 0, `to` at 1, `before` at begin < 0 and `after` at end > 1.
 template <class Value> struct KeysAround {
     Value from;
     Value to;
