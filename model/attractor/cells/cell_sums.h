@@ -14,10 +14,10 @@ namespace attractor {
 
 enum class CellKind { Count, Colour };
 
-// What has fallen into the cells of a window: 32-bit counters of every thread, and 64-bit sums into which
-// they are carried over before they can wrap. The sum does not depend on who counted what. A fractal leaves
-// most of its window empty: counters are cleared tile by tile when they are first asked for, and tiles that
-// nobody has asked for are passed over by all that read.
+// Samples counted in the cells of a window: 32-bit counters of every thread, and 64-bit sums into which they
+// are carried over before they can wrap. The sum does not depend on which thread counted what. A fractal
+// leaves most of its window empty: counters are cleared tile by tile when they are first requested, and
+// readers skip tiles that were never requested.
 class CellSums {
 public:
     // The largest number of colours whose samples can be counted in no more memory than their sum takes.
@@ -53,7 +53,7 @@ public:
     void carryOverColours(std::size_t thread); // thread-safe for different threads
     void carryOverCounts();                    // all threads' counters, those of layers too
 
-    // Whether the 32-bit counters are all there is.
+    // Returns true if there are 64-bit sums besides the 32-bit counters.
     bool carried() const { return !m_carriedCounts.empty(); }
     // The counters that have to be added up in the columns from one to another, none where nothing fell.
     struct Piece {
@@ -81,7 +81,7 @@ public:
             blue += other.blue;
             return *this;
         }
-        // So many samples of a colour.
+        // Adds `count` samples of one colour.
         void add(std::uint32_t count, const ColourCell& colour) {
             samples += count;
             red += std::uint64_t{count} * colour.red;
@@ -105,8 +105,8 @@ private:
     struct Release {
         void operator()(void* memory) const { ::operator delete(memory); }
     };
-    // One thread's cells, which are meaningless in tiles that have not been touched. Nothing is written to
-    // these, so that they take no memory either.
+    // The cells of one thread. Tiles that have not been touched are uninitialized and never written, so that
+    // they take no memory.
     template <class Cell> struct Counters {
         std::unique_ptr<Cell[], Release> cells;
         std::size_t size = 0;

@@ -34,8 +34,8 @@ public:
     double samplesOverAttractor() const override { return m_overAttractor; }
     const std::optional<AddressCut>& cut() const { return m_cut; } // of the newest sample set
 
-    // From the next sample set on, only the units of the part are gathered. All else is as for the whole
-    // picture: samples(), samplesOverAttractor(), exposure(). rewind() makes it whole again.
+    // Restricts gathering to the units of the part, from the next sample set on. samples(),
+    // samplesOverAttractor() and exposure() remain those of the whole picture. rewind() makes it whole again.
     void setPart(const PicturePart& part) { m_part = part; }
     using SumFold::sums; // what other parts have gathered may be added
     double measure() const override { return m_cut ? m_cut->probability : 1; }
@@ -86,7 +86,7 @@ private:
     std::uint64_t m_cutOfSet = 0; // the sample set that m_cut was made for
     CutMemory m_cutMemory;
     AddressStrata m_strata;
-    // By place; of linked maps, as many as AddressCut::sampleSets tells apart.
+    // Sample sets by place; for linked maps, as many as AddressCut::sampleSets distinguishes.
     std::vector<SampleSet> m_samples;
     std::vector<std::optional<SampleSetKey>> m_drawn; // what m_samples holds, of maps that are not linked
     std::uint64_t m_sampleSets = 0;                   // planned so far

@@ -26,9 +26,9 @@ public:
     Fold& operator=(const Fold&) = delete;
     virtual ~Fold() = default;
 
-    // For the prepared request as it is now. Memory of an earlier one is kept; rewind() comes next.
+    // Prepares for the current state of the prepared request, reusing memory. Call rewind() next.
     virtual void start(Workers& workers) = 0;
-    // Nothing drawn yet; from now on what falls into the window is gathered.
+    // Empties the picture; from now on samples in the window are gathered.
     virtual void rewind(const CellWindow& window) = 0;
 
     // The next pass, of so many samples; the one before is complete.
@@ -44,10 +44,10 @@ public:
     // The measure of the words that meet the view, estimated.
     virtual double measure() const { return 1; }
     virtual int iterations() const { return 0; } // drawn, where Wⁿ is
-    // What it had to leave out.
+    // The reason why the picture is incomplete, if it is.
     virtual RenderNote note() const { return RenderNote::None; }
 
-    // Whether exposure() is the same for all that can be drawn, and nothing need be drawn to know it.
+    // Returns true if exposure() is the same for every picture and known before anything is drawn.
     virtual bool hasFixedExposure() const { return false; }
     // Measured once and kept for the passes to come. nullopt when stopped.
     virtual std::optional<Exposure> exposure(const std::stop_token& stop) = 0;

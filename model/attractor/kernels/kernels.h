@@ -39,11 +39,11 @@ struct Run {
 
 // Counts every point of the run in its cell of the window, or in an overflow cell.
 void addToCounts(const ShownWord& shown, const Run& run, const CellWindow& window, std::uint32_t* counts);
-// For a run that is known to lie in the window.
+// A faster version for runs known to lie in the window.
 void addInside(const ShownWord& shown, const Run& run, const CellWindow& window, std::uint32_t* counts);
 
-// For a run that falls into at most `patchCells` cells, all inside the window, whose first is (column, row):
-// counted in several small copies, because increments of one counter have to wait for each other.
+// The cells of a run that covers at most `patchCells`, all inside the window; (column, row) is the first.
+// They are counted in several small copies, because increments of one counter have to wait for each other.
 struct Patch {
     int column = 0;
     int row = 0;
@@ -77,7 +77,7 @@ struct ChaosTables {
     float escapeRadius = 0;
 };
 
-// On: an orbit that leaves the escape radius begins anew at 0.
+// With On, an orbit that leaves the escape radius restarts at 0.
 enum class Guard { Off, On };
 
 // `steps` steps of every orbit. Where x and y are given, the point of orbit `lane` after step `k` goes to

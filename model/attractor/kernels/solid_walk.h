@@ -108,7 +108,7 @@ struct SolidJob {
 // Points of a cover that are this far apart at most leave no holes.
 constexpr float maxSpacing = 0.9F; // pixels
 
-// Whether nothing of the word would be seen in the band, and of what lies so many pixels around it neither.
+// Returns true if neither the word nor anything within `around` pixels of it would be visible in the band.
 bool isHidden(const SolidWord& word, float around, KeyBand& band);
 
 // False when stopped, within milliseconds. Words and depths must be finite.

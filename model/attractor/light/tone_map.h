@@ -45,7 +45,7 @@ struct ToneSettings {
 // Cells → pixels.
 class ToneMap {
 public:
-    // No cell may hold more than `maxSamples`.
+    // `maxSamples` is an upper bound of the samples in a cell.
     ToneMap(const ToneSettings& settings, std::uint64_t maxSamples);
 
     // Rows [firstRow, endRow) of the pixels, counted from the first row of the sums. Different rows may be

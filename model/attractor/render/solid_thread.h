@@ -55,7 +55,7 @@ public:
     void submit(Job job); // any thread
     void cancel();        // forget the present request; the newest frame stays
 
-    // Any thread; nullptr before the first frame.
+    // Thread-safe; nullptr before the first frame.
     std::shared_ptr<const SolidFrame> newestFrame();
 
 private:

@@ -15,7 +15,7 @@ struct PaletteInterval {
     double width = 1;
 };
 
-// How the maps that take part lead points along the palette: c(w_i(x)) from c(x). docs/mathematics.md,
+// Palette coordinates along addresses: c(w_i(x)) from c(x) for each map that takes part. docs/mathematics.md,
 // "Density to colour".
 class ColourCoordinates {
 public:
@@ -41,12 +41,12 @@ public:
         const MapBlend& blend = m_blends[map];
         return {word.start + word.width * blend.speed * blend.coordinate, word.width * (1 - blend.speed)};
     }
-    // What serves for all points of a word: the middle of the interval, or where maps blend the mean over
-    // the points.
+    // The palette coordinate used for all points of a word: the middle of the interval, or with blends the
+    // mean over the points.
     double middle(const PaletteInterval& word) const { return word.start + word.width * m_mean; }
 
-    // Whether a word is to be divided because its points differ in colour; never along the address, where
-    // the least length of words sees to that.
+    // Returns true if a word has to be divided because its points differ in colour; never along the address,
+    // where the minimum length of words takes care of that.
     bool isMixed(const PaletteInterval& word) const { return word.width * m_range > maxRange; }
     // The share of the measure in view above which a word is divided.
     double minShare() const { return static_cast<double>(m_maps) / words; }
@@ -64,7 +64,8 @@ private:
 // The blend that leads along the address as the map at `index` of so many does.
 MapBlend addressBlend(std::size_t index, std::size_t maps);
 
-// As the appearance has it; along the address where it has something else. `active` is of the system.
+// The coordinates that the appearance asks for; along the address if it colours by something else. `active`
+// belongs to the system.
 template <int Dim>
 ColourCoordinates colourCoordinates(const Appearance& appearance,
                                     const ifs::IteratedFunctionSystem<Dim>& system,

@@ -12,7 +12,7 @@ enum class UpAxis { Y, Z };
 // Turns what is told with y up into what it is with this one.
 Orientation standing(UpAxis up);
 
-// From where a camera looks, whatever its roll.
+// The direction from which a camera looks, regardless of its roll.
 struct Direction {
     double azimuth = 0;
     double elevation = 0;
@@ -35,7 +35,7 @@ OrbitCamera turnedTo(OrbitCamera camera, double azimuth, double elevation, UpAxi
 // The same view of a world that stands otherwise.
 OrbitCamera stoodUp(OrbitCamera camera, UpAxis from, UpAxis to);
 
-// What was seen at a pixel in the plane of the target is seen at pixel + delta.
+// Pans so that the point of the target's plane seen at a pixel is seen at pixel + delta.
 OrbitCamera panned(OrbitCamera camera, const ifs::Vector<2>& delta);
 
 // Zoomed by `factor`; what is seen at the pixel in the plane of the target stays there.

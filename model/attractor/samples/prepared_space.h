@@ -24,7 +24,7 @@ struct PreparedSpace : ifs::ActiveMaps<3> {
     RenderNote note = RenderNote::None;       // None, NoMaps, NoAttractor or Undecided
     std::vector<ifs::MovedBranch<3>> moved{}; // words over `maps`
 
-    // In coordinates in which the box is [−1, 1]³.
+    // The map in coordinates in which the box is [−1, 1]³.
     ifs::AffineMap<3> inBox(const ifs::AffineMap<3>& map) const;
     ifs::AffineMap<3> fromBox() const; // those coordinates → the code's
 

@@ -10,8 +10,8 @@
 
 namespace attractor {
 
-// What a bend makes of a word and of all that lies in it, to second order:
-// u ↦ middle + linear·u + (uᵀ second[r] u)/2 for every coordinate r, off by at most `miss` in [−1, 1]³.
+// A bent word with everything in it, expanded to second order: u ↦ middle + linear·u + (uᵀ second[r] u)/2 for
+// every coordinate r, off by at most `miss` in [−1, 1]³.
 struct BentWord {
     ifs::Vector<3> middle = ifs::Vector<3>::Zero();
     ifs::Matrix<3> linear = ifs::Matrix<3>::Zero();

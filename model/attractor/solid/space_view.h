@@ -78,7 +78,7 @@ WalkedWord childWord(const WalkedWord& word, std::size_t index, const ifs::Affin
                      const SpaceView& view);
 WalkedWord walkedTo(const ifs::Word& address, WalkedWord word, std::span<const ifs::AffineMap<3>> maps,
                     const SpaceView& view);
-// As above; remembers in `word` what is to be known of the words in it.
+// Caches in `word` what its subwords need.
 StraightWord straightened(WalkedWord& word, const SpaceView& view);
 
 // What a word, an affine map of [−1, 1]³ to the coordinates of SpaceView::toPixels, shows on the screen.
@@ -98,7 +98,7 @@ struct SeenWord {
 };
 SeenWord seen(const ifs::AffineMap<3>& word, const SpaceView& view);
 SeenWord seen(WalkedWord& word, const SpaceView& view);
-// As far as what is known already tells: in a larger box, but it is in there.
+// A cheaper bound from what is cached already: contained in a box that may be larger.
 SeenWord glimpsed(WalkedWord& word, const SpaceView& view);
 
 } // namespace attractor

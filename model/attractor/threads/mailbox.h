@@ -10,7 +10,7 @@
 
 namespace attractor {
 
-// From any thread to one worker: only the newest job is kept, and the job under way is asked to stop.
+// Hands jobs from any thread to one worker: only the newest is kept, and the job under way is asked to stop.
 template <class Job> class Mailbox {
 public:
     // Takes the place of a job that waits; nullopt: nothing is to be done.

@@ -34,7 +34,7 @@ private:
     bool keep(const CoupledSystem& system, const TheftRequest& request, const std::stop_token& stop);
 
     Workers m_workers;
-    // What the keys belong to; those without a pixel to nothing.
+    // The state for which the keys were drawn; without keys for a pixel, they belong to none.
     std::vector<ifs::AffineMap<2>> m_from;
     std::vector<double> m_probabilities;
     Camera m_camera;

@@ -36,7 +36,7 @@ public:
     // Decodes as if made from this system, which has the same F.
     void moveTo(const CoupledSystem& system);
 
-    // What a key is decoded by: its piece is key / samples().size(), its sample the rest.
+    // The decoder of a key: its piece is key / samples().size(), its sample the remainder.
     struct Piece {
         ifs::AffineMap<2> to;
         double stretch; // |det v_σ / det w_σ|, times the ratio of the wholes
@@ -57,7 +57,7 @@ private:
     int m_width;
     CoupledSamples m_samples;
     WordTree m_tree;
-    // By rank:
+    // Tables by rank:
     std::vector<kernels::KeyWord> m_words;
     std::vector<PixelBox> m_boxes;
     std::vector<Source> m_sources;

@@ -12,7 +12,7 @@
 
 namespace attractor {
 
-// One word of a cut.
+// A word of a cut.
 struct TopWord {
     ifs::AffineMap<2> shown;  // from coordinates of F to pixels
     std::uint32_t number = 0; // in the tree
