@@ -14,10 +14,10 @@
 
 namespace ifs {
 
-// How a picture of an attractor is put together from copies of itself. Level 0 is an outline around the
-// attractor; level k is, for every map, a copy of the level that lies below k by as many steps as the map
-// shrinks, so that the copies of level 0 that end up in the picture have about the same size. Where these
-// would be too thin to be seen, the picture is made of projections of the attractor instead.
+// Picture of an attractor put together from copies of itself. Level 0 is an outline around the attractor;
+// level k is, for every map, a copy of the level that lies below k by as many steps as the map shrinks, so
+// that the copies of level 0 that end up in the picture have about the same size. Where these would be too
+// thin to be seen, the picture is made of projections of the attractor instead.
 // docs/decisions/0003-thin-copies-in-svg.md.
 class CopyHierarchy {
 public:
@@ -90,7 +90,7 @@ private:
     Vector<2> m_fibre = Vector<2>::Zero();
     double m_fibreShrinkage = 0; // minus the logarithm of what one level shrinks it by, at least
     std::vector<std::uint64_t> m_references;
-    // From this depth on copies would fade away, and the picture is made of these words instead.
+    // Depth from which on copies would fade away, so that the picture is made of the words below instead.
     int m_faintLevel = maxLevels + 1;
     std::vector<CopyWords::Word> m_words;
 };

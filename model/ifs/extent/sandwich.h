@@ -27,11 +27,11 @@ public:
 
     const Outline& outline() const { return m_outline; }
 
-    // How far the attractor may lie outside the hull of the points.
+    // Upper bound of the distance of a point of the attractor from the hull of the points.
     double error() const;
 
-    // In the middle of its normals a corner is alone the farthest: it is found exactly there, where the
-    // search along an edge may stop anywhere beside it.
+    // Finds each corner exactly, by a search in the middle of its normals, where it is the only farthest
+    // point; a search along an edge may stop anywhere beside it.
     void settleCorners(const Polygon& polygon);
 
 private:

@@ -67,7 +67,7 @@ private:
     std::vector<std::vector<double>> m_bounds;
 };
 
-// As of plain maps, to rounding where the search allows it.
+// Extents as of plain maps, exact to rounding where the search allows it.
 BoundingBox<2> boundingBox(const LinkedExtent& extent);
 CanonicalSimplex<2> minimalCanonicalSimplex(const LinkedExtent& extent);
 // The boxes of the parts by the maps that make them, of which so many in a row are the copies of one map. No

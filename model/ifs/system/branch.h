@@ -51,10 +51,10 @@ template <int Dim> struct MovedBranch {
     friend bool operator==(const MovedBranch&, const MovedBranch&) = default;
 };
 
-// What is shown of an attractor A whose branches are moved: the union of change(w_word(A)) over words with
-// exactly one of which every address begins. Of branches inside each other the inner one moves first. At most
-// 1 + (maps − 1)·Σ lengths of the words pieces, in lexicographic order. Branches with longer words than
-// `longest` stay.
+// The pieces of an attractor A whose branches are moved: the union of change(w_word(A)) over words with
+// exactly one of which every address begins. Among nested branches the inner one moves first. At most 1 +
+// (maps − 1)·Σ lengths of the words pieces, in lexicographic order. Branches with words longer than `longest`
+// stay.
 template <int Dim>
 std::vector<MovedBranch<Dim>> pieces(std::span<const MovedBranch<Dim>> moved, std::size_t mapCount,
                                      std::size_t longest = std::size_t(-1));
