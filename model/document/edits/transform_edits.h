@@ -33,7 +33,7 @@ struct SpaceTransformation {
 };
 ifs::AffineMap<3> affineMap(const SpaceTransformation& transformation);
 
-// For fractals of that dimension.
+// The fractal must have the dimension of the transformation.
 
 // The code stays, the current cage moves: the picture is T of what it was.
 template <int Dim> Fractal placed(Fractal fractal, const ifs::AffineMap<Dim>& transformation);

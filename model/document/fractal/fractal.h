@@ -44,7 +44,7 @@ template <int Dim> struct Shape {
     friend bool operator==(const Shape&, const Shape&) = default;
 };
 
-// One entry of a file, as a plain value.
+// An entry of a file, as a plain value.
 struct Fractal {
     // Compiled once, and not in each of the many files that copy one.
     Fractal();
@@ -70,7 +70,7 @@ struct Fractal {
 
 int dimension(const Fractal& fractal); // 2 or 3; 0 for an unreadable entry
 
-// What the entry holds; nullptr where it is of the other dimension or could not be read.
+// The shape of the entry; nullptr if it has the other dimension or could not be read.
 inline const Shape<2>* plane(const Fractal& fractal) {
     return std::get_if<Shape<2>>(&fractal.shape);
 }
@@ -84,7 +84,7 @@ inline Shape<3>* space(Fractal& fractal) {
     return std::get_if<Shape<3>>(&fractal.shape);
 }
 
-// Its system alone; nullptr as above.
+// The system alone; nullptr as above.
 inline const System2* system2(const Fractal& fractal) {
     const Shape<2>* shape = plane(fractal);
     return shape ? &shape->system : nullptr;
@@ -107,7 +107,7 @@ inline const ifs::ControlCage<2>* cage2(const Fractal& fractal) {
     return shape && shape->cage ? &*shape->cage : nullptr;
 }
 
-// Whether the codes are the same, whatever holds them.
+// Returns true if the codes are the same, whatever cage holds them.
 bool isSameSystem(const Fractal& a, const Fractal& b);
 
 Fractal sierpinskiTriangle(); // what File → New starts with

@@ -42,14 +42,14 @@ public:
     // Maps can be moved unless the placement, or the piece, is flat.
     bool canBeMoved() const;
 
-    // One corner elsewhere: a change of rank one.
+    // Moves one corner of a map: a change of rank one.
     Fractal withCornerMoved(std::size_t index, std::size_t corner, const ifs::Vector<2>& offset) const;
-    // Where the cage bends, those below are of first order in the middle of each map.
+    // Moves maps. Where the cage bends, this and the following are of first order in the middle of each map.
     Fractal withMapsMoved(std::span<const std::size_t> indices, const ifs::Vector<2>& offset) const;
     Fractal withMapsMoved(std::span<const std::size_t> indices,
                           std::span<const ifs::Vector<2>> offsets) const; // one for each map
     Fractal withMapsChanged(std::span<const std::size_t> indices, const ifs::AffineMap<2>& change) const;
-    // Each map turned about the image of `root`, a point in coordinates of the code: branches that swing.
+    // Turns each map about its image of `root`, a point in coordinates of the code: branches that swing.
     Fractal withMapsSwung(std::span<const std::size_t> indices, const ifs::Vector<2>& root,
                           double angle) const;
 
@@ -68,7 +68,7 @@ private:
     std::vector<ifs::WeightedMap<2>> m_branchMap;
 };
 
-// What a change of a branch is made a change of.
+// Meaning of a change of a branch for the code.
 enum class BranchEdit {
     Display, // where the branch is shown, and it alone: the code stays
     OwnMap,  // the system over the cut set of its address, in which the branch is the first map

@@ -45,7 +45,7 @@ public:
     // the fractal as it is. Maps must be movable. Where the cage bends, a corner that it takes nowhere stays.
     Fractal withCornersMoved(std::size_t index, const Corners& offsets) const;
     Fractal withCornersMoved(std::span<const std::size_t> indices, std::span<const Corners> offsets) const;
-    // These maps, each turned by an angle about its image of `root`, a point in coordinates of the code,
+    // Turns each of these maps by an angle about its image of `root`, a point in coordinates of the code,
     // which stays: branches that swing. Counter-clockwise for the one to whom `axis`, of length 1, points.
     // Otherwise as above; where the cage bends, to first order in the middle of each map.
     Fractal withMapsSwung(std::span<const std::size_t> indices, const ifs::Vector<3>& root,
@@ -58,7 +58,7 @@ private:
                                            const ifs::Matrix<3>& turn) const;
     ifs::Vector<3> shown(const ifs::Vector<3>& x) const;
     void moveCorners(Fractal& fractal, std::size_t index, const Corners& offsets) const;
-    // By how much x is to be moved to be displayed so far from where it is.
+    // The offset of x that moves its displayed point by `offset`.
     ifs::Vector<3> inPiece(const ifs::Vector<3>& x, const ifs::Vector<3>& offset) const;
 
     std::shared_ptr<const Fractal> m_fractal;

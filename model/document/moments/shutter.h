@@ -7,13 +7,13 @@
 
 #include <vector>
 
-// What a frame of an animation has besides its moment: the time for which it is exposed, and how bright it
-// is. Both are functions of the animation and the frame, so that a frame that is drawn alone is that of the
-// sequence. docs/mathematics.md, "Shutter".
+// Exposure of a frame of an animation: the time for which the shutter is open, and the brightness. Both are
+// functions of the animation and the frame, so that a frame drawn alone is that of the sequence.
+// docs/mathematics.md, "Shutter".
 namespace document {
 
-// How long a shutter is open, in thousandths of a degree: 360° are the time from one frame to the next. 0:
-// the moment alone.
+// Time for which a shutter is open, in thousandths of a degree: 360° are the time from one frame to the next.
+// 0: the moment alone.
 using ShutterAngle = int;
 constexpr ShutterAngle maxShutterAngle = 360'000;
 

@@ -9,8 +9,8 @@
 
 namespace document {
 
-// How far Wⁿ(B) is from the attractor A in the Hausdorff distance, in the plane as it is displayed or, where
-// the cage bends or flattens it, in that of the code.
+// Hausdorff distance of Wⁿ(B) from the attractor A, in the plane as it is displayed or, where the cage bends
+// or flattens it, in that of the code.
 struct StepDistance {
     double contraction = 0; // s, the largest spectral norm of a map
     // Measured on cells; nullopt where the maps are linked or s ≥ 1.

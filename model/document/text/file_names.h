@@ -8,7 +8,7 @@ namespace document {
 
 inline constexpr qsizetype maxFileName = 255; // bytes, of most file systems
 
-// As much of the text as takes at most so many bytes in UTF-8.
+// The longest beginning of the text that takes at most `bytes` bytes in UTF-8.
 QString cutTo(QString text, qsizetype bytes);
 
 // The text as a part of the name of a file: at most so many bytes in UTF-8, never empty, and without what

@@ -16,7 +16,7 @@ namespace document {
 // Why there is nothing to vary, as a sentence; empty where there is.
 QString variationObstacle(const Fractal& fractal);
 
-// How a fractal is varied.
+// Settings for varying a fractal.
 struct Mutation {
     double strength = 0.3; // from 0, nearly the same, to 1, hardly to be recognised
     MayChange may{};
@@ -55,7 +55,7 @@ private:
     std::unique_ptr<const Crossings> m_crossings; // null without a partner
 };
 
-// One of them.
+// A single variation.
 Fractal variation(const Fractal& fractal, const Mutation& mutation, std::uint64_t seed);
 
 } // namespace document

@@ -6,7 +6,7 @@
 
 namespace document {
 
-// How far maps go when they are varied.
+// Extent of the variation of maps.
 struct MapVariation {
     double strength = 0;  // from 0 to 1
     bool maySplit = true; // whether maps may be added and removed
