@@ -11,7 +11,7 @@
 
 namespace io {
 
-// What a file of any kind that can be opened holds. Only a Fractint collection may be written back in place.
+// Content of a file of any kind that can be opened. Only a Fractint collection may be written back in place.
 struct Collection {
     QString format; // one of collectionFormats()
     document::FractalFile file;
@@ -21,7 +21,7 @@ struct Collection {
 // The names of the formats that are told apart, and "unknown".
 QStringList collectionFormats();
 
-// How to understand what a format leaves open.
+// Choices for what a format leaves open.
 struct ReadOptions {
     FlameAxis axis = FlameAxis::Flipped;
     std::optional<TableColumns> columns; // of a table; nullopt: as its header says, else Fractint's

@@ -31,13 +31,14 @@ struct AnimationExport {
     std::optional<attractor::OrbitCamera> seenFrom{};
 };
 
-// With a key of the camera in place of `seenFrom`, so that the text of the entry says all. It may take long.
+// Replaces `seenFrom` by a key of the camera, so that the text of the entry says everything. It may take
+// long.
 AnimationExport withViewKeyed(AnimationExport what);
 
-// Between the names of files and the options of `animate`, these arguments say the same.
+// The options of `animate` that say the same, to be put between the names of files.
 QStringList options(const AnimationExport& what);
 
-// How many frames there are to draw.
+// Number of frames to draw.
 int frameCount(const document::Fractal& entry);
 // The number with which the last picture is written decides how many digits all have, at least four.
 // `path` is "NAME.png": frame 6 of "wind.png" is "wind.0007.png".

@@ -78,7 +78,7 @@ private:
     std::optional<QByteArray> m_mistake;
 };
 
-// As the lines name it.
+// Names of the tracks in the lines.
 
 } // namespace io
 

@@ -14,7 +14,7 @@ namespace io {
 // 256 levels or the next.
 PaletteFile readPalettes(const QByteArray& bytes, const QString& name);
 
-// As a .gpl file: 256 colours for every program, and the stops in comments for readPalettes().
+// A .gpl file: 256 colours for every program, and the stops in comments for readPalettes().
 QByteArray writeGimpPalette(const attractor::Palette& palette);
 
 } // namespace io

@@ -27,7 +27,7 @@ struct PlaneExport {
     PictureFormat::Depth depth = PictureFormat::Depth::Bits8;
     std::optional<attractor::DividedPicture> divided{};     // what of it is drawn here, and what elsewhere
     std::vector<std::pair<QByteArray, QByteArray>> texts{}; // further ones, as in PictureFormat
-    // What a shutter sees in place of the request's moment; see BandedRendering::openShutter().
+    // The moments seen by an open shutter, in place of the request's own; see BandedRendering::openShutter().
     std::vector<attractor::RenderRequest> moments{};
     std::optional<attractor::Exposure> exposure{}; // mean density included; else that of the picture itself
     PictureFile file = PictureFile::Png;           // a kind of file that takes this depth

@@ -33,7 +33,7 @@ QString boundText(double bound);
 // where all of them are noise, of the size of things; else nothing.
 QString errorNote(const std::vector<double>& values, double error, double size, int digits);
 
-// Whether the error leaves nothing of a figure of that size.
+// Returns true if the error leaves nothing of a figure of that size.
 inline bool isWorthless(double error, double size) {
     return !(error < size) && error > 0;
 }

@@ -15,7 +15,7 @@
 
 namespace io {
 
-// What a report is about.
+// Subject of a report.
 struct InfoSubject {
     QString fileName; // as the user gave it
     QString format;   // "fractint", "png", "svg" …
