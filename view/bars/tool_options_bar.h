@@ -10,8 +10,8 @@ namespace view {
 class BranchBar;
 class SpaceView;
 
-// One row under the canvas with the options of the tool that is chosen, or what it does where it has none. It
-// keeps its height whatever the tool, so that the picture stays where it is.
+// A row under the canvas with the options of the current tool, or a description of it if it has none. Its
+// height is the same for every tool, so that the picture stays where it is.
 class ToolOptionsBar : public QStackedWidget {
     Q_OBJECT
 

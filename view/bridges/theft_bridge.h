@@ -15,9 +15,9 @@
 
 namespace view {
 
-// Between a fractal transformation and the two canvases that show it: every change of either fractal, either
-// camera or the picture becomes a job, every finished pair of pictures goes to the render bridges. While
-// there is no transformation, they show densities.
+// Connects a fractal transformation to the two canvases that show it: every change of either fractal, either
+// camera or the picture becomes a job, every finished pair of pictures goes to the render bridges. Without a
+// transformation, these show densities.
 class TheftBridge : public QObject {
     Q_OBJECT
 

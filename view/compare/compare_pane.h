@@ -38,7 +38,7 @@ public:
     bool areViewsLinked() const;
     void setViewsLinked(bool linked);
     bool cancelGesture(); // false when none was under way
-    // As in the canvases of the window:
+    // Options as in the canvases of the window:
     void setAllowsNoAttractor(bool allows);
     void setTrackball(bool on);
 
@@ -65,7 +65,7 @@ private:
     document::EntryId likelyEntry() const;
     bool canLink() const; // both are of the same dimension
     void standAlike();    // both in space have the same axis up
-    // So that the one at `to` looks where the other does.
+    // Makes the canvas at `to` follow the view of the other.
     void linkPlanes(CanvasView* from, CanvasView* to);
     void linkSpaces(SpaceView* from, SpaceView* to);
 

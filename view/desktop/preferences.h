@@ -7,7 +7,7 @@
 
 namespace view {
 
-// What the user prefers in every window, kept between runs. A value: whoever changes it stores it and tells.
+// The user's preferences for all windows, kept between runs. A value: whoever changes it stores it and tells.
 struct Preferences {
     enum class Theme { Desktop, Light, Dark };
     enum class Motion { Desktop, Reduced, Full };

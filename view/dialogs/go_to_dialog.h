@@ -26,7 +26,7 @@ public:
     GoToDialog(std::shared_ptr<const document::Fractal> fractal, const attractor::View& now,
                QWidget* parent = nullptr);
 
-    // What is asked for, turned as the view was; nullopt while a field has no number.
+    // The requested view, turned as the view was; nullopt while a field has no number.
     std::optional<attractor::View> view() const;
 
 private:

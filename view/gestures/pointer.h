@@ -17,7 +17,7 @@ struct Pointer {
     Reach reach = Reach::Mouse;
 };
 
-// What a drag does to what it holds.
+// Effect of a drag.
 enum class DragMode { Move, Rotate, Scale };
 
 inline DragMode dragMode(Qt::KeyboardModifiers modifiers) {

@@ -19,8 +19,7 @@ namespace view {
 
 class ElidedLabel;
 
-// What the user chooses for a fractal transformation, under the two canvases: partner, mode, picture; and
-// what there is to say about it.
+// Settings of a fractal transformation, under the two canvases: partner, mode and picture, with messages.
 class TransformationBar : public QWidget {
     Q_OBJECT
 

@@ -23,7 +23,7 @@ QString noteInSpace(const document::Fractal& fractal, attractor::RenderNote note
 // Said where a view shows none of the picture.
 QString nothingHere();
 
-// What moving the cage does, where that is not what one expects; empty where it is.
+// A note on the effect of moving the cage, where users may not expect it; else empty.
 QString modeNote(document::CageMode mode);
 
 // Why a drag of maps stops: the word, and what it does, that would take the attractor away. `system` has the

@@ -12,8 +12,8 @@
 
 namespace view {
 
-// One gesture on the vertices of polygons, as it was when it began. Every position of the pointer is answered
-// from here, so nothing accumulates and the way back is exact.
+// A gesture on the vertices of polygons, as it was when it began. Every position of the pointer is answered
+// from this state, so nothing accumulates and the way back is exact.
 struct PolygonDrag {
     using Mode = DragMode;
 
@@ -41,7 +41,7 @@ struct DragResult {
 DragResult dragged(const PolygonDrag& drag, const ifs::Vector<2>& offset, Constraint constraint,
                    const SnapTargets& targets);
 
-// By numbers, as the keyboard does it. Angle in radians, counter-clockwise with y up.
+// Moves by numbers, for the keyboard. Angles in radians, counter-clockwise with y up.
 DragResult moved(const PolygonDrag& drag, const ifs::Vector<2>& offset);
 DragResult rotated(const PolygonDrag& drag, double angle);
 DragResult scaled(const PolygonDrag& drag, const ifs::Vector<2>& factors);

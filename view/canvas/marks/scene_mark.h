@@ -19,7 +19,7 @@ public:
     void paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidget* widget) final;
 
 protected:
-    // In pixels of the view; the painter smooths.
+    // Paints in pixels of the view, with antialiasing on.
     virtual void paintOver(QPainter& painter, const CanvasScene& canvas, const OverlayStyle& style) = 0;
 };
 

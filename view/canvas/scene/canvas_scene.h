@@ -27,7 +27,7 @@ class MotionPathItem;
 class ShadowItem;
 class SymmetryItem;
 
-// What is on the canvas, in device-independent pixels of the view, y down; the camera leads to the plane.
+// Content of the canvas, in device-independent pixels of the view, y down; the camera leads to the plane.
 // Places the items. Follows the document and never edits it.
 class CanvasScene : public QGraphicsScene {
     Q_OBJECT
@@ -50,7 +50,7 @@ public:
     const TransientMarks& marks() const { return m_marks; }
     CanvasNotes& notes() { return m_notes; }
     GridItem& grid() const { return *m_grid; }
-    // What has a handle of its own, whichever tool is in use.
+    // Items that have their own handles, whichever tool is in use.
     struct Knobs {
         SymmetryItem& symmetry;
         ShadowItem& shadow;
@@ -75,14 +75,15 @@ public:
 
     Snapping snapping() const { return m_snapping; }
     void setSnapping(Snapping snapping) { m_snapping = snapping; }
-    // Without those vertices of the part that move.
+    // Snap targets without those vertices of the part that move.
     SnapTargets snapTargets(const CanvasPart& part = {}, const std::vector<int>& moving = {}) const;
 
     void setOverlaysVisible(bool visible);
     bool overlaysVisible() const { return m_overlaysVisible; }
     void setCageVisible(bool visible); // off while another triangle is being defined
 
-    // While there is one the items stay; then they are laid out once, if they have to be.
+    // Defers the layout of the items: while a batch exists they stay, and at its end they are laid out once
+    // if necessary.
     class Batch {
     public:
         explicit Batch(CanvasScene& scene) : m_scene(scene) { ++m_scene.m_batches; }

@@ -21,8 +21,8 @@ constexpr std::size_t manyMaps = 10'000;
 
 enum class HandleTarget { Cage, Maps, Branch };
 
-// What the handles hold: the cage, the maps as its images, or one branch. Positions are in the plane.
-// What is known of the maps and of the branch is found when it is first asked for.
+// Geometry of the handles: of the cage, of the maps as its images, or of one branch. Positions are in the
+// plane. Data about maps and the branch is computed on demand.
 class HandleModel : public QObject {
     Q_OBJECT
 
@@ -52,7 +52,7 @@ public:
     // for them, the second returns nullptr until addressesFound().
     const document::Addresses& addresses() const;
     const document::Addresses* knownAddresses() const;
-    // At a point, known to within `precision`; empty without a cage.
+    // The address at a point, known to within `precision`; empty without a cage.
     ifs::Word addressAt(const ifs::Vector<2>& point, double precision) const;
 
     // The polygons that are held when the cage is not: of the maps, or of the branch.

@@ -9,8 +9,8 @@
 
 namespace view {
 
-// Which part is where, in pixels of the view: from the geometry, whatever has been painted. Refers to what it
-// is made of.
+// Finds parts by position, in pixels of the view: from the geometry, whatever has been painted. Keeps
+// references to its arguments.
 class HitTester {
 public:
     HitTester(const HandleModel& handles, const attractor::Camera& camera, const GizmoLayout& gizmo,

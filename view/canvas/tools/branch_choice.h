@@ -44,8 +44,8 @@ public:
     // that would be divided has keys. Empty: it can.
     QString obstacle() const;
 
-    // Until it ends the branch follows the drag alone, whatever becomes of the document. Begun again, it is
-    // the one of the beginning.
+    // Makes the branch follow the drag alone until it ends, whatever becomes of the document. A repeated call
+    // returns to the branch of the first.
     void beginDrag();
     void showDragged(bool hasMoved); // by a preview
     QString endDrag();               // what to say if the branch is now map 1; else empty
@@ -66,7 +66,7 @@ private:
     ifs::Word m_address;
     ifs::Word m_addressAtPress;
     std::shared_ptr<const document::Fractal> m_before;
-    // What was chosen before and after the latest drags, for undo and redo.
+    // Choices before and after the latest drags, for undo and redo.
     struct Chosen {
         std::weak_ptr<const document::Fractal> fractal;
         ifs::Word address;

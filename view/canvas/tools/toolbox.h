@@ -34,7 +34,7 @@ public:
     MapsTool& mapsTool() { return m_mapsTool; }
     BranchTool& branchTool() { return m_branchTool; }
 
-    // Whether dragging a map may lead where there is no attractor; else the drag stops there.
+    // Lets drags of maps pass where there is no attractor; else the drag stops there.
     void setAllowsNoAttractor(bool allows);
 
 signals:

@@ -16,7 +16,7 @@ public:
     explicit ClusterQueue(QObject* parent = nullptr);
     ~ClusterQueue() override;
 
-    // Whether `sbatch` is found, as far as the drives it may lie on answer at once.
+    // Returns true if `sbatch` is found, as far as the drives it may lie on answer at once.
     static bool isAvailable();
 
     // Runs the script of a job folder, and asks for the state of its jobs from then on.

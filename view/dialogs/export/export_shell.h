@@ -24,16 +24,15 @@ namespace view {
 class ExportProgress;
 class ExportQueue;
 
-// What all dialogs have in common that write a file: the buttons, Esc, the chooser of the file, the progress,
-// and what came of it. The work goes on in a thread of the model while the window is used; closing the dialog
-// stops it.
+// Base of all dialogs that write a file: the buttons, Esc, the chooser of the file, the progress and the
+// outcome. The work goes on in a thread of the model while the window is used; closing the dialog stops it.
 class ExportShell : public QDialog {
     Q_OBJECT
 
 public:
     ~ExportShell() override;
 
-    // What Export does once a file is chosen, and somebody has been asked whether to replace it.
+    // Exports to a chosen file, after the user has agreed to replace an existing one.
     virtual void exportTo(const QString& path) = 0;
     void addToQueue(const QString& path);
     void setQueue(ExportQueue* queue); // which outlives it; without one, there is no Add to Queue
@@ -72,13 +71,13 @@ protected:
     QString chooseFile(const WantedFile& wanted);
     LastExport last() const { return lastExport(m_kind); }
     void remember(const LastExport& last, const QString& path) const { rememberExport(m_kind, last, path); }
-    // What is put into the queue under this name; nullopt where that cannot be, which has then been said.
+    // The recipe to queue under this name; nullopt if it cannot be queued, after the user was told why.
     virtual std::optional<io::ExportRecipe> recipeFor(const QString& path);
     virtual const document::Fractal* queuedFractal() const { return nullptr; }
     virtual bool isPossible() const { return true; } // whether the options make sense
     virtual bool isQueueable() const { return true; }
     virtual QString sentenceFor(const io::ExportOutcome& outcome, const QString& path) const;
-    // What mayClose() says: what is under way, and what stopping means.
+    // Texts of mayClose(): the export under way, and the effect of stopping it.
     struct Unfinished {
         QString sentence;
         QString ifStopped;

@@ -6,14 +6,15 @@
 
 #include <QString>
 
-// What the Cage panel says about a cage.
+// Texts of the Cage panel.
 namespace view {
 
-// At rest, placed, mirrored, bent or flat, as a sentence. The cage is the one in force of the fractal.
+// The state of the cage as a sentence: at rest, placed, mirrored, bent or flat. `cage` is the one in force of
+// the fractal.
 QString cageStatus(const document::Fractal& fractal, const ifs::ControlCage<2>& cage);
 QString cageStatus(const document::Fractal& fractal, const ifs::ControlCage<3>& cage);
 
-// What rounding leaves of a coordinate that is 0, at the size of the cage.
+// Rounding error of a coordinate that should be 0, at the size of the cage.
 template <int Dim> double roundingIn(const ifs::ControlCage<Dim>& cage);
 
 // The barycentric coordinates of the point, or why the cage gives it none.

@@ -29,7 +29,7 @@ public:
     void setOpacity100(int percent);                                       // of the target
     void setMeasured(std::optional<document::MeasuredFractal> measured);
     void setAgreementVisible(bool visible);
-    // Where the mark is, in pixels of the canvas; nullopt without one.
+    // The position of the mark, in pixels of the canvas; nullopt without one.
     std::optional<QPointF> mark() const;
 
     QRectF boundingRect() const override;

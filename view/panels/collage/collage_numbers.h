@@ -19,7 +19,7 @@ struct Refinement {
 // The distance and the guarantee of both, and which of them has become worse.
 QString refinementText(const Refinement& refinement);
 
-// How well the fractal agrees with the target, in numbers.
+// Agreement of the fractal with the target, in numbers.
 class CollageNumbers : public QWidget {
     Q_OBJECT
 

@@ -32,13 +32,13 @@ class TargetBox : public QWidget {
     Q_OBJECT
 
 public:
-    // How the picture is read and shown: for the panel to lay where it likes.
+    // Controls for reading and showing the picture, for the panel to place.
     QWidget* controls() const { return m_controls; }
 
     explicit TargetBox(document::Document* document, QWidget* parent);
     ~TargetBox() override;
 
-    // In the background; a sentence says why a picture cannot be used.
+    // Reads in the background; a sentence says why a picture cannot be used.
     void read(const QString& path);
     void take(const std::shared_ptr<const document::Fractal>& entry); // its attractor
 

@@ -30,13 +30,13 @@ public:
     void append(const io::CollectionTheme& theme, const QString& folder = {});
     void removeFolder(const QString& folder);
 
-    // What the user likes, by folder, theme and name.
+    // The user's favourites, by folder, theme and name.
     void setFavourites(const QStringList& favourites);
     QStringList favourites() const { return {m_favourites.begin(), m_favourites.end()}; }
 
     // nullptr for the title of a theme.
     std::shared_ptr<const document::Fractal> fractalAt(const QModelIndex& index) const;
-    // It, and behind it the partner of its fractal transformation, with the picture by its full path.
+    // The fractal, followed by the partner of its fractal transformation, with the full path of the picture.
     QList<document::Fractal> withPartnerAt(const QModelIndex& index) const;
 
     int rowCount(const QModelIndex& parent = {}) const override;

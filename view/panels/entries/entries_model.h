@@ -26,7 +26,7 @@ public:
         SeverityRole,          // int of document::Problem::Severity; invalid without problems
     };
 
-    // Both must outlive the model.
+    // `document` and `thumbnails` must outlive the model.
     EntriesModel(document::Document* document, Thumbnails* thumbnails, QObject* parent = nullptr);
     ~EntriesModel() override;
 

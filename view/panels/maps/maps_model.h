@@ -70,7 +70,7 @@ public:
     void previewName(const QModelIndex& index, const QString& name);
     void revert() override { cancelEdit(); } // what item views call on Esc
     void commitEdit() { m_edit.commit(); }
-    // How the number in the cell was written, if not as a plain number.
+    // Remembers the text of the number in the cell, if it is not a plain number.
     void keepTyped(const QModelIndex& index, double value, const QString& text);
     QString typedText(const QModelIndex& index) const;
     void cancelEdit() { m_edit.cancel(); }
@@ -87,7 +87,7 @@ public:
     void setSolo(ifs::MapId map);
 
     ifs::MapId idAt(int row) const;
-    // In the order of the ids; maps that are gone have none.
+    // Rows in the order of the ids; maps that are gone have none.
     std::vector<int> rowsOf(const std::vector<ifs::MapId>& ids) const;
     int dimension() const { return m_shown.index() == 0 ? 2 : 3; }
     int coefficientCount() const { return dimension() * (dimension() + 1); }
@@ -101,7 +101,7 @@ private:
         std::vector<ifs::Link> links;               // on which it depends which maps take part
         std::optional<ifs::AffineMap<Dim>> display; // nullopt while the placement is flat or bends
     };
-    // What a column holds: A or EffectiveA for the coefficient `which`, else the enumerator.
+    // Content of a column: A or EffectiveA for the coefficient `which`, else the enumerator.
     struct Meaning {
         Column kind;
         int which = 0;

@@ -27,7 +27,7 @@ public:
     QComboBox* rate() const { return m_rate; }
     QComboBox* loop() const { return m_loop; }
 
-    // Where there is less room than for all of it, it goes without names, and then without more.
+    // The size without names and optional controls, which are hidden when there is too little room.
     QSize minimumSizeHint() const override;
 
 protected:

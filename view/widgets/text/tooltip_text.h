@@ -16,7 +16,7 @@ inline QString tooltipText(const QString& text) {
     return Qt::mightBeRichText(text) ? Qt::convertFromPlainText(text, Qt::WhiteSpaceNormal) : text;
 }
 
-// What such a tool tip shows, for a place where markup is not understood, such as a status tip.
+// The text of such a tool tip, for a place where markup is not understood, such as a status tip.
 inline QString plainText(const QString& tip) {
     return Qt::mightBeRichText(tip) ? QTextDocumentFragment::fromHtml(tip).toPlainText() : tip;
 }

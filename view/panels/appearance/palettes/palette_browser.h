@@ -19,7 +19,7 @@ namespace view {
 class AppearanceSlider;
 class PaletteFilter;
 
-// All palettes that come with the program, to search and to try on the fractal; the one selected may be
+// The palettes that come with the program, to search and to try on the fractal; the selected one can be
 // turned to other hues, shifted and reversed. Favourites are remembered in the settings.
 class PaletteBrowser : public QDialog {
     Q_OBJECT
