@@ -45,8 +45,8 @@ BARYCAGE_WEB int barycage_extent(web::Engine* engine, double* box, double* simpl
 BARYCAGE_WEB int barycage_cage(web::Engine* engine, const double* rest, const double* current, int count,
                                int bends);
 
-// Where one looks from: the centre and pixels per unit; in space the target, azimuth and elevation in
-// degrees, the height of the picture in world units, and the field of view in degrees, 0 for parallel rays.
+// The view: the centre and pixels per unit; in space the target, azimuth and elevation in degrees, the height
+// of the picture in world units, and the field of view in degrees, 0 for parallel rays.
 BARYCAGE_WEB void barycage_camera(web::Engine* engine, int width, int height, const double* view);
 
 // colourBy (attractor::ColourBy), brightness, gamma, contrast, vibrancy, supersample, then the plain colour
@@ -59,8 +59,8 @@ BARYCAGE_WEB void barycage_map_blend(web::Engine* engine, int map, double coordi
 // Solids: attractor::LookInSpace and SolidColour, azimuth and elevation of the light, fog.
 BARYCAGE_WEB void barycage_light(web::Engine* engine, int look, int colour, const double* numbers);
 
-// What of an entry in space is shown: a normal, the lowest and the greatest height along it. A normal of 0:
-// all.
+// The visible part of an entry in space: a normal, the lowest and the greatest height along it. A normal of
+// 0: everything.
 BARYCAGE_WEB void barycage_clip(web::Engine* engine, const double* clip);
 
 // Draws so many more points; `begin` throws away those before. A solid needs no points and is drawn whole.

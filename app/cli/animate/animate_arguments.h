@@ -27,7 +27,7 @@ struct FileRange {
     int step = 1;
 };
 
-// Every n-th file: those whose place in the list, counted from 0, leaves i when divided by n.
+// Selects every n-th file: those whose place in the list, counted from 0, leaves i when divided by n.
 struct Chunk {
     int i = 0;
     int n = 1;

@@ -11,7 +11,7 @@
 
 namespace cli {
 
-// What is to be said of the frames of an animation: one warning for all frames of which it is true.
+// Collects notes on the frames of an animation: one warning for all frames to which it applies.
 class FrameNotes {
 public:
     // Says at once which of the frames have no attractor; where none of them lacks it, the first moment of

@@ -23,10 +23,10 @@
 #include <string>
 #include <vector>
 
-// What the values of options are read as. Each throws UsageError with a sentence that names the option.
+// Readers of the values of options. Each throws UsageError with a sentence that names the option.
 namespace cli {
 
-// Between commas, with the text they were typed as; no values when one of them is no number.
+// Numbers between commas, with the text they were typed as; no values when one of them is no number.
 struct NumberList {
     std::string text;
     std::vector<double> values;
@@ -43,7 +43,7 @@ template <class Words> std::vector<std::string> wordsOf(const Words& words) {
         ids.emplace_back(word.id);
     return ids;
 }
-// One of the words of an enumeration, which complete the option.
+// A word of an enumeration, with completion of the option.
 template <class T, class E> Value choice(T* place, std::span<const ifs::Named<E>> words) {
     const std::vector<std::string> ids = wordsOf(words);
     Value value = parsed(place, [words, ids](const std::string& option, const std::string& text) {
@@ -111,7 +111,7 @@ inline constexpr auto coloursInPlane = std::to_array<ifs::Named<attractor::Colou
     {attractor::ColourBy::Blend, "blend"},
     {attractor::ColourBy::Plain, "none"},
 });
-// What --colour shows: entries in the plane and solids know different meanings.
+// The meaning given to --colour: entries in the plane and solids know different ones.
 struct ColourMeaning {
     std::string word;
     std::optional<attractor::ColourBy> inPlane;

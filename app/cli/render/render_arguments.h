@@ -153,8 +153,9 @@ Option& addThreadsOption(const OptionGroup& group, std::optional<int>& threads);
 Option& addSimdOption(const OptionGroup& group, std::optional<std::string>& simd);
 Option& addSeedOption(const OptionGroup& group, std::uint64_t& seed);
 Option& addSizeOption(const OptionGroup& group, QSize& size);
-// What a size on paper is in pixels: of shapes, in whole pixels where tenths of a millimetre allow it; of
-// pixels, at the resolution that is given or at 300 dpi, which is stored. Nothing happens without one.
+// Converts a size on paper to pixels: for shapes, in whole pixels where tenths of a millimetre allow it; for
+// pixels, at the resolution that is given or at 300 dpi, which is stored. Has no effect without a size on
+// paper.
 void settlePaperSize(RenderArguments& arguments, bool hasShapes);
 Option& addBackgroundOption(const OptionGroup& group, std::optional<attractor::Rgba>& background);
 
@@ -168,7 +169,7 @@ void checkShapes(const RenderArguments& arguments);
 io::SvgFormat shapesOf(const RenderArguments& arguments);
 void applyAppearance(attractor::Appearance& appearance, const RenderArguments& arguments);
 QString suffixOf(const RenderArguments& arguments); // of the file, by --to or the name of the output
-// What a picture of pixels is written as, by --to or the name of the output, with --bits.
+// The file format of a picture of pixels, by --to or the name of the output, with --bits.
 io::PictureFile pictureFileOf(const RenderArguments& arguments);
 io::PictureFormat::Depth depthOf(const RenderArguments& arguments); // of the rows that its writer takes
 bool is16Bit(const RenderArguments& arguments);

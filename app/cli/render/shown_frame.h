@@ -7,7 +7,7 @@
 #include "attractor/request/orbit_camera.h"
 #include "document/moments/animated_fractal.h"
 
-// What one moment of an entry shows.
+// Content of an entry at one moment.
 namespace cli {
 
 struct Shown {
@@ -16,7 +16,7 @@ struct Shown {
     std::optional<attractor::View> view{};          // of the keys, in the plane …
     std::optional<attractor::OrbitCamera> camera{}; // … and in space
     std::vector<animation::CameraTurn> orbit{};     // of the camera in space: animation::orbited()
-    // Without a camera of their own, the frames of an animation share the view of all of them.
+    // The view of all frames of an animation, which they share when they have no camera of their own.
     std::optional<ViewBox> box{};    // in the plane
     attractor::Support support = {}; // in space
 };

@@ -30,7 +30,7 @@ struct ReadFile {
 using FileReading = QFuture<ReadFile>;
 FileReading startReading(const QString& path);
 
-// Where a window's document comes from and goes to.
+// The file of a window's document.
 class OpenFile : public QObject {
     Q_OBJECT
 
@@ -68,15 +68,14 @@ public:
     io::Failure revert();
 
     QByteArray digest() const { return m_digest; } // of the bytes that were read or written here
-    // What has become of the file at path(): `Changed` when it holds other bytes or cannot be read, `Gone`
-    // when there is none any more and the user has not been told so. nullopt when the user does not wait for
-    // it.
+    // State of the file at path(): `Changed` when it holds other bytes or cannot be read, `Gone` when there
+    // is none any more and the user has not been told so. nullopt when the user does not wait for it.
     enum class OnDisk { Same, Changed, Gone };
     std::optional<OnDisk> onDisk();
     // Hard links of the file that was there before the last save, which go on leading to the old contents.
     int otherNames() const { return m_otherNames; }
-    // What became of the version before the last save. The first save of a file in this window keeps it,
-    // unless the user does not want that.
+    // The fate of the version before the last save. The first save of a file in this window keeps it, unless
+    // the user does not want that.
     io::Keeping previousVersion() const { return m_previous; }
     KeptVersions& versions() { return m_versions; } // of whatever the window saves
 
