@@ -32,7 +32,7 @@ struct Projection {
     int cellsPerPixel = 1;
 
     double cellsPerUnit() const { return std::hypot(scale(0, 0), scale(1, 0)); }
-    // A coordinate of a world offset in cells. What does not count is left out, since it may be infinite.
+    // A coordinate of a world offset in cells. Skips zero coefficients, because 0 · ∞ is NaN.
     template <class Real> Real scaled(int row, const Real& x, const Real& y) const {
         return combined(scale(row, 0), scale(row, 1), x, y);
     }
