@@ -109,7 +109,7 @@ template <int Dim> void findHull(Facts<Dim>& facts, std::optional<double> tolera
     });
 }
 
-// At most the dimension of a subspace that holds the attractor.
+// Bounds the dimension of the measure by that of a subspace that holds the attractor.
 void setMeasureDimension(Invariants& invariants, double bound, int ofHull) {
     constexpr double rounding = 1e-12;
     invariants.measureDimension = std::min(bound, double(ofHull));
@@ -285,7 +285,8 @@ void findExtremePoints(Facts<2>& facts, Budget& budget) {
     settleConnectedness(facts, facts.invariants);
 }
 
-// Where the facts come without the addresses of the hull, which tell whether its images cover it.
+// Tries the addresses of the hull for facts that come without them: they tell whether the images of the hull
+// cover it.
 void settleByAddresses(Facts<2> facts, Invariants& invariants) {
     constexpr std::chrono::seconds patience(2);
     if (!facts.hull || !facts.support || !invariants.contacts) return;

@@ -49,7 +49,8 @@ template <int Dim> std::optional<ifs::Matrix<Dim>> sumOfProducts(std::span<const
     return ifs::symmetricMatrix<Dim>(form);
 }
 
-// From the coordinates of an invariant form on, those in which the longest map is as short as it gets.
+// Descends from the coordinates of an invariant form to those in which the longest map is as short as it
+// gets.
 template <int Dim>
 std::optional<CommonNorm<Dim>> descended(const ifs::Matrix<Dim>& form,
                                          std::span<const ifs::AffineMap<Dim>> maps) {

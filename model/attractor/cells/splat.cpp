@@ -14,7 +14,7 @@ struct Reach {
     float left = 0, right = 0, top = 0, bottom = 0;
 };
 
-// Where the samples fall: exact, because rounding is monotonic and the corners are rounded like the samples.
+// Bounds of the samples: exact, because rounding is monotonic and the corners are rounded like the samples.
 Reach affineReach(const Word& word, const SampleSet& samples) {
     const auto extreme = [&](float a, float b, float c, bool high) {
         const float x = (a >= 0) == high ? samples.highX : samples.lowX;
@@ -25,7 +25,7 @@ Reach affineReach(const Word& word, const SampleSet& samples) {
             extreme(word.yx, word.yy, word.y, false), extreme(word.yx, word.yy, word.y, true)};
 }
 
-// Where they fall at most, each term as large as it gets.
+// Bounds of the samples on a curved word, with each term at its maximum.
 Reach curvedReach(const Word& word, const Curve& curve, const SampleSet& samples) {
     constexpr float rounding = 1e-5F;
     const float a = std::max(std::abs(samples.lowX), std::abs(samples.highX));

@@ -15,7 +15,7 @@ namespace attractor {
 
 namespace {
 
-// What a node shows, in cells: the box around it, and how far its maps are off in it.
+// The displayed node, in cells: its bounding box, and the errors of its maps within it.
 struct Shown {
     double xx = 0, xy = 0, yx = 0, yy = 0, x = 0, y = 0; // its first-order map, from box coordinates
     double halfX = 0, halfY = 0;                         // infinite where nothing is known
@@ -155,12 +155,12 @@ public:
                 static_cast<float>(middle.y())};
     }
 
-    // From box coordinates to those of the code.
+    // The map from box coordinates to those of the code.
     ifs::AffineMap<2> exactMap(const Node<double>& node) const { return {spread(node), {node.x, node.y}}; }
 
 private:
-    // How far from its centre the attractor is shown, in steps, so that a branch that is dragged does not
-    // make the table begin anew in every frame.
+    // Largest distance from its centre at which the attractor is shown, in steps, so that dragging a branch
+    // does not restart the table in every frame.
     static double reach(const PreparedSystem& system) {
         double farthest = system.halfExtent.maxCoeff();
         if (system.moved.empty()) return farthest;
@@ -313,9 +313,9 @@ private:
                (!isTooBent(node) || measure <= m_exact) && !isTooMixed(node, measure);
     }
 
-    // Where a node has hundreds of children, dividing all that are a little too large would make far more
-    // words than are wanted. Then larger ones are, by a power of two, so that words of one measure are
-    // treated alike.
+    // Slack of the threshold. If nodes have hundreds of children, dividing all that are a little too large
+    // would make far more words than are wanted. Then only those larger by a power of two are divided, so
+    // that words of one measure are treated alike.
     double slackFor(const Nodes& open, std::size_t done, double threshold) const {
         const std::size_t max = std::max(maxShown, 2 * m_branches.size());
         const auto isWithin = [&](double slack) {
@@ -396,7 +396,7 @@ private:
         std::erase_if(open, bentOnly);
     }
 
-    // How many words cover a point of the view in the mean.
+    // Mean number of words that cover a point of the view.
     double coverage(const Nodes& nodes) const {
         double covered = 0;
         for (const Node<Real>& node : nodes) {

@@ -86,13 +86,14 @@ public:
     }
 
 private:
-    // What is longer than the words that are drawn is part of an image and does not move.
+    // The pieces of moved branches. Branches with words longer than those drawn are part of an image and do
+    // not move.
     std::vector<ifs::MovedBranch<2>> pieces() const {
         return ifs::pieces<2>(m_job.system.moved, m_job.system.maps.size(),
                               static_cast<std::size_t>(m_job.iterations));
     }
 
-    // How far from the middle of the box images are shown.
+    // Largest distance of a displayed image from the middle of the box.
     double reach() const {
         const ifs::Vector<2> middle = (m_low + m_high) / 2;
         const ifs::Vector<2> half = (m_high - m_low) / 2;

@@ -38,7 +38,7 @@ LinearColour stone(const LinearColour& tint, double light) {
     return {tint.red * lamp(0.66, 1.08), tint.green * lamp(0.84, 1.02), tint.blue * lamp(1.24, 0.9)};
 }
 
-// From the ink of the tint to a light wash, which stands out from white paper.
+// The ramp from the ink of the tint to a light wash, which stands out from white paper.
 LinearColour ink(const LinearColour& tint, double light) {
     const auto paper = [&](double channel) { return channel + (1 - channel) * wash * light; };
     return {paper(tint.red), paper(tint.green), paper(tint.blue)};

@@ -30,7 +30,7 @@ constexpr std::uint64_t minPass = 200'000;
 constexpr std::uint64_t maxSolidPass = 10'000'000;
 constexpr int passesAtRest = 16;
 
-// How far to the right of the camera's the eyes are.
+// Offsets of the eyes to the right of the camera's.
 std::vector<double> eyesOf(Stereo stereo) {
     if (stereo == Stereo::None) return {0};
     return {-stereoEye, stereoEye};

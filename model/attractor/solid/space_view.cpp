@@ -135,7 +135,7 @@ std::shared_ptr<const BentWord> bentWord(const WalkedWord& word, const SpaceView
         WordCoordinates(*view.bend->rest(), word.word).bent(word.word, bend));
 }
 
-// How much larger what lies there is seen than in the plane of the target.
+// Ratio of the displayed size at that place to that in the plane of the target.
 double magnification(const ifs::Vector<3>& middle, const SpaceView& view) {
     if (!view.isPerspective()) return 1;
     return std::max(1.0, view.eyeDistance / std::max(1.0, view.eyeDistance + middle.z()));
@@ -183,8 +183,8 @@ StraightWord straightened(WalkedWord& word, const SpaceView& view) {
 
 namespace {
 
-// With W the distance of the word's middle from the eye and d the first-order change of x: the point whose
-// depth differs by c is seen at x + d·W/(W + c).
+// The displayed word. With W the distance of the word's middle from the eye and d the first-order change of
+// x: the point whose depth differs by c is seen at x + d·W/(W + c).
 SeenWord seen(const StraightWord& straight, const SpaceView& view) {
     SeenWord result;
     result.onScreen = straight.word;

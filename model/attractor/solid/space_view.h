@@ -81,7 +81,8 @@ WalkedWord walkedTo(const ifs::Word& address, WalkedWord word, std::span<const i
 // Caches in `word` what its subwords need.
 StraightWord straightened(WalkedWord& word, const SpaceView& view);
 
-// What a word, an affine map of [−1, 1]³ to the coordinates of SpaceView::toPixels, shows on the screen.
+// The displayed word: an affine map of [−1, 1]³ to the coordinates of SpaceView::toPixels, as seen on the
+// screen.
 struct SeenWord {
     bool isBehind = false;      // nearer than is drawn or outside the clip, all of it
     bool isCut = false;         // part of it is outside the clip

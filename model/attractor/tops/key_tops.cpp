@@ -71,7 +71,7 @@ bool KeyTops::draw(int firstRow, std::span<TopPoint> points, const std::stop_tok
     return true;
 }
 
-// From the lowest word to the top one.
+// Draws from the lowest word to the top one.
 bool KeyTops::drawKeys(int firstRow, std::span<std::uint32_t> keys, const std::stop_token& stop) const {
     const int endRow = firstRow + int(keys.size() / std::size_t(m_width));
     std::ranges::fill(keys, kernels::noKey);

@@ -75,7 +75,7 @@ Eigen::MatrixXd freedom(const Maps& maps, const Constraints& constraints,
     return basis.leftCols(column);
 }
 
-// Where points of the attractor should go: r = goal − x, with weights.
+// Goals of the points of the attractor: r = goal − x, with weights.
 struct Residuals {
     std::vector<Eigen::Index> point;
     std::vector<double> x, y, weight;

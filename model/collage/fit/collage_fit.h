@@ -35,7 +35,7 @@ public:
     // half. Images beyond the grid count as if they were on its edge.
     double error(std::span<const ifs::AffineMap<2>> maps);
 
-    // Which share of the target is nearest to the image of each map, sum 1; of the last call of one of the
+    // Shares of the target that are nearest to the image of each map, sum 1; of the last call of one of the
     // functions above.
     std::vector<double> shares() const;
 

@@ -86,7 +86,7 @@ Eigen::VectorXd planeMinimum(const Eigen::MatrixXd& q, const Eigen::VectorXd& c,
     return p;
 }
 
-// From p as far towards the goal as all stay positive; the one that becomes 0 is no longer free.
+// Goes from p towards the goal as far as all weights stay positive; the one that becomes 0 is no longer free.
 Eigen::VectorXd towards(const Eigen::VectorXd& p, const Eigen::VectorXd& goal,
                         std::vector<Eigen::Index>& free) {
     double share = 1;

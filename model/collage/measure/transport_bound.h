@@ -24,7 +24,7 @@ public:
     void addSupply(const Lump& lump) { add(m_supply, lump); }
     void addDemand(const Lump& lump) { add(m_demand, lump); }
 
-    // Both must have the same mass; once only. Any number when stopped.
+    // Supply and demand must have the same mass. Can be called once; the result is meaningless when stopped.
     double cost(const std::stop_token& stop = {}) &&;
 
 private:

@@ -53,7 +53,7 @@ std::optional<int> otsuThreshold(const std::vector<std::uint8_t>& levels);
 
 enum class Polarity { Shape, Background }; // what the rule of targetMask() selects
 
-// Whether there are transparent pixels, so that the shape is what is opaque.
+// Returns true if there are transparent pixels, so that the opaque ones are the shape.
 bool isShapedByOpacity(const GreyPicture& picture);
 
 // The shape is what is opaque where a picture has transparent pixels (opacity below 128), else what is dark.

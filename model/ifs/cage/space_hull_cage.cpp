@@ -53,8 +53,8 @@ double volumeOf(const std::vector<Vector<3>>& corners, const CageSurface& surfac
     return six / 6;
 }
 
-// What is in all of them: every corner is one of three planes. nullopt where its corners lie too close to
-// each other to hold coordinates.
+// The intersection of the half-spaces, each of whose corners lies on three planes. nullopt where its corners
+// lie too close to each other to hold coordinates.
 std::optional<Polyhedron> intersection(const std::vector<HalfSpace>& all, double size) {
     const double room = 1e-8 * size;
     Polyhedron result;

@@ -154,14 +154,14 @@ double between(const std::vector<double>& bounds, const Vector<2>& v) {
 
 } // namespace
 
-// Whether the ball leaves so much of an error.
+// Returns true if the error of the ball's bound is large in direction u.
 bool LinkedExtent::isWide(const Vector<2>& u) const {
     constexpr double wide = 1e-6; // of the radius
     return (*this)(u).error > wide * m_radius;
 }
 
-// From the ball, h_j(u) ≤ max over the maps i before j of h_i(A_jᵀu) + ⟨u,t_j⟩, again and again. Every one of
-// these numbers is a bound, wherever the iteration ends.
+// Bounds from the ball on, h_j(u) ≤ max over the maps i before j of h_i(A_jᵀu) + ⟨u,t_j⟩, again and again.
+// Every one of these numbers is a bound, wherever the iteration ends.
 void LinkedExtent::boundParts() {
     constexpr std::size_t maxWork = 20'000'000;
     constexpr double settled = 1e-7; // of the radius
@@ -202,9 +202,9 @@ double LinkedExtent::boundOfRest(const Node& node) const {
     return std::min(ball, most + 64 * unit * ball);
 }
 
-// All words of one length at a time. Words whose linear parts take u to the same vector, after the same map,
-// have the same future: the farther one stands for both. So do words whose vectors differ by as little as
-// rounding makes, and the radius times the difference is part of the error.
+// Searches all words of one length at a time. Words whose linear parts take u to the same vector, after the
+// same map, have the same future: the farther one stands for both. So do words whose vectors differ by as
+// little as rounding makes, and the radius times the difference is part of the error.
 LinkedExtent::Height LinkedExtent::search(std::vector<Node> open, const Vector<2>& u,
                                           double tolerance) const {
     Height best;

@@ -74,7 +74,7 @@ class Cover {
 public:
     explicit Cover(std::vector<Sides> images) : m_images(std::move(images)) {}
 
-    // Whether the images from `first` on cover the polygon.
+    // Returns true if the images from `first` on cover the polygon.
     bool holds(Sides polygon, std::size_t first = 0) {
         if (first == m_images.size()) return false;
         for (const Triple& side : m_images[first]) {
@@ -92,7 +92,7 @@ private:
     int m_cutsLeft = 5'000;
 };
 
-// Whether p comes before q along a coordinate.
+// Returns true if p comes before q along a coordinate.
 bool isBefore(const Triple& p, const Triple& q, std::size_t axis) {
     return (p[axis] * q[2] - q[axis] * p[2]).sign() < 0;
 }

@@ -14,7 +14,7 @@ namespace ifs {
 
 namespace {
 
-// How exactly a similarity must be one, and a rank must be missing.
+// Relative tolerance for a map to be a similarity, and for a rank to be missing.
 constexpr double relativeTolerance = 1e-12;
 constexpr double rankRounding = 4e-15; // of the largest singular value: smaller ones are rounding
 
