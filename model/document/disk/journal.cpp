@@ -45,7 +45,7 @@ QByteArray digestOf(QByteArray header, qsizetype place, const QByteArray& bytes)
     return hash.result().toHex();
 }
 
-// Where the digest begins; -1 in files of earlier versions.
+// Offset of the digest; -1 in files of earlier versions.
 qsizetype placeOfDigest(const QByteArray& header) {
     const qsizetype mark = header.indexOf(digestMark);
     return mark < 0 ? -1 : mark + qsizetype(sizeof digestMark) - 1;
@@ -110,7 +110,7 @@ Journal::Journal(const QString& folder)
 Journal::~Journal() = default;
 
 bool Journal::write(const Snapshot& snapshot) {
-    // It is the first time, there was no room for the lock, or somebody has emptied the folder.
+    // Needed the first time, if there was no room for the lock, or if somebody has emptied the folder.
     if (!m_lock || !QFileInfo::exists(lockFileOf(m_path))) {
         makePrivateFolder(QFileInfo(m_path).path());
         m_lock.reset();

@@ -35,7 +35,7 @@ attractor::Palette shareOf(const attractor::Palette& palette, double from, doubl
     return share;
 }
 
-// Every map below has the colour of this one.
+// Gives every map below the colour of this one.
 template <int Dim>
 void keepColours(attractor::Appearance& appearance, const ifs::IteratedFunctionSystem<Dim>& system,
                  std::size_t index, bool isByMap, bool isByAddress, bool isByBlend) {

@@ -37,7 +37,7 @@ attractor::Frame frameOf(const TheftJob::Side& side, std::uint64_t points) {
     return frame;
 }
 
-// Both premultiplied.
+// Blends two premultiplied colours.
 std::uint32_t mixed(std::uint32_t above, std::uint32_t below, double opacity) {
     const double through = 1 - opacity * double(above >> 24) / 255;
     std::uint32_t pixel = 0;
@@ -112,8 +112,8 @@ void TheftThread::State::work(const TheftJob& job, const std::stop_token& stop) 
         if (!mailbox.staysIdle(rest, stop) || !show(job, points, stop)) return;
 }
 
-// Half way each time: one slow picture on a busy machine must not make the grain jump. Small changes are left
-// alone, for other points need other keys.
+// Adapts the number of points by half of the way each time: one slow picture on a busy machine must not make
+// the grain jump. Small changes are skipped, because other points need other keys.
 void TheftThread::State::adapt(double milliseconds) {
     const double now = double(livePoints), affordable = now * fluid / std::max(milliseconds, 0.1);
     const double next = std::clamp((now + affordable) / 2, double(minPoints), double(maxPoints));

@@ -28,7 +28,7 @@ PictureFormat formatOf(const PlaneExport& picture) {
     return format;
 }
 
-// Whether its pixels may wait in memory.
+// Returns true if the pixels are few enough to wait in memory.
 bool isLight(const PictureFormat& format) {
     constexpr std::int64_t most = std::int64_t{1} << 24;
     return format.depth == PictureFormat::Depth::Bits8 && std::int64_t(format.width) * format.height <= most;
@@ -52,7 +52,7 @@ FrameDrawing::FrameDrawing(std::unique_ptr<FrameSource> source, const FrameOptio
       m_facts(*document::animationFacts(m_source->entry())),
       m_pilots(document::exposurePilots(m_source->entry())) {}
 
-// None where the shutter shows the moment alone, or nothing moves as far as a pixel.
+// The moments of an open shutter; none where it shows the frame alone, or nothing moves as far as a pixel.
 template <class Request, class RequestAt>
 std::vector<Request> FrameDrawing::momentsOf(int frame, RequestAt requestAt) const {
     if (m_options.shutter == 0) return {};

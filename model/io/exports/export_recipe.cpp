@@ -161,7 +161,7 @@ SpaceExport exportOf(const SpaceRecipe& recipe, const document::Fractal& fractal
     attractor::OrbitCamera camera = recipe.camera;
     camera.size = recipe.size;
     camera.size.width = std::max(1, recipe.size.width / picturesAcross(picture.stereo));
-    // What is seen stays seen: a narrower picture shows more above and below.
+    // The visible part is kept: a narrower picture shows more above and below.
     const double before = double(recipe.camera.size.width) / recipe.camera.size.height;
     const double after = double(camera.size.width) / camera.size.height;
     if (after < before) camera.height *= before / after;

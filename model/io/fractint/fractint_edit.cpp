@@ -58,7 +58,7 @@ std::optional<ParsedEntry> parsed(QByteArrayView text, char lineEndByte, bool ba
     return isEntry ? std::optional(parseEntry(text, *block, lineEndByte)) : std::nullopt;
 }
 
-// What reading the written entry must give.
+// The result that reading the written entry must give.
 Fractal expected(const Fractal& fractal, const Fractal& before) {
     Fractal stored = asStored(fractal);
     if (fractal.name != before.name) stored.name = storedName(fractal.name);

@@ -69,7 +69,7 @@ private:
         const QByteArray name = strictName(fractal.name);
         ++m_text.entries;
         if (m_text.entries > 1) m_text.bytes += '\n';
-        // Before the entry: Fractint 16–18 accept no comment inside.
+        // Comments go before the entry: Fractint 16–18 accept none inside.
         if (entry.source) addText(entry.source->before);
         for (const QString& comment : document::userComments(fractal.comments))
             addComment(comment);
@@ -129,7 +129,7 @@ private:
         if (before > 0 && m_text.bytes.size() > before) m_text.bytes.insert(before, '\n');
     }
 
-    // What stands behind the numbers of a row, or behind the closing brace.
+    // Adds the text behind the numbers of a row, or behind the closing brace.
     void addCommentsOfRows(const QByteArray& text) {
         bool isBody = false;
         for (const QByteArray& line : linesOf(text)) {

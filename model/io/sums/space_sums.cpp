@@ -96,7 +96,7 @@ bool pixelSums(const SpaceSums& sums, int firstRow, int endRow, CellSums& cells,
     return true;
 }
 
-// What is nothing is 0, and 65535 − v is the value v of a pixel.
+// Sums of depths: an empty pixel is 0, and a pixel of value v is 65535 − v.
 constexpr std::uint64_t emptyDepth = 65535;
 
 bool depthSums(attractor::SolidRendering& rendering, int firstRow, int endRow, CellSums& cells,
