@@ -89,7 +89,7 @@ void ZoomBox::choose(int index) {
     showZoom();
 }
 
-// With or without the percent sign.
+// Takes a text with or without the percent sign.
 void ZoomBox::takeText() {
     const QString text = percentIn(lineEdit()->text());
     if (const QString reason = numberProblem(text, positive); !reason.isEmpty()) return showProblem(reason);

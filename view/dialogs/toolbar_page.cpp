@@ -134,7 +134,7 @@ QStringList ToolbarPage::ids() const {
     return all;
 }
 
-// Nothing for the id of a command that there is not.
+// Does nothing for an id without a command.
 void ToolbarPage::insert(int row, const QString& id) {
     auto item = std::make_unique<QListWidgetItem>();
     const auto found = std::ranges::find(

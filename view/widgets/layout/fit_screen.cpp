@@ -39,7 +39,7 @@ bool hasButtons(QLayoutItem& item) {
     return false;
 }
 
-// Only once: what is left needs hardly any room.
+// Done once: the rest needs hardly any room.
 void scrollContents(QDialog& dialog) {
     QLayout* layout = dialog.layout();
     if (dynamic_cast<Contents*>(layout->itemAt(0)->widget())) return;

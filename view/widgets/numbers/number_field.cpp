@@ -18,7 +18,7 @@ namespace view {
 
 namespace {
 
-// How many steps an arrow key takes.
+// Number of steps of an arrow key.
 double paceOf(Qt::KeyboardModifiers modifiers) {
     double pace = 1;
     if (modifiers & Qt::ShiftModifier) pace *= 10;
@@ -158,7 +158,7 @@ void NumberField::finish() {
         return;
     }
     m_edited = false;
-    // What was typed is a step of the document now, and no longer one of the text.
+    // The typed text is a step of the document now, and no longer one of the text.
     setText(isExpression(text()) ? valueText() : text());
     emit committed();
 }
