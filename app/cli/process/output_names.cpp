@@ -11,7 +11,7 @@ namespace cli {
 
 namespace {
 
-// Where the name of the file begins. Those of its folders are no patterns.
+// Start of the file name. Names of folders are no patterns.
 qsizetype startOfName(const QString& path) {
     return path.lastIndexOf(u'/') + 1;
 }

@@ -51,7 +51,7 @@ bool isDivided(const RenderArguments& arguments) {
     return arguments.part || arguments.band;
 }
 
-// Where the sums or the picture go.
+// The output of the sums or the picture.
 struct Target {
     QString output;
     std::optional<io::PictureFile> file; // none: sums

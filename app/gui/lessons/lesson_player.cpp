@@ -157,7 +157,7 @@ void LessonPlayer::keepView() {
     m_orbit = m_parts.stage->space()->navigation().camera();
 }
 
-// Whether the view is as the step has set it, whatever the size of the canvas.
+// Returns true if the view is as the step has set it, whatever the size of the canvas.
 bool LessonPlayer::isViewKept() const {
     if (m_parts.stage->showsSpace()) {
         const attractor::OrbitCamera& now = m_parts.stage->space()->navigation().camera();
