@@ -34,7 +34,7 @@ struct StealArguments {
 enum class StealTask { Picture, Map, Tear };
 
 void addStealOptions(Command& command, StealArguments& arguments);
-// Looks at every value before a file is read.
+// Checks every value before a file is read.
 StealTask checked(const StealArguments& arguments);
 
 // The requested transformation, or without --from the one that the entry keeps, with the requested changes.

@@ -53,7 +53,7 @@ struct AnimateArguments {
 
 void addAnimateOptions(Command& command, AnimateArguments& arguments);
 
-// Looks at every value before a file is read.
+// Checks every value before a file is read.
 void check(AnimateArguments& arguments);
 
 // --frames: "1-240x2,300", or "all" for none. Throws UsageError.

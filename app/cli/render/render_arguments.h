@@ -159,7 +159,7 @@ Option& addSizeOption(const OptionGroup& group, QSize& size);
 void settlePaperSize(RenderArguments& arguments, bool hasShapes);
 Option& addBackgroundOption(const OptionGroup& group, std::optional<attractor::Rgba>& background);
 
-// Looks at what does not fit together before a file is read.
+// Refuses combinations that do not fit before a file is read.
 Format checked(const RenderArguments& arguments);
 
 void selectInstructions(const std::string& name); // --simd

@@ -239,12 +239,12 @@ private:
     using Nodes = std::pmr::vector<Node<Real>>;
     enum class Threshold { Absolute, Relative };
 
-    static constexpr std::size_t maxWaiting = 1U << 20;  // words of the next level before refining it
-    static constexpr std::size_t maxShown = 1U << 16;    // words wholly in view, unless there are more maps
-    static constexpr std::size_t childrenPerLook = 8192; // between two looks at the stop token
-    static constexpr double rounding = 1e-9;             // of a sum of probabilities, at most
-    static constexpr double minSize = 0.25;              // cells; below, splitting shows nothing new
-    static constexpr double atBorder = 512;              // samples a word may have of which some fall outside
+    static constexpr std::size_t maxWaiting = 1U << 20;   // words of the next level before refining it
+    static constexpr std::size_t maxShown = 1U << 16;     // words wholly in view, unless there are more maps
+    static constexpr std::size_t childrenPerCheck = 8192; // between two checks of the stop token
+    static constexpr double rounding = 1e-9;              // of a sum of probabilities, at most
+    static constexpr double minSize = 0.25;               // cells; below, splitting shows nothing new
+    static constexpr double atBorder = 512;  // samples a word may have of which some fall outside
     static constexpr double minSamples = 32; // samples for which a first-order map is worth its while
 
     static Branch<Real> branch(const ifs::AffineMap<2>& map, const ifs::Vector<2>& centre,
@@ -344,7 +344,7 @@ private:
         std::ranges::copy_if(m_roots, std::back_inserter(open),
                              [this](const Node<Real>& node) { return visible(node); });
         std::size_t children = 0;
-        std::size_t nextLook = 0;
+        std::size_t nextCheck = 0;
         double settled = 0;
         Nodes next(m_nodeMemory);
         while (!open.empty() && children < m_settings.maxLooks) {
@@ -365,9 +365,9 @@ private:
             if (open.size() > m_divided) thinOut(open, m_divided);
             next.clear();
             for (const Node<Real>& node : open) {
-                if (children >= nextLook) {
+                if (children >= nextCheck) {
                     if (stop.stop_requested()) return {};
-                    nextLook = children + childrenPerLook;
+                    nextCheck = children + childrenPerCheck;
                 }
                 children += m_branches.size();
                 for (std::size_t i = 0; i < m_branches.size(); ++i) {

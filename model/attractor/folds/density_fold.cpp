@@ -17,7 +17,7 @@ namespace {
 
 constexpr std::uint64_t maxPerSampleSet = 1U << 24;           // more samples are drawn from a fresh set
 constexpr std::uint64_t maxUninstanced = 2 * SampleSet::size; // the same where there is but one word
-constexpr std::uint64_t samplesPerJob = 1U << 16;             // between two looks at the stop token
+constexpr std::uint64_t samplesPerJob = 1U << 16;             // between two checks of the stop token
 // Sample sets that are counted word by word, while the cells of the word are in the cache.
 constexpr std::uint64_t setsTogether = 8;
 

@@ -12,9 +12,9 @@ namespace attractor {
 namespace {
 
 constexpr double maxImages = 1e6;
-constexpr double maxOutlined = 20'000;         // images; sums of a cell stay below 2³² whatever covers it
-constexpr double minOutlined = 24;             // cells
-constexpr std::size_t cellsPerLook = 1U << 18; // a millisecond's work
+constexpr double maxOutlined = 20'000;          // images; sums of a cell stay below 2³² whatever covers it
+constexpr double minOutlined = 24;              // cells
+constexpr std::size_t cellsPerCheck = 1U << 18; // a millisecond's work
 
 class Painter {
 public:
@@ -66,7 +66,7 @@ public:
         std::ranges::reverse(stack);
         std::size_t visits = 0;
         while (!stack.empty()) {
-            if (++visits % 1024 == 0 || m_filled > cellsPerLook) {
+            if (++visits % 1024 == 0 || m_filled > cellsPerCheck) {
                 m_filled = 0;
                 if (stop.stop_requested()) return false;
             }
@@ -257,7 +257,7 @@ private:
     std::optional<BendTable> m_bend;
     std::vector<ifs::Vector<2>> m_corners;
     std::vector<double> m_crossings;
-    std::size_t m_filled = 0; // cells since the last look at the stop token
+    std::size_t m_filled = 0; // cells since the last check of the stop token
 };
 
 } // namespace

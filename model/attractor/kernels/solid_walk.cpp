@@ -36,7 +36,7 @@ constexpr float pixelSlack = 1.0F / 64;
 constexpr float codeSlack = 16;
 constexpr int smallBox = 32; // pixels wide
 constexpr std::size_t maxOpen = 1U << 18;
-constexpr std::size_t workPerLook = 1U << 14; // between two looks at the stop token
+constexpr std::size_t workPerCheck = 1U << 14; // between two checks of the stop token
 constexpr auto maxCode = static_cast<float>(maxDepthCode);
 constexpr std::size_t chunk = 64; // points that are compared before any of them is stored
 
@@ -327,7 +327,7 @@ HWY_ATTR bool drawSolid(const SolidWord& word, SolidJob& job, const std::stop_to
     while (!job.open.empty()) {
         const OpenWord open = job.open.back();
         job.open.pop_back();
-        if (work >= workPerLook) {
+        if (work >= workPerCheck) {
             if (stop.stop_requested()) return false;
             job.budget -= std::min(job.budget, work);
             work = 0;

@@ -23,7 +23,7 @@ namespace {
 
 constexpr std::uint64_t maxPerSampleSet = 1U << 24; // more samples are drawn from a fresh set
 constexpr int maxDepthLevel = 4095;                 // of a sample whose depth is counted
-constexpr std::size_t maxWordsPerJob = 64;          // between two looks at the stop token
+constexpr std::size_t maxWordsPerJob = 64;          // between two checks of the stop token
 constexpr std::size_t samplesPerJob = 1U << 18;     // likewise, about
 
 // Cells that a word can reach, with room for rounding; empty where it is not seen.

@@ -15,8 +15,8 @@ constexpr double maxBetweenPixels = 1.0 / 1024; // of one that reaches several
 constexpr double minBorder = 1e-6;              // pixels
 constexpr double relativeBorder = 4e-9;
 constexpr int blockColumns = 16;
-constexpr std::uint64_t looksBetween = 1024; // at the stop token
-constexpr std::uint64_t maxLooks = std::uint64_t{1} << 31;
+constexpr std::uint64_t visitsBetween = 1024; // two checks of the stop token
+constexpr std::uint64_t maxVisits = std::uint64_t{1} << 31;
 
 // Pixels that are still empty, and their number among every 16 in a row.
 class EmptyPixels {
@@ -90,8 +90,8 @@ public:
     }
 
     bool run(const std::stop_token& stop) {
-        for (std::uint64_t looks = 1; !m_open.empty() && m_empty.left() > 0; ++looks) {
-            if (looks % looksBetween == 0 && (stop.stop_requested() || looks > maxLooks)) return false;
+        for (std::uint64_t visits = 1; !m_open.empty() && m_empty.left() > 0; ++visits) {
+            if (visits % visitsBetween == 0 && (stop.stop_requested() || visits > maxVisits)) return false;
             const Open open = m_open.back();
             m_open.pop_back();
             const PixelBox box = trimmed(boxOf(open.shown, m_system.around));

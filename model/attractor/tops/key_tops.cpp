@@ -10,7 +10,7 @@ namespace attractor {
 
 namespace {
 
-constexpr std::size_t wordsBetween = 64; // two looks at the stop token
+constexpr std::size_t wordsBetween = 64; // two checks of the stop token
 
 kernels::KeyWord keyWord(const TopWord& word, const CoupledSamples& samples, std::size_t rank) {
     const ifs::Matrix<2> linear = word.shown.linear * samples.scale;

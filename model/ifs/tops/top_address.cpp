@@ -11,7 +11,7 @@ namespace ifs {
 
 namespace {
 
-constexpr int maxLooks = 4'000'000;
+constexpr int maxVisits = 4'000'000;
 constexpr std::size_t longest = 4096;
 constexpr double leafSize = 0.25;  // tolerances: the radius of a piece that is a point
 constexpr double settledSize = 64; // tolerances: pieces that no rounding chooses between
@@ -72,14 +72,14 @@ TopSearch::Found TopSearch::firstWithin(const Vector<2>& x) const {
     const auto& maps = m_attractor.maps();
     std::vector<Level> levels(1);
     Word word;
-    for (int looks = 0; !levels.empty();) {
+    for (int visits = 0; !levels.empty();) {
         Level& level = levels.back();
         if (level.next == maps.size()) {
             levels.pop_back();
             if (!word.empty()) word.pop_back();
             continue;
         }
-        if (++looks > maxLooks) return {{}, false, true};
+        if (++visits > maxVisits) return {{}, false, true};
         const int symbol = int(level.next++);
         const AffineMap<2> map = level.map * maps[std::size_t(symbol)];
         if (!isNear(map, x)) continue;

@@ -13,7 +13,7 @@ namespace io {
 
 namespace {
 
-constexpr int looks = 8; // at how far things move while the shutter is open
+constexpr int shutterProbes = 8; // moments at which motion is measured while the shutter is open
 
 PictureFormat formatOf(const PlaneExport& picture) {
     const attractor::RenderRequest& request = picture.request;
@@ -57,7 +57,8 @@ template <class Request, class RequestAt>
 std::vector<Request> FrameDrawing::momentsOf(int frame, RequestAt requestAt) const {
     if (m_options.shutter == 0) return {};
     std::vector<attractor::TrackedPoints> tracked;
-    for (const animation::Moment& moment : document::shutterEdges(m_facts, frame, m_options.shutter, looks))
+    for (const animation::Moment& moment :
+         document::shutterEdges(m_facts, frame, m_options.shutter, shutterProbes))
         tracked.push_back(attractor::trackedPoints(requestAt(moment)));
     const int steps = attractor::stepsFor(tracked);
     if (steps == 1) return {};

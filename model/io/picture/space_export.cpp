@@ -24,7 +24,7 @@ namespace {
 
 using attractor::LookInSpace;
 
-constexpr std::size_t fewRows = 16; // between two looks at the stop token
+constexpr std::size_t fewRows = 16; // between two checks of the stop token
 
 template <class Writer, class Pixel>
 void write(Writer& writer, std::span<const Pixel> pixels, int width, ExportOutcome& outcome,
