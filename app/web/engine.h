@@ -63,9 +63,8 @@ BARYCAGE_WEB void barycage_light(web::Engine* engine, int look, int colour, cons
 // 0: everything.
 BARYCAGE_WEB void barycage_clip(web::Engine* engine, const double* clip);
 
-// Draws so many more points; `begin` throws away those before. A solid needs no points and is drawn whole.
-// While the exposure is kept, the picture does not flicker as it is dragged. Returns how many points are
-// drawn.
+// Draws `samples` more points; `begin` drops those before. A solid needs no points and is drawn whole. While
+// the exposure is kept, the picture does not flicker during a drag. Returns how many points are drawn.
 BARYCAGE_WEB double barycage_draw(web::Engine* engine, double samples, int begin, int keepExposure);
 // The last picture: straight (not premultiplied) RGBA, rows from the top, width × height × 4 bytes.
 BARYCAGE_WEB const std::uint8_t* barycage_pixels(web::Engine* engine);

@@ -23,7 +23,7 @@ template <int Dim> struct BranchPose {
     friend bool operator==(const BranchPose&, const BranchPose&) = default;
 };
 
-// Everything that an animation can move, at one moment or, before it has moved anything, as it stands still.
+// The values that an animation can move, at one moment; or at rest, before it has moved any.
 template <int Dim> struct Pose {
     ifs::IteratedFunctionSystem<Dim> system;
     std::optional<ifs::ControlCage<Dim>> cage{};
@@ -56,7 +56,7 @@ struct FrameRate {
 };
 
 template <int Dim> struct Animation {
-    // Compiled once, and not in each of the many files that copy one.
+    // Defined in one source, because many files copy animations.
     Animation();
     Animation(const Animation& other);
     Animation(Animation&& other) noexcept;

@@ -104,7 +104,7 @@ Facts<Dim> geometricFacts(const IteratedFunctionSystem<Dim>& system,
 template <int Dim> void capAffinityDimension(Facts<Dim>& facts);
 
 template <int Dim> Invariants invariantsOf(const Facts<Dim>& facts);
-// Invariants of an image whose area is so many times that of the attractor.
+// Invariants of an image whose area is `areaFactor` times that of the attractor.
 Invariants scaled(Invariants invariants, double areaFactor);
 
 // Facts of the attractor's image under an affine map T: of the maps T∘w∘T⁻¹, whose attractor it is. Extents

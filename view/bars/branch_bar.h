@@ -32,7 +32,7 @@ public:
 
     // The window into space, whose selected maps swing about the line of sight; `hint` is shown beside it.
     void setSpace(SpaceView* space, const QString& hint);
-    // Another canvas, whose branch is the one that is spoken of once it was selected later.
+    // Adds a second canvas. The bar speaks of the branch that was selected last.
     void setBeside(CanvasView* canvas);
 
     QSpinBox* depth() const { return m_depth; }

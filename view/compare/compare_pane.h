@@ -79,7 +79,7 @@ private:
     bool m_isTrackball = false;
     document::EntryId m_lastCurrent = document::EntryId::None;
 
-    // Made when they are shown for the first time:
+    // Members made when they are shown for the first time:
     std::unique_ptr<document::PartnerDocument> m_partner;
     RenderBridge* m_otherRender = nullptr;
     SolidBridge* m_otherSolid = nullptr;

@@ -32,7 +32,7 @@ struct Preferences {
     friend bool operator==(const Preferences&, const Preferences&) = default;
 };
 
-// Stands for a line between two commands of the tool bar. No command has this id.
+// Id of a line between two commands of the tool bar. No command has this id.
 inline QString separatorId() {
     return QStringLiteral("-");
 }

@@ -95,7 +95,7 @@ std::vector<ifs::Vector<2>> pointListArgument(const std::string& option,
                                               const std::string& text); // at least one
 std::uint64_t wholeArgument(const std::string& option, const std::string& text);
 double positiveArgument(const std::string& option, const std::string& text);
-// Above 0, at most 1e6.
+// Seconds above 0, at most 1e6.
 std::chrono::duration<double> secondsArgument(const std::string& option, const std::string& text);
 double marginArgument(const std::string& option, const std::string& text); // per cent, below one half
 attractor::Rgba colourArgument(const std::string& option, const std::string& text);

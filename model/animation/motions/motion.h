@@ -94,7 +94,7 @@ void moveMaps(const Motion<Dim>& motion, const Moment& moment, int length,
               ifs::IteratedFunctionSystem<Dim>& system);
 // The angle that Orbit has reached, 0 of any other motion.
 template <int Dim> double orbitAngle(const Motion<Dim>& motion, const Moment& moment, int length);
-// Turned by an angle about a centre.
+// Turns the cage by an angle about a centre.
 void turnCage(ifs::ControlCage<2>& cage, const ifs::Vector<2>& centre, double degrees);
 
 } // namespace animation

@@ -44,7 +44,7 @@ public:
     std::uint32_t* layer(std::size_t thread, std::size_t layer, const CellRegion& region) {
         return touch(m_layers[thread * m_layerColours.size() + layer], region);
     }
-    // Unless there are layers.
+    // Colour cells; available only without layers.
     ColourCell* colours(std::size_t thread) { return touch(m_colours[thread], all()); }
     ColourCell* colours(std::size_t thread, const CellRegion& region) {
         return touch(m_colours[thread], region);

@@ -101,7 +101,7 @@ struct CutMemory {
     std::pmr::unsynchronized_pool_resource nodes{std::pmr::pool_options{1, 1U << 22}};
 };
 
-// Empty when stopped.
+// The cut; empty when stopped.
 AddressCut addressCut(const PreparedSystem& system, const Projection& projection, const CutSettings& settings,
                       std::stop_token stop = {}, CutMemory* kept = nullptr);
 

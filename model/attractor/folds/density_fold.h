@@ -15,10 +15,10 @@
 
 namespace attractor {
 
-// Words of the cut for a pass of so many samples: none takes more of a sample set than there is.
+// Number of words of the cut for a pass of `samples` samples: none takes more of a sample set than there is.
 int wordsFor(std::uint64_t samples);
 
-// Into how many sample sets a pass of so many samples is divided.
+// Number of sample sets into which a pass of `samples` samples is divided.
 std::uint64_t sampleSetsFor(std::uint64_t samples, const PreparedSystem& system);
 
 // Algorithm::Density: every word of the cut takes its part of sample sets of the invariant measure.

@@ -31,7 +31,7 @@ public:
     // Empties the picture; from now on samples in the window are gathered.
     virtual void rewind(const CellWindow& window) = 0;
 
-    // The next pass, of so many samples; the one before is complete.
+    // Begins the next pass, of `samples` samples; the one before is complete.
     virtual void begin(std::uint64_t samples) = 0;
     // The rest of the pass. False when stopped, within milliseconds.
     virtual bool complete(const std::stop_token& stop) = 0;
@@ -49,7 +49,7 @@ public:
 
     // Returns true if exposure() is the same for every picture and known before anything is drawn.
     virtual bool hasFixedExposure() const { return false; }
-    // Measured once and kept for the passes to come. nullopt when stopped.
+    // The exposure, measured once and kept for the passes to come. nullopt when stopped.
     virtual std::optional<Exposure> exposure(const std::stop_token& stop) = 0;
     virtual Occupancy
     occupancy(double share) const = 0; // of the pixels of the window; see attractor::occupancy

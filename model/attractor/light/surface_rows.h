@@ -38,7 +38,7 @@ public:
     // target.
     SurfaceRows(const DepthRaster& raster, double unitsPerPixel, const Occlusion& occlusion, int firstRow);
 
-    // Within the raster.
+    // The next row. Call only within the raster.
     SurfaceRow next();
 
 private:

@@ -20,7 +20,7 @@ public:
     RenderQueue(const RenderQueue&) = delete;
     RenderQueue& operator=(const RenderQueue&) = delete;
 
-    // Both are called on the queue's thread and may call the queue.
+    // A job's functions are called on the queue's thread and may call the queue.
     struct Job {
         std::function<std::optional<RenderRequest>()> request; // nullopt: there is nothing to draw
         // Receives the frame of one pass, or nullptr when there was nothing to draw; not called when

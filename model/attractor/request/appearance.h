@@ -35,7 +35,7 @@ using MapBlends = MapValues<MapBlend>;
 
 // Settings that turn densities into colours. docs/mathematics.md, "Density to colour".
 struct Appearance {
-    // Compiled once, and not in each of the many files that copy one.
+    // Defined in one source, because many files copy appearances.
     Appearance();
     Appearance(const Appearance& other);
     Appearance(Appearance&& other) noexcept;
@@ -65,7 +65,7 @@ Rgba mapColour(const Appearance& appearance, ifs::MapId id, std::size_t index);
 
 // Default blends: coordinates at even distances along the palette, speed one half.
 MapBlend usualBlend(std::size_t index, std::size_t maps);
-// The blend of the map at `index` of so many.
+// The blend of the map at `index` among `maps` maps.
 MapBlend mapBlend(const Appearance& appearance, ifs::MapId id, std::size_t index, std::size_t maps);
 // The composition of two blends, `outer` after `inner`.
 MapBlend composed(const MapBlend& outer, const MapBlend& inner);

@@ -59,13 +59,13 @@ ifs::Vector<2> toWorld(const Camera& camera, const ifs::Vector<2>& pixel);
 // times the picture on each side. A box without extent is shown at a scale of its own.
 Camera fitted(Camera camera, const ifs::Vector<2>& min, const ifs::Vector<2>& max, double margin = 0.05);
 
-// Zoomed by `factor`, the world point under `pixel` staying where it is.
+// Zooms by `factor`; the world point under `pixel` stays where it is.
 Camera zoomedAt(Camera camera, const ifs::Vector<2>& pixel, double factor);
 
-// Turned by `angle`, counter-clockwise on the screen, the world point under `pixel` staying where it is.
+// Turns by `angle`, counter-clockwise on the screen; the world point under `pixel` stays where it is.
 Camera rotatedAt(Camera camera, const ifs::Vector<2>& pixel, double angle);
 
-// Moved so that what was seen at `pixel` is seen at `pixel + delta`.
+// Pans so that the point seen at `pixel` is seen at `pixel + delta`.
 Camera panned(Camera camera, const ifs::Vector<2>& delta);
 
 } // namespace attractor

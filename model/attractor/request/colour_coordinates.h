@@ -20,7 +20,7 @@ struct PaletteInterval {
 class ColourCoordinates {
 public:
     ColourCoordinates() = default; // of no maps
-    // Along the address: (i + c)/N.
+    // Coordinates along the address: (i + c)/N.
     explicit ColourCoordinates(std::size_t maps) : m_maps(maps) {}
     // (1 − s_i)·c + s_i·c_i, with one blend and one probability for each map.
     ColourCoordinates(std::vector<MapBlend> blends, std::span<const double> probabilities);
@@ -61,7 +61,7 @@ private:
     double m_range = 0;             // between any two points of the attractor
 };
 
-// The blend that leads along the address as the map at `index` of so many does.
+// The blend by which the map at `index` among `maps` leads along the address.
 MapBlend addressBlend(std::size_t index, std::size_t maps);
 
 // The coordinates that the appearance asks for; along the address if it colours by something else. `active`

@@ -38,7 +38,7 @@ OrbitCamera stoodUp(OrbitCamera camera, UpAxis from, UpAxis to);
 // Pans so that the point of the target's plane seen at a pixel is seen at pixel + delta.
 OrbitCamera panned(OrbitCamera camera, const ifs::Vector<2>& delta);
 
-// Zoomed by `factor`; what is seen at the pixel in the plane of the target stays there.
+// Zooms by `factor`; the point of the target's plane seen at the pixel stays there.
 OrbitCamera zoomedAt(OrbitCamera camera, const ifs::Vector<2>& pixel, double factor);
 
 // The same view with the target in the depth of `point` and in the middle.

@@ -33,7 +33,7 @@ bool hasShadow(const RenderRequest& request);
 std::optional<RenderRequest> shadowRequest(const RenderRequest& request);
 // Draws the picture alone, to be laid over its shadow.
 RenderRequest requestAboveShadow(RenderRequest request);
-// Samples of the shadow for so many of the picture.
+// Number of samples of the shadow for `samples` of the picture.
 std::uint64_t shadowSamples(const RenderRequest& request, std::uint64_t samples);
 
 } // namespace attractor

@@ -28,7 +28,7 @@ public:
     const kernels::Cover* find(const ifs::Matrix<3>& linear, double depthScale,
                                std::span<const kernels::Cover> covers);
 
-    // Reports that so many points were drawn with whole covers, which allows as much work for thinning some.
+    // Reports `points` points that were drawn with whole covers, which allows as much work for thinning some.
     void missed(std::size_t points) { m_credit += points; }
 
     // Returns true if rounding moves nothing by more than the slacks below, in pixels, in pictures of that

@@ -30,7 +30,7 @@ struct CoupledSamples {
     };
     std::vector<Image> images;
 
-    // Everything that depends on G, after another one.
+    // Recomputes everything that depends on G, after another one.
     void moveTo(const CoupledSystem& system);
 
     // Input of moveTo(): the steps in the order of the orbit, and the beginnings by rank.

@@ -51,7 +51,7 @@ struct PixelBox {
         return left >= 0 && right < width && top >= firstRow && bottom < endRow;
     }
 };
-// Around the image of the attractor of F under a map to pixels.
+// The box around the image of the attractor of F under a map to pixels.
 PixelBox boxOf(const ifs::AffineMap<2>& shown, const ifs::EnclosingPolygon& around);
 
 } // namespace attractor

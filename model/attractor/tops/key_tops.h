@@ -22,7 +22,7 @@ class KeyTops {
 public:
     static constexpr std::uint64_t maxPoints = (std::uint64_t{1} << 32) - 2 * CoupledSamples::usual;
 
-    // About so many points, of which those outside the view are not drawn; 1 to maxPoints.
+    // `points` is approximate and includes points outside the view, which are not drawn; 1 to maxPoints.
     KeyTops(const CoupledSystem& system, const Camera& camera, std::uint64_t points, std::uint64_t seed,
             const std::stop_token& stop);
 

@@ -28,7 +28,7 @@ struct TopCut {
     double size = 0;
 };
 
-// The finest cut, in steps of √2, of at most so many words; the empty word is always one.
+// The finest cut, in steps of √2, of at most `maxWords` words; the empty word is always one.
 TopCut topCut(const CoupledSystem& system, const Camera& camera, std::size_t maxWords,
               const std::stop_token& stop);
 

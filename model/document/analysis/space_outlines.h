@@ -31,7 +31,7 @@ struct SpaceFacts {
     const ifs::Facts<3>& displayed;
     ifs::AffineMap<3> placed;
 };
-// `fractal` is the entry; the addresses of its cylinders have so many symbols.
+// Outlines of the entry `fractal`; the addresses of its cylinders have `cylinderDepth` symbols.
 std::vector<SpaceOutline> spaceOutlines(const SpaceFacts& facts, const Fractal& fractal,
                                         const std::set<Outline>& outlines, int cylinderDepth);
 

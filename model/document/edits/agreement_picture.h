@@ -13,8 +13,8 @@ namespace document {
 
 // The side of the comparison that is not the target.
 enum class Compared { Collage, Attractor };
-// Live: with the coarse cells of the target, if it has any. Distances stay in pixels, and the bound stays
-// one, though a larger one.
+// Cells used for a measurement. Live takes the coarse cells of the target, if it has any: distances stay in
+// pixels, and the bound stays one, though a larger one.
 enum class Detail { Full, Live };
 
 // Agreement of a fractal with a target, in numbers and as a picture over the plane.

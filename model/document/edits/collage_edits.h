@@ -51,8 +51,8 @@ std::optional<Fractal> withWeightsFitted(const Fractal& fractal, const TracedPic
 // those of the picture; nullopt when there is an obstacle, or the maps do not contract on average.
 std::optional<double> shadesBound(const Fractal& fractal, const TracedPicture& traced,
                                   const std::stop_token& stop = {});
-// A cage of so many corners, 3 or more, under which the outline of the attractor follows that of the target.
-// Needs no placement that can be undone: it is made anew.
+// A cage of `corners` corners, 3 or more, under which the outline of the attractor follows that of the
+// target. Needs no placement that can be undone: it is made anew.
 std::optional<Fractal> withCageFittedTo(const Fractal& fractal, const TracedPicture& traced, int corners,
                                         const std::stop_token& stop = {});
 // Adds a map whose image of the target lies at that point, and fits it while the others stay.

@@ -16,7 +16,8 @@ struct Inserted {
     FractalFile file;
     QList<EntryId> ids; // of the new entries, in their order
 };
-// Behind the entry `after` (None: at the end), under fresh ids and, where they are readable, unique names.
+// Inserts behind the entry `after` (None: at the end), under fresh ids and, where they are readable, unique
+// names.
 Inserted inserted(FractalFile file, const QList<Entry>& entries, EntryId after);
 
 FractalFile removed(FractalFile file, const QList<EntryId>& ids);

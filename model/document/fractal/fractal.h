@@ -27,7 +27,7 @@ template <int Dim> using MovedBranch = animation::BranchPose<Dim>;
 
 // The code of an entry, by what it is held, and what of it is shown elsewhere.
 template <int Dim> struct Shape {
-    // Compiled once, and not in each of the many files that copy one.
+    // Defined in one source, because many files copy shapes.
     Shape(ifs::IteratedFunctionSystem<Dim> code = {}, std::optional<ifs::ControlCage<Dim>> held = {});
     Shape(const Shape& other);
     Shape(Shape&& other) noexcept;
@@ -46,7 +46,7 @@ template <int Dim> struct Shape {
 
 // An entry of a file, as a plain value.
 struct Fractal {
-    // Compiled once, and not in each of the many files that copy one.
+    // Defined in one source, because many files copy fractals.
     Fractal();
     Fractal(const Fractal& other);
     Fractal(Fractal&& other) noexcept;

@@ -38,7 +38,7 @@ public:
     // The same under w_σ, a word of indices, where the branch is shown; nullopt where one is of no map.
     std::optional<Corners> corners(const ifs::Word& branch) const;
 
-    // Unless the placement, or the piece, is flat.
+    // Returns true unless the placement, or the piece, is flat.
     bool canBeMoved() const;
     // The fractal with the corners of one map moved by these offsets: a change of rank one for each that is
     // not 0. It holds the cage in force, so that it stays while the code changes under it. With no offset,

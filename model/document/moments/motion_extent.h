@@ -9,7 +9,7 @@
 
 namespace document {
 
-// Everything that an animation in the plane shows, from its first moment to its last.
+// The extent of an animation in the plane, from its first moment to its last.
 struct MotionExtent {
     // Contains the picture at each of the moments that were looked at; nullopt where none has a picture.
     std::optional<Box> picture;

@@ -13,7 +13,7 @@ namespace document {
 // or flattens it, in that of the code.
 struct StepDistance {
     double contraction = 0; // s, the largest spectral norm of a map
-    // Measured on cells; nullopt where the maps are linked or s ≥ 1.
+    // The distance measured on cells; nullopt where the maps are linked or s ≥ 1.
     std::optional<double> distance;
     double cell = 0;             // its side: nothing below a few of them is told apart
     std::optional<double> bound; // sⁿ·d(B, A), which d(Wⁿ(B), A) does not exceed; nullopt as above

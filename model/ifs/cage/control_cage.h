@@ -38,8 +38,8 @@ template <int Dim> ControlCage<Dim> cageAtRest(const Simplex<Dim>& simplex);
 // simplex that is not flat; in the plane, a simple polygon of at most 64 corners.
 template <int Dim> bool isValid(const ControlCage<Dim>& cage);
 
-// Rest coordinates → displayed coordinates: T_c·T_0⁻¹ of a cage with Dim + 1 vertices, the affine fit of one
-// with more. Only the rest is inverted, so the current vertices may lie on one line. Exactly the identity
+// The map from rest to displayed coordinates: T_c·T_0⁻¹ of a cage with Dim + 1 vertices, the affine fit of
+// one with more. Only the rest is inverted, so the current vertices may lie on one line. Exactly the identity
 // when current equals rest.
 template <int Dim> AffineMap<Dim> displayMap(const ControlCage<Dim>& cage);
 
@@ -70,7 +70,7 @@ std::optional<ControlCage<Dim>> redefine(const ControlCage<Dim>& present,
 Coordinates suitableCoordinates(std::span<const Vector<2>> rest, const SupportFunction<2>* support,
                                 std::span<const AffineMap<2>> pieces = {});
 
-// Rest coordinates → displayed coordinates, bent or not.
+// The map from rest to displayed coordinates, bent or not.
 class Placement {
 public:
     Placement() = default;                // leaves everything in its place

@@ -21,7 +21,7 @@ struct CopyStep {
 
 CopyStep inside(const CopyStep& outer, const CopyStep& inner);
 
-// Everything that a reader of the file draws, without where it is drawn.
+// All steps that a reader of the file draws, without their places.
 struct CopyExpansion {
     std::vector<CopyStep> picture;             // in pixels
     std::vector<std::vector<CopyStep>> copies; // by level: what a copy of it is made of; of level 0 nothing

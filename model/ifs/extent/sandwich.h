@@ -19,9 +19,9 @@ public:
     // Answers h_A(u) as SupportFunction<2> does: of u, a tolerance, a limit of words, and a known outline.
     using Ask = std::function<SupportValue<2>(const Vector<2>&, double, int, const Outline*)>;
 
-    // Refined until the two are nowhere farther apart than `tolerance`, or so many lines were asked for. A
-    // coarser outline known before shortens the search. When stopped, as far as it has got by then: what it
-    // says is true all the same.
+    // Refines until lines and points are nowhere farther apart than `tolerance`, or `maxLines` lines were
+    // asked for. A coarser outline known before shortens the search. When stopped, the outline is coarser but
+    // valid.
     Sandwich(Ask support, const Vector<2>& centre, double tolerance, const Outline* known, int maxLines,
              std::stop_token stop = {});
 

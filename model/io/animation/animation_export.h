@@ -50,8 +50,8 @@ QStringList replacedFiles(const AnimationExport& what, const QString& path);
 // Why it cannot be written: an encoder is missing, or the format does not have this size or rate.
 Failure animationObstacle(const AnimationExport& what);
 
-// A frame in so many pixels, as bright as it is by itself, for a dialog. nullopt when stopped, and where
-// there is no room for it.
+// A frame at a size of `pixels`, with its own exposure, for a dialog. nullopt when stopped, and where there
+// is no room for it.
 std::optional<QImage> framePreview(AnimationExport what, int frame, const QSize& pixels,
                                    const std::stop_token& stop = {});
 

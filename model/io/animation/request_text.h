@@ -11,8 +11,8 @@
 
 namespace io {
 
-// Everything that the bytes of a frame depend on, in lines "name value" in a fixed order; an option that is
-// not given is absent. It begins with the version of the pixels, and the entry ends it.
+// Text of everything that the bytes of a frame depend on, in lines "name value" in a fixed order; an option
+// that is not given is absent. It begins with the version of the pixels and ends with the entry.
 class FrameRequestText {
 public:
     explicit FrameRequestText(int pixels = attractor::pixelVersion);

@@ -53,7 +53,7 @@ std::vector<ifs::Vector<2>> overlayPoints(const document::Fractal& fractal, cons
 QImage imageOver(std::span<std::uint32_t> pixels, int width);
 QImage imageOver(std::span<attractor::Rgba16> pixels, int width);
 
-// Over the rows of the picture from `firstRow` on. Needs a QGuiApplication for the letters.
+// Paints over the rows of the picture from `firstRow` on. Needs a QGuiApplication for the letters.
 void paintOverlay(QImage& rows, const OverlayMarks& marks, int firstRow);
 
 } // namespace io

@@ -22,7 +22,7 @@ template <class Matrix> Matrix withoutNoise(Matrix values, double error) {
     return values;
 }
 
-// The value with so many significant digits, with more where things of that size lie far from 0, but none
+// The value with `digits` significant digits, with more where things of that size lie far from 0, but none
 // beyond the second digit of the error.
 QString figure(double value, double error, double size, int digits);
 

@@ -66,7 +66,8 @@ private:
     std::size_t m_values;
 };
 
-// Fast: numbers that are mostly noise are not compressed, which would take longer than all else.
+// Effort of compression. Fast leaves numbers that are mostly noise as they are; packing them would take
+// longer than all else.
 enum class Packing { Small, Fast };
 // A tile as a file has it; empty where it is left out. Any thread.
 QByteArray storedTile(const SumTile& tile, Packing packing);

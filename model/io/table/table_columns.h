@@ -32,8 +32,8 @@ TableColumns fractintColumns(); // a b c d e f p
 // The column of that name: "a", "a_i", "a11", "theta", "h" (another name for e), "p (%)".
 std::optional<TableColumn> tableColumn(const QString& name);
 
-// Out of names like "a", "theta" or "h" (another name for e); nullopt when they do not say everything. A
-// weight that is not named comes last.
+// Columns from names like "a", "theta" or "h" (another name for e); nullopt when they do not say everything.
+// A weight that is not named comes last.
 std::optional<TableColumns> tableColumns(const QStringList& names);
 // The same out of "a b c d e f p" or "abecdfp".
 std::optional<TableColumns> tableColumns(const QString& text);

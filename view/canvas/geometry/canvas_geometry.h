@@ -25,7 +25,7 @@ double distanceToSegment(const QPointF& p, const QPointF& a, const QPointF& b);
 
 QPointF pixelOf(const attractor::Camera& camera, const ifs::Vector<2>& world);
 QPolygonF pixelsOf(const attractor::Camera& camera, const std::vector<ifs::Vector<2>>& points);
-// Around the box, which may be turned.
+// The pixels around the box, which may be turned.
 QRectF pixelsOf(const attractor::Camera& camera, const ifs::Vector<2>& min, const ifs::Vector<2>& max);
 ifs::Vector<2> worldAt(const attractor::Camera& camera, const QPointF& pixel);
 // The motion in the plane for a motion by `pixels`; exactly zero for no motion.

@@ -57,7 +57,7 @@ void strokeOutline(QPainter& painter, const QPolygonF& outline, const OverlaySty
 void strokeLit(QPainter& painter, const QPainterPath& path, const OverlayStyle& style, double width,
                Qt::PenStyle pattern = Qt::SolidLine);
 
-// Around what the keyboard moves.
+// Draws a ring around the handle that the keyboard moves.
 void strokeFocusRing(QPainter& painter, const QPointF& centre, double radius, const OverlayStyle& style);
 
 } // namespace view

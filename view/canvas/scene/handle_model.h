@@ -16,7 +16,7 @@
 
 namespace view {
 
-// The extent of so many maps may take longer to find than the window may be busy.
+// Number of maps from which on finding their extent may take longer than the window may be busy.
 constexpr std::size_t manyMaps = 10'000;
 
 enum class HandleTarget { Cage, Maps, Branch };
@@ -61,7 +61,7 @@ public:
     std::vector<ifs::Vector<2>> heldPoints() const;
     bool isAnythingHeld() const; // that can be moved: not where all selected maps are locked
 
-    // About which what is held turns and scales: the mean of its vertices until it is put elsewhere.
+    // The point about which the handles turn and scale: the mean of the vertices until it is put elsewhere.
     ifs::Vector<2> pivot() const;
     void setPivot(const std::optional<ifs::Vector<2>>& pivot); // nullopt: the mean again
     bool hasOwnPivot() const { return m_pivot.has_value(); }

@@ -18,7 +18,7 @@ class QKeyEvent;
 // Code shared by gestures on maps in plane and space.
 namespace view {
 
-// The name of the undo step that drags so many maps, of which the one held has that number; or one corner.
+// The name of the undo step that drags `count` maps, of which the one held is number `number`; or one corner.
 QString mapsStepText(DragMode mode, std::size_t count, std::size_t number, std::optional<std::size_t> corner);
 
 // Delete and Insert, Ctrl+A, and Alt with a digit, on the maps that are selected.

@@ -19,7 +19,7 @@ class ExportPreview : public QWidget {
     Q_OBJECT
 
 public:
-    // The picture in so many pixels, which have the shape of the exported one; any thread.
+    // Draws the picture at a size of `pixels`, in the shape of the exported one; called in any thread.
     using Drawing = std::function<std::optional<QImage>(const QSize& pixels, const std::stop_token&)>;
 
     explicit ExportPreview(QWidget* parent = nullptr);

@@ -46,7 +46,7 @@ QImage drawnForPaper(const io::SpaceExport& picture, QWidget* parent);
 
 // The initial camera of a solid.
 attractor::OrbitCamera standardView();
-// An entry in space as it looks on paper, so many pixels along the longer side.
+// An entry in space as it looks on paper, `longSide` pixels along the longer side.
 io::SpaceExport spacePicture(const document::Fractal& fractal, attractor::OrbitCamera camera, int longSide);
 // Crops the empty sides, which have only the ground's colour; for a line, a tenth of the picture is left.
 QImage withoutEmptySides(const QImage& picture, QRgb ground);

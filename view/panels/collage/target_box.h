@@ -45,7 +45,7 @@ public:
     const std::shared_ptr<const document::TracedPicture>& traced() const { return m_traced; } // null: none
     bool hasTargets() const; // for any entry of the file
     QString name() const;    // of what the current entry has
-    // Another entry has the same target as the current one from now on.
+    // Gives another entry the target of the current one.
     void share(document::EntryId with) { m_states[with] = state(); }
     bool isBusy() const { return m_reading.isBusy() || m_tracing.isBusy(); }
 

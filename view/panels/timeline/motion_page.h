@@ -18,8 +18,8 @@ class QToolButton;
 
 namespace view {
 
-// Instead of an empty table: loops that one click makes, as small moving pictures of the fractal itself with
-// their names, and how to make keys.
+// The page in place of an empty table: loops that one click makes, as small moving pictures of the fractal
+// itself with their names, and how to make keys.
 class MotionPage : public QWidget {
     Q_OBJECT
 

@@ -11,7 +11,7 @@
 namespace view {
 
 constexpr int maxDecimals = 4;
-// A few digits to read, not to edit: so many decimals, or three digits if that is more; six or so in all.
+// A few digits to read, not to edit: `decimals` decimals, or three digits if that is more; six or so in all.
 QString roundedNumber(double value, int decimals);
 QString shortNumber(double value); // with the most decimals
 

@@ -30,7 +30,8 @@ const QStringList& pictureSuffixes(); // of files that may be such pictures, in 
 DecodedPicture decodedPicture(const QByteArray& bytes, LargePicture large = LargePicture::Refused,
                               const std::stop_token& stop = {});
 
-// A frame of a video: a PNG with at most so many pixels, as videos have at most, in its own colour space.
+// A frame of a video: a PNG with at most `maxFramePixels` pixels, as videos have at most, in its own colour
+// space.
 inline constexpr qint64 maxFramePixels = 1 << 28;
 DecodedPicture decodedFrame(const QByteArray& png, const std::stop_token& stop = {});
 
