@@ -26,8 +26,8 @@ enum class TheftMode {
 
 inline constexpr qsizetype maxEmbeddedPicture = 128 * 1024; // bytes
 
-// The fractal transformation kept in an entry, in its comments "barycage: partner…". docs/formats.md, "Our
-// own lines".
+// The fractal transformation kept in an entry, in its comments "barycage: partner…". docs/formats.md,
+// "Barycage's comment lines".
 struct KeptTheft {
     QString partner;                // the name of the other entry, G
     std::vector<std::size_t> order; // indices of the maps, the one on top first; empty: as they are

@@ -12,8 +12,8 @@
 
 namespace io {
 
-// The lines of a shape's animation, each under 70 bytes; none when nothing moves. docs/formats.md, "Our own
-// lines".
+// The lines of a shape's animation, each under 70 bytes; none when nothing moves. docs/formats.md,
+// "Barycage's comment lines".
 template <int Dim> QByteArrayList animationComments(const document::Shape<Dim>& shape);
 
 // Reduces an animation to what survives being written and read when maps get these ids: motions of maps that

@@ -12,7 +12,7 @@
 #include <vector>
 
 // Colouring of a fractal in comment lines. Entries and keys of animations have the same lines; those of a key
-// begin with "look". docs/formats.md, "Our own lines".
+// begin with "look". docs/formats.md, "Barycage's comment lines".
 namespace io {
 
 // No lines for an appearance as in a new entry.

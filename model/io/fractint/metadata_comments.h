@@ -18,7 +18,7 @@
 #include <vector>
 
 // Parts of a fractal without a place in a Fractint entry (cage, appearance, maps that are off), in comment
-// lines "; barycage: key values". docs/formats.md, "Our own lines".
+// lines "; barycage: key values". docs/formats.md, "Barycage's comment lines".
 namespace io {
 
 // Lines without line ends, each under 70 bytes; none when everything is as in a new entry.

@@ -9,7 +9,7 @@
 #include <optional>
 #include <vector>
 
-// Appearance of an entry in space, in comment lines. docs/formats.md, "Our own lines".
+// Appearance of an entry in space, in comment lines. docs/formats.md, "Barycage's comment lines".
 namespace io {
 
 // No lines for an appearance as in a new entry. `before` is put before the key of every line.
