@@ -11,7 +11,7 @@
 #include <optional>
 #include <vector>
 
-// Fractals that move. An animation is a value, and so is what it gives at a moment: whoever draws, exports or
+// Fractals that move. An animation is a value, and so is its state at a moment: code that draws, exports or
 // analyses a picture need not know that it is one of many. docs/mathematics.md, "Animation".
 namespace animation {
 

@@ -25,7 +25,7 @@ struct PicturePlace {
     ifs::Vector<2> middle = ifs::Vector<2>::Zero();
     double height = 1;
 
-    // Takes what is told of a picture that is 1 unit high, with its middle at the origin, to this one.
+    // The map from a picture that is 1 unit high, with its middle at the origin, to this one.
     ifs::AffineMap<2> map() const { return {height * ifs::Matrix<2>::Identity(), middle}; }
 };
 

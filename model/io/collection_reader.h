@@ -28,8 +28,8 @@ struct ReadOptions {
 };
 
 // Tells the format from the content: a Fractint collection, flames, IFStile's blocks, a table of numbers,
-// lists of maps in another language, a link, or a picture that carries a collection. Of what is none of
-// these, the problems say what it seems to be. `path` names the entry of a table or of a file of bare rows.
+// lists of maps in another language, a link, or a picture that carries a collection. For any other file, the
+// problems say what it seems to be. `path` names the entry of a table or of a file of bare rows.
 Collection readCollection(const QByteArray& bytes, const QString& path = {}, const ReadOptions& options = {});
 
 } // namespace io

@@ -34,7 +34,7 @@ template <class Value> struct KeysAround {
     }
 };
 
-// Neighbours that `isLike` the segment's own keys; what is not is left out.
+// Neighbours that `isLike` the segment's own keys; others are left out.
 template <class Value, class IsLike>
 KeysAround<Value> keysAround(const Segment<Value>& way, const IsLike& isLike) {
     KeysAround<Value> keys{way.from, way.to};

@@ -94,7 +94,7 @@ public:
     bool samplesOfRows(int firstRow, int endRow, std::vector<std::uint64_t>& samples) const; // added up
     bool sumsOfRow(int row, std::vector<Sum>& sums) const; // CellKind::Colour
 
-    // Adds what was counted elsewhere to row `row` of the window, from a column on.
+    // Adds counts made elsewhere to row `row` of the window, from a column on.
     void addSamples(int row, int firstColumn, std::span<const std::uint64_t> samples); // CellKind::Count
     void addSums(int row, int firstColumn, std::span<const Sum> sums);                 // CellKind::Colour
 
@@ -125,12 +125,12 @@ private:
                static_cast<std::size_t>(tileColumn);
     }
     template <class Cell> void reset(std::vector<Counters<Cell>>& all, std::size_t threads) const;
-    // work(first column, cells from there on, their number, colour) for what has been touched of a row.
+    // Calls work(first column, cells from there on, their number, colour) for the touched parts of a row.
     template <class Work> bool forLayers(int row, Work work) const;
     template <class Cell> void forget(Counters<Cell>& counters) const;
     template <class Cell> Cell* touch(Counters<Cell>& counters, const CellRegion& region) const;
     template <class Cell> void clear(Cell* cells, int tileRow, int tileColumn) const;
-    // work(first column, end column, cells from the first column) for what has been touched of a row.
+    // Calls work(first column, end column, cells from the first column) for the touched parts of a row.
     template <class Cell, class Work>
     bool forTouched(const Counters<Cell>& counters, int row, Work work) const;
 

@@ -15,10 +15,9 @@
 
 namespace attractor {
 
-// picture = fold(⊕, camera · cage · w_σ · sample): a commutative, associative ⊕ gathers what falls into each
-// cell, so that neither order nor threads change a byte, and what has been gathered becomes light. A picture
-// is drawn in passes, each of which may be stopped and completed later. Not thread-safe; uses a team of
-// workers.
+// picture = fold(⊕, camera · cage · w_σ · sample): a commutative, associative ⊕ gathers the samples of each
+// cell, so that neither order nor threads change a byte, and the result becomes light. A picture is drawn in
+// passes, each of which may be stopped and completed later. Not thread-safe; uses a team of workers.
 class Fold {
 public:
     Fold() = default;

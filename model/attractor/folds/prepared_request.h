@@ -12,7 +12,7 @@
 
 namespace attractor {
 
-// A request and what follows from it before the first sample: camera · cage, the maps that take part, the
+// A request with data derived from it before the first sample: camera · cage, the maps that take part, the
 // colours of samples.
 class PreparedRequest {
 public:

@@ -23,8 +23,8 @@ std::vector<std::string> simdNames(); // all that can be selected here, the best
 // Forces a set; false, and nothing changes, when the machine lacks it or the name is unknown. Not while
 // rendering.
 bool selectSimd(std::string_view name);
-// The environment decides once, before the first kernel runs, unless somebody has selected. Every kernel
-// calls it first.
+// Chooses the instruction set by the environment, once, before the first kernel runs, unless a caller has
+// selected one. Every kernel calls it first.
 void heedEnvironment();
 
 namespace kernels {

@@ -36,8 +36,8 @@ struct Cover {
     float onlyFor = 0; // > 0: the size of the words that it holds for, in pixels
     std::size_t size = 0;
     std::size_t work = 0; // counted as so many points
-    // The same points from the nearest to the farthest, about, where depth falls along x (bit 0), y (bit 1),
-    // z (bit 2) of the box: what comes late is hidden by what has come.
+    // The points roughly from the nearest to the farthest, for each octant: depth falls along x (bit 0), y
+    // (bit 1), z (bit 2) of the box. Later points are hidden by earlier ones.
     std::array<CoverPoints, 8> nearestFirst;
 };
 

@@ -26,8 +26,8 @@ struct ViewVector {
     friend bool operator==(const ViewVector&, const ViewVector&) = default;
 };
 
-// The direction in which one finds what stands at these angles from the line of sight, in degrees: azimuth to
-// the right, elevation up; (0, 0) is the eye itself. The same bits on every machine.
+// The direction at these angles from the line of sight, in degrees: azimuth to the right, elevation up; (0,
+// 0) is the eye itself. The same bits on every machine.
 ViewVector lampAt(double azimuth, double elevation);
 
 // Settings that turn the keys of a solid into colours.

@@ -22,7 +22,7 @@ struct DividedPicture {
         PicturePart part;          // what is drawn here; its units count from the first pass on
     };
     std::vector<Pass> passes;
-    // Adds to rows of cells, those of the window, what was drawn elsewhere. False when it cannot be had.
+    // Adds samples drawn elsewhere to rows of cells, those of the window. False when they are not available.
     std::function<bool(CellSums& sums)> others;
 };
 

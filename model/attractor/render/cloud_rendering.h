@@ -25,8 +25,8 @@ public:
 
     void restart(SpaceRequest request); // as if new, with the memory and the threads there are
 
-    // Goes on with a request that differs in system, cage and camera only: what is drawn adds to what has
-    // been.
+    // Goes on with a request that differs in system, cage and camera only: new samples add to those drawn
+    // before.
     void follow(SpaceRequest request);
 
     // Draws one more pass of `samples` samples (0: request.samples). Returns false when stopped, within

@@ -29,9 +29,8 @@ public:
     bool finished() const; // nothing more to gain
     // The exposure that frame() uses: the one kept by the request, else that of the picture.
     Exposure exposure(std::stop_token stop = {}) const;
-    // Tone-mapped picture of what has been accumulated, at its own exposure or at another. The memory of
-    // `reuse`, a frame no longer needed, serves again. When stopped, within milliseconds, the pixels are
-    // worth nothing.
+    // Tone-mapped picture of all samples so far, at its own exposure or at another. The memory of `reuse`, a
+    // frame no longer needed, serves again. When stopped, within milliseconds, the pixels are invalid.
     Frame frame(Frame reuse = {}, std::stop_token stop = {},
                 const std::optional<Exposure>& other = std::nullopt) const;
 

@@ -9,7 +9,7 @@ namespace attractor {
 
 // The axis that is vertical while the view turns. With z up, as in CAD programs, azimuth 0 looks along y.
 enum class UpAxis { Y, Z };
-// Turns what is told with y up into what it is with this one.
+// The rotation from directions with y up to those with this axis up.
 Orientation standing(UpAxis up);
 
 // The direction from which a camera looks, regardless of its roll.

@@ -36,7 +36,7 @@ struct PreparedSystem : ifs::ActiveMaps<2> {
 PreparedSystem prepared(const ifs::IteratedFunctionSystem<2>& system,
                         std::span<const ifs::MovedBranch<2>> moved = {});
 
-// change∘w_word for every piece of what is shown.
+// The maps change∘w_word of all displayed pieces.
 std::vector<ifs::AffineMap<2>> shownPieces(const PreparedSystem& system);
 
 // Why a system of that verdict may not be drawn as expected.

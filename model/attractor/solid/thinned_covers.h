@@ -13,10 +13,10 @@
 
 namespace attractor {
 
-// Covers without the points that nobody sees: wherever a word lies between the pixels, they share theirs with
-// a nearer point of the same cover. Perspective and bent cages show every word from another side, so this is
-// worked out for the linear maps near one another that turn up, and kept while they do. A thinned cover
-// leaves the same keys as the whole one. docs/mathematics.md, "Solids".
+// Covers without invisible points: wherever a word lies between the pixels, these share theirs with a nearer
+// point of the same cover. Perspective and bent cages show every word from another side, so thinning is done
+// for the linear maps that turn up, near ones together, and kept while they do. A thinned cover leaves the
+// same keys as the whole one. docs/mathematics.md, "Solids".
 class ThinnedCovers {
 public:
     // Prepares for a system whose maps all shrink by `ratio` without turning anything.

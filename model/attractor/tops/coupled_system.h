@@ -27,7 +27,7 @@ struct CoupledSystem {
                   std::vector<double> weights);
 };
 
-// The content of a pixel: the point of G that has the top address of what falls into it.
+// The content of a pixel: the point of G that has the top address of the points in the pixel.
 struct TopPoint {
     double x = 0, y = 0;
     double stretch = -1; // by how much T magnifies areas there; negative where the pixel is empty

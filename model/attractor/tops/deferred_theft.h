@@ -24,7 +24,7 @@ public:
     bool draw(const CoupledSystem& system, const MipPicture& picture, const TheftRequest& request,
               std::span<std::uint32_t> pixels, const std::stop_token& stop);
 
-    // The picture itself, `opacity` strong, behind what is drawn of G through request.camera.
+    // Lays the picture itself, with this opacity, behind the attractor of G seen through request.camera.
     void layUnder(std::span<std::uint32_t> pixels, const MipPicture& picture, const TheftRequest& request,
                   double opacity);
 

@@ -24,7 +24,7 @@ std::optional<CageFit> fittedCage(const Target& target, std::span<const ifs::Aff
                                   std::span<const ifs::Vector<2>> rest, ifs::Coordinates coordinates,
                                   const std::stop_token& stop = {});
 
-// The cells of a mask from which a step leads out of the shape: to what is connected with its surroundings.
+// The cells of a mask from which a step leads out of the shape to its surroundings; not into holes.
 Mask outerOutline(const Mask& mask);
 
 } // namespace collage

@@ -20,8 +20,8 @@ struct FitSchedule {
     double maxNorm = 0.9; // the others this one
 };
 
-// Moves maps so that the images of a target cover it and nothing else. One per thread: it holds what it works
-// with. The target must outlive it.
+// Moves maps so that the images of a target cover it and nothing else. One per thread, because it holds its
+// working memory. The target must outlive it.
 class CollageFit {
 public:
     explicit CollageFit(const Target& target);

@@ -53,8 +53,8 @@ struct Analysis {
     bool isComplete = false; // false: the affinity dimension and the box counting are still under way
 };
 
-// Analyses one fractal after the other; what belongs to the code is worked out once for as long as only the
-// cage moves, and nothing at all when only other outlines are wanted.
+// Analyses one fractal after the other. Facts of the code are computed once for as long as only the cage
+// moves, and nothing is when only other outlines are requested.
 class Analyser {
 public:
     // The part that takes a few milliseconds, in space perhaps a second; complete where the rest is known

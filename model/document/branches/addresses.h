@@ -19,8 +19,7 @@ std::vector<ifs::MapId> idsOf(const ifs::IteratedFunctionSystem<Dim>& system, co
     return word;
 }
 
-// Addresses of the points of what is displayed. Words name maps by their indices in the system, outermost
-// first.
+// Addresses of displayed points. Words name maps by their indices in the system, outermost first.
 class Addresses {
 public:
     explicit Addresses(const Fractal& fractal);

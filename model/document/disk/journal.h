@@ -63,8 +63,8 @@ struct Abandoned {
 // Also removes the locks and partly written files of killed processes.
 QList<Abandoned> abandonedSnapshots(const QString& folder);
 void forget(const Abandoned& abandoned);
-// Journals whose process is gone and which hold no snapshot any more get another name, under which nobody
-// looks for them again; their new paths.
+// Renames journals whose process is gone and which hold no snapshot any more, so that they are not found
+// again; returns their new paths.
 QStringList setDamagedAside(const QString& folder);
 
 } // namespace document

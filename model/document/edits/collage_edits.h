@@ -11,14 +11,14 @@
 #include <stop_token>
 #include <vector>
 
-// Fits of a fractal to a picture: functions from fractal to fractal, in the coordinates of what is displayed.
-// All may run in any thread.
+// Fits of a fractal to a picture: functions from fractal to fractal, in displayed coordinates. All may run in
+// any thread.
 namespace document {
 
 // Why the maps cannot be compared with a picture; empty when they can.
 QString collageObstacle(const Fractal& fractal);
 
-// The maps that are on, as they act on what is displayed.
+// The maps that are on, as they act in displayed coordinates.
 struct CollageMaps {
     std::vector<ifs::AffineMap<2>> maps;
     std::vector<std::size_t> index; // of each in the system

@@ -23,8 +23,8 @@ std::optional<Fractal> lifted(Fractal fractal, std::optional<double> scale = std
 // Why the projection along `direction` is no system in the plane, or not known to be; empty when it is one:
 // every map takes the line into itself. The direction is one of the displayed picture.
 QString flattenObstacle(const Fractal& fractal, const ifs::Vector<3>& direction);
-// The projection of what is displayed, seen against the direction: y stays up unless that is the direction,
-// and then −z is. Along an axis no number is rounded. nullopt when there is an obstacle.
+// The projection of the displayed picture, seen against the direction: y stays up unless that is the
+// direction, and then −z is. Along an axis no number is rounded. nullopt when there is an obstacle.
 std::optional<Fractal> flattened(Fractal fractal, const ifs::Vector<3>& direction);
 
 } // namespace document

@@ -25,7 +25,7 @@ using System3 = ifs::IteratedFunctionSystem<3>;
 // A branch, by the ids of the maps of its address, that is shown elsewhere: ifs::MovedBranch.
 template <int Dim> using MovedBranch = animation::BranchPose<Dim>;
 
-// The code of an entry, by what it is held, and what of it is shown elsewhere.
+// The code of an entry, the cage that holds it, and the branches that are shown elsewhere.
 template <int Dim> struct Shape {
     // Defined in one source, because many files copy shapes.
     Shape(ifs::IteratedFunctionSystem<Dim> code = {}, std::optional<ifs::ControlCage<Dim>> held = {});

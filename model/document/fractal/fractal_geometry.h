@@ -62,8 +62,8 @@ std::optional<ifs::AffineMap<2>> shadowMap(const Fractal& fractal, attractor::YA
 // The request that draws the fractal through the camera with default quality.
 attractor::RenderRequest renderRequest(const Fractal& fractal, const attractor::Camera& camera);
 
-// Certified box of what is displayed (the attractor under its cage), under a bend to a hundredth of its size;
-// nullopt when there is none. Nothing is left to add to it, unlike ifs::BoundingBox with its error.
+// Certified box of the displayed picture (the attractor under its cage), under a bend to a hundredth of its
+// size; nullopt when there is none. It includes its error, unlike ifs::BoundingBox.
 struct Box {
     ifs::Vector<2> min;
     ifs::Vector<2> max;

@@ -42,11 +42,11 @@ struct Extent {
 };
 Extent extentAlong(const Fractal& fractal, const ifs::Vector<3>& u);
 
-// The middle of the box around what is displayed of a fractal in space, without its cage; nullopt without an
-// attractor. Where a cage bends the picture, the point that shows the middle of the straight one.
+// The middle of the box around the displayed picture of a fractal in space, without its cage; nullopt without
+// an attractor. If a cage bends the picture, the point that shows the middle of the straight one.
 std::optional<ifs::Vector<3>> centreOfPicture(const Fractal& fractal);
 
-// Shows what is displayed of a fractal in space, and its cage, as large as leaves a margin.
+// Fits the displayed picture of a fractal in space, and its cage, into the view with a margin.
 attractor::OrbitCamera fittedTo(const Fractal& fractal, attractor::OrbitCamera camera, double margin);
 
 // The same without the cage.

@@ -21,9 +21,9 @@ public:
     // they are seen inside the piece that `within` makes of the attractor.
     MapHandles(std::shared_ptr<const Fractal> fractal, const ifs::ControlCage<2>& cage,
                const ifs::AffineMap<2>& within = {});
-    // The map of one branch as the only one, at index 0; moving it moves what is shown of the branch
-    // (Shape::moved) and leaves the code alone. With `recurs` the same branch moves inside it too, and so on.
-    // The word has indices of maps that take part.
+    // The map of one branch as the only one, at index 0; moving it moves the displayed branch (Shape::moved)
+    // and leaves the code alone. With `recurs` the same branch moves inside it too, and so on. The word has
+    // indices of maps that take part.
     static MapHandles ofBranch(const std::shared_ptr<const Fractal>& fractal, const ifs::ControlCage<2>& cage,
                                const ifs::Word& branch, bool recurs = false);
 
@@ -87,7 +87,7 @@ bool isMoved(const Fractal& fractal, const ifs::Word& branch);
 // w_σ of others.
 ifs::AffineMap<2> recurringMap(const Fractal& fractal, const ifs::Word& branch);
 
-// The lowest point of what is displayed, in coordinates of the code: where a plant stands.
+// The lowest displayed point, in coordinates of the code: where a plant stands.
 std::optional<ifs::Vector<2>> root(const Fractal& fractal);
 
 } // namespace document

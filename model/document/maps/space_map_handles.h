@@ -27,9 +27,9 @@ public:
     // inside the piece that `within` makes of the attractor.
     SpaceMapHandles(std::shared_ptr<const Fractal> fractal, const ifs::ControlCage<3>& cage,
                     const ifs::AffineMap<3>& within = {});
-    // The map of one branch as the only one, at index 0; moving it moves what is shown of the branch
-    // (Shape::moved) and leaves the code alone. With `recurs` the same branch moves inside it too, and so on.
-    // The word has indices of maps.
+    // The map of one branch as the only one, at index 0; moving it moves the displayed branch (Shape::moved)
+    // and leaves the code alone. With `recurs` the same branch moves inside it too, and so on. The word has
+    // indices of maps.
     static SpaceMapHandles ofBranch(const std::shared_ptr<const Fractal>& fractal,
                                     const ifs::ControlCage<3>& cage, const ifs::Word& branch, bool recurs);
 
@@ -72,8 +72,8 @@ private:
     ifs::AffineMap<3> m_branchMap;
 };
 
-// The lowest point of what is displayed in space, in coordinates of the code: where a plant stands. nullopt
-// without an attractor, and where it or the cage is not known.
+// The lowest displayed point in space, in coordinates of the code: where a plant stands. nullopt without an
+// attractor, and where it or the cage is not known.
 std::optional<ifs::Vector<3>> rootInSpace(const Fractal& fractal, const ifs::Vector<3>& up);
 
 } // namespace document

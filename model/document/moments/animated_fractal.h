@@ -10,7 +10,7 @@
 #include <stop_token>
 #include <vector>
 
-// An entry whose shape has an animation, and what it shows at a moment.
+// Entries whose shape has an animation, and their states at a moment.
 namespace document {
 
 // Properties that animations of both dimensions have in common.

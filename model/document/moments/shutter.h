@@ -25,8 +25,8 @@ std::vector<animation::Moment> shutterEdges(const AnimationFacts& facts, int fra
                                             int count);
 
 // The moments between which exposures are interpolated: frame 0 and the last one, all keys, eight moments a
-// length where something moves by itself, the last frame before what has keys jumps, and the middles between
-// all of these. Ascending; at most 255.
+// length if there are motions, the last frame before a keyed value jumps, and the middles between all of
+// these. Ascending; at most 255.
 std::vector<animation::Moment> exposurePilots(const Fractal& fractal);
 
 // A moment, folded, between two neighbours of these pilots.

@@ -20,8 +20,8 @@ struct StepDistance {
     bool isOfCode = false;
 };
 
-// B is a shape over the attractor, or the cage at rest without one. nullopt when stopped, and for what is no
-// system of the plane. docs/mathematics.md, "Steps and their distance".
+// Measures B, a shape over the attractor, or the cage at rest without one. nullopt when stopped, and for
+// entries that are no system of the plane. docs/mathematics.md, "Steps and their distance".
 std::optional<StepDistance> stepDistance(const Fractal& fractal, const StartShape* shape, int iterations,
                                          const std::stop_token& stop);
 

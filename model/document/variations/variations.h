@@ -24,8 +24,8 @@ struct Mutation {
 };
 
 // Variations of a fractal: its maps turned, stretched and moved a little, now and then with a map more or
-// less, in other hues and with other weights. Name, comments, labels, placement and what is locked stay; a
-// cage at rest goes, so that it fits the new system. docs/mathematics.md, "Random systems and variations".
+// less, in other hues and with other weights. Name, comments, labels, placement and locked maps stay; a cage
+// at rest goes, so that it fits the new system. docs/mathematics.md, "Random systems and variations".
 class Variations {
 public:
     // `parent` has no variationObstacle(). Takes as long as pairing its maps with those of the partner.

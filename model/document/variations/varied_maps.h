@@ -17,8 +17,8 @@ struct MapVariation {
 // gone goes too. The fractal holds a system.
 void varyMaps(Fractal& fractal, const MapVariation& variation, Chance& chance);
 
-// Weights by chance around what they are in `before`, from which `fractal` comes, where each map keeps its
-// relation to the determinant rule. Their sum stays. Locked maps, and maps that are off, keep theirs.
+// Varies weights at random around those of `before`, from which `fractal` comes; each map keeps its relation
+// to the determinant rule. Their sum stays. Locked maps, and maps that are off, keep theirs.
 void varyWeights(Fractal& fractal, const Fractal& before, double strength, Chance& chance);
 
 } // namespace document

@@ -15,8 +15,8 @@ class CopyDistance {
 public:
     static constexpr double finest = 0.25; // side of a cell, unless there would be too many
 
-    // Prepares distances to what is seen of the attractor of `maps`: its images under the maps `shown`, in
-    // pixels. The attractor lies in `hull`.
+    // Prepares distances to the displayed attractor of `maps`: its images under the maps `shown`, in pixels.
+    // The attractor lies in `hull`.
     CopyDistance(const std::vector<AffineMap<2>>& maps, const std::vector<AffineMap<2>>& shown,
                  const Polygon& hull);
 

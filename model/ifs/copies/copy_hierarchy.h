@@ -35,7 +35,7 @@ public:
     const std::vector<std::size_t>& index() const { return m_index; }
     const AffineMap<2>& display() const { return m_display; } // not singular
 
-    // A singular map is raised to what can be seen at the size of the copy that it makes.
+    // The copy by a map. A singular map is raised until its copy is visible at its size.
     Copy copy(std::size_t i, int level, int depth) const; // that the i-th map makes for this level
     std::vector<Copy> copies(int level, int depth) const; // that a level above 0 is made of
     std::vector<Copy> picture(int depth) const; // that the whole is made of, in coordinates of the code
@@ -51,7 +51,7 @@ public:
     std::uint64_t references(int level) const;
     int deepest() const; // with fewer than maxReferences
 
-    // Certified bound, in pixels, of the distance between the attractor and what is drawn, both ways.
+    // Certified bound, in pixels, of the distance between the attractor and the drawing, both ways.
     double error(int depth) const;
     // The first whose copies leave no larger error, else the deepest that programs draw without a long wait.
     int levelFor(double error) const;

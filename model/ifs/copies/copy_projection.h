@@ -17,7 +17,7 @@ struct CopyProjection {
 CopyProjection projectionAlong(const std::vector<AffineMap<2>>& maps, const CopyFrame& frame,
                                const Vector<2>& along, double length);
 
-// Projection for copies by `map`, raised to what can be seen at the size of the picture.
+// Projection for copies by `map`, raised to be visible at the size of the picture.
 CopyProjection projectionBy(const std::vector<AffineMap<2>>& maps, const CopyFrame& frame,
                             const AffineMap<2>& map);
 

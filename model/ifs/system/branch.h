@@ -42,8 +42,8 @@ template <int Dim>
 IteratedFunctionSystem<Dim> withBranchChanged(const IteratedFunctionSystem<Dim>& system, const Word& branch,
                                               const AffineMap<Dim>& change);
 
-// A branch that is shown elsewhere: what has an address that begins with `word` goes through `change`, in
-// coordinates of the code, once it is there. No orbit takes notice: nothing else moves, at no scale.
+// A branch that is shown elsewhere: points whose address begins with `word` go through `change`, in
+// coordinates of the code, when they are displayed. No orbit takes notice: nothing else moves, at no scale.
 template <int Dim> struct MovedBranch {
     Word word;
     AffineMap<Dim> change;
@@ -76,7 +76,8 @@ std::vector<MovedBranch<Dim>> overMaps(std::span<const MovedBranch<Dim>> moved,
                                        std::span<const std::size_t> indices);
 
 // The words over the cut set of `branch`, as indices into it, with one of which an address begins if and only
-// if it begins with `word`: what has to move in withBranchChanged(system, branch, {}) for `word` to move.
+// if it begins with `word`: the branches to move in withBranchChanged(system, branch, {}) so that `word`
+// moves.
 std::vector<Word> overCutSet(const Word& word, const Word& branch, std::size_t mapCount);
 
 } // namespace ifs

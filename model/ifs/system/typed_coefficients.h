@@ -13,7 +13,7 @@
 
 namespace ifs {
 
-// A coefficient as somebody wrote it, such as 1/3 or √3/6, beside the double that the map holds.
+// A coefficient as it was typed, such as 1/3 or √3/6, beside the double that the map holds.
 struct TypedCoefficient {
     int which = 0; // 0 … Dim² − 1 of the matrix by rows, then those of the vector: the letters a, b, …
     double number = 0; // counts only while the coefficient is this double

@@ -20,8 +20,7 @@
 
 namespace io {
 
-// The keywords of the texts in which a frame carries the hashes of what was asked for, and the number of its
-// file.
+// Keywords of the texts in which a frame carries the hashes of its request, and the number of its file.
 inline constexpr const char* frameRequestKeyword = "barycage:request";
 inline constexpr const char* animationRequestKeyword = "barycage:animation";
 inline constexpr const char* frameNumberKeyword = "barycage:frame";

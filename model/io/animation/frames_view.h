@@ -20,9 +20,9 @@ struct ViewBox {
 // Box in the plane, as displayed, of the picture under its cage and with its shadow.
 ViewBox boxOfAttractor(const document::Fractal& fractal, attractor::YAxis yAxis = attractor::YAxis::Up);
 
-// The box of an entry with an animation, at up to 121 moments in the plane and 33 in space: margins cover
-// what is between them. Moments that are proved to have no attractor, whose points escape, count only where
-// no other does.
+// The box of an entry with an animation, at up to 121 moments in the plane and 33 in space: margins cover the
+// time between them. Moments proved to have no attractor, whose points escape, count only if there are no
+// others.
 ViewBox boxOfFrames(const document::Fractal& entry, attractor::YAxis yAxis = attractor::YAxis::Up);
 // Support of the frames in space, as seen by a camera that has not gone round yet: turns about a pivot are
 // taken back. Turns about the target of the camera are not, because the target is not known.

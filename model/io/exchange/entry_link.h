@@ -27,7 +27,7 @@ WrittenLink linkOf(const document::Fractal& fractal);
 // Returns true if this text is a link and nothing else, complete or not. Line ends, which mail programs
 // insert, are part of it.
 bool looksLikeLink(QByteArrayView text);
-// The text in what looks like a link. No more than the limit is ever unpacked.
+// The text in a possible link. No more than the limit is ever unpacked.
 EmbeddedSystem readLink(QByteArrayView link);
 
 } // namespace io

@@ -19,7 +19,7 @@ namespace io {
 
 constexpr std::size_t flameColours = 256; // in a palette
 
-// Collects what one flame says, then gives it to the fractal that was read from it.
+// Collects the settings of one flame, then applies them to the fractal that was read from it.
 class FlameColourReader {
 public:
     void readFlame(const QXmlStreamAttributes& attributes);  // of <flame>

@@ -8,7 +8,7 @@
 
 namespace io {
 
-// Why the system did not do what it was asked to.
+// The reason why a system call failed.
 struct SystemError {
     enum class Kind { None, DiskFull, Denied, NameTooLong, Other };
     Kind kind = Kind::None;

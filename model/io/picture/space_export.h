@@ -52,7 +52,7 @@ struct SpaceExport {
 // The format of its file.
 PictureFormat formatOf(const SpaceExport& picture); // but for the texts of Depth
 PictureFormat formatOfDepths(const SpaceExport& picture, const attractor::DepthRaster& raster);
-// The pixel of Depth for what is nearest there.
+// The pixel of Depth for the nearest point there.
 std::uint16_t depthValue(std::uint32_t key);
 // Why the kind of file cannot hold the picture, before it is drawn.
 Failure whyImpossible(const SpaceExport& picture);

@@ -10,7 +10,7 @@
 
 namespace io {
 
-// Reads numbers and pieces at any place; what is not there leaves nothing.
+// Reads numbers and pieces at any offset; nullopt beyond the end.
 class FileBytes {
 public:
     explicit FileBytes(QByteArrayView bytes, bool isBigEndian = false)

@@ -34,7 +34,7 @@ PictureSums partOf(const PlaneExport& picture, int firstRow, int endRow, const a
 // Adds a pass of `samples` samples to those that the files hold.
 void addPass(PictureSums& sums, std::uint64_t samples);
 
-// Draws what is to be drawn and writes it with what is in the files into one file of sums.
+// Draws the missing part and writes it, together with the sums in the files, into one file of sums.
 ExportOutcome exportSums(const PictureSums& sums, const QString& path, const Progress& progress = {},
                          std::stop_token stop = {});
 // A description of the missing parts; nullopt when all units of all passes are there.

@@ -54,7 +54,7 @@ NumberUnit unitOfNumber(const TableColumns& columns, std::size_t number, std::si
 // Index of the coefficient, 0 … 5 for A … F; nullopt for a weight, and if coefficients are computed from the
 // column.
 std::optional<int> coefficientOf(const TableColumns& columns, std::size_t number, std::size_t count);
-// `weight` is what stands under Weight or Cumulative.
+// The numbers of a row; `weight` goes under Weight or Cumulative.
 std::vector<double> numbersOf(const TableColumns& columns, const ifs::AffineMap<2>& map, double weight);
 
 } // namespace io

@@ -13,7 +13,7 @@
 // Contents of the rows of a table besides the numbers of its maps.
 namespace io {
 
-// A word that nobody meant as a number: w1, ƒ1, "f(1)", 1: — and neither O.5 nor nan.
+// Returns true for a word that is not meant as a number: w1, ƒ1, "f(1)", 1: — and neither O.5 nor nan.
 bool looksLikeLabel(const QString& text);
 // Words behind the numbers: two letters at least, and neither nan nor a mistyped number.
 bool looksLikeWords(const QString& text);

@@ -8,7 +8,7 @@
 
 namespace io {
 
-// An expression such as 0.85x + 0.04*y − 1/3: the factors of x, y and z, and what is added.
+// An expression such as 0.85x + 0.04*y − 1/3: the factors of x, y and z, and the constant.
 struct AffineExpression {
     std::array<double, 3> factors{};
     double shift = 0;

@@ -14,7 +14,8 @@
 // was.
 namespace document {
 
-// The smallest triangle with its legs along the axes that holds what is displayed. The picture stays.
+// Fits the smallest triangle with its legs along the axes that holds the displayed picture. The picture
+// stays.
 std::optional<QString> fitMinimalCanonicalSimplex(Document& document);
 
 // Moves every vertex, or one, back to rest.

@@ -28,7 +28,7 @@ bool isCageAlike(const Fractal& a, const Fractal& b);
 
 // Why the placement cannot become the code, as a sentence; empty when it can.
 QString bakeObstacle(const Fractal& fractal);
-// The code that shows what is displayed, its cage at rest; nullopt when there is an obstacle.
+// The code of the displayed picture, its cage at rest; nullopt when there is an obstacle.
 std::optional<Fractal> baked(const Fractal& fractal);
 
 // Why there is nothing to reset; empty when there is.

@@ -58,8 +58,8 @@ struct KeyAt {
     friend bool operator==(const KeyAt&, const KeyAt&) = default;
 };
 
-// A key at this frame with the value shown there; the first of its track also keys frame 0. `camera` is what
-// is seen there, the orbit of an entry in space included; of the other dimension it keys nothing.
+// Adds a key at this frame with the value shown there; the first of its track also keys frame 0. `camera` is
+// the view there, the orbit of an entry in space included; a view of the other dimension adds no key.
 using SeenCamera = std::optional<SavedView::Camera>;
 Fractal withKey(Fractal entry, const Track& track, int frame, const SeenCamera& camera);
 // A track that loses its last keys stays as the first of these had it.

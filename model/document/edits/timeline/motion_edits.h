@@ -11,8 +11,8 @@
 // has one, and add to it. What may take long, as of many maps, returns nullopt soon after it is stopped.
 namespace document {
 
-// Sway about what is lowest on the screen, as strong as leaves an attractor at all times. nullopt where the
-// entry holds no maps, as of all of these functions.
+// Adds a sway about the lowest point on the screen, as strong as leaves an attractor at all times. nullopt if
+// the entry holds no maps, as for all of these functions.
 std::optional<Fractal> withWind(const Fractal& entry, const animation::SwayPreset& preset,
                                 const std::stop_token& stop = {});
 // Adds one turn about the middle to all maps; if that would lose the attractor, to those that can turn.
