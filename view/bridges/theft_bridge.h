@@ -27,7 +27,7 @@ public:
     ~TheftBridge() override;
 
     void setActive(bool active);
-    // Takes the order, the mode and the view of what is kept.
+    // Sets the order, the mode and the view of a kept transformation.
     void setTheft(const document::KeptTheft& theft);
     void setOverlay(double opacity);                                       // of the partner over the fractal
     void setPicture(std::shared_ptr<const attractor::MipPicture> picture); // null: none yet

@@ -20,8 +20,8 @@ class RenderBridge;
 class SolidBridge;
 class SpaceView;
 
-// Another entry of the file in a canvas of its own, beside that of the window: what is dragged there is a
-// step of the same history. On request both look at the same place at the same scale.
+// Another entry of the file in a canvas of its own, beside that of the window: a drag there is a step of the
+// same history. On request both show the same place at the same scale.
 class ComparePane : public QWidget {
     Q_OBJECT
 

@@ -34,7 +34,8 @@ public:
     void setMode(Mode mode);
     Mode mode() const;
 
-    // Shear and Mirror are of the plane; what has a z, and the axis of the rotation, are of space.
+    // Values by dimension: Shear and Mirror belong to the plane; those with a z, and the axis of the
+    // rotation, to space.
     enum Value {
         Rotation,
         ScaleX,

@@ -10,7 +10,7 @@ namespace view {
 
 enum class Reach { Mouse, Touch }; // how near a press must be
 
-// The pointer as what lies under it sees it.
+// The pointer from the point of view of the objects under it.
 struct Pointer {
     QPointF position; // pixels of the view
     Qt::KeyboardModifiers modifiers;

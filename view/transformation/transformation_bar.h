@@ -26,7 +26,7 @@ class TransformationBar : public QWidget {
 public:
     explicit TransformationBar(QWidget* parent = nullptr);
 
-    // The entry, the others of the file, and what is kept.
+    // Shows the entry, the others of the file, and the kept transformation.
     void show(const document::FractalFile& file, document::EntryId current, document::EntryId partner,
               const document::KeptTheft& theft);
     void showContinuity(const QString& sentence);

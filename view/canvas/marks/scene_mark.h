@@ -9,8 +9,8 @@ namespace view {
 
 class CanvasScene;
 
-// Something that explains the picture and lies under the handles. It finds what it shows when it is painted,
-// and is hidden with everything else over the picture. To be added to a CanvasScene, which then owns it.
+// A mark that explains the picture and lies under the handles. It finds its content when it is painted, and
+// is hidden with all other overlays. To be added to a CanvasScene, which then owns it.
 class SceneMark : public QGraphicsItem {
 public:
     SceneMark();

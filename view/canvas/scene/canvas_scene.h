@@ -63,7 +63,7 @@ public:
     HitTester hitTester() const { return {m_handles, m_camera, m_gizmoLayout, frames()}; }
     CanvasPart partAt(const QPointF& position, Reach reach) const; // none while the handles are hidden
     QPointF positionOf(const CanvasPart& part) const { return hitTester().positionOf(part); }
-    // The key whose diamond on a path is there and is not covered by a handle, and what it is of.
+    // The key whose diamond on a path is at the position and not covered by a handle, and the part it moves.
     struct KeyOnPath {
         int frame = 0;
         CanvasPart part; // a vertex of the cage, or the inside of a map

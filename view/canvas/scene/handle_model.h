@@ -48,8 +48,8 @@ public:
     // The branch that is held, by indices in the system; empty: none.
     const ifs::Word& branch() const { return m_branch; }
     void setBranch(const ifs::Word& branch);
-    // Addresses of what is displayed; those of very many maps are found in the background. The first waits
-    // for them, the second returns nullptr until addressesFound().
+    // Addresses of displayed points; those of very many maps are found in the background. The first function
+    // waits for them, the second returns nullptr until addressesFound().
     const document::Addresses& addresses() const;
     const document::Addresses* knownAddresses() const;
     // The address at a point, known to within `precision`; empty without a cage.

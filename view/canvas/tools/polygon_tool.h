@@ -50,8 +50,8 @@ protected:
         double share = 1; // of what is asked for
         DragResult result;
     };
-    // Shows what the gesture has come to. resultAt(1) is what is asked for, resultAt(0) is how it began. Each
-    // call computes; what is shown is asked for once.
+    // Shows the result of the gesture so far. resultAt(1) is the requested one, resultAt(0) the beginning.
+    // Each call computes; the result shown is requested once.
     virtual Shown preview(const std::function<DragResult(double)>& resultAt) = 0;
     virtual void pressed(const CanvasPart&, Qt::KeyboardModifiers) {} // perhaps to be dragged
     virtual void clicked(const CanvasPart&, const Pointer&) {}        // pressed and let go where it was

@@ -13,8 +13,8 @@
 
 namespace view {
 
-// A picture as it will be exported, reduced to the room there is: its shape, what it shows, and a chequer
-// where it is transparent. It is drawn in the background, the newest wish at last.
+// A picture as it will be exported, reduced to the available room: its shape, its content, and a chequer
+// where it is transparent. It is drawn in the background; the newest request wins.
 class ExportPreview : public QWidget {
     Q_OBJECT
 

@@ -52,7 +52,7 @@ protected:
     // entry.
     ExportShell(const QString& kind, const QString& entry, QWidget* parent);
 
-    // Lays the options out, beside or above what shows what they do, and message, progress and buttons below.
+    // Lays out the options beside or above their preview, and message, progress and buttons below.
     void lay(QWidget* options, QWidget* preview, Qt::Orientation orientation);
     void lay(QFormLayout* options, QWidget* preview, Qt::Orientation orientation);
     void setStartHelp(const QString& text) const;

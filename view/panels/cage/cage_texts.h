@@ -20,7 +20,7 @@ template <int Dim> double roundingIn(const ifs::ControlCage<Dim>& cage);
 // The barycentric coordinates of the point, or why the cage gives it none.
 template <int Dim> QString barycentricText(const ifs::ControlCage<Dim>& cage, const ifs::Vector<Dim>& point);
 
-// The minimal canonical simplex of what is displayed, or why there is none. Takes long; any thread.
+// The minimal canonical simplex of the displayed picture, or why there is none. Takes long; any thread.
 QString enclosingSimplexText(const document::Fractal& fractal);
 
 // The pattern with the vertex, counted from 1, and its coordinates in the place of %1, %2 …

@@ -11,7 +11,7 @@ class QLabel;
 
 namespace view {
 
-// The numbers before and after a refinement of what is compared.
+// Numbers before and after a refinement, with the shape that was compared.
 struct Refinement {
     document::Compared compared;
     document::MeasuredFractal before, after;

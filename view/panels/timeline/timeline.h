@@ -42,8 +42,8 @@ private:
     std::vector<document::CopiedKey> m_copied;
 };
 
-// The animation of the current entry as the panel shows it, and what can be done to it. Every edit is one
-// step of the history.
+// The animation of the current entry as the panel shows it, with its commands. Every edit is one step of the
+// history.
 class Timeline : public QObject {
     Q_OBJECT
 

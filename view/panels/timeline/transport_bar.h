@@ -13,7 +13,8 @@ namespace view {
 
 class Timeline;
 
-// Play and pause, the frame, the next key; how long the animation is, how fast, and what comes after its end.
+// Play and pause, the frame, the next key; the length of the animation, its rate, and its behaviour after the
+// end.
 class TransportBar : public QWidget {
     Q_OBJECT
 

@@ -9,7 +9,7 @@ class QWidget;
 
 namespace view {
 
-// The room that the screen of a window leaves to what is inside its frame.
+// The room on the screen of a window for its content, without its frame.
 QSize roomOnScreen(const QWidget& window);
 
 // Keeps every dialog of the application within its screen as long as this object lives. A dialog whose
