@@ -34,7 +34,7 @@ BARYCAGE_WEB int barycage_symmetry(web::Engine* engine, int group, int order, do
 // A branch that is shown elsewhere: indices of maps, and the change as a row without a weight.
 BARYCAGE_WEB void barycage_branch(web::Engine* engine, const int* word, int length, const double* change);
 
-// Works out the extent of what has been loaded. Whether there is a certified attractor.
+// Computes the extent of the loaded system. Returns whether there is a certified attractor.
 BARYCAGE_WEB int barycage_settle(web::Engine* engine);
 // Least and greatest coordinates of the attractor, and by how much they may be wrong; then the vertices of
 // the minimal canonical simplex: 5 + 6 numbers, or 7 + 12 in space. 0 without an attractor.

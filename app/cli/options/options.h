@@ -43,7 +43,7 @@ struct Value {
     Completion completion;
 };
 
-// A value that `read` makes of the name of the option and of what was typed.
+// A value that `read` makes from the name of the option and the typed text.
 template <class T, class Read> Value parsed(T* place, Read read) {
     return Place(ReadValue(
         [place, read](const std::string& option, const std::string& text) { *place = read(option, text); }));

@@ -84,7 +84,7 @@ inline auto numberFrom(double min, double max) {
 inline const auto threadsArgument = integerFrom(1, 1024);
 
 QSize sizeArgument(const std::string& option, const std::string& text); // "1200x900"
-// "1200x900"; "1200x" and "x900" leave the other side, 0, to the proportions of what is drawn.
+// A size such as "1200x900"; "1200x" and "x900" leave the other side, 0, to the proportions of the picture.
 QSize pictureSizeArgument(const std::string& option, const std::string& text);
 std::string sizeText(const QSize& size); // of such a size
 // "58mmx40mm"; "58mmx" and "x40mm" as above. nullopt: these are no lengths on paper.

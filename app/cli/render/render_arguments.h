@@ -89,7 +89,7 @@ struct ViewOptions {
     std::optional<double> viewRotation; // degrees
     double margin = 5;                  // per cent of the picture
     bool yDown = false;
-    // Points, or words for the corners at rest: what they mean depends on the dimension.
+    // Points, or words for the corners at rest; their meaning depends on the dimension.
     std::optional<std::string> cage, restCage;
 };
 

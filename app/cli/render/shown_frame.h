@@ -25,7 +25,7 @@ struct Shown {
 // frame outside of the animation.
 Shown shownBy(const document::Fractal& entry, const RenderArguments& arguments);
 
-// The same frame after frame: what is common to all of them is worked out once.
+// The same for one frame after another: common data is computed once.
 class Frames {
 public:
     Frames(const document::Fractal& entry, const RenderArguments& arguments);

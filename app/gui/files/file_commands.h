@@ -37,8 +37,8 @@ public:
     void saveForOtherPrograms();
     void revert();
 
-    // A lesson goes with the file: how one is opened, whether what is written may be given up, and whether
-    // one is played, which keeps the file from being saved meanwhile.
+    // The lesson that goes with the file: how one is opened, whether unsaved writing may be given up, and
+    // whether one is played, which keeps the file from being saved meanwhile.
     struct Lessons {
         std::function<bool(const QString& path)> open;
         std::function<bool()> maybeSave;

@@ -54,13 +54,13 @@ public:
     // A large file is read or written beside the window, and events are handled meanwhile.
     bool isBusy() const { return m_isBusy; }
     bool isReading() const { return m_isReading; }
-    // The window closes: what is read is not waited for any more, and nothing is said about it. stopped()
-    // follows when nobody uses the window any more.
+    // Stops reading because the window closes: nobody waits for the result any more, and nothing is reported.
+    // stopped() follows when nobody uses the window any more.
     void stopReading();
     bool isStopped() const { return m_isStopped; }
-    // Unsaved work as one undoable step over the file as it is on disk, so that nothing is written before it
-    // is saved. A file that cannot be read now, as on a drive that is not there, is said; the path stays.
-    // nullopt when the user does not wait for it.
+    // Takes over unsaved work as one undoable step over the file as it is on disk, so that nothing is written
+    // before it is saved. A file that cannot be read now, as on a drive that is not there, is reported; the
+    // path stays. nullopt when the user does not wait for it.
     std::optional<io::Failure> recover(const document::Snapshot& snapshot);
     std::optional<io::Failure> recover(const document::Snapshot& snapshot, const FileReading& onDisk);
     io::Failure save(); // to path()
