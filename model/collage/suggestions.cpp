@@ -25,7 +25,7 @@ using Maps = std::vector<ifs::AffineMap<2>>;
 // thin shapes are fitted at a finer scale.
 constexpr int coarseSide = 64, mediumSide = 128, fineSide = 512, fineCells = 16'000;
 constexpr double levelMargin = 0.25, pictureMargin = 0.25; // shares of that side around it
-// One of so many starts goes on from the coarse level.
+// Share of the starts that go on from the coarse level: one in so many.
 constexpr std::size_t goingOn = 4;
 constexpr std::size_t trialBatches = 3; // in which every number of maps is tried,
 constexpr std::size_t finalCounts = 3;  // before so many of them go on

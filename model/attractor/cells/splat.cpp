@@ -134,7 +134,7 @@ bool splat(const ShownWord& shown, const SampleSet& samples, std::uint64_t count
         return seen >> 31 != 0;
     }
     forEachRun(shown.word, samples, count, [&](const kernels::Run& run) {
-        // What falls outside says nothing of how full the cells of the window are.
+        // Samples outside say nothing of how full the cells of the window are.
         std::fill_n(cells + window.cells(), overflowCells, ColourCell{});
         seen |= kernels::addToColours(shown, run, window, colour, cells);
     });

@@ -86,7 +86,7 @@ CutSettings DensityFold::cutSettings() const {
     const ColourBy colourBy = request.appearance.colourBy;
     settings.mergesCoinciding = system.coincides && !prepared().coloured();
     if (colourBy == ColourBy::Map) settings.minDepth = 1;
-    // Where maps blend, the cut divides what needs it, unless no word may be longer than the others.
+    // With blends the cut divides words that need it, unless no word may be longer than the others.
     if (colourBy == ColourBy::Address || (colourBy == ColourBy::Blend && !(system.meanLogarithm < 0)))
         for (std::size_t words = 1; words < 64 && system.maps.size() > 1; words *= system.maps.size())
             ++settings.minDepth;
@@ -205,7 +205,7 @@ void DensityFold::planSampleSet(std::size_t place) {
         const auto after = static_cast<std::uint64_t>(sum);
         const std::uint64_t unit =
             set * PicturePart::unitsPerSet + k * PicturePart::unitsPerSet / m_cut->words.size();
-        // Where samples that go through the cage one by one may fall, the word does not tell.
+        // A word does not tell where its samples may fall if they go through the cage one by one.
         const auto isMet = [&] {
             return whole || k >= m_cut->firstExact || meets(m_cut->shown(k), samplesOf(k, place), window);
         };

@@ -259,7 +259,7 @@ void CloudRendering::State::drawWord(std::size_t k, std::size_t thread, const st
             continue;
         }
         ColourCell* cells = sums.colours(thread, region);
-        // What falls outside says nothing of how full the cells of the window are.
+        // Samples outside say nothing of how full the cells of the window are.
         std::fill_n(cells + window.cells(), overflowCells, ColourCell{});
         seen |= kernels::addToColours(word.shown, run, window, *colour, cells);
     }

@@ -122,7 +122,7 @@ std::vector<Vector<3>> hullCage(const SupportFunction<3>& support, int corners, 
         HalfSpace cut;
         Polyhedron least = best;
         for (const Vector<3>& corner : best.corners) {
-            // As seen in a cube, so that a long box loses its corners evenly.
+            // Scaled to a cube, so that a long box loses its corners evenly.
             const Vector<3> scaled = (corner - middle).cwiseQuotient(box.max - box.min);
             const Vector<3> normal = scaled.cwiseQuotient(box.max - box.min).normalized();
             const auto reach = support(normal, tolerance);

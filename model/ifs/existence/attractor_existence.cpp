@@ -206,7 +206,7 @@ std::optional<Ellipsoidal<Dim>> ellipsoidalNorm(std::span<const AffineMap<Dim>> 
     const Largest norm = maxNorm<Dim>(conjugated);
     const double condition = std::sqrt(eigenvalues[Dim - 1] / eigenvalues[0]);
     if (!(norm.value < 1 - 1e-12 * condition)) return std::nullopt;
-    // What the change of coordinates may have cost, at most; where that is too much, longer numbers tell.
+    // Bound of the error by the change of coordinates; where that is too much, longer numbers decide.
     const double cost =
         64 * roundingUnit * std::pow(condition, 3) * maxNorm<Dim>(linearParts<Dim>(maps)).value;
     if (!(norm.value + cost < contractionLimit<Dim>)) {

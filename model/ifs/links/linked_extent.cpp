@@ -211,7 +211,7 @@ LinkedExtent::Height LinkedExtent::search(std::vector<Node> open, const Vector<2
     best.value = -std::numeric_limits<double>::infinity();
     const double rounding = 64 * unit * (m_radius + m_centre.norm()) * u.norm();
     const auto looseness = [this](const Node& node) { return node.loose + node.v.norm() * m_pointError; };
-    // Where it varies widely, each word answers for its own.
+    // If it varies widely, each word answers for its own.
     const auto allowance = [&](const Node& node) { return m_isCancelling ? looseness(node) : 0; };
     const auto reach = [&](const Node& node) { return node.offset + boundOfRest(node) + allowance(node); };
     double most = best.value, apart = 0, loose = 0;

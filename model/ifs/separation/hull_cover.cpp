@@ -60,7 +60,7 @@ Sides leftOf(const Triple& line, const Sides& polygon) {
         result.push_back(polygon[k]);
         if (!isKept((k + 1) % count)) result.push_back(line);
     }
-    // Where all sides are kept, two of them end on the line.
+    // If all sides are kept, two of them end on the line.
     if (std::ranges::find(result, line) == result.end())
         for (std::size_t k = 0; k < count; ++k)
             if (sides[(k + 1) % count] < 0) {

@@ -131,7 +131,7 @@ RotationScaleShear3 rotationScaleShear(const Matrix<3>& linear) {
         r.row(2) *= -1;
         q.col(2) *= -1;
     }
-    // What is below the rounding of its own column is not there.
+    // Entries below the rounding of their own column count as 0.
     for (int column = 0; column < 3; ++column)
         for (int row = 0; row <= column; ++row)
             if (std::abs(r(row, column)) <= 4e-15 * linear.col(column).norm()) r(row, column) = 0;

@@ -212,7 +212,7 @@ std::optional<Fractal> withEndlessZoom(const Fractal& entry, double aspect, attr
     if (!copy) return std::nullopt;
     const double height = viewMargin * 2 * copy->radius / std::hypot(1, aspect);
     const attractor::View from{copy->centre, height, yAxis};
-    // What lies counter-clockwise comes upright again as the picture turns the other way.
+    // A counter-clockwise copy comes upright again as the picture turns the other way.
     const double turn = yAxis == attractor::YAxis::Up ? -copy->turn : copy->turn;
     const attractor::View to{copy->centre, height * copy->ratio, yAxis,
                              attractor::rotationOf(attractor::degreesOf(turn))};
