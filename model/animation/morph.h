@@ -15,9 +15,9 @@ constexpr std::size_t maxMorphMaps = 256; // of each code
 // The pairing by which the maps of one code become those of another. docs/mathematics.md, "Morphs".
 template <int Dim> struct Correspondence {
     ifs::Vector<Dim> reference;  // the mean of both measures together
-    Eigen::MatrixXd cost;        // what a unit of weight pays from map i of the one to map k of the other
+    Eigen::MatrixXd cost;        // of a unit of weight from map i of the one to map k of the other
     std::vector<Shipment> pairs; // of active maps
-    double total = 0;            // what all pairs pay
+    double total = 0;            // cost of all pairs
 };
 
 // Two maps of the two codes, by their indices, that belong together as far as their weights allow.

@@ -136,7 +136,7 @@ private:
 
     void apply(const State& state);
     void refresh();
-    Change::Parts replace(const std::shared_ptr<const Fractal>& entry); // what differs then
+    Change::Parts replace(const std::shared_ptr<const Fractal>& entry); // the parts that differ
     static QString textOf(const QString& text, std::optional<int> keyedFrame);
     void announce(Change::Parts parts, Live live = Live::No);
     void push(const QString& text, State before, State after, int kind = -1);
@@ -154,7 +154,7 @@ private:
         std::shared_ptr<const Fractal> entry; // when it began, as the moment
         animation::Moment moment;
         std::optional<int> keyedFrame; // at which the preview has keys
-        Change::Parts previewed;       // what listeners have been told was live
+        Change::Parts previewed;       // parts announced as live
         LastingCage lasting;           // once it is needed
         int kind = -1;                 // of steps that become one
     };
@@ -166,7 +166,7 @@ private:
     qsizetype m_index = -1; // of the current entry
     std::uint64_t m_revision = 0;
     animation::Moment m_moment;
-    Change::Parts m_run; // what has been announced since time began to run
+    Change::Parts m_run; // parts announced since time began to run
     Shown m_shown;
     std::shared_ptr<const Fractal> m_held; // the entry that m_lasting is of
     LastingCage m_lasting;

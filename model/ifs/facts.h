@@ -53,7 +53,7 @@ struct FactLimits {
 
     bool withAffinityDimension = true;
     Time perFact = {};
-    Time together = {}; // what has not begun by then is left out
+    Time together = {}; // facts not begun by then are left out
 };
 
 // Certified facts about a system; nullopt where nothing is certain. Facts of linked maps are those of the

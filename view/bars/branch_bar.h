@@ -65,7 +65,7 @@ private:
     document::Document* m_document;
     CanvasView* m_canvas;
     QPointer<CanvasView> m_chosenIn; // where the latest branch was selected
-    ifs::Word m_seen;                // what was selected in the window's canvas,
+    ifs::Word m_seen;                // the branch selected in the window's canvas,
     ifs::Word m_seenBeside;          // and beside it
     QStackedWidget* m_rows = nullptr;
     QWidget* m_branchRow = nullptr;

@@ -21,7 +21,7 @@ public:
     void setSpaceView(SpaceView* space);
     void setSpace(bool isSpace);        // the window into space is shown
     void setBeside(CanvasView* canvas); // of another entry, whose branches have the same options
-    QString hint() const;               // what is said of a tool without options; empty for the others
+    QString hint() const;               // text of a tool without options; empty for others
 
 private:
     QWidget* addHint(const QString& text);

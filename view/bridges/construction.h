@@ -38,7 +38,7 @@ public:
     void setStep(int n);
     int deepest() const { return m_deepest; } // the largest n that is drawn
     double copies() const;                    // of the cage in Wⁿ
-    StepsBridge& steps() { return m_steps; }  // what they start from, and how far they are from the attractor
+    StepsBridge& steps() { return m_steps; }  // their start, and their distance from the attractor
 
     std::uint64_t jumps() const { return m_jumps; } // of the chaos game, with those that are not plotted
     std::uint64_t points() const { return m_jumps - std::min(m_jumps, dropped); } // that are plotted
@@ -75,7 +75,7 @@ signals:
 
 private:
     void follow(const document::Change& change);
-    void measure(); // what depends on the system
+    void measure(); // values that depend on the system
     void findFaces();
     void advance();
     void jump(std::uint64_t jumps);

@@ -103,7 +103,7 @@ private:
     Exposing m_exposing = Exposing::Measured;
     bool m_adapting = true; // m_liveSamples follows the machine
     bool m_live = false;
-    bool m_isMoving = false; // what is shown in place of the document
+    bool m_isMoving = false; // the fractal shown in place of the document moves
     bool m_waiting = false;  // a request takes its turn
     bool m_isSubstituted = false;
     QTimer m_underWay; // runs until the first frame of the newest request, or until patience ends

@@ -36,7 +36,7 @@ public:
     explicit CommandPalette(const QList<NamedAction>& actions, QWidget* parent = nullptr);
 
 signals:
-    void guideRequested(const QString& words); // what was typed is to be looked for there
+    void guideRequested(const QString& words); // the typed text is to be searched there
 
 protected:
     bool eventFilter(QObject* watched, QEvent* event) override;

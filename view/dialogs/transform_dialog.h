@@ -74,7 +74,7 @@ private:
     QWidget* makeMode();
     QWidget* makeReflection();
     QWidget* makeAxis();
-    void follow(Value edited); // what else an edited field changes
+    void follow(Value edited); // the fields that depend on an edited one
     void chooseAbout();
     void chooseAxis();
     double value(Value which) const;

@@ -156,7 +156,7 @@ private:
     std::variant<std::monostate, Orbiting, Dragging, Slicing> m_gesture;
     DragSession m_session;      // of Dragging, Slicing and m_nudging
     Dragging m_nudging;         // while an arrow key is held
-    bool m_isPointRead = false; // what was reported last is under the pointer
+    bool m_isPointRead = false; // the last report is still under the pointer
     std::optional<std::size_t> m_hovered;
     std::optional<std::size_t> m_focused;
     std::optional<std::size_t> m_face; // hovered or held

@@ -65,7 +65,7 @@ public:
     QString stepText(DragMode mode, std::optional<std::size_t> corner) const;
 
 private:
-    std::vector<std::size_t> moving() const; // what a drag moves, the held map first
+    std::vector<std::size_t> moving() const; // maps that a drag moves, the held one first
 
     struct Dot {
         QPointF pixel;

@@ -67,7 +67,7 @@ private:
     void followDocument(const document::Change& change);
     void followFractal(const document::Change& change);
     void followCamera(const document::Change& change);
-    void lookAsKeyed(bool isMoving); // nothing happens where no keys move the camera
+    void lookAsKeyed(bool isMoving); // has no effect without keys of the camera
     void layOut();
     void layOutSlice();
     bool areOverlaysShown() const;

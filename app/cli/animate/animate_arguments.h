@@ -34,7 +34,7 @@ struct Chunk {
 };
 
 enum class Existing {
-    Skip,    // what is complete and was drawn by the same request stays
+    Skip,    // complete frames of the same request stay
     Replace, // everything is drawn again
     Fail,    // nothing is drawn when a file is there
 };

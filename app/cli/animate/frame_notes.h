@@ -19,7 +19,7 @@ public:
     FrameNotes(const Input& input, const document::Fractal& entry, const std::vector<int>& frames);
 
     void add(int frame, attractor::RenderNote note);
-    void report(const QString& fileName) const; // what has not been said yet
+    void report(const QString& fileName) const; // notes not reported yet
 
 private:
     bool m_isInSpace;

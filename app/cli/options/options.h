@@ -57,9 +57,9 @@ enum About : unsigned {
     Cells = 8,     // of which a pixel has several
     Rows = 16,     // of pixels, in a file
     Light = 32,    // that falls on a solid
-    InPlane = 64,  // what entries in space do not know …
+    InPlane = 64,  // unknown to entries in space …
     InSpace = 128, // … and the other way round
-    Picture = 256, // what all parts of a picture have in common
+    Picture = 256, // shared by all parts of a picture
     Work = 512,    // how it is drawn and where it goes: never a pixel
 };
 

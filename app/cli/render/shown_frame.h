@@ -11,8 +11,8 @@
 namespace cli {
 
 struct Shown {
-    document::Fractal fractal;                      // what is drawn
-    document::Fractal entry;                        // what a picture carries
+    document::Fractal fractal;                      // to draw
+    document::Fractal entry;                        // to embed in pictures
     std::optional<attractor::View> view{};          // of the keys, in the plane …
     std::optional<attractor::OrbitCamera> camera{}; // … and in space
     std::vector<animation::CameraTurn> orbit{};     // of the camera in space: animation::orbited()

@@ -16,4 +16,4 @@ struct OpenClaim {
 };
 using ClaimLock = std::shared_ptr<document::ProcessLock>;
 QFuture<OpenClaim> claimBeside(const QString& path, ClaimLock former);
-QString claimOf(const QString& path); // what is locked
+QString claimOf(const QString& path); // the name that is locked

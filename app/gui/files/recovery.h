@@ -34,7 +34,7 @@ public:
     // discarded.
     void takeOver(const document::Abandoned& abandoned);
     void giveUp(); // the window closes, and its work is saved or not wanted
-    void store();  // what is unsaved, at once
+    void store();  // unsaved work, at once
     void letGo();  // the program ends: what is stored belongs to whoever comes next
 
     static QString folder();

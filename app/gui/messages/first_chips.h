@@ -12,7 +12,7 @@ class FirstChips : public MessageBanner {
 
 public:
     struct Chip {
-        QAction* action; // what the button does, and its icon
+        QAction* action; // of the button, with its icon
         QString text;
     };
     static constexpr int usualPatience = 20'000; // milliseconds

@@ -37,12 +37,12 @@ protected:
 
 private:
     QRect messageRoom() const;
-    QString shownMessage() const; // what there is room for
+    QString shownMessage() const; // as much as there is room for
 
     QLabel* m_pointer;
     QLabel* m_recovery;
     QLabel* m_rotation;
     QLabel* m_verdict;
     QLabel* m_frame;
-    QDeadlineTimer m_toRead; // what was said last
+    QDeadlineTimer m_toRead; // for reading the last message
 };

@@ -37,7 +37,7 @@ public:
     // Restricts gathering to the units of the part, from the next sample set on. samples(),
     // samplesOverAttractor() and exposure() remain those of the whole picture. rewind() makes it whole again.
     void setPart(const PicturePart& part) { m_part = part; }
-    using SumFold::sums; // what other parts have gathered may be added
+    using SumFold::sums; // sums of other parts may be added
     double measure() const override { return m_cut ? m_cut->probability : 1; }
 
 protected:
@@ -88,7 +88,7 @@ private:
     AddressStrata m_strata;
     // Sample sets by place; for linked maps, as many as AddressCut::sampleSets distinguishes.
     std::vector<SampleSet> m_samples;
-    std::vector<std::optional<SampleSetKey>> m_drawn; // what m_samples holds, of maps that are not linked
+    std::vector<std::optional<SampleSetKey>> m_drawn; // content of m_samples, without links
     std::uint64_t m_sampleSets = 0;                   // planned so far
     std::size_t m_together = 0;                       // places in use
     std::vector<std::uint64_t> m_counts;              // samples of every word, place by place

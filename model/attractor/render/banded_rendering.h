@@ -19,7 +19,7 @@ namespace attractor {
 struct DividedPicture {
     struct Pass {
         std::uint64_t samples = 0; // of the whole pass
-        PicturePart part;          // what is drawn here; its units count from the first pass on
+        PicturePart part;          // drawn here; its units count from the first pass on
     };
     std::vector<Pass> passes;
     // Adds samples drawn elsewhere to rows of cells, those of the window. False when they are not available.

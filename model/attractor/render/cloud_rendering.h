@@ -42,7 +42,7 @@ public:
     // Restricts counting to pixel rows [firstRow, endRow), which leaves sums() of them and no picture. Call
     // after restart(), before the first pass.
     void keepRows(int firstRow, int endRow);
-    CellSums& sums(); // what other parts have counted may be added
+    CellSums& sums(); // counts of other parts may be added
 
     // The exposure kept by the request, else that of the picture.
     Exposure exposure(const std::stop_token& stop = {}) const;

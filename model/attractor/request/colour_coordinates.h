@@ -53,7 +53,7 @@ public:
 
 private:
     static constexpr double maxRange = 1.0 / 64;
-    static constexpr double words = 1U << 15; // what their colours may cost
+    static constexpr double words = 1U << 15; // the most that colours may cost
 
     std::size_t m_maps = 0;
     std::vector<MapBlend> m_blends; // empty: along the address

@@ -23,7 +23,7 @@ enum class SolidKey {
 
 // Quantity that the colours of a density show.
 enum class CloudColour {
-    Appearance, // what the appearance says
+    Appearance, // colours as in the appearance
     MeanDepth,  // the palette from the farthest depth to the nearest
 };
 

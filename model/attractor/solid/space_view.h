@@ -34,7 +34,7 @@ struct SpaceView {
     ifs::AffineMap<3> toPixels;
     double eyeDistance = 0; // pixels; 0: orthographic
     RasterSize size;
-    std::optional<PixelClip> clip; // what is outside is not shown
+    std::optional<PixelClip> clip; // points outside are not shown
     // A cage that bends: then toPixels leaves everything in its place, and a word is straightened on its way
     // to the pixels by what the camera makes of it to first order.
     std::shared_ptr<const ifs::CageDeformation> bend;

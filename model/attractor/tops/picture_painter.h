@@ -29,7 +29,7 @@ public:
         m_targets[m_waiting] = pixel;
         if (++m_waiting == together) finish();
     }
-    void finish(); // what waits
+    void finish(); // paints the queued pixels
 
 private:
     static constexpr std::size_t together = 128;

@@ -51,7 +51,7 @@ GreyPicture cropped(const GreyPicture& picture, const PixelBox& box);
 // between both classes); nullopt when all levels are equal.
 std::optional<int> otsuThreshold(const std::vector<std::uint8_t>& levels);
 
-enum class Polarity { Shape, Background }; // what the rule of targetMask() selects
+enum class Polarity { Shape, Background }; // the pixels that targetMask() selects
 
 // Returns true if there are transparent pixels, so that the opaque ones are the shape.
 bool isShapedByOpacity(const GreyPicture& picture);

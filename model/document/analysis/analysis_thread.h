@@ -20,7 +20,7 @@ public:
     AnalysisThread& operator=(const AnalysisThread&) = delete;
 
     enum class Haste {
-        Now,    // what is under way is abandoned
+        Now,    // work under way is abandoned
         InTurn, // one of many: what is under way may finish, unless it takes long
     };
     // Thread-safe, never waits. The fractal must be a system.

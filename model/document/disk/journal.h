@@ -17,7 +17,7 @@ class ProcessLock;
 // Everything needed to offer a window's unsaved work again.
 struct Snapshot {
     QString path;         // of the file it came from; empty when it never had one
-    QString title;        // what the window was called
+    QString title;        // of the window
     int current = 0;      // index of the entry that was shown
     QDateTime when;       // UTC
     QByteArray bytes;     // the whole file as it would have been saved

@@ -55,14 +55,14 @@ struct Fractal {
     ~Fractal();
 
     QString name;
-    QString headerComment; // what follows the opening brace, without the semicolon
+    QString headerComment; // behind the opening brace, without the semicolon
     QStringList comments;  // the entry's own comment lines in their order, without the semicolon
     // monostate: the entry could not be read; its bytes are kept in its source.
     std::variant<std::monostate, Shape<2>, Shape<3>> shape;
     attractor::Appearance appearance;
     attractor::SpaceAppearance inSpace{}; // of an entry in space; the fog is in its range, the clip usable
     MapLabels mapLabels{};
-    SupportCache supports{}; // what functions of the fractal remember; takes no part in ==
+    SupportCache supports{}; // results of functions of the fractal; ignored by ==
     LastingCage lasting{};   // of what Document shows at a moment, or in a gesture; takes no part in ==
 
     friend bool operator==(const Fractal&, const Fractal&) = default;
@@ -110,6 +110,6 @@ inline const ifs::ControlCage<2>* cage2(const Fractal& fractal) {
 // Returns true if the codes are the same, whatever cage holds them.
 bool isSameSystem(const Fractal& a, const Fractal& b);
 
-Fractal sierpinskiTriangle(); // what File → New starts with
+Fractal sierpinskiTriangle(); // the fractal of File → New
 
 } // namespace document

@@ -54,7 +54,7 @@ public:
                           double angle) const;
 
 private:
-    ifs::AffineMap<2> around(std::size_t index) const; // what displays a map, to first order
+    ifs::AffineMap<2> around(std::size_t index) const; // the display of a map, to first order
     // `change` in coordinates of the piece, after the map.
     void change(Fractal& fractal, std::size_t index, const ifs::AffineMap<2>& change) const;
     void changeDisplayed(Fractal& fractal, std::size_t index, const ifs::AffineMap<2>& change) const;

@@ -64,7 +64,7 @@ private:
     std::shared_ptr<const Fractal> m_fractal;
     ifs::ControlCage<3> m_cage;
     ifs::Simplex<3> m_rest;
-    ifs::AffineMap<3> m_placed;              // what displays a map where nothing bends
+    ifs::AffineMap<3> m_placed;              // the display of a map where nothing bends
     std::optional<ifs::AffineMap<3>> m_back; // of m_placed; where the cage bends, of m_within
     ifs::AffineMap<3> m_within;
     std::shared_ptr<const ifs::CageDeformation> m_bend; // after m_within

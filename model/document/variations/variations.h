@@ -42,7 +42,7 @@ private:
     class Crossings;
     struct Varied {
         Fractal fractal;
-        Fractal from;      // what its maps were varied from
+        Fractal from;      // the fractal whose maps were varied
         double fills = -1; // fillsAs(): below 0 without a certain attractor
     };
 

@@ -77,9 +77,9 @@ private:
     double m_normEquivalence = 1;
     std::shared_ptr<const SupportContainer<Dim>> m_container;
     struct LazyOutline;
-    std::shared_ptr<LazyOutline> m_outline; // what outline() returns, once somebody has asked
+    std::shared_ptr<LazyOutline> m_outline; // the result of outline(), after the first call
     struct LazyContainer;
-    std::shared_ptr<LazyContainer> m_finer; // what finerContainer() returns, once a search has needed it
+    std::shared_ptr<LazyContainer> m_finer; // the result of finerContainer(), after the first call
     std::shared_ptr<const Conditioning> m_conditioning;
 };
 

@@ -69,7 +69,7 @@ struct BodyRecipe { // of a system in space
 
 using ExportRecipe = std::variant<PixelRecipe, ShapeRecipe, SpaceRecipe, BodyRecipe>;
 
-bool isInSpace(const ExportRecipe& recipe); // what entries it is for
+bool isInSpace(const ExportRecipe& recipe); // whether it is for entries in space
 // Returns true if every number is in the range that the dialogs have.
 bool isUsable(const ExportRecipe& recipe);
 // Returns true if the suffix of the file name belongs to the recipe's format.

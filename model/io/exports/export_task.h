@@ -17,7 +17,7 @@ struct ExportTask {
     QString name;     // of the entry, for the user
     QByteArray entry; // its text, as writeEntry() gives it
     ExportRecipe recipe;
-    bool mayReplace = false; // what is at `path` now; the user was asked
+    bool mayReplace = false; // the file at `path` now; the user was asked
     qint64 place = 0;        // among the others, the smallest first
     int begun = 0;           // how often it was begun by a process that ended before it did
     QString failure;         // why it was not written, in a sentence; empty: it waits

@@ -53,6 +53,6 @@ struct Loaded {
 };
 // Both refuse more than 256 MB with a message.
 Loaded loadFile(const QString& path);   // also what is no regular file: it might never come to an end
-Loaded loadSource(const QString& path); // what a user of the command line names, also a pipe
+Loaded loadSource(const QString& path); // named by a user of the command line, also a pipe
 
 } // namespace io

@@ -26,12 +26,12 @@ struct SumShare {
 };
 
 struct SumHeader {
-    QByteArray request; // what is drawn: pictureRequest()
+    QByteArray request; // pictureRequest()
     attractor::CellKind kind = attractor::CellKind::Count;
     int columns = 0; // cells of the whole picture
     int rows = 0;
     std::vector<std::uint64_t> passes; // samples of each
-    std::vector<SumShare> shares;      // what the sums hold
+    std::vector<SumShare> shares;      // contained in the sums
 };
 
 // The sums of 256 × 16 cells, fewer at the right and lower edge, row by row: the samples of each cell, with

@@ -13,7 +13,7 @@ struct AffineExpression {
     std::array<double, 3> factors{};
     double shift = 0;
     bool usesZ = false;
-    qsizetype end = 0; // what of the text belongs to it
+    qsizetype end = 0; // of its part of the text
 
     bool isConstant() const { return factors == std::array<double, 3>{}; }
 };

@@ -21,7 +21,7 @@ struct PolygonDrag {
     std::vector<ifs::Vector<2>> points;
     std::vector<int> vertices; // those of the points that move
     ifs::Vector<2> pivot = ifs::Vector<2>::Zero();
-    ifs::Vector<2> press = ifs::Vector<2>::Zero(); // what was under the pointer
+    ifs::Vector<2> press = ifs::Vector<2>::Zero(); // the point under the pointer
     int snapVertex = 0;                            // the vertex that is drawn to snap targets
 };
 
@@ -32,7 +32,7 @@ enum class Constraint {
 
 struct DragResult {
     std::vector<ifs::Vector<2>> points;
-    ifs::AffineMap<2> change; // what happens to the vertices that move
+    ifs::AffineMap<2> change; // of the vertices that move
     Snapped snap;             // of the snap vertex; snapped nowhere for Rotate and Scale
 };
 

@@ -17,7 +17,7 @@ public:
               const std::vector<MapFrame>& frames)
         : m_handles(handles), m_camera(camera), m_gizmo(gizmo), m_frames(frames) {}
 
-    CanvasPart partAt(const QPointF& position, Reach reach) const; // what a press would hold
+    CanvasPart partAt(const QPointF& position, Reach reach) const; // the part that a press would hold
     QPointF positionOf(const CanvasPart& part) const;
     // The maps whose frames, the images of the cage, lie in `band`.
     std::vector<std::size_t> mapsWithin(const QRectF& band) const;

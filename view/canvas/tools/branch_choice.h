@@ -29,7 +29,7 @@ public:
     void setDepth(int depth);
     void turnDepth(int angle);                           // by a wheel, in eighths of a degree
     bool pressDepthKey(int key);                         // Page Down and Page Up; false: another key
-    document::BranchEdit edit() const { return m_edit; } // what drags to come change
+    document::BranchEdit edit() const { return m_edit; } // of later drags
     void setEdit(document::BranchEdit edit);
     // The whole address of the point that was clicked, of which the branch is the beginning.
     const ifs::Word& address() const { return m_address; }
@@ -37,7 +37,7 @@ public:
     void choose(const ifs::Word& address);
     // "Branch 3 2", for the status bar; empty without one.
     QString text() const;
-    QString prompt() const; // what a click would do while nothing is chosen; empty: something is
+    QString prompt() const; // effect of a click while nothing is chosen; else empty
     QString stepText(DragMode mode,
                      std::optional<std::size_t> corner) const; // of a drag of it, or of a corner
     // Why it cannot be dragged, as a sentence: the map that would change, or be divided, is locked, or a map
@@ -48,7 +48,7 @@ public:
     // returns to the branch of the first.
     void beginDrag();
     void showDragged(bool hasMoved); // by a preview
-    QString endDrag();               // what to say if the branch is now map 1; else empty
+    QString endDrag();               // a message if the branch is now map 1; else empty
     void cancelDrag();
     const std::shared_ptr<const document::Fractal>& before() const { return m_before; } // null: no drag
 

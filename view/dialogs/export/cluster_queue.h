@@ -23,7 +23,7 @@ public:
     void submit(const QString& folder);
 
 signals:
-    void stateChanged(const QString& sentence); // what Slurm says, or why nothing could be submitted
+    void stateChanged(const QString& sentence); // by Slurm, or why nothing could be submitted
     void finished(bool isDone);                 // false: some of it failed, or could not be submitted
 
 private:

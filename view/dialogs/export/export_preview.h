@@ -42,7 +42,7 @@ protected:
 private:
     struct Drawn {
         QImage picture;
-        QSize of; // what was exported then
+        QSize of; // of the export
     };
     void draw();
 

@@ -36,7 +36,7 @@ public:
     virtual void exportTo(const QString& path) = 0;
     void addToQueue(const QString& path);
     void setQueue(ExportQueue* queue); // which outlives it; without one, there is no Add to Queue
-    QString message() const;           // what came of it
+    QString message() const;           // about the outcome
     bool canExport() const;
     bool isBusy() const { return bool(m_work); }
     bool mayClose();                           // asks the user while an export is under way
@@ -86,7 +86,7 @@ protected:
     virtual void whenFinished() {} // once it is idle again, before the outcome is said
 
     void say(const QString& sentence); // empty: nothing; with room for it
-    virtual void escape();             // what Esc does: as the button, it stops before it closes
+    virtual void escape();             // for Esc: like the button, stops before it closes
     bool event(QEvent* event) override;
     void keyPressEvent(QKeyEvent* event) override;
     void enableButtons();
@@ -111,7 +111,7 @@ private:
     QPushButton* m_enqueue = nullptr;
     QPushButton* m_close = nullptr;
     QPushButton* m_showInFolder = nullptr; // visible once something was written
-    QString m_written;                     // what it shows
+    QString m_written;                     // its file
     ExportQueue* m_queue = nullptr;
     QPointer<QMessageBox> m_question;       // whether to stop; nobody need answer once the work has ended
     std::unique_ptr<io::ExportWork> m_work; // last: stops before the rest goes

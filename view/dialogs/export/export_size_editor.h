@@ -27,7 +27,7 @@ public:
     bool isOnPaper() const; // in millimetres or inches
     // The choice as a text for choose(): a size by the screen is that of another screen then.
     QString choice() const;
-    void choose(const QString& choice); // nothing happens where it is none
+    void choose(const QString& choice); // ignores texts that are no choice
     void setResolutionVisible(bool visible);
 
 signals:

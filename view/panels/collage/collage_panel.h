@@ -89,8 +89,8 @@ private:
     QComboBox* m_compared;
     CollageNumbers* m_numbers;
     FitBox* m_fit;
-    QLabel* m_refined; // what the last refinement has made of the numbers
-    QLabel* m_shades;  // what is guaranteed of the weights that were fitted last
+    QLabel* m_refined; // the numbers after the last refinement
+    QLabel* m_shades;  // the guarantee of the weights fitted last
     SuggestionList* m_suggestions;
     QWidget* m_more;
     QToolButton* m_moreButton = nullptr;

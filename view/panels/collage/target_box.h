@@ -62,7 +62,7 @@ private:
         QString name;
         QString sentence; // why there is no picture
         document::TraceOptions options;
-        std::optional<document::Box> onto; // what the entry showed when it came: as large is the shape
+        std::optional<document::Box> onto; // the picture when it came: the shape has its size
 
         bool isTracedAs(const State& other) const;
     };

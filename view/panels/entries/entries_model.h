@@ -58,7 +58,7 @@ private:
 
     document::Document* m_document;
     Thumbnails* m_thumbnails;
-    document::FractalFile m_shown;     // what the views know; follows the document by row operations
+    document::FractalFile m_shown;     // as known to views; follows the document by row operations
     document::FractalFile m_savedFile; // as last read or saved
     // The same by id, once it was asked for.
     mutable QHash<document::EntryId, std::shared_ptr<const document::Fractal>> m_saved;

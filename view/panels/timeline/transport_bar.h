@@ -42,7 +42,7 @@ private:
     void showFrame();
     void showPlaying(bool playing);
     void showRate();
-    void takeRate(); // what is typed or chosen
+    void takeRate(); // typed or chosen
 
     Timeline* m_timeline;
     QToolButton* m_play;

@@ -31,7 +31,7 @@ public:
     void setRange(const NumberRange& range);
     // Takes angles as degrees: 90, 90° and pi/2 are the same, and Enter shows the number.
     void setDegrees();
-    void setRounding(double rounding) { m_rounding = rounding; } // what is no larger reads 0, until edited
+    void setRounding(double rounding) { m_rounding = rounding; } // numbers no larger read 0, until edited
     // Sets the step of arrow keys (Shift: ×10, Alt or Ctrl: ×0.1), of the wheel and of drags (Shift: ×0.1,
     // Ctrl: ×10).
     void setStep(double step) { m_step = step; }

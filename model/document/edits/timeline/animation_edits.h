@@ -67,7 +67,7 @@ Fractal withoutKeys(Fractal entry, std::span<const KeyAt> keys);
 Fractal withEase(Fractal entry, std::span<const KeyAt> keys, const animation::Ease& ease);
 
 enum class KeyMove {
-    Move,   // what is at the new frames gives way
+    Move,   // keys at the new frames give way
     Copy,   // and they stay where they were as well
     Ripple, // all later keys of these tracks come along; the animation grows if need be
 };

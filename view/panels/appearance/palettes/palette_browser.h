@@ -54,7 +54,7 @@ private:
     struct Adjustment {
         AppearanceSlider* slider = nullptr;
         double value = 0;
-        double kept = 0; // what Esc in the field returns to
+        double kept = 0; // the value to which Esc in the field returns
     };
     void createSlider(Adjustment& adjustment, const QString& name, double min, double max);
     void showFavourite(int row); // of the model
