@@ -322,7 +322,8 @@ void Document::commitGesture() {
     if (!m_gesture) return;
     const auto before = m_gesture->entry, after = settled(currentEntry().fractal);
     if (*after == *before) return cancelGesture();
-    // The step's own announcement ends what was live; the gesture stays until then so that nothing is missed.
+    // The step's own announcement ends the live state; the gesture stays until then so that nothing is
+    // missed.
     push(textOf(m_gesture->text, m_gesture->keyedFrame), {m_current, before, {}}, {m_current, after, {}},
          m_gesture->kind);
 }

@@ -146,7 +146,7 @@ void findLinkedExtents(Facts<2>& facts, std::optional<double> hullTolerance, Bud
     });
 }
 
-// Finds the facts of linked maps, which are all different; what has no counterpart stays empty.
+// Finds the facts of linked maps, which are all different; facts without a counterpart stay empty.
 template <int Dim> void findLinked(Facts<Dim>& facts, std::optional<double> hullTolerance, Budget& budget) {
     const bool isKnown = budget.spend(LongFact::Existence, [&](const std::stop_token&) {
         facts.existence = classifyLinked<Dim>(facts.active);
@@ -186,8 +186,8 @@ Facts<Dim> geometricFacts(const IteratedFunctionSystem<Dim>& system, std::option
 
 namespace {
 
-// Vertices that have an address become the points that it names. Where two of them meet in one point, or one
-// no longer stands out, the hull does without: what it loses that way counts as error.
+// Replaces vertices by the exact points of their addresses. Where two of them meet in one point, or one no
+// longer stands out, the hull drops it: the loss counts as error.
 bool settleExtremePoints(Facts<2>& facts, const std::stop_token& stop) {
     ConvexHull& hull = *facts.hull;
     const auto found = periodicExtremePoints(*facts.support, hull, stop);

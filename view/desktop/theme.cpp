@@ -102,9 +102,10 @@ private:
     bool m_closes;
 };
 
-// Fusion draws the frames of boxes and circles to be checked a shade darker than the window, which is hardly
-// seen in light themes and not at all in dark ones; so it does with buttons that are on. Here they stand out
-// at least by 3 to 1. Nor is much seen of its frame around what has the focus.
+// Fusion with clearer frames. Fusion draws those of check boxes and radio buttons a shade darker than the
+// window, which is hardly visible in light themes and not at all in dark ones; the same holds for buttons
+// that are on. Here they stand out at least by 3 to 1. Fusion's frame around the focus is hardly visible,
+// either.
 class ClearFusion : public QProxyStyle {
 public:
     ClearFusion() : QProxyStyle(fusion) {}

@@ -146,7 +146,7 @@ private:
     QHash<QUrl, QImage> m_decoded; // in the last size
 };
 
-// Marks what is typed wherever the page has it, and shows one place after the other.
+// Marks the typed words wherever the page has them, and shows one place after the other.
 class FindField : public QLineEdit {
 public:
     FindField(Page* page, QLabel* count, QWidget* parent) : QLineEdit(parent), m_page(page), m_count(count) {

@@ -178,7 +178,7 @@ void ToolbarPage::add() {
     insert(row, chosenValue<QString>(m_others));
     m_list->setCurrentRow(row);
     listOthers();
-    // The completer writes what was chosen into the field afterwards.
+    // The completer writes the chosen text into the field afterwards.
     QMetaObject::invokeMethod(m_others, &QComboBox::clearEditText, Qt::QueuedConnection);
     emit changed();
 }

@@ -25,7 +25,7 @@ bool showsNothing(const attractor::SolidFrame& frame) {
                                [](std::uint32_t key) { return key == attractor::emptyKey; });
 }
 
-// Corners of the box around what is displayed, where it is cut.
+// Corners of the box around the displayed picture, where it is cut.
 std::vector<ifs::Vector<3>> cornersOfCut(const document::Fractal& fractal) {
     if (!document::space(fractal) || !fractal.inSpace.clip || !document::isSpaceExtentKnown(fractal))
         return {};

@@ -210,8 +210,8 @@ Content contentOf(const Input& input, const ConvertArguments& arguments, const P
     return content;
 }
 
-// An entry of a parameter file as it is in a collection: without the prefix of its name, and of what stands
-// before it with the comments right above.
+// An entry of a parameter file as it is in a collection: without the prefix of its name, and with only the
+// comments right above it.
 std::shared_ptr<const document::EntrySource> withoutParameters(const document::EntrySource& entry,
                                                                bool isFirst) {
     auto source = std::make_shared<document::EntrySource>(entry);
@@ -394,7 +394,7 @@ private:
         return m_interrupt.status();
     }
 
-    // The output is a file that was given to be read, and what it holds would be gone.
+    // Returns true if the output is an input file whose contents would be lost.
     bool wouldLose(const QString& output) const {
         if (m_arguments.overwrite || isStandardOutput(output)) return false;
         if (isSameFile(output, fileBehind(m_input))) {

@@ -168,7 +168,7 @@ Found findAll(const Input& input, const std::vector<std::string>& names) {
     return found;
 }
 
-// The first that can be drawn; a file without one says what is wrong with all.
+// The first entry that can be drawn; for a file without one, the problems of all are reported.
 ToDraw firstToDraw(const Input& input) {
     const auto& entries = input.collection.file.entries;
     const auto first = std::ranges::find_if(entries, isLoaded);

@@ -77,7 +77,7 @@ QString filledIn(const QString& pattern, const OutputName& name, qsizetype maxPa
 
 } // namespace
 
-// Names that would be too long are cut, as long as what stands around them leaves room.
+// Names that would be too long are cut, as long as the rest of the pattern leaves room.
 QString outputFor(const QString& pattern, const OutputName& name) {
     const auto size = [&](const QString& path) { return path.sliced(startOfName(path)).toUtf8().size(); };
     const QString whole = filledIn(pattern, name, document::maxFileName);

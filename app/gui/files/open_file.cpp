@@ -33,7 +33,7 @@ QByteArray digestOf(const QByteArray& bytes) {
     return QCryptographicHash::hash(bytes, QCryptographicHash::Sha256);
 }
 
-// Somebody cancels what somebody else is about to finish; the first one decides.
+// State shared by writing and cancelling, which may coincide; the first one decides.
 struct Writing {
     std::atomic<bool> isDecided = false;
     io::Failure failure;

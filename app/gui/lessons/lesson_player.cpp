@@ -92,8 +92,8 @@ void LessonPlayer::takeBack() {
     if (history->index() != m_base && m_base <= history->count()) history->setIndex(m_base);
 }
 
-// Redo would bring back what the lesson itself has shown, and mark the file as changed. The history forgets
-// what can be redone when a step is added, and an obsolete one when it is undone.
+// Drops the redo steps of the lesson itself, which would bring back its states and mark the file as changed.
+// The history forgets redo steps when a step is added, and an obsolete one when it is undone.
 void LessonPlayer::forgetOwnSteps() {
     if (!m_hasOwnSteps || m_hasOthersEdit) return;
     auto* last = new QUndoCommand;

@@ -55,7 +55,7 @@ bool outside(const Reach& r, const CellWindow& window) {
            r.bottom < static_cast<float>(window.firstRow) || r.top >= static_cast<float>(window.endRow);
 }
 
-// The cell of a coordinate, or the nearest one; what is no number meets no cell at all.
+// The cell of a coordinate, or the nearest one; NaN meets no cell at all.
 int cellWithin(float value, int first, int end) {
     if (!(value > static_cast<float>(first))) return first;
     return value < static_cast<float>(end) ? std::min(static_cast<int>(value), end - 1) : end - 1;

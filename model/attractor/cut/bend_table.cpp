@@ -131,8 +131,8 @@ void BendTable::restart(const ifs::PolygonDeformation& bend, const Vector<2>& ce
     forgetPieces();
 }
 
-// Coordinates vary over the distance from the corners, and near them over the length of the edges: what is
-// measured in the corners of a larger square may overlook something.
+// Length over which coordinates vary: the distance from the corners, and near them the length of the edges.
+// Measurements in the corners of a larger square may miss something.
 double BendTable::featureSize(const Vector<2>& x) const {
     double size = infinity;
     for (std::size_t j = 0; j < m_cornerSize.size(); ++j)

@@ -58,7 +58,7 @@ private:
     static constexpr double rounding = 1e-9; // of a sum of probabilities, at most
     static constexpr double minSamples = 32;
 
-    // The pieces of what is shown that meet the view.
+    // The displayed pieces that meet the view.
     std::vector<SpaceNode> roots() const {
         std::vector<SpaceNode> result;
         SpaceNode root;

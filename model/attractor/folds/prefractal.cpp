@@ -110,8 +110,8 @@ private:
         double size = 0; // cells
     };
 
-    // Images of the polygon may leave the box of an expanding system; what has left the view then comes back
-    // only by chance, so it is not followed.
+    // Images of the polygon may leave the box of an expanding system; an image outside the view would come
+    // back only by chance, so it is not followed.
     Reach reachOf(const ifs::AffineMap<2>& map) {
         const ifs::Vector<2> centre = map((m_low + m_high) / 2);
         const ifs::Vector<2> halfBox = (m_high - m_low) / 2;
@@ -167,7 +167,7 @@ private:
         sum.blue += times * colour.blue;
     }
 
-    // Further samples along the sides of what has just been filled. The points on a side do not depend on the
+    // Adds samples along the sides of the polygon just filled. The points on a side do not depend on the
     // window.
     void outline(const ColourCell& colour) {
         constexpr std::uint32_t times = 3;

@@ -166,7 +166,7 @@ std::vector<double> lightTable(const Appearance& look, double whitePoint, double
     return table;
 }
 
-// Averaging light over the cells of a pixel dims what is thinner than a pixel; the gain restores the mean.
+// Averaging light over the cells of a pixel dims details thinner than a pixel; the gain restores the mean.
 double gainOf(const CellSums& sums, const Appearance& look, int cellsPerPixel, double whitePoint,
               double densityPerSample, std::uint64_t stride) {
     const std::vector<std::uint64_t> pixels = pixelSamples(sums, cellsPerPixel, stride);

@@ -19,7 +19,7 @@ double halfWidth(const ifs::Matrix<3>& linear) {
     return linear.cwiseAbs().rowwise().sum().maxCoeff();
 }
 
-// Points may lie outside a box that is not certified; what is drawn must not.
+// Returns false for points outside a box that is not certified, which must not be drawn.
 bool isInBox(const Vector<3>& x) {
     return x.cwiseAbs().maxCoeff() <= 1; // false for what is no number
 }
@@ -179,7 +179,8 @@ Covers::Covers(const PreparedSpace& system) {
         points.padded = (points.count + kernels::solidLanes - 1) / kernels::solidLanes * kernels::solidLanes;
         for (unsigned octant = 0; octant < 8; ++octant)
             append(points.coordinates, sorted(cells.points, octant), points.padded);
-        // The same cells again, or fewer points that lie closer: what is there is of no use any more.
+        // The new cover replaces those with as many points or more: it has the same cells, or fewer points
+        // that lie closer.
         while (!covers.empty() && covers.back().count >= points.count)
             covers.pop_back();
         covers.push_back(std::move(points));

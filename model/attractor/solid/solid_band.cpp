@@ -48,7 +48,7 @@ void SolidScene::setSystem(PreparedSpace prepared) {
     covers = Covers(system);
 }
 
-// The pieces of what is shown; by address, parts of them that are long enough to know their colours.
+// The displayed pieces; by address, parts of them that are long enough to know their colours.
 void SolidScene::setKey(SolidKey newKey) {
     key = newKey;
     roots.clear();

@@ -17,7 +17,7 @@ namespace {
 
 using Field = Eigen::MatrixXd; // row y, column x, rows from the top
 
-// Mass at a point in pixels; what falls outside is lost.
+// Adds mass at a point in pixels; mass outside is lost.
 void deposit(Field& field, double x, double y, double mass) {
     if (x >= 0 && y >= 0 && x < double(field.cols()) && y < double(field.rows()))
         field(Eigen::Index(y), Eigen::Index(x)) += mass;

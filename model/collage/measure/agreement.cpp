@@ -34,7 +34,7 @@ std::vector<ifs::AffineMap<2>> inGrid(const Grid& grid, std::span<const ifs::Aff
     return result;
 }
 
-// A point of the grid coordinates; outside, what it is at most away from the target.
+// Adds a point in grid coordinates; outside, an upper bound of its distance to the target.
 void splat(const Target& target, double x, double y, Splats& splats) {
     const int width = target.grid.width, height = target.grid.height;
     if (x >= 0 && y >= 0 && x < width && y < height) {

@@ -35,8 +35,8 @@ QByteArray digestOf(const Snapshot& snapshot) {
 constexpr char digestMark[] = "\"digest\":\""; // quotes in texts are escaped, so there is no other
 constexpr qsizetype digestSize = 64;
 
-// The digest of all that the file says: the text of its header, with zeros in the place of the digest, and
-// what follows.
+// The digest of the whole file: the text of its header, with zeros in the place of the digest, and the bytes
+// behind.
 QByteArray digestOf(QByteArray header, qsizetype place, const QByteArray& bytes) {
     header.replace(place, digestSize, QByteArray(digestSize, '0'));
     QCryptographicHash hash(QCryptographicHash::Sha256);
@@ -121,7 +121,7 @@ bool Journal::write(const Snapshot& snapshot) {
     if (!file.open(QIODevice::WriteOnly)) return false;
     file.setPermissions(QFile::ReadOwner | QFile::WriteOwner);
     const QByteArray data = recoveryFile(snapshot);
-    // commit() would not notice that what is still in memory finds no room.
+    // commit() would not notice that bytes still in memory find no room.
     return file.write(data) == data.size() && file.flush() && file.commit();
 }
 

@@ -51,7 +51,7 @@ Moment momentAt(const AnimationFacts& facts, int frame, ShutterAngle angle, int 
                              facts.length);
 }
 
-// The frames of keys, and the last ones before what they show jumps: where a key holds its value, and in a
+// Adds the frames of keys, and the last ones before a value jumps: where a key holds its value, and in a
 // cycle at the end, where frame 0 follows.
 template <class Keys>
 void addFrames(std::vector<int>& frames, const Keys& keys, const AnimationFacts& facts) {

@@ -20,8 +20,8 @@ namespace {
 using Clock = std::chrono::steady_clock;
 constexpr std::uint64_t minPoints = 500'000, maxPoints = 10'000'000; // points while a hand moves
 constexpr std::uint64_t atRest[] = {16'000'000, 80'000'000};
-// Milliseconds for both pictures while a hand moves: with those to paint them, and with what one frame takes
-// longer than another, they have to fit into a frame of the screen.
+// Milliseconds for both pictures while a hand moves: together with painting them, and with the variation
+// between frames, they have to fit into a frame of the screen.
 constexpr double fluid = 9;
 constexpr double pictureBehind = 0.3; // opacity of what is not on G
 constexpr auto rest = std::chrono::milliseconds(60);
@@ -87,7 +87,7 @@ struct TheftThread::State {
     std::vector<std::size_t> order;
     CouplingOutcome coupling;
     attractor::DeferredTheft onFrom, onTo, over, there;
-    // The last frame of G, and what it shows: it stays while only F moves.
+    // The last frame of G, and its state: it stays while only F moves.
     std::shared_ptr<const attractor::Frame> lastTo;
     std::vector<ifs::AffineMap<2>> lastMaps;
     LaidPicture lastLaid;

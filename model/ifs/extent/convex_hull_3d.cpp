@@ -427,7 +427,7 @@ std::optional<ConvexHull3> hullInPlane(const SupportFunction<3>& support, const 
     return hull;
 }
 
-// The better of what is known of points that span no space.
+// The better hull of points that span no space: the known one, or that of their plane.
 std::optional<ConvexHull3> hullOfFlat(const SupportFunction<3>& support, const Points& points,
                                       ConvexHull3 known, double tolerance, const std::stop_token& stop) {
     if (known.error <= tolerance || points.size() < 3) return known;

@@ -331,7 +331,7 @@ LinkedExtent::Height LinkedExtent::operator()(const Vector<2>& u, double toleran
 
 namespace {
 
-// The box of what has such heights in every direction.
+// The box of a set with such heights in every direction.
 template <class Heights> BoundingBox<2> boxOf(const Heights& height) {
     const auto right = height({1, 0}), left = height({-1, 0}), top = height({0, 1}), bottom = height({0, -1});
     BoundingBox<2> box{{0.0 - left.value, 0.0 - bottom.value}, {right.value, top.value}};

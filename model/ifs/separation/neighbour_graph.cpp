@@ -53,7 +53,7 @@ bool areShort(std::span<const AffineMap<Dim>> maps, const std::vector<AffineMap<
     return true;
 }
 
-// A map with what it may be off by, because those that it is made of are stored as doubles.
+// A map with its error, which arises because the maps it is made of are stored as doubles.
 template <int Dim> struct Rounded {
     AffineMap<Dim> map;
     double linear = 0, shift = 0; // in the norms of a frame

@@ -63,7 +63,7 @@ TopSearch::Answer TopSearch::at(const Vector<2>& x) const {
     return {completed(settled(found.word), nearest), false};
 }
 
-// Depth first, in the order of the addresses: what is found first is the top.
+// Searches depth first, in the order of the addresses: the first find is the top.
 TopSearch::Found TopSearch::firstWithin(const Vector<2>& x) const {
     struct Level {
         AffineMap<2> map;

@@ -180,7 +180,7 @@ Failure FrameDrawing::finish() {
     return m_written.valid() ? m_written.get() : std::nullopt;
 }
 
-// The failure of the picture before, or else what is written next is this one.
+// Begins a picture; returns the failure of the one before.
 Failure FrameDrawing::startOf(const QString& path) {
     Failure before = finish();
     if (!before) m_path = path;

@@ -41,7 +41,7 @@ public:
         return number.latex;
     }
 
-    // Behind what is said when something was rounded.
+    // The text, preceded by a remark when something was rounded.
     QByteArray withRemark(const QByteArray& text) const {
         return m_isRounded ? "% rounded to six significant digits\n" + text : text;
     }

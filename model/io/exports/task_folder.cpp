@@ -61,7 +61,7 @@ bool TaskFolder::write(const QString& id, const ExportTask& task) {
     if (!file.open(QIODevice::WriteOnly)) return false;
     file.setPermissions(QFile::ReadOwner | QFile::WriteOwner);
     const QByteArray data = taskFile(task);
-    // commit() would not notice that what is still in memory finds no room.
+    // commit() would not notice that bytes still in memory find no room.
     return file.write(data) == data.size() && file.flush() && file.commit();
 }
 

@@ -175,8 +175,8 @@ int createPart(const QByteArray& folder, int access, mode_t mode, QByteArray& na
     return file;
 }
 
-// A new file beside `path` for what is to replace it; without a name where the system can do that, so that
-// nothing stays of it whatever ends the program. What others may not read is theirs at no moment.
+// Creates the replacement of `path` beside it; without a name where the system can do that, so that nothing
+// stays of it whatever ends the program. At no moment can others read what they may not.
 int createBeside(const QByteArray& folder, const QByteArray& path, QByteArray* name) {
     const mode_t mode = ::access(path.constData(), F_OK) == 0 ? 0600 : 0666; // the umask is taken from it
     int file = -1;

@@ -248,7 +248,7 @@ qint64 NewFile::readData(char* data, qint64 size) {
             count = ::pread(m_waiting, data, std::size_t(size), off_t(pos()));
         while (count < 0 && errno == EINTR);
     }
-    // Whoever reads back what it wrote may not look at the result, as FFmpeg's writer of MP4.
+    // Readers of their own output may ignore the result, as FFmpeg's writer of MP4 does.
     if (count < 0) fail();
     return count;
 }

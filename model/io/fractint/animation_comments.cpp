@@ -285,7 +285,7 @@ private:
         }
     }
 
-    // Takes what is stored of a motion; what is not taken must not be there.
+    // Takes stored fields into a motion; no other field may be stored.
     struct MotionFields {
         AnimationBuilder& builder;
         Stored::Motion left;

@@ -17,7 +17,8 @@ bool startsWithWord(QByteArrayView text, const char* word) {
     return text.size() >= length && qstrnicmp(text.data(), word, static_cast<std::size_t>(length)) == 0;
 }
 
-// A single word, perhaps followed by (3D): what may stand alone on the line above its brace.
+// Returns true for a single word, perhaps followed by (3D), which may stand alone on the line above its
+// brace.
 bool isLoneName(QByteArrayView line) {
     const auto paren = std::find(line.begin(), line.end(), '(');
     const Span word = withoutBlanks(line, {0, paren - line.begin()});

@@ -167,7 +167,7 @@ const char* sentenceIn(const QString& language) {
     return found == std::end(sentences) ? sentences[0].text : found->text;
 }
 
-// The template with its {{fields}} filled in; what they are filled with is not looked at again.
+// The template with its {{fields}} filled in; the inserted texts are not searched again.
 QByteArray filled(const QByteArray& pattern, const QMap<QByteArray, QByteArray>& fields) {
     QByteArray text;
     for (qsizetype at = 0; at < pattern.size();) {

@@ -261,7 +261,7 @@ bool writeBands(const ContactSheet& sheet, PictureWriter& writer, SheetPainter& 
     return true;
 }
 
-// Bands that stay together on a page: headings go with what follows.
+// Bands that stay together on a page: headings go with the band below.
 std::vector<std::vector<Band>> blocksOf(const std::vector<Band>& bands) {
     std::vector<std::vector<Band>> blocks(1);
     for (const Band& band : bands) {

@@ -145,7 +145,7 @@ void SumFiles::add(Merged& merged) const {
     merged.stored = storedTile(*sum, Packing::Fast);
 }
 
-// Files are read and written here, and what is in their tiles is added up by all threads.
+// Reads and writes files in this thread; all threads add up the contents of tiles.
 bool SumFiles::writeTo(SumWriter& writer, int threads, const Progress& progress,
                        const std::stop_token& stop) {
     std::set<std::uint32_t> numbers;

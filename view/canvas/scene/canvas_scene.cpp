@@ -254,7 +254,7 @@ std::vector<QPointF> CanvasScene::handlePositions() const {
     return positions;
 }
 
-// Shows the paths of what is in hand: the cage, or the maps.
+// Shows the paths of the current target: the cage, or the maps.
 void CanvasScene::layoutPaths() {
     std::vector<MotionPathItem::Way> ways;
     for (const document::MotionPath& path : paths())

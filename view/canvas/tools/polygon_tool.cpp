@@ -46,7 +46,7 @@ PolygonTool::~PolygonTool() = default;
 
 void PolygonTool::press(const Pointer& pointer) {
     end();
-    // A key on a path: its moment is shown, and what is keyed is there to be dragged.
+    // A press on the key of a path shows its moment, so that the keyed part can be dragged there.
     const auto key = m_scene.keyAt(pointer.position, pointer.reach);
     if (key) m_scene.document().setMoment(animation::moment(key->frame));
     m_part = key ? key->part : m_scene.partAt(pointer.position, pointer.reach);
@@ -217,7 +217,7 @@ void PolygonTool::settle() {
     if (m_session.finish() == DragSession::Outcome::Abandoned) abandoned();
 }
 
-// Leaves nothing of a gesture behind; what has been previewed and not committed goes.
+// Leaves nothing of a gesture behind; previews that are not committed go.
 void PolygonTool::end() {
     const CanvasScene::Batch batch(m_scene);
     if (m_state == State::Nudging) settle();

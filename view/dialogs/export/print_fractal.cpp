@@ -73,7 +73,7 @@ io::PlaneExport pictureFor(const document::Fractal& fractal, attractor::Camera c
     return picture;
 }
 
-// Tables of what is displayed or, where no maps have that picture, of the picture at rest.
+// Tables of the displayed system or, if no maps have that picture, of the picture at rest.
 std::pair<std::vector<PrintedTable>, bool> tablesOf(const document::Fractal& fractal) {
     if (const auto* system = document::system2(fractal)) {
         const auto displayed = document::effectiveSystem(fractal);

@@ -120,7 +120,7 @@ void SliceRows::makeNormal(QFormLayout* form, QWidget* parent) {
     form->addRow(tr("Normal"), m_normalBox);
 }
 
-// A half keeps what is below its plane; both begin in the middle of the picture.
+// A half keeps the part below its plane; both begin in the middle of the picture.
 void SliceRows::choose(Kind kind) {
     m_edit.commit();
     document::Fractal fractal = m_document->fractal();

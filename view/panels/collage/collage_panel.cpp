@@ -364,7 +364,7 @@ CollagePanel::Work CollagePanel::workFor(Task task, const std::shared_ptr<const 
 
 void CollagePanel::run(Task task) {
     if (m_running || !m_target->traced()) return;
-    // A suggestion, or a cage around what is there, needs no maps that can be compared.
+    // A suggestion, or a cage around the present fractal, needs no maps that can be compared.
     if (task != Task::Suggest && task != Task::FitCage)
         if (const QString obstacle = document::collageObstacle(m_document->fractal()); !obstacle.isEmpty())
             return emit message(obstacle);

@@ -25,8 +25,8 @@ constexpr int picture = 36;
 constexpr int shortestName = 48, longestName = 110;
 constexpr double narrowestFigures = 0.72; // of their usual width
 
-// The digits that must be shown are drawn narrower, as in a drag, rather than left out of sight; what is
-// between the numbers stays.
+// Digits that must be shown are drawn narrower, as in a drag, rather than left out of sight; the gaps between
+// numbers stay.
 void squeeze(std::vector<int>& widths, int room) {
     constexpr int gap = 2 * MapsDelegate::numberMargin;
     const int gaps = int(widths.size()) * gap;

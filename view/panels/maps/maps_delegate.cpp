@@ -161,7 +161,7 @@ void MapsDelegate::destroyEditor(QWidget* editor, const QModelIndex& index) cons
 
 void MapsDelegate::updateEditorGeometry(QWidget* editor, const QStyleOptionViewItem& option,
                                         const QModelIndex&) const {
-    // Wide enough for what is typed, even over a narrow column: over those that Tab comes to later.
+    // Wide enough for the typed text, even over a narrow column: over those that Tab comes to later.
     QRect area = option.rect;
     area.setWidth(std::max(area.width(), editor->sizeHint().width()));
     area.moveRight(std::min(area.right(), editor->parentWidget()->width() - 1));

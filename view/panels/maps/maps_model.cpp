@@ -219,8 +219,8 @@ QString MapsModel::columnTip(int column) const {
     }
 }
 
-// Asked for by what is in sight, and of as many rows as a header looks at for its widths: a hundred thousand
-// numbers are not written out.
+// The most decimals in a column, of as many rows as a header looks at for its widths: views ask for visible
+// cells, and a hundred thousand numbers are not written out.
 int MapsModel::decimals(int column) const {
     std::optional<int>& most = m_decimals[static_cast<std::size_t>(column)];
     if (most) return *most;

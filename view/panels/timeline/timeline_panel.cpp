@@ -53,7 +53,7 @@ auto windOf(std::size_t preset) {
     };
 }
 
-// The row of what has been added: the motion, which is the last, or else the track that has new keys.
+// The row of an addition: the motion, which is the last, or else the track that has new keys.
 int addedRow(const Timeline& timeline, std::size_t motions, const std::vector<document::TrackKeys>& tracks) {
     if (timeline.motions().size() > motions) return timeline.rowCount() - 1;
     const auto [added, before] = std::ranges::mismatch(timeline.tracks(), tracks);

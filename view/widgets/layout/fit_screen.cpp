@@ -19,7 +19,7 @@ namespace view {
 
 namespace {
 
-// Scrolls what does not fit, in the one direction only if that is enough.
+// Scrolls contents that do not fit, in one direction only if that is enough.
 class Contents : public QScrollArea {
 public:
     explicit Contents(QWidget* content) {

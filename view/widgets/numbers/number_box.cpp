@@ -51,7 +51,7 @@ bool isInGroups(const QString& typed) {
     return groups.match(typed).hasMatch();
 }
 
-// The box has the value again, and goes on showing what is being typed.
+// Gives the box its value again, while it goes on showing the typed text.
 template <class Box, class Value> void bringBack(Box& box, QLineEdit& edit, Value value) {
     const QString text = edit.text();
     const int position = edit.cursorPosition();
@@ -118,7 +118,7 @@ QValidator::State NumberBox::validate(QString& text, int& position) const {
                                                                : QValidator::Intermediate;
 }
 
-// The value from before the first key, where what was typed is no number at the end.
+// Restores the value from before the first key if the typed text is no number at the end.
 void NumberBox::fixup(QString& text) const {
     if (!m_before) return;
     m_refusal = refusalOf(*this, text);

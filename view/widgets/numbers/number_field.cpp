@@ -253,7 +253,7 @@ bool NumberField::leavesToDocument(const QKeyEvent& event) {
 }
 
 bool NumberField::event(QEvent* event) {
-    // Esc takes back what was typed before any dialog or shortcut hears of it.
+    // Esc drops the typed text before any dialog or shortcut gets the key.
     if (event->type() == QEvent::ShortcutOverride && m_edited &&
         static_cast<QKeyEvent*>(event)->key() == Qt::Key_Escape) {
         event->accept();

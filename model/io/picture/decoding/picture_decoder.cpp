@@ -59,8 +59,8 @@ bool changesPixels(QByteArrayView type) {
     return (type[0] & 0x20) == 0 || std::ranges::find(kinds, type) != kinds.end();
 }
 
-// A whole PNG with nothing but what its pixels need, each of what is not critical once. The library unpacks
-// all texts and keeps them, and unpacks a profile each time that it comes.
+// A complete PNG reduced to the chunks that its pixels need, each ancillary one once. The library unpacks all
+// texts and keeps them, and unpacks a profile each time that it comes.
 QByteArray withPixelsOnly(const QByteArray& bytes) {
     constexpr qsizetype signature = 8, around = 12; // length, name and checksum of a chunk
     QByteArray kept = bytes.first(signature);

@@ -107,7 +107,7 @@ private:
         }
     }
 
-    // `map` takes what it is a copy of to pixels.
+    // Draws a copy; `map` takes its original to pixels.
     void drawCopy(QPainter& painter, const ifs::CopyHierarchy& levels, const ifs::Copy& copy,
                   const ifs::AffineMap<2>& map) {
         if (m_stop.stop_requested()) return;
