@@ -241,7 +241,7 @@ Fractals systemsOf(const document::FractalFile& file) {
     return systems;
 }
 
-// Number of entries written, and of those that were not.
+// Number of entries written, and the status, which tells if some were not.
 struct Written {
     qsizetype entries = 0;
     ExitStatus status = ExitStatus::Done;

@@ -104,7 +104,7 @@ private:
         final.linear = 1;
         m_remarks.clear();
         bool isInXform = false;
-        // Deeper elements are kept by programs for themselves, such as earlier versions.
+        // Skips deeper elements, in which programs keep things of their own, such as earlier versions.
         for (int depth = 0; !m_xml.atEnd();) {
             m_xml.readNext();
             if (m_xml.isEndElement() && --depth < 0) break;
