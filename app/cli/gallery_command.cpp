@@ -86,7 +86,7 @@ QPageSize pageArgument(const std::string&, const std::string& text) {
     return QPageSize(size, QPageSize::Millimeter, {}, QPageSize::ExactMatch);
 }
 
-// What all tiles have in common.
+// Settings shared by all tiles.
 struct Style {
     std::optional<attractor::Palette> palette;
     std::optional<attractor::ColourBy> colourBy;
@@ -115,7 +115,7 @@ ExitStatus reportOmitted(const Selection& selection, const Input& input) {
     return selection.complete ? status : std::max(status, ExitStatus::InputProblems);
 }
 
-// What is wrong with a file is said, and its good entries are shown all the same.
+// Reports problems of a file and shows its good entries all the same.
 ExitStatus addFiles(const GalleryArguments& arguments, const Style& style, io::ContactSheet& sheet) {
     ExitStatus worst = ExitStatus::Done;
     for (const std::string& file : arguments.files) {

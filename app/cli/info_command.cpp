@@ -40,7 +40,7 @@ struct InfoArguments {
     Verbosity verbosity;
 };
 
-// Each name once, as --entry takes it.
+// Names of entries, each once, as --entry takes it.
 QByteArray namesOf(const QList<document::Entry>& entries) {
     QStringList lines;
     for (const document::Entry& entry : entries)
@@ -49,7 +49,7 @@ QByteArray namesOf(const QList<document::Entry>& entries) {
     return lines.join(QString()).toUtf8();
 }
 
-// Each with its number in the file, counted from 1.
+// Entries with their numbers in the file, counted from 1.
 QByteArray listOf(const Input& input, const io::InfoSubject& subject, bool asJson) {
     const auto& all = input.collection.file.entries;
     QHash<document::EntryId, qsizetype> places;

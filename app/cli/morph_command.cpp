@@ -99,7 +99,7 @@ void warnOfLosses(const document::Entry& entry, const QString& fileName) {
         reportWarning(fileName, tr("The animation of “%1” is not part of the morph.").arg(name));
 }
 
-// Only the morph is written, not what else a file holds.
+// Requires an .ifs file, since only the morph is written.
 void checkOutput(const QString& output) {
     if (isStandardOutput(output)) return;
     if (QFileInfo(output).suffix().toLower() != QStringLiteral("ifs"))

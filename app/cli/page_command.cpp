@@ -67,7 +67,7 @@ io::PageExport pageWith(const PageArguments& arguments, const document::Fractal&
     return page;
 }
 
-// What cannot be shown is left out, which is no failure of the gallery.
+// Leaves out entries that cannot be shown, which is no failure of the gallery.
 ExitStatus writeGallery(const PageArguments& arguments, const Input& input) {
     constexpr qsizetype most = 2000;
     const auto warn = [&](const QString& name, const QString& sentence) {

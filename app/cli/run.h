@@ -8,7 +8,7 @@
 
 namespace cli {
 
-// True for the calls that paint text on a picture: these need a QGuiApplication, the others a
+// Returns true for calls that paint text on a picture: these need a QGuiApplication, the others a
 // QCoreApplication.
 bool paintsLetters(const std::vector<std::string>& words);
 

@@ -34,11 +34,12 @@ struct StealArguments {
 enum class StealTask { Picture, Map, Tear };
 
 void addStealOptions(Command& command, StealArguments& arguments);
-// Looks at every value before a file is read.
+// Checks every value before a file is read.
 StealTask checked(const StealArguments& arguments);
 
-// What is asked, or without --from what the entry keeps, with what is asked in its place. A picture that is
-// kept has its path from the folder of the file; it is empty where --picture names another.
+// The requested transformation, or without --from the one that the entry keeps, with the requested changes.
+// The path of a kept picture is relative to the folder of the file; it is empty where --picture names
+// another.
 document::KeptTheft theftOf(const StealArguments& arguments, const document::Fractal& entry);
 
 } // namespace cli

@@ -314,7 +314,7 @@ pictureOf(const Sources& sources, const StealArguments& arguments, const std::st
     return std::make_shared<const attractor::MipPicture>(std::move(read.picture));
 }
 
-// Where the picture lies on G.
+// The picture in its place on G.
 std::optional<document::LaidPicture> laidPicture(const document::CoupledEntries& entries,
                                                  const Sources& sources, const StealArguments& arguments,
                                                  const std::stop_token& stop) {

@@ -89,7 +89,8 @@ void makePlain(QLabel& label) {
         label.setTextFormat(Qt::PlainText);
 }
 
-// Where a field would take the keys of a command: in X11, Ctrl+E goes to its end, as the End key does.
+// Returns true for keys of a command that a field would take: in X11, Ctrl+E goes to its end, as the End key
+// does.
 bool isForCommand(const QKeyEvent& event) {
     return event.modifiers() == Qt::ControlModifier && event.key() == Qt::Key_E;
 }

@@ -11,9 +11,9 @@ public:
     Application(int& argc, char** argv);
     ~Application() override;
 
-    // What a window without files shows first.
+    // First content of a window without files.
     enum class Start { AsLastTime, New, Collection, Random };
-    // One window per file; without files one window with the maple, or those of the last run if that is
+    // Opens a window per file; without files one window with the maple, or those of the last run if that is
     // wished. Returns whether there is any: all may have been closed while a file was read.
     bool openWindows(const QStringList& files, Start start = Start::AsLastTime);
 

@@ -113,7 +113,7 @@ void FirstMinute::follow(const document::Change& change) {
     }
 }
 
-// Once in the life of the settings.
+// Shown once in the life of the settings.
 void FirstMinute::showChips() {
     const QString shown = QStringLiteral("hints/firstChips");
     const bool isCancelled = !m_parts.document->isModified();

@@ -19,8 +19,8 @@ class CanvasView;
 class RenderBridge;
 } // namespace view
 
-// What a user who has never dragged anything meets: the first picture sways for two seconds and rests, a few
-// words say what to do, and after the first drag three buttons say what to try next. The document knows
+// Introduction for a user who has never dragged anything: the first picture sways for two seconds and rests,
+// a few words say what to do, and after the first drag three buttons say what to try next. The document knows
 // nothing of the breeze.
 class FirstMinute : public QObject {
     Q_OBJECT

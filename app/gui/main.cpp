@@ -91,7 +91,7 @@ int main(int argc, char** argv) {
         filesToReopen = session::filesToReopen();
     }
     if (filesToReopen) QProcess::startDetached(program, *filesToReopen); // now that its settings are stored
-    // What still waits for a drive that does not answer cannot be told to end.
+    // A thread that waits for a drive that does not answer cannot be told to end.
     if (!document::backgroundFinishes(std::chrono::milliseconds(0))) document::quickExit(code);
     return code;
 }

@@ -563,7 +563,7 @@ void MainWindow::dropEvent(QDropEvent* event) {
         if (url.isLocalFile()) paths << url.toLocalFile();
     if (paths.isEmpty()) return event->ignore();
     view::acceptAsCopy(*event);
-    // Once the drop is over: questions may follow, and the program that it came from waits.
+    // Runs after the drop: questions may follow, and the program that it came from waits.
     QMetaObject::invokeMethod(
         this,
         [this, paths, self = QPointer(this)] {

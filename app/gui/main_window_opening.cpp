@@ -16,7 +16,7 @@
 
 #include <utility>
 
-// What a window opens, and how it begins.
+// Opening of a window and its first content.
 
 void MainWindow::openFirstPicture() {
     FirstPicture first = firstPicture();

@@ -81,7 +81,7 @@ void RoomForPicture::rememberWidths() {
         m_widths[m_window->dockWidgetArea(column)] = widthOf(column);
 }
 
-// While the window keeps its size, the user makes panels wider and narrower.
+// Follows the user, who makes panels wider and narrower while the window keeps its size.
 bool RoomForPicture::eventFilter(QObject* watched, QEvent* event) {
     const bool isDragged = QGuiApplication::mouseButtons().testFlag(Qt::LeftButton);
     if (event->type() == QEvent::Resize && m_window->size() == m_size && (isDragged || !m_hasYielded)) {
@@ -115,7 +115,8 @@ void RoomForPicture::windowResized(const QSize& before) {
         settle();
 }
 
-// As wide as they were where half of the window is enough for that, else only as narrow as they must be.
+// Gives panels their former widths if half of the window is enough for that; else they become only as narrow
+// as they must be.
 void RoomForPicture::divide() {
     const QList<QDockWidget*> columns = this->columns();
     const int spare = m_picture->width() - m_window->width() / 2;

@@ -40,7 +40,7 @@ void print(const QString& sentence) {
     document::quickExit(exitStatus);
 }
 
-// One box at a time, however many threads are missing.
+// Shows one box at a time, however many threads are missing.
 void say(const QString& sentence) {
     print(sentence);
     static QPointer<QMessageBox> shown;
@@ -106,7 +106,7 @@ void sayNoThread() {
 void sayNoMemory() try {
     say(QCoreApplication::translate("Application", "There is not enough memory for this."));
 } catch (const std::bad_alloc&) {
-    // Not even for that.
+    // The message itself found no memory.
 }
 
 void endAtStart() {

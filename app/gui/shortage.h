@@ -3,8 +3,8 @@
 
 #include <system_error>
 
-// What the program does where the system gives it no thread, or no memory: it says so, and never waits for a
-// thread that was not started.
+// Behaviour when the system refuses a thread or memory: the program says so, and never waits for a thread
+// that was not started.
 namespace shortage {
 
 // Starts the threads of the background work. From now on, the program ends with a sentence and exitStatus
@@ -16,10 +16,10 @@ void watchThreads();
 void startThreads();
 void everythingHasStarted();
 
-// Whether the system refused a thread.
+// Returns true if the system refused a thread.
 bool isOfThread(const std::system_error& error);
 
-// In a message box, without waiting for it, and on standard error.
+// Reports in a message box, without waiting for it, and on standard error.
 void sayNoThread();
 void sayNoMemory();
 

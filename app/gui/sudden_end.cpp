@@ -32,7 +32,7 @@ void storeUnsaved() {
         window->recovery().store();
 }
 
-// Also gives up the locks of what is stored, so that the next start need not find out that nobody has them.
+// Also gives up the locks of stored files, so that the next start need not find out that nobody has them.
 void storeAndLetGo() {
     const QDeadlineTimer late(2500ms);
     document::announceEnd();
@@ -103,7 +103,7 @@ void handle(int signal, void (*handler)(int)) {
     ::sigaction(signal, &action, nullptr);
 }
 
-// Whether the caller wants the signal ignored, as nohup does.
+// Returns true if the caller wants the signal ignored, as nohup does.
 bool isIgnored(int signal) {
     struct sigaction action {};
     return ::sigaction(signal, nullptr, &action) == 0 && action.sa_handler == SIG_IGN;

@@ -5,13 +5,13 @@
 
 class MainWindow;
 
-// What one may want to go on with, in a window that opened nothing: the last files, another file, the
-// collection. Goes away with the first thing done: a command, a tool, another panel, a press on the picture.
+// Suggestions in a window that opened nothing: the last files, another file, the collection. Goes away with
+// the first thing done: a command, a tool, another panel, a press on the picture.
 class Welcome : public MessageBanner {
     Q_OBJECT
 
 public:
-    // Nothing when there are no recent files.
+    // Does nothing when there are no recent files.
     static void offer(MainWindow* window);
 
 protected:

@@ -34,7 +34,7 @@ BARYCAGE_WEB int barycage_symmetry(web::Engine* engine, int group, int order, do
 // A branch that is shown elsewhere: indices of maps, and the change as a row without a weight.
 BARYCAGE_WEB void barycage_branch(web::Engine* engine, const int* word, int length, const double* change);
 
-// Works out the extent of what has been loaded. Whether there is a certified attractor.
+// Computes the extent of the loaded system. Returns whether there is a certified attractor.
 BARYCAGE_WEB int barycage_settle(web::Engine* engine);
 // Least and greatest coordinates of the attractor, and by how much they may be wrong; then the vertices of
 // the minimal canonical simplex: 5 + 6 numbers, or 7 + 12 in space. 0 without an attractor.
@@ -45,8 +45,8 @@ BARYCAGE_WEB int barycage_extent(web::Engine* engine, double* box, double* simpl
 BARYCAGE_WEB int barycage_cage(web::Engine* engine, const double* rest, const double* current, int count,
                                int bends);
 
-// Where one looks from: the centre and pixels per unit; in space the target, azimuth and elevation in
-// degrees, the height of the picture in world units, and the field of view in degrees, 0 for parallel rays.
+// The view: the centre and pixels per unit; in space the target, azimuth and elevation in degrees, the height
+// of the picture in world units, and the field of view in degrees, 0 for parallel rays.
 BARYCAGE_WEB void barycage_camera(web::Engine* engine, int width, int height, const double* view);
 
 // colourBy (attractor::ColourBy), brightness, gamma, contrast, vibrancy, supersample, then the plain colour
@@ -59,13 +59,12 @@ BARYCAGE_WEB void barycage_map_blend(web::Engine* engine, int map, double coordi
 // Solids: attractor::LookInSpace and SolidColour, azimuth and elevation of the light, fog.
 BARYCAGE_WEB void barycage_light(web::Engine* engine, int look, int colour, const double* numbers);
 
-// What of an entry in space is shown: a normal, the lowest and the greatest height along it. A normal of 0:
-// all.
+// The visible part of an entry in space: a normal, the lowest and the greatest height along it. A normal of
+// 0: everything.
 BARYCAGE_WEB void barycage_clip(web::Engine* engine, const double* clip);
 
-// Draws so many more points; `begin` throws away those before. A solid needs no points and is drawn whole.
-// While the exposure is kept, the picture does not flicker as it is dragged. Returns how many points are
-// drawn.
+// Draws `samples` more points; `begin` drops those before. A solid needs no points and is drawn whole. While
+// the exposure is kept, the picture does not flicker during a drag. Returns how many points are drawn.
 BARYCAGE_WEB double barycage_draw(web::Engine* engine, double samples, int begin, int keepExposure);
 // The last picture: straight (not premultiplied) RGBA, rows from the top, width × height × 4 bytes.
 BARYCAGE_WEB const std::uint8_t* barycage_pixels(web::Engine* engine);

@@ -32,7 +32,7 @@ constexpr bool knowsSpace = false;
 constexpr bool knowsSpace = true;
 #endif
 
-// What an engine holds between the calls of its interface.
+// State of an engine between the calls of its interface.
 struct Engine {
     int dimension = 2;
     Loaded<2> plane;

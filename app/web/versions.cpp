@@ -12,7 +12,7 @@
 
 namespace {
 
-// In one piece, so that it can be found in the file of a built engine.
+// A single text, so that it can be found in the file of a built engine.
 constexpr auto versions = [] {
     std::array<char, 96> text{};
     auto at = text.begin();

@@ -36,7 +36,7 @@ template <int Dim> ifs::Vector<Dim> referenceOf(const Animation<Dim>& animation,
     return count > 0 ? ifs::Vector<Dim>(sum / count) : sum;
 }
 
-// What a branch is about: the image of the reference under the maps of its address, as they stand still.
+// The centre of a branch: the image of the reference under the maps of its address in the still system.
 template <int Dim>
 ifs::Vector<Dim> centreOf(const std::vector<ifs::MapId>& word, const ifs::IteratedFunctionSystem<Dim>& system,
                           ifs::Vector<Dim> reference) {
@@ -47,7 +47,7 @@ ifs::Vector<Dim> centreOf(const std::vector<ifs::MapId>& word, const ifs::Iterat
     return reference;
 }
 
-// One moment of one animation.
+// The evaluation of an animation at one moment.
 template <int Dim> class Evaluation {
 public:
     Evaluation(const Animation<Dim>& animation, const Moment& moment, Pose<Dim> still)
@@ -243,7 +243,8 @@ std::optional<CommonNorm<Dim>> commonNorm(const Animation<Dim>& animation,
         return true;
     };
     if (allOf(contracts<Dim>)) return CommonNorm<Dim>{};
-    // It takes long to find, and one moment of an animation comes after another: the last one is remembered.
+    // The norm takes long to find, and one moment of an animation comes after another: the last one is
+    // remembered.
     struct Found {
         std::vector<ifs::AffineMap<Dim>> maps;
         std::optional<CommonNorm<Dim>> norm;

@@ -11,7 +11,7 @@
 #include <optional>
 #include <vector>
 
-// Fractals that move. An animation is a value, and so is what it gives at a moment: whoever draws, exports or
+// Fractals that move. An animation is a value, and so is its state at a moment: code that draws, exports or
 // analyses a picture need not know that it is one of many. docs/mathematics.md, "Animation".
 namespace animation {
 
@@ -23,7 +23,7 @@ template <int Dim> struct BranchPose {
     friend bool operator==(const BranchPose&, const BranchPose&) = default;
 };
 
-// Everything that an animation can move, at one moment or, before it has moved anything, as it stands still.
+// The values that an animation can move, at one moment; or at rest, before it has moved any.
 template <int Dim> struct Pose {
     ifs::IteratedFunctionSystem<Dim> system;
     std::optional<ifs::ControlCage<Dim>> cage{};
@@ -56,7 +56,7 @@ struct FrameRate {
 };
 
 template <int Dim> struct Animation {
-    // Compiled once, and not in each of the many files that copy one.
+    // Defined in one source, because many files copy animations.
     Animation();
     Animation(const Animation& other);
     Animation(Animation&& other) noexcept;
@@ -67,8 +67,8 @@ template <int Dim> struct Animation {
     FrameRate rate;
     int length = 48; // frames, 1 … maxLength; keys lie at 0 … length
     Loop loop = Loop::Off;
-    // Its images under the maps move straight. nullopt: the centre of the cage at rest, else of the fixed
-    // points.
+    // The point whose images under the maps move straight; nullopt: the centre of the cage at rest, or
+    // without a cage that of the fixed points.
     std::optional<ifs::Vector<Dim>> reference{};
     // The tracks. One without keys is still, and not listed.
     Keys<CagePose<Dim>> cage{}; // positions of as many vertices as the cage has
@@ -78,8 +78,9 @@ template <int Dim> struct Animation {
     Keys<CameraPose<Dim>> camera{};
     std::vector<Motion<Dim>> motions{}; // after the keys, in their order
 
-    // What is seen at a moment, where `still` is what is not moved. First the keys, then the motions. Keys of
-    // maps that the system does not have, and of a cage with another number of vertices, move nothing.
+    // The pose at a moment: first the keys are applied, then the motions; values that nothing moves come from
+    // `still`. Keys of maps that the system lacks, and cage keys with another number of vertices, have no
+    // effect.
     Pose<Dim> at(const Moment& moment, Pose<Dim> still) const;
 
     friend bool operator==(const Animation&, const Animation&) = default;
@@ -87,8 +88,8 @@ template <int Dim> struct Animation {
 
 template <int Dim> int trackCount(const Animation<Dim>& animation);
 
-// Whether every number is finite and in its range, keys are in order and within the length, no track is empty
-// or there twice.
+// Returns true if every number is finite and in its range, keys are in order and within the length, and no
+// track is empty or listed twice.
 template <int Dim> bool isValid(const Animation<Dim>& animation);
 
 // The norm in which all codes along the keys contract, together with the maps that stay; nullopt where none

@@ -11,7 +11,7 @@ namespace {
 constexpr std::int64_t maxTerm = 1'000'000;
 constexpr int televised[] = {24, 30, 48, 60, 120, 240}; // each is slowed down by 1000/1001
 
-// What a decimal with two or more digits behind the point is rounded from.
+// The broadcast rate from which a decimal with two or more digits behind the point was rounded.
 std::optional<FrameRate> televisedRate(const Moment& decimal) {
     if (decimal.denominator <= 10) return std::nullopt;
     const double value = double(decimal.numerator) / double(decimal.denominator);

@@ -12,12 +12,12 @@ namespace animation {
 
 constexpr std::size_t maxMorphMaps = 256; // of each code
 
-// How the maps of one code become those of another one. docs/mathematics.md, "Morphs".
+// The pairing by which the maps of one code become those of another. docs/mathematics.md, "Morphs".
 template <int Dim> struct Correspondence {
     ifs::Vector<Dim> reference;  // the mean of both measures together
-    Eigen::MatrixXd cost;        // what a unit of weight pays from map i of the one to map k of the other
+    Eigen::MatrixXd cost;        // of a unit of weight from map i of the one to map k of the other
     std::vector<Shipment> pairs; // of active maps
-    double total = 0;            // what all pairs pay
+    double total = 0;            // cost of all pairs
 };
 
 // Two maps of the two codes, by their indices, that belong together as far as their weights allow.
@@ -26,8 +26,8 @@ struct Pin {
     std::size_t to = 0;
 };
 
-// By optimal transport between the weights. nullopt when the invariant measure of one of the codes has no
-// covariance, or there are more than maxMorphMaps.
+// Solves the optimal transport between the weights. nullopt when the invariant measure of one of the codes
+// has no covariance, or there are more than maxMorphMaps.
 template <int Dim>
 std::optional<Correspondence<Dim>> correspondence(const ifs::ActiveMaps<Dim>& from,
                                                   const ifs::ActiveMaps<Dim>& to,

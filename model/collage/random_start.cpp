@@ -55,7 +55,7 @@ ifs::AffineMap<2> similarity(double scale, double angle, bool mirrors) {
     return ifs::affineMap(a, -sigma * b, b, sigma * a, 0, 0);
 }
 
-// To the target, in cells; for a point beyond the grid, by way of the edge.
+// Distance to the target, in cells; for a point beyond the grid, by way of the edge.
 double distance(const Target& target, const ifs::Vector<2>& point) {
     const double x = std::clamp(point.x(), 0.0, target.grid.width - 1.0);
     const double y = std::clamp(point.y(), 0.0, target.grid.height - 1.0);
@@ -90,7 +90,7 @@ private:
         return {m_target.columns[k], m_target.rows[k]};
     }
     bool mirrors() { return m_random.below(3) == 0 && m_constraints.mirrors == Mirrors::Allowed; }
-    // How far the image of the target is from the target, on average.
+    // Mean distance of the image of the target from the target.
     double excess(const ifs::AffineMap<2>& map) const {
         double sum = 0;
         for (const ifs::Vector<2>& point : m_samples)

@@ -25,7 +25,7 @@ using Maps = std::vector<ifs::AffineMap<2>>;
 // thin shapes are fitted at a finer scale.
 constexpr int coarseSide = 64, mediumSide = 128, fineSide = 512, fineCells = 16'000;
 constexpr double levelMargin = 0.25, pictureMargin = 0.25; // shares of that side around it
-// One in so many starts goes on from the coarse level.
+// Share of the starts that go on from the coarse level: one in so many.
 constexpr std::size_t goingOn = 4;
 constexpr std::size_t trialBatches = 3; // in which every number of maps is tried,
 constexpr std::size_t finalCounts = 3;  // before so many of them go on
@@ -143,7 +143,7 @@ private:
     std::map<std::size_t, std::vector<Candidate>> m_pools;               // by the number of maps, best first
 };
 
-// Every other of the starts of each number of maps, whatever the batches.
+// Returns true for every other of the starts of each number of maps, whatever the batches.
 bool isLed(std::uint64_t start) {
     return (start * 0x9E3779B97F4A7C15 >> 40) % 2 == 0;
 }
@@ -153,7 +153,7 @@ double score(double error, const Target& target, const Maps& maps) {
     return error * target.grid.cell / (1 - contraction(maps));
 }
 
-// Once each number of maps has had its chance, the best of them share the rest of the starts.
+// Leaves the rest of the starts to the best numbers of maps, once each number has had its chance.
 void Search::keepPromisingCounts() {
     if (m_counts.size() <= finalCounts) return;
     const auto bestScore = [this](int maps) {
@@ -209,7 +209,7 @@ void Search::batch(std::size_t first, std::size_t count) {
     }
 }
 
-// Whether two of Candidate or Suggestion are near each other.
+// Returns true if two of Candidate or Suggestion are near each other.
 bool areNear(const auto& a, const auto& b, double size) {
     const auto found = animation::correspondence<2>({a.maps, a.weights, {}}, {b.maps, b.weights, {}});
     return found && found->total < alike * alike * size * size;

@@ -46,8 +46,8 @@ struct Suggestions {
 Suggestions suggestions(const Mask& picture, const SearchOptions& options,
                         const std::function<void(double)>& progress = {}, const std::stop_token& stop = {});
 
-// Whether two systems are nearly the same: the optimal transport of the maps of one to those of the other
-// costs little compared with the size of the target.
+// Returns true if two systems are nearly the same: the optimal transport of the maps of one to those of the
+// other costs little compared with the size of the target.
 bool isAlike(const Suggestion& a, const Suggestion& b, double size);
 
 } // namespace collage

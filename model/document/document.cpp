@@ -73,7 +73,7 @@ bool isSame(const std::shared_ptr<const Fractal>& a, const std::shared_ptr<const
     return a == b || *a == *b;
 }
 
-// Whether anything but the entry `except` differs.
+// Returns true if anything but the entry `except` differs.
 bool entriesDiffer(const FractalFile& a, const FractalFile& b, EntryId except) {
     return a.head != b.head || a.tail != b.tail || a.lineEnd != b.lineEnd ||
            !std::equal(a.entries.begin(), a.entries.end(), b.entries.begin(), b.entries.end(),
@@ -83,7 +83,7 @@ bool entriesDiffer(const FractalFile& a, const FractalFile& b, EntryId except) {
                        });
 }
 
-// None where the cage is stored, or takes long to be found.
+// The cage to keep; none where the cage is stored, or takes long to be found.
 LastingCage lastingCage(const Fractal& fractal) {
     const auto* flat = plane(fractal);
     const auto* solid = space(fractal);
@@ -92,7 +92,7 @@ LastingCage lastingCage(const Fractal& fractal) {
     return isQuick && !solid->cage ? LastingCage(*spaceCage(fractal)) : LastingCage();
 }
 
-// As an entry of the file: its cage is chosen anew.
+// The fractal as an entry of the file: its cage is chosen anew.
 std::shared_ptr<const Fractal> settled(const std::shared_ptr<const Fractal>& fractal) {
     if (!fractal->lasting) return fractal;
     auto entry = std::make_shared<Fractal>(*fractal);
@@ -322,7 +322,8 @@ void Document::commitGesture() {
     if (!m_gesture) return;
     const auto before = m_gesture->entry, after = settled(currentEntry().fractal);
     if (*after == *before) return cancelGesture();
-    // The step's own announcement ends what was live; the gesture stays until then so that nothing is missed.
+    // The step's own announcement ends the live state; the gesture stays until then so that nothing is
+    // missed.
     push(textOf(m_gesture->text, m_gesture->keyedFrame), {m_current, before, {}}, {m_current, after, {}},
          m_gesture->kind);
 }

@@ -17,7 +17,7 @@
 
 namespace document {
 
-// What differs from before.
+// Parts of the document that a change affects.
 struct Change {
     enum Part {
         System = 0x01, // maps, weights, order, on/off
@@ -39,7 +39,7 @@ struct Change {
 // The parts in which two fractals differ, as they are shown: all but Animation.
 Change::Parts difference(const Fractal& a, const Fractal& b);
 
-// What moving the cage does to the code.
+// Effect on the code when the cage is moved.
 enum class CageMode {
     Place,   // nothing: the code is drawn elsewhere
     Rewrite, // it becomes that of the moved picture, and the cage rests where it is
@@ -58,9 +58,9 @@ public:
 
     const FractalFile& file() const { return m_file; }
     const Entry& currentEntry() const; // of a file without entries: an entry without id and system
-    // What is seen and edited: the entry at the moment, as an ordinary fractal without an animation. Of an
-    // entry that is not animated, its fractal itself. A cage that is not stored lasts: that of the entry at
-    // rest through all moments, and that from before a gesture until its end.
+    // The fractal that is seen and edited: the entry at the moment, as an ordinary fractal without an
+    // animation. For an entry without animation, its fractal itself. A cage that is not stored lasts: that of
+    // the entry at rest through all moments, and that from before a gesture until its end.
     const Fractal& fractal() const { return *m_shown.fractal; }
     const std::shared_ptr<const Fractal>& sharedFractal() const { return m_shown.fractal; }
     // The entry with its animation, if it has one.
@@ -75,23 +75,24 @@ public:
     void setCurrent(EntryId id); // not a step of the history; an id that is not in the file is ignored
     // An entry that is shown beside the current one: undoing and redoing its edits leaves the current one.
     void setBeside(EntryId id) { m_beside = id; }
-    // After saving: the present state is the clean one. The problems shown are those of `saved`, the file
-    // read back.
+    // Declares the present state clean after saving, and takes over the problems of `saved`, the file read
+    // back.
     void markSaved(const FractalFile& saved);
 
     // The moment that is shown: no part of the file, no step of the history. 0 for another entry.
     const animation::Moment& moment() const { return m_moment; }
-    // Where keys move it: in the plane, and in space as AnimatedFrame::camera, without the orbit.
+    // The views that keys give at the moment: in the plane, and in space as AnimatedFrame::camera, without
+    // the orbit.
     const std::optional<attractor::View>& view() const { return m_shown.view; }
     const std::optional<attractor::OrbitCamera>& camera() const { return m_shown.camera; }
-    // How the camera in space has gone round: animation::orbited().
+    // Turns that the camera in space has made: animation::orbited().
     const std::vector<animation::CameraTurn>& orbit() const { return m_shown.orbit; }
     enum class Pace { Rest, Running }; // Running: more moments are to come at once
     void setMoment(const animation::Moment& moment, Pace pace = Pace::Rest);
 
-    // One undo step each, described by `text` in the imperative; nothing happens when nothing would change.
-    // An open gesture is committed first.
-    // `after` is derived from fractal(); of an animation, what has keys gets a key at the moment
+    // Edits of one undo step each, described by `text` in the imperative; nothing happens when nothing would
+    // change. An open gesture is committed first.
+    // `after` is derived from fractal(); in an animation, values with keys get a key at the moment
     // (withFrameEdited()), and the description then names the frame.
     void edit(const QString& text, Fractal after);
     void editEntry(const QString& text, Fractal after); // derived from entryFractal()
@@ -108,7 +109,7 @@ public:
     TypedNumbers& typedNumbers() { return m_typedNumbers; } // of this session; no part of the file
     const TypedNumbers& typedNumbers() const { return m_typedNumbers; }
 
-    // How the user edits now; no part of the file, no step of the history.
+    // The current mode of editing; no part of the file, no step of the history.
     CageMode cageMode() const { return m_cageMode; }
     void setCageMode(CageMode mode);
 
@@ -118,14 +119,14 @@ signals:
 
 private:
     friend class EditCommand;
-    // What a step of the history goes back to: one entry's fractal, or the whole file.
+    // The state to which a step of the history goes back: one entry's fractal, or the whole file.
     struct State {
         EntryId current = EntryId::None;
         std::shared_ptr<const Fractal> fractal;
         std::optional<FractalFile> file;
     };
     enum class Live { No, Yes };
-    // What of the current entry is shown at the moment.
+    // The current entry as shown at the moment.
     struct Shown {
         std::shared_ptr<const Fractal> fractal;
         std::optional<attractor::View> view;
@@ -135,12 +136,12 @@ private:
 
     void apply(const State& state);
     void refresh();
-    Change::Parts replace(const std::shared_ptr<const Fractal>& entry); // what differs then
+    Change::Parts replace(const std::shared_ptr<const Fractal>& entry); // the parts that differ
     static QString textOf(const QString& text, std::optional<int> keyedFrame);
     void announce(Change::Parts parts, Live live = Live::No);
     void push(const QString& text, State before, State after, int kind = -1);
 
-    // Nothing happens while no gesture is open.
+    // Has no effect while no gesture is open.
     void previewGesture(Fractal fractal) override;
     void previewGestureOfEntry(Fractal entry) override;
     void showInGesture(Fractal entry, std::optional<int> keyedFrame);
@@ -153,7 +154,7 @@ private:
         std::shared_ptr<const Fractal> entry; // when it began, as the moment
         animation::Moment moment;
         std::optional<int> keyedFrame; // at which the preview has keys
-        Change::Parts previewed;       // what listeners have been told was live
+        Change::Parts previewed;       // parts announced as live
         LastingCage lasting;           // once it is needed
         int kind = -1;                 // of steps that become one
     };
@@ -165,7 +166,7 @@ private:
     qsizetype m_index = -1; // of the current entry
     std::uint64_t m_revision = 0;
     animation::Moment m_moment;
-    Change::Parts m_run; // what has been announced since time began to run
+    Change::Parts m_run; // parts announced since time began to run
     Shown m_shown;
     std::shared_ptr<const Fractal> m_held; // the entry that m_lasting is of
     LastingCage m_lasting;

@@ -7,7 +7,7 @@
 
 namespace document {
 
-// What a gesture asks of the document that began it: one gesture is open at a time.
+// Interface of the document towards the gesture that it began. At most one gesture is open at a time.
 class GestureHost {
 public:
     virtual void previewGesture(Fractal fractal) = 0;
@@ -24,7 +24,7 @@ protected:
 // Document::beginGesture().
 class EditGesture {
 public:
-    // What the host and its gesture share.
+    // State shared by the host and its gesture.
     struct Link {
         GestureHost* host = nullptr; // null once the gesture has ended
         std::shared_ptr<const Fractal> before;
@@ -37,7 +37,7 @@ public:
     EditGesture& operator=(const EditGesture&) = delete;
 
     bool isOpen() const; // until commit, cancel, undo, or another edit ends it
-    // As it was when the gesture began; compute every step from it.
+    // The fractal when the gesture began; compute every step from it.
     const Fractal& before() const { return *m_link->before; }
     // The text of the step, now that its values are known. Steps of one `kind` that follow each other within
     // a second become one step; −1: none of them.

@@ -14,7 +14,7 @@ namespace document {
 
 enum class EntryId : std::uint32_t { None = 0 };
 
-// The bytes an entry was read from, and what they meant. Never changes: while the entry's fractal still
+// The bytes from which an entry was read, and their meaning. Never changes: while the entry's fractal still
 // equals `fractal`, it is written back byte for byte.
 struct EntrySource {
     QByteArray before; // everything between the previous entry and this one

@@ -8,7 +8,7 @@ namespace document {
 
 // Something a reader found: a whole sentence for the user, and where.
 struct Problem {
-    // A remark is said like a warning, but calls for no attention: nothing of it needs mending.
+    // Severity of a problem. A remark looks like a warning but calls for no attention: nothing needs mending.
     enum class Severity { Remark, Warning, Error };
 
     Severity severity = Severity::Warning;

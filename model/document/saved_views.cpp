@@ -72,7 +72,7 @@ std::optional<attractor::OrbitCamera> spaceView(const std::vector<double>& n) {
     attractor::OrbitCamera camera;
     camera.target = {n[0], n[1], n[2]};
     camera.orientation = orientation;
-    // As written, it stays the same to the bit.
+    // An orientation as it was written keeps its bits.
     if (std::abs(orientation.norm() - 1) > 1e-12) camera.orientation.normalize();
     camera.height = n[7];
     camera.fieldOfView = n[8];

@@ -30,13 +30,13 @@ inline constexpr std::size_t maxSavedViews = 100; // of an entry; further lines 
 std::vector<SavedView> savedViews(const Fractal& fractal);
 std::optional<SavedView> savedView(const Fractal& fractal, const QString& name);
 
-// In place of the one of the same name, else behind the others; as it is where there are maxSavedViews
-// already, or where the camera is not of the entry's dimension.
+// Replaces the view of the same name, or appends it. The fractal stays as it is if there are maxSavedViews
+// already, or if the camera belongs to the other dimension.
 Fractal withSavedView(Fractal fractal, const SavedView& view);
 Fractal withoutSavedView(Fractal fractal, const QString& name);
 Fractal withViewRenamed(Fractal fractal, const QString& name, const QString& to); // `to` is of no other one
 
-// One line without blanks at its ends, short enough to be kept; empty for a name without letters.
+// The name as one line without blanks at its ends, short enough to be kept; empty for a name without letters.
 QString storableViewName(const QString& name);
 
 } // namespace document

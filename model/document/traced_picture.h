@@ -9,7 +9,7 @@
 
 namespace document {
 
-// Which pixels of a picture are the target of a collage.
+// Selection of the pixels of a picture that are the target of a collage.
 struct TraceOptions {
     enum class Shape { Automatic, Dark, Opaque }; // Automatic: opaque where there is transparency
     Shape shape = Shape::Automatic;
@@ -20,12 +20,12 @@ struct TraceOptions {
     friend bool operator==(const TraceOptions&, const TraceOptions&) = default;
 };
 
-// Where a picture lies in the plane, with y up.
+// Position of a picture in the plane, with y up.
 struct PicturePlace {
     ifs::Vector<2> middle = ifs::Vector<2>::Zero();
     double height = 1;
 
-    // Takes what is told of a picture that is 1 unit high, with its middle at the origin, to this one.
+    // The map from a picture that is 1 unit high, with its middle at the origin, to this one.
     ifs::AffineMap<2> map() const { return {height * ifs::Matrix<2>::Identity(), middle}; }
 };
 
@@ -45,7 +45,7 @@ struct TracedPicture {
 
 constexpr int maxTracedPixels = 512; // of the longer side
 
-// Not larger than maxTracedPixels, by the mean of blocks.
+// The picture, reduced to at most maxTracedPixels by the mean of blocks.
 collage::GreyPicture reducedForTracing(const collage::GreyPicture& picture);
 // The threshold in force: that of the options, else the automatic one; nullopt with one shade only.
 std::optional<int> thresholdOf(const collage::GreyPicture& picture, const TraceOptions& options);

@@ -11,9 +11,9 @@
 
 namespace document {
 
-// How the user wrote numbers, such as 1/2 or sqrt(3)/6, beside the doubles that the entries hold. A text
-// belongs to one place of an entry and to one value there: undo leads back to it, another value does not show
-// it.
+// Numbers as the user wrote them, such as 1/2 or sqrt(3)/6, beside the doubles that the entries hold. A text
+// belongs to one place of an entry and to one value there: undoing shows it again, and another value does not
+// show it.
 class TypedNumbers {
 public:
     // An empty text: it was a plain number.

@@ -109,7 +109,7 @@ template <int Dim> void findHull(Facts<Dim>& facts, std::optional<double> tolera
     });
 }
 
-// At most the dimension of a subspace that holds the attractor.
+// Bounds the dimension of the measure by that of a subspace that holds the attractor.
 void setMeasureDimension(Invariants& invariants, double bound, int ofHull) {
     constexpr double rounding = 1e-12;
     invariants.measureDimension = std::min(bound, double(ofHull));
@@ -146,7 +146,7 @@ void findLinkedExtents(Facts<2>& facts, std::optional<double> hullTolerance, Bud
     });
 }
 
-// Finds the facts of linked maps, which are all different; what has no counterpart stays empty.
+// Finds the facts of linked maps, which are all different; facts without a counterpart stay empty.
 template <int Dim> void findLinked(Facts<Dim>& facts, std::optional<double> hullTolerance, Budget& budget) {
     const bool isKnown = budget.spend(LongFact::Existence, [&](const std::stop_token&) {
         facts.existence = classifyLinked<Dim>(facts.active);
@@ -186,8 +186,8 @@ Facts<Dim> geometricFacts(const IteratedFunctionSystem<Dim>& system, std::option
 
 namespace {
 
-// Vertices that have an address become the points that it names. Where two of them meet in one point, or one
-// no longer stands out, the hull does without: what it loses that way counts as error.
+// Replaces vertices by the exact points of their addresses. Where two of them meet in one point, or one no
+// longer stands out, the hull drops it: the loss counts as error.
 bool settleExtremePoints(Facts<2>& facts, const std::stop_token& stop) {
     ConvexHull& hull = *facts.hull;
     const auto found = periodicExtremePoints(*facts.support, hull, stop);
@@ -285,7 +285,8 @@ void findExtremePoints(Facts<2>& facts, Budget& budget) {
     settleConnectedness(facts, facts.invariants);
 }
 
-// Where the facts come without the addresses of the hull, which tell whether its images cover it.
+// Tries the addresses of the hull for facts that come without them: they tell whether the images of the hull
+// cover it.
 void settleByAddresses(Facts<2> facts, Invariants& invariants) {
     constexpr std::chrono::seconds patience(2);
     if (!facts.hull || !facts.support || !invariants.contacts) return;

@@ -23,7 +23,7 @@ namespace ifs {
 
 template <int Dim> using HullIn = std::conditional_t<Dim == 2, ConvexHull, ConvexHull3>;
 
-// What an invertible affine map of the attractor does not change, but for areas.
+// Quantities that an invertible affine map of the attractor leaves as they are, areas apart.
 struct Invariants {
     std::optional<double> entropy;          // of the probabilities, in nats
     std::optional<double> lyapunovExponent; // of similarities
@@ -47,18 +47,18 @@ enum class LongFact {
     ExtremePoints,
 };
 
-// How much processor time these may take; nullopt: until they are found, or proved to be too hard.
+// Processor time allowed for the long facts; nullopt: until they are found, or proved to be too hard.
 struct FactLimits {
     using Time = std::optional<std::chrono::duration<double>>;
 
     bool withAffinityDimension = true;
     Time perFact = {};
-    Time together = {}; // what has not begun by then is left out
+    Time together = {}; // facts not begun by then are left out
 };
 
-// What can be said for certain about a system; nullopt where nothing can. Facts of linked maps are those of
-// the linked system; they have no support function, contacts, joint spectral radius, periodic extreme points,
-// nor an affinity dimension unless all maps are similarities.
+// Certified facts about a system; nullopt where nothing is certain. Facts of linked maps are those of the
+// linked system; they have no support function, contacts, joint spectral radius, periodic extreme points, nor
+// an affinity dimension unless all maps are similarities.
 template <int Dim> struct Facts {
     std::vector<double> probabilities; // one for each map, 0 for a map that takes no part
     ActiveMaps<Dim> active;
@@ -70,8 +70,8 @@ template <int Dim> struct Facts {
     std::optional<BoundingBox<Dim>> box;
     std::optional<CanonicalSimplex<Dim>> simplex; // the minimal one
     std::optional<HullIn<Dim>> hull;
-    // In the plane, for each vertex of the hull its address when it is eventually periodic and proved. Empty
-    // until they are asked for.
+    // Addresses of the vertices of the hull, in the plane: each where it is eventually periodic and proved.
+    // Empty until requested.
     std::vector<std::optional<PeriodicPoint>> extremePoints;
     bool isHullExact = false; // proved with them, but for the rounding of the vertices
     std::optional<double> similarityDimension;
@@ -84,7 +84,7 @@ template <int Dim> struct Facts {
     bool isLate(LongFact fact) const { return std::ranges::find(late, fact) != late.end(); }
 };
 
-// How near a hull comes where nobody says: 1e-6 of the diagonal of the box, in the system's own units.
+// Default tolerance of a hull: 1e-6 of the diagonal of the box, in the system's own units.
 template <int Dim> double usualHullTolerance(const BoundingBox<Dim>& box) {
     return 1e-6 * (box.max - box.min).stableNorm();
 }
@@ -94,8 +94,8 @@ template <int Dim>
 Facts<Dim> factsOf(const IteratedFunctionSystem<Dim>& system, std::optional<double> hullTolerance = {},
                    const FactLimits& limits = {});
 
-// All but the affinity dimension, the addresses of the hull and the invariants, which can take longer than
-// the rest; in whatever time it takes.
+// All facts but the affinity dimension, the addresses of the hull and the invariants, which can take longer
+// than the rest; without a limit of time.
 template <int Dim>
 Facts<Dim> geometricFacts(const IteratedFunctionSystem<Dim>& system,
                           std::optional<double> hullTolerance = {});
@@ -104,7 +104,7 @@ Facts<Dim> geometricFacts(const IteratedFunctionSystem<Dim>& system,
 template <int Dim> void capAffinityDimension(Facts<Dim>& facts);
 
 template <int Dim> Invariants invariantsOf(const Facts<Dim>& facts);
-// Invariants of an image whose area is so many times that of the attractor.
+// Invariants of an image whose area is `areaFactor` times that of the attractor.
 Invariants scaled(Invariants invariants, double areaFactor);
 
 // Facts of the attractor's image under an affine map T: of the maps T∘w∘T⁻¹, whose attractor it is. Extents

@@ -33,7 +33,7 @@ ConvexHull hullOfImages(const ConvexHull& hull, std::span<const AffineMap<2>> im
     return result;
 }
 
-// Each piece has the share of the measure that its word has.
+// Share of the measure of a piece: that of its word.
 double share(const Word& word, std::span<const double> probabilities) {
     double result = 1;
     for (const int symbol : word)

@@ -231,8 +231,8 @@ std::optional<Collection> collectionOfLists(const QByteArray& bytes, const QStri
     return result;
 }
 
-// Whether the file begins with an entry whose name looks like a tag, “<flame>a {”. Before a brace on the
-// first line, markup has attributes, or begins a style sheet.
+// Returns true if the file begins with an entry whose name looks like a tag, “<flame>a {”. Before a brace on
+// the first line, markup has attributes, or begins a style sheet.
 bool beginsWithEntry(const QByteArray& bytes) {
     constexpr qsizetype longest = 4096;
     QByteArray head = bytes.left(longest).trimmed();
@@ -266,13 +266,13 @@ bool isOfAnotherKind(const QByteArray& bytes) {
     return head.contains('{');
 }
 
-// Nothing that could be an entry was found.
+// Returns true if nothing that could be an entry was found.
 bool isUnknown(const document::FractalFile& file, const QByteArray& bytes) {
     return file.entries.isEmpty() && !file.problems.isEmpty() && !bytes.trimmed().isEmpty() &&
            (foreignFormatRemark(bytes) || !bytes.contains('{'));
 }
 
-// As the file itself, in UTF-8; a collection is saved so.
+// Reads the file as UTF-8, in which a collection is also saved.
 Collection collectionOfUtf16(QByteArray text, const QString& path, const ReadOptions& options) {
     static const QRegularExpression declaration(
         QStringLiteral("^(<\\?xml[^>]*?)\\s+encoding=[\"'][^\"']*[\"']"));

@@ -11,7 +11,7 @@
 
 namespace io {
 
-// What a file of any kind that can be opened holds. Only a Fractint collection may be written back in place.
+// Content of a file of any kind that can be opened. Only a Fractint collection may be written back in place.
 struct Collection {
     QString format; // one of collectionFormats()
     document::FractalFile file;
@@ -21,15 +21,15 @@ struct Collection {
 // The names of the formats that are told apart, and "unknown".
 QStringList collectionFormats();
 
-// How to understand what a format leaves open.
+// Choices for what a format leaves open.
 struct ReadOptions {
     FlameAxis axis = FlameAxis::Flipped;
     std::optional<TableColumns> columns; // of a table; nullopt: as its header says, else Fractint's
 };
 
 // Tells the format from the content: a Fractint collection, flames, IFStile's blocks, a table of numbers,
-// lists of maps in another language, a link, or a picture that carries a collection. Of what is none of
-// these, the problems say what it seems to be. `path` names the entry of a table or of a file of bare rows.
+// lists of maps in another language, a link, or a picture that carries a collection. For any other file, the
+// problems say what it seems to be. `path` names the entry of a table or of a file of bare rows.
 Collection readCollection(const QByteArray& bytes, const QString& path = {}, const ReadOptions& options = {});
 
 } // namespace io

@@ -10,7 +10,7 @@
 
 namespace io {
 
-// One file of a collection: what it is about, and its entries.
+// A file of a collection: its topic and its entries.
 struct CollectionTheme {
     QString title;
     QString description;

@@ -259,7 +259,7 @@ BranchBar::Swung BranchBar::swungInPlane() {
     };
 }
 
-// As it is seen: about the line of sight.
+// Swings about the line of sight.
 BranchBar::Swung BranchBar::swungInSpace() {
     const auto before = std::make_shared<const document::Fractal>(m_swinging.before());
     std::vector<std::size_t> indices = m_space ? m_space->selectedMaps() : std::vector<std::size_t>();
@@ -346,7 +346,7 @@ bool BranchBar::eventFilter(QObject* watched, QEvent* event) {
     // A click beside the knob moves it without holding it.
     const bool isClicked = event->type() == QEvent::MouseButtonRelease && !m_swing->isSliderDown();
     if (watched == m_swing && (isClicked || event->type() == QEvent::FocusOut)) endSwing();
-    // What is undone then is the swing.
+    // Undo ends the swing, which it then takes back.
     if (watched == m_swing && event->type() == QEvent::ShortcutOverride &&
         static_cast<QKeyEvent*>(event)->matches(QKeySequence::Undo))
         endSwing();

@@ -32,7 +32,7 @@ public:
 
     // The window into space, whose selected maps swing about the line of sight; `hint` is shown beside it.
     void setSpace(SpaceView* space, const QString& hint);
-    // Another canvas, whose branch is the one that is spoken of once it was selected later.
+    // Adds a second canvas. The bar speaks of the branch that was selected last.
     void setBeside(CanvasView* canvas);
 
     QSpinBox* depth() const { return m_depth; }
@@ -65,7 +65,7 @@ private:
     document::Document* m_document;
     CanvasView* m_canvas;
     QPointer<CanvasView> m_chosenIn; // where the latest branch was selected
-    ifs::Word m_seen;                // what was selected in the window's canvas,
+    ifs::Word m_seen;                // the branch selected in the window's canvas,
     ifs::Word m_seenBeside;          // and beside it
     QStackedWidget* m_rows = nullptr;
     QWidget* m_branchRow = nullptr;

@@ -16,9 +16,9 @@ class Die;
 class ElidedLabel;
 class StartShapeBox;
 
-// The controls of Construction in one row: density, the steps Wⁿ by a slider with what they start from and
-// how far they are from the attractor, or a chaos game with its die that is started, paused, done jump by
-// jump and begun again.
+// The controls of Construction in one row: density; the steps Wⁿ by a slider, with their start and their
+// distance from the attractor; or a chaos game with its die that is started, paused, done jump by jump and
+// begun again.
 class ConstructionBar : public QWidget {
     Q_OBJECT
 

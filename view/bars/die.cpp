@@ -26,7 +26,7 @@ QColor inkOn(const QColor& colour) {
     return qGray(colour.rgb()) > 130 ? QColor(14, 18, 26) : QColor(250, 252, 255);
 }
 
-// Where the pips of a face are, from −1 to 1.
+// Positions of the pips of a face, from −1 to 1.
 std::vector<QPointF> pips(std::size_t count) {
     static const std::array<std::vector<QPointF>, maxPips + 1> all{
         {{},

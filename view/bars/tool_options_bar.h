@@ -10,8 +10,8 @@ namespace view {
 class BranchBar;
 class SpaceView;
 
-// One row under the canvas with the options of the tool that is chosen, or what it does where it has none. It
-// keeps its height whatever the tool, so that the picture stays where it is.
+// A row under the canvas with the options of the current tool, or a description of it if it has none. Its
+// height is the same for every tool, so that the picture stays where it is.
 class ToolOptionsBar : public QStackedWidget {
     Q_OBJECT
 
@@ -21,7 +21,7 @@ public:
     void setSpaceView(SpaceView* space);
     void setSpace(bool isSpace);        // the window into space is shown
     void setBeside(CanvasView* canvas); // of another entry, whose branches have the same options
-    QString hint() const;               // what is said of a tool without options; empty for the others
+    QString hint() const;               // text of a tool without options; empty for others
 
 private:
     QWidget* addHint(const QString& text);

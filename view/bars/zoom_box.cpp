@@ -89,7 +89,7 @@ void ZoomBox::choose(int index) {
     showZoom();
 }
 
-// With or without the percent sign.
+// Takes a text with or without the percent sign.
 void ZoomBox::takeText() {
     const QString text = percentIn(lineEdit()->text());
     if (const QString reason = numberProblem(text, positive); !reason.isEmpty()) return showProblem(reason);
@@ -98,7 +98,7 @@ void ZoomBox::takeText() {
     showZoom();
 }
 
-// Esc takes back what was typed, and so does whatever takes the focus.
+// Esc drops the typed text, and so does whatever takes the focus.
 bool ZoomBox::eventFilter(QObject* watched, QEvent* event) {
     const bool isKey = event->type() == QEvent::ShortcutOverride || event->type() == QEvent::KeyPress;
     const bool isEscape = isKey && static_cast<const QKeyEvent*>(event)->key() == Qt::Key_Escape;

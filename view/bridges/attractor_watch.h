@@ -13,7 +13,7 @@
 
 namespace view {
 
-// Where an animation has no attractor for certain.
+// The frames and keys at which an animation has no certain attractor.
 struct AttractorLoss {
     document::MomentWithoutAttractor first; // a whole frame, where one is known
     std::vector<int> frames;                // all that have none, of those looked at
@@ -21,18 +21,19 @@ struct AttractorLoss {
     bool isAtKeys = false;
     bool hasMotions = false;
 };
-// All frames are looked at, or evenly spaced ones of a long animation or a large system. nullopt: nothing is
-// lost, or stopped before that was known.
+// Checks all frames, or evenly spaced ones of a long animation or a large system. nullopt if nothing is lost,
+// or when stopped before that was known.
 std::optional<AttractorLoss> attractorLoss(const document::Fractal& entry, const std::stop_token& stop);
 
-// Whether an animation has an attractor all the time: looked for in the background.
+// Watches in the background whether an animation has an attractor all the time.
 class AttractorWatch : public QObject {
     Q_OBJECT
 
 public:
     explicit AttractorWatch(QObject* parent = nullptr);
 
-    // Until it is known, what was known of the entry before stays; nullptr is known at once.
+    // Starts a check. The result of the entry before stays until the new one is known; nullptr is known at
+    // once.
     void look(std::shared_ptr<const document::Fractal> entry);
     // nullopt: no moment is known that has none.
     const std::optional<AttractorLoss>& lost() const { return m_lost; }

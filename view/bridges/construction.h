@@ -18,9 +18,9 @@ namespace view {
 
 class RenderBridge;
 
-// How the attractor arises: whether the canvas shows its density, the steps Wⁿ of the deterministic algorithm
-// from the cage or another shape, or a chaos game that grows point by point. A state of the view: no part of
-// the document, no undo.
+// The construction of the attractor shown on the canvas: its density, the steps Wⁿ of the deterministic
+// algorithm from the cage or another shape, or a chaos game that grows point by point. A state of the view:
+// no part of the document, no undo.
 class Construction : public QObject {
     Q_OBJECT
 
@@ -38,7 +38,7 @@ public:
     void setStep(int n);
     int deepest() const { return m_deepest; } // the largest n that is drawn
     double copies() const;                    // of the cage in Wⁿ
-    StepsBridge& steps() { return m_steps; }  // what they start from, and how far they are from the attractor
+    StepsBridge& steps() { return m_steps; }  // their start, and their distance from the attractor
 
     std::uint64_t jumps() const { return m_jumps; } // of the chaos game, with those that are not plotted
     std::uint64_t points() const { return m_jumps - std::min(m_jumps, dropped); } // that are plotted
@@ -50,14 +50,14 @@ public:
     double speed() const { return m_speed; }
     void setSpeed(double jumpsPerSecond);
 
-    // Where a jump led, as it is displayed.
+    // The end of a jump, as displayed.
     struct Jump {
         ifs::Vector<2> x;
         std::size_t map = 0;    // the one that was applied: its index in the system
         bool isPlotted = false; // false for the first jumps
     };
-    // All jumps, the newest last, while they are so few that each can be seen, and the last ones while they
-    // can be followed; empty but in a chaos game.
+    // The jumps, the newest last: all of them while they are so few that each can be seen, then the last ones
+    // while they can be followed; empty but in a chaos game.
     const std::vector<Jump>& trail() const { return m_trail; }
     std::optional<std::size_t> lastMap() const; // of the newest of them
 
@@ -75,7 +75,7 @@ signals:
 
 private:
     void follow(const document::Change& change);
-    void measure(); // what depends on the system
+    void measure(); // values that depend on the system
     void findFaces();
     void advance();
     void jump(std::uint64_t jumps);

@@ -34,7 +34,7 @@ class ExportQueue : public QObject {
 
 public:
     explicit ExportQueue(const QString& folder, QObject* parent = nullptr);
-    ~ExportQueue() override; // what is drawn is stopped, and drawn again by the next run
+    ~ExportQueue() override; // stops the current export; the next run repeats it
 
     void resume();   // with what earlier runs have left
     void shutDown(); // the program ends: what is drawn stops, and all is kept for the next run

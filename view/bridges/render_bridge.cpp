@@ -205,7 +205,7 @@ void RenderBridge::take(std::shared_ptr<const attractor::Frame> frame) {
 void RenderBridge::adaptBudget(const attractor::Frame& frame) {
     if (!m_adapting || frame.milliseconds <= 0 || frame.samples == 0) return;
     const double affordable = double(frame.samples) * fluid / frame.milliseconds;
-    // Half way each time: one slow frame on a busy machine must not make the grain jump.
+    // Adapts by half of the way each time: one slow frame on a busy machine must not make the grain jump.
     m_liveSamples = std::clamp(std::uint64_t((double(m_liveSamples) + std::min(affordable, 1e12)) / 2),
                                minSamples, maxSamples);
 }

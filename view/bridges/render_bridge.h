@@ -25,12 +25,12 @@ public:
     void setCamera(const attractor::Camera& camera); // in device pixels; nothing is drawn before the first
     const attractor::Camera& camera() const { return m_camera; }
 
-    // Samples to which a picture at rest is refined.
+    // Number of samples at which an idle picture stops refining.
     void setQuality(std::uint64_t samples);
     std::uint64_t quality() const { return m_quality; }
 
-    // What is drawn of the fractal: its density, refined while at rest; Wⁿ of the cage at rest; or exactly so
-    // many points of the chaos game.
+    // Content of the picture: the density, refined while at rest; Wⁿ of the cage at rest; or an exact number
+    // of points of the chaos game.
     void showDensity();
     void showSteps(int iterations);
     void showChaosGame(std::uint64_t points, std::uint64_t seed);
@@ -40,14 +40,15 @@ public:
     // The same of one of many, in motion: each waits for the frame before it, and none is refined.
     void showMoving(std::shared_ptr<const document::Fractal> fractal); // not null
 
-    // nullptr before the first, and while the entry is not a system in the plane.
+    // The newest frame; null until one is drawn, and for entries in space.
     std::shared_ptr<const attractor::Frame> frame() const { return m_frame; }
     bool isCurrent() const; // whether the frame shows the document and the camera as they are now
 
     // Samples in the first pass of a frame during a gesture: what this machine does in one sixtieth of a
     // second.
     std::uint64_t liveSamples() const { return m_liveSamples; }
-    void fixLiveSamples(std::uint64_t samples); // whatever that takes; for measuring
+    // Turns the adaptive sample budget off, for benchmarks.
+    void fixLiveSamples(std::uint64_t samples);
 
     // Pictures from elsewhere, such as stolen colours: while on, every change asks for one by wanted(), and
     // those that are taken are shown in place of the density.
@@ -62,13 +63,14 @@ signals:
     void wanted(bool live);
 
 private:
-    // Whether brightness keeps its meaning from the frame before.
+    // Meaning of brightness relative to the frame before.
     enum class Exposing { Kept, Eased, Measured };
 
+    // Treatment of an older request.
     enum class Haste {
-        // An older request is abandoned.
+        // Abandons it.
         Now,
-        // One of many: when the frame under way has come, so that a stream of changes starves no frame.
+        // Queued behind the frame under way, so that a stream of changes starves no frame.
         InTurn,
     };
 
@@ -101,7 +103,7 @@ private:
     Exposing m_exposing = Exposing::Measured;
     bool m_adapting = true; // m_liveSamples follows the machine
     bool m_live = false;
-    bool m_isMoving = false; // what is shown in place of the document
+    bool m_isMoving = false; // the fractal shown in place of the document moves
     bool m_waiting = false;  // a request takes its turn
     bool m_isSubstituted = false;
     QTimer m_underWay; // runs until the first frame of the newest request, or until patience ends

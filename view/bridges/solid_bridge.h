@@ -10,7 +10,7 @@
 
 namespace view {
 
-// What RenderBridge is for the plane: every change of a fractal in space or of the camera becomes a request,
+// The counterpart of RenderBridge in space: every change of a fractal or of the camera becomes a request,
 // every finished picture a signal in the GUI thread.
 class SolidBridge : public QObject {
     Q_OBJECT
@@ -19,7 +19,8 @@ public:
     explicit SolidBridge(document::Document* document, QObject* parent = nullptr);
     ~SolidBridge() override;
 
-    // In device pixels; nothing is drawn before the first. `isMoving`: a hand turns it, more is to come.
+    // Sets the camera, in device pixels; nothing is drawn before the first. `isMoving`: a hand turns it, and
+    // more calls follow.
     void setCamera(const attractor::OrbitCamera& camera, bool isMoving);
     const attractor::OrbitCamera& camera() const { return m_camera; }
     void setStereo(attractor::Stereo stereo); // then the camera is that of each eye

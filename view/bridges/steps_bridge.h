@@ -20,9 +20,9 @@ namespace view {
 
 class RenderBridge;
 
-// What the steps of the deterministic algorithm start from, and how far they are from the attractor. The
+// The starting shape of the deterministic algorithm, and the distance of its steps from the attractor. The
 // render bridge draws steps from the cage; those from another shape are drawn here, in the background, and
-// take the place of its pictures.
+// replace its pictures.
 class StepsBridge : public QObject {
     Q_OBJECT
 

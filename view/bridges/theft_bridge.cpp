@@ -80,8 +80,8 @@ void TheftBridge::request(bool live) {
     m_thread->submit(std::move(job));
 }
 
-// After an edit, what is known of the entries before it is not true any more. In a gesture it stays until
-// there is better, so that nothing flickers.
+// Drops results after an edit, since they are those of the entries before it. During a gesture they stay
+// until there are new ones, so that nothing flickers.
 void TheftBridge::compare(bool live) {
     const auto from = m_host->sharedFractal(), to = m_partner->document().sharedFractal();
     if (from == m_from && to == m_to && m_theft.order == m_order) return;

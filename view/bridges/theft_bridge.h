@@ -15,9 +15,9 @@
 
 namespace view {
 
-// Between a fractal transformation and the two canvases that show it: every change of either fractal, either
-// camera or the picture becomes a job, every finished pair of pictures goes to the render bridges. While
-// there is no transformation, they show densities.
+// Connects a fractal transformation to the two canvases that show it: every change of either fractal, either
+// camera or the picture becomes a job, every finished pair of pictures goes to the render bridges. Without a
+// transformation, these show densities.
 class TheftBridge : public QObject {
     Q_OBJECT
 
@@ -27,7 +27,7 @@ public:
     ~TheftBridge() override;
 
     void setActive(bool active);
-    // Takes the order, the mode and the view of what is kept.
+    // Sets the order, the mode and the view of a kept transformation.
     void setTheft(const document::KeptTheft& theft);
     void setOverlay(double opacity);                                       // of the partner over the fractal
     void setPicture(std::shared_ptr<const attractor::MipPicture> picture); // null: none yet

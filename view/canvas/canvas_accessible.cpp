@@ -40,7 +40,7 @@ int focusedIndex(const QGraphicsView* view) {
     return scene ? childIndex(view, scene->selection().focused()) : -1;
 }
 
-// What the arrow keys do, for clients that press no keys.
+// Moves by the arrow keys, for clients that press no keys.
 struct Move {
     Q_DECLARE_TR_FUNCTIONS(AccessibleHandle)
 public:

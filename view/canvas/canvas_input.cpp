@@ -84,7 +84,7 @@ void CanvasInput::moved() {
     reportPointer();
 }
 
-// To a corner outside, where no handle lies over it.
+// The arrow under the pointer to a corner outside, unless a handle lies over it.
 std::optional<BorderArrow> CanvasInput::arrowUnder() const {
     using Kind = CanvasPart::Kind;
     const BorderArrowsItem& arrows = m_scene.marks().borderArrows();
@@ -132,7 +132,7 @@ bool CanvasInput::keyPressed(const QKeyEvent& event) {
     return m_tools.active().keyPress(event) || canvasKey(event);
 }
 
-// Whether the key means something to the canvas whatever the tool.
+// Handles keys that the canvas knows whatever the tool; true if it did.
 bool CanvasInput::canvasKey(const QKeyEvent& event) {
     if (const QPointF way = -arrowDirection(event.key()); !way.isNull()) {
         m_navigation.pan(way * (event.modifiers().testFlag(Qt::ShiftModifier) ? 5 * keyPan : keyPan));

@@ -9,7 +9,7 @@
 
 namespace view {
 
-// What pointer, wheel, fingers and keys do on the canvas: they work the tool in use, or move the plane.
+// Input of pointer, wheel, fingers and keys on the canvas: works the tool in use, or moves the plane.
 class CanvasInput : public ViewportInput {
     Q_OBJECT
 
@@ -24,7 +24,7 @@ public:
     bool needsKey(const QKeyEvent& event) const override;
     void cancelDrag() override;
     void reportPointer(); // as pointerMoved()
-    // Where the pointer was last seen: more is known of it, or the plane has moved under it.
+    // Reports the last position again: more is known of it, or the plane has moved under it.
     void reportAgain() {
         if (isOver() && !isHolding()) reportPointer();
     }

@@ -17,8 +17,8 @@ namespace view {
 
 class RenderBridge;
 
-// Where the canvas looks: sets the camera of the scene and of the picture. Zooming knows no limit but that of
-// the numbers.
+// The view of the canvas: sets the camera of the scene and of the picture. Zooming has no limit but the range
+// of the numbers.
 class CanvasNavigation : public ViewNavigation {
     Q_OBJECT
 
@@ -36,7 +36,7 @@ public:
     // its last. That of many maps may come into view a little later.
     void fit() override;
     void fitCorners(); // the same with all corners of the cage, however small that makes the attractor
-    // What comes into the view with the attractor, such as the target of a collage.
+    // A box to fit into the view together with the attractor, such as the target of a collage.
     void setFittedToo(const std::optional<document::Box>& box) { m_fittedToo = box; }
     bool isFitted() const override { return m_isFitted; }
     void zoomBy(double factor); // about the middle

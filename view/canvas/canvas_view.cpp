@@ -74,7 +74,7 @@ void CanvasView::connectParts() {
         if (viewport()->underMouse()) m_input.reportPointer();
     });
     connect(m_document, &document::Document::changed, this, [this, report](const document::Change& change) {
-        // What is said of the point under the pointer has changed with the cage.
+        // The read-out of the point under the pointer changes with the cage.
         if (!change.live && viewport()->underMouse()) report->start(untilReport);
     });
     connect(m_bridge, &RenderBridge::frameChanged, this, [this] {

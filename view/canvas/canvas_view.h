@@ -51,7 +51,7 @@ public:
     void dismissHint();
     void setCovered(const QRect& area); // of the viewport, by a card: what the canvas says stays beside it
     QString note() const { return m_scene->notes().note(); } // about the picture, if there is one
-    // The picture as it is seen, in device pixels, without what lies over it; null before one.
+    // The visible picture, in device pixels, without overlays; null before one.
     QImage picture() const;
 
 signals:

@@ -13,7 +13,8 @@ namespace view {
 struct PointerPosition {
     ifs::Vector<2> world = ifs::Vector<2>::Zero();
     attractor::Camera camera{}; // of the view: says how many digits mean anything
-    // With respect to the first three vertices of the current cage; nullopt while they lie on one line.
+    // Coordinates with respect to the first three vertices of the current cage; nullopt while they lie on one
+    // line.
     std::optional<ifs::Barycentric<2>> barycentric;
     // The address of the point of the attractor under the pointer, by indices in the system; empty where
     // there is none and while something is dragged. The fixed point, displayed, is that of its first
@@ -23,7 +24,7 @@ struct PointerPosition {
     std::optional<ifs::Vector<2>> fixedPoint{};
 };
 
-// Without the address, which takes longer.
+// The position without the address, which takes longer.
 PointerPosition pointerPosition(const CanvasScene& scene, const QPointF& position);
 void findAddress(PointerPosition& pointer, const CanvasScene& scene, int fixedLength);
 

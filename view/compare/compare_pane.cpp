@@ -274,7 +274,7 @@ void ComparePane::keepTurn(EntryId entry, const CanvasView& canvas) {
     m_turns[entry] = canvas.camera().rotation;
 }
 
-// Each entry keeps how its view is turned, whichever canvas shows it. Keys of a camera know better.
+// Each entry keeps the rotation of its view, whichever canvas shows it. Keys of a camera take precedence.
 void ComparePane::turn(CanvasView& canvas, const document::Document& document) {
     const EntryId entry = &document == m_document ? m_document->currentId() : m_partner->id();
     attractor::Camera camera = canvas.camera();

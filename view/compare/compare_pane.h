@@ -20,8 +20,8 @@ class RenderBridge;
 class SolidBridge;
 class SpaceView;
 
-// Another entry of the file in a canvas of its own, beside that of the window: what is dragged there is a
-// step of the same history. On request both look at the same place at the same scale.
+// Another entry of the file in a canvas of its own, beside that of the window: a drag there is a step of the
+// same history. On request both show the same place at the same scale.
 class ComparePane : public QWidget {
     Q_OBJECT
 
@@ -38,7 +38,7 @@ public:
     bool areViewsLinked() const;
     void setViewsLinked(bool linked);
     bool cancelGesture(); // false when none was under way
-    // As in the canvases of the window:
+    // Options as in the canvases of the window:
     void setAllowsNoAttractor(bool allows);
     void setTrackball(bool on);
 
@@ -65,7 +65,7 @@ private:
     document::EntryId likelyEntry() const;
     bool canLink() const; // both are of the same dimension
     void standAlike();    // both in space have the same axis up
-    // So that the one at `to` looks where the other does.
+    // Makes the canvas at `to` follow the view of the other.
     void linkPlanes(CanvasView* from, CanvasView* to);
     void linkSpaces(SpaceView* from, SpaceView* to);
 
@@ -79,7 +79,7 @@ private:
     bool m_isTrackball = false;
     document::EntryId m_lastCurrent = document::EntryId::None;
 
-    // Made when they are shown for the first time:
+    // Members made when they are shown for the first time:
     std::unique_ptr<document::PartnerDocument> m_partner;
     RenderBridge* m_otherRender = nullptr;
     SolidBridge* m_otherSolid = nullptr;

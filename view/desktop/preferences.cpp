@@ -11,7 +11,7 @@
 #include <tuple>
 #include <type_traits>
 
-// As the settings have them.
+// Names in the settings.
 template <>
 inline constexpr auto ifs::names<view::Preferences::Theme> =
     std::to_array<ifs::Named<view::Preferences::Theme>>({{view::Preferences::Theme::Desktop, "desktop"},

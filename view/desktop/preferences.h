@@ -7,7 +7,7 @@
 
 namespace view {
 
-// What the user prefers in every window, kept between runs. A value: whoever changes it stores it and tells.
+// The user's preferences for all windows, kept between runs. A value: whoever changes it stores it and tells.
 struct Preferences {
     enum class Theme { Desktop, Light, Dark };
     enum class Motion { Desktop, Reduced, Full };
@@ -32,7 +32,7 @@ struct Preferences {
     friend bool operator==(const Preferences&, const Preferences&) = default;
 };
 
-// Stands for a line between two commands of the tool bar. No command has this id.
+// Id of a line between two commands of the tool bar. No command has this id.
 inline QString separatorId() {
     return QStringLiteral("-");
 }

@@ -8,8 +8,8 @@
 
 namespace view {
 
-// Whether what moves without having been asked to shows a still picture instead: as the user prefers, else as
-// the desktop says, else as the style does, which has no animations of its own then.
+// Returns true if unrequested motion is replaced by a still picture: as the user prefers, else as the desktop
+// says, else as the style does, which has no animations of its own then.
 bool reducesMotion();
 
 // The settings of desktops that say it.

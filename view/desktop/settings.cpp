@@ -41,7 +41,7 @@ void makePrivate(const QString& file) {
     settings.setPermissions(owner);
 }
 
-// One value, as another thread reads it.
+// A value that another thread reads.
 class Answer {
 public:
     explicit Answer(const QString& key) : m_shared(std::make_shared<Shared>()) {
@@ -67,7 +67,7 @@ private:
     std::shared_ptr<Shared> m_shared;
 };
 
-// What is on its way to the disk. Meanwhile nothing is read from there: Qt's reader would write what the
+// Values on their way to the disk. Meanwhile nothing is read from there: Qt's reader would write what the
 // writer has not yet written.
 class Storing {
 public:

@@ -7,12 +7,12 @@
 
 #include <chrono>
 
-// What is remembered between runs. The folder that holds it may be slow, or never answer: other threads read
-// and write, in the order of the calls. To be called in the thread of the windows.
+// Settings kept between runs. The folder that holds them may be slow, or never answer: other threads read and
+// write, in the order of the calls. To be called in the thread of the windows.
 namespace view {
 
 void store(const QString& key, const QVariant& value); // an invalid value: forgotten
-// As it was stored last; what it was known to be the last time where there is no answer.
+// The value stored last; the last one known where there is no answer.
 QVariant stored(const QString& key, const QVariant& otherwise = {});
 // Waits until all of it is on the disk, but no longer than that; whether it is.
 bool finishStoring(std::chrono::milliseconds patience = std::chrono::seconds(10));

@@ -7,8 +7,8 @@
 
 namespace view {
 
-// Nothing asks here what the path is, because its drive may not answer: a path that ends in a slash is a
-// folder.
+// Does not ask the file system about the path, because its drive may not answer: a path that ends in a slash
+// is a folder.
 void showInFolder(const QString& path) {
     if (!path.isEmpty()) QDesktopServices::openUrl(QUrl::fromLocalFile(QFileInfo(path).path()));
 }

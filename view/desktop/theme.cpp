@@ -102,9 +102,10 @@ private:
     bool m_closes;
 };
 
-// Fusion draws the frames of boxes and circles to be checked a shade darker than the window, which is hardly
-// seen in light themes and not at all in dark ones; so it does with buttons that are on. Here they stand out
-// at least by 3 to 1. Nor is much seen of its frame around what has the focus.
+// Fusion with clearer frames. Fusion draws those of check boxes and radio buttons a shade darker than the
+// window, which is hardly visible in light themes and not at all in dark ones; the same holds for buttons
+// that are on. Here they stand out at least by 3 to 1. Fusion's frame around the focus is hardly visible,
+// either.
 class ClearFusion : public QProxyStyle {
 public:
     ClearFusion() : QProxyStyle(fusion) {}
@@ -136,7 +137,7 @@ public:
     void drawControl(ControlElement element, const QStyleOption* option, QPainter* painter,
                      const QWidget* widget) const override {
         QProxyStyle::drawControl(element, option, painter, widget);
-        // One cell takes the keys of a row that is selected as a whole, however it was chosen.
+        // A single cell takes the keys of a row that is selected as a whole, however it was chosen.
         if (element == CE_ItemViewItem && option->state & State_HasFocus &&
             qobject_cast<const QTableView*>(widget))
             paintFocus(*option, *painter, 2);
@@ -176,7 +177,7 @@ public:
         proxy()->drawPrimitive(PE_IndicatorArrowDown, &arrow, painter, widget);
     }
 
-    // Its arrow of a menu touches the text of the button.
+    // Fusion's menu arrow touches the text of the button.
     QSize sizeFromContents(ContentsType type, const QStyleOption* option, const QSize& contents,
                            const QWidget* widget) const override {
         constexpr int gap = 6;
@@ -198,7 +199,7 @@ public:
         return QProxyStyle::standardIcon(which, option, widget);
     }
 
-    // Its ticks and crosses are of another hand than our icons.
+    // Fusion's ticks and crosses do not match our icons.
     int styleHint(StyleHint hint, const QStyleOption* option, const QWidget* widget,
                   QStyleHintReturn* result) const override {
         return hint == SH_DialogButtonBox_ButtonsHaveIcons
@@ -209,7 +210,7 @@ public:
 private:
     static constexpr int arrowSide = 8, arrowMargin = 3;
 
-    // Whether the arrow of a menu is beside the text.
+    // Returns true if the menu arrow is beside the text.
     static bool hasArrowBeside(const QStyleOptionToolButton& button) {
         const bool isBeside = button.toolButtonStyle == Qt::ToolButtonTextBesideIcon ||
                               button.toolButtonStyle == Qt::ToolButtonTextOnly;
@@ -303,10 +304,10 @@ void completePalette() {
 
 void applyTheme(Preferences::Theme theme) {
     static const QString desktopStyle = QApplication::style()->name();
-    static QString worn;
+    static QString applied;
     const bool own = theme != Preferences::Theme::Desktop;
-    // Only this style of the toolkit takes every colour from the palette.
-    if (const QString style = own ? fusion : desktopStyle; style != std::exchange(worn, style)) {
+    // Fusion is the only style of the toolkit that takes every colour from the palette.
+    if (const QString style = own ? fusion : desktopStyle; style != std::exchange(applied, style)) {
         if (style.compare(fusion, Qt::CaseInsensitive) == 0)
             QApplication::setStyle(new ClearFusion);
         else

@@ -9,7 +9,7 @@ namespace view {
 // some desktops leave that role black on black.
 void applyTheme(Preferences::Theme theme);
 
-// After the desktop has changed its colours: what is missing in them.
+// Fills in missing colours after the desktop has changed its own.
 void completePalette();
 
 } // namespace view

@@ -24,7 +24,7 @@ namespace {
 
 constexpr std::size_t maxShown = 500; // maps: nobody reads more, and a text of ten thousand is slow
 
-// To be read: without what rounding has left of a zero or a one.
+// A coefficient for reading: without what rounding has left of a zero or a one.
 QString entry(double value, Digits digits) {
     if (digits == Digits::All) return fullNumber(value).rightJustified(26);
     const double rounded = std::round(value * 1e12) / 1e12;

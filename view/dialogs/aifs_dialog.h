@@ -19,8 +19,8 @@ private:
     document::Fractal m_fractal;
 };
 
-// What the dialog shows, the first maps with few digits, or copies, with all; a sentence for an entry that is
-// no system of the plane.
+// The text shown, with few digits and only the first maps, or copied, with all; a sentence for an entry that
+// is no system of the plane.
 enum class Digits { Few, All };
 QString aifsText(const document::Fractal& fractal, Digits digits);
 

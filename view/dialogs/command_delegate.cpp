@@ -43,7 +43,7 @@ void CommandDelegate::paint(QPainter* painter, const QStyleOptionViewItem& given
     painter->restore();
 }
 
-// As wide as the list, whatever the text.
+// Rows are as wide as the list, whatever the text.
 QSize CommandDelegate::sizeHint(const QStyleOptionViewItem& option, const QModelIndex& index) const {
     return {0, QStyledItemDelegate::sizeHint(option, index).height()};
 }

@@ -58,7 +58,7 @@ void collect(const QList<QAction*>& actions, const QString& path, QList<NamedAct
     }
 }
 
-// What a panel or a bar holds; the widget is in it, or is it.
+// The content of a panel or a bar that contains the widget, or is it.
 const QWidget* contentOf(const QWidget* panel, const QWidget* widget) {
     while (widget->parentWidget() != panel)
         widget = widget->parentWidget();
@@ -112,7 +112,7 @@ QAction* entryOf(const QLabel& label) {
     });
 }
 
-// What the widgets of a panel have as actions of their own, in the menu of a button, as buttons or as fields.
+// Actions of the widgets in a panel: their own, in the menu of a button, as buttons or as fields.
 QList<NamedAction> actionsIn(QWidget* panel) {
     QList<NamedAction> found;
     for (QWidget* widget : panel->findChildren<QWidget*>()) {
@@ -260,7 +260,7 @@ void CommandPalette::filter(const QString& text) {
     m_list->setCurrentIndex(m_model->index(hasNone && m_model->rowCount() > 1 ? 1 : 0, 0));
 }
 
-// Always the last row: what no command is called may be explained there.
+// Adds the last row, which always leads to the guide: it may explain words that name no command.
 void CommandPalette::addGuide(const QString& text) {
     const QString name = tr("Search the guide for “%1”").arg(text);
     auto* item = new QStandardItem(icon(QStringLiteral("help")), name);
@@ -270,7 +270,7 @@ void CommandPalette::addGuide(const QString& text) {
     m_model->appendRow(item);
 }
 
-// What cannot be done now is shown too, when it is asked for by name.
+// Adds matching commands; disabled ones are shown too, if they are asked for by name.
 void CommandPalette::add(const QString& text, SearchIn in, bool enabled) {
     for (qsizetype i = 0; i < m_actions.size(); ++i) {
         const auto& [action, title, panel] = m_actions[i];
@@ -318,7 +318,7 @@ void CommandPalette::run() {
     if (!isPanel || !action->isChecked()) action->trigger(); // nobody asks for a panel to close it
 }
 
-// Its colour is that of the window behind it: it has the frame of a menu.
+// The frame is that of a menu, because the colour is that of the window behind.
 void CommandPalette::paintEvent(QPaintEvent* event) {
     QDialog::paintEvent(event);
     QPainter painter(this);

@@ -28,7 +28,7 @@ QList<NamedAction> actionsOf(const QWidget* menuBar);
 // Commands of the menu bar, then those of the panels and bars that no menu has.
 QList<NamedAction> actionsOf(const QMainWindow& window);
 
-// Every command of a window, found by typing a few letters of what it does.
+// Finds any command of a window by a few letters of its text.
 class CommandPalette : public QDialog {
     Q_OBJECT
 
@@ -36,7 +36,7 @@ public:
     explicit CommandPalette(const QList<NamedAction>& actions, QWidget* parent = nullptr);
 
 signals:
-    void guideRequested(const QString& words); // what was typed is to be looked for there
+    void guideRequested(const QString& words); // the typed text is to be searched there
 
 protected:
     bool eventFilter(QObject* watched, QEvent* event) override;
@@ -60,10 +60,10 @@ private:
 // The same beside what a command is also called: its synonyms.
 bool meansCommand(const QString& title, const QString& text);
 
-// Whether every word of `text` begins a word of `title`; case does not matter.
+// Returns true if every word of `text` begins a word of `title`; case does not matter.
 bool matchesCommand(const QString& title, const QString& text);
 
-// Whether every word of `text` is a word of `title`.
+// Returns true if every word of `text` is a word of `title`.
 bool namesCommand(const QString& title, const QString& text);
 
 } // namespace view

@@ -8,7 +8,7 @@ namespace view {
 
 namespace {
 
-// What users of other programs type, and what the result is called. A translation has the words of its own
+// Words that users of other programs type, and names of the results. A translation has the words of its own
 // language, not translations of these.
 constexpr CommandSynonyms synonyms[] = {
     {"MainWindow", "&Export Picture…",
@@ -61,7 +61,7 @@ constexpr CommandSynonyms synonyms[] = {
     {"view::TimelinePanel", "Zoom In Endlessly", QT_TRANSLATE_NOOP("view::CommandSynonyms", "infinite dive")},
 };
 
-// As a menu shows it, without what marks its key or a dialog.
+// The name as a menu shows it, without the marks of its key and of a dialog.
 QString plainName(QString text) {
     return text.remove(u'&').remove(u'…');
 }

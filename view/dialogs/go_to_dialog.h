@@ -26,7 +26,7 @@ public:
     GoToDialog(std::shared_ptr<const document::Fractal> fractal, const attractor::View& now,
                QWidget* parent = nullptr);
 
-    // What is asked for, turned as the view was; nullopt while a field has no number.
+    // The requested view, turned as the view was; nullopt while a field has no number.
     std::optional<attractor::View> view() const;
 
 private:
@@ -49,8 +49,8 @@ private:
     QPushButton* m_go;
 };
 
-// The maps that an address such as "3 2 1" names, as indices in a system of so many maps; nullopt where a
-// part of it is no number of a map.
+// The maps that an address such as "3 2 1" names, as indices in a system of `maps` maps; nullopt where a part
+// of it is no number of a map.
 std::optional<ifs::Word> wordOf(const QString& address, std::size_t maps);
 
 } // namespace view

@@ -42,8 +42,8 @@ QString pathOf(const QUrl& picture) {
     return u':' + picture.path();
 }
 
-// As wide as its window and no wider: long lines of code are broken, and wide pictures made smaller. Pictures
-// are decoded in the background; until they are there, the place of each is kept.
+// A page as wide as its window and no wider: long lines of code are broken, and wide pictures made smaller.
+// Pictures are decoded in the background; until they are there, the place of each is kept.
 class Page : public TextEditWithWorkarounds<QTextBrowser> {
 public:
     explicit Page(QWidget* parent) : TextEditWithWorkarounds(parent) {
@@ -84,7 +84,7 @@ public:
         }
     }
 
-    // Where one reads, with some lines before it, unless it is seen already.
+    // Scrolls to a match, with some lines before it, unless it is visible already.
     void scrollTo(const QTextCursor& match) {
         const QRect there = cursorRect(match);
         if (!viewport()->rect().contains(there))
@@ -115,7 +115,7 @@ protected:
     }
 
 private:
-    // In the size that fits: what is there already, stretched, or nothing.
+    // The picture in the size that fits: the available one, stretched, or an empty one.
     Picture place(const QUrl& name) const {
         const int room = viewport()->width() - 2 * pageMargin;
         const QSize whole = QImageReader(pathOf(name)).size();
@@ -146,7 +146,7 @@ private:
     QHash<QUrl, QImage> m_decoded; // in the last size
 };
 
-// Marks what is typed wherever the page has it, and shows one place after the other.
+// Marks the typed words wherever the page has them, and shows one place after the other.
 class FindField : public QLineEdit {
 public:
     FindField(Page* page, QLabel* count, QWidget* parent) : QLineEdit(parent), m_page(page), m_count(count) {

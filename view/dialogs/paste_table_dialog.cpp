@@ -35,7 +35,7 @@ QStringList stretching(const document::MapRows& rows) {
     return found;
 }
 
-// No weights of their own do that.
+// Returns true if the weights look like running sums, as weights of their own never do.
 bool addUpToOneOrHundred(const document::MapRows& rows) {
     for (std::size_t i = 0; i < rows.size(); ++i)
         if (!rows[i].weight || *rows[i].weight <= (i > 0 ? *rows[i - 1].weight : 0)) return false;

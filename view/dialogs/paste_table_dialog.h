@@ -21,7 +21,8 @@ class PasteTableDialog : public QDialog {
     Q_OBJECT
 
 public:
-    // In place of `rows`; as new maps when there are none. The fractal must hold a plane system.
+    // Replaces the maps in `rows`; appends new ones when there are none. The fractal must hold a plane
+    // system.
     PasteTableDialog(document::Document* document, const document::Rows& rows, const QString& text,
                      QWidget* parent = nullptr);
 

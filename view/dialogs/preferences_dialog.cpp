@@ -21,7 +21,7 @@ namespace view {
 
 namespace {
 
-// Each in itself, so that whoever does not read the present one finds theirs.
+// Languages in their own names, so that people find theirs who do not read the present one.
 const QList<std::pair<QString, QString>>& languages() {
     static const QList<std::pair<QString, QString>> list{
         {QStringLiteral("English"), QStringLiteral("en")},

@@ -26,7 +26,8 @@ class PreferencesDialog : public QDialog {
     Q_OBJECT
 
 public:
-    // Without commands there are no pages of shortcuts and of the toolbar, which usually holds these.
+    // `usualTools` are the default content of the toolbar. Without commands there are no pages of shortcuts
+    // and of the toolbar.
     explicit PreferencesDialog(QWidget* parent = nullptr, const QList<NamedAction>& commands = {},
                                const QStringList& usualTools = {});
 

@@ -39,7 +39,7 @@ class SavedViewsDialog : public QDialog {
     Q_OBJECT
 
 public:
-    // What looks at the entry.
+    // The canvas that shows the entry.
     struct Canvas {
         std::function<document::SavedView::Camera()> camera;
         std::function<void(const document::SavedView::Camera&)> lookAt;

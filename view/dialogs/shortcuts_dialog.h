@@ -7,7 +7,7 @@
 
 namespace view {
 
-// Every shortcut of the window and every gesture of the canvas, in one list to read or search.
+// The shortcuts of the window and the gestures of the canvas, in one list to read or search.
 class ShortcutsDialog : public QDialog {
     Q_OBJECT
 

@@ -17,7 +17,7 @@ class QTreeWidgetItem;
 
 namespace view {
 
-// Every command of the menus with its keys, which can be changed. A choice is stored and in force in all
+// The commands of the menus with their keys, which can be changed. A choice is stored and in force in all
 // windows at once; keys that another command has are offered in exchange for those of this one.
 class ShortcutsPage : public QWidget {
     Q_OBJECT

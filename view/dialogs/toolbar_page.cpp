@@ -134,7 +134,7 @@ QStringList ToolbarPage::ids() const {
     return all;
 }
 
-// Nothing for the id of a command that there is not.
+// Does nothing for an id without a command.
 void ToolbarPage::insert(int row, const QString& id) {
     auto item = std::make_unique<QListWidgetItem>();
     const auto found = std::ranges::find(
@@ -178,7 +178,7 @@ void ToolbarPage::add() {
     insert(row, chosenValue<QString>(m_others));
     m_list->setCurrentRow(row);
     listOthers();
-    // The completer writes what was chosen into the field afterwards.
+    // The completer writes the chosen text into the field afterwards.
     QMetaObject::invokeMethod(m_others, &QComboBox::clearEditText, Qt::QueuedConnection);
     emit changed();
 }

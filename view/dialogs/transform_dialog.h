@@ -34,7 +34,8 @@ public:
     void setMode(Mode mode);
     Mode mode() const;
 
-    // Shear and Mirror are of the plane; what has a z, and the axis of the rotation, are of space.
+    // Values by dimension: Shear and Mirror belong to the plane; those with a z, and the axis of the
+    // rotation, to space.
     enum Value {
         Rotation,
         ScaleX,
@@ -73,7 +74,7 @@ private:
     QWidget* makeMode();
     QWidget* makeReflection();
     QWidget* makeAxis();
-    void follow(Value edited); // what else an edited field changes
+    void follow(Value edited); // the fields that depend on an edited one
     void chooseAbout();
     void chooseAxis();
     double value(Value which) const;

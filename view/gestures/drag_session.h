@@ -16,8 +16,8 @@ class QKeyEvent;
 
 namespace view {
 
-// One drag of what a canvas holds, by the pointer or by an arrow key for as long as it is held down: an edit
-// that is shown live and leaves one undo step, or none.
+// A drag on a canvas, by the pointer or by an arrow key for as long as it is held down: an edit that is shown
+// live and leaves one undo step, or none.
 class DragSession : public QObject {
     Q_OBJECT
 

@@ -10,14 +10,14 @@ namespace view {
 
 enum class Reach { Mouse, Touch }; // how near a press must be
 
-// The pointer as what lies under it sees it.
+// The pointer from the point of view of the objects under it.
 struct Pointer {
     QPointF position; // pixels of the view
     Qt::KeyboardModifiers modifiers;
     Reach reach = Reach::Mouse;
 };
 
-// What a drag does to what it holds.
+// Effect of a drag.
 enum class DragMode { Move, Rotate, Scale };
 
 inline DragMode dragMode(Qt::KeyboardModifiers modifiers) {

@@ -8,7 +8,7 @@
 
 namespace view {
 
-// Where a canvas looks, as gestures change it in plane and space alike. Positions are pixels of the viewport.
+// The view of a canvas, changed by gestures alike in plane and space. Positions are pixels of the viewport.
 class ViewNavigation : public QObject {
     Q_OBJECT
 

@@ -22,7 +22,7 @@ constexpr double notchPixels = 60; // of a touchpad, for one notch of a wheel
 constexpr double notchAngle = 120; // in eighths of a degree
 constexpr double zoomNotches = 4;  // that double what is seen
 
-// Fingers that zoom turn a little as well: only what goes beyond that turns the view.
+// Fingers that zoom turn a little as well: only a twist beyond that turns the view.
 double beyondSlack(double twist) {
     constexpr double slack = 10; // degrees
     return twist - std::clamp(twist, -slack, slack);

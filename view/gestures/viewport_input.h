@@ -17,9 +17,9 @@ class QWheelEvent;
 
 namespace view {
 
-// What pointer, wheel, fingers and keys do on a canvas, in plane and space alike: the middle button, or the
-// left one with the space bar, pans; so do two fingers, which also zoom; the wheel zooms at the pointer. The
-// rest is for the canvas, which is told one gesture at a time.
+// Input of pointer, wheel, fingers and keys on a canvas, alike in plane and space: the middle button, or the
+// left one with the space bar, pans; so do two fingers, which also zoom; the wheel zooms at the pointer. All
+// other input goes to the canvas, one gesture at a time.
 class ViewportInput : public QObject {
     Q_OBJECT
 
@@ -68,8 +68,8 @@ protected:
     virtual bool cancelled() = 0;           // false: there was nothing to cancel
     virtual QCursor cursorOver() const = 0; // while the view itself is not held
 
-    // How far the wheel was turned. A touchpad reports pixels, a wheel eighths of a degree; fine wheels send
-    // parts of a notch.
+    // Notches by which the wheel was turned. A touchpad reports pixels, a wheel eighths of a degree; fine
+    // wheels send parts of a notch.
     static double notches(const QWheelEvent& event);
 
 private:

@@ -56,8 +56,8 @@ std::optional<AxisBall::End> AxisBall::endAt(const QPointF& position) const {
     return std::nullopt;
 }
 
-// What lies more ahead than aside goes first, so that each key leads to where it points. Of two in one place,
-// the one in front.
+// Prefers ends that lie more ahead than aside, so that each key leads to where it points. Of two in one
+// place, the one in front.
 std::optional<AxisBall::End> AxisBall::beside(const End& from, const QPointF& direction) const {
     constexpr double same = 0.5; // pixels
     const auto start = std::ranges::find(m_spots, from, &Spot::end);
@@ -120,7 +120,7 @@ void AxisBall::paintSpot(QPainter& painter, const Spot& at, const QColor& ground
     if (isFilled) paintName(painter, at);
 }
 
-// In front of all, also where the end is behind another.
+// Paints over all ends, also where the focused one is behind another.
 void AxisBall::paintFocus(QPainter& painter) const {
     const auto chosen = std::ranges::find(m_spots, *m_focused, &Spot::end);
     const QColor colour = colourOf(chosen->end);

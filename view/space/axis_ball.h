@@ -14,7 +14,7 @@ namespace view {
 // The ball of axes in the top right corner: shows how the camera is turned, and takes it along an axis.
 class AxisBall : public OverlayItem {
 public:
-    // One end of an axis.
+    // An end of an axis.
     struct End {
         int axis = 0;
         bool isPositive = true;
@@ -37,9 +37,9 @@ public:
     QRectF boundingRect() const override;
     void paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidget*) override;
 
-    // From where one looks along the axis at this end.
+    // The direction from which a camera looks along the axis at this end.
     static attractor::Direction towards(const End& end, attractor::UpAxis up = attractor::UpAxis::Y);
-    // Whether the camera already looks from there.
+    // Returns true if the camera already looks from there.
     static bool looksFrom(const attractor::OrbitCamera& camera, const End& end);
 
 private:

@@ -26,7 +26,7 @@ public:
     bool areFourShown() const { return m_areFourShown; }
     void showFour(bool four);
 
-    // All views that are shown:
+    // Operations on all views that are shown:
     void fit();
     void setOverlaysVisible(bool visible);
     void setUpAxis(attractor::UpAxis up);
@@ -53,7 +53,7 @@ private:
     SpaceView* m_main;
     QGridLayout* m_grid;
     std::vector<SpaceView*> m_others; // the parents of their bridges
-    // What those that are made later begin with.
+    // State for views that are made later.
     bool m_areOverlaysVisible = true;
     attractor::UpAxis m_up = attractor::UpAxis::Y;
     bool m_allowsNoAttractor = false;

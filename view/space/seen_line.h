@@ -10,13 +10,15 @@
 
 namespace view {
 
-// As a share of the distance of the target; not positive where the point is beside the eye or behind it.
+// Depth in front of the eye as a share of the distance of the target; not positive where the point is beside
+// the eye or behind it.
 double inFront(const attractor::OrbitCamera& camera, const ifs::Vector<3>& point);
 
-// Where a point is seen, in the pixels of the camera; far outside the view where it is behind the eye.
+// The displayed position of a point, in the pixels of the camera; far outside the view where it is behind the
+// eye.
 QPointF seenPoint(const attractor::OrbitCamera& camera, const ifs::Vector<3>& point);
 
-// What of a line is in front of the eye and not far outside the view; nullopt: nothing.
+// The part of a line in front of the eye and not far outside the view; nullopt if there is none.
 std::optional<QLineF> seenLine(const attractor::OrbitCamera& camera, ifs::Vector<3> a, ifs::Vector<3> b);
 
 } // namespace view

@@ -27,7 +27,7 @@ public:
 
 private:
     std::optional<SlicePlane> m_plane;
-    std::vector<QLineF> m_border; // what of it is in front of the eye
+    std::vector<QLineF> m_border; // its part in front of the eye
     QPointF m_handle;
     QPointF m_arrow; // from the handle along the normal, in pixels
     QRectF m_bounds;

@@ -12,7 +12,7 @@ namespace {
 
 constexpr double minSine = 0.14; // of 8°: below, a line of sight says little of where on the line it is
 
-// Where on the line through the centre the line of sight through a pixel comes closest.
+// Parameter on the line through the centre at which the line of sight through a pixel comes closest.
 double closest(const attractor::OrbitCamera& camera, const SlicePlane& plane, const ifs::Vector<2>& pixel) {
     const attractor::Ray ray = rayThrough(camera, pixel);
     const ifs::Vector<3> between = plane.centre - ray.origin;

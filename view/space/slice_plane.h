@@ -17,15 +17,16 @@ struct SlicePlane {
     std::array<ifs::Vector<3>, 4> corners;           // of a square around the centre
 };
 
-// As large as what is cut: the centre and the reach of these points, at least one.
+// A plane as large as the sliced object: about the centre of these points, with their reach. At least one
+// point.
 SlicePlane slicePlane(const attractor::SpaceClip& clip, const std::vector<ifs::Vector<3>>& around);
 
 // The clip moved along its normal, in units of space.
 attractor::SpaceClip slid(attractor::SpaceClip clip, double distance);
 
-// How far along the normal the hand takes the plane between two pixels: to the point of the line through the
-// centre that is closest to the line of sight. Where one looks along the normal, up and down move it away and
-// back.
+// Distance along the normal by which a drag between two pixels moves the plane: to the point of the line
+// through the centre that is closest to the line of sight. If one looks along the normal, up and down move it
+// away and back.
 double slideBetween(const attractor::OrbitCamera& camera, const SlicePlane& plane, const ifs::Vector<2>& from,
                     const ifs::Vector<2>& to);
 

@@ -21,7 +21,7 @@ public:
     SpaceBranch(const document::Document* document, SpaceOutlinesItem& walk, SpaceCageItem& held)
         : m_document(document), m_walk(walk), m_held(held) {}
 
-    // Without one, nothing can be chosen.
+    // Without a choice, no branch can be chosen.
     void setChoice(BranchChoice* choice) { m_choice = choice; }
     BranchChoice* choice() const { return m_choice; }
 
@@ -29,7 +29,7 @@ public:
     void setActive(bool active);
     QString prompt() const { return isActive() ? m_choice->prompt() : QString(); }
 
-    // While it is active; after the maps, which have the same items.
+    // Lays out while it is active; call it after the maps, which use the same items.
     void layOut(const attractor::OrbitCamera& camera, const std::optional<ifs::ControlCage<3>>& cage,
                 const SpaceCageItem::Hidden& isHidden);
 

@@ -22,7 +22,7 @@ constexpr double grip = 12; // pixels around a handle that hold it
 using attractor::OrbitCamera;
 using ifs::Vector;
 
-// As turn() says it, of corners of which some may be behind the eye.
+// The turn() of a face of which some corners may be behind the eye.
 double turnInSpace(const OrbitCamera& camera, const std::vector<Vector<3>>& vertices,
                    const std::vector<int>& face) {
     const Vector<3> eye =
@@ -180,7 +180,7 @@ void SpaceCageItem::setStyle(const OverlayStyle& style) {
         handle->setStyle(style);
 }
 
-// In one stroke, so that nothing is covered twice.
+// Paints in one stroke, so that nothing is covered twice.
 void SpaceCageItem::paintFaces(QPainter& painter) const {
     QPainterPath path;
     path.setFillRule(Qt::WindingFill);

@@ -19,7 +19,7 @@ namespace view {
 // hides it. A vertex beyond the corners of its faces is one in its middle, without a number.
 class SpaceCageItem : public OverlayItem {
 public:
-    // Whether something is in front of a point of the screen.
+    // Returns true if something is in front of a point of the screen.
     using Hidden = std::function<bool(const attractor::ScreenPoint&)>;
     // The corners of each face, counter-clockwise seen from outside.
     using Faces = std::vector<std::vector<int>>;

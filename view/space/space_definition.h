@@ -28,12 +28,12 @@ public:
     // nothing.
     std::optional<ifs::Simplex<3>> click(const attractor::OrbitCamera& camera, const ifs::Vector<2>& pixel);
     void follow(const attractor::OrbitCamera& camera,
-                const ifs::Vector<2>& pixel); // what the next click gives
+                const ifs::Vector<2>& pixel); // the vertex of the next click
     bool hasBegun() const { return !m_points.empty(); }
     bool isLifting() const { return m_points.size() == 3; }
     void lift(double share); // farther towards the eye, in heights of the regular tetrahedron
     bool takeBack();         // the last point; false when there is none
-    QString prompt() const;  // what to click next; empty while it is not active
+    QString prompt() const;  // for the next click; empty while it is not active
 
 private:
     std::optional<ifs::Vector<3>> pointAt(const attractor::OrbitCamera& camera,

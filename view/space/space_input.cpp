@@ -191,7 +191,7 @@ void SpaceInput::beginDrag(std::size_t vertex) {
     begin({std::move(moved->after), std::move(drag)}, step);
 }
 
-// Its corners follow its middle, which is held in place of a vertex.
+// Holds the middle of the face in place of a vertex; its corners follow.
 void SpaceInput::beginFaceDrag(std::size_t face) {
     const After after = afterCage();
     if (!after) return;
@@ -210,7 +210,7 @@ bool SpaceInput::isOnSymmetry() const {
     return knob && QLineF(*knob, pointer().position).length() <= knobReach;
 }
 
-// Its centre is held in place of a vertex.
+// Holds the centre of the symmetry in place of a vertex.
 void SpaceInput::beginSymmetryDrag() {
     const auto centre = displayedCentre(m_document->fractal());
     After after = afterCentreMoved(m_document->sharedFractal());
@@ -468,7 +468,7 @@ bool SpaceInput::mapsKeyPress(const QKeyEvent& event) {
     return key.isTaken;
 }
 
-// One undo step for as long as the key is held.
+// Makes one undo step for as long as the key is held.
 void SpaceInput::nudge(const QPointF& pixels) {
     if (!m_session.isRunning()) {
         std::optional<Subject> moved = subject();
@@ -574,7 +574,7 @@ void SpaceInput::reportDirection() {
     emit pointerMoved(at);
 }
 
-// Where the corner is now, and how it may move.
+// Reports the position of the corner, and how it may move.
 void SpaceInput::report(const Dragging& dragging) {
     if (held().vertices().empty()) return;
     SpacePosition at;

@@ -22,12 +22,12 @@
 
 namespace view {
 
-// What pointer, wheel, fingers and keys do in the window into space: orbit, pan, and drag vertices.
+// Input of pointer, wheel, fingers and keys in the window into space: orbit, pan, and drag vertices.
 class SpaceInput : public ViewportInput {
     Q_OBJECT
 
 public:
-    // What can be held on the canvas: the cage, or the maps or a branch while they are active.
+    // Items that can be held on the canvas: the cage, or the maps or a branch while they are active.
     struct Items {
         SpaceCageItem& cage;
         SpaceMaps& maps;
@@ -47,7 +47,7 @@ public:
     bool needsKey(const QKeyEvent& event) const override;
     void cancelDrag() override;
     bool moveFocus(bool next);     // to the next or previous vertex; after the last, the ball; false past it
-    void forgetFocus();            // of another fractal
+    void forgetFocus();            // when another entry is shown
     void setEnabled(bool enabled); // handles and ball can be held
     // A drag of a map stops where the attractor would be lost, unless this is allowed.
     void setAllowsNoAttractor(bool allows) { m_allowsNoAttractor = allows; }
@@ -111,7 +111,8 @@ private:
     QString stepText(SpatialDrag::Mode mode, std::size_t vertex) const;
     void beginFaceDrag(std::size_t face);
     After afterCage(); // nullptr while there is no cage, or, which is said, while it cannot move
-    // What is held: the cage, the selected maps or a branch. nullopt, which is said, while it cannot move.
+    // The held object: the cage, the selected maps or a branch. nullopt, with a message, while it cannot
+    // move.
     struct Subject {
         std::vector<ifs::Vector<3>> vertices; // of several maps, those of the held one first
         After after;
@@ -155,7 +156,7 @@ private:
     std::variant<std::monostate, Orbiting, Dragging, Slicing> m_gesture;
     DragSession m_session;      // of Dragging, Slicing and m_nudging
     Dragging m_nudging;         // while an arrow key is held
-    bool m_isPointRead = false; // what was reported last is under the pointer
+    bool m_isPointRead = false; // the last report is still under the pointer
     std::optional<std::size_t> m_hovered;
     std::optional<std::size_t> m_focused;
     std::optional<std::size_t> m_face; // hovered or held

@@ -20,9 +20,9 @@ namespace view {
 // The edges of a tetrahedron that a map makes of the cage's.
 document::SpaceOutline tetrahedron(const document::SpaceMapHandles::Corners& corners,
                                    const attractor::Rgba& colour);
-// What it is held by: its corners and its middle, which moves it as a whole.
+// Handles of a map: its corners and its middle, which moves it as a whole.
 std::vector<ifs::Vector<3>> handlesOf(const document::SpaceMapHandles::Corners& corners);
-// Its faces, counter-clockwise seen from outside.
+// Faces of a tetrahedron, counter-clockwise seen from outside.
 SpaceCageItem::Faces facesOfTetrahedron();
 
 class SpaceMapDrag;
@@ -65,7 +65,7 @@ public:
     QString stepText(DragMode mode, std::optional<std::size_t> corner) const;
 
 private:
-    std::vector<std::size_t> moving() const; // what a drag moves, the held map first
+    std::vector<std::size_t> moving() const; // maps that a drag moves, the held one first
 
     struct Dot {
         QPointF pixel;
@@ -82,7 +82,7 @@ private:
     bool m_isActive = false;
 };
 
-// One drag of maps in space, the first of which is held, from what they were when it began.
+// A drag of maps in space, the first of which is held, based on the maps when it began.
 class SpaceMapDrag {
 public:
     // nullopt while the maps cannot be moved, because the placement is flat. `inside`: the branch that is

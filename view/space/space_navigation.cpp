@@ -97,7 +97,7 @@ void SpaceNavigation::fit() {
     fitAgain();
 }
 
-// What moves is fitted as a whole, as soon as that is known.
+// Fits an animation as a whole, as soon as its extent is known.
 void SpaceNavigation::fitAgain() {
     if (m_camera.size.width <= 0 || m_camera.size.height <= 0) return;
     m_glide.stop();
@@ -155,7 +155,7 @@ void SpaceNavigation::orbit(const attractor::OrbitCamera& before, const ifs::Vec
            isMoving);
 }
 
-// What is under the fingers turns with them, as it is seen from above; from below, the other way.
+// Turns the scene with the fingers, as it is seen from above; from below, the other way.
 void SpaceNavigation::twistAt(const QPointF& position, double degrees) {
     if (m_isFixed) return;
     leaveAxisView();

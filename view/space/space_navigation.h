@@ -16,14 +16,14 @@
 
 namespace view {
 
-// From where one looks, whichever axis is up.
+// Standard directions of view, whichever axis is up.
 namespace directions {
 constexpr attractor::Direction front{0, 0}, back{180, 0}, right{90, 0}, left{-90, 0}, top{0, 90},
     bottom{0, -90};
 constexpr attractor::Direction isometric{45, 35.26438968275466}; // the diagonal of a cube is a point
 } // namespace directions
 
-// Where the window into space looks.
+// The view of the window into space.
 class SpaceNavigation : public ViewNavigation {
     Q_OBJECT
 
@@ -34,7 +34,8 @@ public:
     double pixelRatio() const { return m_viewport->devicePixelRatioF(); }
     QPointF middle() const override { return {m_camera.size.width / 2.0, m_camera.size.height / 2.0}; }
 
-    // By the user: it stays so when the window changes its size. `isMoving`: more of the same is to come.
+    // Moves on behalf of the user: the view then stays when the window changes its size. `isMoving`: more
+    // calls follow.
     void moveTo(const attractor::OrbitCamera& camera, bool isMoving = false);
     void followKeys(attractor::OrbitCamera camera, bool isMoving); // whatever its size
     void glideTo(const attractor::OrbitCamera& camera);            // within a moment
@@ -43,9 +44,9 @@ public:
     void zoomAt(const QPointF& position, double factor) override;
     void resetZoom() override; // of a unit at the target
     void lookFrom(const attractor::Direction& direction);
-    // From that end of an axis, or from the other one where that is so already; returns the one it is.
+    // Looks along an axis from that end, or from the other one if it does so already; returns the end used.
     AxisBall::End lookAlong(AxisBall::End end);
-    // By that many degrees from `before`, as the user likes to turn.
+    // Orbits by these degrees from `before`, in the user's mode of turning.
     void orbit(const attractor::OrbitCamera& before, const ifs::Vector<3>& pivot, double right, double up,
                bool isMoving = false);
     // Side by side, each eye has half of the window, with a camera of its own.
@@ -56,7 +57,7 @@ public:
     void setUpAxis(attractor::UpAxis up);
     attractor::UpAxis upAxis() const { return m_up; }
 
-    // At once; nothing turns the view from then on, and the user's views are not for this one.
+    // Fixes the direction at once: nothing turns this view any more, and the user's views do not apply to it.
     void fixDirection(const attractor::Direction& direction);
     bool isFixed() const { return m_isFixed; }
 
@@ -69,8 +70,7 @@ public:
 
     // The point of the attractor that is seen there; nullopt beside it.
     std::optional<ifs::Vector<3>> pointUnder(const QPointF& position) const;
-    // What a view turns about that is pulled beside the solid: the middle of the solid or, where that is not
-    // known, the target.
+    // The pivot for a drag beside the solid: the middle of the solid or, where that is not known, the target.
     ifs::Vector<3> pivotBeside() const;
     // The one that is seen nearest to it, a few pixels away at most: twigs are thin.
     std::optional<ifs::Vector<3>> pointNear(const QPointF& position) const;

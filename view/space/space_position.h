@@ -14,20 +14,20 @@
 
 namespace view {
 
-// What is under the pointer in space.
+// The point under the pointer in space.
 struct SpacePosition {
     ifs::Vector<3> world = ifs::Vector<3>::Zero();
     double depth = 0;         // along the view away from the eye, 0 in the plane of the target
     double unitsPerPixel = 1; // in the plane of the target
     bool onAttractor = false; // else in the plane of the target
-    // With respect to the current tetrahedron; nullopt while it is flat.
+    // Coordinates with respect to the current tetrahedron; nullopt while it is flat.
     std::optional<ifs::Barycentric<3>> barycentric;
     ifs::Word address; // of the point of the attractor, outermost map first; empty where it has none
     AxisLock lock;     // of the corner that is dragged
     std::optional<attractor::Direction> direction; // of the camera, while it turns about `world`
 };
 
-// At a pixel of the view, with respect to a tetrahedron of these vertices, if it is one.
+// The point at a pixel of the view, with respect to a tetrahedron of these vertices, if it is one.
 SpacePosition positionAt(const document::Fractal& fractal, const SpaceNavigation& navigation,
                          const std::vector<ifs::Vector<3>>& vertices, const QPointF& pixel);
 

@@ -25,7 +25,7 @@ std::optional<ifs::AffineMap<3>> placementOf(const document::Fractal& fractal) {
     return ifs::displayMap(*shape->cage);
 }
 
-// In the standard position of the group.
+// Axes in the standard position of the group.
 std::vector<ifs::Vector<3>> linesOf(const ifs::Symmetry<3>& symmetry) {
     std::vector<ifs::Vector<3>> lines{ifs::Vector<3>::UnitZ()};
     switch (symmetry.group) {

@@ -19,13 +19,13 @@ namespace view {
 
 namespace {
 
-// Where there is a solid, that is known after a few pixels.
+// Returns true if the view is empty. A solid is recognised after a few pixels.
 bool showsNothing(const attractor::SolidFrame& frame) {
     return std::ranges::all_of(frame.raster.keys,
                                [](std::uint32_t key) { return key == attractor::emptyKey; });
 }
 
-// Corners of the box around what is displayed, where it is cut.
+// Corners of the box around the displayed picture, where it is cut.
 std::vector<ifs::Vector<3>> cornersOfCut(const document::Fractal& fractal) {
     if (!document::space(fractal) || !fractal.inSpace.clip || !document::isSpaceExtentKnown(fractal))
         return {};
@@ -118,7 +118,7 @@ void SpaceView::setCage(const std::optional<ifs::ControlCage<3>>& cage) {
 }
 
 void SpaceView::showNote() {
-    // One of several views says only what happens in it: the others would say the same.
+    // Only the view concerned speaks: the others would say the same.
     const bool isSpokenFor = isFixed() && !m_definition.hasBegun();
     const auto frame = m_bridge->frame();
     const auto note = [&] {

@@ -24,7 +24,7 @@ public:
     SpaceNavigation& navigation() { return m_navigation; }
     const SpaceNavigation& navigation() const { return m_navigation; }
     void setOverlaysVisible(bool visible);
-    // What the pointer holds: the cage, the maps, a branch, or nothing while clicks define another
+    // The object held by the pointer: the cage, the maps, a branch, or nothing while clicks define another
     // tetrahedron.
     enum class Target { Cage, Maps, Branch, Definition };
     void setTarget(Target target);
@@ -36,7 +36,7 @@ public:
     std::vector<std::size_t> selectedMaps() const { return m_maps.selection(); } // with the held one
     std::vector<ifs::MapId> selectedIds() const { return m_maps.selectedIds(); }
     void setAllowsNoAttractor(bool allows) { m_input.setAllowsNoAttractor(allows); }
-    // Always looks from there, under that title; a drag where nothing is held pans.
+    // Fixes the direction of view, under that title; a drag where nothing is held pans.
     void fixDirection(const attractor::Direction& direction, const QString& title);
     const SpaceCageItem& mapItem() const { return *m_mapItem; } // the map, or the branch, that is held
     QImage picture() const { return m_solid->picture(); }       // in device pixels; null before one
@@ -67,7 +67,7 @@ private:
     void followDocument(const document::Change& change);
     void followFractal(const document::Change& change);
     void followCamera(const document::Change& change);
-    void lookAsKeyed(bool isMoving); // nothing happens where no keys move the camera
+    void lookAsKeyed(bool isMoving); // has no effect without keys of the camera
     void layOut();
     void layOutSlice();
     bool areOverlaysShown() const;

@@ -19,15 +19,15 @@ using ifs::Vector;
 // a leap.
 const double minSlope = std::sin(8 * std::numbers::pi / 180);
 
-// What turns or scales, pressed nearer to its middle than that, is held as if it were farther from it, in
-// pixels.
+// Lengths in pixels: a rotation or scaling pressed nearer to its middle than `minLever` acts as if it were
+// held at `lever`.
 constexpr double minLever = 20, lever = 80;
 
 Vector<3> awayFromEye(const OrbitCamera& camera) {
     return -camera.orientation.toRotationMatrix().col(2);
 }
 
-// In the plane through `start` that is parallel to the screen.
+// Moves in the plane through `start` that is parallel to the screen.
 Vector<3> acrossView(const OrbitCamera& camera, const Vector<3>& start, const Vector<2>& motion) {
     if (motion.isZero(0)) return start; // to the bit
     attractor::ScreenPoint seen = toScreen(camera, start);
@@ -36,7 +36,7 @@ Vector<3> acrossView(const OrbitCamera& camera, const Vector<3>& start, const Ve
     return start + (toWorld(camera, seen) - from);
 }
 
-// How a point moves on the screen, in pixels, when it moves by 1 along a direction.
+// Motion of a point on the screen, in pixels, when it moves by 1 along a direction.
 Vector<2> onScreen(const OrbitCamera& camera, const Vector<3>& at, const Vector<3>& direction) {
     const double little = 1e-6 * camera.height;
     return (toScreen(camera, at + little * direction).pixel -
@@ -49,7 +49,7 @@ attractor::Ray sight(const OrbitCamera& camera, const Vector<3>& start, const Ve
     return rayThrough(camera, toScreen(camera, start).pixel + motion);
 }
 
-// Which of two ways an axis follows the pointer is decided where the drag began, so that it never jumps.
+// Moves along an axis in one of two ways, chosen where the drag began, so that the point never jumps.
 Vector<3> alongAxis(const OrbitCamera& camera, const Vector<3>& start, const Vector<2>& motion,
                     const Vector<3>& direction) {
     const Vector<3> pressed = sight(camera, start, Vector<2>::Zero()).direction;

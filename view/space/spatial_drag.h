@@ -9,7 +9,7 @@
 
 namespace view {
 
-// What binds the motion of a vertex in space. Axes count from 0.
+// Constraint of the motion of a vertex in space. Axes count from 0.
 struct AxisLock {
     enum class Kind {
         View,   // free, in the plane through it that is parallel to the screen
@@ -23,8 +23,8 @@ struct AxisLock {
     friend bool operator==(const AxisLock&, const AxisLock&) = default;
 };
 
-// One drag of a vertex of a cage in space, as it was when it began. Every position of the pointer is answered
-// from here, so nothing accumulates and the way back is exact.
+// A drag of a vertex of a cage in space, as it was when it began. Every position of the pointer is answered
+// from this state, so nothing accumulates and the way back is exact.
 struct SpatialDrag {
     // Move: the vertex; Rotate and Scale: all vertices, about the view axis through their middle or from it.
     using Mode = DragMode;

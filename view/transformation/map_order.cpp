@@ -74,7 +74,7 @@ MapOrder::MapOrder(QWidget* parent) : QWidget(parent), m_list(new QListWidget(th
     connect(m_down, &QToolButton::clicked, this, [this] { move(1); });
     connect(m_reset, &QToolButton::clicked, this, [this] { emit ordered({}); });
     connect(m_list, &QListWidget::currentRowChanged, this, &MapOrder::updateButtons);
-    // Once the drop is over: the list is filled anew.
+    // Reports after the drop, when the list is filled anew.
     connect(m_list->model(), &QAbstractItemModel::rowsMoved, this, &MapOrder::report, Qt::QueuedConnection);
     m_reset->setEnabled(false);
     updateButtons();

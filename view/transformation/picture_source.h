@@ -33,7 +33,8 @@ public:
     void decode(const QByteArray& file); // of a picture
     void forget();
     const QString& wish() const { return m_wish; } // the path from the root, or wishFor() the rest
-    // Whether it leads out of the folder, which is empty where the file is in none. This asks the disk.
+    // Returns true if the path leads out of the folder, which is empty if the file is in none. This asks the
+    // disk.
     static bool isForeign(const QString& folder, const QString& path);
     static QString absolutePath(const QString& folder, const QString& path);
     static QString wishFor(attractor::Pattern pattern);

@@ -15,11 +15,11 @@ namespace view {
 // The stolen picture of the job's F through a camera, whatever its own. Both take long: not in the thread of
 // the window.
 
-// As PNG; `path` appears whole or not at all.
+// Exports as PNG; `path` appears whole or not at all.
 io::ExportOutcome exportStolenPicture(const document::TheftJob& job, const attractor::Camera& camera,
                                       const QString& path, const io::Progress& progress,
                                       const std::stop_token& stop);
-// In memory; nullopt when stopped, or when there is none.
+// The picture in memory; nullopt when stopped, or when there is none.
 std::optional<QImage> stolenPicture(const document::TheftJob& job, const attractor::Camera& camera,
                                     const std::stop_token& stop);
 

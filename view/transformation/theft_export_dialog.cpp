@@ -89,7 +89,7 @@ QString TheftExportDialog::chosenFile() {
 
 void TheftExportDialog::exportTo(const QString& path) {
     if (isBusy()) return;
-    // Not under a name with another ending either: nobody was asked about a file that has it.
+    // A name with another ending is refused: the user was not asked about a file of that name.
     if (QFileInfo(path).suffix().toLower() != QStringLiteral("png"))
         return say(
             tr("The name “%1” does not end with .png. Choose another name.").arg(QFileInfo(path).fileName()));

@@ -14,7 +14,7 @@ QString sizeText(double size) {
     return size < 99.5 ? QString::number(size, 'g', 2) : QString::number(size, 'f', 0);
 }
 
-// How much of the whole attractor a bound is, in per cent.
+// The bound as a part of the whole attractor, in per cent.
 QString partText(const ifs::Tear& tear) {
     return sizeText(tear.whole > 0 ? std::min(100 * tear.size / tear.whole, 100.0) : 100);
 }

@@ -8,11 +8,11 @@
 
 namespace view {
 
-// What the user reads of a fractal transformation: why there is none, and how continuous it is.
+// Sentences about a fractal transformation: why there is none, and how continuous it is.
 QString sentenceOf(const document::CouplingOutcome& flaw, const QString& from, const QString& to);
-// How far a transformation to the partner may jump, and that this is a bound.
+// A bound of the jumps of the transformation to the partner, said to be a bound.
 QString sentenceOf(const ifs::Tear& tear);
-// Whether it is a homeomorphism, and how far the way back may jump.
+// The verdict on a homeomorphism, and a bound of the jumps of the way back.
 QString sentenceOf(const ifs::Tear& back, ifs::Homeomorphism verdict);
 
 } // namespace view

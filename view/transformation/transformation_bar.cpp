@@ -37,8 +37,7 @@ QToolButton* named(const char* name, QToolButton* button) {
     return button;
 }
 
-// What is chosen, which may be a long name, has dots where there is no room for all of it; the list shows it
-// whole.
+// A combo box that abbreviates a long choice with dots; the list shows it whole.
 class NamesBox : public QComboBox {
 public:
     using QComboBox::QComboBox;

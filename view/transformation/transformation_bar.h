@@ -19,15 +19,14 @@ namespace view {
 
 class ElidedLabel;
 
-// What the user chooses for a fractal transformation, under the two canvases: partner, mode, picture; and
-// what there is to say about it.
+// Settings of a fractal transformation, under the two canvases: partner, mode and picture, with messages.
 class TransformationBar : public QWidget {
     Q_OBJECT
 
 public:
     explicit TransformationBar(QWidget* parent = nullptr);
 
-    // The entry, the others of the file, and what is kept.
+    // Shows the entry, the others of the file, and the kept transformation.
     void show(const document::FractalFile& file, document::EntryId current, document::EntryId partner,
               const document::KeptTheft& theft);
     void showContinuity(const QString& sentence);

@@ -51,7 +51,7 @@ QString pictureOf(const QMimeData& data) {
     return io::pictureSuffixes().contains(QFileInfo(path).suffix().toLower()) ? path : QString();
 }
 
-// What is wrong with a file is said with its name, what is wrong with its content without.
+// A sentence about a picture: a problem with the file includes its name, a problem with its content does not.
 QString pictureProblem(const QString& path, const QString& sentence) {
     if (sentence.contains(QFileInfo(path).fileName())) return sentence;
     return TransformationView::tr("%1: %2").arg(QDir::toNativeSeparators(path), sentence);
@@ -284,7 +284,7 @@ void TransformationView::refresh() {
     if (const qsizetype index = document::indexOf(file, partner); index >= 0) {
         const document::Fractal& fractal = *file.entries[index].fractal;
         m_kept.partner = fractal.name;
-        // What nobody has chosen yet stays where it is, too.
+        // A view that was only guessed stays where it is, too.
         if (!kept && before.view && m_guessedFor == current && before.partner == fractal.name)
             m_kept.view = before.view;
         else if (!kept)
@@ -353,7 +353,7 @@ void TransformationView::showProblem() {
     m_bar->showProblem({}, Remedy::None);
 }
 
-// What was measured is of the entries before.
+// Drops measurements of the entries before.
 void TransformationView::measureLater() {
     m_measuring.future().cancel();
     m_bar->showContinuity({});
@@ -390,7 +390,7 @@ void TransformationView::start(document::TheftFamily family) {
     m_document->editFile(tr("Add Family"), std::move(started.file), started.from);
 }
 
-// Where the picture lies on the partner as it is now, so that the partner can be dragged over it.
+// Places the picture relative to the partner as it is now, so that the partner can be dragged over it.
 KeptTheft TransformationView::placed(KeptTheft theft, const document::Fractal& partner) const {
     theft.view.reset();
     if (theft.mode != document::TheftMode::StealColours) return theft;
@@ -464,7 +464,7 @@ void TransformationView::openForeign() {
     showProblem();
 }
 
-// What was agreed for one file says nothing of another.
+// Drops the user's agreement, which holds for one file only.
 void TransformationView::forgetAgreement() {
     m_agreed.clear();
     m_isMoving = true;
@@ -544,7 +544,7 @@ void TransformationView::dropEvent(QDropEvent* event) {
     const QString path = pictureOf(*event->mimeData());
     if (path.isEmpty() || !isOverPartner(event->position().toPoint())) return event->ignore();
     acceptAsCopy(*event);
-    // Once the drop is over: the program that it came from waits.
+    // Runs after the drop: the program that it came from waits.
     QMetaObject::invokeMethod(
         this, [this, path] { usePicture(path); }, Qt::QueuedConnection);
 }

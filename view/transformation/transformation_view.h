@@ -98,7 +98,7 @@ private:
     QSplitter* m_splitter;
     bool m_isShown = false;
 
-    // Made when they are shown for the first time:
+    // Members made when they are shown for the first time:
     std::unique_ptr<document::PartnerDocument> m_partner;
     RenderBridge* m_partnerRender = nullptr;
     CanvasView* m_partnerCanvas = nullptr;

@@ -6,7 +6,7 @@
 
 namespace view {
 
-// One pixel in the direction of an arrow key, y down; null for other keys.
+// A step of one pixel in the direction of an arrow key, y down; null for other keys.
 inline QPointF arrowDirection(int key) {
     switch (key) {
     case Qt::Key_Left:
@@ -22,7 +22,7 @@ inline QPointF arrowDirection(int key) {
     }
 }
 
-// How many pixels, degrees or percent an arrow key moves what it nudges.
+// Pixels, degrees or percent for one press of an arrow key.
 inline double nudgePace(Qt::KeyboardModifiers modifiers) {
     if (modifiers.testFlag(Qt::ShiftModifier)) return 10;
     return modifiers.testFlag(Qt::AltModifier) ? 0.1 : 1;

@@ -7,7 +7,7 @@ class QComboBox;
 namespace view {
 
 // Leaves undo and redo in a field that edits the document to the document, as number fields do; the field
-// takes back only what is being typed.
+// itself takes back only the text being typed.
 void leaveUndoToDocument(QAbstractSpinBox* field);
 void leaveUndoToDocument(QComboBox* field); // one that takes text
 

@@ -10,7 +10,7 @@ class QWidget;
 // result: the user has cancelled.
 namespace view {
 
-// The name of a new file for what has the given name, which may come from any file.
+// A name for a new file about something of this name, which may come from any file.
 QString suggestedName(const QString& name, const QString& suffix);
 
 // `suggestion` is such a name, or the path of a file. `asksToReplace` is false where the caller asks.

@@ -8,8 +8,8 @@ class QWidget;
 
 namespace view {
 
-// While the widget has the focus, its own actions win their keys, even where the window uses the same ones:
-// Ctrl+C in a list copies what is selected there. Owned by the widget.
+// Lets a widget's own actions win their keys while it has the focus, even where the window uses the same
+// ones: Ctrl+C in a list copies what is selected there. Owned by the widget.
 class FocusShortcuts : public QObject {
     Q_OBJECT
 

@@ -28,8 +28,8 @@ bool looksTheSame(const document::Fractal& a, const document::Fractal& b) {
     return a.shape == b.shape && a.appearance == b.appearance;
 }
 
-// What the picture is to hold; nullopt when there is nothing to draw. Where no box is certified, the
-// corners of the cage hold the picture as a rule.
+// The box of the picture; nullopt when there is nothing to draw. If no box is certified, the corners of the
+// cage hold the picture as a rule.
 std::optional<document::Box> boxToShow(const document::Fractal& fractal) {
     if (auto box = document::boxWithShadow(fractal, attractor::YAxis::Up)) return box;
     const ifs::ControlCage<2>* cage = document::cage2(fractal);
@@ -48,7 +48,7 @@ QImage pictureOf(const attractor::Frame& frame) {
         .copy();
 }
 
-// As the cache knows it.
+// The picture by which the cache knows that there is nothing.
 QImage nothing() {
     QImage image(1, 1, QImage::Format_ARGB32_Premultiplied);
     image.fill(Qt::transparent);
@@ -74,8 +74,8 @@ QImage pictureInSpace(const document::Fractal& fractal, int side) {
         .copy();
 }
 
-// One picture on its way, on the thread of the queue: what it costs to find out what is to be drawn, and to
-// look for it on the disk, is not for the thread of the window.
+// A picture on its way, on the thread of the queue: finding out what is to be drawn, and looking for it on
+// the disk, would hold up the thread of the window.
 struct Drawing {
     Thumbnails::FractalPointer fractal;
     int side = 0; // pixels
@@ -177,7 +177,7 @@ void Thumbnails::want(Key key, const FractalPointer& fractal) {
     m_submitTimer.start();
 }
 
-// When all that is in sight has been asked for, the newest first.
+// Submits the next, the newest first, when everything in sight has been asked for.
 void Thumbnails::submitNext() {
     while (!m_wanted.isEmpty() && m_running.size() < maxRunning) {
         const Wanted wanted = m_wanted.takeLast();

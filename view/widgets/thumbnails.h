@@ -25,7 +25,7 @@ class ThumbnailCache;
 
 namespace view {
 
-// What there is to show for a fractal in a list.
+// The picture of a fractal in a list, or why there is none.
 struct Thumbnail {
     enum class State {
         Pending,     // asked for; the pixmap may still be that of an earlier value
@@ -59,7 +59,7 @@ public:
     // Pictures are looked for there before they are drawn, and kept there.
     void setCache(std::unique_ptr<io::ThumbnailCache> cache);
 
-    // Never waits. When the picture of `fractal` is not there it is asked for, and ready(key) follows.
+    // Never waits. If the picture of `fractal` is missing it is requested, and ready(key) follows.
     Thumbnail thumbnail(Key key, const FractalPointer& fractal);
     void clear(); // forgets pictures and requests, for instance when the keys take another meaning
 

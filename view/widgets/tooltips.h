@@ -8,8 +8,8 @@ class QWidget;
 
 namespace view {
 
-// What the tip of a widget shows: its name, its shortcut and the sentence that it has been given, as rich
-// text. Empty for a widget without a sentence.
+// The tip of a widget as rich text: its name, its shortcut and the sentence given to it. Empty for a widget
+// without a sentence.
 QString composedTip(const QWidget& widget);
 
 // Shows these tips instead of the bare sentences, for all widgets of the application, as long as it lives.

@@ -40,7 +40,7 @@ void explainPart(QToolButton* button, const QLineEdit& field) {
     if (button->whatsThis().isEmpty()) button->setWhatsThis(field.whatsThis());
 }
 
-// What the panel, bar or dialog is for in which something is, after what it does itself.
+// The text of a widget, followed by that of its panel, bar or dialog.
 QString withPanel(const QString& tip, const QWidget* widget) {
     for (; widget; widget = widget->parentWidget())
         if (const auto* panel = qobject_cast<const QDockWidget*>(widget);
@@ -52,7 +52,7 @@ QString withPanel(const QString& tip, const QWidget* widget) {
     return tip;
 }
 
-// Nothing, or no more than its tip.
+// Returns true if the text is empty, or no more than the tip.
 bool saysLittle(const QWidget& widget) {
     const QString text = widget.whatsThis();
     return text.isEmpty() || asSentence(text) == asSentence(widget.toolTip());

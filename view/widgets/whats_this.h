@@ -5,8 +5,8 @@ class QWidget;
 
 namespace view {
 
-// What's This? for the parts of a panel or dialog that say in their tool tip or status tip all there is to
-// say, and for the usual buttons of dialogs. Texts that are there already stay.
+// Adds What's This? texts to the parts of a panel or dialog whose tool tip or status tip says everything, and
+// to the usual buttons of dialogs. Existing texts stay.
 void explainByTips(QWidget* root);
 
 } // namespace view

@@ -30,7 +30,7 @@ Chunk chunkArgument(const std::string&, const std::string& text) {
     return chunk;
 }
 
-// What pictures have and a video has not.
+// Refuses options for pictures that a video does not have.
 void refuseForVideo(const AnimateArguments& arguments) {
     refuseIf(arguments.chunk.has_value(), "--chunk",
              tr("only one process can write a video. Draw the frames as NAME.####.png, and make the video "

@@ -27,14 +27,14 @@ struct FileRange {
     int step = 1;
 };
 
-// Every n-th file: those whose place in the list, counted from 0, leaves i when divided by n.
+// Selects every n-th file: those whose place in the list, counted from 0, leaves i when divided by n.
 struct Chunk {
     int i = 0;
     int n = 1;
 };
 
 enum class Existing {
-    Skip,    // what is complete and was drawn by the same request stays
+    Skip,    // complete frames of the same request stay
     Replace, // everything is drawn again
     Fail,    // nothing is drawn when a file is there
 };
@@ -53,7 +53,7 @@ struct AnimateArguments {
 
 void addAnimateOptions(Command& command, AnimateArguments& arguments);
 
-// Looks at every value before a file is read.
+// Checks every value before a file is read.
 void check(AnimateArguments& arguments);
 
 // --frames: "1-240x2,300", or "all" for none. Throws UsageError.

@@ -98,7 +98,7 @@ QString listed(const std::vector<int>& numbers) {
     return runs.join(QStringLiteral(", "));
 }
 
-// All from the first to the last, but no more than can be told apart from a wrong name.
+// Numbers from the first to the last, but no more than can be told apart from a wrong name.
 std::vector<int> withoutGaps(const std::vector<int>& numbers) {
     constexpr int enough = 1'000'000;
     std::vector<int> all;
@@ -108,7 +108,7 @@ std::vector<int> withoutGaps(const std::vector<int>& numbers) {
     return all;
 }
 
-// What a picture says of itself, if it does: of which animation it is, and which number its file had.
+// Marks in a picture, if there are any: its animation, and the number that its file had.
 struct Marks {
     QByteArray animation;
     int number = 0;
@@ -223,8 +223,8 @@ private:
         return ExitStatus::Done;
     }
 
-    // What has been left over from another animation is older than what was drawn after it. Where nothing
-    // says what it is, the first picture has the entry.
+    // Learns from the newest picture: leftovers of another animation are older. If no picture has marks, the
+    // first one has the entry.
     void learnFromNewest(const std::vector<int>& there) {
         int source = there.front();
         QDateTime newest;
@@ -249,7 +249,7 @@ private:
         if (m_looked[source].damage) m_obstacle.reset(); // which is said if the picture is wanted
     }
 
-    // What the pictures carry, if they do.
+    // Reads the entry that a picture carries, if any.
     io::Failure readEntry(const QString& path) {
         const io::Loaded first = io::loadFile(path);
         if (first.failure) return first.failure;
@@ -279,7 +279,7 @@ private:
         return settings;
     }
 
-    // By their headers: whether pixels have an alpha channel.
+    // Returns true if a header announces an alpha channel.
     bool isAnyTransparent() const {
         return std::ranges::any_of(m_numbers, [this](int number) { return m_looked.at(number).hasOpacity; });
     }
@@ -339,7 +339,7 @@ private:
     Interrupt m_interrupt;
     ProgressBar m_bar;
     std::vector<int> m_numbers; // of the pictures
-    // What the newest one carries, and by how much the numbers of files exceed those they were drawn with.
+    // Data of the newest picture, and the number by which those of files exceed the frame numbers.
     std::map<int, Looked> m_looked; // by number, all pictures that are there
     QString m_newest;
     QByteArray m_animation;

@@ -11,7 +11,7 @@
 
 namespace cli {
 
-// What is to be said of the frames of an animation: one warning for all frames of which it is true.
+// Collects notes on the frames of an animation: one warning for all frames to which it applies.
 class FrameNotes {
 public:
     // Says at once which of the frames have no attractor; where none of them lacks it, the first moment of
@@ -19,7 +19,7 @@ public:
     FrameNotes(const Input& input, const document::Fractal& entry, const std::vector<int>& frames);
 
     void add(int frame, attractor::RenderNote note);
-    void report(const QString& fileName) const; // what has not been said yet
+    void report(const QString& fileName) const; // notes not reported yet
 
 private:
     bool m_isInSpace;

@@ -23,8 +23,7 @@ struct VideoSource {
     std::function<QImage(int index, const io::VideoWriter::Progress& progress)> frame;
 };
 
-// Writes the video and says what goes wrong. Where a format shows frames otherwise than they are, a warning
-// says so.
+// Writes the video and reports failures. A warning is given for a format that changes the frames.
 ExitStatus writeVideo(const QString& path, VideoSource source, ProgressBar& bar, const Interrupt& interrupt);
 
 } // namespace cli

@@ -54,7 +54,7 @@ struct ConvertArguments {
     Verbosity verbosity;
 };
 
-// What every input is converted to, checked before any of them is read.
+// The target of all inputs, checked before any of them is read.
 struct Plan {
     ConvertFormat format = TextFormat::Fractint;
     io::ReadOptions reading;
@@ -129,7 +129,7 @@ Plan planOf(const ConvertArguments& arguments) {
     return plan;
 }
 
-// What is written of a file. Every entry that is not is said.
+// Content to write of a file. Every entry that is left out is reported.
 struct Content {
     document::FractalFile file; // with the entries that can be written
     qsizetype asked = 0;        // entries, with those that are left out
@@ -174,7 +174,7 @@ std::optional<QString> obstacle(document::Entry& entry, const Input& input, cons
     return std::nullopt;
 }
 
-// At its line, where it has one.
+// Warns with the line of the entry, if it has one.
 void warnOf(const QString& loss, const document::Entry& entry, const QString& fileName) {
     if (!entry.source) return reportWarning(fileName, loss);
     report({document::Problem::Severity::Warning, entry.fractal->name, entry.source->line, 1, loss},
@@ -210,8 +210,8 @@ Content contentOf(const Input& input, const ConvertArguments& arguments, const P
     return content;
 }
 
-// An entry of a parameter file as it is in a collection: without the prefix of its name, and of what stands
-// before it with the comments right above.
+// An entry of a parameter file as it is in a collection: without the prefix of its name, and with only the
+// comments right above it.
 std::shared_ptr<const document::EntrySource> withoutParameters(const document::EntrySource& entry,
                                                                bool isFirst) {
     auto source = std::make_shared<document::EntrySource>(entry);
@@ -241,7 +241,7 @@ Fractals systemsOf(const document::FractalFile& file) {
     return systems;
 }
 
-// How many entries were written, where some were not.
+// Number of entries written, and the status, which tells if some were not.
 struct Written {
     qsizetype entries = 0;
     ExitStatus status = ExitStatus::Done;
@@ -286,9 +286,9 @@ public:
     }
 
 private:
-    // By its name, or where that says nothing by what is in it: what no other reader knows goes to that of
-    // collections, and need be none. Out of a parameter file only the systems are wanted, not the parameters
-    // around them.
+    // Returns true for a collection, by its name, or else by its content: content that no other reader knows
+    // goes to that of collections, and need be none. Of a parameter file only the systems are wanted, not the
+    // parameters around them.
     static bool isCollectionFile(const Input& input) {
         const QString suffix = QFileInfo(input.name).suffix().toLower();
         if (suffix == u"ifs" || suffix == u"par") return suffix == u"ifs";
@@ -361,7 +361,7 @@ private:
         return {pages.count, write(output, pages.bytes)};
     }
 
-    // One file for every system.
+    // Saves a file for every system.
     Written saveEach(const Fractals& systems, const QString& base, const QString& inputName,
                      const io::Progress& progress) {
         if (systems.size() == 1)
@@ -394,7 +394,7 @@ private:
         return m_interrupt.status();
     }
 
-    // The output is a file that was given to be read, and what it holds would be gone.
+    // Returns true if the output is an input file whose contents would be lost.
     bool wouldLose(const QString& output) const {
         if (m_arguments.overwrite || isStandardOutput(output)) return false;
         if (isSameFile(output, fileBehind(m_input))) {

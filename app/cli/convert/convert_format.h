@@ -31,7 +31,7 @@ bool isTable(const ConvertFormat& format);
 bool holdsOneEntry(const ConvertFormat& format);
 QString suffixOf(const ConvertFormat& format);
 
-// By the suffix or name of the format, and whether points or voxels were asked for. Throws UsageError.
+// The format with this suffix or name, given whether points or voxels were asked for. Throws UsageError.
 ConvertFormat formatOf(const QString& name, bool hasPoints, bool hasVoxels);
 
 // Why the format cannot store an entry of this dimension; empty where it can.

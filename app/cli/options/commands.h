@@ -3,8 +3,8 @@
 
 #include "options/options.h"
 
-// One function per command: its table of options, with the places of their values, and what it does once
-// these are filled in.
+// The commands, a function for each: its table of options, with the places of their values, and the work to
+// do once these are filled in.
 namespace cli {
 
 Command animateCommand();

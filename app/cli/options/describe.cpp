@@ -38,7 +38,7 @@ std::string escaped(const std::string& text, const std::string& special) {
     return result;
 }
 
-// What fits beside a name in a list: the description up to what explains it.
+// The description up to its explanation, short enough to stand beside a name in a list.
 std::string summary(const std::string& description) {
     std::size_t end = description.size();
     for (const char* explains : {": ", "; ", ", such as"})
@@ -48,7 +48,7 @@ std::string summary(const std::string& description) {
 
 // --- bash
 
-// What completes a value, and the options it is the value of.
+// The completion of a value, and the options that take such a value.
 struct BashCase {
     std::string answer;
     std::vector<std::string> patterns;
@@ -248,7 +248,7 @@ std::string sentence(const std::string& text) {
     return text.ends_with('.') || text.ends_with("…") ? text : text + '.';
 }
 
-// One line after the other, each a sentence or more.
+// Lines of the manual, each a sentence or more.
 std::string manualLines(const std::vector<std::string>& texts) {
     constexpr std::size_t length = 118;
     std::string lines;
@@ -288,7 +288,7 @@ std::string manualSections(const Program& program) {
     return text;
 }
 
-// What the pixels of a frame depend on.
+// Names of the options on which the pixels of a frame depend.
 std::string frameOptionNames(const Program& program) {
     std::string names;
     if (const Command* command = program.find("animate"))

@@ -10,8 +10,8 @@
 // a test compares them.
 namespace cli {
 
-// For bash, zsh, fish or the manual page; or the options that change a frame of an animation, for a test.
-// Throws UsageError for anything else.
+// Describes the program for bash, zsh, fish or the manual page; or lists the options that change a frame of
+// an animation, for a test. Throws UsageError for any other reader.
 std::string describe(const Program& program, const std::string& reader);
 
 } // namespace cli

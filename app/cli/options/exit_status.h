@@ -8,7 +8,7 @@ enum class ExitStatus {
     InputProblems = 1,
     WrongUsage = 2,
     CannotReadOrWrite = 3,
-    // As shells have it after a signal.
+    // Status after a signal, as in shells.
     HungUp = 129,
     Interrupted = 130,
     Terminated = 143,

@@ -21,13 +21,13 @@ namespace cli {
 // Reads a value and stores it. Throws UsageError with a sentence that names the option.
 using ReadValue = std::function<void(const std::string& option, const std::string& text)>;
 
-// Where the values of an option go. To nothing: it asks for the help. A bool: it is a flag and takes no
+// Destination of the values of an option. Nothing: it asks for the help. A bool: it is a flag and takes no
 // value. A list: the option may be repeated, and an argument takes all words that are left. A function: it is
 // called for each value.
 using Place = std::variant<std::monostate, bool*, std::string*, std::optional<std::string>*,
                            std::vector<std::string>*, ReadValue>;
 
-// What a shell offers for the value of an option.
+// Completion of the value of an option in a shell.
 struct Completion {
     enum class Kind { Nothing, Words, Entries, Palettes, Files };
     Kind kind = Kind::Nothing;
@@ -43,13 +43,13 @@ struct Value {
     Completion completion;
 };
 
-// A value that `read` makes of the name of the option and of what was typed.
+// A value that `read` makes from the name of the option and the typed text.
 template <class T, class Read> Value parsed(T* place, Read read) {
     return Place(ReadValue(
         [place, read](const std::string& option, const std::string& text) { *place = read(option, text); }));
 }
 
-// What an option of a picture says something about: what cannot be used together is refused by these.
+// Aspects of a picture that an option refers to: combinations that make no sense are refused by these.
 enum About : unsigned {
     Tone = 1,      // the tone curve of a density
     Samples = 2,   // their number
@@ -57,9 +57,9 @@ enum About : unsigned {
     Cells = 8,     // of which a pixel has several
     Rows = 16,     // of pixels, in a file
     Light = 32,    // that falls on a solid
-    InPlane = 64,  // what entries in space do not know …
+    InPlane = 64,  // unknown to entries in space …
     InSpace = 128, // … and the other way round
-    Picture = 256, // what all parts of a picture have in common
+    Picture = 256, // shared by all parts of a picture
     Work = 512,    // how it is drawn and where it goes: never a pixel
 };
 
@@ -91,7 +91,7 @@ struct Option {
     Option& is(unsigned about);
     Option& completedBy(Completion::Kind kind, std::vector<std::string> words = {});
 
-    // As messages call it: its first long name, or of an argument what stands for it.
+    // The name in messages: the first long name, or for an argument its value name.
     std::string name() const;
     std::vector<std::string> names() const; // with their dashes, the short ones first
     bool isArgument() const;
@@ -100,7 +100,7 @@ struct Option {
     bool takesMany() const;
     bool isNamed(const std::string& name) const; // with its dashes
 
-    // At least one value, as typed; of a flag any.
+    // Stores at least one value, as typed; of a flag any.
     void store(const std::vector<std::string>& values) const;
 };
 

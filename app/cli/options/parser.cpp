@@ -84,7 +84,7 @@ QString unknownCommand(const Program& program, const std::string& name) {
                          : tr("There is no command “%1”; did you mean %2?").arg(shown(name), shown(meant));
 }
 
-// One command's words, from left to right.
+// Reads the words of one command, from left to right.
 class Reader {
 public:
     Reader(const Program& program, const Command& command) : m_program(program), m_command(command) {}
@@ -163,7 +163,7 @@ private:
         values.push_back(value);
     }
 
-    // One argument for each place, and to the last as many as it takes.
+    // Gives one argument to each place, and to the last as many as it takes.
     void placeArguments() {
         std::size_t at = 0;
         for (const Option& option : m_command.options) {

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-// Puts what was typed to the options that the commands declare.
+// Parses the command line by the options that the commands declare.
 namespace cli {
 
 enum class Question { None, Help, Version };

@@ -32,7 +32,7 @@ namespace {
                          .arg(QString::fromStdString(option), QString::fromStdString(text), wanted)};
 }
 
-// The digits and what they are multiplied by: 10 to a power, k, M, G or T. Exact, so not by way of a double.
+// The digits and their factor: 10 to a power, k, M, G or T. Exact, so not by way of a double.
 std::optional<std::uint64_t> wholeNumber(const QString& text) {
     static const QRegularExpression form(
         QStringLiteral("^([0-9]*)(?:\\.([0-9]*))?(?:[eE]\\+?([0-9]{1,2})|([kKMGT]))?$"));

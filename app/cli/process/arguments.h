@@ -23,10 +23,10 @@
 #include <string>
 #include <vector>
 
-// What the values of options are read as. Each throws UsageError with a sentence that names the option.
+// Readers of the values of options. Each throws UsageError with a sentence that names the option.
 namespace cli {
 
-// Between commas, with the text they were typed as; no values when one of them is no number.
+// Numbers between commas, with the text they were typed as; no values when one of them is no number.
 struct NumberList {
     std::string text;
     std::vector<double> values;
@@ -43,7 +43,7 @@ template <class Words> std::vector<std::string> wordsOf(const Words& words) {
         ids.emplace_back(word.id);
     return ids;
 }
-// One of the words of an enumeration, which complete the option.
+// A word of an enumeration, with completion of the option.
 template <class T, class E> Value choice(T* place, std::span<const ifs::Named<E>> words) {
     const std::vector<std::string> ids = wordsOf(words);
     Value value = parsed(place, [words, ids](const std::string& option, const std::string& text) {
@@ -84,7 +84,7 @@ inline auto numberFrom(double min, double max) {
 inline const auto threadsArgument = integerFrom(1, 1024);
 
 QSize sizeArgument(const std::string& option, const std::string& text); // "1200x900"
-// "1200x900"; "1200x" and "x900" leave the other side, 0, to the proportions of what is drawn.
+// A size such as "1200x900"; "1200x" and "x900" leave the other side, 0, to the proportions of the picture.
 QSize pictureSizeArgument(const std::string& option, const std::string& text);
 std::string sizeText(const QSize& size); // of such a size
 // "58mmx40mm"; "58mmx" and "x40mm" as above. nullopt: these are no lengths on paper.
@@ -95,7 +95,7 @@ std::vector<ifs::Vector<2>> pointListArgument(const std::string& option,
                                               const std::string& text); // at least one
 std::uint64_t wholeArgument(const std::string& option, const std::string& text);
 double positiveArgument(const std::string& option, const std::string& text);
-// Above 0, at most 1e6.
+// Seconds above 0, at most 1e6.
 std::chrono::duration<double> secondsArgument(const std::string& option, const std::string& text);
 double marginArgument(const std::string& option, const std::string& text); // per cent, below one half
 attractor::Rgba colourArgument(const std::string& option, const std::string& text);
@@ -111,7 +111,7 @@ inline constexpr auto coloursInPlane = std::to_array<ifs::Named<attractor::Colou
     {attractor::ColourBy::Blend, "blend"},
     {attractor::ColourBy::Plain, "none"},
 });
-// What --colour shows: entries in the plane and solids know different meanings.
+// The meaning given to --colour: entries in the plane and solids know different ones.
 struct ColourMeaning {
     std::string word;
     std::optional<attractor::ColourBy> inPlane;

@@ -5,7 +5,7 @@
 
 namespace cli {
 
-// What a sheet or a page of this file is called: "sierpinski.ifs" → "Sierpinski".
+// The heading of a sheet or a page about this file: "sierpinski.ifs" → "Sierpinski".
 QString headingOf(const QString& fileName);
 
 } // namespace cli

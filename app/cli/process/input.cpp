@@ -62,7 +62,7 @@ void reportMissing(const Input& input, const QString& name) {
                 tr("There is no entry “%1”; the file has %2 entries.").arg(name, QString::number(count)));
 }
 
-// What its reader refused by name is an entry that could not be read, as in a collection, and its reason a
+// Turns a refusal by name into an entry that could not be read, as in a collection, with its reason as a
 // problem of the entry.
 void listRefused(document::FractalFile& file) {
     document::Problems ofTheFile;
@@ -96,7 +96,7 @@ bool isLink(const std::string& argument) {
     return io::looksLikeLink(argument) && !QFile::exists(fileNameOf(argument));
 }
 
-// What messages and names of output files call it: a link has no name, and may be long.
+// The name in messages and output files: a link has no name, and may be long.
 QString inputName(const std::string& argument) {
     return isLink(argument) ? QStringLiteral("link") : fileNameOf(argument);
 }
@@ -168,7 +168,7 @@ Found findAll(const Input& input, const std::vector<std::string>& names) {
     return found;
 }
 
-// The first that can be drawn; a file without one says what is wrong with all.
+// The first entry that can be drawn; for a file without one, the problems of all are reported.
 ToDraw firstToDraw(const Input& input) {
     const auto& entries = input.collection.file.entries;
     const auto first = std::ranges::find_if(entries, isLoaded);

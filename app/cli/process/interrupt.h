@@ -27,8 +27,8 @@ public:
 
     std::stop_token token() const { return m_source.get_token(); }
     bool isOutOfTime() const;
-    // Once the stop is requested: 128 and the number of the signal, as shells have it; CannotReadOrWrite when
-    // the limit has passed.
+    // Status once the stop is requested: 128 and the number of the signal, as in shells; CannotReadOrWrite
+    // when the limit has passed.
     ExitStatus status() const;
 
 private:

@@ -5,9 +5,8 @@
 
 namespace cli {
 
-// From now on, the heap of this process and the stacks of its threads get no more than that in all: what asks
-// for more meets std::bad_alloc. A lower limit that holds already is kept. Linux counts so; other systems may
-// not.
+// Limits the heap of this process together with the stacks of its threads: larger requests meet
+// std::bad_alloc. A lower limit that holds already is kept. Linux counts so; other systems may not.
 void limitMemory(std::uint64_t bytes);
 
 } // namespace cli

@@ -5,7 +5,7 @@
 
 #include <QString>
 
-// Everything that goes to standard error: "file:line:column: error: sentence", one per line.
+// Messages on standard error: "file:line:column: error: sentence", one per line.
 namespace cli {
 
 // Lines of text without control characters, with which a name out of a file could command the terminal, and

@@ -13,19 +13,19 @@
 
 namespace cli {
 
-// What a command may write over. A file that was read is in general not replaced: UsageError is thrown then.
-// Only what looks after that itself may do so.
+// Files that a command may overwrite. Input files are in general not replaced: UsageError is thrown then.
+// Inputs is for code that takes care of that itself.
 enum class MayReplace { OtherFiles, Inputs };
 
-// What goes wrong has then been reported.
+// Reports any failure itself.
 ExitStatus writeOutput(const QString& output, const QByteArray& bytes,
                        MayReplace what = MayReplace::OtherFiles);
 
-// Like io::exportTo(); on standard output appears all or nothing as well.
+// Like io::exportTo(); standard output, too, gets all or nothing.
 io::ExportOutcome exportOutput(const io::Export& what, const QString& output, const io::Progress& progress,
                                std::stop_token stop, MayReplace replaced = MayReplace::OtherFiles);
 
-// What writes a file, given to the path behind `output`.
+// Runs `write` with the path behind `output`.
 io::ExportOutcome exportBy(const std::function<io::ExportOutcome(const QString& path)>& write,
                            const QString& output, MayReplace replaced = MayReplace::OtherFiles);
 

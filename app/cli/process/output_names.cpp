@@ -11,7 +11,7 @@ namespace cli {
 
 namespace {
 
-// Where the name of the file begins. Those of its folders are no patterns.
+// Start of the file name. Names of folders are no patterns.
 qsizetype startOfName(const QString& path) {
     return path.lastIndexOf(u'/') + 1;
 }
@@ -77,7 +77,7 @@ QString filledIn(const QString& pattern, const OutputName& name, qsizetype maxPa
 
 } // namespace
 
-// Names that would be too long are cut, as long as what stands around them leaves room.
+// Names that would be too long are cut, as long as the rest of the pattern leaves room.
 QString outputFor(const QString& pattern, const OutputName& name) {
     const auto size = [&](const QString& path) { return path.sliced(startOfName(path)).toUtf8().size(); };
     const QString whole = filledIn(pattern, name, document::maxFileName);

@@ -15,7 +15,7 @@ namespace cli {
 using WhichPictures = std::function<bool(const io::PictureFileFacts&)>;
 bool anyPicture(const io::PictureFileFacts& facts);
 
-// All that a file can have, "png", "jpg", "jpeg", …, and then others.
+// All suffixes, "png", "jpg", "jpeg", …, followed by `more`.
 std::vector<std::string> pictureSuffixes(const WhichPictures& which,
                                          const std::vector<std::string>& more = {});
 // The usual ones.

@@ -13,7 +13,7 @@ struct Command;
 
 enum class ProgressMode { Always, Never, Auto }; // Auto: when standard error is a terminal
 
-// What every command says while it works.
+// Amount of messages from a command while it works.
 struct Verbosity {
     ProgressMode progress = ProgressMode::Auto;
     bool isQuiet = false; // neither progress nor warnings
@@ -21,8 +21,8 @@ struct Verbosity {
 void addVerbosityOptions(Command& command, Verbosity& verbosity);
 ProgressMode applied(const Verbosity& verbosity); // hides warnings, if they are not wanted
 
-// One line on standard error that is drawn over, and gone at the end. Of work that takes longer than a few
-// seconds it says how much time is left.
+// A line on standard error that is drawn over, and gone at the end. For work that takes longer than a few
+// seconds it includes the time left.
 class ProgressBar {
 public:
     explicit ProgressBar(ProgressMode mode);

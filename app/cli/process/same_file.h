@@ -11,7 +11,7 @@ bool isStandardOutput(const QString& output);
 // The file that an input names; of "-", the one that the shell has opened, if it is one.
 QString fileBehind(const QString& input);
 
-// Whether both names lead to one file that exists.
+// Returns true if both names lead to one file that exists.
 bool isSameFile(const QString& a, const QString& b);
 
 } // namespace cli

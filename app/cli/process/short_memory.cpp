@@ -79,8 +79,8 @@ void* orEnd(void* made, std::size_t size) noexcept {
     return made;
 }
 
-// The allocator of the next library that has one of this name, which may count or check what is asked for;
-// without any, and where dlsym() itself needs memory, that of the C library.
+// The allocator of the next library that has one of this name, which may count or check requests; without
+// any, and where dlsym() itself needs memory, that of the C library.
 template <class Function> class NextAllocator {
 public:
     constexpr NextAllocator(const char* name, Function* own) : m_name(name), m_own(own) {}

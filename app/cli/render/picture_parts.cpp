@@ -51,7 +51,7 @@ bool isDivided(const RenderArguments& arguments) {
     return arguments.part || arguments.band;
 }
 
-// Where the sums or the picture go.
+// The output of the sums or the picture.
 struct Target {
     QString output;
     std::optional<io::PictureFile> file; // none: sums
@@ -71,8 +71,8 @@ bool isDepth(const io::SpaceExport& picture) {
     return picture.look == attractor::LookInSpace::Depth;
 }
 
-// The picture as this kind of file, with the bits that it takes.
-template <class Picture> void become(Picture& picture, const Target& target) {
+// Sets the kind of file, with the bits that it takes.
+template <class Picture> void applyTarget(Picture& picture, const Target& target) {
     using enum io::PictureFormat::Depth;
     if (isDepth(picture) && target.file != io::PictureFile::Png)
         throw UsageError{tr("--look depth can be drawn only as .png, and “%1” is not.").arg(target.output)};
@@ -95,7 +95,7 @@ ExitStatus write(Sums sums, const Target& target, const Verbosity& verbosity, co
     const bool isSum = !target.file;
     if (!isSum) {
         refuseToReplaceInput(target.output);
-        become(sums.picture, target);
+        applyTarget(sums.picture, target);
         if (const io::Failure missing = io::incompleteness(sums))
             throw InputError{QStringLiteral("barycage-cli"), *missing};
     }

@@ -16,7 +16,7 @@ namespace cli {
 // Throws UsageError where the options of parts make no sense together, or with others. A file is not read.
 void checkParts(const RenderArguments& arguments, Format format);
 
-// What --part and --band ask for of the picture. Throws UsageError.
+// The part of the picture selected by --part and --band. Throws UsageError.
 io::PictureSums partOfPicture(const io::PlaneExport& picture, const RenderArguments& arguments);
 io::SpaceSums partOfPicture(const io::SpaceExport& picture, const RenderArguments& arguments);
 

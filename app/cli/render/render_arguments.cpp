@@ -22,7 +22,7 @@ namespace cli {
 
 namespace {
 
-// All steps in one picture.
+// Returns true if all steps go into one picture.
 bool isStrip(const RenderArguments& arguments) {
     return arguments.steps().first < arguments.steps().last && !hasIterations(fileNameOf(arguments.output));
 }
@@ -140,7 +140,7 @@ std::optional<int> qualityOf(const RenderArguments& arguments) {
 
 namespace {
 
-// What each kind of file holds.
+// Refuses depths that the kind of file does not hold.
 void checkPixels(const RenderArguments& arguments) {
     using enum io::PictureFormat::Depth;
     const io::PictureFile file = pictureFileOf(arguments);
@@ -154,7 +154,7 @@ void checkPixels(const RenderArguments& arguments) {
              tr("%1 have 8 bits per channel.").arg(namedSuffixes(isFlat, tr("and"))));
 }
 
-// What makes no sense for the format, whatever the entry. Nothing is ignored silently.
+// Refuses options that make no sense for the format, whatever the entry. Nothing is ignored silently.
 void refuseUnsupported(const RenderArguments& arguments, Format format) {
     checkPixels(arguments);
     if (!isOfShapes(format))

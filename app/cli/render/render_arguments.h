@@ -89,7 +89,7 @@ struct ViewOptions {
     std::optional<double> viewRotation; // degrees
     double margin = 5;                  // per cent of the picture
     bool yDown = false;
-    // Points, or words for the corners at rest: what they mean depends on the dimension.
+    // Points, or words for the corners at rest; their meaning depends on the dimension.
     std::optional<std::string> cage, restCage;
 };
 
@@ -153,12 +153,13 @@ Option& addThreadsOption(const OptionGroup& group, std::optional<int>& threads);
 Option& addSimdOption(const OptionGroup& group, std::optional<std::string>& simd);
 Option& addSeedOption(const OptionGroup& group, std::uint64_t& seed);
 Option& addSizeOption(const OptionGroup& group, QSize& size);
-// What a size on paper is in pixels: of shapes, in whole pixels where tenths of a millimetre allow it; of
-// pixels, at the resolution that is given or at 300 dpi, which is stored. Nothing happens without one.
+// Converts a size on paper to pixels: for shapes, in whole pixels where tenths of a millimetre allow it; for
+// pixels, at the resolution that is given or at 300 dpi, which is stored. Has no effect without a size on
+// paper.
 void settlePaperSize(RenderArguments& arguments, bool hasShapes);
 Option& addBackgroundOption(const OptionGroup& group, std::optional<attractor::Rgba>& background);
 
-// Looks at what does not fit together before a file is read.
+// Refuses combinations that do not fit before a file is read.
 Format checked(const RenderArguments& arguments);
 
 void selectInstructions(const std::string& name); // --simd
@@ -168,7 +169,7 @@ void checkShapes(const RenderArguments& arguments);
 io::SvgFormat shapesOf(const RenderArguments& arguments);
 void applyAppearance(attractor::Appearance& appearance, const RenderArguments& arguments);
 QString suffixOf(const RenderArguments& arguments); // of the file, by --to or the name of the output
-// What a picture of pixels is written as, by --to or the name of the output, with --bits.
+// The file format of a picture of pixels, by --to or the name of the output, with --bits.
 io::PictureFile pictureFileOf(const RenderArguments& arguments);
 io::PictureFormat::Depth depthOf(const RenderArguments& arguments); // of the rows that its writer takes
 bool is16Bit(const RenderArguments& arguments);

@@ -73,7 +73,7 @@ io::Export exportOf(const Shown& shown, const attractor::Camera& camera, Format 
     return strip;
 }
 
-// What is drawn into one file.
+// A picture in one file.
 struct Task {
     const Input* input;
     const document::Entry* entry;
@@ -91,7 +91,7 @@ QString identity(const Task& task) {
     return tr("“%1” of %2").arg(printableLine(task.entry->fractal->name), task.input->name);
 }
 
-// No file is written twice.
+// Refuses to write a file twice.
 void refuseCollisions(const std::vector<Task>& tasks, const QString& pattern) {
     QHash<QString, const Task*> taken;
     for (const Task& task : tasks) {

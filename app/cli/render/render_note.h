@@ -6,7 +6,7 @@
 
 #include <QString>
 
-// What is said about a picture.
+// Messages about a picture.
 namespace cli {
 
 QString sentenceOf(attractor::RenderNote note, bool isInSpace); // empty where nothing is to be said

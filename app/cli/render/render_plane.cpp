@@ -83,7 +83,7 @@ ViewBox boxOf(const document::Fractal& fractal, const RenderArguments& arguments
     return box;
 }
 
-// With what is drawn over the picture.
+// The box, enlarged by the overlay.
 ViewBox withOverlay(ViewBox box, const document::Fractal& fractal, const io::PictureOverlay& overlay) {
     for (const ifs::Vector<2>& point : io::overlayPoints(fractal, overlay)) {
         box.min = box.min.cwiseMin(point);

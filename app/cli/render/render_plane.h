@@ -12,7 +12,7 @@ namespace cli {
 // --cage and --rest-cage.
 void applyCage(document::Fractal& fractal, const RenderArguments& arguments);
 
-// By --view, else by the keys of an animation, else fitted around its frames or the picture.
+// The camera given by --view, else by the keys of an animation, else fitted around its frames or the picture.
 attractor::Camera cameraOf(const Shown& shown, const RenderArguments& arguments, const QString& fileName);
 
 io::PlaneExport planeExportOf(const Shown& shown, const attractor::Camera& camera,

@@ -86,7 +86,7 @@ void refuseUnsupported(const RenderArguments& options, LookInSpace look) {
     if (look == LookInSpace::Depth) refuseNumbers(options);
 }
 
-// What the picture is embedded in; nullopt: nothing.
+// The format in which the picture is embedded; nullopt if it is not embedded.
 std::optional<io::ShapeFile> pageOf(const RenderArguments& options) {
     return ifs::named<io::ShapeFile>(suffixOf(options).toStdString());
 }
@@ -155,7 +155,7 @@ std::optional<ifs::ControlCage<3>> cageOf(const RenderArguments& options, const 
     return cage;
 }
 
-// As keys have it, but for what options say, and before it goes round.
+// The camera of the keys, changed by options, before it goes round.
 attractor::OrbitCamera cameraAtRest(const Shown& shown, const RenderArguments& options) {
     attractor::OrbitCamera camera = shown.camera.value_or(attractor::OrbitCamera());
     const QSize size = sizeArgument("--size", sizeText(options.size));
@@ -174,7 +174,7 @@ document::Fractal placedIn(document::Fractal fractal, const std::optional<ifs::C
     return fractal;
 }
 
-// With what is drawn over the picture.
+// The camera fitted to the picture together with its overlay.
 attractor::OrbitCamera fittedWithMarks(const attractor::OrbitCamera& camera, const Shown& shown,
                                        const document::Fractal& placed,
                                        const std::vector<ifs::Vector<3>>& points, double margin) {
@@ -237,7 +237,7 @@ attractor::OrbitCamera cameraOf(const Shown& shown, const RenderArguments& optio
     return attractor::fitted(camera, ofBox, margin);
 }
 
-// What is drawn of an entry that the options have been put into.
+// The request for an entry that includes the options.
 attractor::SpaceRequest requestOf(const Shown& shown, const document::Fractal& fractal,
                                   const RenderArguments& options, const QString& fileName) {
     attractor::SpaceRequest request = document::spaceRequest(fractal, {});

@@ -4,7 +4,7 @@
 #include "document/fractal/fractal.h"
 #include "io/animation/frames_view.h"
 
-// What a picture must show when nobody says.
+// Default views of pictures.
 namespace cli {
 
 using io::boxOfAttractor;

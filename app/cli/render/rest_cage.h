@@ -13,8 +13,8 @@ template <int Dim> struct AskedFit {
     int corners;
 };
 
-// What --rest-cage ID, or ID:N with so many corners, is fitted to; nullopt for other texts. Throws UsageError
-// where no such number of corners is possible.
+// The fit named by --rest-cage ID, or ID:N with N corners; nullopt for other texts. Throws UsageError where
+// no such number of corners is possible.
 template <int Dim> std::optional<AskedFit<Dim>> askedFit(const std::string& text);
 
 } // namespace cli

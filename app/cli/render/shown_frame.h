@@ -7,16 +7,16 @@
 #include "attractor/request/orbit_camera.h"
 #include "document/moments/animated_fractal.h"
 
-// What one moment of an entry shows.
+// Content of an entry at one moment.
 namespace cli {
 
 struct Shown {
-    document::Fractal fractal;                      // what is drawn
-    document::Fractal entry;                        // what a picture carries
+    document::Fractal fractal;                      // to draw
+    document::Fractal entry;                        // to embed in pictures
     std::optional<attractor::View> view{};          // of the keys, in the plane …
     std::optional<attractor::OrbitCamera> camera{}; // … and in space
     std::vector<animation::CameraTurn> orbit{};     // of the camera in space: animation::orbited()
-    // Without a camera of their own, the frames of an animation share the view of all of them.
+    // The view of all frames of an animation, which they share when they have no camera of their own.
     std::optional<ViewBox> box{};    // in the plane
     attractor::Support support = {}; // in space
 };
@@ -25,7 +25,7 @@ struct Shown {
 // frame outside of the animation.
 Shown shownBy(const document::Fractal& entry, const RenderArguments& arguments);
 
-// The same frame after frame: what is common to all of them is worked out once.
+// The same for one frame after another: common data is computed once.
 class Frames {
 public:
     Frames(const document::Fractal& entry, const RenderArguments& arguments);

@@ -12,7 +12,7 @@ namespace cli {
 // Puts the options of a solid in the look of the entry into the entry. Throws UsageError.
 void applySolidOptions(document::Fractal& fractal, const RenderArguments& options);
 
-// How the solid of such an entry is drawn.
+// Appearance of the solid of such an entry.
 attractor::SolidAppearance solidAppearance(const document::Fractal& fractal, const RenderArguments& options);
 
 } // namespace cli

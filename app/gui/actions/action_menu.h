@@ -15,7 +15,7 @@
 class Panels;
 class Stage;
 
-// What an action shows, and the keys that trigger it.
+// Texts of an action, and the keys that trigger it.
 struct ActionSpec {
     const char* id; // unique and never changed: the users' own shortcuts are stored under it
     QString text;
@@ -26,7 +26,7 @@ struct ActionSpec {
     const char* icon = nullptr;    // its name in the resources; nullptr: that of the id, if there is one
 };
 
-// What the menus of a window act on.
+// Objects that the menus of a window act on.
 struct MenuContext {
     QMainWindow* window;
     document::Document* document;

@@ -11,7 +11,7 @@
 
 class QDockWidget;
 
-// In the order in which a window makes them.
+// Panels in the order in which a window makes them.
 enum class Panel {
     Entries,
     Collection,
@@ -48,7 +48,7 @@ inline constexpr auto ifs::names<Panel> = std::to_array<ifs::Named<Panel>>({
     {Panel::Snapshots, "snapshots"},
 });
 
-// What a window needs to know of a panel besides what is in it.
+// Facts about a panel that a window needs besides its content.
 struct PanelFacts {
     Qt::DockWidgetArea area;
     QString title;

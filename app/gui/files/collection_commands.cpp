@@ -30,7 +30,7 @@ void start(const Fractals& fractals, const CollectionTarget& target) {
     if (fractals.size() > 1) target.showTransformation();
 }
 
-// One undo step.
+// Adds in one undo step.
 void add(const Fractals& fractals, const CollectionTarget& target) {
     document::Inserted added =
         document::insertedTogether(target.document->file(), entriesOf(fractals), EntryId::None);

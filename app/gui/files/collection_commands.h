@@ -13,8 +13,8 @@ namespace view {
 class CollectionPanel;
 }
 
-// What is chosen in the collection comes to the window, as a document of its own or as entries of the open
-// file. A fractal that keeps a fractal transformation is shown with its partner.
+// Brings a choice from the collection to the window, as a document of its own or as entries of the open file.
+// A fractal that keeps a fractal transformation is shown with its partner.
 struct CollectionTarget {
     document::Document* document;
     OpenFile* file;

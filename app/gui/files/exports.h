@@ -15,7 +15,7 @@ namespace exports {
 
 QString folder(); // of what waits
 
-// One for all windows. It belongs to the application, and is made when it is first asked for.
+// The queue of all windows, owned by the application and created on demand.
 view::ExportQueue* queue();
 
 // The panel of a window, hidden at first: it appears with what earlier runs have left.

@@ -21,10 +21,10 @@ public:
     FileCommands(const MenuContext& context, OpenFile* file);
 
     bool maybeSave(); // asks about unsaved changes; false: the user cancelled
-    // These report what was read, or what failed.
+    // Commands that report what was read, or what failed:
     bool open(const QString& path);
     bool open(const QString& path, const FileReading& reading); // begun or cancelled elsewhere
-    // These ask about unsaved changes first. A file that another window has is shown there.
+    // Commands that ask about unsaved changes first. A file that another window has is shown there.
     void startNew();
     void chooseAndOpen();
     void openRecent(const QString& path);
@@ -32,12 +32,13 @@ public:
     bool save();
     bool saveAs();
     bool saveTo(const QString& path); // as saveAs() once the file is chosen
-    // With the placements written into the code and all maps listed; the file of the window stays as it is.
+    // Saves with the placements written into the code and all maps listed; the file of the window stays as it
+    // is.
     void saveForOtherPrograms();
     void revert();
 
-    // A lesson goes with the file: how one is opened, whether what is written may be given up, and whether
-    // one is played, which keeps the file from being saved meanwhile.
+    // The lesson that goes with the file: how one is opened, whether unsaved writing may be given up, and
+    // whether one is played, which keeps the file from being saved meanwhile.
     struct Lessons {
         std::function<bool(const QString& path)> open;
         std::function<bool()> maybeSave;

@@ -18,7 +18,7 @@ struct KeptText {
     Q_DECLARE_TR_FUNCTIONS(MainWindow)
 };
 
-// What was kept in which file, the latest last: only such a file is replaced.
+// Digests of kept versions by file, the latest last: only such a file is replaced.
 const QString keptKey = QStringLiteral("kept/versions");
 constexpr qsizetype maxRemembered = 200;
 

@@ -14,7 +14,7 @@ class QWidget;
 // preference is off. Which of them are ours outlives the program.
 class KeptVersions {
 public:
-    // What io::keepPreviousVersion() needs to know of a file; for any thread.
+    // Data for io::keepPreviousVersion() about a file; usable in any thread.
     struct Wish {
         bool isWanted = false;
         QByteArray own;
@@ -22,7 +22,7 @@ public:
         io::KeptVersion fulfilled(const QString& path) const;
     };
     Wish wishFor(const QString& path) const;
-    // After saving was tried.
+    // Takes note after an attempt to save.
     void note(const QString& path, const io::KeptVersion& kept, bool isSaved);
     void clear() { m_seen.clear(); }
 
@@ -30,7 +30,7 @@ private:
     QSet<QString> m_seen; // files whose previous version is kept, or that there were none of
 };
 
-// What the user is told of the version before; empty when there is nothing to say. `name` is the file's.
+// A remark for the user on the previous version; empty when there is nothing to say. `name` is the file's.
 QString remarkOn(io::Keeping outcome, const QString& name);
 
 // view::saveBeside(), which keeps the previous version. `versions` is not used when the window is gone.

@@ -8,12 +8,12 @@
 
 #include <memory>
 
-// Which files the windows of this account have open, also those of other processes: each has a lock with the
-// user's data. Asked beside the windows, since a drive may not answer. `former` is given up before.
+// Claim of a file among the windows of this account, also those of other processes: each has a lock with the
+// user's data. Made in the background, since a drive may not answer. `former` is released before.
 struct OpenClaim {
     std::shared_ptr<document::ProcessLock> lock; // for as long as the file is open here
     bool isElsewhere = false;                    // another window has it
 };
 using ClaimLock = std::shared_ptr<document::ProcessLock>;
 QFuture<OpenClaim> claimBeside(const QString& path, ClaimLock former);
-QString claimOf(const QString& path); // what is locked
+QString claimOf(const QString& path); // the name that is locked

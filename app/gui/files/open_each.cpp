@@ -29,7 +29,7 @@ constexpr auto untilNobodysTurn = 1s; // what hangs lets the next one be read
 constexpr int readAtOnce = 4;
 constexpr qsizetype unasked = 8; // windows
 
-// Only whether the lesson can be read: the window reads it with its fractals.
+// Checks whether the lesson can be read: the window reads it with its fractals.
 FileReading tryLesson(const QString& path) {
     return io::inBackground<ReadFile>(io::Lane::Reading, [path](QPromise<ReadFile>& promise) {
         io::loadFile(path);

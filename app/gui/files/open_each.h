@@ -31,10 +31,10 @@ QList<WantedFile> wanted(const QStringList& paths);
 // Asks before more windows are opened than anybody can want by mistake; the paths that the user agrees to.
 QStringList askWhichToOpen(const QStringList& paths, QWidget* parent);
 
-// Opens files in windows of their own, the first in `first` when there is one. What cannot be opened leaves
-// its window to the next; what is open already has one, which is shown. A few files are read at a time,
-// beside the windows. They are opened in their order, but none waits for one that is not read within a
-// moment: that one gets a window that says so, and can be cancelled there.
+// Opens files in windows of their own, the first in `first` when there is one. A file that cannot be opened
+// leaves its window to the next; a file that is open already has one, which is shown. A few files are read at
+// a time, beside the windows. They are opened in their order, but none waits for one that is not read within
+// a moment: that one gets a window that says so, and can be cancelled there.
 class OpenEach {
     Q_DECLARE_TR_FUNCTIONS(MainWindow)
 

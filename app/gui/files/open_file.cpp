@@ -33,7 +33,7 @@ QByteArray digestOf(const QByteArray& bytes) {
     return QCryptographicHash::hash(bytes, QCryptographicHash::Sha256);
 }
 
-// Somebody cancels what somebody else is about to finish; the first one decides.
+// State shared by writing and cancelling, which may coincide; the first one decides.
 struct Writing {
     std::atomic<bool> isDecided = false;
     io::Failure failure;
@@ -93,7 +93,7 @@ FileReading startReading(const QString& path) {
             if (reading.collection.isOrderAssumed)
                 reading.table = io::tableIn(
                     QString::fromUtf8(io::fromUtf16(reading.loaded.bytes).value_or(reading.loaded.bytes)));
-            // What showing the first entry takes is remembered.
+            // Loading the first entry, which takes some time, is remembered.
             const auto& entries = reading.collection.file.entries;
             const auto shown = std::ranges::find_if(
                 entries, [](const auto& entry) { return document::system2(*entry.fractal) != nullptr; });
@@ -183,7 +183,7 @@ io::Failure OpenFile::open(const QString& path, FileReading reading) {
     m_document->setFile(std::move(collection.file));
     io::freeInBackground(std::move(before));
     m_versions.clear();
-    // What was taken out of another format has no .ifs file to be saved to yet.
+    // A system taken out of another format has no .ifs file to be saved to yet.
     if (collection.format == QLatin1String("fractint"))
         remember(path, digest);
     else

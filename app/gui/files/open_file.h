@@ -30,7 +30,7 @@ struct ReadFile {
 using FileReading = QFuture<ReadFile>;
 FileReading startReading(const QString& path);
 
-// Where a window's document comes from and goes to.
+// The file of a window's document.
 class OpenFile : public QObject {
     Q_OBJECT
 
@@ -54,13 +54,13 @@ public:
     // A large file is read or written beside the window, and events are handled meanwhile.
     bool isBusy() const { return m_isBusy; }
     bool isReading() const { return m_isReading; }
-    // The window closes: what is read is not waited for any more, and nothing is said about it. stopped()
-    // follows when nobody uses the window any more.
+    // Stops reading because the window closes: nobody waits for the result any more, and nothing is reported.
+    // stopped() follows when nobody uses the window any more.
     void stopReading();
     bool isStopped() const { return m_isStopped; }
-    // Unsaved work as one undoable step over the file as it is on disk, so that nothing is written before it
-    // is saved. A file that cannot be read now, as on a drive that is not there, is said; the path stays.
-    // nullopt when the user does not wait for it.
+    // Takes over unsaved work as one undoable step over the file as it is on disk, so that nothing is written
+    // before it is saved. A file that cannot be read now, as on a drive that is not there, is reported; the
+    // path stays. nullopt when the user does not wait for it.
     std::optional<io::Failure> recover(const document::Snapshot& snapshot);
     std::optional<io::Failure> recover(const document::Snapshot& snapshot, const FileReading& onDisk);
     io::Failure save(); // to path()
@@ -68,15 +68,14 @@ public:
     io::Failure revert();
 
     QByteArray digest() const { return m_digest; } // of the bytes that were read or written here
-    // What has become of the file at path(): `Changed` when it holds other bytes or cannot be read, `Gone`
-    // when there is none any more and the user has not been told so. nullopt when the user does not wait for
-    // it.
+    // State of the file at path(): `Changed` when it holds other bytes or cannot be read, `Gone` when there
+    // is none any more and the user has not been told so. nullopt when the user does not wait for it.
     enum class OnDisk { Same, Changed, Gone };
     std::optional<OnDisk> onDisk();
     // Hard links of the file that was there before the last save, which go on leading to the old contents.
     int otherNames() const { return m_otherNames; }
-    // What became of the version before the last save. The first save of a file in this window keeps it,
-    // unless the user does not want that.
+    // The fate of the version before the last save. The first save of a file in this window keeps it, unless
+    // the user does not want that.
     io::Keeping previousVersion() const { return m_previous; }
     KeptVersions& versions() { return m_versions; } // of whatever the window saves
 

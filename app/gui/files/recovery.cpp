@@ -71,7 +71,8 @@ void Recovery::noteChange() {
     watch();
 }
 
-// Not put off by further changes: a long drag is kept along the way. What takes long begins early.
+// Keeps work soon and is not put off by further changes: a long drag is kept along the way. Slow writing
+// begins early.
 void Recovery::keepSoon() {
     if (!m_timer.isActive()) m_timer.start(std::clamp(1800ms - 3 * m_lastTook / 2, 100ms, 1000ms));
 }
@@ -243,7 +244,7 @@ QList<document::Abandoned> Recovery::ask() {
     box.setEscapeButton(later);
     box.exec();
     if (box.clickedButton() == recover) return found;
-    // Where the locks are given up, too.
+    // Runs in the lane in which the locks are given up.
     document::startInLane(document::Lane::Saving,
                           [left = std::move(found), isForgotten = box.clickedButton() == forget]() mutable {
                               for (const document::Abandoned& abandoned : left)

@@ -34,12 +34,12 @@ public:
     // discarded.
     void takeOver(const document::Abandoned& abandoned);
     void giveUp(); // the window closes, and its work is saved or not wanted
-    void store();  // what is unsaved, at once
+    void store();  // unsaved work, at once
     void letGo();  // the program ends: what is stored belongs to whoever comes next
 
     static QString folder();
-    // Asks about the work of processes that ended without closing; returns what the user wants back.
-    // What is not wanted is forgotten. Journals that are damaged are said to be so, once, and where they are.
+    // Asks about the work of processes that ended without closing; returns the work that the user wants back.
+    // Unwanted work is deleted. Damaged journals are reported once, with their places.
     static QList<document::Abandoned> ask();
     static QStringList lines(const QList<document::Snapshot>& snapshots); // as it lists them
 

@@ -62,7 +62,8 @@ QString absolutePath(const QString& lesson, const QString& reference) {
     return QDir::cleanPath(QFileInfo(lesson).absoluteDir().absoluteFilePath(reference));
 }
 
-// Where the lesson says, or beside it when both have been moved. Empty: they are in neither place.
+// The path of the fractals: as the lesson says, or beside it when both have been moved. Empty if they are in
+// neither place.
 QString fractalsOf(const QString& lesson, const QString& reference) {
     const QDir folder = QFileInfo(lesson).absoluteDir();
     for (const QString& file : {reference, QFileInfo(reference).fileName()}) {

@@ -29,7 +29,7 @@ public:
     bool open(const QString& path); // the lesson and its file; reports what failed
     bool maybeSave();               // ends the lesson, asks about unsaved steps; false: the user cancelled
     void recover(const QByteArray& lesson, const QString& path); // of a window that is gone; empty: none
-    // In the language of the user, where there is such a text, from the step with this index.
+    // Shows it in the user's language if there is such a text, from the step with this index.
     void showBuiltIn(const QString& name, int step = 0);
     // The lesson that is open and the step that is played, for a restart; empty without one.
     QVariantMap restartPlace() const;

@@ -92,8 +92,8 @@ void LessonPlayer::takeBack() {
     if (history->index() != m_base && m_base <= history->count()) history->setIndex(m_base);
 }
 
-// Redo would bring back what the lesson itself has shown, and mark the file as changed. The history forgets
-// what can be redone when a step is added, and an obsolete one when it is undone.
+// Drops the redo steps of the lesson itself, which would bring back its states and mark the file as changed.
+// The history forgets redo steps when a step is added, and an obsolete one when it is undone.
 void LessonPlayer::forgetOwnSteps() {
     if (!m_hasOwnSteps || m_hasOthersEdit) return;
     auto* last = new QUndoCommand;
@@ -157,7 +157,7 @@ void LessonPlayer::keepView() {
     m_orbit = m_parts.stage->space()->navigation().camera();
 }
 
-// Whether the view is as the step has set it, whatever the size of the canvas.
+// Returns true if the view is as the step has set it, whatever the size of the canvas.
 bool LessonPlayer::isViewKept() const {
     if (m_parts.stage->showsSpace()) {
         const attractor::OrbitCamera& now = m_parts.stage->space()->navigation().camera();

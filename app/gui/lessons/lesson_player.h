@@ -30,7 +30,7 @@ public:
 
 signals:
     void playingChanged(bool isPlaying);
-    void problem(const QString& sentence); // what a step could not show
+    void problem(const QString& sentence); // about parts that a step could not show
 
 protected:
     bool eventFilter(QObject* watched, QEvent* event) override;

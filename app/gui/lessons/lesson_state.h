@@ -23,11 +23,11 @@ struct LessonParts {
     view::Construction* construction;
 };
 
-// What the window shows now, without its panels.
+// The present state of the window, without its panels.
 document::LessonState lessonState(const LessonParts& parts);
 
 // Brings the window into that state, its panels excepted. Colours and cages that differ from the entry are
 // one step of the history. Returns what could not be shown, as a sentence; empty when all could.
 QString showLessonState(const LessonParts& parts, const document::LessonState& state);
-// Its view alone, such as after the canvas has changed its size.
+// Restores the view alone, such as after the canvas has changed its size.
 void showLessonView(const LessonParts& parts, const document::LessonState& state);

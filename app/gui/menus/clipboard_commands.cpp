@@ -61,8 +61,8 @@ ClipboardCommands::Target ClipboardCommands::target() const {
     return m_context.canvas->tool() == view::CanvasView::Tool::Maps ? Target::CanvasOfMaps : Target::Canvas;
 }
 
-// As if it had been typed: each widget knows what the key means to it. A key that no widget claims would be
-// taken for the shortcut of the command that presses it.
+// Sends the keys as if they had been typed: each widget knows what they mean to it. A key that no widget
+// claims would be taken for the shortcut of the command that presses it.
 void ClipboardCommands::press(const QKeySequence& keys) const {
     if (keys.isEmpty()) return;
     QWidget* focused = QApplication::focusWidget();

@@ -10,7 +10,7 @@ namespace view {
 class Construction;
 }
 
-// Where fractals come from, and what two of them make together.
+// Sources of fractals, and combinations of two of them.
 class DiscoverMenu : public ActionMenu {
     Q_DECLARE_TR_FUNCTIONS(MainWindow)
 
@@ -21,7 +21,7 @@ public:
     void addRandom(); // a fractal that the user picks out of many
     void addCollage(QAction* panel);
     void showTransformation() { m_transformation->setChecked(true); } // where the entry allows it
-    // Both draw on the canvas of the plane: a transformation and a construction end each other.
+    // Makes a transformation and a construction end each other, since both draw on the canvas of the plane.
     void alternateWith(view::Construction* construction);
 
 private:

@@ -83,7 +83,7 @@ void EditMenu::addHistory() {
     undo->setShortcut(QKeySequence(tr("Ctrl+Z")));
     undo->setIcon(view::icon(QStringLiteral("undo")));
     undo->setStatusTip(tr("Undo the last edit"));
-    // In the middle of a drag, it takes back the drag alone.
+    // During a drag, undo takes back the drag alone.
     disconnect(undo, nullptr, stack, nullptr);
     connect(undo, &QAction::triggered, stack, [stack, stage = context().stage] {
         if (QGuiApplication::mouseButtons() == Qt::NoButton || !stage->cancelGesture()) stack->undo();
@@ -152,7 +152,7 @@ void EditMenu::addShadow(ActionMenu& menu) {
     disableWhen(shadow, &document::shadowObstacle);
 }
 
-// To space and back. The window follows the dimension of the entry.
+// Adds the commands to space and back. The window follows the dimension of the entry.
 void EditMenu::addDimensions(ActionMenu& menu) {
     document::Document* document = context().document;
     QAction* lift =

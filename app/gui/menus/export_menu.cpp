@@ -74,7 +74,7 @@ ExportMenu::ExportMenu(const MenuContext& context, FileCommands* commands, const
 
 namespace {
 
-// So that there is one dialog, for the fractal as it is now; one that exports goes on.
+// Closes idle dialogs, so that there is one, for the fractal as it is now; one that exports goes on.
 template <class Dialog> void closeIdle(const QWidget& window) {
     for (auto* dialog : window.findChildren<Dialog*>())
         if (!dialog->isBusy()) dialog->close();
@@ -130,7 +130,7 @@ void ExportMenu::exportData() {
     present(new view::ExportDataDialog(context().document, context().window));
 }
 
-// In the background: an entry may have many maps.
+// Copies in the background: an entry may have many maps.
 void ExportMenu::copyLink() {
     io::inBackground<io::WrittenLink>([fractal = context().document->sharedFractal()](auto& promise) {
         promise.addResult(io::linkOf(*fractal));

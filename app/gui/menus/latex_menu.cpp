@@ -44,7 +44,7 @@ LatexMenu::LatexMenu(const MenuContext& context) : ActionMenu(context, tr("Copy 
         disableWhen(ofThePlane, &document::planeObstacle);
 }
 
-// In the background: an entry may have many maps.
+// Copies in the background: an entry may have many maps.
 void LatexMenu::copy(Write write, std::shared_ptr<const document::Fractal> fractal, const QString& package) {
     io::inBackground<QString>([write = std::move(write), fractal = std::move(fractal)](auto& promise) {
         promise.addResult(QString::fromUtf8(write(*fractal)));

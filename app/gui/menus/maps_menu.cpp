@@ -44,7 +44,7 @@ void MapsMenu::addList(ActionMenu& ofSelected) {
     view::CanvasView* canvas = context().canvas;
     document::Document* document = context().document;
     const auto panel = [window = context().window] { return window->findChild<view::MapsPanel*>(); };
-    // In space, of the maps that are selected in their panel.
+    // Commands in space use the maps that are selected in their panel.
     const auto withSelected = [this, canvas, document, panel](void (view::MapsPanel::*inSpace)(),
                                                               const auto& edit) {
         return [this, canvas, document, panel, inSpace, edit] {
@@ -96,7 +96,7 @@ void MapsMenu::addList(ActionMenu& ofSelected) {
         disableWhen(action, &document::cageObstacle);
 }
 
-// In the plane and in space: of the maps that are selected in their panel.
+// Adds commands for plane and space, which use the maps that are selected in their panel.
 void MapsMenu::addLayers() {
     const auto panel = [window = context().window] { return window->findChild<view::MapsPanel*>(); };
     add({"edit", tr("Re&name Map"), {}, tr("Give the current map a name")},

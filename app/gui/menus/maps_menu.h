@@ -4,7 +4,7 @@
 #include "actions/action_menu.h"
 #include "document/edits/maps/maps_arrange.h"
 
-// What can be done with the selected maps.
+// Commands for the selected maps.
 class MapsMenu : public ActionMenu {
     Q_DECLARE_TR_FUNCTIONS(MainWindow)
 

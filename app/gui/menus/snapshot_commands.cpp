@@ -35,7 +35,7 @@ SnapshotCommands::SnapshotCommands(const MenuContext& context, view::RenderBridg
       m_snapshots(context.document),
       m_look(context.document, &m_snapshots,
              {context.canvas, render, context.stage->views(), [context] { return obstacle(context); }}) {
-    // Its points and its die are those of the fractal.
+    // Points and die of a construction are those of the fractal, so it ends the look.
     if (auto* construction = context.window->findChild<view::Construction*>())
         connect(construction, &view::Construction::starting, &m_look, &view::SnapshotLook::end);
     connect(&m_snapshots, &view::Snapshots::message, context.messages, &WindowMessages::say);

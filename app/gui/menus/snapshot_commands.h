@@ -13,7 +13,7 @@ namespace view {
 class SnapshotsPanel;
 }
 
-// Snapshots in a window: the commands, the panel, and what is said over the canvas during a look.
+// Snapshots in a window: the commands, the panel, and the message over the canvas during a look.
 class SnapshotCommands : public QObject {
     Q_OBJECT
 

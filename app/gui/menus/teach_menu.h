@@ -5,7 +5,7 @@
 
 class OpenFile;
 
-// What explains a fractal to others: on the screen, step by step, and on paper.
+// Commands that explain a fractal to others: on the screen, step by step, and on paper.
 class TeachMenu : public ActionMenu {
     Q_DECLARE_TR_FUNCTIONS(MainWindow)
 

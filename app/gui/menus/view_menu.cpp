@@ -150,7 +150,7 @@ void ViewMenu::addPerspective(ActionMenu& menu) {
     disableWhen(perspective, &document::spaceObstacle);
 }
 
-// One or none of them.
+// Adds the kinds of stereo, of which one or none is on.
 void ViewMenu::addStereo(ActionMenu& menu) {
     view::FourViews* views = context().stage->views();
     menu.addSeparator();

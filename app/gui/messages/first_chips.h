@@ -5,14 +5,14 @@
 
 class QAction;
 
-// What to try next, as a row of buttons at the bottom of the canvas. They go away by themselves: as soon as
-// one is pressed, as soon as the user does anything else, and after a while.
+// Suggestions of what to try next, as a row of buttons at the bottom of the canvas. They go away by
+// themselves: as soon as one is pressed, as soon as the user does anything else, and after a while.
 class FirstChips : public MessageBanner {
     Q_OBJECT
 
 public:
     struct Chip {
-        QAction* action; // what the button does, and its icon
+        QAction* action; // of the button, with its icon
         QString text;
     };
     static constexpr int usualPatience = 20'000; // milliseconds

@@ -4,8 +4,8 @@
 #include "document/document.h"
 #include "messages/message_banner.h"
 
-// After flames were opened or pasted: says that they were turned over, since their y grows downwards, and
-// offers to keep their numbers as written. Closes at the next edit.
+// Banner after flames were opened or pasted: says that they were turned over, since their y grows downwards,
+// and offers to keep their numbers as written. Closes at the next edit.
 class FlameBanner : public MessageBanner {
     Q_OBJECT
 

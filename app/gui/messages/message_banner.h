@@ -46,7 +46,7 @@ protected:
 
 private:
     void layOut();
-    void tellCanvas(); // what it covers
+    void tellCanvas(); // the part that the banner covers
 
     QMainWindow* m_host;
     QBoxLayout* m_buttons = nullptr;

@@ -6,8 +6,8 @@
 
 class WindowMessages;
 
-// After entries with a placement were saved: says that other programs show them without it, and offers to
-// write it into their code. Closes when another file is opened.
+// Banner after entries with a placement were saved: says that other programs show them without it, and offers
+// to write it into their code. Closes when another file is opened.
 class PlacementBanner : public MessageBanner {
     Q_OBJECT
 

@@ -8,7 +8,7 @@ class SnapshotLook;
 class Snapshots;
 } // namespace view
 
-// While the canvas shows a snapshot: which one, at the top of the canvas, and the ways on.
+// Banner at the top of a canvas that shows a snapshot: names it, and offers the ways on.
 class SnapshotBanner : public MessageBanner {
     Q_OBJECT
 

@@ -26,7 +26,7 @@ namespace {
 
 constexpr int gap = 3; // between the frame and its target
 
-// What a step is done by.
+// Action that completes a step.
 enum class Deed { Drag, Squeeze, Undo, Open, Move, Export, GoOn, EditMap, ChooseBranch };
 
 struct Step {
@@ -169,7 +169,7 @@ void Tour::connectDeeds() {
     }
 }
 
-// What is done in a gesture is done when it ends.
+// A gesture completes a step when it ends.
 void Tour::followDocument(const document::Change& change) {
     using document::Change;
     const bool isHeld = change.parts & Change::Cage && !(change.parts & Change::Time);
@@ -321,13 +321,13 @@ QPoint Tour::freeCorner() const {
         {QPoint(right, top), QPoint(left, bottom), QPoint(left, top), QPoint(right, bottom)}, {}, covered);
 }
 
-// In one place and of one height for all steps, so that the buttons stay under the pointer.
+// Keeps one place and one height for all steps, so that the buttons stay under the pointer.
 QPoint Tour::topLeft() {
     if (!m_target) return MessageBanner::topLeft();
     const QRect pointed(m_target->mapTo(host(), QPoint()), m_target->size());
     m_mark->setGeometry(pointed.adjusted(-gap, -gap, gap, gap).intersected(host()->rect()));
     m_mark->raise();
-    // Whether a bar takes some of its height or not.
+    // The room without regard to bars, which may take some of its height.
     const std::array room{canvasRect().left(), canvasRect().width(), host()->height(), height()};
     if (std::exchange(m_room, room) != room) m_place = freeCorner();
     return m_place;

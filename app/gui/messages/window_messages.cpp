@@ -10,7 +10,7 @@ namespace {
 
 constexpr int sayingTime = 8000; // milliseconds
 
-// As much as a screen holds is read at once; the rest is behind the button for details.
+// Adds a failure: as much as a screen holds is shown at once; the rest is behind the button for details.
 void addFailure(QMessageBox& box, const QString& text) {
     constexpr qsizetype atOnce = 6;
     if (const QString before = box.informativeText(); before.count(u'\n') < atOnce)
@@ -33,7 +33,8 @@ void WindowMessages::fail(const QString& title, const QString& sentence) {
                                 QMessageBox::Ok, m_window);
     box->setInformativeText(sentence);
     box->setAttribute(Qt::WA_DeleteOnClose);
-    // One after the other: with two open, keys would reach neither. What fails meanwhile is said together.
+    // Boxes come one after the other: with two open, keys would reach neither. Failures in between are shown
+    // together.
     connect(box, &QMessageBox::finished, this, [this, box] {
         m_failures.removeOne(box);
         if (!m_failures.isEmpty()) m_failures.first()->open();

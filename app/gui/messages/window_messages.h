@@ -7,7 +7,7 @@
 class QMainWindow;
 class QMessageBox;
 
-// What a window tells its user.
+// Messages of a window to its user.
 class WindowMessages : public QObject {
     Q_OBJECT
 

@@ -4,7 +4,8 @@
 #include "document/document.h"
 #include "messages/message_banner.h"
 
-// After a file was written without a dialog: which one, and the way to its folder. Closes at the next edit.
+// Banner after a file was written without a dialog: names it, and leads to its folder. Closes at the next
+// edit.
 class WrittenBanner : public MessageBanner {
     Q_OBJECT
 

@@ -107,7 +107,7 @@ QStringList files() {
 }
 
 void remember() {
-    // Also while other windows are open: the program may be killed before they close.
+    // Stored while other windows are open, too: the program may be killed before they close.
     view::store(filesKey, filesOf(shown()));
 }
 

@@ -27,7 +27,8 @@ public:
     using QMainWindow::QMainWindow;
     virtual QString path() const = 0; // empty while it has no file
     virtual OpenFile& file() = 0;
-    // These take what was read beside the windows, and say what went wrong; false: the window is still free.
+    // These take files that were read in the background, and report failures; false: the window is still
+    // free.
     virtual bool openPath(const QString& path, const QFuture<ReadFile>& reading) = 0;
     virtual void openRecovered(const document::Abandoned& abandoned, const QFuture<ReadFile>& reading) = 0;
     virtual void adopt(const view::Preferences& preferences) = 0;
@@ -37,7 +38,7 @@ public:
     enum class Leaving { Window, Program };
     virtual bool mayClose(Leaving leaving) = 0;
     virtual void closingIsOff() = 0; // because another window stays
-    // What a restart is to show again in this window, and that of a window before the restart.
+    // The state that a restart brings back to this window, and its restoration.
     virtual QVariantMap restartPlace() const = 0;
     virtual void returnTo(const QVariantMap& place) = 0;
 };
@@ -56,7 +57,7 @@ QStringList files(); // of the last run, without those that are known to be gone
 void remember();
 // Closes all windows, or none: each of them may ask before. When all have closed, stores the files they had.
 void quit();
-// Likewise; main() then starts the program again with the files to reopen.
+// Closes like quit(); main() then starts the program again with the files to reopen.
 void restart();
 std::optional<QStringList> filesToReopen(); // nullopt: nobody wants it
 // The places of the windows before the restart that this run is: once, later none.

@@ -9,7 +9,7 @@
 
 namespace {
 
-// As it is in a stored state.
+// The name as it is in a stored state.
 QByteArray streamed(const QString& name) {
     QByteArray bytes;
     QDataStream stream(&bytes, QIODevice::WriteOnly);

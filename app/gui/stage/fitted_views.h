@@ -25,7 +25,7 @@ private:
         std::variant<attractor::Camera, attractor::OrbitCamera> camera;
         bool isFitted = false;
     };
-    // A place in the history, and what was seen when it was left.
+    // A place in the history, and the view when it was left.
     struct Place {
         const QUndoCommand* step = nullptr; // that leads there
         std::optional<Seen> view;

@@ -11,7 +11,7 @@ class MapsPanel;
 class Stage;
 class WindowMessages;
 
-// Selects the rows of the panel and the maps on the canvas together, and shows on both what one of them asks
-// for.
+// Selects the rows of the panel and the maps on the canvas together, and shows on both the map that one of
+// them points at.
 void connectMaps(view::MapsPanel* maps, view::CanvasView* canvas, Stage* stage,
                  const document::Document& document, WindowMessages* messages);

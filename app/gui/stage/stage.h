@@ -29,7 +29,7 @@ public:
 
     void setCompared(bool compared); // with another entry, to its right
 
-    // Views of the canvas that is shown:
+    // Operations on the canvas that is shown:
     void fit();
     void keepFitted() {
         navigation().adoptViewport();
@@ -38,7 +38,7 @@ public:
     void resetZoom() { navigation().resetZoom(); }
     QImage picture() const;
     document::SavedView::Camera camera() const;
-    void lookAt(const document::SavedView::Camera& camera); // nothing happens if it is the other one's
+    void lookAt(const document::SavedView::Camera& camera); // ignores cameras of the other dimension
     bool cancelGesture();
     void takeFocus(Qt::FocusReason reason = Qt::OtherFocusReason);
 

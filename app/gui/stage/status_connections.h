@@ -9,6 +9,6 @@ class SolidBridge;
 class Stage;
 class StatusLine;
 
-// Shows in the line where the pointer is, how the view is turned and what was drawn.
+// Shows in the line the position of the pointer, the rotation of the view, and a summary of the picture.
 void connectStatus(StatusLine* line, Stage* stage, const view::RenderBridge* plane,
                    const view::SolidBridge* solid);

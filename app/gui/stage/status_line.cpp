@@ -97,8 +97,8 @@ StatusLine::StatusLine(QWidget* parent)
     QCoreApplication::instance()->installEventFilter(this);
 }
 
-// Before whoever takes the key, so that what is said about it stays. Of a shortcut only the question whether
-// somebody needs the key is seen; the parents of the widget are asked after it.
+// Sees keys before their receivers, so that messages about a key stay. Of a shortcut only the question
+// whether somebody needs the key is seen; the parents of the widget are asked after it.
 bool StatusLine::eventFilter(QObject* watched, QEvent* event) {
     const bool isKey = event->type() == QEvent::KeyPress || event->type() == QEvent::ShortcutOverride;
     if (!isKey || !watched->isWidgetType() || static_cast<QKeyEvent*>(event)->key() != Qt::Key_Escape)
@@ -148,7 +148,7 @@ bool StatusLine::event(QEvent* event) {
     return QStatusBar::event(event);
 }
 
-// Never lower than it was: the picture would move.
+// Never becomes lower than it was: the picture would move.
 void StatusLine::resizeEvent(QResizeEvent* event) {
     QStatusBar::resizeEvent(event);
     setMinimumHeight(std::max(minimumHeight(), height()));
@@ -178,7 +178,7 @@ void StatusLine::showPointer(const view::PointerPosition& position) {
 void StatusLine::showSpacePointer(const view::SpacePosition& position) {
     if (m_toRead.hasExpired()) clearMessage();
     const ifs::Vector<3>& at = position.world;
-    // As many decimals as tell neighbouring pixels apart.
+    // Decimals that tell neighbouring pixels apart.
     const int decimals = std::clamp(int(std::ceil(-std::log10(position.unitsPerPixel))) + 1, 0, 15);
     QString text = QStringLiteral("x %1  y %2  z %3")
                        .arg(fixed(at.x(), decimals), fixed(at.y(), decimals), fixed(at.z(), decimals));

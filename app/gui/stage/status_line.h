@@ -11,9 +11,9 @@
 
 class QLabel;
 
-// One quiet line: where the pointer is or what was just said, whether there is an attractor, what was drawn;
-// and that unsaved work is not kept for recovery yet, when that takes too long. What does not fit ends in
-// dots, and is whole in a tool tip. Esc takes away what was said, in the window that has the focus.
+// A single quiet line: the position of the pointer or the last message, whether there is an attractor, what
+// was drawn; and that unsaved work is not kept for recovery yet, when that takes too long. Text that does not
+// fit ends in dots, and is whole in a tool tip. Esc removes the message in the window that has the focus.
 class StatusLine : public QStatusBar {
     Q_OBJECT
 
@@ -37,12 +37,12 @@ protected:
 
 private:
     QRect messageRoom() const;
-    QString shownMessage() const; // what there is room for
+    QString shownMessage() const; // as much as there is room for
 
     QLabel* m_pointer;
     QLabel* m_recovery;
     QLabel* m_rotation;
     QLabel* m_verdict;
     QLabel* m_frame;
-    QDeadlineTimer m_toRead; // what was said last
+    QDeadlineTimer m_toRead; // for reading the last message
 };

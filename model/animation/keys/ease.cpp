@@ -8,18 +8,18 @@ namespace animation {
 
 namespace {
 
-// One coordinate of the curve at its parameter.
+// A coordinate of the curve at its parameter.
 double bezier(double first, double second, double s) {
     const double rest = 1 - s;
     return 3 * rest * rest * s * first + 3 * rest * s * s * second + s * s * s;
 }
 
-// Whether p₀(1−s)² + 2p₁s(1−s) + p₂s² ≥ 0 for 0 ≤ s ≤ 1.
+// Returns true if p₀(1−s)² + 2p₁s(1−s) + p₂s² ≥ 0 for 0 ≤ s ≤ 1.
 bool isNeverNegative(double p0, double p1, double p2) {
     return p0 >= 0 && p2 >= 0 && (p1 >= 0 || p1 * p1 <= p0 * p2);
 }
 
-// Whether −K·x′ ≤ y′ ≤ K·x′ all along.
+// Returns true if −K·x′ ≤ y′ ≤ K·x′ all along.
 bool isGentle(const Ease& ease) {
     const auto holds = [&](double sign) {
         return isNeverNegative(maxSlope * ease.x1 - sign * ease.y1,

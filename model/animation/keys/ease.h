@@ -5,7 +5,7 @@
 
 #include <array>
 
-// How a value gets from one key to the next.
+// Eases: the share of the way between two keys as a function of time.
 namespace animation {
 
 constexpr double maxSlope = 20; // of a custom curve
@@ -30,8 +30,8 @@ struct Ease {
 // always between the two. Needs a valid ease; then |e(u + δ) − e(u)| ≤ maxSlope·δ unless it is Hold.
 double eased(const Ease& ease, double u);
 
-// Whether every number of a curve is from 0 to 1, so that x grows and nothing overshoots, and no slope is
-// above maxSlope.
+// Returns true if every number of a curve is from 0 to 1, so that x grows and nothing overshoots, and no
+// slope is above maxSlope.
 bool isValid(const Ease& ease);
 
 // The curve through these handles; where it would be too steep, they are drawn towards the straight line as

@@ -18,7 +18,7 @@ template <class Value> struct Key {
     friend bool operator==(const Key&, const Key&) = default;
 };
 
-// By frame, strictly ascending. None: what they would move stays as it is.
+// Keys by frame, strictly ascending. Without keys, a value is not animated.
 template <class Value> using Keys = std::vector<Key<Value>>;
 
 // A moment within an animation, as tracks need it.

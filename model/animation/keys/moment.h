@@ -23,7 +23,7 @@ struct Moment {
     friend bool operator==(const Moment&, const Moment&) = default;
 };
 
-// In lowest terms; the denominator is not 0.
+// A fraction reduced to lowest terms. The denominator must not be 0.
 Moment moment(std::int64_t numerator, std::int64_t denominator = 1);
 // "12", "12.25" or "49/4"; nullopt for anything else, for a negative one, and beyond maxLength or
 // maxDenominator.
@@ -31,7 +31,7 @@ std::optional<Moment> parseMoment(std::string_view text);
 bool isAfter(const Moment& moment, std::int64_t frame);
 bool isBefore(const Moment& a, const Moment& b);
 
-// What comes after the last frame.
+// Behaviour after the last frame.
 enum class Loop {
     Off,          // it stays
     Cycle,        // frame 0: the last frame shows what the first one does, and is not drawn

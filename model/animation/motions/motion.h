@@ -9,9 +9,9 @@
 #include <variant>
 #include <vector>
 
-// What moves by itself, without keys. Every motion comes back to where it began when the length of the
-// animation is over, and begins there in the same bits. Angles are in degrees, counter-clockwise; in space
-// about an axis through the pivot. docs/mathematics.md, "Animation".
+// Motions: animation without keys. Every motion returns to its start at the end of the animation, with the
+// same bits as at the beginning. Angles are in degrees, counter-clockwise; in space about an axis through the
+// pivot. docs/mathematics.md, "Animation".
 namespace animation {
 
 using MapIds = std::vector<ifs::MapId>; // none: all maps
@@ -47,7 +47,8 @@ template <int Dim> struct Turn {
     friend bool operator==(const Turn&, const Turn&) = default;
 };
 
-// What the axis of an orbit in space goes through: its centre, or the target of the camera.
+// The point that the axis of an orbit in space passes through: the centre of the orbit or the camera's
+// target.
 enum class OrbitPivot { Centre, Target };
 
 // The eye goes round: in the plane the picture turns about a centre, by its cage; in space the camera goes
@@ -80,19 +81,20 @@ struct PaletteCycle {
 
 template <int Dim> using Motion = std::variant<Sway<Dim>, Turn<Dim>, Orbit<Dim>, Breathe<Dim>, PaletteCycle>;
 
-// Every number is finite and in its range: 1 … maxCycles cycles, turns either way, axes of length 1.
+// Returns true if every number is finite and in its range: 1 … maxCycles cycles, turns either way, axes of
+// length 1.
 template <int Dim> bool isValid(const Motion<Dim>& motion);
 
 // The same with `share` of its strength; one that has none is returned as it is.
 template <int Dim> Motion<Dim> weakened(Motion<Dim> motion, double share);
 
-// What a motion does to the maps at a moment, which is folded.
+// Applies a motion to the maps of a system at a moment that Loop has already folded into the animation.
 template <int Dim>
 void moveMaps(const Motion<Dim>& motion, const Moment& moment, int length,
               ifs::IteratedFunctionSystem<Dim>& system);
 // The angle that Orbit has reached, 0 of any other motion.
 template <int Dim> double orbitAngle(const Motion<Dim>& motion, const Moment& moment, int length);
-// Turned by an angle about a centre.
+// Turns the cage by an angle about a centre.
 void turnCage(ifs::ControlCage<2>& cage, const ifs::Vector<2>& centre, double degrees);
 
 } // namespace animation

@@ -10,8 +10,8 @@
 #include <utility>
 #include <variant>
 
-// What each motion is called in files, and what it stores, in the order of the lines there. `use` has a
-// function for each kind of field: maps, count, strength, pivot, axis, waves.
+// Names and fields of the motions in files, in the order of their lines. `use` has an overload for each kind
+// of field: maps, count, strength, pivot, axis, waves.
 namespace animation {
 
 template <class Kind> struct MotionFields;
@@ -85,7 +85,7 @@ template <int Dim> std::string_view idOf(const Motion<Dim>& motion) {
                       motion);
 }
 
-// One as it begins; nullopt for an unknown name.
+// A motion with its initial values; nullopt for an unknown name.
 template <int Dim> std::optional<Motion<Dim>> motionNamed(std::string_view id) {
     std::optional<Motion<Dim>> named;
     [&]<std::size_t... K>(std::index_sequence<K...>) {

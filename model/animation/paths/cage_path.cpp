@@ -13,7 +13,7 @@ namespace {
 // The Bernstein coefficients of a polynomial of degree Dim.
 template <int Dim> using Bernstein = std::array<double, Dim + 1>;
 
-// Whether it is above 0 in all of [0, 1].
+// Returns true if the polynomial is proved to be positive in all of [0, 1].
 template <int Dim> bool isPositive(const Bernstein<Dim>& coefficients, int halvings = 30) {
     if (!(coefficients.front() > 0 && coefficients.back() > 0)) return false;
     if (std::ranges::all_of(coefficients, [](double value) { return value >= 0; })) return true;

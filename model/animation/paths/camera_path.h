@@ -11,11 +11,11 @@
 
 namespace animation {
 
-// What a key of the camera holds; in space, the raster's size means nothing.
+// The camera stored in a key. In space, the size of the raster is ignored.
 template <int Dim> using CameraPose = std::conditional_t<Dim == 2, attractor::View, attractor::OrbitCamera>;
 
-// Between two views, exact at both ends. The visible height h grows by a constant factor, and what is in the
-// middle moves in proportion to it: with r = h₁/h₀ the share of the way is (rᵘ − 1)/(r − 1), and u where
+// Interpolates between two views, exact at both ends. The visible height h grows by a constant factor, and
+// the centre moves in proportion to it: with r = h₁/h₀ the share of the way is (rᵘ − 1)/(r − 1), and u where
 // r = 1. So a point seen at both ends moves evenly over the picture. The plane turns evenly, the shorter way;
 // in space the orientation takes the shorter great circle. docs/mathematics.md, "Animation".
 attractor::View between(const attractor::View& from, const attractor::View& to, double share);

@@ -49,7 +49,8 @@ template <int Dim> std::optional<ifs::Matrix<Dim>> sumOfProducts(std::span<const
     return ifs::symmetricMatrix<Dim>(form);
 }
 
-// From the coordinates of an invariant form on, those in which the longest map is as short as it gets.
+// Descends from the coordinates of an invariant form to those in which the longest map is as short as it
+// gets.
 template <int Dim>
 std::optional<CommonNorm<Dim>> descended(const ifs::Matrix<Dim>& form,
                                          std::span<const ifs::AffineMap<Dim>> maps) {
@@ -68,7 +69,7 @@ std::optional<CommonNorm<Dim>> descended(const ifs::Matrix<Dim>& form,
 template <int Dim> std::optional<CommonNorm<Dim>> commonNorm(std::span<const ifs::AffineMap<Dim>> maps) {
     if (std::ranges::all_of(maps, contracts<Dim>)) return CommonNorm<Dim>{};
     if (!std::ranges::all_of(maps, ifs::isFinite<Dim>)) return std::nullopt;
-    // Where some map alone contracts in no norm, no norm is common.
+    // If some map alone contracts in no norm, no norm is common.
     for (const auto& map : maps)
         if (map.linear.squaredNorm() >= 1 - safety && !(ifs::spectralRadius<Dim>(map.linear) < 1))
             return std::nullopt;

@@ -7,7 +7,7 @@ namespace animation {
 
 constexpr double safety = 1e-12; // by which a norm has to be below 1
 
-// Whether a map makes all distances smaller as it is.
+// Returns true if the map contracts in the Euclidean norm, by the margin `safety`.
 template <int Dim> bool contracts(const ifs::AffineMap<Dim>& map) {
     return map.linear.squaredNorm() < 1 - safety || ifs::spectralNorm<Dim>(map.linear) < 1 - safety;
 }

@@ -55,7 +55,7 @@ double evenly(double from, double to, double share) {
     return from == to ? from : (1 - share) * from + share * to;
 }
 
-// Between two planes, or two half-spaces on the same side; else the first.
+// Mixes two slices, or two half-spaces on the same side; returns the first of any other pair.
 SpaceClip mixed(const SpaceClip& from, const SpaceClip& to, double share) {
     if (std::isfinite(from.lowest) != std::isfinite(to.lowest) ||
         std::isfinite(from.highest) != std::isfinite(to.highest))

@@ -20,10 +20,10 @@ Look lookOf(const attractor::Appearance& appearance,
             const std::optional<attractor::SpaceAppearance>& inSpace = {});
 attractor::Appearance withLook(attractor::Appearance appearance, const Look& look);
 
-// Between two looks, exact at both ends: colours in Oklab, those of palettes at every position where one of
-// them has a stop; numbers on the scale of their row of appearanceNumbers; what the colours stand for changes
-// at the end. In space the light turns the shorter way, and it, the fog and the planes of
-// the clip move evenly; the kind of look, and a clip that only one of them has, change at the end.
+// Interpolates between two looks, exact at both ends: colours in Oklab, palettes at every position where
+// either has a stop, numbers on the scale of their row of appearanceNumbers. The meaning of the colours
+// changes at the end. In space the light turns the shorter way, and light, fog and clip planes move evenly;
+// the kind of look, and a clip that only one of the looks has, change at the end.
 Look between(const Look& from, const Look& to, double share);
 
 // The palette gone round by a share of a cycle, 0 ≤ … < 1: once to its end and back, so that no colour meets

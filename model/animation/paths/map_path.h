@@ -15,9 +15,9 @@ template <int Dim> struct MapPose {
     friend bool operator==(const MapPose&, const MapPose&) = default;
 };
 
-// Between two maps, exact at both ends: ifs::interpolated() in the coordinates of the norm, where the map
-// therefore contracts as well as the worse end; the image of `reference` moves straight. Weights change
-// evenly; where one of them is missing, the first one stays until the end.
+// Interpolates between two maps, exact at both ends: ifs::interpolated() in the coordinates of the norm,
+// where the map therefore contracts as well as the worse end; the image of `reference` moves straight.
+// Weights change evenly; where one of them is missing, the first one stays until the end.
 template <int Dim>
 MapPose<Dim> between(const MapPose<Dim>& from, const MapPose<Dim>& to, double share,
                      const ifs::Vector<Dim>& reference, const CommonNorm<Dim>& norm);

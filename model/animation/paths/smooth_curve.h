@@ -11,8 +11,8 @@
 // The curves that smooth ways follow. docs/mathematics.md, "Smooth ways".
 namespace animation {
 
-// What is at the two keys of a segment, and at the keys beside them where there are any. `from` is at time 0,
-// `to` at 1, `before` at begin < 0 and `after` at end > 1.
+// The values at the two keys of a segment and, where they exist, at the keys beside them. `from` is at time
+// 0, `to` at 1, `before` at begin < 0 and `after` at end > 1.
 template <class Value> struct KeysAround {
     Value from;
     Value to;
@@ -34,7 +34,7 @@ template <class Value> struct KeysAround {
     }
 };
 
-// Neighbours that `isLike` the segment's own keys; what is not is left out.
+// Neighbours that `isLike` the segment's own keys; others are left out.
 template <class Value, class IsLike>
 KeysAround<Value> keysAround(const Segment<Value>& way, const IsLike& isLike) {
     KeysAround<Value> keys{way.from, way.to};

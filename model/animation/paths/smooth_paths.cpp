@@ -104,7 +104,8 @@ std::optional<ifs::AffineMap<Dim>> smoothMap(const KeysAround<ifs::AffineMap<Dim
     return ifs::isFinite<Dim>(map) ? std::optional(map) : std::nullopt;
 }
 
-// Every vertex on a curve of its own, which begins and ends slowly where the vertex stays beyond.
+// Moves every vertex on a curve of its own, which begins slowly if the vertex rests before the segment, and
+// ends slowly if it rests after it.
 template <int Dim> CagePose<Dim> smoothVertices(const KeysAround<CagePose<Dim>>& keys, double t) {
     using Vertex = ifs::Vector<Dim>;
     CagePose<Dim> pose;
@@ -118,7 +119,7 @@ template <int Dim> CagePose<Dim> smoothVertices(const KeysAround<CagePose<Dim>>&
     return pose;
 }
 
-// Whether those curves turn a cage over whose ends are on the same side.
+// Returns true if the curves of smoothVertices() turn the cage over although both ends are on the same side.
 template <int Dim> bool turnsOver(const KeysAround<CagePose<Dim>>& keys, const ifs::ControlCage<Dim>& cage) {
     constexpr int moments = 32;
     const auto sideOf = [&](const CagePose<Dim>& pose) {

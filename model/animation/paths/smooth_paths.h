@@ -7,9 +7,9 @@
 #include "animation/paths/look_path.h"
 #include "animation/paths/map_path.h"
 
-// Where a track is within a segment of its keys. On a way that is not smooth, and on one without neighbours,
-// what between() says. A smooth one is a Catmull–Rom curve of time, exact at both keys, without a corner at a
-// key between two of them. docs/mathematics.md, "Smooth ways".
+// Values within a segment of a track. A smooth segment is a Catmull–Rom curve of time, exact at both keys and
+// without a corner at a key between two of them. Any other, and a segment without neighbours, follows
+// between(). docs/mathematics.md, "Smooth ways".
 namespace animation {
 
 // Angle, S and the image of the reference of the polar path in the coordinates of the norm. There ‖A‖ stays

@@ -3,7 +3,7 @@
 
 #include "attractor/request/orbit_camera.h"
 
-// What smooth curves run through, where differences are none of coordinates: see Flat.
+// Spaces of smooth curves in which a step is not a difference of coordinates; the others are Flat.
 // docs/mathematics.md, "Smooth ways".
 namespace animation {
 

@@ -14,10 +14,10 @@ namespace attractor {
 
 enum class CellKind { Count, Colour };
 
-// What has fallen into the cells of a window: 32-bit counters of every thread, and 64-bit sums into which
-// they are carried over before they can wrap. The sum does not depend on who counted what. A fractal leaves
-// most of its window empty: counters are cleared tile by tile when they are first asked for, and tiles that
-// nobody has asked for are passed over by all that read.
+// Samples counted in the cells of a window: 32-bit counters of every thread, and 64-bit sums into which they
+// are carried over before they can wrap. The sum does not depend on which thread counted what. A fractal
+// leaves most of its window empty: counters are cleared tile by tile when they are first requested, and
+// readers skip tiles that were never requested.
 class CellSums {
 public:
     // The largest number of colours whose samples can be counted in no more memory than their sum takes.
@@ -44,7 +44,7 @@ public:
     std::uint32_t* layer(std::size_t thread, std::size_t layer, const CellRegion& region) {
         return touch(m_layers[thread * m_layerColours.size() + layer], region);
     }
-    // Unless there are layers.
+    // Colour cells; available only without layers.
     ColourCell* colours(std::size_t thread) { return touch(m_colours[thread], all()); }
     ColourCell* colours(std::size_t thread, const CellRegion& region) {
         return touch(m_colours[thread], region);
@@ -53,7 +53,7 @@ public:
     void carryOverColours(std::size_t thread); // thread-safe for different threads
     void carryOverCounts();                    // all threads' counters, those of layers too
 
-    // Whether the 32-bit counters are all there is.
+    // Returns true if there are 64-bit sums besides the 32-bit counters.
     bool carried() const { return !m_carriedCounts.empty(); }
     // The counters that have to be added up in the columns from one to another, none where nothing fell.
     struct Piece {
@@ -81,7 +81,7 @@ public:
             blue += other.blue;
             return *this;
         }
-        // So many samples of a colour.
+        // Adds `count` samples of one colour.
         void add(std::uint32_t count, const ColourCell& colour) {
             samples += count;
             red += std::uint64_t{count} * colour.red;
@@ -94,7 +94,7 @@ public:
     bool samplesOfRows(int firstRow, int endRow, std::vector<std::uint64_t>& samples) const; // added up
     bool sumsOfRow(int row, std::vector<Sum>& sums) const; // CellKind::Colour
 
-    // Adds what was counted elsewhere to row `row` of the window, from a column on.
+    // Adds counts made elsewhere to row `row` of the window, from a column on.
     void addSamples(int row, int firstColumn, std::span<const std::uint64_t> samples); // CellKind::Count
     void addSums(int row, int firstColumn, std::span<const Sum> sums);                 // CellKind::Colour
 
@@ -105,8 +105,8 @@ private:
     struct Release {
         void operator()(void* memory) const { ::operator delete(memory); }
     };
-    // One thread's cells, which are meaningless in tiles that have not been touched. Nothing is written to
-    // these, so that they take no memory either.
+    // The cells of one thread. Tiles that have not been touched are uninitialized and never written, so that
+    // they take no memory.
     template <class Cell> struct Counters {
         std::unique_ptr<Cell[], Release> cells;
         std::size_t size = 0;
@@ -125,12 +125,12 @@ private:
                static_cast<std::size_t>(tileColumn);
     }
     template <class Cell> void reset(std::vector<Counters<Cell>>& all, std::size_t threads) const;
-    // work(first column, cells from there on, their number, colour) for what has been touched of a row.
+    // Calls work(first column, cells from there on, their number, colour) for the touched parts of a row.
     template <class Work> bool forLayers(int row, Work work) const;
     template <class Cell> void forget(Counters<Cell>& counters) const;
     template <class Cell> Cell* touch(Counters<Cell>& counters, const CellRegion& region) const;
     template <class Cell> void clear(Cell* cells, int tileRow, int tileColumn) const;
-    // work(first column, end column, cells from the first column) for what has been touched of a row.
+    // Calls work(first column, end column, cells from the first column) for the touched parts of a row.
     template <class Cell, class Work>
     bool forTouched(const Counters<Cell>& counters, int row, Work work) const;
 

@@ -14,7 +14,7 @@ struct Reach {
     float left = 0, right = 0, top = 0, bottom = 0;
 };
 
-// Where the samples fall: exact, because rounding is monotonic and the corners are rounded like the samples.
+// Bounds of the samples: exact, because rounding is monotonic and the corners are rounded like the samples.
 Reach affineReach(const Word& word, const SampleSet& samples) {
     const auto extreme = [&](float a, float b, float c, bool high) {
         const float x = (a >= 0) == high ? samples.highX : samples.lowX;
@@ -25,7 +25,7 @@ Reach affineReach(const Word& word, const SampleSet& samples) {
             extreme(word.yx, word.yy, word.y, false), extreme(word.yx, word.yy, word.y, true)};
 }
 
-// Where they fall at most, each term as large as it gets.
+// Bounds of the samples on a curved word, with each term at its maximum.
 Reach curvedReach(const Word& word, const Curve& curve, const SampleSet& samples) {
     constexpr float rounding = 1e-5F;
     const float a = std::max(std::abs(samples.lowX), std::abs(samples.highX));
@@ -55,7 +55,7 @@ bool outside(const Reach& r, const CellWindow& window) {
            r.bottom < static_cast<float>(window.firstRow) || r.top >= static_cast<float>(window.endRow);
 }
 
-// The cell of a coordinate, or the nearest one; what is no number meets no cell at all.
+// The cell of a coordinate, or the nearest one; NaN meets no cell at all.
 int cellWithin(float value, int first, int end) {
     if (!(value > static_cast<float>(first))) return first;
     return value < static_cast<float>(end) ? std::min(static_cast<int>(value), end - 1) : end - 1;
@@ -134,7 +134,7 @@ bool splat(const ShownWord& shown, const SampleSet& samples, std::uint64_t count
         return seen >> 31 != 0;
     }
     forEachRun(shown.word, samples, count, [&](const kernels::Run& run) {
-        // What falls outside says nothing of how full the cells of the window are.
+        // Samples outside say nothing of how full the cells of the window are.
         std::fill_n(cells + window.cells(), overflowCells, ColourCell{});
         seen |= kernels::addToColours(shown, run, window, colour, cells);
     });

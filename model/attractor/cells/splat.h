@@ -9,9 +9,9 @@
 
 namespace attractor {
 
-// Where the samples of the set can fall with this word.
+// The cells into which samples of the set can fall under this word.
 CellRegion reachedCells(const ShownWord& shown, const SampleSet& samples, const CellWindow& window);
-// Whether any of them can fall into the window.
+// Returns true if a sample of the set can fall into the window under this word.
 bool meets(const ShownWord& shown, const SampleSet& samples, const CellWindow& window);
 
 // Adds `count` samples of the run of the word to `counts`, which has window.cells() + overflowCells counters.

@@ -13,9 +13,9 @@ namespace attractor {
 
 namespace {
 
-// Every stop stands at its lightness in Oklab, so that equal steps of tone look equal; the hue turns as it
-// brightens (as embers do) to keep neighbouring tones apart. The first nine are for dark grounds and end
-// bright, the others for paper and end dark.
+// The gradients. Every stop stands at its lightness in Oklab, so that equal steps of tone look equal; the hue
+// turns as it brightens (as embers do) to keep neighbouring tones apart. The first nine are for dark grounds
+// and end bright, the others for paper and end dark.
 const std::vector<Palette>& gradients() {
     static const std::vector<Palette> palettes{
         {"Maple",

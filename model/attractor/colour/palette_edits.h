@@ -5,7 +5,8 @@
 
 #include <cstddef>
 
-// What a gradient editor does. Every palette has at least two stops; the first and the last stay at 0 and 1.
+// Edits of a palette in the gradient editor. Every palette has at least two stops; the first and the last
+// stay at 0 and 1.
 namespace attractor {
 
 // A new stop with the colour that is there already; returns its index, between the first and the last stop.
@@ -16,9 +17,10 @@ void removeStop(Palette& palette, std::size_t stop);
 void reverse(Palette& palette);
 void distribute(Palette& palette); // stops at equal distances
 
-// Every colour keeps its lightness in Oklab, and its chroma as far as a screen shows it.
+// Turns the hue of every stop. Lightness in Oklab stays, and chroma as far as a screen shows it.
 void turnHue(Palette& palette, double degrees);
-// What was at `offset` comes to the beginning, and what was before it to the end. Nothing for a whole number.
+// Rotates the palette: the colour at `offset` moves to the beginning, and the stops before it to the end. A
+// whole number changes nothing.
 void shift(Palette& palette, double offset);
 
 } // namespace attractor

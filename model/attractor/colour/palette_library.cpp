@@ -16,7 +16,7 @@ namespace attractor {
 
 namespace {
 
-// At multiples of 15° in Oklab.
+// Names of the hues at multiples of 15° in Oklab.
 constexpr std::array<std::string_view, 24> hues{
     "Rose",  "Crimson", "Scarlet",  "Vermilion", "Orange", "Amber",  "Gold",    "Lemon",
     "Lime",  "Grass",   "Emerald",  "Jade",      "Teal",   "Sea",    "Cyan",    "Sky",

@@ -17,8 +17,8 @@ struct LibraryPalette {
     std::string_view otherHue; // empty where the pattern has no %2
 };
 
-// More than two hundred, by recipe and then by hue; beside the built-in palettes, none of whose names occurs.
-// The same bytes on every machine.
+// More than two hundred palettes, by recipe and then by hue, with other names than the built-in ones. The
+// same bytes on every machine.
 std::span<const LibraryPalette> paletteLibrary();
 const Palette* findInLibrary(std::string_view name); // without case; nullptr when there is none
 

@@ -112,7 +112,7 @@ std::vector<Sample> means(const std::vector<Sample>& samples, std::size_t count)
     return centres;
 }
 
-// At 0 and 1 at least.
+// The palette of these colours, with stops at 0 and 1 at least.
 Palette paletteOf(const std::vector<Sample>& centres, std::span<const double> places) {
     Palette palette;
     for (std::size_t k = 0; k < centres.size(); ++k)

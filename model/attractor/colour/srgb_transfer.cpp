@@ -33,8 +33,7 @@ std::uint8_t roundedCode(double linear) {
     return static_cast<std::uint8_t>(std::min(encodedFromLinear(linear) * 255 + 0.5, 255.0));
 }
 
-// Where each code begins, and for equal parts of 0 … 1 the code at their beginnings: two steps instead of a
-// power.
+// Starts of the codes, and for equal parts of 0 … 1 the code at their starts: two steps instead of a power.
 struct CodeTable {
     static constexpr std::size_t parts = 4096;
     std::array<double, 257> begins{}; // the last one is never reached

@@ -15,7 +15,7 @@ namespace attractor {
 
 namespace {
 
-// What a node shows, in cells: the box around it, and how far its maps are off in it.
+// The displayed node, in cells: its bounding box, and the errors of its maps within it.
 struct Shown {
     double xx = 0, xy = 0, yx = 0, yy = 0, x = 0, y = 0; // its first-order map, from box coordinates
     double halfX = 0, halfY = 0;                         // infinite where nothing is known
@@ -155,12 +155,12 @@ public:
                 static_cast<float>(middle.y())};
     }
 
-    // From box coordinates to those of the code.
+    // The map from box coordinates to those of the code.
     ifs::AffineMap<2> exactMap(const Node<double>& node) const { return {spread(node), {node.x, node.y}}; }
 
 private:
-    // How far from its centre the attractor is shown, in steps, so that a branch that is dragged does not
-    // make the table begin anew in every frame.
+    // Largest distance from its centre at which the attractor is shown, in steps, so that dragging a branch
+    // does not restart the table in every frame.
     static double reach(const PreparedSystem& system) {
         double farthest = system.halfExtent.maxCoeff();
         if (system.moved.empty()) return farthest;
@@ -239,12 +239,12 @@ private:
     using Nodes = std::pmr::vector<Node<Real>>;
     enum class Threshold { Absolute, Relative };
 
-    static constexpr std::size_t maxWaiting = 1U << 20;  // words of the next level before refining it
-    static constexpr std::size_t maxShown = 1U << 16;    // words wholly in view, unless there are more maps
-    static constexpr std::size_t childrenPerLook = 8192; // between two looks at the stop token
-    static constexpr double rounding = 1e-9;             // of a sum of probabilities, at most
-    static constexpr double minSize = 0.25;              // cells; below, splitting shows nothing new
-    static constexpr double atBorder = 512;              // samples a word may have of which some fall outside
+    static constexpr std::size_t maxWaiting = 1U << 20;   // words of the next level before refining it
+    static constexpr std::size_t maxShown = 1U << 16;     // words wholly in view, unless there are more maps
+    static constexpr std::size_t childrenPerCheck = 8192; // between two checks of the stop token
+    static constexpr double rounding = 1e-9;              // of a sum of probabilities, at most
+    static constexpr double minSize = 0.25;               // cells; below, splitting shows nothing new
+    static constexpr double atBorder = 512;  // samples a word may have of which some fall outside
     static constexpr double minSamples = 32; // samples for which a first-order map is worth its while
 
     static Branch<Real> branch(const ifs::AffineMap<2>& map, const ifs::Vector<2>& centre,
@@ -313,9 +313,9 @@ private:
                (!isTooBent(node) || measure <= m_exact) && !isTooMixed(node, measure);
     }
 
-    // Where a node has hundreds of children, dividing all that are a little too large would make far more
-    // words than are wanted. Then larger ones are, by a power of two, so that words of one measure are
-    // treated alike.
+    // Slack of the threshold. If nodes have hundreds of children, dividing all that are a little too large
+    // would make far more words than are wanted. Then only those larger by a power of two are divided, so
+    // that words of one measure are treated alike.
     double slackFor(const Nodes& open, std::size_t done, double threshold) const {
         const std::size_t max = std::max(maxShown, 2 * m_branches.size());
         const auto isWithin = [&](double slack) {
@@ -344,7 +344,7 @@ private:
         std::ranges::copy_if(m_roots, std::back_inserter(open),
                              [this](const Node<Real>& node) { return visible(node); });
         std::size_t children = 0;
-        std::size_t nextLook = 0;
+        std::size_t nextCheck = 0;
         double settled = 0;
         Nodes next(m_nodeMemory);
         while (!open.empty() && children < m_settings.maxLooks) {
@@ -365,9 +365,9 @@ private:
             if (open.size() > m_divided) thinOut(open, m_divided);
             next.clear();
             for (const Node<Real>& node : open) {
-                if (children >= nextLook) {
+                if (children >= nextCheck) {
                     if (stop.stop_requested()) return {};
-                    nextLook = children + childrenPerLook;
+                    nextCheck = children + childrenPerCheck;
                 }
                 children += m_branches.size();
                 for (std::size_t i = 0; i < m_branches.size(); ++i) {
@@ -396,7 +396,7 @@ private:
         std::erase_if(open, bentOnly);
     }
 
-    // How many words cover a point of the view in the mean.
+    // Mean number of words that cover a point of the view.
     double coverage(const Nodes& nodes) const {
         double covered = 0;
         for (const Node<Real>& node : nodes) {

@@ -32,7 +32,7 @@ struct Projection {
     int cellsPerPixel = 1;
 
     double cellsPerUnit() const { return std::hypot(scale(0, 0), scale(1, 0)); }
-    // A coordinate of a world offset in cells. What does not count is left out, since it may be infinite.
+    // A coordinate of a world offset in cells. Skips zero coefficients, because 0 · ∞ is NaN.
     template <class Real> Real scaled(int row, const Real& x, const Real& y) const {
         return combined(scale(row, 0), scale(row, 1), x, y);
     }
@@ -41,7 +41,7 @@ struct Projection {
         return {scaled(0, offset.x(), offset.y()) + grid.width / 2.0,
                 scaled(1, offset.x(), offset.y()) + grid.height / 2.0};
     }
-    // Half the size in cells of the box around a box that has half this size in world units.
+    // Half extents in cells of the bounding box of a world box with half extents `half`.
     ifs::Vector<2> boxAround(const ifs::Vector<2>& half) const {
         const auto row = [&](int i) {
             return combined(std::abs(scale(i, 0)), std::abs(scale(i, 1)), half.x(), half.y());
@@ -58,7 +58,7 @@ private:
 };
 Projection projection(const Camera& camera, const ifs::Placement& cage, int cellsPerPixel);
 
-// How far a word of a cage that bends may be off.
+// Largest error of a word of a cage that bends.
 constexpr double maxBendError = 0.25; // pixels
 
 struct CutSettings {
@@ -85,22 +85,23 @@ struct AddressCut {
         return word >= firstCurved && word < firstExact ? &curves[word - firstCurved] : nullptr;
     }
     ShownWord shown(std::size_t word) const { return {words[word], curveOf(word)}; } // before firstExact
-    // For each word of linked maps, the number of the sample set that it shows (PreparedSystem::sampleSetOf);
-    // empty without links.
+    // The number of the sample set that each word of linked maps shows (PreparedSystem::sampleSetOf); empty
+    // without links.
     std::vector<std::uint32_t> sampleSets;
     std::uint32_t sampleSet(std::size_t word) const { return sampleSets.empty() ? 0 : sampleSets[word]; }
     bool isThinned = false; // words stand for others; another seed chooses others
     double probability = 0; // Σ p_σ: an unbiased estimate of the measure of the words that meet the view
 };
 
-// What one cut can leave to the next: memory, and what is known of a cage that bends. Never changes a word.
+// Memory and expansions of a bending cage that one cut leaves to the next. It saves time and never changes a
+// word.
 struct CutMemory {
     BendTable bends;
     std::vector<ifs::AffineMap<2>> bent; // the maps whose words they were
     std::pmr::unsynchronized_pool_resource nodes{std::pmr::pool_options{1, 1U << 22}};
 };
 
-// Empty when stopped.
+// The cut; empty when stopped.
 AddressCut addressCut(const PreparedSystem& system, const Projection& projection, const CutSettings& settings,
                       std::stop_token stop = {}, CutMemory* kept = nullptr);
 

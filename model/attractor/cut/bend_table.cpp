@@ -63,7 +63,7 @@ double valueAt(const ifs::Jet& jet, const Vector<2>& d) {
            cubic / 6;
 }
 
-// Where errors are measured: in the four corners of [−1, 1]², and in the middle of its edges.
+// Places where errors are measured: the four corners of [−1, 1]², and the middles of its edges.
 constexpr std::size_t corners = 4;
 Vector<2> onEdge(std::size_t point) {
     constexpr std::array<std::array<int, 2>, 8> points{
@@ -131,8 +131,8 @@ void BendTable::restart(const ifs::PolygonDeformation& bend, const Vector<2>& ce
     forgetPieces();
 }
 
-// Coordinates vary over the distance from the corners, and near them over the length of the edges: what is
-// measured in the corners of a larger square may overlook something.
+// Length over which coordinates vary: the distance from the corners, and near them the length of the edges.
+// Measurements in the corners of a larger square may miss something.
 double BendTable::featureSize(const Vector<2>& x) const {
     double size = infinity;
     for (std::size_t j = 0; j < m_cornerSize.size(); ++j)
@@ -201,7 +201,7 @@ void BendTable::forgetPieces() {
     m_cornerCoordinates.clear();
 }
 
-// What the expansion misses at most in a piece, as found in its corners.
+// Error bound of the expansion in a piece, as measured in its corners.
 double BendTable::missOf(const Square& square, const Vector<2>& x, const ifs::Matrix<2>& spread) {
     auto coordinate = cornerCoordinates(x, spread).begin();
     double result = 0;
@@ -216,7 +216,7 @@ double BendTable::missOf(const Square& square, const Vector<2>& x, const ifs::Ma
     return result;
 }
 
-// What the expansion misses at most, in a piece that reaches `radius` beyond x, itself in the square. It is
+// Error bound of the expansion in a piece that reaches `radius` beyond x, itself in the square. The error is
 // of third order: from the middle of the square it grows like the cube of the distance.
 double BendTable::error(const Square& square, double distance, double radius) {
     if (square.error == 0) return 0;

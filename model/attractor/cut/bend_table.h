@@ -19,10 +19,10 @@ class BendTable {
 public:
     static constexpr double farthest = 0x1p16;
 
-    // From now on the pieces are those of this bend, which must outlive them, in the square
-    // centre ± halfSize. Expansions are refined until they miss at most `tolerance` in displayed coordinates,
-    // or are small beside the piece. Where most pieces are those of the bend before, what is measured in them
-    // is kept as well.
+    // Switches to the pieces of this bend, which must outlive them, in the square centre ± halfSize.
+    // Expansions are refined until they miss at most `tolerance` in displayed coordinates, or are small
+    // beside the piece. `samePieces` says that most pieces are those of the bend before, and keeps what was
+    // measured in them.
     void follow(const ifs::PolygonDeformation& bend, const ifs::Vector<2>& centre, double halfSize,
                 double tolerance, bool samePieces = false);
 

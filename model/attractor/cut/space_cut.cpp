@@ -52,13 +52,13 @@ public:
 
 private:
     static constexpr std::size_t maxWords = 1U << 16;
-    static constexpr std::size_t maxLooks = 1U << 22;
+    static constexpr std::size_t maxVisits = 1U << 22;
     static constexpr double maxBend = 0.25;  // cells
     static constexpr double minSize = 0.25;  // cells; below, splitting shows nothing new
     static constexpr double rounding = 1e-9; // of a sum of probabilities, at most
     static constexpr double minSamples = 32;
 
-    // The pieces of what is shown that meet the view.
+    // The displayed pieces that meet the view.
     std::vector<SpaceNode> roots() const {
         std::vector<SpaceNode> result;
         SpaceNode root;
@@ -112,7 +112,7 @@ private:
         std::vector<SpaceNode> done;
         std::vector<SpaceNode> open = roots();
         std::vector<SpaceNode> next;
-        std::size_t looks = 0;
+        std::size_t visits = 0;
         while (!open.empty()) {
             std::erase_if(open, [&](const SpaceNode& node) {
                 if (!isLeaf(node, threshold)) return false;
@@ -124,12 +124,12 @@ private:
             next.clear();
             for (const SpaceNode& node : open)
                 for (std::size_t i = 0; i < m_maps.size(); ++i) {
-                    if (++looks % 4096 == 0 && stop.stop_requested()) return {};
+                    if (++visits % 4096 == 0 && stop.stop_requested()) return {};
                     const SpaceNode candidate = child(node, i);
                     if (candidate.seen.meets(m_view.size)) next.push_back(candidate);
                 }
             open.swap(next);
-            if (looks > maxLooks) break;
+            if (visits > maxVisits) break;
         }
         done.insert(done.end(), open.begin(), open.end());
         return done;

@@ -12,7 +12,7 @@
 
 namespace attractor {
 
-// One word of a cut in space, and the box that it is seen in, in cells.
+// A word of a cut in space, and the bounding box of its image, in cells.
 struct SpaceWord {
     kernels::CloudWord shown;
     float halfX = 0, halfY = 0;

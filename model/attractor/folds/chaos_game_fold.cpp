@@ -16,7 +16,7 @@ void ChaosGameFold::begin(std::uint64_t samples) {
 }
 
 bool ChaosGameFold::complete(const std::stop_token& stop) {
-    constexpr std::uint64_t together = 8192; // between two looks at the stop token
+    constexpr std::uint64_t together = 8192; // between two checks of the stop token
     const PreparedRequest& request = prepared();
     if (!m_orbit)
         m_orbit.emplace(request.system(), request.request().seed, Orbit::skipped, request.coordinates());

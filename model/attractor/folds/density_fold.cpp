@@ -17,7 +17,7 @@ namespace {
 
 constexpr std::uint64_t maxPerSampleSet = 1U << 24;           // more samples are drawn from a fresh set
 constexpr std::uint64_t maxUninstanced = 2 * SampleSet::size; // the same where there is but one word
-constexpr std::uint64_t samplesPerJob = 1U << 16;             // between two looks at the stop token
+constexpr std::uint64_t samplesPerJob = 1U << 16;             // between two checks of the stop token
 // Sample sets that are counted word by word, while the cells of the word are in the cache.
 constexpr std::uint64_t setsTogether = 8;
 
@@ -86,7 +86,7 @@ CutSettings DensityFold::cutSettings() const {
     const ColourBy colourBy = request.appearance.colourBy;
     settings.mergesCoinciding = system.coincides && !prepared().coloured();
     if (colourBy == ColourBy::Map) settings.minDepth = 1;
-    // Where maps blend, the cut divides what needs it, unless no word may be longer than the others.
+    // With blends the cut divides words that need it, unless no word may be longer than the others.
     if (colourBy == ColourBy::Address || (colourBy == ColourBy::Blend && !(system.meanLogarithm < 0)))
         for (std::size_t words = 1; words < 64 && system.maps.size() > 1; words *= system.maps.size())
             ++settings.minDepth;
@@ -96,7 +96,7 @@ CutSettings DensityFold::cutSettings() const {
     return settings;
 }
 
-// For the next sample set. Words that stand for others are chosen anew, so that all get their turn.
+// Cuts for the next sample set. Words that stand for others are chosen anew, so that all get their turn.
 bool DensityFold::makeCut(const std::stop_token& stop) {
     if (m_cut && (!m_cut->isThinned || m_cutOfSet == m_sampleSets)) return true;
     AddressCut fresh =
@@ -109,7 +109,8 @@ bool DensityFold::makeCut(const std::stop_token& stop) {
     return true;
 }
 
-// While one thread walks the address tree, another finds the strata and draws the samples.
+// Makes the first cut: while one thread walks the address tree, another finds the strata and draws the
+// samples.
 bool DensityFold::makeFirstCut(const std::stop_token& stop) {
     const PreparedSystem& system = prepared().system();
     if (workers().size() < 2 || system.isLinked() || system.note != RenderNote::None || holdsSampleSet(0))
@@ -125,7 +126,7 @@ bool DensityFold::makeFirstCut(const std::stop_token& stop) {
     return made;
 }
 
-// Whether the samples are those of an earlier picture: only the cage or the view has moved.
+// Returns true if the samples of an earlier picture can be used again: only the cage or the view has moved.
 bool DensityFold::holdsSampleSet(std::size_t place) const {
     return place < m_drawn.size() && m_drawn[place] == keyOf(place) && m_strata.isOf(prepared().system());
 }
@@ -173,7 +174,7 @@ bool DensityFold::isInPart(std::size_t place) const {
     return m_part.meets(firstUnit, firstUnit + PicturePart::unitsPerSet);
 }
 
-// As many as one cut and one set of places allow.
+// Plans as many sample sets as one cut and one set of places allow.
 void DensityFold::planSampleSets() {
     const std::uint64_t most = maxPerSet(prepared().system());
     const bool single = m_cut->isThinned || prepared().system().isLinked();
@@ -204,7 +205,7 @@ void DensityFold::planSampleSet(std::size_t place) {
         const auto after = static_cast<std::uint64_t>(sum);
         const std::uint64_t unit =
             set * PicturePart::unitsPerSet + k * PicturePart::unitsPerSet / m_cut->words.size();
-        // Where samples that go through the cage one by one may fall, the word does not tell.
+        // A word does not tell where its samples may fall if they go through the cage one by one.
         const auto isMet = [&] {
             return whole || k >= m_cut->firstExact || meets(m_cut->shown(k), samplesOf(k, place), window);
         };
@@ -216,8 +217,8 @@ void DensityFold::planSampleSet(std::size_t place) {
     settle(number, before);
 }
 
-// From the top of the picture to its bottom, so that every thread meets few tiles that others meet as well:
-// each of them has to be cleared and added up once per thread. Who counts a word changes nothing.
+// Orders the words from the top of the picture to its bottom, so that every thread meets few tiles that
+// others meet as well: each of them has to be cleared and added up once per thread. The order changes no sum.
 void DensityFold::orderWords() {
     constexpr std::size_t bands = 256;
     const CellWindow& window = sums().window();

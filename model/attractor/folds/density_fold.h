@@ -15,10 +15,10 @@
 
 namespace attractor {
 
-// Words of the cut for a pass of so many samples: none takes more of a sample set than there is.
+// Number of words of the cut for a pass of `samples` samples: none takes more of a sample set than there is.
 int wordsFor(std::uint64_t samples);
 
-// Into how many sample sets a pass of so many samples is divided.
+// Number of sample sets into which a pass of `samples` samples is divided.
 std::uint64_t sampleSetsFor(std::uint64_t samples, const PreparedSystem& system);
 
 // Algorithm::Density: every word of the cut takes its part of sample sets of the invariant measure.
@@ -34,10 +34,10 @@ public:
     double samplesOverAttractor() const override { return m_overAttractor; }
     const std::optional<AddressCut>& cut() const { return m_cut; } // of the newest sample set
 
-    // From the next sample set on, only the units of the part are gathered. All else is as for the whole
-    // picture: samples(), samplesOverAttractor(), exposure(). rewind() makes it whole again.
+    // Restricts gathering to the units of the part, from the next sample set on. samples(),
+    // samplesOverAttractor() and exposure() remain those of the whole picture. rewind() makes it whole again.
     void setPart(const PicturePart& part) { m_part = part; }
-    using SumFold::sums; // what other parts have gathered may be added
+    using SumFold::sums; // sums of other parts may be added
     double measure() const override { return m_cut ? m_cut->probability : 1; }
 
 protected:
@@ -86,9 +86,9 @@ private:
     std::uint64_t m_cutOfSet = 0; // the sample set that m_cut was made for
     CutMemory m_cutMemory;
     AddressStrata m_strata;
-    // By place; of linked maps, as many as AddressCut::sampleSets tells apart.
+    // Sample sets by place; for linked maps, as many as AddressCut::sampleSets distinguishes.
     std::vector<SampleSet> m_samples;
-    std::vector<std::optional<SampleSetKey>> m_drawn; // what m_samples holds, of maps that are not linked
+    std::vector<std::optional<SampleSetKey>> m_drawn; // content of m_samples, without links
     std::uint64_t m_sampleSets = 0;                   // planned so far
     std::size_t m_together = 0;                       // places in use
     std::vector<std::uint64_t> m_counts;              // samples of every word, place by place

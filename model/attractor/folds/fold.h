@@ -15,10 +15,9 @@
 
 namespace attractor {
 
-// picture = fold(⊕, camera · cage · w_σ · sample): a commutative, associative ⊕ gathers what falls into each
-// cell, so that neither order nor threads change a byte, and what has been gathered becomes light. A picture
-// is drawn in passes, each of which may be stopped and completed later. Not thread-safe; uses a team of
-// workers.
+// picture = fold(⊕, camera · cage · w_σ · sample): a commutative, associative ⊕ gathers the samples of each
+// cell, so that neither order nor threads change a byte, and the result becomes light. A picture is drawn in
+// passes, each of which may be stopped and completed later. Not thread-safe; uses a team of workers.
 class Fold {
 public:
     Fold() = default;
@@ -26,12 +25,12 @@ public:
     Fold& operator=(const Fold&) = delete;
     virtual ~Fold() = default;
 
-    // For the prepared request as it is now. Memory of an earlier one is kept; rewind() comes next.
+    // Prepares for the current state of the prepared request, reusing memory. Call rewind() next.
     virtual void start(Workers& workers) = 0;
-    // Nothing drawn yet; from now on what falls into the window is gathered.
+    // Empties the picture; from now on samples in the window are gathered.
     virtual void rewind(const CellWindow& window) = 0;
 
-    // The next pass, of so many samples; the one before is complete.
+    // Begins the next pass, of `samples` samples; the one before is complete.
     virtual void begin(std::uint64_t samples) = 0;
     // The rest of the pass. False when stopped, within milliseconds.
     virtual bool complete(const std::stop_token& stop) = 0;
@@ -44,12 +43,12 @@ public:
     // The measure of the words that meet the view, estimated.
     virtual double measure() const { return 1; }
     virtual int iterations() const { return 0; } // drawn, where Wⁿ is
-    // What it had to leave out.
+    // The reason why the picture is incomplete, if it is.
     virtual RenderNote note() const { return RenderNote::None; }
 
-    // Whether exposure() is the same for all that can be drawn, and nothing need be drawn to know it.
+    // Returns true if exposure() is the same for every picture and known before anything is drawn.
     virtual bool hasFixedExposure() const { return false; }
-    // Measured once and kept for the passes to come. nullopt when stopped.
+    // The exposure, measured once and kept for the passes to come. nullopt when stopped.
     virtual std::optional<Exposure> exposure(const std::stop_token& stop) = 0;
     virtual Occupancy
     occupancy(double share) const = 0; // of the pixels of the window; see attractor::occupancy

@@ -7,7 +7,7 @@
 
 namespace attractor {
 
-// What the algorithm folds. `prepared` outlives it.
+// The fold of an algorithm. `prepared` must outlive it.
 std::unique_ptr<Fold> makeFold(Algorithm algorithm, const PreparedRequest& prepared);
 
 } // namespace attractor

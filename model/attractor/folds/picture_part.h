@@ -16,7 +16,7 @@ struct PicturePart {
     std::uint64_t count = 1;
 
     bool holds(std::uint64_t unit) const { return count > 0 && unit % count == index; }
-    // Any of the units [first, end)?
+    // Returns true if any unit of [first, end) belongs to the part.
     bool meets(std::uint64_t first, std::uint64_t end) const { return unitsBefore(end) > unitsBefore(first); }
     std::uint64_t unitsBefore(std::uint64_t end) const {
         return count > 0 && end > index ? (end - index - 1) / count + 1 : 0;

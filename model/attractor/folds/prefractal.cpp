@@ -12,9 +12,9 @@ namespace attractor {
 namespace {
 
 constexpr double maxImages = 1e6;
-constexpr double maxOutlined = 20'000;         // images; sums of a cell stay below 2³² whatever covers it
-constexpr double minOutlined = 24;             // cells
-constexpr std::size_t cellsPerLook = 1U << 18; // a millisecond's work
+constexpr double maxOutlined = 20'000;          // images; sums of a cell stay below 2³² whatever covers it
+constexpr double minOutlined = 24;              // cells
+constexpr std::size_t cellsPerCheck = 1U << 18; // a millisecond's work
 
 class Painter {
 public:
@@ -66,7 +66,7 @@ public:
         std::ranges::reverse(stack);
         std::size_t visits = 0;
         while (!stack.empty()) {
-            if (++visits % 1024 == 0 || m_filled > cellsPerLook) {
+            if (++visits % 1024 == 0 || m_filled > cellsPerCheck) {
                 m_filled = 0;
                 if (stop.stop_requested()) return false;
             }
@@ -86,13 +86,14 @@ public:
     }
 
 private:
-    // What is longer than the words that are drawn is part of an image and does not move.
+    // The pieces of moved branches. Branches with words longer than those drawn are part of an image and do
+    // not move.
     std::vector<ifs::MovedBranch<2>> pieces() const {
         return ifs::pieces<2>(m_job.system.moved, m_job.system.maps.size(),
                               static_cast<std::size_t>(m_job.iterations));
     }
 
-    // How far from the middle of the box images are shown.
+    // Largest distance of a displayed image from the middle of the box.
     double reach() const {
         const ifs::Vector<2> middle = (m_low + m_high) / 2;
         const ifs::Vector<2> half = (m_high - m_low) / 2;
@@ -109,8 +110,8 @@ private:
         double size = 0; // cells
     };
 
-    // Images of the polygon may leave the box of an expanding system; what has left the view then comes back
-    // only by chance, so it is not followed.
+    // Images of the polygon may leave the box of an expanding system; an image outside the view would come
+    // back only by chance, so it is not followed.
     Reach reachOf(const ifs::AffineMap<2>& map) {
         const ifs::Vector<2> centre = map((m_low + m_high) / 2);
         const ifs::Vector<2> halfBox = (m_high - m_low) / 2;
@@ -166,7 +167,7 @@ private:
         sum.blue += times * colour.blue;
     }
 
-    // Further samples along the sides of what has just been filled. The points on a side do not depend on the
+    // Adds samples along the sides of the polygon just filled. The points on a side do not depend on the
     // window.
     void outline(const ColourCell& colour) {
         constexpr std::uint32_t times = 3;
@@ -256,7 +257,7 @@ private:
     std::optional<BendTable> m_bend;
     std::vector<ifs::Vector<2>> m_corners;
     std::vector<double> m_crossings;
-    std::size_t m_filled = 0; // cells since the last look at the stop token
+    std::size_t m_filled = 0; // cells since the last check of the stop token
 };
 
 } // namespace

@@ -41,7 +41,7 @@ bool PrefractalFold::complete(const std::stop_token& stop) {
     return true;
 }
 
-// What one image covers has density 1.
+// Pixels covered by a single image have density 1.
 std::optional<Exposure> PrefractalFold::exposure(const std::stop_token&) {
     return Exposure{1, 16, 1};
 }

@@ -22,7 +22,8 @@ void PreparedRequest::set(RenderRequest request) {
     makeColours();
 }
 
-// Which coordinates bend the cage depends on system and rest alone, and is remembered with the rest.
+// The placement. The coordinates of a bending cage depend on system and rest alone, and are kept with the
+// rest.
 ifs::Placement PreparedRequest::placement() {
     if (!m_request.cage || !ifs::isValid(*m_request.cage)) return {};
     if (ifs::bends(*m_request.cage) && m_bent != m_request.cage->rest) {

@@ -12,11 +12,11 @@
 
 namespace attractor {
 
-// A request and what follows from it before the first sample: camera · cage, the maps that take part, the
+// A request with data derived from it before the first sample: camera · cage, the maps that take part, the
 // colours of samples.
 class PreparedRequest {
 public:
-    // What is known of a system or of a cage at rest that stays the same is kept.
+    // Keeps results of the request before that still hold, where the system or the cage at rest is the same.
     void set(RenderRequest request);
 
     const RenderRequest& request() const { return m_request; } // with threads and supersample in their ranges
@@ -25,7 +25,7 @@ public:
     int cellsPerPixel() const { return m_request.appearance.supersample; } // a side
 
     bool isDrawable() const; // there is something to draw and something to draw on
-    // What keeps this view of the system from being exact: None, Degenerate or TooDeep.
+    // The reason why this view of the system is not exact: None, Degenerate or TooDeep.
     RenderNote viewNote() const;
 
     bool coloured() const { return coloursSamples(m_request.appearance.colourBy); }

@@ -36,10 +36,10 @@ protected:
     CellSums& sums() { return m_sums; }
 
     std::uint64_t remaining() const { return m_remaining; } // of the present pass
-    // So many samples of the present pass are done with; `drawn` are in the sums.
+    // Marks `samples` of the current pass as done, of which `drawn` are in the sums.
     void settle(std::uint64_t samples, std::uint64_t drawn);
 
-    // Before at most so many more samples are counted: no counter will wrap.
+    // Carries counters over if any could wrap before `samples` more are counted.
     void makeRoomFor(std::uint64_t samples);
     void counted(std::uint64_t samples) { m_sinceCarry += samples; }
     // The colours of all samples where there are few enough to count each on its own; see CellSums.

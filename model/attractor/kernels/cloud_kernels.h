@@ -27,7 +27,7 @@ struct SpaceRun {
 
 // Counts every point of the run in its cell of the window, or in an overflow cell.
 void addToCounts(const CloudWord& word, const SpaceRun& run, const CellWindow& window, std::uint32_t* counts);
-// For a run that is known to lie in the window.
+// A faster version for runs known to lie in the window.
 void addInside(const CloudWord& word, const SpaceRun& run, const CellWindow& window, std::uint32_t* counts);
 // Returns the bits seen in all sums.
 std::uint32_t addToColours(const CloudWord& word, const SpaceRun& run, const CellWindow& window,

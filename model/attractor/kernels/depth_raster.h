@@ -7,10 +7,10 @@
 
 namespace attractor {
 
-// What a solid shows in every pixel, rows from the top: the smallest key of all points that fall into it.
-// Depth in the upper 24 bits, linear from 0 at `near` to 0xFFFFFE at `far`; in the lower 8 a colour, the
-// first map of the point's address, modulo 256. `near` and `far` are depths along the view away from the eye,
-// in units of the system, 0 in the plane of the target.
+// Picture of a solid, rows from the top: in every pixel the smallest key of all points that fall into it. The
+// upper 24 bits are depth, linear from 0 at `near` to 0xFFFFFE at `far`; the lower 8 are a colour, the first
+// map of the point's address modulo 256. `near` and `far` are depths along the view away from the eye, in
+// units of the system, 0 in the plane of the target.
 struct DepthRaster {
     int width = 0;
     int height = 0;

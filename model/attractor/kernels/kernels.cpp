@@ -35,7 +35,7 @@ HWY_ATTR static HWY_INLINE FloatVector affine(FloatVector a, FloatVector b, Floa
     return hn::Add(hn::Add(hn::Mul(a, x), hn::Mul(b, y)), c); // never fused: see the test of equal counts
 }
 
-// One coordinate of camera·cage·w_σ in every lane: x·a + y·b + constant.
+// A coordinate of camera·cage·w_σ in every lane: x·a + y·b + constant.
 struct Linear {
     FloatVector x, y, constant;
 
@@ -221,7 +221,7 @@ HWY_ATTR void addToPatch(const Word& word, const Run& run, const Patch& patch, c
     }
 }
 
-// One cell holds four sums, which are added together where there are vectors.
+// A cell holds four sums, which are added together where there are vectors.
 #if HWY_TARGET == HWY_SCALAR
 struct ColourSum {
     ColourCell weight;

@@ -23,8 +23,8 @@ std::vector<std::string> simdNames(); // all that can be selected here, the best
 // Forces a set; false, and nothing changes, when the machine lacks it or the name is unknown. Not while
 // rendering.
 bool selectSimd(std::string_view name);
-// The environment decides once, before the first kernel runs, unless somebody has selected. Every kernel
-// calls it first.
+// Chooses the instruction set by the environment, once, before the first kernel runs, unless a caller has
+// selected one. Every kernel calls it first.
 void heedEnvironment();
 
 namespace kernels {
@@ -39,11 +39,11 @@ struct Run {
 
 // Counts every point of the run in its cell of the window, or in an overflow cell.
 void addToCounts(const ShownWord& shown, const Run& run, const CellWindow& window, std::uint32_t* counts);
-// For a run that is known to lie in the window.
+// A faster version for runs known to lie in the window.
 void addInside(const ShownWord& shown, const Run& run, const CellWindow& window, std::uint32_t* counts);
 
-// For a run that falls into at most `patchCells` cells, all inside the window, whose first is (column, row):
-// counted in several small copies, because increments of one counter have to wait for each other.
+// The cells of a run that covers at most `patchCells`, all inside the window; (column, row) is the first.
+// They are counted in several small copies, because increments of one counter have to wait for each other.
 struct Patch {
     int column = 0;
     int row = 0;
@@ -77,7 +77,7 @@ struct ChaosTables {
     float escapeRadius = 0;
 };
 
-// On: an orbit that leaves the escape radius begins anew at 0.
+// With On, an orbit that leaves the escape radius restarts at 0.
 enum class Guard { Off, On };
 
 // `steps` steps of every orbit. Where x and y are given, the point of orbit `lane` after step `k` goes to

@@ -31,7 +31,7 @@ HWY_ATTR static HWY_INLINE FloatVector affine(float a, float b, float c, FloatVe
                    hn::Set(d, c)); // never fused
 }
 
-// What is stored last stays: neither a comparison nor what a pixel held before is needed.
+// Stores keys so that the last one stays: neither a comparison nor the previous value of a pixel is needed.
 template <kernels::KeyReach reach>
 HWY_ATTR static void putKeysThat(const KeyWord& word, const float* HWY_RESTRICT xs,
                                  const float* HWY_RESTRICT ys, std::size_t count, const KeyRows& rows) {

@@ -26,7 +26,7 @@ struct KeyWord {
 // Inside: all samples of the word are known to fall into the rows.
 enum class KeyReach { Inside, Across };
 
-// Lays the keys of the samples of a word over what is there, the largest first, so that of those in a pixel
+// Writes the keys of the samples of a word over earlier ones, the largest first, so that of those in a pixel
 // the smallest stays. The arrays are read up to a multiple of 16; the points behind `count` must be copies of
 // the last one. The same bits for every instruction set.
 void putKeys(const KeyWord& word, KeyReach reach, const float* x, const float* y, std::size_t count,

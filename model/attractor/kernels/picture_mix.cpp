@@ -71,7 +71,7 @@ HWY_ATTR static HWY_INLINE void store(Pixels pixels, std::int16_t* to) {
 }
 #endif
 
-// From the middle of the first pixel to that of the last.
+// The coordinate relative to the middle of the first pixel, limited to that of the last.
 HWY_ATTR static HWY_INLINE std::int64_t fromMiddle(std::int64_t at, std::int32_t size) {
     constexpr std::int64_t half = std::int64_t{1} << (kernels::placeBits - 1);
     const std::int64_t last = static_cast<std::int64_t>(size - 1) << kernels::placeBits;
@@ -79,7 +79,7 @@ HWY_ATTR static HWY_INLINE std::int64_t fromMiddle(std::int64_t at, std::int32_t
     return from < 0 ? 0 : from > last ? last : from;
 }
 
-// Between the four nearest pixels; the left one counts.
+// Interpolates the four nearest pixels; only the left lane of the result is valid.
 HWY_ATTR static HWY_INLINE Pixels smooth(const std::int16_t* channels, const PictureLevel& level,
                                          std::int64_t x, std::int64_t y) {
     const std::int64_t column = fromMiddle(x, level.columns), row = fromMiddle(y, level.rows);

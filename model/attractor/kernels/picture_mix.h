@@ -17,8 +17,9 @@ struct PictureLevel {
     std::int32_t rows = 1;
 };
 
-// Where a picture is looked at, with so many bits behind the point: in pixels from the top left corner of the
-// first level, inside of the picture, and between which levels.
+// A place in a picture at which it is sampled: fixed-point coordinates with `placeBits` fractional bits, in
+// pixels from the top left corner of the first level, inside of the picture; and the two levels between which
+// it lies.
 constexpr int placeBits = 15;
 struct PicturePlace {
     std::int64_t x = 0, y = 0;

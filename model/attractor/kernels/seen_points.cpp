@@ -23,7 +23,7 @@ using kernels::PointTolerance;
 using Bits = hn::RebindToUnsigned<Float>;
 using BitVector = hn::Vec<Bits>;
 
-// Where a point is in its pixel: one of 8 × 8 places, four rows of them in 32 bits.
+// Resolution of places in a pixel: 8 × 8, four rows of them in 32 bits.
 constexpr float steps = 8;
 
 // Ones from a bit on: 8·row, row ≤ 4, in two shifts that every instruction set has.

@@ -14,8 +14,9 @@ struct PixelPoints {
     std::size_t size = 0; // a multiple of solidLanes
 };
 
-// How far a point may be from where it is said to be: relative to another one at a distance (dx, dy, dz), by
-// so much of |dx| + |dy| and of |dz|; depths by `deep` of all three. And by rounding.
+// Bounds of the position errors of points. Relative to another point at a distance (dx, dy, dz), pixel
+// coordinates are off by at most flat·(|dx| + |dy|) + deep·|dz| + pixels, and depths by at most deep·(|dx| +
+// |dy| + |dz|) + depth.
 struct PointTolerance {
     float flat = 0;
     float deep = 0;

@@ -36,11 +36,11 @@ constexpr float pixelSlack = 1.0F / 64;
 constexpr float codeSlack = 16;
 constexpr int smallBox = 32; // pixels wide
 constexpr std::size_t maxOpen = 1U << 18;
-constexpr std::size_t workPerLook = 1U << 14; // between two looks at the stop token
+constexpr std::size_t workPerCheck = 1U << 14; // between two checks of the stop token
 constexpr auto maxCode = static_cast<float>(maxDepthCode);
 constexpr std::size_t chunk = 64; // points that are compared before any of them is stored
 
-// What a box touches.
+// The pixels touched by a box, and its nearest key.
 struct Touched {
     int firstColumn, lastColumn, firstRow, lastRow;
     std::uint32_t nearest; // key
@@ -89,8 +89,8 @@ HWY_ATTR static HWY_INLINE std::uint32_t farthestOf(KeyBand& band, int tileRow, 
     return farthest;
 }
 
-// Whether everything it touches is nearer. At the very end of the range, depths cannot be told apart: there
-// what has come first stays.
+// Returns true if all keys in the touched tiles are nearer. At the very end of the range depths cannot be
+// told apart: there the first key stays.
 HWY_ATTR static HWY_INLINE bool isHidden(const Touched& t, KeyBand& band) {
     const std::uint32_t limit = t.nearest == maxDepthCode << 8 ? emptyKey : t.nearest;
     for (int row = t.firstRow / KeyBand::tile; row <= t.lastRow / KeyBand::tile; ++row)
@@ -132,7 +132,7 @@ struct Row {
     }
 };
 
-// The octant of the box by depth.
+// Index into Cover::nearestFirst: bit k is set if depth falls along axis k of the box.
 HWY_ATTR static HWY_INLINE std::size_t octant(const SolidWord& word) {
     return (word.linear[6] < 0 ? 1U : 0U) | (word.linear[7] < 0 ? 2U : 0U) | (word.linear[8] < 0 ? 4U : 0U);
 }
@@ -327,7 +327,7 @@ HWY_ATTR bool drawSolid(const SolidWord& word, SolidJob& job, const std::stop_to
     while (!job.open.empty()) {
         const OpenWord open = job.open.back();
         job.open.pop_back();
-        if (work >= workPerLook) {
+        if (work >= workPerCheck) {
             if (stop.stop_requested()) return false;
             job.budget -= std::min(job.budget, work);
             work = 0;

@@ -36,8 +36,8 @@ struct Cover {
     float onlyFor = 0; // > 0: the size of the words that it holds for, in pixels
     std::size_t size = 0;
     std::size_t work = 0; // counted as so many points
-    // The same points from the nearest to the farthest, about, where depth falls along x (bit 0), y (bit 1),
-    // z (bit 2) of the box: what comes late is hidden by what has come.
+    // The points roughly from the nearest to the farthest, for each octant: depth falls along x (bit 0), y
+    // (bit 1), z (bit 2) of the box. Later points are hidden by earlier ones.
     std::array<CoverPoints, 8> nearestFirst;
 };
 
@@ -108,7 +108,7 @@ struct SolidJob {
 // Points of a cover that are this far apart at most leave no holes.
 constexpr float maxSpacing = 0.9F; // pixels
 
-// Whether nothing of the word would be seen in the band, and of what lies so many pixels around it neither.
+// Returns true if neither the word nor anything within `around` pixels of it would be visible in the band.
 bool isHidden(const SolidWord& word, float around, KeyBand& band);
 
 // False when stopped, within milliseconds. Words and depths must be finite.

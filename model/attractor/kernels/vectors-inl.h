@@ -12,7 +12,7 @@
 HWY_BEFORE_NAMESPACE();
 namespace attractor::HWY_NAMESPACE {
 
-// At most 16 lanes, so that 128 points are whole vectors for every instruction set.
+// Vectors of at most 16 lanes, so that 128 points are whole vectors for every instruction set.
 using Float = hwy::HWY_NAMESPACE::CappedTag<float, 16>;
 using Int = hwy::HWY_NAMESPACE::RebindToSigned<Float>;
 using FloatVector = hwy::HWY_NAMESPACE::Vec<Float>;

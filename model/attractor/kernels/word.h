@@ -5,8 +5,8 @@
 
 namespace attractor {
 
-// One word of a cut: camera·cage·w_σ as a map from box coordinates to cells. Of a cage that bends, its
-// first-order map.
+// A word of a cut: camera·cage·w_σ as a map from box coordinates to cells. If the cage bends, its first-order
+// map.
 struct Word {
     float xx = 0, xy = 0, yx = 0, yy = 0, x = 0, y = 0;
     std::uint32_t firstMap = 0;   // outermost, among the maps that take part
@@ -15,7 +15,7 @@ struct Word {
     double addressCoordinate = 0; // on the palette: ColourCoordinates::middle()
 };
 
-// What a word has beside its affine map when the cage bends it by more: terms of second order, in cells.
+// Second-order terms of a word, in cells, for cages that bend it by more than an affine map can show.
 struct Curve {
     float xaa = 0, xab = 0, xbb = 0, yaa = 0, yab = 0, ybb = 0; // of a², ab, b² for box coordinates (a, b)
 };

@@ -11,7 +11,7 @@
 // docs/mathematics.md, "Light on a solid".
 namespace attractor::kernels {
 
-// Stands for the depth of an empty pixel: behind every depth code, by more than two codes can differ.
+// Depth of an empty pixel: behind every depth code, by more than two codes can differ.
 constexpr std::int32_t emptyDepth = 1 << 26;
 
 // Keys of a raster → depth codes.

@@ -10,8 +10,8 @@
 
 namespace attractor {
 
-// What a picture drawn with side × side pixels for each of its own shows: their mean in linear light,
-// weighted by opacity. `fine` holds whole rows of side · width pixels, side rows for each of `pixels`.
+// Downsamples a picture drawn with side × side pixels for each of `pixels`: their mean in linear light,
+// weighted by opacity. `fine` holds whole rows of side · width pixels, side rows for each row of `pixels`.
 void averagePixels(std::span<const std::uint32_t> fine, int side, int width, std::span<std::uint32_t> pixels);
 void averagePixels(std::span<const Rgba16> fine, int side, int width, std::span<Rgba16> pixels);
 
@@ -21,8 +21,8 @@ struct LightSum {
     std::array<double, 3> light{}; // times alpha
 };
 
-// What pictures of one size show one after the other, as a shutter sees them: the same mean over time. What
-// never changes keeps its bytes.
+// The mean of several pictures of one size, in linear light and weighted by opacity, as seen through an open
+// shutter. Pixels that never change keep their bytes.
 template <class Pixel> class PictureAverage { // std::uint32_t or Rgba16
 public:
     void add(std::span<const Pixel> picture);

@@ -26,11 +26,11 @@ struct ViewVector {
     friend bool operator==(const ViewVector&, const ViewVector&) = default;
 };
 
-// The direction in which one finds what stands at these angles from the line of sight, in degrees: azimuth to
-// the right, elevation up; (0, 0) is the eye itself. The same bits on every machine.
+// The direction at these angles from the line of sight, in degrees: azimuth to the right, elevation up; (0,
+// 0) is the eye itself. The same bits on every machine.
 ViewVector lampAt(double azimuth, double elevation);
 
-// How a solid becomes a picture.
+// Settings that turn the keys of a solid into colours.
 struct SolidAppearance {
     Look look = Look::Stone;
     SolidColour colourBy = SolidColour::Plain; // Map, Address: what the key of the raster is for
@@ -47,7 +47,7 @@ struct SolidAppearance {
 // A look as it is when one chooses it: Ink with a white ground and a dark plain colour.
 SolidAppearance appearanceOf(Look look);
 
-// What the light has to know of the camera.
+// The properties of the camera on which the light depends.
 struct SolidView {
     double unitsPerPixel = 1;                                     // at the target
     ViewVector upward{0, 1, 0};                                   // of the scene

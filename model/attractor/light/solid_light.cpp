@@ -181,7 +181,7 @@ void SolidLight::apply(const DepthRaster& raster, int firstRow, int endRow,
             for (std::size_t k = 0; k < count; ++k)
                 out[k] = row.codes[k] == kernels::emptyDepth ? ground : narrow(surfaceColour(row, k, band));
         }
-        // Where there is nothing, ground is mixed with ground.
+        // In empty pixels, ground is mixed with ground.
         if (!m_clear.empty() && isLit(m_appearance.look))
             kernels::addFog(row.codes, m_clear.data(), ground, count, out);
     }

@@ -32,13 +32,13 @@ LinearColour tint(const SolidAppearance& appearance, int index) {
     return linearColour(appearance.plain);
 }
 
-// Light that falls on it is warm, what is left in the shade is that of the sky.
+// The colour of stone: warm where the lamp falls on it, that of the sky in the shade.
 LinearColour stone(const LinearColour& tint, double light) {
     const auto lamp = [&](double sky, double sun) { return exposure * light * (sky + (sun - sky) * light); };
     return {tint.red * lamp(0.66, 1.08), tint.green * lamp(0.84, 1.02), tint.blue * lamp(1.24, 0.9)};
 }
 
-// From the ink of the tint to a light wash, which stands out from white paper.
+// The ramp from the ink of the tint to a light wash, which stands out from white paper.
 LinearColour ink(const LinearColour& tint, double light) {
     const auto paper = [&](double channel) { return channel + (1 - channel) * wash * light; };
     return {paper(tint.red), paper(tint.green), paper(tint.blue)};

@@ -19,7 +19,7 @@ struct SolidRamp {
 
 SolidRamp solidRamp(const SolidAppearance& appearance);
 
-// What Stone and Ink make of a tint in that light, 0 … 1.
+// The colour of a tint under a light of 0 … 1, for Stone and Ink.
 LinearColour litColour(Look look, const LinearColour& tint, double light);
 
 } // namespace attractor

@@ -16,12 +16,12 @@ enum class Stereo {
     Anaglyph,   // for glasses with red before the left eye and cyan before the right one
 };
 
-// How many pictures of one size such a picture has beside each other.
+// Number of single pictures side by side in a stereo picture.
 constexpr int picturesAcross(Stereo stereo) {
     return stereo == Stereo::SideBySide ? 2 : 1;
 }
 
-// What both eyes see, in one picture. `width` is that of each of them; they have equally many pixels. Pixels
+// Joins the pictures of both eyes, each `width` pixels wide and with equally many pixels, into one. Pixels
 // are 0xAARRGGBB, premultiplied, or Rgba16. docs/mathematics.md, "Stereo".
 std::vector<std::uint32_t> joined(Stereo stereo, const std::vector<std::uint32_t>& left,
                                   const std::vector<std::uint32_t>& right, int width);

@@ -11,7 +11,7 @@
 
 namespace attractor {
 
-// How dark creases become.
+// Darkening of creases.
 struct Occlusion {
     static constexpr std::array<int, kernels::occlusionRadii> radii{1, 3, 9}; // pixels
     double strength = 1;                                                      // κ, 0 … 4
@@ -19,8 +19,7 @@ struct Occlusion {
     std::array<double, kernels::occlusionRadii> shares{1.0 / 3, 1.0 / 3, 1.0 / 3}; // their sum is 1
 };
 
-// What is at the surface in the pixels of one row, [first, end); the others are empty. Pointers are valid up
-// to the next row.
+// The surface in one row: pixels [first, end); the others are empty. Pointers are valid up to the next row.
 struct SurfaceRow {
     int first = 0;
     int end = 0;
@@ -39,7 +38,7 @@ public:
     // target.
     SurfaceRows(const DepthRaster& raster, double unitsPerPixel, const Occlusion& occlusion, int firstRow);
 
-    // Within the raster.
+    // The next row. Call only within the raster.
     SurfaceRow next();
 
 private:

@@ -5,7 +5,7 @@
 
 #include <vector>
 
-// From densities to tones, and what vibrancy makes of colours. docs/mathematics.md, "Density to colour".
+// Tone curve: densities to tones, and vibrancy of colours. docs/mathematics.md, "Density to colour".
 namespace attractor {
 
 // v = [ln(1 + κρ) / ln(1 + κρ_w)]^(1/γ), clamped to [0, 1].

@@ -56,7 +56,7 @@ void forBlockRows(const CellSums& sums, int side, Wanted wanted, Work work) {
     }
 }
 
-// How many pixels hold how many samples. Whole numbers, so that the order of counting does not matter.
+// Histogram of samples per pixel. Whole numbers, so that the order of counting does not matter.
 class Tally {
 public:
     void add(const std::vector<std::uint64_t>& pixels) {
@@ -73,8 +73,8 @@ public:
     }
     double samples() const { return static_cast<double>(m_samples); }
 
-    // How many would be occupied if only a share of the samples had been drawn: rarefaction, which makes
-    // occupancy independent of the number of samples.
+    // Expected number of occupied pixels if only a share of the samples had been drawn: rarefaction, which
+    // makes occupancy independent of the number of samples.
     double occupied(double share) const {
         double result = 0;
         double missed = 1;
@@ -166,7 +166,7 @@ std::vector<double> lightTable(const Appearance& look, double whitePoint, double
     return table;
 }
 
-// Averaging light over the cells of a pixel dims what is thinner than a pixel; the gain restores the mean.
+// Averaging light over the cells of a pixel dims details thinner than a pixel; the gain restores the mean.
 double gainOf(const CellSums& sums, const Appearance& look, int cellsPerPixel, double whitePoint,
               double densityPerSample, std::uint64_t stride) {
     const std::vector<std::uint64_t> pixels = pixelSamples(sums, cellsPerPixel, stride);

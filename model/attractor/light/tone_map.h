@@ -45,7 +45,7 @@ struct ToneSettings {
 // Cells → pixels.
 class ToneMap {
 public:
-    // No cell may hold more than `maxSamples`.
+    // `maxSamples` is an upper bound of the samples in a cell.
     ToneMap(const ToneSettings& settings, std::uint64_t maxSamples);
 
     // Rows [firstRow, endRow) of the pixels, counted from the first row of the sums. Different rows may be
@@ -53,7 +53,7 @@ public:
     void apply(const CellSums& sums, int firstRow, int endRow, std::span<std::uint32_t> pixels) const;
 
 private:
-    struct Entry {       // what a cell of tone v contributes
+    struct Entry {       // contribution of a cell of tone v
         float alpha = 0; // v
         float light = 0; // the same as linear light
         float red = 0;   // colour, linear light

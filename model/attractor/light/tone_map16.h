@@ -32,7 +32,7 @@ public:
     void apply(const CellSums& sums, int firstRow, int endRow, std::span<Rgba16> pixels) const;
 
 private:
-    struct Entry { // what a cell with a certain count contributes
+    struct Entry { // contribution of a cell with a certain count
         double alpha = 0;
         double light = 0; // the same as linear light
         LinearColour colour;

@@ -85,7 +85,7 @@ bool BandedRendering::State::draw(int firstRow, int rows, std::uint64_t number, 
     return drawPass(number, stop, {});
 }
 
-// What the picture has in the rows.
+// Draws all samples of the picture in the rows.
 bool BandedRendering::State::drawAll(int firstRow, int rows, const std::stop_token& stop,
                                      const Progress& progress) {
     render.rewind(firstRow, firstRow + rows);

@@ -15,14 +15,14 @@
 
 namespace attractor {
 
-// What is drawn here of a picture that several machines draw, or several runs.
+// The share of a picture that is drawn here, when several machines or runs draw it together.
 struct DividedPicture {
     struct Pass {
         std::uint64_t samples = 0; // of the whole pass
-        PicturePart part;          // what is drawn here; its units count from the first pass on
+        PicturePart part;          // drawn here; its units count from the first pass on
     };
     std::vector<Pass> passes;
-    // Adds to rows of cells, those of the window, what was drawn elsewhere. False when it cannot be had.
+    // Adds samples drawn elsewhere to rows of cells, those of the window. False when they are not available.
     std::function<bool(CellSums& sums)> others;
 };
 
@@ -40,7 +40,7 @@ public:
 
     // Memory for the cells of one row of pixels, in bytes.
     static std::size_t bytesPerRow(const RenderRequest& request);
-    // How many rows of pixels have cells that fit into so many bytes; at least 1, at most all.
+    // Number of rows of pixels whose cells fit into `bytes`; at least 1, at most all.
     static int rowsWithin(const RenderRequest& request, std::size_t bytes);
 
     // Rows [firstRow, firstRow + rows) into `pixels`, rows × camera.width of them: as in Frame::pixels, or
@@ -60,7 +60,7 @@ public:
     // up. The exposure is that of request(). Call before the first band, for Algorithm::Density alone, and
     // not with divide().
     void openShutter(std::vector<RenderRequest> moments);
-    // How many units the passes of so many samples have together.
+    // Total number of units in passes of these sizes.
     std::uint64_t units(std::span<const std::uint64_t> samples) const;
     // The sums of rows [firstRow, firstRow + rows) of pixels, valid until the next call; nullptr when stopped
     // or the others' sums cannot be had.

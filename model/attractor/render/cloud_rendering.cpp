@@ -23,10 +23,10 @@ namespace {
 
 constexpr std::uint64_t maxPerSampleSet = 1U << 24; // more samples are drawn from a fresh set
 constexpr int maxDepthLevel = 4095;                 // of a sample whose depth is counted
-constexpr std::size_t maxWordsPerJob = 64;          // between two looks at the stop token
+constexpr std::size_t maxWordsPerJob = 64;          // between two checks of the stop token
 constexpr std::size_t samplesPerJob = 1U << 18;     // likewise, about
 
-// Where a word is seen, with room for rounding; empty where it is not.
+// Cells that a word can reach, with room for rounding; empty where it is not seen.
 CellRegion reachedCells(const SpaceWord& word, float reach, const CellWindow& window) {
     constexpr float room = 1.0F / 64;
     const auto within = [](float value, int first, int end) {
@@ -133,7 +133,7 @@ void CloudRendering::State::clear(int firstRow, int endRow) {
     isFollowing = false;
 }
 
-// Where a pass sees more of the attractor than the first one did, it takes more samples.
+// Number of samples that keeps the density of the first pass: more where a pass sees more of the attractor.
 std::uint64_t CloudRendering::State::asDense(std::uint64_t samples) {
     if (!firstProbability) return samples;
     return static_cast<std::uint64_t>(static_cast<double>(samples) * (cut->probability / *firstProbability) +
@@ -259,7 +259,7 @@ void CloudRendering::State::drawWord(std::size_t k, std::size_t thread, const st
             continue;
         }
         ColourCell* cells = sums.colours(thread, region);
-        // What falls outside says nothing of how full the cells of the window are.
+        // Samples outside say nothing of how full the cells of the window are.
         std::fill_n(cells + window.cells(), overflowCells, ColourCell{});
         seen |= kernels::addToColours(word.shown, run, window, *colour, cells);
     }
@@ -325,7 +325,7 @@ bool CloudRendering::State::toneRows(const Tones& tones, std::span<Pixel> pixels
     return !stop.stop_requested();
 }
 
-// With colours in the sums where they have some.
+// The appearance, with colours in the sums where they have some.
 Appearance CloudRendering::State::shownAppearance() const {
     Appearance result = request.appearance;
     if (showsDepth()) result.colourBy = ColourBy::Address;

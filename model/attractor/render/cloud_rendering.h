@@ -25,24 +25,24 @@ public:
 
     void restart(SpaceRequest request); // as if new, with the memory and the threads there are
 
-    // Goes on with a request that differs in system, cage and camera only: what is drawn adds to what has
-    // been.
+    // Goes on with a request that differs in system, cage and camera only: new samples add to those drawn
+    // before.
     void follow(SpaceRequest request);
 
-    // One more pass of `samples` samples (0: request.samples). False when stopped, within milliseconds; then
-    // the picture is worth nothing until restart(). After follow(), as many samples as show the attractor as
-    // densely as the first pass did.
+    // Draws one more pass of `samples` samples (0: request.samples). Returns false when stopped, within
+    // milliseconds; then the picture is invalid until restart(). After follow(), the pass has as many samples
+    // as show the attractor as densely as the first pass did.
     bool refine(const std::stop_token& stop = {}, std::uint64_t samples = 0);
 
-    // From the next pass on, only the units of the part are counted. All else is as for the whole picture:
-    // samples(), the exposure. restart() makes it whole again.
+    // Restricts counting to the units of the part, from the next pass on. samples() and the exposure remain
+    // those of the whole picture. restart() makes it whole again.
     void setPart(const PicturePart& part);
-    // How many units the passes of so many samples have together.
+    // Total number of units in passes of these sizes.
     static std::uint64_t units(std::span<const std::uint64_t> samples);
-    // Only rows [firstRow, endRow) of pixels are counted, which leaves sums() of them and no picture. Call
+    // Restricts counting to pixel rows [firstRow, endRow), which leaves sums() of them and no picture. Call
     // after restart(), before the first pass.
     void keepRows(int firstRow, int endRow);
-    CellSums& sums(); // what other parts have counted may be added
+    CellSums& sums(); // counts of other parts may be added
 
     // The exposure kept by the request, else that of the picture.
     Exposure exposure(const std::stop_token& stop = {}) const;

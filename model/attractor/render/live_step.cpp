@@ -5,8 +5,8 @@
 
 namespace attractor {
 
-// Some solids take twenty times as long with four times the pixels. To try this again and again would be a
-// stutter, so what was measured is forgotten only slowly.
+// Some solids take twenty times as long with four times the pixels. Trying this again and again would
+// stutter, so measurements are forgotten only slowly.
 void LiveStep::took(double milliseconds) {
     constexpr double kept = 0.99; // half of it after 70 pictures
     if (m_stepBefore == 2 * m_step)

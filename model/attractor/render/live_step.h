@@ -3,7 +3,7 @@
 
 namespace attractor {
 
-// How coarse the pictures of a solid are while the hand moves: as fine as they can be and still come in time.
+// Coarseness of the pictures of a solid during a gesture: as fine as they can be and still arrive in time.
 class LiveStep {
 public:
     static constexpr double fluid = 16; // milliseconds for a picture

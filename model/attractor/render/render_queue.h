@@ -20,15 +20,16 @@ public:
     RenderQueue(const RenderQueue&) = delete;
     RenderQueue& operator=(const RenderQueue&) = delete;
 
-    // Both are called on the queue's thread and may call the queue.
+    // A job's functions are called on the queue's thread and may call the queue.
     struct Job {
         std::function<std::optional<RenderRequest>()> request; // nullopt: there is nothing to draw
-        // With the frame of one pass, nullptr when there was nothing to draw; not when cancelled.
+        // Receives the frame of one pass, or nullptr when there was nothing to draw; not called when
+        // cancelled.
         std::function<void(std::shared_ptr<const Frame>)> done;
     };
 
-    // Any thread. A job under a key that is already waiting takes its place; one that is being drawn under
-    // the same key is abandoned.
+    // Thread-safe. A waiting job with the same key is replaced; one that is being drawn under that key is
+    // abandoned.
     void submit(std::uint64_t key, Job job);
     void cancel(std::uint64_t key); // done() may at most be just beginning for it
     void clear();                   // the same for all

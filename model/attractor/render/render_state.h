@@ -11,8 +11,8 @@
 
 namespace attractor {
 
-// What Rendering and BandedRendering share: a prepared request, the fold that draws it and the threads that
-// help. Serves one request after the other, with the memory there is. Not thread-safe.
+// State shared by Rendering and BandedRendering: a prepared request, the fold that draws it and its worker
+// threads. Serves one request after the other and reuses its memory. Not thread-safe.
 class RenderState {
 public:
     void start(RenderRequest request);     // rewind() comes next
@@ -25,7 +25,7 @@ public:
     Fold& fold() { return *m_fold; }
     const Fold& fold() const { return *m_fold; }
 
-    // As of the fold; where there is nothing to draw, all passes are complete.
+    // Forwards to the fold; where there is nothing to draw, all passes are complete.
     bool complete(const std::stop_token& stop) { return !m_isDrawable || m_fold->complete(stop); }
     bool finished() const { return !m_isDrawable || m_fold->finished(); }
 

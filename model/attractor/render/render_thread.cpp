@@ -82,7 +82,7 @@ public:
 private:
     using Clock = std::chrono::steady_clock;
 
-    // Geometrically: what is seen of brightness is its logarithm.
+    // Approaches geometrically, because perceived brightness is its logarithm.
     void approach(double& value, double wanted, double kept) {
         const double ratio = std::pow(value / wanted, kept);
         if (!(std::abs(ratio - 1) > unseen && std::isfinite(ratio))) return;

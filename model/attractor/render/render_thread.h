@@ -26,12 +26,12 @@ public:
     RenderThread(const RenderThread&) = delete;
     RenderThread& operator=(const RenderThread&) = delete;
 
-    // Any thread. Total samples to refine to; the first pass has request.samples.
+    // Thread-safe. `quality` is the total number of samples to refine to; the first pass has request.samples.
     void submit(RenderRequest request, std::uint64_t quality,
                 Brightness brightness = Brightness::OfThePicture);
     void cancel(); // forget the present request; the newest frame stays
 
-    // Any thread; nullptr before the first frame.
+    // Thread-safe; nullptr before the first frame.
     std::shared_ptr<const Frame> newestFrame();
 
 private:

@@ -30,7 +30,7 @@ struct Rendering::State {
     int passes = 0;
     double milliseconds = 0; // of the last one
 
-    // What a stop has left of the present pass.
+    // Completes the part of the present pass that a stop has left.
     bool catchUp(const std::stop_token& stop) {
         return isCaughtUp(render, stop) && (!shadow || isCaughtUp(*shadow, stop));
     }

@@ -23,15 +23,14 @@ public:
     Rendering(Rendering&&) noexcept;
     Rendering& operator=(Rendering&&) noexcept;
 
-    // One more pass of `samples` samples (0: request.samples). Returns false when stopped, within
-    // milliseconds; the rest of that pass is made up for by the next refine() or frame().
+    // Draws one more pass of `samples` samples (0: request.samples). Returns false when stopped, within
+    // milliseconds; the next refine() or frame() makes up for the rest of that pass.
     bool refine(std::stop_token stop = {}, std::uint64_t samples = 0);
     bool finished() const; // nothing more to gain
-    // What frame() shows by itself: the exposure kept by the request, else that of the picture.
+    // The exposure that frame() uses: the one kept by the request, else that of the picture.
     Exposure exposure(std::stop_token stop = {}) const;
-    // Tone-mapped picture of what has been accumulated, at its own exposure or at another. The memory of
-    // `reuse`, a frame no longer needed, serves again. When stopped, within milliseconds, the pixels are
-    // worth nothing.
+    // Tone-mapped picture of all samples so far, at its own exposure or at another. The memory of `reuse`, a
+    // frame no longer needed, serves again. When stopped, within milliseconds, the pixels are invalid.
     Frame frame(Frame reuse = {}, std::stop_token stop = {},
                 const std::optional<Exposure>& other = std::nullopt) const;
 
@@ -40,7 +39,7 @@ private:
     std::unique_ptr<State> m_state;
 };
 
-// One pass, synchronous. What export, the command line and the tests call.
+// Draws one pass synchronously; for export, the command line and tests.
 Frame render(const RenderRequest& request);
 
 } // namespace attractor

@@ -26,8 +26,8 @@ RenderNote noteOf(const SolidScene& scene, const ifs::AffineMap<3>& cage) {
     return scene.range.isClamped ? RenderNote::TooFar : RenderNote::None;
 }
 
-// In pieces: memory that is touched for the first time takes a second for every few gigabytes, in which
-// somebody may stop. Then there is none.
+// Allocates in pieces: memory that is touched for the first time takes a second for every few gigabytes, in
+// which somebody may stop. The raster is then empty.
 bool makeRoom(DepthRaster& raster, const RasterSize& size, int firstRow, int rows,
               const std::stop_token& stop) {
     constexpr std::size_t piece = 1U << 22;

@@ -25,7 +25,7 @@ public:
 
     // False when stopped, within milliseconds: then the raster is worth nothing until the next draw().
     bool draw(const std::stop_token& stop = {});
-    // Only rows [firstRow, endRow): the raster keeps them, and perhaps some more around them.
+    // Draws rows [firstRow, endRow) only; the raster keeps them, and perhaps some more around them.
     bool drawRows(int firstRow, int endRow, const std::stop_token& stop = {});
     const DepthRaster& raster() const;
     DepthRaster takeRaster(); // leaves an empty one

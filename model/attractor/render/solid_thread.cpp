@@ -30,7 +30,7 @@ constexpr std::uint64_t minPass = 200'000;
 constexpr std::uint64_t maxSolidPass = 10'000'000;
 constexpr int passesAtRest = 16;
 
-// How far to the right of the camera's the eyes are.
+// Offsets of the eyes to the right of the camera's.
 std::vector<double> eyesOf(Stereo stereo) {
     if (stereo == Stereo::None) return {0};
     return {-stereoEye, stereoEye};
@@ -175,7 +175,8 @@ bool SolidThread::State::drawEye(const SpaceRequest& request, double eyeShift, c
     return rendering->draw(stop);
 }
 
-// Pass by pass, each shown, once the hand rests. The solid behind it tells what is under the pointer.
+// Shows a cloud pass by pass, once the hand rests. The solid behind it tells which point is under the
+// pointer.
 bool SolidThread::State::showCloud(const Job& job, int step, SolidFrame frame, const std::stop_token& stop) {
     const auto begin = std::chrono::steady_clock::now();
     SpaceRequest request = job.request;

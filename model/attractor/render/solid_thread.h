@@ -20,7 +20,7 @@ struct SolidFrame {
     Stereo stereo = Stereo::None;
     double eyeShift = 0; // of the eye that the raster belongs to
     int step = 1;        // pixels of the request, each way, for one of this picture; their middles coincide
-    DepthRaster raster;  // what is seen where
+    DepthRaster raster;  // the nearest points by pixel
     // 0xAARRGGBB, premultiplied: as many as the raster has, side by side twice as many
     std::vector<std::uint32_t> pixels;
     RenderNote note = RenderNote::None;
@@ -55,7 +55,7 @@ public:
     void submit(Job job); // any thread
     void cancel();        // forget the present request; the newest frame stays
 
-    // Any thread; nullptr before the first frame.
+    // Thread-safe; nullptr before the first frame.
     std::shared_ptr<const SolidFrame> newestFrame();
 
 private:

@@ -24,7 +24,7 @@ bool coloursSamples(ColourBy colourBy); // whether every sample has a colour of 
 // Colours that maps have been given.
 using MapColours = MapValues<Rgba>;
 
-// Where a map takes points on the palette: from c to (1 − speed)·c + speed·coordinate.
+// The effect of a map on palette coordinates: c becomes (1 − speed)·c + speed·coordinate.
 struct MapBlend {
     double coordinate = 0; // 0 … 1
     double speed = 0.5;    // 0 … 1
@@ -33,9 +33,9 @@ struct MapBlend {
 };
 using MapBlends = MapValues<MapBlend>;
 
-// How densities become colours. docs/mathematics.md, "Density to colour".
+// Settings that turn densities into colours. docs/mathematics.md, "Density to colour".
 struct Appearance {
-    // Compiled once, and not in each of the many files that copy one.
+    // Defined in one source, because many files copy appearances.
     Appearance();
     Appearance(const Appearance& other);
     Appearance(Appearance&& other) noexcept;
@@ -63,11 +63,11 @@ struct Appearance {
 
 Rgba mapColour(const Appearance& appearance, ifs::MapId id, std::size_t index);
 
-// At even distances along the palette, half of the way at a time.
+// Default blends: coordinates at even distances along the palette, speed one half.
 MapBlend usualBlend(std::size_t index, std::size_t maps);
-// The blend of the map at `index` of so many.
+// The blend of the map at `index` among `maps` maps.
 MapBlend mapBlend(const Appearance& appearance, ifs::MapId id, std::size_t index, std::size_t maps);
-// What two maps do, `outer` after `inner`.
+// The composition of two blends, `outer` after `inner`.
 MapBlend composed(const MapBlend& outer, const MapBlend& inner);
 
 } // namespace attractor

@@ -26,7 +26,7 @@ struct AppearanceNumber {
     InKeys inKeys = InKeys::IfUnusual;
     Part part = Part::Tone;
 
-    // False for what is out of range or not a number.
+    // Returns false for values out of range and for those that are not a number.
     constexpr bool accepts(double value) const {
         return (scale == Scale::Factor ? value > lowest : value >= lowest) && value <= highest;
     }

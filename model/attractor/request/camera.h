@@ -7,7 +7,7 @@ namespace attractor {
 
 enum class YAxis { Up, Down };
 
-// Which part of the plane is seen, whatever the raster that shows it. A value.
+// The visible part of the plane, independent of the raster that shows it. A value.
 struct View {
     ifs::Vector<2> centre = ifs::Vector<2>::Zero(); // world point in the middle
     double height = 1;                              // > 0, world units from the lower edge to the upper one
@@ -41,13 +41,13 @@ struct Camera {
 Camera cameraOf(const View& view, RasterSize size);
 View viewOf(const Camera& camera);
 
-// Between a rotation and its degrees, which are what people and files say: rounded to a millionth, and in
-// (−180, 180]. What one function returns, the other gives back exactly.
+// Conversion between a rotation and the degrees shown to people and stored in files: rounded to a millionth,
+// and in (−180, 180]. A round trip is exact.
 double rotationOf(double degrees);
 double degreesOf(double rotation);
 
-// What the rotation does on the screen: to offsets in pixels, with y down. The identity where it is 0, and
-// exact for quarter turns.
+// The rotation as it acts on offsets on the screen, in pixels with y down. The identity for 0, and exact for
+// quarter turns.
 ifs::Matrix<2> screenTurn(double rotation);
 
 // World → pixel coordinates, and back.
@@ -59,13 +59,13 @@ ifs::Vector<2> toWorld(const Camera& camera, const ifs::Vector<2>& pixel);
 // times the picture on each side. A box without extent is shown at a scale of its own.
 Camera fitted(Camera camera, const ifs::Vector<2>& min, const ifs::Vector<2>& max, double margin = 0.05);
 
-// Zoomed by `factor`, the world point under `pixel` staying where it is.
+// Zooms by `factor`; the world point under `pixel` stays where it is.
 Camera zoomedAt(Camera camera, const ifs::Vector<2>& pixel, double factor);
 
-// Turned by `angle`, counter-clockwise on the screen, the world point under `pixel` staying where it is.
+// Turns by `angle`, counter-clockwise on the screen; the world point under `pixel` stays where it is.
 Camera rotatedAt(Camera camera, const ifs::Vector<2>& pixel, double angle);
 
-// Moved so that what was seen at `pixel` is seen at `pixel + delta`.
+// Pans so that the point seen at `pixel` is seen at `pixel + delta`.
 Camera panned(Camera camera, const ifs::Vector<2>& delta);
 
 } // namespace attractor

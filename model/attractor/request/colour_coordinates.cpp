@@ -20,7 +20,7 @@ ColourCoordinates::ColourCoordinates(std::vector<MapBlend> blends, std::span<con
         lowest = std::min(lowest, blend.coordinate);
         highest = std::max(highest, blend.coordinate);
     }
-    // Where nothing pulls, all points keep what they begin with.
+    // Without any pull, all points keep their first coordinate.
     if (pull > 0) m_mean = std::clamp(sum / pull, lowest, highest);
     m_range = std::max(0.0, highest - lowest);
 }

@@ -15,12 +15,12 @@ struct PaletteInterval {
     double width = 1;
 };
 
-// How the maps that take part lead points along the palette: c(w_i(x)) from c(x). docs/mathematics.md,
+// Palette coordinates along addresses: c(w_i(x)) from c(x) for each map that takes part. docs/mathematics.md,
 // "Density to colour".
 class ColourCoordinates {
 public:
     ColourCoordinates() = default; // of no maps
-    // Along the address: (i + c)/N.
+    // Coordinates along the address: (i + c)/N.
     explicit ColourCoordinates(std::size_t maps) : m_maps(maps) {}
     // (1 − s_i)·c + s_i·c_i, with one blend and one probability for each map.
     ColourCoordinates(std::vector<MapBlend> blends, std::span<const double> probabilities);
@@ -41,19 +41,19 @@ public:
         const MapBlend& blend = m_blends[map];
         return {word.start + word.width * blend.speed * blend.coordinate, word.width * (1 - blend.speed)};
     }
-    // What serves for all points of a word: the middle of the interval, or where maps blend the mean over
-    // the points.
+    // The palette coordinate used for all points of a word: the middle of the interval, or with blends the
+    // mean over the points.
     double middle(const PaletteInterval& word) const { return word.start + word.width * m_mean; }
 
-    // Whether a word is to be divided because its points differ in colour; never along the address, where
-    // the least length of words sees to that.
+    // Returns true if a word has to be divided because its points differ in colour; never along the address,
+    // where the minimum length of words takes care of that.
     bool isMixed(const PaletteInterval& word) const { return word.width * m_range > maxRange; }
     // The share of the measure in view above which a word is divided.
     double minShare() const { return static_cast<double>(m_maps) / words; }
 
 private:
     static constexpr double maxRange = 1.0 / 64;
-    static constexpr double words = 1U << 15; // what their colours may cost
+    static constexpr double words = 1U << 15; // the most that colours may cost
 
     std::size_t m_maps = 0;
     std::vector<MapBlend> m_blends; // empty: along the address
@@ -61,10 +61,11 @@ private:
     double m_range = 0;             // between any two points of the attractor
 };
 
-// The blend that leads along the address as the map at `index` of so many does.
+// The blend by which the map at `index` among `maps` leads along the address.
 MapBlend addressBlend(std::size_t index, std::size_t maps);
 
-// As the appearance has it; along the address where it has something else. `active` is of the system.
+// The coordinates that the appearance asks for; along the address if it colours by something else. `active`
+// belongs to the system.
 template <int Dim>
 ColourCoordinates colourCoordinates(const Appearance& appearance,
                                     const ifs::IteratedFunctionSystem<Dim>& system,

@@ -9,8 +9,8 @@
 
 namespace attractor {
 
-// What maps have been given, by id. In one piece, because a system is copied at every step of a drag and may
-// have 10⁵ maps.
+// Values of maps by id. Stored as one sorted vector, because a system is copied at every step of a drag and
+// may have 10⁵ maps.
 template <class Value> class MapValues {
 public:
     const Value* find(ifs::MapId id) const { // nullptr: it has been given none

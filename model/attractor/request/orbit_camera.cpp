@@ -20,7 +20,7 @@ double aspect(const OrbitCamera& camera) {
     return static_cast<double>(camera.size.width) / camera.size.height;
 }
 
-// How far the set reaches along two opposite normals of the pyramid or the box of view.
+// Extent of a set along two opposite normals of the pyramid or the box of view.
 struct Span {
     double high = 0; // h(u)
     double low = 0;  // h(−u)

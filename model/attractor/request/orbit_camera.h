@@ -38,8 +38,8 @@ Orientation orbit(double azimuth, double elevation, double roll = 0);
 
 bool isUsable(const OrbitCamera& camera); // there is a raster, and every number is in its range
 
-// From the eye to the target: height/(2 tan(fieldOfView/2)). Of an orthographic camera, that of the
-// perspective one which shows the plane of the target alike.
+// The distance of the eye from the target: height/(2 tan(fieldOfView/2)). For an orthographic camera, that of
+// the perspective one which shows the plane of the target alike.
 double eyeDistance(const OrbitCamera& camera);
 double pixelsPerUnit(const OrbitCamera& camera); // in the plane of the target
 
@@ -50,7 +50,7 @@ struct ScreenPoint {
     ifs::Vector<2> pixel;
     double depth = 0; // along the view away from the eye, 0 in the plane of the target, world units
 };
-// What lies behind the eye of a perspective camera has no finite pixel.
+// Points behind the eye of a perspective camera have no finite pixel.
 ScreenPoint toScreen(const OrbitCamera& camera, const ifs::Vector<3>& world);
 // The world point seen at a pixel in a depth; toScreen()'s inverse.
 ifs::Vector<3> toWorld(const OrbitCamera& camera, const ScreenPoint& point);

@@ -9,10 +9,10 @@ namespace attractor {
 
 // The axis that is vertical while the view turns. With z up, as in CAD programs, azimuth 0 looks along y.
 enum class UpAxis { Y, Z };
-// Turns what is told with y up into what it is with this one.
+// The rotation from directions with y up to those with this axis up.
 Orientation standing(UpAxis up);
 
-// From where a camera looks, whatever its roll.
+// The direction from which a camera looks, regardless of its roll.
 struct Direction {
     double azimuth = 0;
     double elevation = 0;
@@ -35,10 +35,10 @@ OrbitCamera turnedTo(OrbitCamera camera, double azimuth, double elevation, UpAxi
 // The same view of a world that stands otherwise.
 OrbitCamera stoodUp(OrbitCamera camera, UpAxis from, UpAxis to);
 
-// What was seen at a pixel in the plane of the target is seen at pixel + delta.
+// Pans so that the point of the target's plane seen at a pixel is seen at pixel + delta.
 OrbitCamera panned(OrbitCamera camera, const ifs::Vector<2>& delta);
 
-// Zoomed by `factor`; what is seen at the pixel in the plane of the target stays there.
+// Zooms by `factor`; the point of the target's plane seen at the pixel stays there.
 OrbitCamera zoomedAt(OrbitCamera camera, const ifs::Vector<2>& pixel, double factor);
 
 // The same view with the target in the depth of `point` and in the middle.

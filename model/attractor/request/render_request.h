@@ -23,7 +23,7 @@ enum class Algorithm {
     Deterministic, // Wⁿ(rest cage), filled, n = iterations
 };
 
-// What fixes the meaning of brightness: kept from frame to frame during a drag so that nothing flickers.
+// Exposure: fixes the meaning of brightness. Kept from frame to frame during a drag so that nothing flickers.
 struct Exposure {
     double meanDensity = 0; // of the occupied pixels of the view
     double whitePoint = 0;  // ρ_w, relative to that mean

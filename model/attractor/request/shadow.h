@@ -15,9 +15,9 @@
 // colours. docs/mathematics.md, "Shadow".
 namespace attractor {
 
-// World coordinates → those of the shadow. The horizontal line at `ground` stays; what stands h above it goes
-// to the right by shadowLean·h, and its height becomes shadowLength·h. With the y axis down, above is
-// smaller.
+// The map from world coordinates to those of the shadow. The horizontal line at `ground` stays; a point h
+// above it goes to the right by shadowLean·h, and its height becomes shadowLength·h. With the y axis down,
+// above is smaller.
 ifs::AffineMap<2> shadowMap(const Appearance& appearance, double ground, YAxis yAxis);
 
 // The colours of the shadow, opaque and without a background, of a picture of this system.
@@ -33,7 +33,7 @@ bool hasShadow(const RenderRequest& request);
 std::optional<RenderRequest> shadowRequest(const RenderRequest& request);
 // Draws the picture alone, to be laid over its shadow.
 RenderRequest requestAboveShadow(RenderRequest request);
-// Samples of the shadow for so many of the picture.
+// Number of samples of the shadow for `samples` of the picture.
 std::uint64_t shadowSamples(const RenderRequest& request, std::uint64_t samples);
 
 } // namespace attractor

@@ -10,7 +10,7 @@
 
 namespace attractor {
 
-// How an entry in space is shown.
+// Looks of an entry in space.
 enum class LookInSpace {
     Stone,   // a solid, lit from the upper left
     Ink,     // a solid with dark creases, for print
@@ -30,7 +30,7 @@ enum class SolidColour {
     Depth,   // the palette from the nearest depth to the farthest
 };
 
-// What of a picture in space is kept: lowest ≤ ⟨normal, x⟩ ≤ highest, x as displayed. A slice between two
+// The visible part of a picture in space: lowest ≤ ⟨normal, x⟩ ≤ highest, x as displayed. A slice between two
 // planes, or a half-space where one of them is infinite.
 struct SpaceClip {
     ifs::Vector<3> normal = ifs::Vector<3>::UnitX();
@@ -39,10 +39,10 @@ struct SpaceClip {
 
     friend bool operator==(const SpaceClip&, const SpaceClip&) = default;
 };
-// Whether the normal is finite and not zero, and lowest ≤ highest with one of them finite.
+// Returns true if the normal is finite and not zero, and lowest ≤ highest with one of them finite.
 bool isUsable(const SpaceClip& clip);
 
-// What an appearance says of space alone; colours and background are those of the plane.
+// The appearance in space only; colours and background are those of Appearance.
 struct SpaceAppearance {
     static constexpr double maxFog = 100;
 

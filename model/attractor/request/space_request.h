@@ -15,15 +15,15 @@
 
 namespace attractor {
 
-// What the lower bits of a solid's key tell of a point.
+// Meaning of the lower bits of a solid's key.
 enum class SolidKey {
     Map,     // the first map of its address, modulo 256
     Address, // its address coordinate, in 256 steps
 };
 
-// What the colours of a density show.
+// Quantity that the colours of a density show.
 enum class CloudColour {
-    Appearance, // what the appearance says
+    Appearance, // colours as in the appearance
     MeanDepth,  // the palette from the farthest depth to the nearest
 };
 
@@ -37,12 +37,12 @@ struct SpaceRequest {
     std::optional<ifs::ControlCage<3>> cage; // nullopt, or not valid: the code is drawn as it is
     OrbitCamera camera;
     std::optional<SpaceClip> clip; // usable
-    // How far the eye is to the right of the camera's, in distances from the target; what is in the plane of
-    // the target stays at its pixel. docs/mathematics.md, "Stereo".
+    // Offset of the eye to the right of the camera's, in distances from the target; points in the plane of
+    // the target keep their pixels. docs/mathematics.md, "Stereo".
     double eyeShift = 0;
     SolidKey key = SolidKey::Map; // of a solid
     int threads = 1;              // ≥ 1; never changes a byte
-    // For densities:
+    // Settings for densities:
     CloudColour cloudColour = CloudColour::Appearance;
     Appearance appearance;
     std::uint64_t samples = 10'000'000; // in one pass, all spent on words that meet the view

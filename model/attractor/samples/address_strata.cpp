@@ -39,8 +39,7 @@ AddressStrata::Node AddressStrata::child(const Node& node, std::size_t map) cons
     return {node.map * m_maps.maps[map], node.probability * m_maps.probabilities[map], node.depth + 1};
 }
 
-// How many strata there are whose measure is at most the threshold; some number above `most` if there are
-// more.
+// Number of strata whose measure is at most the threshold; some number above `most` if there are more.
 std::size_t AddressStrata::leaves(const Node& node, double threshold, std::size_t most) const {
     if (node.probability <= threshold || node.depth >= maxDepth) return 1;
     std::size_t count = 0;

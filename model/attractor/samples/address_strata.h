@@ -14,8 +14,8 @@ namespace attractor {
 // of their addresses. docs/mathematics.md, "Strata".
 class AddressStrata {
 public:
-    // From now on those of this system. A system without a certain attractor is left in one piece. Costs
-    // nothing where it isOf() the system already.
+    // Switches to the strata of this system. A system without a certified attractor is left in one piece.
+    // Costs nothing if isOf() the system already.
     void follow(const PreparedSystem& system);
     bool isOf(const PreparedSystem& system) const; // or of one with its maps, probabilities and box
 

@@ -114,7 +114,7 @@ AliasTable::AliasTable(const std::vector<double>& probabilities) {
             small.push_back(rich);
         }
     }
-    // What rounding has left over keeps its own map, or the likeliest one where there is none.
+    // Slots left over by rounding keep their own map, or the likeliest one if they have none.
     const auto likeliest =
         std::max_element(probabilities.begin(), probabilities.end()) - probabilities.begin();
     for (const auto& rest : {small, large})

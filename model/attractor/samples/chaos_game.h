@@ -26,7 +26,7 @@ public:
                                               ? static_cast<std::int32_t>(slot)
                                               : m_alias[slot]);
     }
-    // One entry per slot.
+    // Thresholds and aliases, an entry for each slot.
     const std::vector<std::int32_t>& thresholds() const { return m_threshold; }
     const std::vector<std::int32_t>& aliases() const { return m_alias; }
 
@@ -35,7 +35,7 @@ private:
     std::vector<std::int32_t> m_alias;
 };
 
-// For each map the table that draws the next one; where maps are not linked, one for all of them.
+// The tables that draw the next map, one for each map; a single one if maps are not linked.
 std::vector<AliasTable> nextMaps(const PreparedSystem& system);
 
 // An orbit that is farther from the middle than this, in half boxes, has escaped.

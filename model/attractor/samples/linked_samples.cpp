@@ -82,7 +82,7 @@ private:
         }
     }
 
-    // Sets of maps that are seldom drawn, from what comes before them.
+    // Completes sets of maps that are seldom drawn, from the maps before them.
     void complete() {
         const std::size_t n = m_maps.size();
         std::vector<std::size_t> used(m_sets.size(), 0);

@@ -25,8 +25,8 @@ public:
 
     OrbitTrail(PreparedSystem system, std::uint64_t seed);
 
-    // Where the newest of the first `jumps` jumps led, the oldest of them first; valid until the next call.
-    // Costs the jumps since the last call, or all of them when they are fewer than then.
+    // The last points of the first `jumps` jumps, at most `longest`, oldest first; valid until the next call.
+    // Costs the jumps since the last call, or all of them if the number has decreased.
     std::span<const Point> after(std::uint64_t jumps);
 
 private:

@@ -24,12 +24,12 @@ struct PreparedSpace : ifs::ActiveMaps<3> {
     RenderNote note = RenderNote::None;       // None, NoMaps, NoAttractor or Undecided
     std::vector<ifs::MovedBranch<3>> moved{}; // words over `maps`
 
-    // In coordinates in which the box is [−1, 1]³.
+    // The map in coordinates in which the box is [−1, 1]³.
     ifs::AffineMap<3> inBox(const ifs::AffineMap<3>& map) const;
     ifs::AffineMap<3> fromBox() const; // those coordinates → the code's
 
-    // A part of what is shown: all that begins with `word` through `map`, change∘w_word in box coordinates.
-    // Walks of the address tree begin with the pieces; without moved branches, with its root.
+    // A displayed piece: all points whose address begins with `word`, under `map` = change∘w_word in box
+    // coordinates. Walks of the address tree begin with the pieces; without moved branches, with its root.
     struct Piece {
         ifs::Word word;
         ifs::AffineMap<3> map;

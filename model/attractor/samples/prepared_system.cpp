@@ -261,7 +261,7 @@ void placeLinkedBox(PreparedSystem& system, const ifs::LinkedExtent& extent) {
     setBox(system, {-reach(-1, 0), -reach(0, -1)}, {reach(1, 0), reach(0, 1)}, 1e-2);
 }
 
-// Without a certificate: where a short orbit has been.
+// A box without a certificate: that of a short orbit.
 void placeBoxByOrbit(PreparedSystem& system) {
     ifs::Vector<2> low = ifs::Vector<2>::Zero(), high = low, x = low;
     double reach = 0;

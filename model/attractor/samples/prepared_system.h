@@ -26,8 +26,8 @@ struct PreparedSystem : ifs::ActiveMaps<2> {
     RenderNote note = RenderNote::None; // None, NoMaps, NoAttractor or Undecided
     bool coincides = false;             // some short words of maps that are not linked are the same map
 
-    // For linked maps, the chain of the maps applied, and for each map which sample set holds the points that
-    // it is applied to. Empty without links.
+    // The Markov chain of linked maps, and for each map the sample set of the points to which it is applied.
+    // Empty without links.
     ifs::Transitions chain{};
     std::vector<std::uint32_t> sampleSetOf{};
 };
@@ -36,7 +36,7 @@ struct PreparedSystem : ifs::ActiveMaps<2> {
 PreparedSystem prepared(const ifs::IteratedFunctionSystem<2>& system,
                         std::span<const ifs::MovedBranch<2>> moved = {});
 
-// change∘w_word for every piece of what is shown.
+// The maps change∘w_word of all displayed pieces.
 std::vector<ifs::AffineMap<2>> shownPieces(const PreparedSystem& system);
 
 // Why a system of that verdict may not be drawn as expected.

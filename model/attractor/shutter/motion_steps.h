@@ -6,13 +6,13 @@
 
 #include <vector>
 
-// How far a picture moves while a shutter is open. docs/mathematics.md, "Shutter".
+// Motion of a picture while a shutter is open. docs/mathematics.md, "Shutter".
 namespace attractor {
 
 constexpr int maxSteps = 64;
 
-// Where some thousand points of the attractor are shown, in pixels: those with the same addresses for every
-// request with as many maps that take part.
+// Pixels of some thousand points of the attractor. Requests with equally many active maps track points with
+// the same addresses.
 struct TrackedPoints {
     std::vector<ifs::Vector<2>> pixels;
     RasterSize size;

@@ -34,12 +34,12 @@ public:
     explicit BendTree(std::size_t byteLimit = maxBytes);
     ~BendTree();
 
-    // From now on the views are those of this bend and this map after it, of words of the maps, in
-    // coordinates of the box, that begin with `box`. No other thread may use the tree meanwhile.
+    // Switches to this bend followed by the map `after`, and to words of `maps` that begin with `box`, in
+    // coordinates of the box. No other thread may use the tree meanwhile.
     void follow(const ifs::CageDeformation& bend, const ifs::AffineMap<3>& after,
                 const ifs::AffineMap<3>& box, std::span<const ifs::AffineMap<3>> maps);
 
-    // From any thread. nullptr where the tree is full.
+    // Thread-safe. nullptr where the tree is full.
     Node* root() const { return m_root; }
     Node* child(Node& node, std::size_t map);
     // The bend of the word with that address, which lasts until the next follow(); nullptr where the tree is

@@ -26,7 +26,7 @@ std::array<ifs::Vector<3>, points> pointsOf(const ifs::AffineMap<3>& word) {
     return result;
 }
 
-// The mean of what remains at the corners times the signs of these sides.
+// The mean of the remainders at the corners times the signs of these sides.
 double component(const std::array<double, 8>& rest, int sides) {
     double sum = 0;
     for (int k = 0; k < 8; ++k) {

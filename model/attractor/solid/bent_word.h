@@ -10,8 +10,8 @@
 
 namespace attractor {
 
-// What a bend makes of a word and of all that lies in it, to second order:
-// u ↦ middle + linear·u + (uᵀ second[r] u)/2 for every coordinate r, off by at most `miss` in [−1, 1]³.
+// A bent word with everything in it, expanded to second order: u ↦ middle + linear·u + (uᵀ second[r] u)/2 for
+// every coordinate r, off by at most `miss` in [−1, 1]³.
 struct BentWord {
     ifs::Vector<3> middle = ifs::Vector<3>::Zero();
     ifs::Matrix<3> linear = ifs::Matrix<3>::Zero();
@@ -28,8 +28,8 @@ struct PixelBend {
     std::vector<ifs::Vector<3>> residuals; // of the vertices of the cage
 };
 
-// The coordinates of a cage at rest over a word, by what the middle, the middles of the sides and the corners
-// say: for every vertex a polynomial of second order and what it misses. The moved cage has no part in them.
+// The coordinates of a cage at rest over a word, from its middle, the middles of its sides and its corners:
+// for every vertex a polynomial of second order and its error. They do not depend on the moved cage.
 class WordCoordinates {
 public:
     WordCoordinates(const ifs::CageCoordinates& rest, const ifs::AffineMap<3>& word);

@@ -19,7 +19,7 @@ double halfWidth(const ifs::Matrix<3>& linear) {
     return linear.cwiseAbs().rowwise().sum().maxCoeff();
 }
 
-// Points may lie outside a box that is not certified; what is drawn must not.
+// Returns false for points outside a box that is not certified, which must not be drawn.
 bool isInBox(const Vector<3>& x) {
     return x.cwiseAbs().maxCoeff() <= 1; // false for what is no number
 }
@@ -89,7 +89,7 @@ public:
         return cells;
     }
 
-    // All that the point leads to, one for each cube: approximately a cover even of a system whose words are
+    // The orbit of the point, one image for each cube: approximately a cover even of a system whose words are
     // too many to be listed.
     std::vector<Vector<3>> flood(double width) const {
         constexpr std::size_t maxImages = 1U << 20;
@@ -106,8 +106,8 @@ public:
         return points;
     }
 
-    // With the spacing that it has. Finer cells, of which those that lie together are one, may be fewer: in a
-    // set of low dimension, where most words are thinner than the widest.
+    // A cover with its spacing. Finer cells, merged where they lie together, may be fewer: in a set of low
+    // dimension, where most words are thinner than the widest.
     Cells cover(double width) const {
         if (width >= 1) return {{m_point}, 1};
         std::optional<Cells> best = cut(width);
@@ -131,7 +131,7 @@ public:
     }
 
 private:
-    // One point for every cube that is as wide as keeps the spacing below `width`.
+    // Keeps one point for every cube, with cubes as wide as keeps the spacing below `width`.
     static Cells thinned(Cells cells, double width) {
         constexpr double minEdge = 1.0 / 64; // merges what is the same but for rounding
         Grid grid(2 * std::max(width - cells.width, minEdge * width));
@@ -148,7 +148,7 @@ private:
     Vector<3> m_point;                     // of the attractor
 };
 
-// As kernels::Cover::nearestFirst has them.
+// Points in the order of kernels::Cover::nearestFirst.
 std::vector<Vector<3>> sorted(std::vector<Vector<3>> points, unsigned octant) {
     const Vector<3> deeper((octant & 1) != 0 ? -1 : 1, (octant & 2) != 0 ? -1 : 1,
                            (octant & 4) != 0 ? -1 : 1);
@@ -179,7 +179,8 @@ Covers::Covers(const PreparedSpace& system) {
         points.padded = (points.count + kernels::solidLanes - 1) / kernels::solidLanes * kernels::solidLanes;
         for (unsigned octant = 0; octant < 8; ++octant)
             append(points.coordinates, sorted(cells.points, octant), points.padded);
-        // The same cells again, or fewer points that lie closer: what is there is of no use any more.
+        // The new cover replaces those with as many points or more: it has the same cells, or fewer points
+        // that lie closer.
         while (!covers.empty() && covers.back().count >= points.count)
             covers.pop_back();
         covers.push_back(std::move(points));

@@ -19,7 +19,8 @@ public:
     Covers() = default;
     explicit Covers(const PreparedSpace& system); // of at least one map
 
-    // From the coarsest to the finest, those of at most so many points, and the coarsest in any case. Views.
+    // Covers of at most `points` points, from the coarsest to the finest; the coarsest is always included.
+    // Views.
     std::vector<kernels::Cover> ofAtMost(std::size_t points) const;
     bool isSame(const Covers& other) const { return m_covers == other.m_covers; } // its views stay valid
 

@@ -8,10 +8,11 @@
 
 namespace attractor {
 
-// Between which depths, in pixels of the plane of the target, all that is in view lies: certified, and within
-// a few pixels where the search is not cut short. Empty, near > far, when nothing is in view.
+// Range of the depths of everything in view, in pixels of the plane of the target: certified, and tight
+// within a few pixels unless the search is cut short. Empty, near > far, when nothing is in view.
 struct DepthRange {
-    // Beyond, 24 bits no longer tell a sixteenth of a pixel: what is farther has the farthest depth.
+    // The length beyond which 24 bits no longer distinguish a sixteenth of a pixel: anything farther has the
+    // farthest depth.
     static constexpr double maxLength = 0x1p20;
 
     double near = 0;

@@ -50,8 +50,8 @@ constexpr Places firstSteps(std::size_t count) {
     return count >= steps * steps ? ~Places{0} : (Places{1} << count) - 1;
 }
 
-// Which of the points, in pixels and from the nearest to the farthest, are the nearest of some pixel for some
-// place of the grid of pixels.
+// Marks the points, in pixels and from the nearest to the farthest, that are the nearest of some pixel for
+// some place of the grid of pixels.
 std::vector<bool> nearestSomewhere(const std::vector<Vector<3>>& points) {
     Vector<3> low = points.front();
     Vector<3> high = points.front();

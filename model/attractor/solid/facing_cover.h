@@ -14,9 +14,10 @@ namespace attractor {
 // The one by which all maps shrink; nullopt where they do anything else.
 std::optional<double> commonRatio(const PreparedSpace& system);
 
-// Where all maps shrink by one ratio without turning anything, an orthographic camera sees all words of one
-// length alike. Of the cover that draws them, these are the points that are nearest in some pixel, wherever
-// between the pixels the word may lie: the others would lose in all of them. docs/mathematics.md, "Solids".
+// Cover thinned for one direction of view. If all maps shrink by one ratio without turning anything, an
+// orthographic camera sees all words of one length alike. These are the points of the cover that can be
+// nearest in some pixel, wherever between the pixels the word lies: the others would lose in all of them.
+// docs/mathematics.md, "Solids".
 class FacingCover {
 public:
     FacingCover() = default;

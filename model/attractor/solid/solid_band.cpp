@@ -48,7 +48,7 @@ void SolidScene::setSystem(PreparedSpace prepared) {
     covers = Covers(system);
 }
 
-// The pieces of what is shown; by address, parts of them that are long enough to know their colours.
+// The displayed pieces; by address, parts of them that are long enough to know their colours.
 void SolidScene::setKey(SolidKey newKey) {
     key = newKey;
     roots.clear();
@@ -177,7 +177,7 @@ const kernels::Cover* SolidBand::coverFor(double size) const {
     return nullptr;
 }
 
-// Where there is a cover without the points that nobody would see, with that.
+// Draws with a thinned cover, if there is one.
 bool SolidBand::drawWhole(const SeenWord& seen, const kernels::SolidWord& word, const std::stop_token& stop) {
     const std::span<const kernels::Cover> covers = m_job.covers;
     if (!m_isThinning) return kernels::drawSolid(word, m_job, stop);
@@ -225,7 +225,7 @@ bool SolidBand::isHidden(const SolidScene& scene, const SeenWord& word, int firs
     return kernels::isHidden(shown, static_cast<float>(word.miss + maxBentPixels), m_keys);
 }
 
-// As one, or else by its children. False when stopped.
+// Draws the word as one, or else by its children. False when stopped.
 bool SolidBand::draw(const SolidScene& scene, Open& open, int firstRow, const std::stop_token& stop) {
     constexpr std::size_t maxOpen = 1U << 18;
     const double codes = maxDepthCode / (scene.range.far - scene.range.near);

@@ -18,7 +18,7 @@
 
 namespace attractor {
 
-// All that decides the keys of a picture.
+// Everything that determines the keys of a picture.
 struct SolidScene {
     PreparedSpace system;
     std::vector<ifs::AffineMap<3>> boxMaps; // of the system, in box coordinates

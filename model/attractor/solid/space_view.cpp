@@ -10,8 +10,8 @@ namespace attractor {
 
 namespace {
 
-// World, relative to the target → SpaceView::toPixels. An eye beside the camera's sees what is behind the
-// target shifted to its own side.
+// The axes from the world, relative to the target, to SpaceView::toPixels. An eye beside the camera's sees
+// points behind the target shifted to its own side.
 ifs::Matrix<3> pixelAxes(const OrbitCamera& camera, double eyeShift) {
     const double scale = pixelsPerUnit(camera);
     ifs::Matrix<3> axes = ifs::Vector<3>(scale, -scale, scale).asDiagonal() * worldToCamera(camera).linear;
@@ -125,7 +125,7 @@ StraightWord straightened(const BentWord& model, const ifs::AffineMap<3>& within
     return result;
 }
 
-// The bend of the word itself: from what is known of its address, or from the cage.
+// The bend of the word itself: from the tree if it has the address, else from the cage.
 std::shared_ptr<const BentWord> bentWord(const WalkedWord& word, const SpaceView& view) {
     if (view.bends && word.node != nullptr)
         if (const BentWord* known = view.bends->bent(*word.node, word.word))
@@ -135,7 +135,7 @@ std::shared_ptr<const BentWord> bentWord(const WalkedWord& word, const SpaceView
         WordCoordinates(*view.bend->rest(), word.word).bent(word.word, bend));
 }
 
-// How much larger what lies there is seen than in the plane of the target.
+// Ratio of the displayed size at that place to that in the plane of the target.
 double magnification(const ifs::Vector<3>& middle, const SpaceView& view) {
     if (!view.isPerspective()) return 1;
     return std::max(1.0, view.eyeDistance / std::max(1.0, view.eyeDistance + middle.z()));
@@ -183,8 +183,8 @@ StraightWord straightened(WalkedWord& word, const SpaceView& view) {
 
 namespace {
 
-// With W the distance of the word's middle from the eye and d the first-order change of x: the point whose
-// depth differs by c is seen at x + d·W/(W + c).
+// The displayed word. With W the distance of the word's middle from the eye and d the first-order change of
+// x: the point whose depth differs by c is seen at x + d·W/(W + c).
 SeenWord seen(const StraightWord& straight, const SpaceView& view) {
     SeenWord result;
     result.onScreen = straight.word;

@@ -34,7 +34,7 @@ struct SpaceView {
     ifs::AffineMap<3> toPixels;
     double eyeDistance = 0; // pixels; 0: orthographic
     RasterSize size;
-    std::optional<PixelClip> clip; // what is outside is not shown
+    std::optional<PixelClip> clip; // points outside are not shown
     // A cage that bends: then toPixels leaves everything in its place, and a word is straightened on its way
     // to the pixels by what the camera makes of it to first order.
     std::shared_ptr<const ifs::CageDeformation> bend;
@@ -78,10 +78,11 @@ WalkedWord childWord(const WalkedWord& word, std::size_t index, const ifs::Affin
                      const SpaceView& view);
 WalkedWord walkedTo(const ifs::Word& address, WalkedWord word, std::span<const ifs::AffineMap<3>> maps,
                     const SpaceView& view);
-// As above; remembers in `word` what is to be known of the words in it.
+// Caches in `word` what its subwords need.
 StraightWord straightened(WalkedWord& word, const SpaceView& view);
 
-// What a word, an affine map of [−1, 1]³ to the coordinates of SpaceView::toPixels, shows on the screen.
+// The displayed word: an affine map of [−1, 1]³ to the coordinates of SpaceView::toPixels, as seen on the
+// screen.
 struct SeenWord {
     bool isBehind = false;      // nearer than is drawn or outside the clip, all of it
     bool isCut = false;         // part of it is outside the clip
@@ -98,7 +99,7 @@ struct SeenWord {
 };
 SeenWord seen(const ifs::AffineMap<3>& word, const SpaceView& view);
 SeenWord seen(WalkedWord& word, const SpaceView& view);
-// As far as what is known already tells: in a larger box, but it is in there.
+// A cheaper bound from what is cached already: contained in a box that may be larger.
 SeenWord glimpsed(WalkedWord& word, const SpaceView& view);
 
 } // namespace attractor

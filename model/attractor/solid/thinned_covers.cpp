@@ -14,7 +14,8 @@ namespace attractor {
 
 namespace {
 
-// One cover does for all maps (1 + δ)·linear with δ within these: rows and columns are those of the screen.
+// Range in which one cover does for all maps (1 + δ)·linear: bounds of δ, whose rows and columns are those of
+// the screen.
 constexpr float flat = 0.06F;
 constexpr float deep = 0.04F;
 ifs::Matrix<3> tolerances() {

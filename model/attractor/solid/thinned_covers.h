@@ -13,25 +13,26 @@
 
 namespace attractor {
 
-// Covers without the points that nobody sees: wherever a word lies between the pixels, they share theirs with
-// a nearer point of the same cover. Perspective and bent cages show every word from another side, so this is
-// worked out for the linear maps near one another that turn up, and kept while they do. A thinned cover
-// leaves the same keys as the whole one. docs/mathematics.md, "Solids".
+// Covers without invisible points: wherever a word lies between the pixels, these share theirs with a nearer
+// point of the same cover. Perspective and bent cages show every word from another side, so thinning is done
+// for the linear maps that turn up, near ones together, and kept while they do. A thinned cover leaves the
+// same keys as the whole one. docs/mathematics.md, "Solids".
 class ThinnedCovers {
 public:
-    // All maps of the system shrink by `ratio`, without turning anything.
+    // Prepares for a system whose maps all shrink by `ratio` without turning anything.
     void use(const Covers& covers, double ratio);
 
-    // In place of the one of `covers` that would draw what is in a word of that linear map to pixels and
-    // depth, `depthScale` of it to a pixel; for words of one size alone. nullptr where none is known or it
-    // would not be exact. Valid until the next call.
+    // A thinned replacement for the one of `covers` that would draw a word with this linear map to pixels and
+    // depth, where `depthScale` is the depth of a pixel. It is exact only for words of that size
+    // (Cover::onlyFor). nullptr where none is known or it would not be exact. Valid until the next call.
     const kernels::Cover* find(const ifs::Matrix<3>& linear, double depthScale,
                                std::span<const kernels::Cover> covers);
 
-    // So many points were drawn with whole covers: that much work may be spent on thinning some.
+    // Reports `points` points that were drawn with whole covers, which allows as much work for thinning some.
     void missed(std::size_t points) { m_credit += points; }
 
-    // Whether rounding moves nothing farther than these, in pixels, in pictures of that width and depth.
+    // Returns true if rounding moves nothing by more than the slacks below, in pixels, in pictures of that
+    // width and depth.
     static bool isExact(double ratio, int width, const DepthRange& range);
     static constexpr float pixelSlack = 1.0F / 128;
     static constexpr float depthSlack = 1.0F / 64;

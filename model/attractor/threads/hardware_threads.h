@@ -3,7 +3,7 @@
 
 namespace attractor {
 
-// How many threads this machine runs at once, at least 1: the fastest RenderRequest::threads.
+// Number of threads that this machine runs at once, at least 1: the fastest RenderRequest::threads.
 int hardwareThreads();
 
 } // namespace attractor

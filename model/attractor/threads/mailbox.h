@@ -10,7 +10,7 @@
 
 namespace attractor {
 
-// From any thread to one worker: only the newest job is kept, and the job under way is asked to stop.
+// Hands jobs from any thread to one worker: only the newest is kept, and the job under way is asked to stop.
 template <class Job> class Mailbox {
 public:
     // Takes the place of a job that waits; nullopt: nothing is to be done.
@@ -32,7 +32,7 @@ public:
         Job job;
         std::stop_token stop; // another job has come, or the mailbox was closed
     };
-    // Worker: waits for a job. nullopt when closed.
+    // Waits for a job, in the worker. nullopt when closed.
     std::optional<Delivery> take() {
         std::unique_lock lock(m_mutex);
         m_wake.wait(lock, [this] { return m_isClosed || m_waiting; });
@@ -42,7 +42,7 @@ public:
         return Delivery{std::move(job), m_present.get_token()};
     }
 
-    // Worker: waits for so long; false as soon as the job under way is to stop.
+    // Waits for `time`, in the worker; false as soon as the job under way is to stop.
     bool staysIdle(std::chrono::milliseconds time, const std::stop_token& stop) {
         std::unique_lock lock(m_mutex);
         return !m_wake.wait_for(lock, time, [&] { return m_isClosed || stop.stop_requested(); });

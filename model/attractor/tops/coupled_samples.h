@@ -30,10 +30,10 @@ struct CoupledSamples {
     };
     std::vector<Image> images;
 
-    // Everything that depends on G, after another one.
+    // Recomputes everything that depends on G, after another one.
     void moveTo(const CoupledSystem& system);
 
-    // What that needs: in the order of the orbit, and by rank the beginnings.
+    // Input of moveTo(): the steps in the order of the orbit, and the beginnings by rank.
     struct Step {
         std::uint32_t symbol, rank;
     };

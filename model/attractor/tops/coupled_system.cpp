@@ -30,7 +30,7 @@ double squaredDiameter(const ifs::Polygon& hull) {
     return square;
 }
 
-// Where one of them is flat, that of the squares of their diameters.
+// The ratio of the areas; if one of them is flat, that of the squares of the diameters.
 double wholeRatioOf(const ifs::SupportFunction<2>& from, const ifs::SupportFunction<2>& to) {
     constexpr double flat = 1e-9;
     const ifs::Polygon f = hullOf(from), g = hullOf(to);

@@ -22,12 +22,12 @@ struct CoupledSystem {
     // φ_F and φ_G of the top address of all, in which the first map repeats.
     ifs::Vector<2> fromTop, toTop;
 
-    // As many maps in the second as in the first.
+    // Both attractors must have equally many maps.
     CoupledSystem(const ifs::SupportFunction<2>& attractor, const ifs::SupportFunction<2>& image,
                   std::vector<double> weights);
 };
 
-// What a pixel shows: the point of G that has the top address of what falls into it.
+// The content of a pixel: the point of G that has the top address of the points in the pixel.
 struct TopPoint {
     double x = 0, y = 0;
     double stretch = -1; // by how much T magnifies areas there; negative where the pixel is empty
@@ -51,7 +51,7 @@ struct PixelBox {
         return left >= 0 && right < width && top >= firstRow && bottom < endRow;
     }
 };
-// Around the image of the attractor of F under a map to pixels.
+// The box around the image of the attractor of F under a map to pixels.
 PixelBox boxOf(const ifs::AffineMap<2>& shown, const ifs::EnclosingPolygon& around);
 
 } // namespace attractor

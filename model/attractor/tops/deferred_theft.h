@@ -24,7 +24,7 @@ public:
     bool draw(const CoupledSystem& system, const MipPicture& picture, const TheftRequest& request,
               std::span<std::uint32_t> pixels, const std::stop_token& stop);
 
-    // The picture itself, `opacity` strong, behind what is drawn of G through request.camera.
+    // Lays the picture itself, with this opacity, behind the attractor of G seen through request.camera.
     void layUnder(std::span<std::uint32_t> pixels, const MipPicture& picture, const TheftRequest& request,
                   double opacity);
 
@@ -34,7 +34,7 @@ private:
     bool keep(const CoupledSystem& system, const TheftRequest& request, const std::stop_token& stop);
 
     Workers m_workers;
-    // What the keys belong to; those without a pixel to nothing.
+    // The state for which the keys were drawn; without keys for a pixel, they belong to none.
     std::vector<ifs::AffineMap<2>> m_from;
     std::vector<double> m_probabilities;
     Camera m_camera;

@@ -15,10 +15,10 @@ constexpr double maxBetweenPixels = 1.0 / 1024; // of one that reaches several
 constexpr double minBorder = 1e-6;              // pixels
 constexpr double relativeBorder = 4e-9;
 constexpr int blockColumns = 16;
-constexpr std::uint64_t looksBetween = 1024; // at the stop token
-constexpr std::uint64_t maxLooks = std::uint64_t{1} << 31;
+constexpr std::uint64_t visitsBetween = 1024; // two checks of the stop token
+constexpr std::uint64_t maxVisits = std::uint64_t{1} << 31;
 
-// Which pixels are still empty, and how many of every 16 in a row.
+// Pixels that are still empty, and their number among every 16 in a row.
 class EmptyPixels {
 public:
     EmptyPixels(int width, int rows)
@@ -37,7 +37,8 @@ public:
         --m_counts[block(column, row)];
         --m_left;
     }
-    // Any in the columns and rows, ends included? `isEmpty(column, row)` knows of one pixel.
+    // Returns true if any pixel in the columns and rows, ends included, is empty. `isEmpty(column, row)`
+    // tells about one.
     template <class IsEmpty>
     bool any(int firstColumn, int lastColumn, int firstRow, int lastRow, IsEmpty isEmpty) const {
         for (int row = firstRow; row <= lastRow; ++row)
@@ -89,8 +90,8 @@ public:
     }
 
     bool run(const std::stop_token& stop) {
-        for (std::uint64_t looks = 1; !m_open.empty() && m_empty.left() > 0; ++looks) {
-            if (looks % looksBetween == 0 && (stop.stop_requested() || looks > maxLooks)) return false;
+        for (std::uint64_t visits = 1; !m_open.empty() && m_empty.left() > 0; ++visits) {
+            if (visits % visitsBetween == 0 && (stop.stop_requested() || visits > maxVisits)) return false;
             const Open open = m_open.back();
             m_open.pop_back();
             const PixelBox box = trimmed(boxOf(open.shown, m_system.around));
@@ -106,8 +107,8 @@ public:
     }
 
 private:
-    // What only touches a pixel, to the looseness of the polygon, is not in it; what is flat and lies on the
-    // border of two is in the one that it is the beginning of.
+    // The box without pixels that it only touches, to the looseness of the polygon; a flat box on the border
+    // of two pixels belongs to the one that begins there.
     PixelBox trimmed(const PixelBox& box) const {
         PixelBox result{box.left + m_border, box.right - m_border, box.top + m_border, box.bottom - m_border};
         if (result.left > result.right) result.left = result.right = (box.left + box.right) / 2 + m_border;
@@ -130,7 +131,7 @@ private:
         return m_points[std::size_t(row) * std::size_t(m_width) + std::size_t(column)];
     }
 
-    // Whether it reaches a pixel of the band that is empty.
+    // Returns true if the box reaches an empty pixel of the band.
     bool isWanted(const PixelBox& box) {
         if (!box.meets(m_width, m_firstRow, m_endRow)) return false;
         const Pixels p = pixelsOf(box);

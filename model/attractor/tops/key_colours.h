@@ -11,13 +11,14 @@
 
 namespace attractor {
 
-// From keys to the colours that a picture has where they are decoded to. What words and samples have in
-// common is worked out once, so that a pixel needs one small map and one look-up.
+// Colours of keys: those of the picture at the decoded places. Data shared by words and samples is
+// precomputed, so that a pixel needs one small map and one look-up.
 class KeyColours {
 public:
     KeyColours(const KeyTops& tops, const MipPicture& picture, const TheftRequest& request);
 
-    // As many pixels as keys; 0xAARRGGBB, premultiplied. The picture outlives this.
+    // Paints as many pixels as there are keys; 0xAARRGGBB, premultiplied. The picture must outlive this
+    // object.
     void paint(std::span<const std::uint32_t> keys, std::span<std::uint32_t> pixels) const;
 
 private:

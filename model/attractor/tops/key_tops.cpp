@@ -10,7 +10,7 @@ namespace attractor {
 
 namespace {
 
-constexpr std::size_t wordsBetween = 64; // two looks at the stop token
+constexpr std::size_t wordsBetween = 64; // two checks of the stop token
 
 kernels::KeyWord keyWord(const TopWord& word, const CoupledSamples& samples, std::size_t rank) {
     const ifs::Matrix<2> linear = word.shown.linear * samples.scale;
@@ -71,7 +71,7 @@ bool KeyTops::draw(int firstRow, std::span<TopPoint> points, const std::stop_tok
     return true;
 }
 
-// From the lowest word to the top one.
+// Draws from the lowest word to the top one.
 bool KeyTops::drawKeys(int firstRow, std::span<std::uint32_t> keys, const std::stop_token& stop) const {
     const int endRow = firstRow + int(keys.size() / std::size_t(m_width));
     std::ranges::fill(keys, kernels::noKey);

@@ -22,7 +22,7 @@ class KeyTops {
 public:
     static constexpr std::uint64_t maxPoints = (std::uint64_t{1} << 32) - 2 * CoupledSamples::usual;
 
-    // About so many points, of which those outside the view are not drawn; 1 to maxPoints.
+    // `points` is approximate and includes points outside the view, which are not drawn; 1 to maxPoints.
     KeyTops(const CoupledSystem& system, const Camera& camera, std::uint64_t points, std::uint64_t seed,
             const std::stop_token& stop);
 
@@ -36,7 +36,7 @@ public:
     // Decodes as if made from this system, which has the same F.
     void moveTo(const CoupledSystem& system);
 
-    // What a key is decoded by: its piece is key / samples().size(), its sample the rest.
+    // The decoder of a key: its piece is key / samples().size(), its sample the remainder.
     struct Piece {
         ifs::AffineMap<2> to;
         double stretch; // |det v_σ / det w_σ|, times the ratio of the wholes
@@ -57,7 +57,7 @@ private:
     int m_width;
     CoupledSamples m_samples;
     WordTree m_tree;
-    // By rank:
+    // Tables by rank:
     std::vector<kernels::KeyWord> m_words;
     std::vector<PixelBox> m_boxes;
     std::vector<Source> m_sources;

@@ -98,7 +98,7 @@ void MipPicture::halve() {
     repeatLast();
 }
 
-// Between the four nearest pixels.
+// Interpolates the four nearest pixels.
 LinearColour MipPicture::smooth(std::size_t level, double x, double y) const {
     const PictureLevel& from = m_levels[level];
     const double column = std::clamp(x - 0.5, 0.0, double(from.columns - 1));

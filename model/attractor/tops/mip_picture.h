@@ -22,8 +22,8 @@ public:
     int width() const { return m_width; }
     int height() const { return m_height; }
 
-    // At (x, y) in pixels, (0, 0) the top left corner of the top left one, averaged over about `area` pixels.
-    // Premultiplied by its opacity; nothing outside.
+    // The colour at (x, y) in pixels, with (0, 0) at the top left corner of the top left one, averaged over
+    // about `area` pixels. Premultiplied; transparent outside.
     LinearColour at(double x, double y, double area) const;
 
     // The same for many places, in whole numbers: of places inside, four channels each.

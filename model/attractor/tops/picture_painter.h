@@ -19,7 +19,7 @@ public:
 
     std::uint32_t empty() const { return m_empty; }
 
-    // At (x, y) in pixels of the picture, of a level as mipLevel() has it.
+    // Queues a pixel for the colour at (x, y), in pixels of the picture, at a level as mipLevel() gives it.
     void paint(std::size_t pixel, double x, double y, std::int32_t level) {
         if (!m_picture.isInside(x, y)) {
             m_pixels[pixel] = m_empty;
@@ -29,7 +29,7 @@ public:
         m_targets[m_waiting] = pixel;
         if (++m_waiting == together) finish();
     }
-    void finish(); // what waits
+    void finish(); // paints the queued pixels
 
 private:
     static constexpr std::size_t together = 128;

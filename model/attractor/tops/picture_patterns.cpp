@@ -82,7 +82,8 @@ double chance(unsigned x, unsigned y, unsigned which) {
     return double((bits ^ bits >> 15) >> 8) / double(1U << 24);
 }
 
-// Every point belongs to the nearest of the centres, one in each cell of a square grid.
+// Cells of coloured glass: every point belongs to the nearest of the centres, one in each cell of a square
+// grid.
 Colour glass(double x, double y) {
     constexpr double cells = 7, lead = 0.045;
     const int column = int(x * cells), row = int(y * cells);
@@ -115,7 +116,7 @@ Colour marble(double x, double y) {
     return mixed(veined, {0.28, 0.10, 0.14}, 0.7 * std::pow(fine, 9));
 }
 
-// What threads a stripe of the cloth has, from 0 to 1 across.
+// Colours of the threads in a stripe of the cloth, from 0 to 1 across.
 Colour thread(double at) {
     const double part = at * 4 - std::floor(at * 4);
     if (part < 0.06 || (part > 0.44 && part < 0.50)) return {0.95, 0.83, 0.42};

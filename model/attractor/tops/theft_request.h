@@ -22,7 +22,7 @@ struct TheftRequest {
     Rgba background{13, 16, 23, 255};
 };
 
-// How many pixels of the picture one of F covers where T keeps areas.
+// Number of pixels of the picture that one pixel of F covers where T preserves areas.
 inline double picturePixels(const TheftRequest& request) {
     const double pixel = request.camera.pixelsPerUnit;
     return std::abs(ifs::determinant<2>(request.toPicture.linear)) / (pixel * pixel);

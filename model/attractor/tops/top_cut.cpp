@@ -19,10 +19,10 @@ std::optional<TopCut> cutOf(const CoupledSystem& system, const Camera& camera, d
     std::vector<TopWord>& done = result.words;
     std::vector<TopWord> open;
     const std::size_t maps = system.from.size();
-    const std::size_t maxLooks = 64 * (maxWords + maps);
+    const std::size_t maxVisits = 64 * (maxWords + maps);
     open.push_back({worldToPixel(camera)});
-    for (std::size_t looks = 0; !open.empty(); ++looks) {
-        if (looks > maxLooks || (looks % 1024 == 0 && stop.stop_requested())) return std::nullopt;
+    for (std::size_t visits = 0; !open.empty(); ++visits) {
+        if (visits > maxVisits || (visits % 1024 == 0 && stop.stop_requested())) return std::nullopt;
         TopWord word = open.back();
         open.pop_back();
         word.box = boxOf(word.shown, system.around);
@@ -32,7 +32,7 @@ std::optional<TopCut> cutOf(const CoupledSystem& system, const Camera& camera, d
             done.push_back(word);
             continue;
         }
-        if (open.size() + maps > maxLooks) return std::nullopt;
+        if (open.size() + maps > maxVisits) return std::nullopt;
         const double step = word.step / double(maps);
         for (std::size_t i = maps; i-- > 0;) // the first map comes last, on top
             open.push_back({word.shown * system.from[i], result.tree.longer(word.number, i),

@@ -12,7 +12,7 @@
 
 namespace attractor {
 
-// One word of a cut.
+// A word of a cut.
 struct TopWord {
     ifs::AffineMap<2> shown;  // from coordinates of F to pixels
     std::uint32_t number = 0; // in the tree
@@ -28,7 +28,7 @@ struct TopCut {
     double size = 0;
 };
 
-// The finest cut, in steps of √2, of at most so many words; the empty word is always one.
+// The finest cut, in steps of √2, of at most `maxWords` words; the empty word is always one.
 TopCut topCut(const CoupledSystem& system, const Camera& camera, std::size_t maxWords,
               const std::stop_token& stop);
 

@@ -149,7 +149,8 @@ private:
         return result;
     }
 
-    // Whether there is nothing to be gained from its children; marks what it is known to meet.
+    // Returns true if nothing is to be gained from the children of the word; marks the voxels that it is
+    // known to meet.
     bool isDone(const ifs::AffineMap<3>& word) {
         constexpr double rounding = 1e-9;        // voxels; the grid has at most 2²⁸
         constexpr std::int64_t maxLookedAt = 64; // voxels

@@ -10,7 +10,7 @@
 
 namespace attractor {
 
-// What is to be covered: the image of a certified attractor, its branches moved, by an affine map.
+// The set to cover: the image of a certified attractor, its branches moved, by an affine map.
 struct VoxelRequest {
     const PreparedSpace& system; // isCertified
     ifs::AffineMap<3> placement; // the code's coordinates → those of the voxels

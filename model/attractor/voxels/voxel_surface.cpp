@@ -189,7 +189,8 @@ private:
         isWhole ? addFan(m_outline.front(), 1, m_outline.size() - 1) : addFan(middle, 0, m_outline.size());
     }
 
-    // From a point to the edges of the outline between these of its points; to all of them, around it.
+    // Adds triangles from a point to the edges of the outline between two of its points, or to all of them,
+    // around it.
     void addFan(const Point& apex, std::size_t first, std::size_t last) {
         const std::size_t count = m_outline.size();
         const std::uint32_t top = m_number(apex);

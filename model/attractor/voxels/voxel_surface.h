@@ -37,7 +37,7 @@ enum class SurfaceFlaw {
     Open,        // an edge has no second triangle
     NotManifold, // more than two triangles meet in an edge, or more than one fan in a corner
 };
-// What is wrong with any mesh: every edge must be used once in each direction, and the triangles around a
+// The defect of a mesh, if any: every edge must be used once in each direction, and the triangles around a
 // point must be one ring.
 SurfaceFlaw flawOf(const SurfaceMesh& mesh);
 

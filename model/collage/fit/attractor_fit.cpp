@@ -75,7 +75,7 @@ Eigen::MatrixXd freedom(const Maps& maps, const Constraints& constraints,
     return basis.leftCols(column);
 }
 
-// Where points of the attractor should go: r = goal − x, with weights.
+// Goals of the points of the attractor: r = goal − x, with weights.
 struct Residuals {
     std::vector<Eigen::Index> point;
     std::vector<double> x, y, weight;
@@ -185,7 +185,7 @@ public:
             const Eigen::VectorXd free = normal.ldlt().solve(at.right);
             Maps trial = moved(inside, basis * free, m_schedule, m_target.mean);
             if (!areFinite(trial)) continue;
-            // What did not move keeps its bits.
+            // Maps that did not move keep their bits.
             for (std::size_t i = 0; i < trial.size(); ++i)
                 trial[i] = trial[i] == inside[i] ? m_maps[i] : fromGrid(m_target.grid, trial[i]);
             const double error = errorOf(trial);

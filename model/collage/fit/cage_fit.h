@@ -16,15 +16,15 @@ struct CageFit {
     double error = 0;                     // mean distance between both outlines, in units of the plane
 };
 
-// Where the corners of a cage must go so that the outline of the attractor, deformed by the cage, follows the
+// Places the corners of a cage so that the outline of the attractor, deformed by the cage, follows the
 // outline of the target: closest points, and least squares in the corners, as each point is Σ λ_j v_j.
-// docs/mathematics.md, "Collages". `rest` is a simple polygon that holds the attractor of the maps,
-// contractions all of them. nullopt when no part of the attractor has coordinates in it, and when stopped.
+// docs/mathematics.md, "Collages". `rest` is a simple polygon that holds the attractor of the maps, all of
+// which must be contractions. nullopt when no part of the attractor has coordinates in it, and when stopped.
 std::optional<CageFit> fittedCage(const Target& target, std::span<const ifs::AffineMap<2>> maps,
                                   std::span<const ifs::Vector<2>> rest, ifs::Coordinates coordinates,
                                   const std::stop_token& stop = {});
 
-// The cells of a mask from which a step leads out of the shape: to what is connected with its surroundings.
+// The cells of a mask from which a step leads out of the shape to its surroundings; not into holes.
 Mask outerOutline(const Mask& mask);
 
 } // namespace collage

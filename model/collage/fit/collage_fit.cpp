@@ -10,7 +10,7 @@ namespace collage {
 
 namespace {
 
-// How strongly every image stays where it is, compared with a point that is out of place.
+// Weight by which every image stays where it is, compared with a point that is out of place.
 constexpr double hold = 0.1;
 // Pairs count by area: an image point stands for |det A| cells, and those of a flat map for so many.
 constexpr double minArea = 0.02;

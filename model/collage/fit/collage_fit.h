@@ -20,8 +20,8 @@ struct FitSchedule {
     double maxNorm = 0.9; // the others this one
 };
 
-// Moves maps so that the images of a target cover it and nothing else. One per thread: it holds what it works
-// with. The target must outlive it.
+// Moves maps so that the images of a target cover it and nothing else. One per thread, because it holds its
+// working memory. The target must outlive it.
 class CollageFit {
 public:
     explicit CollageFit(const Target& target);
@@ -35,7 +35,7 @@ public:
     // half. Images beyond the grid count as if they were on its edge.
     double error(std::span<const ifs::AffineMap<2>> maps);
 
-    // Which share of the target is nearest to the image of each map, sum 1; of the last call of one of the
+    // Shares of the target that are nearest to the image of each map, sum 1; of the last call of one of the
     // functions above.
     std::vector<double> shares() const;
 

@@ -5,7 +5,7 @@
 
 #include <cstddef>
 
-// What the maps of a fit must be. docs/mathematics.md, "Collages".
+// Constraints on the maps of a fit. docs/mathematics.md, "Collages".
 namespace collage {
 
 enum class MapClass { Affine, Similarity };

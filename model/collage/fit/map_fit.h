@@ -27,11 +27,11 @@ struct PairSums {
         images(2, 0) += weight * imageX;
         images(2, 1) += weight * imageY;
     }
-    // As many pairs as `moments` has, (p, map(p)), each with the weight. Of `moments` the upper half counts,
-    // as of `points`.
+    // Adds pairs (p, map(p)) for the points whose moments are given, each with the weight. Only the upper
+    // half of `moments` is read, like that of `points`.
     void addFixed(const Eigen::Matrix3d& moments, const ifs::AffineMap<2>& map, double weight);
-    // As if the pairs were two units apart along this unit vector, and the map treated it like a similarity
-    // that does the same as `current` at right angles to it. The vector 0 adds nothing.
+    // Adds pairs two units apart along this unit vector, mapped as a similarity would that does the same as
+    // `current` at right angles to it. The vector 0 adds nothing.
     void addAcross(const ifs::Vector<2>& vector, const ifs::Matrix<2>& current);
 };
 

@@ -17,7 +17,7 @@ namespace {
 
 using Field = Eigen::MatrixXd; // row y, column x, rows from the top
 
-// Mass at a point in pixels; what falls outside is lost.
+// Adds mass at a point in pixels; mass outside is lost.
 void deposit(Field& field, double x, double y, double mass) {
     if (x >= 0 && y >= 0 && x < double(field.cols()) && y < double(field.rows()))
         field(Eigen::Index(y), Eigen::Index(x)) += mass;
@@ -86,7 +86,7 @@ Eigen::VectorXd planeMinimum(const Eigen::MatrixXd& q, const Eigen::VectorXd& c,
     return p;
 }
 
-// From p as far towards the goal as all stay positive; the one that becomes 0 is no longer free.
+// Goes from p towards the goal as far as all weights stay positive; the one that becomes 0 is no longer free.
 Eigen::VectorXd towards(const Eigen::VectorXd& p, const Eigen::VectorXd& goal,
                         std::vector<Eigen::Index>& free) {
     double share = 1;

@@ -27,8 +27,8 @@ struct Density {
 std::vector<double> fittedWeights(const Density& density, std::span<const ifs::AffineMap<2>> maps,
                                   double blur = 2, const std::stop_token& stop = {});
 
-// How far the invariant measure μ of the maps with these weights is from the measure ν at most, by Monge and
-// Kantorovich, in pixels: d(μ, ν) ≤ d(ν, Mν)/(1 − Σ p_i s_i), where Mν = Σ p_i (w_i)_#ν and s_i is the
+// Upper bound of the Monge–Kantorovich distance of the invariant measure μ of the maps with these weights
+// from the measure ν, in pixels: d(μ, ν) ≤ d(ν, Mν)/(1 − Σ p_i s_i), where Mν = Σ p_i (w_i)_#ν and s_i is the
 // spectral norm of a map. The weights must have the sum 1. nullopt when the maps do not contract on average,
 // when there is no mass, and when stopped.
 std::optional<double> measureBound(const Density& density, std::span<const ifs::AffineMap<2>> maps,

@@ -19,7 +19,7 @@ struct Place {
     std::int32_t layer = 0;
 };
 
-// What lies on a grid, or so far outside that only its distance to the target counts.
+// Points on a grid, and those so far outside that only their distance to the target counts.
 struct Splats {
     Labels labels; // the layer that was the last to meet the cell
     std::vector<Place> outside;
@@ -34,7 +34,7 @@ std::vector<ifs::AffineMap<2>> inGrid(const Grid& grid, std::span<const ifs::Aff
     return result;
 }
 
-// A point of the grid coordinates; outside, what it is at most away from the target.
+// Adds a point in grid coordinates; outside, an upper bound of its distance to the target.
 void splat(const Target& target, double x, double y, Splats& splats) {
     const int width = target.grid.width, height = target.grid.height;
     if (x >= 0 && y >= 0 && x < width && y < height) {
@@ -132,7 +132,7 @@ void measureAreas(const Target& target, const Splats& splats, Agreement& agreeme
     agreement.iou = double(both) / (area + double(only));
 }
 
-// How many cells off the grid something meets, and the sum of those that each layer meets.
+// Number of cells met off the grid, and the sum of those that each layer meets.
 struct CellsOutside {
     std::size_t all = 0;
     std::size_t met = 0;
@@ -168,8 +168,8 @@ bool mayLeaveGaps(const ifs::AffineMap<2>& map) {
     return ifs::spectralNorm<2>(map.linear) > 0.7;
 }
 
-// From ‖·‖ back to |·|: the distance between L and its collage grows by C at most, that between L and the
-// attractor does not shrink.
+// Bound for |·| derived from ‖·‖: the distance between L and its collage grows by C at most, that between L
+// and the attractor does not shrink.
 void addBound(CollageMeasure& measure, std::span<const ifs::AffineMap<2>> maps, NormSearch search) {
     const ifs::Existence existence = ifs::classify<2>(maps, search == NormSearch::Hurried ? 2'000 : 20'000);
     if (!existence.hasFactor()) return;

@@ -9,7 +9,7 @@
 #include <span>
 #include <vector>
 
-// How well a collage, or an attractor, agrees with a target. Distances are in cells of the target's grid,
+// Agreement of a collage, or of an attractor, with a target. Distances are in cells of the target's grid,
 // which are pixels for a target made with the factor 1. docs/mathematics.md, "Collages".
 namespace collage {
 
@@ -27,20 +27,20 @@ struct CollageMeasure {
     Agreement images;       // B = W(L), the union of the images of the target
     double overlap = 1;     // Σ |w_i(L)| / |W(L)|: 1 where no two images have a cell in common
     double contraction = 0; // s, the largest spectral norm of a map
-    // No point of the target is farther from the attractor, nor the other way round, in pixels: C (d_H(L,
-    // W(L)) + (2 + s)/√2)/(1 − γ), where every map contracts by γ in the norm with |x| ≤ ‖x‖ ≤ C|x|. For a
-    // target made with the factor 1; nullopt where no such norm is known.
+    // Upper bound of the Hausdorff distance of target and attractor, in pixels: C (d_H(L, W(L)) + (2 +
+    // s)/√2)/(1 − γ), where every map contracts by γ in the norm with |x| ≤ ‖x‖ ≤ C|x|. For a target made
+    // with the factor 1; nullopt where no such norm is known.
     std::optional<double> bound;
     // The norm of the bound; Euclidean, with γ = s and C = 1, unless another one says more.
     ifs::ContractingNorm<2> norm;
 };
 
-// What a collage measures, and the cells that its images meet.
+// Measures of a collage, and the cells that its images meet.
 struct MeasuredCollage {
     CollageMeasure measure;
     Mask images; // on the grid of the target
 };
-// How long a norm is looked for in which maps contract that do not in the Euclidean one.
+// Effort spent on finding a norm for maps that contract, but not in the Euclidean norm.
 enum class NormSearch { Thorough, Hurried };
 // The maps are those of the plane; there must be one at least, and all must be finite.
 MeasuredCollage measuredCollage(const Target& target, std::span<const ifs::AffineMap<2>> maps,
@@ -49,8 +49,8 @@ CollageMeasure collageMeasure(const Target& target, std::span<const ifs::AffineM
 // B = the attractor of the maps, which must contract in some norm.
 Agreement attractorAgreement(const Target& target, std::span<const ifs::AffineMap<2>> maps);
 
-// What a fit of an attractor makes small, in units of the plane: the mean distance, and a little for what is
-// not covered, so that solid shapes come out solid: 0.003 of the size of the target times 1 − iou.
+// Objective of a fit of an attractor, in units of the plane: the mean distance, plus 0.003 of the size of the
+// target times 1 − iou, so that solid shapes come out solid.
 double visibleError(const Target& target, const Agreement& attractor);
 
 double contraction(std::span<const ifs::AffineMap<2>> maps); // the largest spectral norm

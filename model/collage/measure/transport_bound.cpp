@@ -35,7 +35,7 @@ struct Square {
     Lump supply, demand;
 };
 
-// What lies in one square: first the nearest lumps are settled, then those that remain count as one.
+// Settles the nearest lumps of the parts first; the remaining ones become one square.
 Square settled(std::vector<Square>& parts, double& cost) {
     for (;;) {
         Lump* from = nullptr;

@@ -8,9 +8,9 @@
 
 namespace collage {
 
-// A bound from above on the Monge–Kantorovich distance of two measures: what it costs at most to move one to
-// where the other is, mass times distance. Both are added lump by lump, on a grid whose cells are the unit of
-// length; what lies outside counts, too. docs/mathematics.md, "Collages".
+// An upper bound of the Monge–Kantorovich distance of two measures: the least cost, mass times distance, of
+// moving one to the other. Both are added lump by lump, on a grid whose cells are the unit of length; lumps
+// outside count, too. docs/mathematics.md, "Collages".
 class TransportBound {
 public:
     TransportBound(int width, int height);
@@ -24,7 +24,7 @@ public:
     void addSupply(const Lump& lump) { add(m_supply, lump); }
     void addDemand(const Lump& lump) { add(m_demand, lump); }
 
-    // Both must have the same mass; once only. Any number when stopped.
+    // Supply and demand must have the same mass. Can be called once; the result is meaningless when stopped.
     double cost(const std::stop_token& stop = {}) &&;
 
 private:

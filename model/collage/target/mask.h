@@ -51,15 +51,15 @@ GreyPicture cropped(const GreyPicture& picture, const PixelBox& box);
 // between both classes); nullopt when all levels are equal.
 std::optional<int> otsuThreshold(const std::vector<std::uint8_t>& levels);
 
-enum class Polarity { Shape, Background }; // what the rule of targetMask() selects
+enum class Polarity { Shape, Background }; // the pixels that targetMask() selects
 
-// Whether there are transparent pixels, so that the shape is what is opaque.
+// Returns true if there are transparent pixels, so that the opaque ones are the shape.
 bool isShapedByOpacity(const GreyPicture& picture);
 
-// The shape is what is opaque where a picture has transparent pixels (opacity below 128), else what is dark.
-// A pixel is dark when its grey level is ≤ threshold, and opaque when 255 − opacity is; without a threshold,
-// Otsu's and 127 serve. Polarity::Background takes the other pixels. All pixels of one grey level give an
-// empty mask.
+// The shape in a picture: its opaque pixels if it has transparent ones (opacity below 128), else its dark
+// ones. A pixel is dark when its grey level is ≤ threshold, and opaque when 255 − opacity is; without a
+// threshold, Otsu's and 127 serve. Polarity::Background takes the other pixels. All pixels of one grey level
+// give an empty mask.
 Mask targetMask(const GreyPicture& picture, std::optional<int> threshold, Polarity polarity);
 
 } // namespace collage

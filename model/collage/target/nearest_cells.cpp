@@ -9,7 +9,7 @@ namespace {
 
 constexpr std::int16_t farAway = 32'000; // more than a column has rows
 
-// How far the nearest set cell of the column is, upwards into `above` and downwards into `below`.
+// Distances to the nearest set cell of the column, upwards in `above` and downwards in `below`.
 template <typename Cell>
 void scanColumns(const std::vector<Cell>& cells, int width, int height, std::vector<std::int16_t>& above,
                  std::vector<std::int16_t>& below) {

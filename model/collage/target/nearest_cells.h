@@ -9,9 +9,9 @@
 // Exact Euclidean feature transforms: the nearest cell of a shape, from cell centre to cell centre.
 namespace collage {
 
-// For every cell of a mask, the nearest cell that is set, as y · width + x, and the square of its distance in
-// cells; −1 and maxSquare when none is set. Lower envelopes of parabolas (Felzenszwalb and Huttenlocher
-// 2012), O(cells).
+// The nearest set cell for every cell of a mask, as y · width + x, and the square of its distance in cells;
+// −1 and maxSquare when none is set. Lower envelopes of parabolas (Felzenszwalb and Huttenlocher 2012),
+// O(cells).
 struct FeatureTransform {
     std::vector<std::int32_t> nearest;
     std::vector<std::int32_t> square;

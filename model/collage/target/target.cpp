@@ -8,7 +8,7 @@ namespace collage {
 
 namespace {
 
-// How many pixels of the shape every cell has, where the first cell begins at (left, top) of the picture.
+// Number of pixels of the shape in every cell; the first cell begins at (left, top) of the picture.
 std::vector<int> coverage(const Mask& picture, int left, int top, int factor, const Mask& cells) {
     std::vector<int> count(cells.cells.size());
     const PixelBox box = boxOf(picture);

@@ -40,9 +40,9 @@ struct Target {
     ifs::Matrix<2> spread;            // their second moments about the mean
 };
 
-// One cell for `factor` × `factor` pixels, over the box of the shape and, on each side, the share `margin` of
-// the longer side of that box. A cell is set when the shape fills half of it, or when it meets the shape and
-// no such cell is next to it, so that thin lines stay. The mask must not be empty.
+// Makes a target with a cell for `factor` × `factor` pixels, over the box of the shape and, on each side, the
+// share `margin` of the longer side of that box. A cell is set when the shape fills half of it, or when it
+// meets the shape and no such cell is next to it, so that thin lines stay. The mask must not be empty.
 Target target(const Mask& picture, int factor, double margin);
 
 // The smallest factor with which the longer side of the box has at most `side` cells.

@@ -32,7 +32,7 @@ Polygon ellipse(const ifs::Moments<2>& moments) {
     return result;
 }
 
-// Whether the chaos game may apply a map after another, and after itself.
+// Returns true if the chaos game may apply a map after another, or after itself.
 bool mayFollow(const ifs::ActiveMaps<2>& active, std::size_t before, std::size_t after) {
     return !active.isLinked() || active.links[before * active.maps.size() + after] > 0;
 }
@@ -41,8 +41,8 @@ bool mayRepeat(const ifs::ActiveMaps<2>& active, std::size_t map) {
     return mayFollow(active, map, map);
 }
 
-// What the pieces do, in coordinates of the picture, to points whose addresses begin with `word`: nothing
-// where only some of them have moved.
+// The change, in coordinates of the picture, that the pieces apply to points whose addresses begin with
+// `word`; the identity if only some of these points have moved.
 ifs::AffineMap<2> changeOf(const ifs::Word& word, std::span<const ifs::MovedBranch<2>> pieces,
                            const ifs::AffineMap<2>& display) {
     for (const auto& [beginning, change] : pieces)
@@ -81,7 +81,7 @@ void addCylinders(Analysis& analysis, const ifs::Facts<2>& facts, int depth,
     analysis.shapes.insert(analysis.shapes.end(), shown, shapes.end());
 }
 
-// All but the cylinders.
+// Adds all shapes but the cylinders.
 void addShapes(Analysis& analysis, const AnalysisRequest& request,
                const std::vector<attractor::Rgba>& colours) {
     const ifs::Facts<2>& facts = analysis.facts;

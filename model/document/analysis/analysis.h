@@ -25,7 +25,7 @@ struct AnalysisRequest {
     std::uint64_t revision = 0;
 };
 
-// One shape to draw, in displayed coordinates; more than one point are a closed polygon.
+// A shape to draw, in displayed coordinates; more than one point are a closed polygon.
 struct OutlineShape {
     Outline kind;
     ifs::Polygon points;
@@ -34,10 +34,10 @@ struct OutlineShape {
     ifs::Word listed{}; // the same by their indices in the system: a symmetry makes several of one
 };
 
-// What is known of a picture: of the code's attractor where its cage puts it. Only a cage that bends leaves
-// no system to analyse; then the facts are those of the code, and the shapes are bent with it. Where branches
-// are moved, extents, mean and covariance are those of what is shown, everything else that of the code. Of a
-// system in space only `solid` and its shapes are known.
+// Analysis of a picture: of the code's attractor where its cage puts it. Only a cage that bends leaves no
+// system to analyse; then the facts are those of the code, and the shapes are bent with it. If branches are
+// moved, extents, mean and covariance are those of what is shown, everything else that of the code. For a
+// system in space only `solid` and its shapes are set.
 struct Analysis {
     std::uint64_t revision = 0; // of the request
     bool isOfCode = false;
@@ -53,12 +53,12 @@ struct Analysis {
     bool isComplete = false; // false: the affinity dimension and the box counting are still under way
 };
 
-// Analyses one fractal after the other; what belongs to the code is worked out once for as long as only the
-// cage moves, and nothing at all when only other outlines are wanted.
+// Analyses one fractal after the other. Facts of the code are computed once for as long as only the cage
+// moves, and nothing is when only other outlines are requested.
 class Analyser {
 public:
-    // What takes a few milliseconds, in space perhaps a second; complete where the rest is known already. The
-    // fractal must be a system.
+    // The part that takes a few milliseconds, in space perhaps a second; complete where the rest is known
+    // already. The fractal must be a system.
     Analysis begun(const AnalysisRequest& request);
     // The rest of it; nullopt when stopped.
     std::optional<Analysis> completed(Analysis analysis, const std::stop_token& stop);

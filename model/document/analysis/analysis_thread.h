@@ -20,14 +20,14 @@ public:
     AnalysisThread& operator=(const AnalysisThread&) = delete;
 
     enum class Haste {
-        Now,    // what is under way is abandoned
+        Now,    // work under way is abandoned
         InTurn, // one of many: what is under way may finish, unless it takes long
     };
-    // Any thread, never waits. The fractal must be a system.
+    // Thread-safe, never waits. The fractal must be a system.
     void submit(AnalysisRequest request, Haste haste);
     void cancel(); // forget what waits and abandon what is under way
 
-    // Any thread; nullptr before the first. The revision tells to which request it belongs.
+    // Thread-safe; nullptr before the first. The revision tells to which request it belongs.
     std::shared_ptr<const Analysis> newest();
 
 private:

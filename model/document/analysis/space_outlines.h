@@ -11,10 +11,11 @@
 
 namespace document {
 
-// What of an analysis can be drawn over the picture.
+// Results of an analysis that can be drawn over the picture.
 enum class Outline { Box, Hull, Simplex, FixedPoints, Ellipse, Cylinders };
 
-// One shape in space, in displayed coordinates: pairs of its points are joined; without any, points alone.
+// A shape in space, in displayed coordinates: pairs of its points are joined; without any pairs, points
+// alone.
 struct SpaceOutline {
     Outline kind;
     std::vector<ifs::Vector<3>> points;
@@ -23,14 +24,14 @@ struct SpaceOutline {
     bool isSelected = false;               // drawn with thick lines
 };
 
-// What of the facts of an entry in space can be drawn over its picture. `code` are those of the code,
-// `displayed` those of the picture, which an affine map `placed` makes of it.
+// Facts of an entry in space, for drawing over its picture. `code` are those of the code, `displayed` those
+// of the picture, to which the affine map `placed` takes it.
 struct SpaceFacts {
     const ifs::Facts<3>& code;
     const ifs::Facts<3>& displayed;
     ifs::AffineMap<3> placed;
 };
-// `fractal` is the entry; the addresses of its cylinders have so many symbols.
+// Outlines of the entry `fractal`; the addresses of its cylinders have `cylinderDepth` symbols.
 std::vector<SpaceOutline> spaceOutlines(const SpaceFacts& facts, const Fractal& fractal,
                                         const std::set<Outline>& outlines, int cylinderDepth);
 

@@ -21,7 +21,7 @@ using Lanes = std::array<LaneThreads*, 5>;
 
 void finishWithTheApplication();
 
-// Never destroyed, as those who ask are not.
+// Never destroyed, because threads that use it are not, either.
 std::stop_source& end() {
     static auto* const made = new std::stop_source;
     return *made;
@@ -42,7 +42,7 @@ LaneThreads& threadsOf(Lane lane) {
     return *lanes()[std::size_t(lane)];
 }
 
-// What is under way uses Qt, which is about to go.
+// Running jobs use Qt, which is about to be destroyed.
 void finishWithTheApplication() {
     const Clock::time_point late = Clock::now() + 10s, early = Clock::now() + 5s;
     threadsOf(Lane::Saving).finish(late);

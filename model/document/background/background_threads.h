@@ -5,9 +5,9 @@
 #include <functional>
 #include <stop_token>
 
-// Threads for what may take long, or never end, as reading from a drive that does not answer. They are not
-// those of QThreadPool::globalInstance(): Qt paints large pictures with those and waits for them, and a
-// program does not end before they do. Where the system starts no more threads, those there are do the work.
+// Threads for work that may take long, or never end, such as reading from a drive that does not answer. They
+// are not those of QThreadPool::globalInstance(): Qt paints large pictures with those and waits for them, and
+// a program does not end before they do. If the system starts no more threads, the existing ones do the work.
 namespace document {
 
 // Kinds of work that never wait for each other.
@@ -28,9 +28,9 @@ void startLanes();
 
 void startInLane(Lane lane, std::function<void()> work);
 
-// Waits until nothing is under way or waiting, in no kind, but no longer than that; whether it is so. The end
-// of the application waits so for a moment, longer for what is being saved. After it, a program in which
-// something still goes on has to end without destroying what that uses: quickExit().
+// Waits, at most for `patience`, until no work is under way or waiting in any lane; returns true if so. The
+// end of the application waits like this for a moment, longer for saving. After that, a program with work
+// still under way has to end without destroying what the work uses: quickExit().
 bool backgroundFinishes(std::chrono::milliseconds patience);
 
 // The same for one kind.

@@ -9,8 +9,7 @@
 
 namespace document {
 
-// What is large takes a while to be freed: beside the window, if this is the last of it and the program goes
-// on.
+// Frees a large value beside the window, if this is the last reference and the program goes on.
 template <class Value> void freeInBackground(Value value) {
     if (QCoreApplication::instance()) startInLane(Lane::Computing, [held = std::move(value)] {});
 }

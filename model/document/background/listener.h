@@ -6,8 +6,8 @@
 
 namespace document {
 
-// Stands for somebody whom other threads tell something for as long as it is there. They share it with its
-// owner, which says when it goes.
+// Receives messages from other threads for as long as it exists. They share it with its owner, which says
+// when it goes.
 class Listener {
 public:
     // Calls it, unless the owner has gone; it does not go meanwhile.

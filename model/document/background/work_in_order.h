@@ -10,7 +10,7 @@
 namespace document {
 
 // Pieces of work that are done one after another, in the order in which they come, in threads of a lane. They
-// go on unheard when this has gone, perhaps beyond the end of the program: they hold nothing but values.
+// go on when this object is gone, perhaps beyond the end of the program, so they hold nothing but values.
 class WorkInOrder {
 public:
     explicit WorkInOrder(Lane lane);

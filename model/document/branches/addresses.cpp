@@ -59,8 +59,7 @@ std::optional<ifs::Vector<2>> Addresses::fixedPoint(const ifs::Word& word) const
 
 namespace {
 
-// Where a point is displayed from, in coordinates of the code, and how far what is displayed `pixel` wide
-// reaches there.
+// A displayed point in coordinates of the code, and the length there of a displayed length `pixel`.
 struct PointInCode {
     ifs::Vector<3> at;
     double pixel = 0;

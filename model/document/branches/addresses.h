@@ -19,8 +19,7 @@ std::vector<ifs::MapId> idsOf(const ifs::IteratedFunctionSystem<Dim>& system, co
     return word;
 }
 
-// Addresses of the points of what is displayed. Words name maps by their indices in the system, outermost
-// first.
+// Addresses of displayed points. Words name maps by their indices in the system, outermost first.
 class Addresses {
 public:
     explicit Addresses(const Fractal& fractal);
@@ -29,7 +28,7 @@ public:
     // `pixel`, the size of one in the plane; empty when none is within a few pixels.
     ifs::Word at(const ifs::Vector<2>& displayed, double pixel) const;
 
-    // Where the point whose address repeats the word is displayed; nullopt for the empty word.
+    // The displayed position of the point whose address repeats the word; nullopt for the empty word.
     std::optional<ifs::Vector<2>> fixedPoint(const ifs::Word& word) const;
 
 private:

@@ -47,8 +47,9 @@ attractor::MapBlends blendsOver(const Fractal& fractal, const ifs::ActiveMaps<Di
     return blends;
 }
 
-// What moves branches of the fractal, over the cut set of `letters`, whose maps are those of `system`. What
-// changes inside itself goes on doing so if it is one word there, too; else each of its branches is moved.
+// The moved branches of the fractal over the cut set of `letters`, whose maps are those of `system`. A branch
+// that changes inside itself goes on doing so if it is one word there, too; else each of its branches is
+// moved.
 template <int Dim>
 std::vector<MovedBranch<Dim>> movedOver(const Shape<Dim>& before, const ifs::ActiveMaps<Dim>& active,
                                         const ifs::Word& letters, const System<Dim>& system) {

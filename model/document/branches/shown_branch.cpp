@@ -18,7 +18,7 @@ const MovedBranch<Dim>* find(const Shape<Dim>& shape, const std::vector<ifs::Map
     return moved == shape.moved.end() ? nullptr : &*moved;
 }
 
-// What moves exactly this branch; what is inside it moves more.
+// The change that moves exactly this branch; branches inside it may be moved further.
 template <int Dim>
 ifs::AffineMap<Dim> shownChange(std::span<const ifs::MovedBranch<Dim>> moved, const ifs::Word& branch) {
     ifs::AffineMap<Dim> change;

@@ -9,7 +9,7 @@
 // Branches as they are shown, in coordinates of the code. Words have indices of maps of the system.
 namespace document {
 
-// Everything that moves a branch: what moves it, and what moves the branches around it.
+// The total motion of a branch: its own and those of the branches around it.
 template <int Dim> ifs::AffineMap<Dim> movedBy(const Shape<Dim>& shape, const ifs::Word& branch);
 
 // A branch as the one map within(map(·)), to be moved by changes of Shape::moved.

@@ -35,8 +35,8 @@ QByteArray digestOf(const Snapshot& snapshot) {
 constexpr char digestMark[] = "\"digest\":\""; // quotes in texts are escaped, so there is no other
 constexpr qsizetype digestSize = 64;
 
-// The digest of all that the file says: the text of its header, with zeros in the place of the digest, and
-// what follows.
+// The digest of the whole file: the text of its header, with zeros in the place of the digest, and the bytes
+// behind.
 QByteArray digestOf(QByteArray header, qsizetype place, const QByteArray& bytes) {
     header.replace(place, digestSize, QByteArray(digestSize, '0'));
     QCryptographicHash hash(QCryptographicHash::Sha256);
@@ -45,7 +45,7 @@ QByteArray digestOf(QByteArray header, qsizetype place, const QByteArray& bytes)
     return hash.result().toHex();
 }
 
-// Where the digest begins; -1 in files of earlier versions.
+// Offset of the digest; -1 in files of earlier versions.
 qsizetype placeOfDigest(const QByteArray& header) {
     const qsizetype mark = header.indexOf(digestMark);
     return mark < 0 ? -1 : mark + qsizetype(sizeof digestMark) - 1;
@@ -110,7 +110,7 @@ Journal::Journal(const QString& folder)
 Journal::~Journal() = default;
 
 bool Journal::write(const Snapshot& snapshot) {
-    // It is the first time, there was no room for the lock, or somebody has emptied the folder.
+    // Needed the first time, if there was no room for the lock, or if somebody has emptied the folder.
     if (!m_lock || !QFileInfo::exists(lockFileOf(m_path))) {
         makePrivateFolder(QFileInfo(m_path).path());
         m_lock.reset();
@@ -121,7 +121,7 @@ bool Journal::write(const Snapshot& snapshot) {
     if (!file.open(QIODevice::WriteOnly)) return false;
     file.setPermissions(QFile::ReadOwner | QFile::WriteOwner);
     const QByteArray data = recoveryFile(snapshot);
-    // commit() would not notice that what is still in memory finds no room.
+    // commit() would not notice that bytes still in memory find no room.
     return file.write(data) == data.size() && file.flush() && file.commit();
 }
 

@@ -14,10 +14,10 @@ namespace document {
 
 class ProcessLock;
 
-// What is needed to offer a window's unsaved work again.
+// Everything needed to offer a window's unsaved work again.
 struct Snapshot {
     QString path;         // of the file it came from; empty when it never had one
-    QString title;        // what the window was called
+    QString title;        // of the window
     int current = 0;      // index of the entry that was shown
     QDateTime when;       // UTC
     QByteArray bytes;     // the whole file as it would have been saved
@@ -28,7 +28,7 @@ struct Snapshot {
     friend bool operator==(const Snapshot&, const Snapshot&) = default;
 };
 
-// What a recovery file holds, and back; nullopt for bytes that are none, or damaged.
+// Conversion to and from the bytes of a recovery file; nullopt for bytes that are none, or damaged.
 QByteArray recoveryFile(const Snapshot& snapshot);
 std::optional<Snapshot> snapshotIn(const QByteArray& recoveryFile);
 
@@ -36,7 +36,7 @@ std::optional<Snapshot> snapshotIn(const QByteArray& recoveryFile);
 // while its process lives, so that after a crash the next start can tell it from those of running windows.
 class Journal {
 public:
-    // Nothing is made yet: that may take time. Journals in one folder never share a file.
+    // Creates nothing yet, since that may take time. Journals in one folder never share a file.
     explicit Journal(const QString& folder);
     ~Journal(); // leaves the file if there is one: only discard() says that nothing is to be recovered
 
@@ -60,11 +60,11 @@ struct Abandoned {
     Snapshot snapshot;
     std::shared_ptr<ProcessLock> lock;
 };
-// Also takes away locks, and files half written, that killed processes have left behind.
+// Also removes the locks and partly written files of killed processes.
 QList<Abandoned> abandonedSnapshots(const QString& folder);
 void forget(const Abandoned& abandoned);
-// Journals whose process is gone and which hold no snapshot any more get another name, under which nobody
-// looks for them again; their new paths.
+// Renames journals whose process is gone and which hold no snapshot any more, so that they are not found
+// again; returns their new paths.
 QStringList setDamagedAside(const QString& folder);
 
 } // namespace document

@@ -29,7 +29,7 @@ std::unique_ptr<QLockFile> lockByName(const QString& name) {
 
 enum class Locking { Done, Held, Again, Impossible };
 
-// Whether the file is still the one that has the name.
+// Returns true if the open file still has the name.
 bool hasName(int file, const char* name) {
     struct stat open {
     }, named{};
@@ -37,7 +37,7 @@ bool hasName(int file, const char* name) {
            open.st_ino == named.st_ino;
 }
 
-// What is no file was never a lock.
+// A name that is no file was never a lock.
 Locking removed(const char* name) {
     return ::unlink(name) == 0 || errno == ENOENT ? Locking::Again : Locking::Held;
 }
@@ -59,7 +59,7 @@ Locking lock(const char* name, int& file) {
     return error == EWOULDBLOCK || error == EINTR ? Locking::Held : Locking::Impossible;
 }
 
-// As QLockFile writes it, for versions that ask by name.
+// Writes the owner as QLockFile does, for versions that ask by name.
 void sign(int file) {
     const QByteArray owner = QByteArray::number(QCoreApplication::applicationPid()) + '\n' +
                              QCoreApplication::applicationName().toUtf8() + '\n' +

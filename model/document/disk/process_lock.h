@@ -31,7 +31,7 @@ private:
 std::unique_ptr<ProcessLock> processLock(const QString& path);
 QString lockFileOf(const QString& path);
 
-// Creates the folder when it is missing; nobody but its owner may enter it.
+// Creates the folder when it is missing; only its owner may enter it.
 void makePrivateFolder(const QString& folder);
 
 } // namespace document

@@ -25,7 +25,7 @@ Opened closed(int error) {
 
 } // namespace
 
-// Opening alone wakes some devices: what it is is asked before, too.
+// Opening alone wakes some devices, so the type is checked before, too.
 Opened openRegular(QFile& file, const QByteArray& name) {
     struct stat status {};
     if (::stat(name.constData(), &status) != 0) return closed(errno);

@@ -13,8 +13,8 @@ constexpr int minSide = 768; // of the picture, so that its hatching is fine
 constexpr int period = 9;    // of the hatching, pixels
 constexpr int stroke = 3;    // its width
 
-// What a pixel shows by what its cell belongs to: 1 the target, 2 what is compared. One for each step of the
-// hatching, all premultiplied.
+// Colours of a pixel for each step of the hatching, premultiplied. Patterns are indexed by the shapes that
+// its cell belongs to: 1 the target, 2 the shape compared with it.
 using Pattern = std::array<QRgb, period>;
 
 std::array<Pattern, 4> patterns() {
@@ -59,8 +59,8 @@ Picture pictureOf(const collage::Mask& target, const collage::Mask& compared) {
     return {image, used};
 }
 
-// From cells of factor² pixels. A pixel of the shape is at most a diagonal of a cell away from one that is
-// set, and the other way round: that much more may the attractor differ from the shape.
+// Converts from cells of factor² pixels. A pixel of the shape is at most a diagonal of a cell away from one
+// that is set, and the other way round: the attractor may differ from the shape by that much more.
 void inPixels(MeasuredFractal& measured, int factor) {
     measured.agreement.mean *= factor;
     measured.agreement.p95 *= factor;

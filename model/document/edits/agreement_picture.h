@@ -11,13 +11,13 @@
 
 namespace document {
 
-// What is compared with the target.
+// The side of the comparison that is not the target.
 enum class Compared { Collage, Attractor };
-// Live: with the coarse cells of the target, if it has any. Distances stay in pixels, and the bound stays
-// one, though a larger one.
+// Cells used for a measurement. Live takes the coarse cells of the target, if it has any: distances stay in
+// pixels, and the bound stays one, though a larger one.
 enum class Detail { Full, Live };
 
-// How well a fractal agrees with a target, in numbers and as a picture over the plane.
+// Agreement of a fractal with a target, in numbers and as a picture over the plane.
 struct MeasuredFractal {
     collage::Agreement agreement; // of what was asked for
     double overlap = 1;           // this and what follows, always of the collage

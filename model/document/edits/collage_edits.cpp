@@ -93,7 +93,7 @@ double collageError(const TracedPicture& traced, const Maps& maps) {
     return collage::collageMeasure(traced.target, maps).images.mean;
 }
 
-// What is dark, or opaque, of the target.
+// Density of the target: its darkness, or its opacity.
 collage::Density densityOf(const TracedPicture& traced) {
     collage::Density density{traced.mask.width, traced.mask.height, {}};
     const bool byOpacity = collage::isShapedByOpacity(traced.picture);

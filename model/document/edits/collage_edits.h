@@ -11,14 +11,14 @@
 #include <stop_token>
 #include <vector>
 
-// How a fractal is made to look like a picture: functions from fractal to fractal, in the coordinates of
-// what is displayed. All may run in any thread.
+// Fits of a fractal to a picture: functions from fractal to fractal, in displayed coordinates. All may run in
+// any thread.
 namespace document {
 
 // Why the maps cannot be compared with a picture; empty when they can.
 QString collageObstacle(const Fractal& fractal);
 
-// The maps that are on, as they act on what is displayed.
+// The maps that are on, as they act in displayed coordinates.
 struct CollageMaps {
     std::vector<ifs::AffineMap<2>> maps;
     std::vector<std::size_t> index; // of each in the system
@@ -29,7 +29,7 @@ std::optional<CollageMaps> collageMaps(const Fractal& fractal); // nullopt when 
 // appearance stay.
 Fractal withSuggestion(Fractal fractal, const collage::Suggestion& suggestion, const PicturePlace& place);
 
-// What a fit may change.
+// Permissions of a fit.
 struct CollageFitOptions {
     collage::Constraints constraints;
     std::vector<ifs::MapId> locked; // these maps stay bit for bit
@@ -47,15 +47,15 @@ std::optional<Fractal> withAttractorRefined(const Fractal& fractal, const Traced
 // The weights with which the maps reproduce the shades of the picture: dark, or opaque, is dense.
 std::optional<Fractal> withWeightsFitted(const Fractal& fractal, const TracedPicture& traced,
                                          const std::stop_token& stop = {});
-// By how many pixels the shades of the attractor must be moved, on average and at most, to become those of
-// the picture; nullopt when there is an obstacle, or the maps do not contract on average.
+// Distance in pixels by which the shades of the attractor must be moved, on average and at most, to become
+// those of the picture; nullopt when there is an obstacle, or the maps do not contract on average.
 std::optional<double> shadesBound(const Fractal& fractal, const TracedPicture& traced,
                                   const std::stop_token& stop = {});
-// A cage of so many corners, 3 or more, under which the outline of the attractor follows that of the target.
-// Needs no placement that can be undone: it is made anew.
+// A cage of `corners` corners, 3 or more, under which the outline of the attractor follows that of the
+// target. Needs no placement that can be undone: it is made anew.
 std::optional<Fractal> withCageFittedTo(const Fractal& fractal, const TracedPicture& traced, int corners,
                                         const std::stop_token& stop = {});
-// One more map whose image of the target lies at that point, then fitted while the others stay.
+// Adds a map whose image of the target lies at that point, and fits it while the others stay.
 std::optional<Fractal> withMapAdded(const Fractal& fractal, const TracedPicture& traced,
                                     const ifs::Vector<2>& point, const collage::Constraints& constraints,
                                     const std::stop_token& stop = {});

@@ -51,7 +51,7 @@ struct CouplingOutcome {
 CouplingOutcome coupled(const Fractal& from, const Fractal& to, std::span<const std::size_t> order,
                         const std::optional<CoupledEntries>& before = std::nullopt);
 
-// What coupled() would say against the entries before it looks for their attractors, which may take long.
+// The objections of coupled() that need no attractors, which may take long to find.
 std::optional<CouplingOutcome> evidentFlaw(const Fractal& from, const Fractal& to,
                                            std::span<const std::size_t> order);
 

@@ -79,7 +79,7 @@ bool keepsLine(const ifs::Matrix<3>& linear, const ifs::Vector<3>& d) { // a uni
     return aside.norm() <= rounding * ifs::spectralNorm<3>(linear);
 }
 
-// The maps as they act on what is displayed; nullopt when the cage cannot be taken into them.
+// The maps in displayed coordinates; nullopt when the cage cannot be taken into them.
 std::optional<System3> displayedSystem(const Shape<3>& shape) {
     if (!shape.cage) return shape.system;
     auto baked = ifs::bake(shape.system, *shape.cage);

@@ -26,7 +26,7 @@ void setTextAbove(Entry& entry, const QByteArray& before) {
     entry.source = std::move(source);
 }
 
-// The text above the first entry of `original` goes to what is the first entry now; the two swap when both
+// The text above the first entry of `original` goes to the entry that is first now; the two swap when both
 // are there.
 void keepTextAtTop(FractalFile& file, const FractalFile& original) {
     if (original.entries.isEmpty()) return;

@@ -16,7 +16,8 @@ struct Inserted {
     FractalFile file;
     QList<EntryId> ids; // of the new entries, in their order
 };
-// Behind the entry `after` (None: at the end), under fresh ids and, where they are readable, unique names.
+// Inserts behind the entry `after` (None: at the end), under fresh ids and, where they are readable, unique
+// names.
 Inserted inserted(FractalFile file, const QList<Entry>& entries, EntryId after);
 
 FractalFile removed(FractalFile file, const QList<EntryId>& ids);
@@ -27,7 +28,7 @@ FractalFile moved(FractalFile file, const QList<EntryId>& ids, EntryId before);
 
 FractalFile replaced(FractalFile file, EntryId id, Fractal fractal);
 
-// The plane systems among those entries with y as −y: what is up is down.
+// Flips the plane systems among those entries: y becomes −y.
 FractalFile turnedOver(FractalFile file, const QList<EntryId>& ids);
 
 // Why the entry cannot be called `name`, as a sentence for the user; nullopt when it can.

@@ -8,7 +8,7 @@
 
 namespace document {
 
-// What is done in one field from the first key or pixel to its end: shown at once, one undo step.
+// An edit in one field, from the first key or pixel to its end: shown at once, one undo step.
 class LiveEdit {
 public:
     explicit LiveEdit(Document* document) : m_document(document) {}
@@ -19,7 +19,7 @@ public:
     void commit();
     void cancel();
     bool isOpen() const { return m_gesture && m_gesture->isOpen(); }
-    // As it was when the edit began; the present fractal when none is under way.
+    // The fractal when the edit began; the present one when no edit is open.
     const Fractal& before() const;
 
 private:

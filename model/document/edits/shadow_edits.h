@@ -16,7 +16,7 @@ namespace document {
 QString shadowObstacle(const Fractal& fractal);
 
 bool hasShadow(const Fractal& fractal);
-// Where a shadow falls is kept while there is none.
+// Turns the shadow on or off; its position is kept while it is off.
 Fractal withShadow(Fractal fractal, bool on);
 
 // An upright stick as high as the picture, and the end of its shadow: by that a shadow is held. World

@@ -33,9 +33,9 @@ struct SpaceTransformation {
 };
 ifs::AffineMap<3> affineMap(const SpaceTransformation& transformation);
 
-// For fractals of that dimension.
+// The fractal must have the dimension of the transformation.
 
-// The code stays, the current cage moves: the picture is T of what it was.
+// Moves the current cage and keeps the code: the picture becomes its image under T.
 template <int Dim> Fractal placed(Fractal fractal, const ifs::AffineMap<Dim>& transformation);
 // The code becomes T∘w∘T⁻¹ and the cage follows: the same picture as by placing, from new numbers. nullopt
 // when T is too flat for that, or where the cage of a solid bends it and T is no similarity, because mean

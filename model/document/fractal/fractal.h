@@ -25,9 +25,9 @@ using System3 = ifs::IteratedFunctionSystem<3>;
 // A branch, by the ids of the maps of its address, that is shown elsewhere: ifs::MovedBranch.
 template <int Dim> using MovedBranch = animation::BranchPose<Dim>;
 
-// The code of an entry, by what it is held, and what of it is shown elsewhere.
+// The code of an entry, the cage that holds it, and the branches that are shown elsewhere.
 template <int Dim> struct Shape {
-    // Compiled once, and not in each of the many files that copy one.
+    // Defined in one source, because many files copy shapes.
     Shape(ifs::IteratedFunctionSystem<Dim> code = {}, std::optional<ifs::ControlCage<Dim>> held = {});
     Shape(const Shape& other);
     Shape(Shape&& other) noexcept;
@@ -44,9 +44,9 @@ template <int Dim> struct Shape {
     friend bool operator==(const Shape&, const Shape&) = default;
 };
 
-// One entry of a file, as a plain value.
+// An entry of a file, as a plain value.
 struct Fractal {
-    // Compiled once, and not in each of the many files that copy one.
+    // Defined in one source, because many files copy fractals.
     Fractal();
     Fractal(const Fractal& other);
     Fractal(Fractal&& other) noexcept;
@@ -55,14 +55,14 @@ struct Fractal {
     ~Fractal();
 
     QString name;
-    QString headerComment; // what follows the opening brace, without the semicolon
+    QString headerComment; // behind the opening brace, without the semicolon
     QStringList comments;  // the entry's own comment lines in their order, without the semicolon
     // monostate: the entry could not be read; its bytes are kept in its source.
     std::variant<std::monostate, Shape<2>, Shape<3>> shape;
     attractor::Appearance appearance;
     attractor::SpaceAppearance inSpace{}; // of an entry in space; the fog is in its range, the clip usable
     MapLabels mapLabels{};
-    SupportCache supports{}; // what functions of the fractal remember; takes no part in ==
+    SupportCache supports{}; // results of functions of the fractal; ignored by ==
     LastingCage lasting{};   // of what Document shows at a moment, or in a gesture; takes no part in ==
 
     friend bool operator==(const Fractal&, const Fractal&) = default;
@@ -70,7 +70,7 @@ struct Fractal {
 
 int dimension(const Fractal& fractal); // 2 or 3; 0 for an unreadable entry
 
-// What the entry holds; nullptr where it is of the other dimension or could not be read.
+// The shape of the entry; nullptr if it has the other dimension or could not be read.
 inline const Shape<2>* plane(const Fractal& fractal) {
     return std::get_if<Shape<2>>(&fractal.shape);
 }
@@ -84,7 +84,7 @@ inline Shape<3>* space(Fractal& fractal) {
     return std::get_if<Shape<3>>(&fractal.shape);
 }
 
-// Its system alone; nullptr as above.
+// The system alone; nullptr as above.
 inline const System2* system2(const Fractal& fractal) {
     const Shape<2>* shape = plane(fractal);
     return shape ? &shape->system : nullptr;
@@ -107,9 +107,9 @@ inline const ifs::ControlCage<2>* cage2(const Fractal& fractal) {
     return shape && shape->cage ? &*shape->cage : nullptr;
 }
 
-// Whether the codes are the same, whatever holds them.
+// Returns true if the codes are the same, whatever cage holds them.
 bool isSameSystem(const Fractal& a, const Fractal& b);
 
-Fractal sierpinskiTriangle(); // what File → New starts with
+Fractal sierpinskiTriangle(); // the fractal of File → New
 
 } // namespace document

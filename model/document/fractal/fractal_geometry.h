@@ -13,7 +13,7 @@
 #include <optional>
 #include <vector>
 
-// What follows from a fractal: the extent, the cage in force, and where the picture is.
+// Geometry derived from a fractal: the extent, the cage in force, and the position of the picture.
 namespace document {
 
 // The extent of the code's attractor; nullptr when it has none, or its maps are linked. Any thread. The
@@ -37,7 +37,7 @@ ifs::Placement placement(const Fractal& fractal);
 template <int Dim> std::vector<ifs::MovedBranch<Dim>> movedBranches(const Shape<Dim>& shape);
 // Branches of an entry in the plane; others have none here.
 std::vector<ifs::MovedBranch<2>> movedBranches(const Fractal& fractal);
-// What is shown in place of the attractor: ifs::pieces over the active maps of the code. Empty where no
+// The pieces shown in place of the attractor: ifs::pieces over the active maps of the code. Empty if no
 // branch is moved.
 template <int Dim>
 std::vector<ifs::MovedBranch<Dim>> shownBranches(const Shape<Dim>& shape, const ifs::ActiveMaps<Dim>& active);
@@ -56,14 +56,14 @@ std::optional<ifs::IteratedFunctionSystem<Dim>> effectiveSystem(const Fractal& f
 // The extent of its attractor, without the branches that are moved; nullopt where it has none.
 template <int Dim> std::optional<ifs::SupportFunction<Dim>> displayedSupport(const Fractal& fractal);
 
-// What takes the displayed picture to its shadow, whose ground is the lowest line of the picture as the y
-// axis has it; nullopt where it has none, or the attractor has no certified box.
+// The map from the displayed picture to its shadow, whose ground is the lowest line of the picture under this
+// y axis; nullopt if it has none, or the attractor has no certified box.
 std::optional<ifs::AffineMap<2>> shadowMap(const Fractal& fractal, attractor::YAxis yAxis);
 // The request that draws the fractal through the camera with default quality.
 attractor::RenderRequest renderRequest(const Fractal& fractal, const attractor::Camera& camera);
 
-// Certified box of what is displayed (the attractor under its cage), under a bend to a hundredth of its size;
-// nullopt when there is none. Nothing is left to add to it, unlike ifs::BoundingBox with its error.
+// Certified box of the displayed picture (the attractor under its cage), under a bend to a hundredth of its
+// size; nullopt when there is none. It includes its error, unlike ifs::BoundingBox.
 struct Box {
     ifs::Vector<2> min;
     ifs::Vector<2> max;

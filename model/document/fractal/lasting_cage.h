@@ -8,8 +8,8 @@
 
 namespace document {
 
-// By what a fractal without a cage of its own is held while it is played or edited live: the cage that
-// another state of it has, so that it does not hop with every frame. No part of a value: any two are equal.
+// The cage that holds a fractal without one of its own while it is played or edited live: that of another
+// state of it, so that it does not hop with every frame. No part of a value: any two are equal.
 class LastingCage {
 public:
     LastingCage() = default;

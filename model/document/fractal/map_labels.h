@@ -10,7 +10,7 @@
 
 namespace document {
 
-// What an artist notes of a map, as of a layer.
+// An artist's label of a map, as of a layer.
 struct MapLabel {
     QString name;          // in one line; empty: the map goes by its number
     bool isLocked = false; // its coefficients and its weight are not edited

@@ -17,7 +17,8 @@ inline bool recurs(std::span<const ifs::MapId> word) {
 // The word of a branch that changes inside itself, with this address.
 std::vector<ifs::MapId> recurringWord(std::vector<ifs::MapId> address);
 
-// As stored: Shape::moved, as words over indices into the system. Those with a map that is gone are left out.
+// Branches as stored in Shape::moved, with words over indices into the system. Branches with a map that is
+// gone are left out.
 template <int Dim> struct StoredBranch {
     ifs::MovedBranch<Dim> branch;
     bool recurs = false;

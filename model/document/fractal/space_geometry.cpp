@@ -43,7 +43,7 @@ double farthest(const std::vector<ifs::Vector<3>>& points, const ifs::Vector<3>&
     return most;
 }
 
-// Points that contain what is displayed: without an attractor, or where it is bent, the cage and the
+// Points that contain the displayed picture: without an attractor, or where it is bent, the cage and the
 // simplices around moved branches; of very many maps the simplex around them, because asking all of them
 // takes long.
 std::vector<ifs::Vector<3>> pointsAround(const Fractal& fractal, const ifs::ControlCage<3>& cage) {

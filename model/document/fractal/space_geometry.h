@@ -12,7 +12,7 @@
 #include <optional>
 #include <vector>
 
-// What follows from a fractal in space; fractal_geometry.h has the same for the plane.
+// Geometry derived from a fractal in space; fractal_geometry.h has the same for the plane.
 namespace document {
 
 // Why nothing that is meant for systems in space can be done; empty for those.
@@ -25,8 +25,8 @@ std::shared_ptr<const ifs::SupportFunction<3>> spaceSupport(const Fractal& fract
 // rest; without an attractor, a unit tetrahedron. nullopt when the entry is not in space.
 std::optional<ifs::ControlCage<3>> spaceCage(const Fractal& fractal);
 
-// Whether what follows from the extent of an entry in space is answered at once. Of very many maps it first
-// has to be found: the window does so in the background (view::ExtentFinder). Of other entries, true.
+// Returns true if anything that depends on the extent of an entry in space is available at once. With very
+// many maps the window first finds the extent in the background (view::ExtentFinder). True for other entries.
 bool isSpaceExtentKnown(const Fractal& fractal);
 // The cage in force if it is stored, lasts or its extent is known.
 std::optional<ifs::ControlCage<3>> knownSpaceCage(const Fractal& fractal);
@@ -34,19 +34,19 @@ std::optional<ifs::ControlCage<3>> knownSpaceCage(const Fractal& fractal);
 // max ⟨u, x⟩ over the vertices: what a cage that bends displays is within their hull.
 std::function<double(const ifs::Vector<3>&)> reachOfVertices(std::vector<ifs::Vector<3>> vertices);
 
-// How far what is displayed of a fractal in space reaches along a unit vector: low ≤ ⟨u, x⟩ ≤ high. Without
-// an attractor, its cage.
+// Range of the displayed picture of a fractal in space along a unit vector: low ≤ ⟨u, x⟩ ≤ high. Without an
+// attractor, that of its cage.
 struct Extent {
     double low = 0;
     double high = 0;
 };
 Extent extentAlong(const Fractal& fractal, const ifs::Vector<3>& u);
 
-// The middle of the box around what is displayed of a fractal in space, without its cage; nullopt without an
-// attractor. Where a cage bends the picture, the point that shows the middle of the straight one.
+// The middle of the box around the displayed picture of a fractal in space, without its cage; nullopt without
+// an attractor. If a cage bends the picture, the point that shows the middle of the straight one.
 std::optional<ifs::Vector<3>> centreOfPicture(const Fractal& fractal);
 
-// Shows what is displayed of a fractal in space, and its cage, as large as leaves a margin.
+// Fits the displayed picture of a fractal in space, and its cage, into the view with a margin.
 attractor::OrbitCamera fittedTo(const Fractal& fractal, attractor::OrbitCamera camera, double margin);
 
 // The same without the cage.
@@ -55,13 +55,13 @@ attractor::OrbitCamera fittedToPicture(const Fractal& fractal, attractor::OrbitC
 // The request that draws a fractal in space through the camera.
 attractor::SpaceRequest spaceRequest(const Fractal& fractal, const attractor::OrbitCamera& camera);
 
-// What the colours of its solid show.
+// The quantity that the colours of its solid show.
 attractor::SolidColour solidColour(const Fractal& fractal);
 
-// How its solid looks. Ink is on paper and numbers are on black until a background is chosen.
+// The appearance of its solid. Ink is on paper and numbers are on black until a background is chosen.
 attractor::SolidAppearance solidAppearance(const Fractal& fractal);
 
-// What is around the picture.
+// The colour around the picture.
 attractor::Rgba backgroundInSpace(const Fractal& fractal);
 
 } // namespace document

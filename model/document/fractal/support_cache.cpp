@@ -33,7 +33,7 @@ ifs::ControlCage<3> restingSimplex(const System<3>& system, const Support<3>& su
     return ifs::cageAtRest<3>(simplexAround(system, *support));
 }
 
-// What is known of one system, or being found out: who asks second waits for the first.
+// Extents of one system, computed once: a second caller waits for the first.
 template <int Dim> class Extents {
 public:
     explicit Extents(const System<Dim>& system) : m_system(system) {}

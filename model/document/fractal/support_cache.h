@@ -24,7 +24,7 @@ public:
     // The minimal canonical simplex at rest; a unit tetrahedron without an attractor. Any thread. Two that
     // ask for the same system at once wait for one answer.
     ifs::ControlCage<3> simplexInSpace(const ifs::IteratedFunctionSystem<3>& system) const;
-    // Whether that takes no time to speak of, because the maps are few or somebody has asked before.
+    // Returns true if simplexInSpace() is fast, because the maps are few or the result is cached.
     bool isSimplexKnown(const ifs::IteratedFunctionSystem<3>& system) const;
 
     friend bool operator==(const SupportCache&, const SupportCache&) { return true; }
@@ -34,10 +34,10 @@ private:
     std::shared_ptr<Newest> m_newest; // null when moved from
 };
 
-// With so many maps in space, extents take long enough to be found in the background, and to a hundredth of
-// the size.
+// Number of maps in space from which on extents take long enough to be found in the background, and to a
+// hundredth of the size.
 constexpr std::size_t manyMapsInSpace = 10'000;
-// How far extents in space may be off, as a part of their size: nobody sees more digits.
+// Tolerance of extents in space relative to their size: nobody sees more digits.
 double extentTolerance(const ifs::IteratedFunctionSystem<3>& system);
 // The minimal canonical simplex around an attractor with that extent, to this tolerance.
 ifs::Simplex<3> simplexAround(const ifs::IteratedFunctionSystem<3>& system,

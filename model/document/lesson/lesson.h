@@ -30,7 +30,7 @@ constexpr std::size_t maxLessonCorners = 64;
 
 enum class LessonTool { Cage, Maps, Branch };
 
-// All of the fractal. Of the plane, turned like that; a solid is seen from where it was seen before.
+// A view of the whole fractal: in the plane with this axis and rotation; a solid keeps its direction of view.
 struct LessonFit {
     attractor::YAxis yAxis = attractor::YAxis::Up;
     double rotation = 0; // as of an attractor::View
@@ -38,7 +38,7 @@ struct LessonFit {
     friend bool operator==(const LessonFit&, const LessonFit&) = default;
 };
 
-// What is seen of the plane: the view, and at least this width of it, however the window is shaped.
+// A view of the plane, with at least this width of it, however the window is shaped.
 struct LessonArea {
     attractor::View view;
     double width = 1; // > 0
@@ -50,7 +50,7 @@ struct LessonArea {
 attractor::Camera cameraOf(const LessonArea& area, attractor::RasterSize size);
 LessonArea areaOf(const attractor::Camera& camera);
 
-// From where a solid is seen. Its size is that of the window.
+// A view of a solid. Its size in pixels is that of the window.
 struct LessonOrbit {
     attractor::OrbitCamera camera;
     bool isFitted = false; // to all of the solid, wherever its target is
@@ -58,7 +58,7 @@ struct LessonOrbit {
     friend bool operator==(const LessonOrbit&, const LessonOrbit&) = default;
 };
 
-// What the canvas draws: the density, Wⁿ of the cage, or so many points of a chaos game.
+// Content of the canvas: the density, Wⁿ of the cage, or a number of points of a chaos game.
 struct LessonConstruction {
     enum class Mode { Density, Steps, ChaosGame };
     Mode mode = Mode::Density;
@@ -72,7 +72,7 @@ struct LessonConstruction {
 struct LessonAtRest {
     friend bool operator==(const LessonAtRest&, const LessonAtRest&) = default;
 };
-// Where the cage is: as in the entry, at rest, or with its corners there.
+// Position of the cage: as in the entry, at rest, or with these corners.
 using LessonCage =
     std::variant<std::monostate, LessonAtRest, std::vector<ifs::Vector<2>>, std::vector<ifs::Vector<3>>>;
 
@@ -113,8 +113,8 @@ struct Lesson {
     friend bool operator==(const Lesson&, const Lesson&) = default;
 };
 
-// Whether a lesson may refer to that file: any in its own folder, but for another lesson; elsewhere, by a
-// relative or an absolute path with slashes, only a Fractint collection. No other machine, no device.
+// Returns true if a lesson may refer to that file: any in its own folder, but for another lesson; elsewhere,
+// by a relative or an absolute path with slashes, only a Fractint collection. No other machine, no device.
 bool isLessonFile(const QString& path);
 
 // The text as it can be kept: without control characters and marks that reorder text, blanks at the ends of

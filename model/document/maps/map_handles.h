@@ -21,9 +21,9 @@ public:
     // they are seen inside the piece that `within` makes of the attractor.
     MapHandles(std::shared_ptr<const Fractal> fractal, const ifs::ControlCage<2>& cage,
                const ifs::AffineMap<2>& within = {});
-    // The map of one branch as the only one, at index 0; moving it moves what is shown of the branch
-    // (Shape::moved) and leaves the code alone. With `recurs` the same branch moves inside it too, and so on.
-    // The word has indices of maps that take part.
+    // The map of one branch as the only one, at index 0; moving it moves the displayed branch (Shape::moved)
+    // and leaves the code alone. With `recurs` the same branch moves inside it too, and so on. The word has
+    // indices of maps that take part.
     static MapHandles ofBranch(const std::shared_ptr<const Fractal>& fractal, const ifs::ControlCage<2>& cage,
                                const ifs::Word& branch, bool recurs = false);
 
@@ -42,19 +42,19 @@ public:
     // Maps can be moved unless the placement, or the piece, is flat.
     bool canBeMoved() const;
 
-    // One corner elsewhere: a change of rank one.
+    // Moves one corner of a map: a change of rank one.
     Fractal withCornerMoved(std::size_t index, std::size_t corner, const ifs::Vector<2>& offset) const;
-    // Where the cage bends, those below are of first order in the middle of each map.
+    // Moves maps. Where the cage bends, this and the following are of first order in the middle of each map.
     Fractal withMapsMoved(std::span<const std::size_t> indices, const ifs::Vector<2>& offset) const;
     Fractal withMapsMoved(std::span<const std::size_t> indices,
                           std::span<const ifs::Vector<2>> offsets) const; // one for each map
     Fractal withMapsChanged(std::span<const std::size_t> indices, const ifs::AffineMap<2>& change) const;
-    // Each map turned about the image of `root`, a point in coordinates of the code: branches that swing.
+    // Turns each map about its image of `root`, a point in coordinates of the code: branches that swing.
     Fractal withMapsSwung(std::span<const std::size_t> indices, const ifs::Vector<2>& root,
                           double angle) const;
 
 private:
-    ifs::AffineMap<2> around(std::size_t index) const; // what displays a map, to first order
+    ifs::AffineMap<2> around(std::size_t index) const; // the display of a map, to first order
     // `change` in coordinates of the piece, after the map.
     void change(Fractal& fractal, std::size_t index, const ifs::AffineMap<2>& change) const;
     void changeDisplayed(Fractal& fractal, std::size_t index, const ifs::AffineMap<2>& change) const;
@@ -68,7 +68,7 @@ private:
     std::vector<ifs::WeightedMap<2>> m_branchMap;
 };
 
-// What a change of a branch is made a change of.
+// Meaning of a change of a branch for the code.
 enum class BranchEdit {
     Display, // where the branch is shown, and it alone: the code stays
     OwnMap,  // the system over the cut set of its address, in which the branch is the first map
@@ -87,7 +87,7 @@ bool isMoved(const Fractal& fractal, const ifs::Word& branch);
 // w_σ of others.
 ifs::AffineMap<2> recurringMap(const Fractal& fractal, const ifs::Word& branch);
 
-// The lowest point of what is displayed, in coordinates of the code: where a plant stands.
+// The lowest displayed point, in coordinates of the code: where a plant stands.
 std::optional<ifs::Vector<2>> root(const Fractal& fractal);
 
 } // namespace document

@@ -12,8 +12,8 @@ namespace document {
 
 inline constexpr qsizetype maxMapName = 120; // UTF-16 units
 
-// The text as the name of a map: in one line, without control characters and marks that turn the direction of
-// what follows, cut to maxMapName.
+// The text as the name of a map: in one line, without control characters and marks that change the direction
+// of text, cut to maxMapName.
 QString mapNameOf(const QString& text);
 
 // "3", or "3 (stem)" where the map has a name.

@@ -59,7 +59,7 @@ QRgb blended(const attractor::Rgba& below, float belowShare, const attractor::Rg
                  channel(below.blue, above.blue), int(std::lround(255 * alpha)));
 }
 
-// How much of a pixel is covered, so that the usual one is nearly.
+// Coverage of pixels by their counts, scaled so that a typical pixel is nearly covered.
 class Cover {
 public:
     explicit Cover(const std::vector<float>& counts) {

@@ -16,7 +16,7 @@ namespace document {
 // colour, in its place in the faint whole. In space as seen from where thumbnails look.
 class MapPoints {
 public:
-    // Any thread. `width` and `height` are those of the pictures in pixels.
+    // Thread-safe. `width` and `height` are those of the pictures in pixels.
     MapPoints(const Fractal& fractal, int width, int height);
     MapPoints(const MapPoints&) = delete;
     MapPoints& operator=(const MapPoints&) = delete;

@@ -13,7 +13,7 @@ namespace document {
 
 namespace {
 
-// Share of the largest extent; what is as thin looks flat, and can be drawn as a solid.
+// Share of the largest extent below which a picture looks flat, and can be drawn as a solid.
 constexpr double thin = 1e-3;
 
 template <int Dim>
@@ -23,8 +23,7 @@ std::optional<std::size_t> indexOf(const ifs::IteratedFunctionSystem<Dim>& syste
     return std::size_t(found - system.maps.begin());
 }
 
-// Colours by address or blend go from the share of the map in the palette to the whole of it: this is what
-// they are taken from.
+// The part of a palette that a map has: colours by address or blend are spread from it to the whole.
 attractor::Palette shareOf(const attractor::Palette& palette, double from, double to) {
     attractor::Palette share{palette.name, {}};
     share.stops.push_back({0, attractor::colourAt(palette, from)});
@@ -35,7 +34,7 @@ attractor::Palette shareOf(const attractor::Palette& palette, double from, doubl
     return share;
 }
 
-// Every map below has the colour of this one.
+// Gives every map below the colour of this one.
 template <int Dim>
 void keepColours(attractor::Appearance& appearance, const ifs::IteratedFunctionSystem<Dim>& system,
                  std::size_t index, bool isByMap, bool isByAddress, bool isByBlend) {

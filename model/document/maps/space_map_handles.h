@@ -27,9 +27,9 @@ public:
     // inside the piece that `within` makes of the attractor.
     SpaceMapHandles(std::shared_ptr<const Fractal> fractal, const ifs::ControlCage<3>& cage,
                     const ifs::AffineMap<3>& within = {});
-    // The map of one branch as the only one, at index 0; moving it moves what is shown of the branch
-    // (Shape::moved) and leaves the code alone. With `recurs` the same branch moves inside it too, and so on.
-    // The word has indices of maps.
+    // The map of one branch as the only one, at index 0; moving it moves the displayed branch (Shape::moved)
+    // and leaves the code alone. With `recurs` the same branch moves inside it too, and so on. The word has
+    // indices of maps.
     static SpaceMapHandles ofBranch(const std::shared_ptr<const Fractal>& fractal,
                                     const ifs::ControlCage<3>& cage, const ifs::Word& branch, bool recurs);
 
@@ -38,14 +38,14 @@ public:
     // The same under w_σ, a word of indices, where the branch is shown; nullopt where one is of no map.
     std::optional<Corners> corners(const ifs::Word& branch) const;
 
-    // Unless the placement, or the piece, is flat.
+    // Returns true unless the placement, or the piece, is flat.
     bool canBeMoved() const;
     // The fractal with the corners of one map moved by these offsets: a change of rank one for each that is
     // not 0. It holds the cage in force, so that it stays while the code changes under it. With no offset,
     // the fractal as it is. Maps must be movable. Where the cage bends, a corner that it takes nowhere stays.
     Fractal withCornersMoved(std::size_t index, const Corners& offsets) const;
     Fractal withCornersMoved(std::span<const std::size_t> indices, std::span<const Corners> offsets) const;
-    // These maps, each turned by an angle about its image of `root`, a point in coordinates of the code,
+    // Turns each of these maps by an angle about its image of `root`, a point in coordinates of the code,
     // which stays: branches that swing. Counter-clockwise for the one to whom `axis`, of length 1, points.
     // Otherwise as above; where the cage bends, to first order in the middle of each map.
     Fractal withMapsSwung(std::span<const std::size_t> indices, const ifs::Vector<3>& root,
@@ -58,13 +58,13 @@ private:
                                            const ifs::Matrix<3>& turn) const;
     ifs::Vector<3> shown(const ifs::Vector<3>& x) const;
     void moveCorners(Fractal& fractal, std::size_t index, const Corners& offsets) const;
-    // By how much x is to be moved to be displayed so far from where it is.
+    // The offset of x that moves its displayed point by `offset`.
     ifs::Vector<3> inPiece(const ifs::Vector<3>& x, const ifs::Vector<3>& offset) const;
 
     std::shared_ptr<const Fractal> m_fractal;
     ifs::ControlCage<3> m_cage;
     ifs::Simplex<3> m_rest;
-    ifs::AffineMap<3> m_placed;              // what displays a map where nothing bends
+    ifs::AffineMap<3> m_placed;              // the display of a map where nothing bends
     std::optional<ifs::AffineMap<3>> m_back; // of m_placed; where the cage bends, of m_within
     ifs::AffineMap<3> m_within;
     std::shared_ptr<const ifs::CageDeformation> m_bend; // after m_within
@@ -72,8 +72,8 @@ private:
     ifs::AffineMap<3> m_branchMap;
 };
 
-// The lowest point of what is displayed in space, in coordinates of the code: where a plant stands. nullopt
-// without an attractor, and where it or the cage is not known.
+// The lowest displayed point in space, in coordinates of the code: where a plant stands. nullopt without an
+// attractor, and where it or the cage is not known.
 std::optional<ifs::Vector<3>> rootInSpace(const Fractal& fractal, const ifs::Vector<3>& up);
 
 } // namespace document

@@ -48,7 +48,7 @@ template <int Dim> AnimatedFrame frameOf(const Fractal& fractal, const animation
     return frame;
 }
 
-// Where a key holds its value until the next, and in a cycle where its end is not its beginning.
+// Cuts: keys that hold their value until the next, and in a cycle the end, if it is not the beginning.
 template <class Keys> std::vector<int> cutsAmong(const Keys& keys, int length, animation::Loop loop) {
     constexpr auto hold = animation::Ease::Kind::Hold;
     std::vector<int> cuts;
@@ -75,7 +75,7 @@ template <int Dim> ifs::Verdict verdictOf(const Shape<Dim>& shape) {
     return ifs::classifyLinked<Dim>(ifs::activeMaps(shape.system)).verdict;
 }
 
-// None as well when stopped. The few that lie anywhere are tried before the many frames.
+// Tries the few moments that lie anywhere before the many frames. nullopt as well when stopped.
 std::optional<MomentWithoutAttractor> firstTried(const Fractal& fractal, const AnimationFacts& facts,
                                                  const std::stop_token& stop) {
     std::vector<animation::Moment> frames;

@@ -10,10 +10,10 @@
 #include <stop_token>
 #include <vector>
 
-// An entry whose shape has an animation, and what it shows at a moment.
+// Entries whose shape has an animation, and their states at a moment.
 namespace document {
 
-// What the animations of both dimensions have in common.
+// Properties that animations of both dimensions have in common.
 struct AnimationFacts {
     animation::FrameRate rate;
     int length = 0; // frames
@@ -25,7 +25,7 @@ struct AnimationFacts {
 };
 std::optional<AnimationFacts> animationFacts(const Fractal& fractal); // nullopt: nothing moves
 
-// What is seen at a moment: an ordinary fractal without an animation, and the camera if keys move it.
+// An entry at a moment: an ordinary fractal without an animation, and the camera if keys move it.
 struct AnimatedFrame {
     Fractal fractal;
     std::optional<attractor::View> view{};
@@ -36,7 +36,7 @@ struct AnimatedFrame {
 // A fractal that is not animated is the same at every moment.
 AnimatedFrame frameAt(const Fractal& fractal, const animation::Moment& moment);
 
-// What a key of the look holds, in space with how it looks there.
+// The look as a key stores it; in space with the appearance there.
 animation::Look lookOf(const Fractal& fractal);
 Fractal withLook(Fractal fractal, const animation::Look& look);
 
@@ -61,7 +61,7 @@ struct MomentWithoutAttractor {
 std::optional<MomentWithoutAttractor> firstWithoutAttractor(const Fractal& fractal,
                                                             const std::stop_token& stop = {});
 
-// Whether there is such a moment; nullopt when stopped before that is known.
+// Returns true if there is such a moment; nullopt when stopped before that is known.
 std::optional<bool> losesAttractor(const Fractal& fractal, const std::stop_token& stop);
 
 // The same with this motion as strong as it is, or else as strong as leaves an attractor at all these

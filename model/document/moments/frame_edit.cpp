@@ -48,7 +48,7 @@ animation::MapIds* mapsOf(auto& motion) {
         return nullptr;
 }
 
-// One edit, part by part.
+// An edit, applied part by part.
 template <int Dim> class Edit {
 public:
     Edit(const Fractal& entry, const animation::Moment& moment, const Fractal& before, const Fractal& after)
@@ -81,7 +81,7 @@ public:
     }
 
 private:
-    // What the keys alone show.
+    // The frame that the keys alone show.
     static Fractal keyedFrame(Fractal entry, const animation::Moment& moment) {
         std::get<Shape<Dim>>(entry.shape).animation->motions.clear();
         return frameAt(entry, moment).fractal;

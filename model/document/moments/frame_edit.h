@@ -12,11 +12,11 @@ struct FrameEdit {
     bool isKeyed = false; // whether any were
 };
 
-// `before` is what frameAt(entry, moment) shows, `after` what it is to show. What has keys gets a key at this
-// frame; what has none changes for all times. What does not differ keeps its bits, and motions are undone up
-// to rounding. Tracks of maps and branches that are gone go with them, and so do the keys of a cage that now
-// has another number of vertices. An entry without an animation, and one of another dimension than `after`,
-// is replaced.
+// The entry for which frameAt(entry, moment), which was `before`, becomes `after`. Values with keys get a key
+// at this frame; values without keys change for all times. Equal values keep their bits, and motions are
+// undone up to rounding. Tracks of maps and branches that are gone go with them, and so do the keys of a cage
+// that now has another number of vertices. An entry without an animation, and one of another dimension than
+// `after`, is replaced.
 FrameEdit withFrameEdited(const Fractal& entry, const animation::Moment& moment, const Fractal& before,
                           Fractal after);
 

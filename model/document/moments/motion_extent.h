@@ -9,7 +9,7 @@
 
 namespace document {
 
-// Everything that an animation in the plane shows, from its first moment to its last.
+// The extent of an animation in the plane, from its first moment to its last.
 struct MotionExtent {
     // Contains the picture at each of the moments that were looked at; nullopt where none has a picture.
     std::optional<Box> picture;
@@ -19,8 +19,9 @@ struct MotionExtent {
 // The smallest box around both.
 Box united(const Box& a, const Box& b);
 
-// With the shadow. Looks at evenly spaced moments and at the keys. An entry without an animation has a single
-// moment. `stopped` is asked before each; what is returned after it said yes means nothing. Any thread.
+// The extent, including the shadow, over evenly spaced moments and the keys. An entry without an animation
+// has a single moment. `stopped` is asked before each; after it returned true the result is meaningless.
+// Thread-safe.
 MotionExtent motionExtent(
     const Fractal& entry, const std::function<bool()>& stopped = [] { return false; },
     attractor::YAxis yAxis = attractor::YAxis::Up);

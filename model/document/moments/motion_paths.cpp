@@ -21,7 +21,7 @@ ifs::Vector<2> middleOf(const ifs::ControlCage<2>& cage) {
     return sum / double(cage.rest.size());
 }
 
-// Whether there is a key at this frame.
+// Adds a point; returns true if there is a key at this frame.
 template <class Keys> bool add(MotionPath& path, const ifs::Vector<2>& point, const Keys& keys, int frame) {
     path.points.push_back(point);
     if (std::ranges::none_of(keys, [frame](const auto& key) { return key.frame == frame; })) return false;

@@ -7,8 +7,8 @@
 
 namespace document {
 
-// Where a point of an animation in the plane goes, displayed: at evenly spaced frames, every one if there are
-// not too many.
+// Displayed path of a point of an animation in the plane: at evenly spaced frames, every one if there are not
+// too many.
 struct MotionPath {
     std::size_t index = 0; // of the vertex in the cage, or of the map in the system
     std::vector<ifs::Vector<2>> points;

@@ -15,7 +15,7 @@ constexpr int circle = 360'000;        // thousandths of a degree
 constexpr int partsOfMotions = 8;      // pilots in the length of an animation with motions
 constexpr std::size_t maxPilots = 128; // before the middles come in between
 
-// Which side of the frame the shutter sees: it does not open across a cut.
+// Side of the frame that the shutter sees: it does not open across a cut.
 enum class Side { Both, After, Before, Neither };
 
 Side sideOf(const AnimationFacts& facts, int frame) {
@@ -51,7 +51,7 @@ Moment momentAt(const AnimationFacts& facts, int frame, ShutterAngle angle, int 
                              facts.length);
 }
 
-// The frames of keys, and the last ones before what they show jumps: where a key holds its value, and in a
+// Adds the frames of keys, and the last ones before a value jumps: where a key holds its value, and in a
 // cycle at the end, where frame 0 follows.
 template <class Keys>
 void addFrames(std::vector<int>& frames, const Keys& keys, const AnimationFacts& facts) {

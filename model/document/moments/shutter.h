@@ -7,13 +7,13 @@
 
 #include <vector>
 
-// What a frame of an animation has besides its moment: the time for which it is exposed, and how bright it
-// is. Both are functions of the animation and the frame, so that a frame that is drawn alone is that of the
-// sequence. docs/mathematics.md, "Shutter".
+// Exposure of a frame of an animation: the time for which the shutter is open, and the brightness. Both are
+// functions of the animation and the frame, so that a frame drawn alone is that of the sequence.
+// docs/mathematics.md, "Shutter".
 namespace document {
 
-// How long a shutter is open, in thousandths of a degree: 360° are the time from one frame to the next. 0:
-// the moment alone.
+// Time for which a shutter is open, in thousandths of a degree: 360° are the time from one frame to the next.
+// 0: the moment alone.
 using ShutterAngle = int;
 constexpr ShutterAngle maxShutterAngle = 360'000;
 
@@ -25,8 +25,8 @@ std::vector<animation::Moment> shutterEdges(const AnimationFacts& facts, int fra
                                             int count);
 
 // The moments between which exposures are interpolated: frame 0 and the last one, all keys, eight moments a
-// length where something moves by itself, the last frame before what has keys jumps, and the middles between
-// all of these. Ascending; at most 255.
+// length if there are motions, the last frame before a keyed value jumps, and the middles between all of
+// these. Ascending; at most 255.
 std::vector<animation::Moment> exposurePilots(const Fractal& fractal);
 
 // A moment, folded, between two neighbours of these pilots.

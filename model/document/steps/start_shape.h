@@ -25,7 +25,8 @@ std::optional<StartShape> letterShape(const QString& letters);
 // The shape in a picture, of few corners.
 StartShape pictureShape(const TracedPicture& picture);
 
-// Over the attractor of the code, and as large as its box is at its longer side; coordinates of the code.
+// The shape over the attractor of the code, as large as its box is at its longer side; coordinates of the
+// code.
 StartShape overAttractor(const StartShape& shape, const Fractal& fractal);
 
 } // namespace document

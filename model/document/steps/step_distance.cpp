@@ -53,7 +53,7 @@ collage::Grid gridOver(const Extent& extent, double margin, int side) {
     return {middle.x() - half, middle.y() + half, 2 * half / side, side, side};
 }
 
-// One point in each cell that B meets, in coordinates of the grid.
+// Points of B, one in each cell that it meets, in coordinates of the grid.
 Points pointsIn(const StartShape& start, const collage::Grid& grid) {
     QImage image(grid.width, grid.height, QImage::Format_Grayscale8);
     image.fill(Qt::black);

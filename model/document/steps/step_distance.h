@@ -9,19 +9,19 @@
 
 namespace document {
 
-// How far Wⁿ(B) is from the attractor A in the Hausdorff distance, in the plane as it is displayed or, where
-// the cage bends or flattens it, in that of the code.
+// Hausdorff distance of Wⁿ(B) from the attractor A, in the plane as it is displayed or, where the cage bends
+// or flattens it, in that of the code.
 struct StepDistance {
     double contraction = 0; // s, the largest spectral norm of a map
-    // Measured on cells; nullopt where the maps are linked or s ≥ 1.
+    // The distance measured on cells; nullopt where the maps are linked or s ≥ 1.
     std::optional<double> distance;
     double cell = 0;             // its side: nothing below a few of them is told apart
     std::optional<double> bound; // sⁿ·d(B, A), which d(Wⁿ(B), A) does not exceed; nullopt as above
     bool isOfCode = false;
 };
 
-// B is a shape over the attractor, or the cage at rest without one. nullopt when stopped, and for what is no
-// system of the plane. docs/mathematics.md, "Steps and their distance".
+// Measures B, a shape over the attractor, or the cage at rest without one. nullopt when stopped, and for
+// entries that are no system of the plane. docs/mathematics.md, "Steps and their distance".
 std::optional<StepDistance> stepDistance(const Fractal& fractal, const StartShape* shape, int iterations,
                                          const std::stop_token& stop);
 

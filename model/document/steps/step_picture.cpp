@@ -23,7 +23,7 @@ constexpr double minDivided = 1.5;    // pixels; smaller images are one
 constexpr double minOutlined = 24;    // pixels
 constexpr double thin = 1;            // pixels; narrower images get a line of that width
 constexpr int straightPieces = 12;    // of an edge where the cage bends
-constexpr int nodesPerLook = 256;     // between two looks at the stop token
+constexpr int nodesPerCheck = 256;    // between two checks of the stop token
 constexpr double maxCoordinate = 1e7; // of a pixel; the painter's own overflow beyond
 const QColor grey(150, 156, 166);     // of B itself, seen on light and dark
 
@@ -51,7 +51,7 @@ public:
         painter.setRenderHint(QPainter::Antialiasing);
         std::vector<Node> stack = beginnings();
         for (int visits = 1; !stack.empty(); ++visits) {
-            if (visits % nodesPerLook == 0 && stop.stop_requested()) return false;
+            if (visits % nodesPerCheck == 0 && stop.stop_requested()) return false;
             const Node node = stack.back();
             stack.pop_back();
             const Reach reach = reachOf(node.map);

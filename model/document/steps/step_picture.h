@@ -20,8 +20,9 @@ struct StepJob {
     std::uint64_t revision = 0;
 };
 
-// Every image in the colour of the first map of its word, or along the palette where the fractal is coloured
-// by address; B itself is grey. Images smaller than a pixel are not divided further. nullopt when stopped.
+// Draws every image in the colour of the first map of its word, or along the palette where the fractal is
+// coloured by address; B itself is grey. Images smaller than a pixel are not divided further. nullopt when
+// stopped.
 std::optional<attractor::Frame> stepPicture(const StepJob& job, const std::stop_token& stop);
 
 } // namespace document

@@ -19,7 +19,8 @@ bool isSeen(char32_t c) {
     }
 }
 
-// By code points: some that are not seen take two code units. Halves alone are bytes that are no UTF-8.
+// Walks code points, because invisible ones may take two code units. Halves alone are bytes that are no
+// UTF-8.
 template <class Keeps> QString withUnderscores(const QString& text, const Keeps& keeps) {
     QString kept;
     for (qsizetype i = 0; i < text.size(); ++i) {

@@ -8,12 +8,12 @@ namespace document {
 
 inline constexpr qsizetype maxFileName = 255; // bytes, of most file systems
 
-// As much of the text as takes at most so many bytes in UTF-8.
+// The longest beginning of the text that takes at most `bytes` bytes in UTF-8.
 QString cutTo(QString text, qsizetype bytes);
 
-// The text as a part of the name of a file: at most so many bytes in UTF-8, never empty, and without what
-// leads to another folder, hides the file, ends a line, is not seen, or changes the order in which a name is
-// read. These characters become underscores.
+// The text as a part of the name of a file: at most `maxBytes` bytes in UTF-8, never empty. Characters that
+// lead to another folder, hide the file, end a line, are invisible, or change the order in which a name is
+// read become underscores.
 QString fileNamePart(const QString& text, qsizetype maxBytes = maxFileName);
 
 // The text on one line, in which such characters become underscores; slashes and points stay.

@@ -12,7 +12,7 @@ inline bool reordersText(QChar c) {
     return (code >= 0x202a && code <= 0x202e) || (code >= 0x2066 && code <= 0x2069);
 }
 
-// The marks as well, with which a name could turn round what stands behind it.
+// Returns true also for the marks by which a name could reverse the text behind it.
 inline bool turnsText(QChar c) {
     const char16_t code = c.unicode();
     return code == 0x061c || code == 0x200e || code == 0x200f || reordersText(c);

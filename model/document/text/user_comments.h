@@ -4,8 +4,7 @@
 #include <QString>
 #include <QStringList>
 
-// An entry's comments are the user's, apart from those in which it keeps what is not a part of the fractal:
-// its fractal transformation and its saved views.
+// An entry's comments are the user's, apart from those that store a fractal transformation and saved views.
 namespace document {
 
 inline bool isKeptComment(const QString& comment) {

@@ -13,11 +13,11 @@ namespace document {
 inline constexpr std::size_t maxDividedMaps = 1000;
 std::optional<std::size_t> commonMapCount(std::size_t n, std::size_t m);
 
-// The entry as it is where it has so many active maps; else with so many and the same attractor and measure:
-// the map that stretches most, w_σ, becomes w_σ w_1, …, w_σ w_N in its place, until there are enough. Maps
-// that are off go. An order of the maps that the entry keeps becomes that of the words, so every address
-// keeps its place; one that does not fit is given up. A plane system whose number of active maps can come to
-// `count`; branches that are shown elsewhere come back, and the animation ends.
+// Divides words until the entry has `count` active maps, with the same attractor and measure: the map that
+// stretches most, w_σ, becomes w_σ w_1, …, w_σ w_N in its place. An entry that has `count` already stays as
+// it is. Maps that are off go. An order of the maps that the entry keeps becomes that of the words, so every
+// address keeps its place; one that does not fit is given up. Requires a plane system whose number of active
+// maps can come to `count`; moved branches come back, and the animation ends.
 Fractal withWordsDivided(const Fractal& fractal, std::size_t count);
 
 } // namespace document

@@ -45,7 +45,7 @@ std::optional<attractor::View> viewOf(const QString& value) {
     return attractor::View{{numbers[0], numbers[1]}, numbers[2]};
 }
 
-// What is spread over several lines.
+// Values that are spread over several lines.
 struct Encoded {
     QByteArray path, data;
 };

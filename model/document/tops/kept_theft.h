@@ -26,8 +26,8 @@ enum class TheftMode {
 
 inline constexpr qsizetype maxEmbeddedPicture = 128 * 1024; // bytes
 
-// What an entry keeps of its fractal transformation, in comments "barycage: partner…" of its own.
-// docs/formats.md, "Our own lines".
+// The fractal transformation kept in an entry, in its comments "barycage: partner…". docs/formats.md,
+// "Barycage's comment lines".
 struct KeptTheft {
     QString partner;                // the name of the other entry, G
     std::vector<std::size_t> order; // indices of the maps, the one on top first; empty: as they are
@@ -35,7 +35,7 @@ struct KeptTheft {
     attractor::Pattern pattern = attractor::Pattern::Wheel;
     QString picture;     // its path from the folder of the file, with slashes; empty: the pattern
     QByteArray embedded; // a file of it in the entry itself, which is used in place of that path; empty: none
-    // What the picture shows of the plane of G, for StealColours; nullopt: as it would be rendered. y
+    // Position of the picture in the plane of G, for StealColours; nullopt: as it would be rendered. y
     // upwards.
     std::optional<attractor::View> view;
 
@@ -43,7 +43,7 @@ struct KeptTheft {
 };
 
 std::optional<KeptTheft> keptTheft(const Fractal& fractal); // lines that make no sense are passed over
-// Nothing is kept of one without a partner.
+// Without a partner, nothing is kept.
 Fractal withTheft(Fractal fractal, const std::optional<KeptTheft>& theft);
 
 } // namespace document

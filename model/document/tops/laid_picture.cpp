@@ -21,7 +21,7 @@ Box boxOf(const Fractal& fractal) {
     return displayedBox(fractal).value_or(Box{{-1, -1}, {1, 1}});
 }
 
-// From the box, corner to corner, to pixels.
+// The map from the box to pixels, corner to corner.
 ifs::AffineMap<2> cover(const Box& box, int width, int height) {
     const double across = std::max(box.max.x() - box.min.x(), 1e-300);
     const double high = std::max(box.max.y() - box.min.y(), 1e-300);

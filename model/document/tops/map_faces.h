@@ -8,7 +8,7 @@
 
 namespace document {
 
-// How a map of one entry is shown beside another: with the colour and number of its counterpart there.
+// Label of a map of one entry beside another: with the colour and number of its counterpart there.
 struct MapFace {
     attractor::Rgba colour;
     std::size_t number = 0; // from 1; 0: it takes no part, and has none

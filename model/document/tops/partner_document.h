@@ -7,9 +7,8 @@
 
 namespace document {
 
-// Another entry of a document, shown and edited as a document of its own, so that a second canvas can hold
-// it. What is finished here becomes a step of the host's history; what happens to the entry there is shown
-// here.
+// A document for another entry of a document, so that a second canvas can hold it. Finished edits become
+// steps of the host's history; changes of the entry there are shown here.
 class PartnerDocument : public QObject {
     Q_OBJECT
 

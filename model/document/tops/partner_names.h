@@ -12,8 +12,8 @@ namespace document {
 // so. No entry may have that name already.
 FractalFile renamed(const FractalFile& file, EntryId id, const QString& name);
 
-// As inserted(); where a new entry and its partner come together, they stay partners whatever they are called
-// now.
+// Inserts like inserted(); if a new entry and its partner are both inserted, they stay partners whatever they
+// are called now.
 Inserted insertedTogether(FractalFile file, const QList<Entry>& entries, EntryId after);
 
 // The picture of the transformation, whose path is relative to `folder`, by a path that is valid wherever the

@@ -22,7 +22,7 @@ EntryId likelyPartner(const FractalFile& file, EntryId of);
 // The entry of that name; None where there is none.
 EntryId entryNamed(const FractalFile& file, const QString& name);
 
-// Both entries with their words divided until they have equally many maps; the file as it is where that is
+// Divides words of both entries until they have equally many maps; returns the file as it is where that is
 // not possible.
 FractalFile withWordsDivided(const FractalFile& file, EntryId from, EntryId to);
 

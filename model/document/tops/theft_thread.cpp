@@ -20,8 +20,8 @@ namespace {
 using Clock = std::chrono::steady_clock;
 constexpr std::uint64_t minPoints = 500'000, maxPoints = 10'000'000; // points while a hand moves
 constexpr std::uint64_t atRest[] = {16'000'000, 80'000'000};
-// Milliseconds for both pictures while a hand moves: with those to paint them, and with what one frame takes
-// longer than another, they have to fit into a frame of the screen.
+// Milliseconds for both pictures while a hand moves: together with painting them, and with the variation
+// between frames, they have to fit into a frame of the screen.
 constexpr double fluid = 9;
 constexpr double pictureBehind = 0.3; // opacity of what is not on G
 constexpr auto rest = std::chrono::milliseconds(60);
@@ -37,7 +37,7 @@ attractor::Frame frameOf(const TheftJob::Side& side, std::uint64_t points) {
     return frame;
 }
 
-// Both premultiplied.
+// Blends two premultiplied colours.
 std::uint32_t mixed(std::uint32_t above, std::uint32_t below, double opacity) {
     const double through = 1 - opacity * double(above >> 24) / 255;
     std::uint32_t pixel = 0;
@@ -87,7 +87,7 @@ struct TheftThread::State {
     std::vector<std::size_t> order;
     CouplingOutcome coupling;
     attractor::DeferredTheft onFrom, onTo, over, there;
-    // The last frame of G, and what it shows: it stays while only F moves.
+    // The last frame of G, and its state: it stays while only F moves.
     std::shared_ptr<const attractor::Frame> lastTo;
     std::vector<ifs::AffineMap<2>> lastMaps;
     LaidPicture lastLaid;
@@ -112,8 +112,8 @@ void TheftThread::State::work(const TheftJob& job, const std::stop_token& stop) 
         if (!mailbox.staysIdle(rest, stop) || !show(job, points, stop)) return;
 }
 
-// Half way each time: one slow picture on a busy machine must not make the grain jump. Small changes are left
-// alone, for other points need other keys.
+// Adapts the number of points by half of the way each time: one slow picture on a busy machine must not make
+// the grain jump. Small changes are skipped, because other points need other keys.
 void TheftThread::State::adapt(double milliseconds) {
     const double now = double(livePoints), affordable = now * fluid / std::max(milliseconds, 0.1);
     const double next = std::clamp((now + affordable) / 2, double(minPoints), double(maxPoints));

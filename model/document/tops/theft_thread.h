@@ -14,8 +14,8 @@
 
 namespace document {
 
-// What is drawn of a fractal transformation from F to G: F with the colours it steals, and G with the
-// picture on it.
+// Drawing job for a fractal transformation from F to G: F with the colours it steals, and G with the picture
+// on it.
 struct TheftJob {
     struct Side {
         std::shared_ptr<const Fractal> fractal;
@@ -56,7 +56,7 @@ public:
     void submit(TheftJob job); // any thread
     void cancel();             // forget the present job; the newest frames stay
 
-    // Any thread; nullptr before the first.
+    // Thread-safe; nullptr before the first.
     std::shared_ptr<const StolenFrames> newest();
 
 private:

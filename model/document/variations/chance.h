@@ -41,7 +41,7 @@ public:
         return result;
     }
 
-    // By this angle; in space, about an axis in any direction.
+    // A rotation by this angle; in space, about a random axis.
     template <int Dim> ifs::Matrix<Dim> rotation(double angle) {
         if constexpr (Dim == 2) {
             ifs::Matrix<2> matrix;

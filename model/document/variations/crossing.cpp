@@ -52,7 +52,7 @@ template <int Dim> double sizeOf(const ifs::Moments<Dim>& moments) {
 
 } // namespace
 
-// One map of a child.
+// A map of a child.
 template <int Dim> struct Crossing<Dim>::Inherited {
     std::optional<std::size_t> mine{}, its{};
     double share = 0; // of the partner, from 0 to 1
@@ -83,7 +83,7 @@ void Crossing<Dim>::align(const ifs::ActiveMaps<Dim>& mine, const ifs::ActiveMap
     if (auto moved = ifs::conjugate(change, m_partner)) m_partner = *std::move(moved);
 }
 
-// By the transport of weights, each map once, the heaviest pairs first. Where there is no transport, by
+// Pairs maps by the transport of weights, each map once, the heaviest pairs first; without a transport, by
 // weight.
 template <int Dim> void Crossing<Dim>::pairUp() {
     const auto& system = shapeOf<Dim>(*m_parent).system;
@@ -171,7 +171,7 @@ void Crossing<Dim>::inherit(const Inherited& from, const MayChange& may, Fractal
     system.maps.push_back(std::move(map));
 }
 
-// Where its maps pull colours on the palette; the child has all of them.
+// Mixes the blends of the maps; the child has all of them.
 template <int Dim> void Crossing<Dim>::mixBlends(const std::vector<Inherited>& drawn, Fractal& child) const {
     const auto blendOf = [](const attractor::Appearance& appearance, const auto& maps, std::size_t index) {
         return attractor::mapBlend(appearance, maps[index].id, index, maps.size());

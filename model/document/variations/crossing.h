@@ -10,11 +10,11 @@
 
 namespace document {
 
-// How a fractal can be crossed with another one of the same dimension. docs/mathematics.md, "Crossing".
+// Crossings of a fractal with another one of the same dimension. docs/mathematics.md, "Crossing".
 template <int Dim> class Crossing {
 public:
-    // Both have a system of this dimension. What the partner shows, as its first frame and its cage have it,
-    // is scaled and moved so that its measure has the mean and the size of the parent's.
+    // Both must have a system of this dimension. The partner's picture, as its first frame and its cage have
+    // it, is scaled and moved so that its measure has the mean and the size of the parent's.
     Crossing(std::shared_ptr<const Fractal> parent, const Fractal& partner);
 
     // The parent with some maps of the partner in place of its own, some half-way between, some more and some

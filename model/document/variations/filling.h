@@ -5,7 +5,7 @@
 
 namespace document {
 
-// How well an attractor fills a view that is fitted to it. Dust and lines fill it badly.
+// Measure of how well an attractor fills a view that is fitted to it. Dust and lines fill it badly.
 struct Filling {
     double share = 0;  // of the cells of a coarse grid over its box that hold points
     double aspect = 0; // its shortest extent as a part of the longest one
@@ -16,10 +16,10 @@ constexpr Filling wellFilled{0.12, 0.25};
 // certified attractor.
 Filling filling(const Fractal& fractal);
 
-// At least 1 where a view is filled as well as that.
+// Ratio of two fillings: at least 1 where a view is filled as well as `wanted`.
 double fillsAs(const Filling& filling, const Filling& wanted);
 
-// Whether it is proved that the maps that take part have an attractor.
+// Returns true if the maps that take part are proved to have an attractor.
 bool hasCertainAttractor(const Fractal& fractal);
 
 } // namespace document

@@ -3,7 +3,7 @@
 
 namespace document {
 
-// What of a fractal may change when it is varied or crossed.
+// Parts of a fractal that may change when it is varied or crossed.
 struct MayChange {
     bool shape = true; // the maps
     bool colours = false;

@@ -42,7 +42,7 @@ std::vector<Pair> singularPairs(std::size_t count, double total, Chance& chance)
     return drawn;
 }
 
-// Any linear map with these singular values; in two of five cases one that hardly turns, as in plants.
+// A random linear map with these singular values; in two of five cases one that hardly turns, as in plants.
 template <int Dim> ifs::Matrix<Dim> linearMap(const ifs::Vector<Dim>& singularValues, Chance& chance) {
     const bool hardlyTurns = chance.comes(0.4);
     const ifs::Matrix<Dim> inner =

@@ -10,7 +10,7 @@ namespace document {
 
 constexpr int maxRandomMaps = 16;
 
-// What a system by chance is to be like.
+// Properties of a random system.
 struct RandomChoice {
     int dimension = 2;
     int maps = 0; // up to maxRandomMaps; 0: two to five, with a symmetry one to three

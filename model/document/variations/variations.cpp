@@ -73,7 +73,7 @@ Variations::Variations(std::shared_ptr<const Fractal> parent, Mutation mutation)
 
 Variations::~Variations() = default;
 
-// What the maps are varied from.
+// The fractal from which the maps are varied.
 Fractal Variations::start(std::uint64_t seed, int trial) const {
     Chance chance = ownChance(seed, 3 + std::uint64_t(trial));
     auto crossed = m_crossings ? m_crossings->child(m_mutation.may, chance) : std::nullopt;

@@ -16,7 +16,7 @@ namespace document {
 // Why there is nothing to vary, as a sentence; empty where there is.
 QString variationObstacle(const Fractal& fractal);
 
-// How a fractal is varied.
+// Settings for varying a fractal.
 struct Mutation {
     double strength = 0.3; // from 0, nearly the same, to 1, hardly to be recognised
     MayChange may{};
@@ -24,8 +24,8 @@ struct Mutation {
 };
 
 // Variations of a fractal: its maps turned, stretched and moved a little, now and then with a map more or
-// less, in other hues and with other weights. Name, comments, labels, placement and what is locked stay; a
-// cage at rest goes, so that it fits the new system. docs/mathematics.md, "Random systems and variations".
+// less, in other hues and with other weights. Name, comments, labels, placement and locked maps stay; a cage
+// at rest goes, so that it fits the new system. docs/mathematics.md, "Random systems and variations".
 class Variations {
 public:
     // `parent` has no variationObstacle(). Takes as long as pairing its maps with those of the partner.
@@ -42,7 +42,7 @@ private:
     class Crossings;
     struct Varied {
         Fractal fractal;
-        Fractal from;      // what its maps were varied from
+        Fractal from;      // the fractal whose maps were varied
         double fills = -1; // fillsAs(): below 0 without a certain attractor
     };
 
@@ -55,7 +55,7 @@ private:
     std::unique_ptr<const Crossings> m_crossings; // null without a partner
 };
 
-// One of them.
+// A single variation.
 Fractal variation(const Fractal& fractal, const Mutation& mutation, std::uint64_t seed);
 
 } // namespace document

@@ -19,7 +19,7 @@ Oklab labOf(const Rgba& colour) {
     return attractor::oklab(attractor::linearColour(colour));
 }
 
-// By an angle in degrees; what is grey gets a little of a hue.
+// Turns the hue by an angle in degrees; greys get a little of a hue.
 Rgba turned(const Rgba& colour, double degrees, double tint, Chance& chance) {
     Oklab lab = labOf(colour);
     const double angle = degrees * std::numbers::pi / 180;
@@ -29,7 +29,7 @@ Rgba turned(const Rgba& colour, double degrees, double tint, Chance& chance) {
     return attractor::nearestShown(lab);
 }
 
-// Whether both end about as light: a palette for paper would not be seen on black.
+// Returns true if both end about as light: a palette for paper would not be seen on black.
 bool endAlike(const attractor::Palette& a, const attractor::Palette& b) {
     return std::abs(labOf(a.stops.back().colour).lightness - labOf(b.stops.back().colour).lightness) < 0.25;
 }

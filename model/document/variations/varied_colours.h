@@ -6,7 +6,7 @@
 
 namespace document {
 
-// Half-way colours look half-way; exact at both ends.
+// Mixes colours so that half-way looks half-way; exact at both ends.
 attractor::Rgba mixedColour(const attractor::Rgba& from, const attractor::Rgba& to, double share);
 
 // The palette, the plain colour and those of the maps in other hues, `strength` from 0 to 1; now and then

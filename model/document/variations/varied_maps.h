@@ -6,7 +6,7 @@
 
 namespace document {
 
-// How far maps go when they are varied.
+// Extent of the variation of maps.
 struct MapVariation {
     double strength = 0;  // from 0 to 1
     bool maySplit = true; // whether maps may be added and removed
@@ -17,8 +17,8 @@ struct MapVariation {
 // gone goes too. The fractal holds a system.
 void varyMaps(Fractal& fractal, const MapVariation& variation, Chance& chance);
 
-// Weights by chance around what they are in `before`, from which `fractal` comes, where each map keeps its
-// relation to the determinant rule. Their sum stays. Locked maps, and maps that are off, keep theirs.
+// Varies weights at random around those of `before`, from which `fractal` comes; each map keeps its relation
+// to the determinant rule. Their sum stays. Locked maps, and maps that are off, keep theirs.
 void varyWeights(Fractal& fractal, const Fractal& before, double strength, Chance& chance);
 
 } // namespace document

@@ -28,7 +28,7 @@ std::vector<int> faceThrough(std::span<const Vector<3>> vertices, const Vector<3
     return face;
 }
 
-// In the sense of turning about the normal.
+// Sorts counter-clockwise about the normal.
 void sortAround(std::vector<int>& face, std::span<const Vector<3>> vertices, const Vector<3>& normal) {
     Vector<3> middle = Vector<3>::Zero();
     for (const int j : face)
@@ -47,7 +47,7 @@ void sortAround(std::vector<int>& face, std::span<const Vector<3>> vertices, con
     std::ranges::transform(order, face.begin(), &std::pair<double, int>::second);
 }
 
-// Whether the face turns at every corner.
+// Returns true if the face turns at every corner.
 bool isStrict(const std::vector<int>& face, std::span<const Vector<3>> vertices, const Vector<3>& normal) {
     const std::size_t n = face.size();
     for (std::size_t k = 0; k < n; ++k) {

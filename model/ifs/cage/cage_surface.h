@@ -56,7 +56,7 @@ private:
 // image of v.
 class CageDeformation {
 public:
-    // Both with as many vertices; `from` must have a convexSurface().
+    // Both cages must have equally many vertices, and `from` a convexSurface().
     CageDeformation(std::span<const Vector<3>> from, std::span<const Vector<3>> to);
     CageDeformation(std::shared_ptr<const CageCoordinates> from, std::span<const Vector<3>> to);
 

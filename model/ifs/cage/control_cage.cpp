@@ -45,7 +45,7 @@ template <int Dim> bool isSimplicial(const ControlCage<Dim>& cage) {
     return cage.rest.size() == Dim + 1 && cage.current.size() == Dim + 1;
 }
 
-// Whether the points fill all dimensions, none of them twice.
+// Returns true if the points fill all dimensions, none of them twice.
 template <int Dim> bool holdsCoordinates(const std::vector<Vector<Dim>>& points) {
     if (points.size() == Dim + 1) return isAffineBasis<Dim>(simplexOf<Dim>(points));
     if constexpr (Dim == 2)

@@ -14,7 +14,7 @@
 
 namespace ifs {
 
-// How a cage of more than Dim + 1 vertices moves what it holds.
+// Effect of a cage of more than Dim + 1 vertices on its content.
 enum class Deformation {
     Bend,      // by generalized coordinates: every vertex is followed, and no affine code has the picture
     AffineFit, // by the affine map that misses the current vertices least
@@ -34,19 +34,19 @@ template <int Dim> struct ControlCage {
 template <int Dim> ControlCage<Dim> polygonAtRest(std::vector<Vector<Dim>> vertices);
 template <int Dim> ControlCage<Dim> cageAtRest(const Simplex<Dim>& simplex);
 
-// Whether the lists match, every number is finite, and the rest vertices hold coordinates: a simplex that is
-// not flat; in the plane, a simple polygon of at most 64 corners.
+// Returns true if the lists match, every number is finite, and the rest vertices define coordinates: a
+// simplex that is not flat; in the plane, a simple polygon of at most 64 corners.
 template <int Dim> bool isValid(const ControlCage<Dim>& cage);
 
-// Rest coordinates → displayed coordinates: T_c·T_0⁻¹ of a cage with Dim + 1 vertices, the affine fit of one
-// with more. Only the rest is inverted, so the current vertices may lie on one line. Exactly the identity
+// The map from rest to displayed coordinates: T_c·T_0⁻¹ of a cage with Dim + 1 vertices, the affine fit of
+// one with more. Only the rest is inverted, so the current vertices may lie on one line. Exactly the identity
 // when current equals rest.
 template <int Dim> AffineMap<Dim> displayMap(const ControlCage<Dim>& cage);
 
-// Whether the cage is meant to bend, and its vertices have been moved to where no affine map takes them.
+// Returns true if the cage is set to bend, and its vertices are where no affine map takes them.
 template <int Dim> bool bends(const ControlCage<Dim>& cage);
 
-// Whether what is displayed can be undone by an affine map: it does not bend, and σ_min > 1e-6·σ_max of the
+// Returns true if an affine map undoes the placement: the cage does not bend, and σ_min > 1e-6·σ_max of the
 // display map. Baking, fitting and picking need it.
 template <int Dim> bool isInvertible(const ControlCage<Dim>& cage);
 
@@ -70,7 +70,7 @@ std::optional<ControlCage<Dim>> redefine(const ControlCage<Dim>& present,
 Coordinates suitableCoordinates(std::span<const Vector<2>> rest, const SupportFunction<2>* support,
                                 std::span<const AffineMap<2>> pieces = {});
 
-// Rest coordinates → displayed coordinates, bent or not.
+// The map from rest to displayed coordinates, bent or not.
 class Placement {
 public:
     Placement() = default;                // leaves everything in its place
@@ -87,7 +87,7 @@ private:
     std::shared_ptr<const PolygonDeformation> m_bend;
 };
 
-// What the user should know about a cage that bends.
+// Defects of a cage that bends, for a warning.
 enum class CageFlaw {
     None,
     Concave, // a notch, at rest or now: the picture can fold over itself there
@@ -95,8 +95,8 @@ enum class CageFlaw {
 };
 CageFlaw flawOf(const ControlCage<2>& cage, const Placement& placement);
 
-// One more vertex at the same share of an edge (vertex `edge` to the next one) at rest and now. nullopt when
-// the cage would not be valid.
+// Adds a vertex on the edge from vertex `edge` to the next one, at the same share of it at rest and now.
+// nullopt when the cage would not be valid.
 std::optional<ControlCage<2>> withVertexInserted(const ControlCage<2>& cage, std::size_t edge, double share);
 std::optional<ControlCage<2>> withVertexRemoved(const ControlCage<2>& cage, std::size_t vertex);
 

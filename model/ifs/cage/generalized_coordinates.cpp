@@ -157,7 +157,7 @@ Matrix<3> pseudoInverse(const Matrix<3>& s) {
     return vectors * inverse.asDiagonal() * vectors.transpose();
 }
 
-// Whether two segments have a point in common.
+// Returns true if two segments have a point in common.
 bool meet(const Vector<2>& a, const Vector<2>& b, const Vector<2>& c, const Vector<2>& d) {
     const auto side = [](const Vector<2>& p, const Vector<2>& q, const Vector<2>& r) {
         const double value = cross(q - p, r - p);

@@ -15,9 +15,11 @@ namespace ifs {
 
 constexpr std::size_t maxCorners = 64;
 
-// Whether no two edges touch except neighbours in their common corner; at least three corners, all finite.
+// Returns true for at least three corners, all finite, no two of whose edges touch except neighbours in their
+// common corner.
 bool isSimplePolygon(std::span<const Vector<2>> polygon);
-// Whether the polygon is simple and turns the same way at every corner, by no less than an angle of 1e-6.
+// Returns true if the polygon is simple and turns the same way at every corner, by no less than an angle of
+// 1e-6.
 bool isStrictlyConvex(std::span<const Vector<2>> polygon);
 double signedArea(std::span<const Vector<2>> polygon); // positive when counter-clockwise
 
@@ -26,8 +28,8 @@ enum class Coordinates {
     MeanValue,  // simple polygons, the whole plane; smooth but for the corners; may be negative
 };
 
-// One coordinate per corner of a polygon of 3 to 64, of either orientation. Always finite: where there are no
-// coordinates (degenerate polygons, poles) the corners get equal shares.
+// Coordinates of x, one per corner of a polygon of 3 to 64, of either orientation. Always finite: where there
+// are no coordinates (degenerate polygons, poles) the corners get equal shares.
 std::vector<double> generalizedCoordinates(Coordinates kind, std::span<const Vector<2>> polygon,
                                            const Vector<2>& x);
 
@@ -45,7 +47,7 @@ AffineMap<Dim> affineFit(std::span<const Vector<Dim>> from, std::span<const Vect
 // of v. The same bits on every machine.
 class PolygonDeformation {
 public:
-    // Both of 3 to 64 corners, as many of each.
+    // Both polygons must have equally many corners, 3 to 64.
     PolygonDeformation(Coordinates kind, std::span<const Vector<2>> from, std::span<const Vector<2>> to);
 
     Vector<2> operator()(const Vector<2>& x) const; // always finite for finite x

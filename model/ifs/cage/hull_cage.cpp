@@ -29,8 +29,8 @@ Ear earOver(const Polygon& polygon, std::size_t edge) {
     return {std::abs(beyond * cross(ab, bc)) / 2, b + beyond * ab};
 }
 
-// With a corner at a corner of the quadrilateral p q r s, two sides along pq and ps, and the third
-// through r.
+// The triangle with a corner at a corner of the quadrilateral p q r s, two sides along pq and ps, and the
+// third through r.
 Polygon triangleAt(std::size_t corner, const Polygon& quadrilateral) {
     const Vector<2>& p = quadrilateral[corner];
     const Vector<2> q = quadrilateral[(corner + 1) % 4] - p, r = quadrilateral[(corner + 2) % 4] - p,
@@ -53,7 +53,7 @@ Polygon triangleAround(const Polygon& quadrilateral) {
     return smallest;
 }
 
-// Where a convex function on [low, high] is least.
+// The minimizer of a convex function on [low, high].
 template <class Function> double minimum(Function function, double low, double high) {
     constexpr int steps = 60;
     for (int n = 0; n < steps; ++n) {

@@ -33,19 +33,20 @@ AffineMap<2> firstOrder(const Placement& placement, const Vector<2>& x);
 std::optional<Vector<2>> preimage(const Placement& placement, const Vector<2>& displayed,
                                   const Vector<2>& start);
 
-// Whether the maps are known to have an attractor.
+// Returns true if the maps are proved to have an attractor.
 bool hasAttractor(const Existence& existence);
 
-// How far a change may go.
+// The part of a change that keeps a certified attractor.
 template <int Dim> struct SafeWay {
     double share = 1; // of the way, within 1e-4; up to here there is an attractor
     // The maps just past it, without a known attractor; empty when share is 1.
     std::vector<AffineMap<Dim>> past{};
     Existence verdict{}; // of those maps
 };
-// Where along `mapsAt(t)`, t from 0 to 1, the maps stop having a known attractor: by bisection, so that past
-// the share given there is none, though there may be one again farther on. share 1 when mapsAt(1) has one, or
-// mapsAt(0) has none to keep. Verdicts are those of a search as short as a drag allows.
+// Searches `mapsAt(t)`, t from 0 to 1, for the place where the maps stop having a certified attractor: by
+// bisection, so that there is none just past the share returned, though there may be one again farther on.
+// share 1 when mapsAt(1) has one, or mapsAt(0) has none to keep. Verdicts are those of a search as short as a
+// drag allows.
 template <int Dim> SafeWay<Dim> safeWay(const std::function<std::vector<AffineMap<Dim>>(double)>& mapsAt);
 
 } // namespace ifs

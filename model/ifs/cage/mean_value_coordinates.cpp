@@ -29,7 +29,7 @@ double halfAngleOverSine(const Vector<3>& a, const Vector<3>& b) {
     return normal > 0 ? std::atan2((a - b).norm(), (a + b).norm()) / normal : 0;
 }
 
-// Whether x, in the plane of a triangle, lies in it: the angles at x are a whole turn.
+// Returns true if x, in the plane of a triangle, lies in it: the angles at x are a whole turn.
 bool isAround(const std::array<Vector<3>, 3>& directions) {
     double turn = 0;
     for (std::size_t k = 0; k < 3; ++k) {

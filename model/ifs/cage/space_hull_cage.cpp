@@ -53,8 +53,8 @@ double volumeOf(const std::vector<Vector<3>>& corners, const CageSurface& surfac
     return six / 6;
 }
 
-// What is in all of them: every corner is one of three planes. nullopt where its corners lie too close to
-// each other to hold coordinates.
+// The intersection of the half-spaces, each of whose corners lies on three planes. nullopt where its corners
+// lie too close to each other to hold coordinates.
 std::optional<Polyhedron> intersection(const std::vector<HalfSpace>& all, double size) {
     const double room = 1e-8 * size;
     Polyhedron result;
@@ -122,7 +122,7 @@ std::vector<Vector<3>> hullCage(const SupportFunction<3>& support, int corners, 
         HalfSpace cut;
         Polyhedron least = best;
         for (const Vector<3>& corner : best.corners) {
-            // As seen in a cube, so that a long box loses its corners evenly.
+            // Scaled to a cube, so that a long box loses its corners evenly.
             const Vector<3> scaled = (corner - middle).cwiseQuotient(box.max - box.min);
             const Vector<3> normal = scaled.cwiseQuotient(box.max - box.min).normalized();
             const auto reach = support(normal, tolerance);

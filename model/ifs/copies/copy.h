@@ -8,8 +8,8 @@
 
 namespace ifs {
 
-// One copy in a picture that is put together from copies of the attractor: of an outline (level 0), of a
-// level above it, or of a projection.
+// A copy in a picture that is put together from copies of the attractor: of an outline (level 0), of a level
+// above it, or of a projection.
 struct Copy {
     AffineMap<2> map; // not singular
     int level = 0;

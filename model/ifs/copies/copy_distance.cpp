@@ -52,7 +52,8 @@ int CopyDistance::rowOf(double y) const {
     return int(std::clamp(std::floor((y - m_corner.y()) / m_cell), 0.0, m_rows - 1.0));
 }
 
-// From a point of the attractor on: the images of a point are followed where they touch a new cell.
+// Marks cells from a point of the attractor on: the images of a point are followed where they touch a new
+// cell.
 void CopyDistance::mark(const std::vector<AffineMap<2>>& maps, const std::vector<AffineMap<2>>& shown) {
     const auto first =
         std::ranges::find_if(maps, [](const auto& map) { return fixedPoint(map).has_value(); });
@@ -86,7 +87,7 @@ void CopyDistance::improve(int column, int row, int dx, int dy) {
     if (candidate.square() < here.square()) here = candidate;
 }
 
-// To every cell from its neighbours, downwards and upwards (Danielsson 1980).
+// Passes distances to every cell from its neighbours, downwards and upwards (Danielsson 1980).
 void CopyDistance::spread() {
     for (const int way : {-1, 1}) {
         for (int k = 0; k < m_rows; ++k) {
@@ -102,7 +103,8 @@ void CopyDistance::spread() {
     }
 }
 
-// Half a diagonal from any point of the cell to its middle, and the same at the other end.
+// Upper bound of the distance: half a diagonal from any point of the cell to its middle, and the same at the
+// other end.
 double CopyDistance::distanceAt(int column, int row) const {
     const int x = std::clamp(column, 0, m_columns - 1), y = std::clamp(row, 0, m_rows - 1);
     const Offset& nearest = m_nearest[index(x, y)];

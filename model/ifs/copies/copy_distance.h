@@ -9,18 +9,18 @@
 
 namespace ifs {
 
-// How far shapes are from an attractor at most, by points of the attractor in the cells of a grid. What is
-// found is larger than the truth by less than two cells where the points are dense.
+// Upper bounds of the distance of shapes from an attractor, from points of the attractor in the cells of a
+// grid. Where the points are dense, a bound exceeds the distance by less than two cells.
 class CopyDistance {
 public:
     static constexpr double finest = 0.25; // side of a cell, unless there would be too many
 
-    // Prepares distances to what is seen of the attractor of `maps`: its images under the maps `shown`, in
-    // pixels. The attractor lies in `hull`.
+    // Prepares distances to the displayed attractor of `maps`: its images under the maps `shown`, in pixels.
+    // The attractor lies in `hull`.
     CopyDistance(const std::vector<AffineMap<2>>& maps, const std::vector<AffineMap<2>>& shown,
                  const Polygon& hull);
 
-    // No point of a convex polygon is further away, in pixels.
+    // Upper bound of the distance of a point of the convex polygon, in pixels.
     double farthest(const Polygon& polygon) const;
 
 private:

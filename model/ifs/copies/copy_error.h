@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <vector>
 
-// How far a picture that is put together from copies is from the attractor.
+// Distance between an attractor and a picture that is put together from copies of it.
 namespace ifs {
 
 // A copy as the error sees it.
@@ -21,7 +21,7 @@ struct CopyStep {
 
 CopyStep inside(const CopyStep& outer, const CopyStep& inner);
 
-// Everything that a reader of the file draws, without where it is drawn.
+// All steps that a reader of the file draws, without their places.
 struct CopyExpansion {
     std::vector<CopyStep> picture;             // in pixels
     std::vector<std::vector<CopyStep>> copies; // by level: what a copy of it is made of; of level 0 nothing
@@ -31,7 +31,7 @@ struct CopyExpansion {
     Vector<2> fibre = Vector<2>::Zero(); // by which level 0 is longer at both ends than the diameter says
 };
 
-// In pixels, over all copies of level 0.
+// Deviations in pixels, over all copies of level 0.
 struct CopyDeviation {
     double largest = 0;
     double error = 0;   // bound of the distance between attractor and picture, both ways

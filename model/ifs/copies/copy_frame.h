@@ -8,10 +8,10 @@
 
 namespace ifs {
 
-// What copies of an attractor are measured by, in coordinates of the code: a polygon around it and the size
-// of a pixel.
+// Reference sizes for copies of an attractor, in coordinates of the code: a polygon around it and the size of
+// a pixel.
 struct CopyFrame {
-    // Thickness of a copy by a singular map, in pixels: what is thinner is hardly seen.
+    // Thickness of a copy by a singular map, in pixels: thinner ones are hardly visible.
     static constexpr double minThickness = 1.2;
 
     Polygon hull;         // strictly convex

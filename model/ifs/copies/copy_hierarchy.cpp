@@ -25,7 +25,7 @@ struct Descent {
     double shrinkage;       // − logarithm of the size that one step stands for
 };
 
-// How many steps each map descends: the logarithm of its size in units of the largest map's.
+// Number of steps that each map descends: the logarithm of its size in units of the largest map's.
 Descent descentOf(const std::vector<AffineMap<2>>& maps) {
     constexpr double minShrinkage = 0.03;
     std::vector<double> costs;
@@ -119,7 +119,7 @@ void CopyHierarchy::countReferences() {
     }
 }
 
-// Whether copies fade away unless they are larger than a few pixels: the picture is then written out.
+// Finds whether copies fade away unless they are larger than a few pixels: the picture is then written out.
 void CopyHierarchy::findFaintLevel() {
     if (m_frame.diameter < m_frame.pixel) return;
     const int level = levelFor(1, HUGE_VAL);

@@ -14,10 +14,10 @@
 
 namespace ifs {
 
-// How a picture of an attractor is put together from copies of itself. Level 0 is an outline around the
-// attractor; level k is, for every map, a copy of the level that lies below k by as many steps as the map
-// shrinks, so that the copies of level 0 that end up in the picture have about the same size. Where these
-// would be too thin to be seen, the picture is made of projections of the attractor instead.
+// Picture of an attractor put together from copies of itself. Level 0 is an outline around the attractor;
+// level k is, for every map, a copy of the level that lies below k by as many steps as the map shrinks, so
+// that the copies of level 0 that end up in the picture have about the same size. Where these would be too
+// thin to be seen, the picture is made of projections of the attractor instead.
 // docs/decisions/0003-thin-copies-in-svg.md.
 class CopyHierarchy {
 public:
@@ -35,7 +35,7 @@ public:
     const std::vector<std::size_t>& index() const { return m_index; }
     const AffineMap<2>& display() const { return m_display; } // not singular
 
-    // A singular map is raised to what can be seen at the size of the copy that it makes.
+    // The copy by a map. A singular map is raised until its copy is visible at its size.
     Copy copy(std::size_t i, int level, int depth) const; // that the i-th map makes for this level
     std::vector<Copy> copies(int level, int depth) const; // that a level above 0 is made of
     std::vector<Copy> picture(int depth) const; // that the whole is made of, in coordinates of the code
@@ -51,7 +51,7 @@ public:
     std::uint64_t references(int level) const;
     int deepest() const; // with fewer than maxReferences
 
-    // Certified bound, in pixels, of the distance between the attractor and what is drawn, both ways.
+    // Certified bound, in pixels, of the distance between the attractor and the drawing, both ways.
     double error(int depth) const;
     // The first whose copies leave no larger error, else the deepest that programs draw without a long wait.
     int levelFor(double error) const;
@@ -90,7 +90,7 @@ private:
     Vector<2> m_fibre = Vector<2>::Zero();
     double m_fibreShrinkage = 0; // minus the logarithm of what one level shrinks it by, at least
     std::vector<std::uint64_t> m_references;
-    // From this depth on copies would fade away, and the picture is made of these words instead.
+    // Depth from which on copies would fade away, so that the picture is made of the words below instead.
     int m_faintLevel = maxLevels + 1;
     std::vector<CopyWords::Word> m_words;
 };

@@ -11,8 +11,8 @@ namespace {
 using Level = MergedCopies::Level;
 using Levels = MergedCopies::Levels;
 
-// How levels are written: those that need at most so many corners as one path, the others with copies at
-// least `stride` levels below them.
+// Way of writing levels: those that need at most so many corners as one path, the others with copies at least
+// `stride` levels below them.
 struct Style {
     std::size_t corners = 0;
     int stride = 1;
@@ -112,7 +112,7 @@ private:
     std::map<int, std::size_t> m_known; // corners of levels
 };
 
-// What a reader makes for one level.
+// Work of a reader for one level.
 struct Made {
     double copies = 0;
     double nesting = 0; // how deep each is nested, summed

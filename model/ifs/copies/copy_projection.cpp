@@ -25,7 +25,7 @@ std::vector<Interval> joined(std::vector<Interval> intervals, double gap) {
     return result;
 }
 
-// Where the attractor of `maps`, inside `hull`, lies along `axis`: intervals that hold all of it and no point
+// Projection of the attractor of `maps`, inside `hull`, on `axis`: intervals that hold all of it and no point
 // further than `detail` from it, in order and apart. nullopt when they would be too many.
 std::optional<std::vector<Interval>> projection(const std::vector<AffineMap<2>>& maps, const Polygon& hull,
                                                 const Vector<2>& axis, double detail) {

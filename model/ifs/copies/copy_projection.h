@@ -12,12 +12,12 @@ struct CopyProjection {
     double detail = 0;         // along the line no point of a bar is further from the attractor
 };
 
-// For copies by maps that keep only the direction `along`, of length 1, and whose largest singular value is
-// `length` at most: gaps of more than half a pixel are kept, unless that takes too many bars.
+// Projection for copies by maps that keep only the direction `along`, of length 1, and whose largest singular
+// value is at most `length`. Gaps of more than half a pixel are kept, unless that takes too many bars.
 CopyProjection projectionAlong(const std::vector<AffineMap<2>>& maps, const CopyFrame& frame,
                                const Vector<2>& along, double length);
 
-// For copies by `map`, raised to what can be seen at the size of the picture.
+// Projection for copies by `map`, raised to be visible at the size of the picture.
 CopyProjection projectionBy(const std::vector<AffineMap<2>>& maps, const CopyFrame& frame,
                             const AffineMap<2>& map);
 
@@ -27,7 +27,7 @@ Vector<2> longestDirection(const Matrix<2>& linear);
 // Bound of the distance between the bars under `drawn` and the attractor under `map`, both ways.
 double maxShift(const CopyFrame& frame, const CopyProjection& projection, const AffineMap<2>& drawn,
                 const AffineMap<2>& map);
-// Only from the attractor to the bars.
+// The bound in one direction only, from the attractor to the bars.
 double maxMissing(const CopyFrame& frame, const CopyProjection& projection, const AffineMap<2>& drawn,
                   const AffineMap<2>& map);
 

@@ -171,7 +171,7 @@ std::optional<RangeFit> rangeFit(const std::vector<std::uint64_t>& counts, int f
     return result;
 }
 
-// As fine as a few million cells allow, when each of those that are occupied is looked at by every map.
+// Finest levels that a few million cells allow, when every map looks at each occupied cell.
 int finestLevels(const CellGrid& coarse, std::size_t maps) {
     constexpr std::uint64_t maxWork = 40'000'000;
     constexpr int finest = 11;
@@ -189,8 +189,8 @@ namespace {
 
 constexpr int coarsest = 9; // levels
 
-// How far slopes over the range change when the boxes are turned: by a quarter of a right angle, by half and
-// by three quarters of one. Of coarser cells, so that it takes little time. nullopt when stopped.
+// Changes of the slopes over the range when the boxes are turned: by a quarter of a right angle, by half and
+// by three quarters of one. Coarser cells make it fast. nullopt when stopped.
 std::optional<double> changeByTurning(const SupportFunction<2>& support, const AffineMap<2>& image,
                                       const BoxCounting& counting, int distorted,
                                       const std::stop_token& stop) {

@@ -55,8 +55,8 @@ struct BoxCounting {
     double side = 0; // of the box at k = 0
     int first = 0, last = 0;
     LogLogFit fit; // over first … last
-    // From how far the slopes of parts of the range, and those of the counts in each direction, differ from
-    // this one; no proof. The image rotated gives the same slope to within it.
+    // Empirical uncertainty, no proof: the differences between this slope, those of parts of the range, and
+    // those of the counts in each direction. Rotating the image changes the slope by no more.
     double uncertainty = 0;
 };
 std::optional<BoxCounting> boxCounting(const SupportFunction<2>& support, const AffineMap<2>& image = {},

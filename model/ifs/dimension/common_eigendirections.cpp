@@ -44,7 +44,7 @@ std::vector<Vector<2>> keptDirections(const Matrix<2>& a) {
     return directions;
 }
 
-// What is nothing but rounding counts as 0.
+// An entry, with 0 for nothing but rounding.
 double entry(double value, double size) {
     return std::abs(value) <= rounding * size ? 0 : std::abs(value);
 }
@@ -58,7 +58,7 @@ struct Entries {
     double a = 0, b = 0, c = 0, d = 0;
 };
 
-// On the diagonal of triangular matrices; nullopt when some matrix does not keep the direction.
+// Entries on the diagonal of triangular matrices; nullopt when some matrix does not keep the direction.
 std::optional<std::vector<Entries>> triangular(std::span<const AffineMap<2>> maps, const Vector<2>& kept) {
     const Vector<2> across(-kept.y(), kept.x());
     std::vector<Entries> result;
@@ -116,7 +116,7 @@ double exchangingGrowth(const std::vector<Entries>& maps, double t) {
     return (a + d) / 2 + std::sqrt((a - d) * (a - d) / 4 + b * c);
 }
 
-// Where it falls to 1.
+// The dimension at which the growth falls to 1.
 template <class Growth> double dimensionOf(Growth growth) {
     double low = 0, high = 2;
     constexpr int steps = 60;

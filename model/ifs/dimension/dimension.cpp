@@ -35,7 +35,7 @@ template <int Dim> std::vector<double> determinantRatios(std::span<const AffineM
     return ratios;
 }
 
-// Where Σ φ^t(A_i) = 1: an upper bound of the affinity dimension, in any dimension of space.
+// The solution t of Σ φ^t(A_i) = 1: an upper bound of the affinity dimension, in any dimension of space.
 template <int Dim> double firstBound(std::span<const AffineMap<Dim>> maps) {
     constexpr double maxBound = 64;
     const auto excess = [maps](double t) {
@@ -47,7 +47,7 @@ template <int Dim> double firstBound(std::span<const AffineMap<Dim>> maps) {
     return bisect(excess, 0, maxBound, 60);
 }
 
-// Whether rounding leaves so little of the determinant that nothing is known of the eigenvalues.
+// Returns true if rounding leaves so little of the determinant that nothing is known of the eigenvalues.
 bool isLostToRounding(const AffineMap<2>& map) {
     constexpr double telling = 1e-10;
     const Matrix<2>& m = map.linear;
@@ -71,8 +71,8 @@ template <int Dim> std::optional<double> dimensionOf(std::span<const AffineMap<D
 
 namespace {
 
-// For very many ratios. Σ sᵈ falls and is convex, so that Newton's steps from 0 come to the solution from
-// below.
+// A solver for very many ratios. Σ sᵈ falls and is convex, so that Newton's steps from 0 come to the solution
+// from below.
 double newtonDimension(std::span<const double> ratios) {
     std::vector<double> logarithms;
     for (const double ratio : ratios)

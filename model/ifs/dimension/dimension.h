@@ -21,7 +21,7 @@ template <int Dim> std::optional<std::vector<double>> similarityRatios(std::span
 // condition.
 template <int Dim> std::optional<double> similarityDimension(std::span<const AffineMap<Dim>> maps);
 
-// Whether it is larger than a set in so many dimensions can have: then the open set condition fails.
+// Returns true if the dimension exceeds that of the space: then the open set condition fails.
 constexpr bool exceedsSpace(double similarityDimension, int spaceDimension) {
     return similarityDimension > spaceDimension * (1 + 1e-6);
 }
@@ -36,7 +36,7 @@ constexpr CappedDimension capped(double dimension, double error, int spaceDimens
     return {dimension < spaceDimension ? dimension : double(spaceDimension), error, false};
 }
 
-// By how much the ratios, which are known to 1e-9, can falsify a similarity dimension.
+// Error of a similarity dimension that is due to the ratios, which are known to 1e-9.
 template <int Dim> double similarityDimensionError(std::span<const AffineMap<Dim>> maps, double dimension);
 
 // φ^t(A), Falconer's singular value function, t ≥ 0.

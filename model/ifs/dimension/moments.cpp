@@ -93,7 +93,7 @@ public:
             share /= sum;
     }
 
-    // In the coordinates of m_seen.
+    // The mean in the coordinates of m_seen.
     std::optional<Solution<Dim>> mean() const {
         RealMatrix<Dim> linear = RealMatrix<Dim>::Zero(), linearError = linear;
         RealVector<Dim> shift = RealVector<Dim>::Zero(), shiftError = shift;

@@ -23,8 +23,8 @@ template <int Dim> struct Moments {
     double covarianceError = 0; // of each entry
 };
 
-// What the expectation of the n-th chaos-game point tends to from any start, and the mean of μ where μ has
-// one: the fixed point of Σ p_i w_i. It needs less than the covariance. nullopt when no map is active, or
+// The limit of the expectation of the n-th chaos-game point, from any start; the mean of μ where μ has one.
+// It is the fixed point of Σ p_i w_i and needs less than the covariance. nullopt when no map is active, or
 // ρ(Σ p_i A_i) < 1 is not proved.
 template <int Dim> std::optional<Mean<Dim>> mean(const ActiveMaps<Dim>& maps);
 

@@ -48,7 +48,7 @@ Graph graphOf(std::span<const AffineMap<2>> maps) {
     return graph;
 }
 
-// Each part alone, numbered within: its nodes can all be reached from one another (Kosaraju's algorithm).
+// The strongly connected parts, each numbered within (Kosaraju's algorithm).
 std::vector<Graph> strongParts(const Graph& graph) {
     const std::size_t n = graph.size();
     Graph reversed(n);

@@ -10,7 +10,7 @@
 // Maps of the plane that flatten it onto a line or a point. docs/mathematics.md, "Dimensions".
 namespace ifs {
 
-// Whether the determinant is 0, but for what rounding the coefficients can have made of it.
+// Returns true if the determinant is 0 up to the rounding of the coefficients.
 bool isFlat(const Matrix<2>& linear);
 
 // The affinity dimension, at most 1, of two or more maps that are all flat, to 1e-9; they must have an

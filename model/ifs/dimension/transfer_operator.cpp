@@ -78,7 +78,7 @@ public:
             const double factor = (least + most) / 2; // the eigenvalue lies between the two
             result.logarithm = std::log(factor);
             if (most - least <= 1e-11 * most) break;
-            // Where maps turn or mirror, other functions come back with other signs: half a step quiets them.
+            // Maps that turn or mirror bring other functions back with other signs: half a step damps them.
             for (std::size_t j = 0; j < m_cells; ++j)
                 f[j] = n < undamped ? next[j] / largest : (f[j] + next[j] / factor) / 2;
         }
@@ -189,7 +189,7 @@ std::optional<double> transferDimension(std::span<const AffineMap<2>> maps, cons
         const bool isEdge =
             misfit.largest <= 0.8 * misfitBefore.largest && misfit.mean <= accuracy * steepness;
         if (isEdge && std::abs(found - before) <= accuracy / 4) return found;
-        // What finer directions do not mend is another function that dies away too slowly.
+        // An error that finer directions do not reduce is another function that dies away too slowly.
         if (cells > 256 && misfit.mean > 0.9 * misfitBefore.mean) return std::nullopt;
         before = found;
         misfitBefore = misfit;

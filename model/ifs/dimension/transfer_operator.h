@@ -7,8 +7,8 @@
 #include <span>
 #include <stop_token>
 
-// The growth of Falconer's singular value function over words of maps of the plane, by what it does to
-// functions on directions. docs/mathematics.md, "Dimensions".
+// The growth of Falconer's singular value function over words of maps of the plane, by their action on
+// functions of directions. docs/mathematics.md, "Dimensions".
 namespace ifs {
 
 // The affinity dimension, at most 2, of two or more maps that have an attractor, to 1e-6: the function found

@@ -124,7 +124,7 @@ private:
         return exactExpansion<Dim>(m_maps, word) == Expansion::Yes;
     }
 
-    // Where rounding may have left little of the radius, it is worked out anew.
+    // The radius, computed anew where rounding may have left little of it.
     double wellRounded(const WordLevel<Dim>& level, std::size_t index, double radius) const {
         constexpr double little = 1e-9;
         const double size = level.products[index].norm();
@@ -140,7 +140,7 @@ private:
         return m_symbols + length <= maxSymbols;
     }
 
-    // Whether the word is a power of a shorter one, which was asked before.
+    // Returns true if the word is a power of a shorter one, which was examined before.
     static bool isPower(const std::vector<int>& word) {
         for (std::size_t period = 1; 2 * period <= word.size(); ++period)
             if (word.size() % period == 0 &&
@@ -206,7 +206,7 @@ std::optional<Ellipsoidal<Dim>> ellipsoidalNorm(std::span<const AffineMap<Dim>> 
     const Largest norm = maxNorm<Dim>(conjugated);
     const double condition = std::sqrt(eigenvalues[Dim - 1] / eigenvalues[0]);
     if (!(norm.value < 1 - 1e-12 * condition)) return std::nullopt;
-    // What the change of coordinates may have cost, at most; where that is too much, longer numbers tell.
+    // Bound of the error by the change of coordinates; where that is too much, longer numbers decide.
     const double cost =
         64 * roundingUnit * std::pow(condition, 3) * maxNorm<Dim>(linearParts<Dim>(maps)).value;
     if (!(norm.value + cost < contractionLimit<Dim>)) {
@@ -220,7 +220,8 @@ std::optional<Ellipsoidal<Dim>> ellipsoidalNorm(std::span<const AffineMap<Dim>> 
                             int(norm.index)};
 }
 
-// No norm contracts by less: the largest ρ(A_σ)^(1/|σ|) among some words, but for rounding.
+// Lower bound of the contractivity in any norm: the largest ρ(A_σ)^(1/|σ|) among some words, but for
+// rounding.
 template <int Dim> double leastContractivity(std::span<const AffineMap<Dim>> maps) {
     constexpr std::size_t maxProducts = 1'000;
     const Matrices<Dim> generators = linearParts<Dim>(maps);
@@ -232,7 +233,8 @@ template <int Dim> double leastContractivity(std::span<const AffineMap<Dim>> map
     }
 }
 
-// What exact rules decide, however slowly the maps contract. `better` are coordinates whose norm may show it.
+// Decisions of exact rules, however slowly the maps contract. `better` are coordinates whose norm may show
+// it.
 template <int Dim>
 std::optional<Existence> contractionWithoutRounding(std::span<const AffineMap<Dim>> maps,
                                                     const std::optional<Conditioned<Dim>>& better) {
@@ -259,7 +261,7 @@ std::optional<Existence> contractionWithoutRounding(std::span<const AffineMap<Di
     return std::nullopt;
 }
 
-// By norms that fit the maps, where words have not decided.
+// Contraction in norms that fit the maps, where words have not decided.
 template <int Dim>
 std::optional<Existence> contractionInSomeNorm(std::span<const AffineMap<Dim>> maps, bool isHurried) {
     for (const double emphasis : emphases)

@@ -16,7 +16,7 @@ enum class Verdict {
     Empty,                 // no map takes part
 };
 
-// In which every map contracts.
+// Kind of norm in which all maps contract.
 enum class NormKind {
     Euclidean,
     Words,       // max over k < n of γ^(−k)·max |A_σ x| over the words σ of length k
@@ -31,8 +31,9 @@ struct Existence {
     // but too near it for a double. Undecided: the smallest γ found. None: ρ(A_σ)^(1/|σ|) ≥ 1 of the witness.
     double contractivity = 0;
     int wordLength = 1;
-    // None: a word (indices into the maps, outermost first) whose spectral radius is proved to be at least 1.
-    // Hyperbolic and EventuallyContractive: a word of wordLength with the largest norm.
+    // Evidence for the verdict. None: a word (indices into the maps, outermost first) whose spectral radius
+    // is proved to be at least 1. Hyperbolic and EventuallyContractive: a word of wordLength with the largest
+    // norm.
     std::vector<int> witness{};
     // C with |x| ≤ ‖x‖_* ≤ C|x|, where every map contracts by `contractivity` in ‖·‖_*; 1 when Hyperbolic. Of
     // longer words by 1e-3 at least: where products vanish, no norm shows it.
@@ -42,13 +43,13 @@ struct Existence {
     bool exists() const {
         return verdict == Verdict::Hyperbolic || verdict == Verdict::EventuallyContractive;
     }
-    // Whether there is a factor below 1 to work with: extents and everything made of them need one.
+    // Returns true if a factor below 1 is known: extents and everything made of them need one.
     bool hasFactor() const { return exists() && contractivity < 1; }
 };
 
-// Whether the maps have an attractor, with the certificate of it. At most `maxProducts` words are multiplied
-// out. Maps with a coefficient that is no finite number are Undecided. docs/mathematics.md, "When does a
-// system have an attractor?"
+// Decides whether the maps have an attractor, with a certificate. At most `maxProducts` words are multiplied
+// out. Maps with a coefficient that is not finite are Undecided. docs/mathematics.md, "When does a system
+// have an attractor?"
 template <int Dim> Existence classify(std::span<const AffineMap<Dim>> maps, int maxProducts = 20'000);
 
 // A norm in which every map contracts by `contractivity`, with |x| ≤ ‖x‖ ≤ equivalence·|x| after scaling:

@@ -10,8 +10,9 @@
 
 namespace ifs {
 
-// With ρ(A) < ρ' = 1/(1 + g) and γ = 1 − g/2: the norm √(xᵀPx), P = Σ γ⁻²ⁿ(Aⁿ)ᵀAⁿ, contracts by γ. A Schur
-// form D + N has |D| ≤ ρ', |N| ≤ m and Nᵈ = 0, so |Aⁿ| is at most the sum over j < d of C(n, j) ρ'ⁿ⁻ʲ mʲ.
+// A norm for one matrix. With ρ(A) < ρ' = 1/(1 + g) and γ = 1 − g/2: the norm √(xᵀPx), P = Σ γ⁻²ⁿ(Aⁿ)ᵀAⁿ,
+// contracts by γ. A Schur form D + N has |D| ≤ ρ', |N| ≤ m and Nᵈ = 0, so |Aⁿ| is at most the sum over j < d
+// of C(n, j) ρ'ⁿ⁻ʲ mʲ.
 template <int Dim> std::optional<CommonMatrixNorm> exactMatrixNorm(const ExactMatrix<Dim>& linear) {
     if (exactExpansion<Dim>(linear) != Expansion::No) return std::nullopt;
     const double size = rounded<Dim>(linear).norm() * (1 + 0x1p-48) + 0x1p-1000;

@@ -177,8 +177,8 @@ template <int Dim> void alongFlag(NormCoordinates<Dim>& best, std::span<const Af
 
 } // namespace
 
-// Each rounded once where a long double is longer. With W near U⁻¹ and W U = I + E, the exact maps are
-// (I + E)⁻¹ times those that W gives.
+// The maps in the coordinates of the image, each rounded once where a long double is longer. With W near U⁻¹
+// and W U = I + E, the exact maps are (I + E)⁻¹ times those that W gives.
 template <int Dim>
 std::optional<Conditioned<Dim>> seenFrom(const AffineMap<Dim>& image, std::span<const AffineMap<Dim>> maps) {
     using Real = long double;

@@ -19,7 +19,7 @@ template <int Dim> struct Conditioned {
     double longest = 0; // each ‖B_i‖ as it is without rounding is at most this
     int slowest = 0;    // the longest of them
 
-    // By how much the B_i, rounded, may be off for |y| ≤ reach.
+    // Rounding error of the B_i for |y| ≤ reach.
     double rounding(double reach) const { return linearRounding * reach + translationRounding; }
     double linearRounding = 0, translationRounding = 0;
 };

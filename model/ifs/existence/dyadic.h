@@ -19,7 +19,8 @@ public:
     friend Dyadic operator*(const Dyadic& a, const Dyadic& b);
     friend bool operator==(const Dyadic& a, const Dyadic& b) { return (a - b).sign() == 0; }
 
-    // Within 2⁻⁵¹ of itself; infinite or 0 where the number is too large or too small for a double.
+    // The number in double, within a relative 2⁻⁵¹; infinite or 0 where it is too large or too small for a
+    // double.
     double rounded() const;
     // The same of a/b with b ≠ 0.
     friend double roundedQuotient(const Dyadic& a, const Dyadic& b);

@@ -7,13 +7,14 @@
 
 namespace ifs {
 
-// Whether all linear parts are triangular in one complex basis, known without rounding: so are those that
-// commute, keep the flag of some axes, or keep a common direction in the plane. Their joint spectral radius
-// is max ρ(A_i). False of more than 16 maps. docs/mathematics.md, "When does a system have an attractor?"
+// Returns true if all linear parts are triangular in one complex basis, known without rounding: so are those
+// that commute, keep the flag of some axes, or keep a common direction in the plane. Their joint spectral
+// radius is max ρ(A_i). False for more than 16 maps. docs/mathematics.md, "When does a system have an
+// attractor?"
 template <int Dim> bool areJointlyTriangular(std::span<const AffineMap<Dim>> maps);
 
-// Whether the joint spectral radius of the linear parts is proved to be below 1 by exact arithmetic alone: by
-// the norms of support_norm.h, lyapunov_norm.h and common_matrix.h, by joint triangularity, or by one of
+// Returns true if exact arithmetic alone proves the joint spectral radius of the linear parts to be below 1:
+// by the norms of support_norm.h, lyapunov_norm.h and common_matrix.h, by joint triangularity, or by one of
 // these for each strong component of the graph of coefficients that do not vanish. There may be no double
 // below 1 that bounds it.
 template <int Dim> bool contractExactly(std::span<const AffineMap<Dim>> maps);

@@ -69,14 +69,15 @@ template <std::size_t Size> Dyadic determinant(const std::array<std::array<Dyadi
     return minors.back();
 }
 
-// Whether a symmetric matrix of two or three rows is positive definite, by its leading minors.
+// Returns true if a symmetric matrix of two or three rows is positive definite, by its leading minors.
 template <std::size_t Size> bool isPositiveDefinite(const std::array<std::array<Dyadic, Size>, Size>& m) {
     static_assert(Size == 2 || Size == 3);
     const Dyadic second = m[0][0] * m[1][1] - m[0][1] * m[1][0];
     return m[0][0].sign() > 0 && second.sign() > 0 && (Size == 2 || determinant(m).sign() > 0);
 }
 
-// Each entry within 2⁻⁵¹ of itself; infinite or 0 where it is too large or too small for a double.
+// The matrix in doubles, each entry within a relative 2⁻⁵¹; infinite or 0 where it is too large or too small
+// for a double.
 template <int Dim> Matrix<Dim> rounded(const ExactMatrix<Dim>& exact) {
     Matrix<Dim> result;
     for (int i = 0; i < Dim; ++i)

@@ -43,7 +43,7 @@ template <class Number> Number minor(const Entries<Number, 3>& m, std::size_t i,
     return m[i][i] * m[k][k] - m[i][k] * m[k][i];
 }
 
-// All of them are positive if and only if ρ < 1.
+// Margins that are all positive if and only if ρ < 1.
 template <class Number> std::array<Number, 3> margins(const Entries<Number, 2>& m, const Number& one) {
     const Number trace = m[0][0] + m[1][1], det = m[0][0] * m[1][1] - m[0][1] * m[1][0];
     return {one - det, one + det - trace, one + det + trace};

@@ -9,19 +9,19 @@
 
 namespace ifs {
 
-// What is known of ρ(A) of a matrix whose coefficients are off by at most an error.
+// Whether ρ(A) ≥ 1, for a matrix whose coefficients are off by at most an error.
 enum class Expansion {
     No,      // proved: ρ < 1
     Yes,     // proved: ρ ≥ 1
     Unknown, // not to be told at this error
 };
 
-// By the signs that Schur and Cohn's criterion asks of the coefficients of the characteristic polynomial.
-// docs/mathematics.md, "When does a system have an attractor?"
+// Decides by the signs that the criterion of Schur and Cohn requires of the coefficients of the
+// characteristic polynomial. docs/mathematics.md, "When does a system have an attractor?"
 template <int Dim> Expansion expansion(const Matrix<Dim>& linear, double error);
 
-// Whether the product of the maps of a word expands, without rounding: never Unknown. Slow: some 10 µs for
-// each symbol.
+// Decides without rounding whether the product of the maps of a word expands: never Unknown. Slow, some 10 µs
+// for each symbol.
 template <int Dim>
 Expansion exactExpansion(std::span<const AffineMap<Dim>> maps, const std::vector<int>& word);
 

@@ -61,7 +61,7 @@ public:
     }
 
 private:
-    // Σ|λ| for these λ, and the norm of what is left of x: the polytope holds the ball of radius 1/√Dim.
+    // Σ|λ| for these λ, plus the norm of the remainder of x: the polytope holds the ball of radius 1/√Dim.
     static double certified(const Matrix<Dim>& corners, const Vector<Dim>& shares, const Vector<Dim>& x) {
         const double terms = corners.cwiseAbs().maxCoeff() * shares.cwiseAbs().sum() + x.norm();
         const double rest = (corners * shares - x).norm() + 8 * Dim * roundingUnit * terms;

@@ -43,7 +43,7 @@ public:
         return result;
     }
 
-    // Whether the coefficients, times 1 + gap, have only cycles with products below 1.
+    // Returns true if the coefficients, times 1 + gap, have only cycles with products below 1.
     bool areCyclesBelowOne(double gap) const {
         const Dyadic stretch = Dyadic(1) + Dyadic(gap);
         std::array<std::array<Dyadic, Dim>, Dim> edge;
@@ -88,7 +88,7 @@ private:
     bool m_isMonomial = false;
 };
 
-// Whether I − (1 + gap)²AᵀA is positive definite, by its leading minors.
+// Returns true if I − (1 + gap)²AᵀA is positive definite, by its leading minors.
 template <int Dim> bool isShort(const Matrix<Dim>& linear, double gap) {
     const Dyadic stretch = Dyadic(1) + Dyadic(gap);
     const ExactMatrix<Dim> a = exactMatrix<Dim>(linear);
@@ -105,10 +105,10 @@ template <int Dim> bool isShort(const Matrix<Dim>& linear, double gap) {
 
 } // namespace
 
-// With μ = 1/(1 + g) above the geometric mean of every cycle, v_i is the largest product of |a|/μ along a
-// walk from i, or 1: then |a_ij| v_j ≤ μ v_i, and simple walks bound v_i by V. Stretched by ε from component
-// to component, in the order in which they lead to one another, the rest has a norm below Dim·ε·M·V = g/4, M
-// the largest coefficient, and μ + g/4 < 1 − g/2.
+// A norm from the pattern of nonzero coefficients. With μ = 1/(1 + g) above the geometric mean of every
+// cycle, v_i is the largest product of |a|/μ along a walk from i, or 1: then |a_ij| v_j ≤ μ v_i, and simple
+// walks bound v_i by V. Stretched by ε from component to component, in the order in which they lead to one
+// another, the rest has a norm below Dim·ε·M·V = g/4, M the largest coefficient, and μ + g/4 < 1 − g/2.
 template <int Dim> std::optional<CommonMatrixNorm> supportNorm(std::span<const AffineMap<Dim>> maps) {
     const Support<Dim> support(maps);
     if (!support.isMonomial() || !support.areCyclesBelowOne(0)) return std::nullopt;

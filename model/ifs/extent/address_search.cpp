@@ -73,7 +73,8 @@ template <int Dim> bool isDetail(const Node<Dim>& node, const AddressQueryIn<Dim
     return node.length > 0 && 2 * node.radius <= width * sought.scale;
 }
 
-// Where pieces overlap a great deal, all of those that are nearest cannot be looked at; a near one will do.
+// The best match among the nodes. Where pieces overlap a great deal, not all of the nearest can be examined;
+// a near one will do.
 template <int Dim>
 std::optional<AddressMatch> bestOf(const std::vector<Node<Dim>>& nodes, const SupportFunction<Dim>& attractor,
                                    std::span<const AddressQueryIn<Dim>> sought, double reach, double width) {

@@ -17,7 +17,7 @@ namespace {
 
 constexpr int maxLines = 2'000;
 
-// How far the images of the vertices leave the polygon.
+// Distance by which the images of the vertices leave the polygon.
 double escape(const Polygon& polygon, const std::vector<AffineMap<2>>& maps) {
     double result = 0;
     for (const auto& map : maps)

@@ -20,7 +20,7 @@ ConvexHull convexHull(const SupportFunction<2>& support, double tolerance);
 std::optional<ConvexHull> convexHull(const SupportFunction<2>& support, double tolerance,
                                      const std::stop_token& stop);
 
-// By how much the area of conv A exceeds that of the polygon at most: Steiner's formula for its error.
+// Upper bound of the area by which conv A exceeds the polygon: Steiner's formula for its error.
 double areaError(const ConvexHull& hull);
 
 } // namespace ifs

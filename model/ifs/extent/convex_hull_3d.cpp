@@ -65,7 +65,7 @@ struct Face {
     double reach = 0; // how far it may therefore reach outside the hull
 };
 
-// None when the points do not span space.
+// Faces of the hull; none when the points do not span space.
 std::vector<Face> facesOf(const Points& points) {
     if (areFlat(points)) return {};
     std::vector<coordT> coordinates;
@@ -110,7 +110,7 @@ struct Combination {
             sum += weights[k] * normals[k];
         return sum;
     }
-    // With the weights of the point nearest to the origin in the plane that the normals span.
+    // Weights of the point nearest to the origin in the plane that the normals span.
     std::vector<double> nearest() const {
         const auto others = Eigen::Index(normals.size()) - 1;
         Eigen::Matrix3Xd edges(3, others);
@@ -162,9 +162,10 @@ double minCosine(const Points& normals) {
     return best;
 }
 
-// How far the attractor may reach outside the hull, and what each face does for it. The nearest point of the
-// hull to one outside lies in a vertex v, and the unit vector u between them is Σ λ_f n_f, λ_f ≥ 0, over the
-// faces around v; their distance is then at most Σ λ_f gap_f, and Σ λ_f ⟨n_f,a⟩ = ⟨u,a⟩ ≤ 1 for any unit a.
+// Distance by which the attractor may reach outside the hull, and the part of each face in it. The nearest
+// point of the hull to one outside lies in a vertex v, and the unit vector u between them is Σ λ_f n_f, λ_f ≥
+// 0, over the faces around v; their distance is then at most Σ λ_f gap_f, and Σ λ_f ⟨n_f,a⟩ = ⟨u,a⟩ ≤ 1 for
+// any unit a.
 double certify(std::vector<Face>& faces, std::size_t pointCount) {
     std::vector<Points> normals(pointCount);
     for (const Face& face : faces)
@@ -266,7 +267,8 @@ private:
         return nodes;
     }
 
-    // Whether the points of faces beyond which the attractor may reach farther than that add any.
+    // Adds the points of faces beyond which the attractor may reach farther than `reach`; false if these are
+    // known already.
     bool addBeyond(double reach) {
         const std::size_t known = m_hull.points.size();
         for (const Face& face : m_hull.faces) {
@@ -334,7 +336,7 @@ double distanceToTriangle(const Vector<3>& x, const Vector<3>& a, const Vector<3
     return std::min({toSegment(a, b), toSegment(b, c), toSegment(c, a)});
 }
 
-// How far the images of the vertices leave the hull, apart from rounding.
+// Distance by which the images of the vertices leave the hull, apart from rounding.
 double escape(const ConvexHull3& hull, const std::vector<Face>& faces, const std::vector<AffineMap<3>>& maps,
               double rounding) {
     double result = 0;
@@ -358,7 +360,7 @@ double escape(const ConvexHull3& hull, const std::vector<Face>& faces, const std
     return result + rounding;
 }
 
-// Only the points that are corners, numbered anew.
+// The hull of the points that are corners, numbered anew.
 ConvexHull3 compact(const Points& points, const std::vector<Face>& faces) {
     ConvexHull3 hull;
     std::vector<int> number(points.size(), -1);
@@ -425,7 +427,7 @@ std::optional<ConvexHull3> hullInPlane(const SupportFunction<3>& support, const 
     return hull;
 }
 
-// The better of what is known of points that span no space.
+// The better hull of points that span no space: the known one, or that of their plane.
 std::optional<ConvexHull3> hullOfFlat(const SupportFunction<3>& support, const Points& points,
                                       ConvexHull3 known, double tolerance, const std::stop_token& stop) {
     if (known.error <= tolerance || points.size() < 3) return known;

@@ -23,8 +23,8 @@ ConvexHull3 convexHull(const SupportFunction<3>& support, double tolerance);
 std::optional<ConvexHull3> convexHull(const SupportFunction<3>& support, double tolerance,
                                       const std::stop_token& stop);
 
-// By how much the volume of conv A exceeds that of the polyhedron at most: Steiner's formula for its error,
-// with the diameter in place of the mean width.
+// Upper bound of the volume by which conv A exceeds the polyhedron: Steiner's formula for its error, with the
+// diameter in place of the mean width.
 double volumeError(const ConvexHull3& hull);
 
 } // namespace ifs

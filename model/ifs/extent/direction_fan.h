@@ -17,7 +17,8 @@ namespace ifs {
 template <int Dim> class DirectionFan {
 public:
     explicit DirectionFan(int depth);
-    // In the plane: e_1, −e_1, e_2, −e_2 and these vectors, of any length but 0, without those that coincide.
+    // A fan in the plane of e_1, −e_1, e_2, −e_2 and these vectors, of any length but 0, without those that
+    // coincide.
     explicit DirectionFan(const std::vector<Vector<Dim>>& directions);
 
     // Unit vectors; the first 2·Dim are e_1, −e_1, e_2, −e_2, …

@@ -94,7 +94,7 @@ CanonicalSimplex<Dim> simplexFrom(const Supports<Dim>& axes, const SupportValue<
     return result;
 }
 
-// In the order of ties: x flips fastest.
+// Orientations in the order of ties: x flips fastest.
 template <int Dim> std::vector<Orientation<Dim>> allOrientations() {
     std::vector<Orientation<Dim>> result(std::size_t(1) << Dim);
     for (std::size_t flips = 0; flips < result.size(); ++flips)

@@ -46,7 +46,7 @@ public:
         return best;
     }
 
-    // In the middle of the normals of a corner.
+    // The direction in the middle of the normals of a corner.
     Vector<2> middle(std::size_t k) const {
         const std::size_t n = m_polygon.size();
         const Vector<2> before = (m_polygon[k] - m_polygon[(k + n - 1) % n]).normalized(),
@@ -110,7 +110,8 @@ private:
         return length > 1e-300 ? Vector<2>(next / length) : Vector<2>(Vector<2>::Zero());
     }
 
-    // By how much a symbol wins over every other that leads elsewhere; not positive when it is not proved to.
+    // Margin by which a symbol wins over every other that leads elsewhere; not positive when it is not proved
+    // to.
     double margin(const Vector<2>& v, int symbol) const {
         const auto reach = [&](std::size_t i) { return Vector<2>(m_transposed[i] * v); };
         const auto pointOf = [&](std::size_t i) {
@@ -142,7 +143,7 @@ private:
         return margin(v, best) > 0 ? std::optional(best) : std::nullopt;
     }
 
-    // Where a word leads a direction if it wins all along; `least` becomes the smallest margin.
+    // The direction to which a word leads if it wins all along; `least` becomes the smallest margin.
     std::optional<Vector<2>> led(Vector<2> v, const Word& word, double& least) const {
         for (const int symbol : word) {
             least = std::min(least, margin(v, symbol));
@@ -200,7 +201,7 @@ private:
         return std::nullopt;
     }
 
-    // Whether the direction that the prefix takes to `own` goes there.
+    // Returns true if the direction that the prefix takes to `own` goes there.
     bool leadsThrough(const Word& prefix, Vector<2> own) const {
         for (auto symbol = prefix.rbegin(); symbol != prefix.rend(); ++symbol) {
             const auto back = inverse<2>({m_transposed[std::size_t(*symbol)], Vector<2>::Zero()});
@@ -212,8 +213,8 @@ private:
         return led(own, prefix, least).has_value();
     }
 
-    // Whether a direction comes so near to `own` that no symbol can change any more: heights change by at
-    // most 2·size·angle.
+    // Returns true if a direction comes so near to `own` that no symbol can change any more: heights change
+    // by at most 2·size·angle.
     bool convergesTo(const Vector<2>& own, double margin, Vector<2> v, const Word& period) const {
         constexpr int rounds = 60;
         double distance = 2;

@@ -18,7 +18,7 @@ struct PeriodicPoint {
     Vector<2> point; // φ(prefix period period …), to rounding
 };
 
-// For each vertex of a hull of the attractor the extreme point that it stands for; nullopt where no periodic
+// The extreme points that the vertices of a hull of the attractor stand for. nullopt where no periodic
 // address was found, or none could be proved: some direction must exist in which every symbol of the address
 // wins by more than the error, or leads to the same point as the winner. When stopped, some are missing.
 std::vector<std::optional<PeriodicPoint>> periodicExtremePoints(const SupportFunction<2>& support,

@@ -11,8 +11,8 @@
 
 namespace ifs {
 
-// What is known of a set in the plane: lines that it does not cross, and one point of it for each. The lines
-// bound a convex polygon around it, of which each has an edge, and the points span one inside, so its support
+// Bounds of a set in the plane: lines that it does not cross, and one point of it for each. The lines bound a
+// convex polygon around it, of which each has an edge, and the points span one inside, so its support
 // function lies between theirs. docs/mathematics.md, "Convex hull".
 class Outline {
 public:
@@ -22,8 +22,8 @@ public:
         double height;    // ⟨normal,x⟩ ≤ height
         std::size_t point;
         bool settled; // whether a neighbouring direction may tell more
-        // Where it meets the next line counter-clockwise, and a bound of how far that is from the points'
-        // hull.
+        // The intersection with the next line counter-clockwise, and a bound of its distance from the hull of
+        // the points.
         Vector<2> corner = Vector<2>::Zero();
         double gap = 0;
     };
@@ -78,7 +78,7 @@ private:
     std::size_t before(std::size_t k) const { return (k == 0 ? m_lines.size() : k) - 1; }
     std::size_t after(std::size_t k) const { return k + 1 == m_lines.size() ? 0 : k + 1; }
 
-    // Whether the neighbours of a line meet below it.
+    // Returns true if the neighbours of a line meet below it.
     bool isSuperfluous(std::size_t k) const {
         const Line &a = m_lines[before(k)], &b = m_lines[after(k)];
         return m_lines.size() > 4 && cross(a.normal, b.normal) > 0 &&

@@ -12,9 +12,9 @@ namespace ifs {
 
 namespace {
 
-// Whether r lies to the left of the line from p to q, exactly. Where rounding leaves it open, the twelve
-// parts of p×q + q×r + r×p are summed without a rest (Shewchuk, Adaptive precision floating-point arithmetic,
-// 1997).
+// Returns true if r lies to the left of the line from p to q, exactly. Where rounding leaves it open, the
+// twelve parts of p×q + q×r + r×p are summed without a rest (Shewchuk, Adaptive precision floating-point
+// arithmetic, 1997).
 bool isLeft(const Vector<2>& r, const Vector<2>& p, const Vector<2>& q) {
     const double left = (q.x() - p.x()) * (r.y() - p.y()), right = (q.y() - p.y()) * (r.x() - p.x());
     const double terms = std::abs(left) + std::abs(right);
@@ -45,7 +45,8 @@ bool isLeft(const Vector<2>& r, const Vector<2>& p, const Vector<2>& q) {
     return leading != parts.rend() && *leading > 0;
 }
 
-// From corner to corner the longest chords that pass by none between farther than `flatness`.
+// The polygon of the longest chords, from corner to corner, that pass no corner between at more than
+// `flatness`.
 Polygon thinned(const Polygon& hull, double flatness) {
     const std::size_t n = hull.size();
     const auto corner = [&](std::size_t k) { return hull[k < n ? k : k - n]; };
@@ -67,7 +68,7 @@ Polygon thinned(const Polygon& hull, double flatness) {
     return result;
 }
 
-// By bisection over the fan of triangles at the first vertex.
+// Bisects the fan of triangles at the first vertex.
 bool contains(const Polygon& polygon, const Vector<2>& x) {
     if (polygon.size() < 3) return false;
     const auto leftOf = [&x](const Vector<2>& p, const Vector<2>& q) { return !isLeft(x, q, p); };

@@ -52,7 +52,8 @@ void Sandwich::settleCorners(const Polygon& polygon) {
     }
 }
 
-// By what is known best: the outline made so far, or the one to begin with as long as that has more lines.
+// Asks with the best known outline: the one made so far, or the one to begin with as long as that has more
+// lines.
 SupportValue<2> Sandwich::ask(const Vector<2>& normal, double tolerance) const {
     const bool isAhead = !m_known || m_outline.lines().size() >= m_known->lines().size();
     return m_support(normal, tolerance, nodesPerLine, isAhead ? &m_outline : m_known);

@@ -19,19 +19,19 @@ public:
     // Answers h_A(u) as SupportFunction<2> does: of u, a tolerance, a limit of words, and a known outline.
     using Ask = std::function<SupportValue<2>(const Vector<2>&, double, int, const Outline*)>;
 
-    // Refined until the two are nowhere farther apart than `tolerance`, or so many lines were asked for. A
-    // coarser outline known before shortens the search. When stopped, as far as it has got by then: what it
-    // says is true all the same.
+    // Refines until lines and points are nowhere farther apart than `tolerance`, or `maxLines` lines were
+    // asked for. A coarser outline known before shortens the search. When stopped, the outline is coarser but
+    // valid.
     Sandwich(Ask support, const Vector<2>& centre, double tolerance, const Outline* known, int maxLines,
              std::stop_token stop = {});
 
     const Outline& outline() const { return m_outline; }
 
-    // How far the attractor may lie outside the hull of the points.
+    // Upper bound of the distance of a point of the attractor from the hull of the points.
     double error() const;
 
-    // In the middle of its normals a corner is alone the farthest: it is found exactly there, where the
-    // search along an edge may stop anywhere beside it.
+    // Finds each corner exactly, by a search in the middle of its normals, where it is the only farthest
+    // point; a search along an edge may stop anywhere beside it.
     void settleCorners(const Polygon& polygon);
 
 private:

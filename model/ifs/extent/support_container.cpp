@@ -15,8 +15,8 @@ namespace {
 
 constexpr std::size_t minSweeps = 2; // of shrink(), however many the maps
 
-// What a sweep asks of map i in direction g. Only the heights change between sweeps, so where A_iᵀg lies in
-// the fan is found once.
+// Precomputed data for map i in direction g. Only the heights change between sweeps, so the position of A_iᵀg
+// in the fan is found once.
 template <int Dim> struct PulledBack {
     double offset;      // ⟨g,offset_i⟩
     double ofEllipsoid; // the bound of A_iᵀg that does not depend on the heights

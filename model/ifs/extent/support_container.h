@@ -72,7 +72,7 @@ template <int Dim> struct SupportContainer {
     // Appends the address of the point of a direction, as far as a double can tell.
     void lengthen(std::vector<int>& address, std::size_t direction) const;
 
-    // What rounding may have cost a height.
+    // Bound of the rounding error of a height.
     double rounding() const { return 16 * roundingUnit * radius * longest; }
 
     // Lowers the heights to the smallest polytope with these normals that every map takes into itself, a
@@ -92,7 +92,7 @@ template <int Dim> struct SupportContainer {
     // Fills `points`.
     void findPoints();
 
-    // Whether the box of the points is much smaller than that of the heights.
+    // Returns true if the box of the points is much smaller than that of the heights.
     bool isLoose() const;
 
     // The directions, and their opposites, that the maps of each cycle of findPoints() leave as they are.
@@ -104,7 +104,7 @@ private:
     template <class Constant> std::vector<double> solved(Constant constant, double tie) const;
 
     std::vector<std::vector<std::size_t>> cycles() const; // of directions
-    // Each point is that map of that of another direction.
+    // For each direction, the map and the direction whose point it takes to this one's.
     std::vector<std::size_t> m_symbol, m_successor;
 };
 

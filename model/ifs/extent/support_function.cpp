@@ -48,7 +48,7 @@ std::optional<SupportFunction<Dim>> SupportFunction<Dim>::of(std::span<const Aff
     return of(maps, existence);
 }
 
-// By that of the maps in better coordinates, if rounding leaves enough of these.
+// The support function of the maps in better coordinates, if rounding leaves enough of these.
 template <int Dim>
 std::optional<SupportFunction<Dim>> SupportFunction<Dim>::through(const Conditioned<Dim>& better,
                                                                   std::span<const AffineMap<Dim>> maps) {

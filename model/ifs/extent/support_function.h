@@ -36,8 +36,8 @@ public:
     SupportValue<Dim> operator()(const Vector<Dim>& u, double tolerance = 0, int maxNodes = 200'000,
                                  const Outline* known = nullptr) const;
 
-    // What is known of the attractor after the first question: good enough for most searches to be short. In
-    // the plane; nullptr in space. When the first who asks is stopped, it stays coarser.
+    // Bounds of the attractor known after the first question, good enough to keep most searches short. In the
+    // plane; nullptr in space. They stay coarser when the first caller is stopped.
     const Outline* outline(const std::stop_token& stop = {}) const;
 
     // A ⊂ Ball(centre, radius).
@@ -48,9 +48,9 @@ public:
     // Indices of those maps that can lead to extreme points: of many in the plane, the outer ones.
     const std::vector<std::size_t>& mapsToTheHull() const;
 
-    // Where maps stretch before they contract, everything is worked out in other coordinates: there x is
-    // image(…) of a point, and `error` is the distance by which rounding may have moved it. nullptr where the
-    // maps are good as they are.
+    // Coordinates in which everything is worked out when maps stretch before they contract: there x is
+    // image(…) of a point, and `error` is the distance by which rounding may have moved it. nullptr if the
+    // maps need no conditioning.
     struct Conditioning;
     const Conditioning* conditioning() const { return m_conditioning.get(); }
 
@@ -58,7 +58,7 @@ public:
     double contractivity() const { return m_contractivity; }
     double normEquivalence() const { return m_normEquivalence; }
 
-    // What rounding may have cost a support value at |u| = 1, over addresses of that many symbols.
+    // Bound of the rounding error of a support value at |u| = 1, for addresses of `depth` symbols.
     double roundingError(int depth) const;
 
 private:
@@ -77,9 +77,9 @@ private:
     double m_normEquivalence = 1;
     std::shared_ptr<const SupportContainer<Dim>> m_container;
     struct LazyOutline;
-    std::shared_ptr<LazyOutline> m_outline; // what outline() returns, once somebody has asked
+    std::shared_ptr<LazyOutline> m_outline; // the result of outline(), after the first call
     struct LazyContainer;
-    std::shared_ptr<LazyContainer> m_finer; // what finerContainer() returns, once a search has needed it
+    std::shared_ptr<LazyContainer> m_finer; // the result of finerContainer(), after the first call
     std::shared_ptr<const Conditioning> m_conditioning;
 };
 

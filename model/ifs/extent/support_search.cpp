@@ -176,21 +176,21 @@ private:
         m_states.push_back(state);
     }
 
-    // What merging may have lost: no more than all costs together, and no more than the costs along one
-    // address, where the lengths |v| form a geometric series.
+    // Loss by merging: no more than all costs together, and no more than the costs along one address, where
+    // the lengths |v| form a geometric series.
     double slack() const {
         if (m_cell >= m_container.mergeLimit) return m_slack;
         const double alongOneAddress = m_cell * m_length / (m_container.mergeLimit - m_cell);
         return std::min(m_slack, m_container.radius * alongOneAddress + m_merged * rounding());
     }
 
-    // By how much exact ties differ.
+    // Difference of exact ties by rounding.
     double rounding() const { return 8 * roundingUnit * m_container.radius * m_length; }
 
-    // Whether an earlier state with nearly the same v and hardly a smaller o stands for this one. Whatever
-    // h_A the two differ by, radius·|v − v'| bounds it. A state may not stand for its own descendant: in
-    // ‖·‖_* a descendant is shorter by the contractivity, so states that are closer than `mergeLimit` are
-    // unrelated.
+    // Returns true if an earlier state with nearly the same v and hardly a smaller o stands for this one.
+    // Whatever h_A the two differ by, radius·|v − v'| bounds it. A state may not stand for its own
+    // descendant: in ‖·‖_* a descendant is shorter by the contractivity, so states that are closer than
+    // `mergeLimit` are unrelated.
     bool isMerged(const State<Dim>& state) {
         std::int32_t& index = m_known[state.v];
         if (index == m_known.free) {

@@ -13,8 +13,8 @@ namespace ifs {
 // Bits of a state of the search that must agree for it to stand for another: the rest is rounding.
 inline constexpr int exactMerging = 43;
 
-// Where the attractor extends farthest in a direction u, as a search over addresses found it. Everything is
-// seen from the centre of the container.
+// The farthest point of the attractor in a direction u, as found by a search over addresses. Everything is
+// relative to the centre of the container.
 template <int Dim> struct FoundAddress {
     std::vector<int> address;               // the best one: indices among all maps, outermost first
     Vector<Dim> start;                      // its maps take this point of the attractor farthest out

@@ -12,8 +12,9 @@ namespace ifs {
 // Largest modulus of an eigenvalue, for a finite square matrix of any size.
 double largestEigenvalueModulus(const Eigen::MatrixXd& square);
 
-// With its condition: a change of the matrix by e moves the eigenvalue by about condition·e. Infinite where
-// eigenvectors coincide; of several of the same modulus the best conditioned counts.
+// The modulus of an eigenvalue and its condition: a change of the matrix by e moves the eigenvalue by about
+// condition·e. Infinite where eigenvectors coincide; among several of the same modulus the best conditioned
+// counts.
 struct ConditionedModulus {
     double modulus;
     double condition; // ≥ 1

@@ -8,8 +8,8 @@ namespace ifs {
 
 namespace {
 
-// What compute() does with a 2×2 matrix, which is tridiagonal as it is: the reflections that would make it so
-// take long to compile.
+// Does the work of compute() for a 2×2 matrix, which is tridiagonal as it is: the reflections that would make
+// it so take long to compile.
 template <class Real>
 void solve(Eigen::SelfAdjointEigenSolver<Eigen::Matrix<Real, 2, 2>>& solver,
            Eigen::Matrix<Real, 2, 2> symmetric, Real& scale, int options) {

@@ -154,14 +154,14 @@ double between(const std::vector<double>& bounds, const Vector<2>& v) {
 
 } // namespace
 
-// Whether the ball leaves so much of an error.
+// Returns true if the error of the ball's bound is large in direction u.
 bool LinkedExtent::isWide(const Vector<2>& u) const {
     constexpr double wide = 1e-6; // of the radius
     return (*this)(u).error > wide * m_radius;
 }
 
-// From the ball, h_j(u) ≤ max over the maps i before j of h_i(A_jᵀu) + ⟨u,t_j⟩, again and again. Every one of
-// these numbers is a bound, wherever the iteration ends.
+// Bounds from the ball on, h_j(u) ≤ max over the maps i before j of h_i(A_jᵀu) + ⟨u,t_j⟩, again and again.
+// Every one of these numbers is a bound, wherever the iteration ends.
 void LinkedExtent::boundParts() {
     constexpr std::size_t maxWork = 20'000'000;
     constexpr double settled = 1e-7; // of the radius
@@ -202,16 +202,16 @@ double LinkedExtent::boundOfRest(const Node& node) const {
     return std::min(ball, most + 64 * unit * ball);
 }
 
-// All words of one length at a time. Words whose linear parts take u to the same vector, after the same map,
-// have the same future: the farther one stands for both. So do words whose vectors differ by as little as
-// rounding makes, and the radius times the difference is part of the error.
+// Searches all words of one length at a time. Words whose linear parts take u to the same vector, after the
+// same map, have the same future: the farther one stands for both. So do words whose vectors differ by as
+// little as rounding makes, and the radius times the difference is part of the error.
 LinkedExtent::Height LinkedExtent::search(std::vector<Node> open, const Vector<2>& u,
                                           double tolerance) const {
     Height best;
     best.value = -std::numeric_limits<double>::infinity();
     const double rounding = 64 * unit * (m_radius + m_centre.norm()) * u.norm();
     const auto looseness = [this](const Node& node) { return node.loose + node.v.norm() * m_pointError; };
-    // Where it varies widely, each word answers for its own.
+    // If it varies widely, each word answers for its own.
     const auto allowance = [&](const Node& node) { return m_isCancelling ? looseness(node) : 0; };
     const auto reach = [&](const Node& node) { return node.offset + boundOfRest(node) + allowance(node); };
     double most = best.value, apart = 0, loose = 0;
@@ -331,7 +331,7 @@ LinkedExtent::Height LinkedExtent::operator()(const Vector<2>& u, double toleran
 
 namespace {
 
-// The box of what has such heights in every direction.
+// The box of a set with such heights in every direction.
 template <class Heights> BoundingBox<2> boxOf(const Heights& height) {
     const auto right = height({1, 0}), left = height({-1, 0}), top = height({0, 1}), bottom = height({0, -1});
     BoundingBox<2> box{{0.0 - left.value, 0.0 - bottom.value}, {right.value, top.value}};

@@ -67,10 +67,10 @@ private:
     std::vector<std::vector<double>> m_bounds;
 };
 
-// As of plain maps, to rounding where the search allows it.
+// Extents as of plain maps, exact to rounding where the search allows it.
 BoundingBox<2> boundingBox(const LinkedExtent& extent);
 CanonicalSimplex<2> minimalCanonicalSimplex(const LinkedExtent& extent);
-// The boxes of the parts by the maps that make them, of which so many in a row are the copies of one map. No
+// The boxes of the parts by the maps that make them; `copies` consecutive ones are the copies of one map. No
 // box for a map that takes no part; none at all unless maps are linked, at most 64, and the attractor exists.
 std::vector<std::optional<BoundingBox<2>>>
 boxesOfParts(const ActiveMaps<2>& active, const Existence& existence, std::size_t maps, std::size_t copies);

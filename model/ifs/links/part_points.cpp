@@ -30,7 +30,7 @@ struct Composed {
     }
 };
 
-// With R near (I − A)⁻¹, the fixed point is within 2‖R‖·|residual| if ‖I − R(I − A)‖ ≤ ½.
+// The fixed point with its error. With R near (I − A)⁻¹, it is within 2‖R‖·|residual| if ‖I − R(I − A)‖ ≤ ½.
 PartPoint fixedPointOf(const Composed& cycle) {
     const auto found = fixedPoint(cycle.map);
     if (!found) return {Vector<2>::Zero(), infinity};

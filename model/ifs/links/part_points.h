@@ -16,9 +16,9 @@ struct PartPoint {
     double error = 0;
 };
 
-// One of each part: the map before[j] may come before j. From j, these lead to a cycle, whose maps have a
-// fixed point. Where its address is short, it is worked out without rounding too, which tells the error, and
-// stands for what doubles would lose.
+// A point of each part: the map before[j] may come before j. From j, these lead to a cycle, whose maps have a
+// fixed point. If its address is short, the point is also computed without rounding, which gives the error
+// and replaces a result that doubles would lose.
 std::vector<PartPoint> pointsOfParts(std::span<const AffineMap<2>> maps,
                                      const std::vector<std::size_t>& before);
 

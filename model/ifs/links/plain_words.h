@@ -21,7 +21,7 @@ struct PlainWords {
 // nullopt where a chain has no such end, or where there would be more than `most` words.
 std::optional<PlainWords> plainWords(const ActiveMaps<2>& active, std::size_t most);
 
-// Whether there are such words, however many.
+// Returns true if such words exist, however many.
 bool hasPlainWords(const ActiveMaps<2>& active);
 
 } // namespace ifs

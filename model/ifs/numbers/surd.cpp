@@ -179,7 +179,7 @@ Surd operator*(const Surd& a, const Surd& b) {
                       a.isRational() ? b.m_radicand : a.m_radicand, denominator);
 }
 
-// By (p − q√d)/(p² − q²d), whose denominator is 0 of 0 alone.
+// Divides by means of (p − q√d)/(p² − q²d), whose denominator is 0 of 0 alone.
 Surd operator/(const Surd& a, const Surd& b) {
     using Wide = Surd::Wide;
     if (!b.hasValue() || b.isZero()) return Surd::none();

@@ -24,7 +24,7 @@ public:
     bool isZero() const { return hasValue() && m_whole == 0 && m_factor == 0; }
     int sign() const; // of its value
     double rounded() const;
-    // Of a whole number, that; nullopt for any other.
+    // The value of a whole number; nullopt for any other.
     std::optional<std::int64_t> whole() const;
 
     friend Surd operator-(const Surd& a);

@@ -19,7 +19,7 @@ template <int Dim> using Direction = std::array<Dyadic, std::size_t(Dim)>;
 // Independent directions, in echelon form.
 template <int Dim> class Directions {
 public:
-    // Whether the direction is a new one, which it is no longer then.
+    // Adds the direction; false if it is in the span already.
     bool add(Direction<Dim> direction) {
         for (const auto& [known, pivot] : m_known) {
             const Dyadic factor = direction[pivot];

@@ -7,8 +7,8 @@
 
 namespace ifs {
 
-// Which contacts of two pieces the contacts of smaller pieces are: a graph with as many edges from one vertex
-// to another as there are pairs of these, or with weights.
+// Contacts of two pieces as made of contacts of smaller pieces: a graph with as many edges from one vertex to
+// another as there are pairs of these, or with weights.
 class ContactGraph {
 public:
     static constexpr std::size_t maxVertices = 1024;

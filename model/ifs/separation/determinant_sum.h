@@ -11,7 +11,7 @@ namespace ifs {
 // Σ|det A_i| − 1, without rounding.
 template <int Dim> Dyadic excessOfDeterminants(std::span<const AffineMap<Dim>> maps);
 
-// Whether Σ|det A_i| ≥ 1, without rounding: then pieces that are all disjoint are impossible, for those of a
+// Returns true if Σ|det A_i| ≥ 1, without rounding: then the pieces cannot all be disjoint, for those of a
 // neighbourhood would be, too.
 template <int Dim> bool fillSpace(std::span<const AffineMap<Dim>> maps);
 

@@ -16,7 +16,7 @@ constexpr std::size_t maxTurns = 50'000;
 
 using Point = ExactPoint<2>;
 
-// Whether c lies to the left of the line from a to b or on it.
+// Returns true if c lies to the left of the line from a to b or on it.
 bool isLeftOrOn(const Point& a, const Point& b, const Point& c) {
     const auto cross = [](const Point& p, const Point& q) {
         return p.numerator[0] * q.numerator[1] - p.numerator[1] * q.numerator[0];
@@ -27,7 +27,7 @@ bool isLeftOrOn(const Point& a, const Point& b, const Point& c) {
     return determinant.sign() * a.denominator.sign() * b.denominator.sign() * c.denominator.sign() >= 0;
 }
 
-// Whether c, on the line through a and b, lies between them.
+// Returns true if c, on the line through a and b, lies between them.
 bool isBetween(const Point& a, const Point& b, const Point& c) {
     Dyadic product; // of c − a and c − b, times the denominators
     for (std::size_t k = 0; k < 2; ++k)

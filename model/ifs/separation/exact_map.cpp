@@ -45,7 +45,7 @@ template <int Dim> ExactMap<Dim> exactWord(std::span<const AffineMap<Dim>> maps,
     return result;
 }
 
-// By Cramer's rule from (I − A)x = b.
+// The fixed point by Cramer's rule from (I − A)x = b.
 template <int Dim> ExactPoint<Dim> exactFixedPoint(const ExactMap<Dim>& map) {
     Entries<Dim> complement;
     for (std::size_t i = 0; i < Dim; ++i)

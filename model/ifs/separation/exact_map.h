@@ -29,7 +29,7 @@ template <int Dim> ExactPoint<Dim> exactFixedPoint(const ExactMap<Dim>& map);
 template <int Dim> ExactPoint<Dim> image(const ExactMap<Dim>& map, const ExactPoint<Dim>& point);
 template <int Dim> bool isSame(const ExactPoint<Dim>& a, const ExactPoint<Dim>& b);
 
-// Whether all maps leave the same point where it is: of contracting maps, it is the attractor.
+// Returns true if all maps have one fixed point in common; it is the attractor if they contract.
 template <int Dim> bool haveCommonFixedPoint(std::span<const AffineMap<Dim>> maps);
 
 } // namespace ifs

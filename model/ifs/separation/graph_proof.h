@@ -8,12 +8,12 @@
 
 #include <span>
 
-// What is found of the stored coefficients to rounding error, proved of those that are typed.
+// Proofs for typed coefficients of what was found to rounding error for the stored ones.
 namespace ifs {
 
-// Whether the graph, found of the maps that these round to, is that of these: they are similarities of one
-// ratio, and each of its steps h ↦ w_i⁻¹ h w_j leads exactly to the map that it names, no two of which are
-// the same.
+// Returns true if the graph, found for the rounded maps, is that of the typed ones: they are similarities of
+// one ratio, and each of its steps h ↦ w_i⁻¹ h w_j leads exactly to the map that it names, no two of which
+// are the same.
 bool isGraphOf(const NeighbourGraph& graph, std::span<const SurdMap> typed);
 
 // Tells of each overlap whether its words have the same map, and leaves connectedness proved only where the

@@ -60,7 +60,7 @@ Sides leftOf(const Triple& line, const Sides& polygon) {
         result.push_back(polygon[k]);
         if (!isKept((k + 1) % count)) result.push_back(line);
     }
-    // Where all sides are kept, two of them end on the line.
+    // If all sides are kept, two of them end on the line.
     if (std::ranges::find(result, line) == result.end())
         for (std::size_t k = 0; k < count; ++k)
             if (sides[(k + 1) % count] < 0) {
@@ -74,7 +74,7 @@ class Cover {
 public:
     explicit Cover(std::vector<Sides> images) : m_images(std::move(images)) {}
 
-    // Whether the images from `first` on cover the polygon.
+    // Returns true if the images from `first` on cover the polygon.
     bool holds(Sides polygon, std::size_t first = 0) {
         if (first == m_images.size()) return false;
         for (const Triple& side : m_images[first]) {
@@ -92,7 +92,7 @@ private:
     int m_cutsLeft = 5'000;
 };
 
-// Whether p comes before q along a coordinate.
+// Returns true if p comes before q along a coordinate.
 bool isBefore(const Triple& p, const Triple& q, std::size_t axis) {
     return (p[axis] * q[2] - q[axis] * p[2]).sign() < 0;
 }

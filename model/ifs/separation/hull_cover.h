@@ -10,8 +10,8 @@
 
 namespace ifs {
 
-// Whether the images of the convex hull P of these points cover P, without rounding. If isExactHull() holds,
-// too, then W(P) = P is the attractor, which is connected. False where this would take too much work.
+// Returns true if the images of the convex hull P of these points cover P, without rounding. If isExactHull()
+// holds, too, then W(P) = P is the attractor, which is connected. False where this would take too much work.
 bool imagesCoverHull(std::span<const AffineMap<2>> maps,
                      const std::vector<std::optional<PeriodicPoint>>& points);
 

@@ -44,7 +44,7 @@ template <int Dim> std::vector<AffineMap<Dim>> inversesOf(std::span<const Affine
     return result;
 }
 
-// Whether the inverses are exact, and all that is made of them short.
+// Returns true if the inverses are exact, and everything made of them is short.
 template <int Dim>
 bool areShort(std::span<const AffineMap<Dim>> maps, const std::vector<AffineMap<Dim>>& inverses) {
     for (std::size_t i = 0; i < maps.size(); ++i)
@@ -53,7 +53,7 @@ bool areShort(std::span<const AffineMap<Dim>> maps, const std::vector<AffineMap<
     return true;
 }
 
-// A map with what it may be off by, because those that it is made of are stored as doubles.
+// A map with its error, which arises because the maps it is made of are stored as doubles.
 template <int Dim> struct Rounded {
     AffineMap<Dim> map;
     double linear = 0, shift = 0; // in the norms of a frame
@@ -101,7 +101,7 @@ public:
                norm(a.map.linear - b.map.linear) <= a.linear + b.linear;
     }
 
-    // Whether so little is lost to rounding that what is the same to rounding error is not another.
+    // Returns true if so little is lost to rounding that maps that agree to rounding error are the same.
     bool isTelling(const Rounded<Dim>& h, const Vector<Dim>& size) const {
         constexpr double most = 0x1p-36;
         return h.linear <= most && h.shift <= most * length(size);
@@ -268,7 +268,8 @@ private:
         return m_isExact ? a.map == b.map : m_frame.isSame(a, b);
     }
 
-    // Its number; `none` where the pieces are too far from each other. nullopt where there are too many.
+    // The number of a map; `none` where the pieces are too far from each other. nullopt where there are too
+    // many.
     std::optional<std::size_t> place(const Rounded<Dim>& h) {
         const Vector<Dim> reach = (m_size + h.map.linear.cwiseAbs() * m_size) / 2;
         const Vector<Dim> apart = (h.map(m_centre) - m_centre).cwiseAbs();

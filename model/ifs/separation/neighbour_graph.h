@@ -14,8 +14,7 @@
 
 namespace ifs {
 
-// Whether a proof takes the coefficients as they are, or as what they are the rounding of; see
-// stored_rounding.h.
+// Whether a proof takes coefficients as exact or as rounded values; see stored_rounding.h.
 enum class Certainty { Exact, ToRounding };
 
 // The maps h = w_σ⁻¹w_τ between pieces of one size, of similarities with one ratio, as they arise from one
@@ -30,25 +29,24 @@ public:
     Certainty certainty() const { return m_certainty; }
     void setCertainty(Certainty certainty) { m_certainty = certainty; }
     std::size_t maps() const { return m_maps; }
-    // All maps that were looked at, also those that turned out to be of no neighbours, and the steps between
-    // them; a map comes before those that are found from it.
+    // All maps examined, including those that turned out to be of no neighbours, and the steps between them;
+    // a map comes before those that are found from it.
     std::size_t found() const { return m_found; }
     std::span<const Edge> steps() const { return m_steps; }
     // Axes that span the affine hull of the attractor, where it is parallel to them; empty where it is the
     // plane or space.
     const std::vector<int>& axes() const { return m_axes; }
     double ratio() const { return m_ratio; }
-    // How many maps but the identity have h(A) ∩ A ≠ ∅.
+    // Number of maps, the identity excepted, with h(A) ∩ A ≠ ∅.
     std::size_t neighbours() const { return m_count - 1; }
     // Two words of different first letters with the same map, where there are such.
     const std::optional<std::pair<Word, Word>>& overlap() const { return m_overlap; }
-    // Whether the pieces of two maps have a common point.
+    // Returns true if the pieces of two maps have a common point.
     bool meet(std::size_t i, std::size_t j) const { return m_meet[i * m_maps + j] != 0; }
-    // What the contacts of neighbours are made of; without the identity, and only where no words overlap.
+    // The graph of the contacts of neighbours, without the identity. Requires that no words overlap.
     ContactGraph contacts() const;
-    // By which factor the number of different maps w_σ, |σ| = n, grows with n, and the number of maps where
-    // no words overlap (Ngai and Wang). nullopt where pieces are in too many different places among each
-    // other.
+    // Factor by which the number of different maps w_σ, |σ| = n, grows with n; the number of maps if no words
+    // overlap (Ngai and Wang). nullopt if pieces have too many different relative positions.
     std::optional<ContactGraph::Radius> growth() const;
 
 private:
@@ -70,7 +68,7 @@ template <int Dim>
 std::optional<NeighbourGraph> neighbourGraph(std::span<const AffineMap<Dim>> maps,
                                              const BoundingBox<Dim>& box);
 
-// Whether the maps, their inverses and products of a few of them are doubles without rounding.
+// Returns true if the maps, their inverses and products of a few of them are doubles without rounding.
 bool areShort(std::span<const AffineMap<2>> maps);
 
 } // namespace ifs

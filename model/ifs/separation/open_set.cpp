@@ -15,7 +15,7 @@ namespace ifs {
 
 namespace {
 
-// What it may be off by, as far as the coefficients are off by their rounding: tiles exceed 1 by that.
+// Error of the sum of the determinants due to the rounding of the coefficients: tiles exceed 1 by that.
 template <int Dim> double roundingOfDeterminants(std::span<const AffineMap<Dim>> maps) {
     double result = 0;
     for (const auto& map : maps)

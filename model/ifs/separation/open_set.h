@@ -22,7 +22,7 @@ struct HausdorffDimension {
     Certainty certainty = Certainty::Exact;
 };
 
-// What is proved of the places of the pieces among each other. docs/mathematics.md, "Neighbours".
+// Proved facts about the relative positions of the pieces. docs/mathematics.md, "Neighbours".
 struct OpenSetFacts {
     OpenSetCondition condition = OpenSetCondition::Unknown;
     Certainty certainty = Certainty::Exact; // unless it is unknown

@@ -164,7 +164,7 @@ private:
 
     std::size_t pairIndex(std::size_t i, std::size_t j) const { return i * m_maps.size() + j; }
 
-    // Whether the pieces of each pair i < j are proved apart.
+    // The pairs i < j whose pieces are proved apart.
     std::vector<bool> piecesApart() const {
         constexpr int maxWork = 400'000, maxPairWork = 40'000; // balls, altogether and for one pair
         const int maps = int(m_maps.size());
@@ -211,7 +211,7 @@ private:
         return true;
     }
 
-    // Which maps belong together by the pairs that a predicate joins; whether that is all of them.
+    // Returns true if the pairs for which the predicate holds connect all maps.
     template <class Joined> bool joinsAll(Joined joined) const {
         std::vector<std::size_t> group(m_maps.size());
         std::iota(group.begin(), group.end(), std::size_t(0));

@@ -7,7 +7,7 @@
 
 #include <vector>
 
-// How the pieces w_i(A) of an attractor lie to each other. docs/mathematics.md, "Separation".
+// Contacts between the pieces w_i(A) of an attractor. docs/mathematics.md, "Separation".
 namespace ifs {
 
 // Two words, neither the beginning of the other, of one and the same map: the pieces coincide, and the open
@@ -36,8 +36,8 @@ struct PieceContacts {
     std::vector<Overlap> overlaps; // the shortest, a few of them
 };
 
-// In bounded work: Unknown is what it leaves open, and all there is of more than 64 maps.
-// `neighbours`, where they are known, are those of the same maps: they tell which pieces meet.
+// Bounded work: Unknown where it leaves a question open, and always for more than 64 maps. `neighbours`, if
+// known, belongs to the same maps and tells which pieces meet.
 template <int Dim>
 PieceContacts pieceContacts(const SupportFunction<Dim>& support, const NeighbourGraph* neighbours = nullptr);
 

@@ -5,9 +5,9 @@
 
 namespace ifs {
 
-// How far the coefficients of a map may be off, at most, because those of the maps that it is composed of are
-// stored as doubles: each by up to two units in its last place. What differs by more than that is different;
-// "within rounding error" means this, and nothing wider.
+// Bounds of the errors of a map's coefficients that arise because the coefficients of the maps it is composed
+// of are stored as doubles: each by up to two units in its last place. Coefficients that differ by more are
+// different; "within rounding error" means this, and nothing wider.
 template <int Dim> struct StoredRounding {
     Matrix<Dim> linear = Matrix<Dim>::Zero();
     Vector<Dim> translation = Vector<Dim>::Zero();
@@ -48,7 +48,7 @@ inline double determinantTerms(const Matrix<3>& m) {
     return result;
 }
 
-// What a determinant may be off by, as far as the coefficients are off by their rounding.
+// Error of a determinant whose coefficients are off by their rounding.
 template <int Dim> double offDeterminant(const Matrix<Dim>& linear) {
     constexpr double ofProducts = 0x1p-53;
     return Dim * (StoredRounding<Dim>::share + ofProducts) * determinantTerms(linear);

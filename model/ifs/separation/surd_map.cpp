@@ -53,7 +53,7 @@ template <int Dim> SurdMap typedMap(const WeightedMap<Dim>& map) {
     return result;
 }
 
-// Whether a number that is typed is another one than the double next to it.
+// Returns true if a typed number differs from the double next to it.
 template <int Dim> bool isAnyTyped(const WeightedMap<Dim>& map) {
     if (map.typed.isEmpty()) return false;
     for (int which = 0; which < Dim * (Dim + 1); ++which)
@@ -91,7 +91,7 @@ SurdMap operator*(const SurdMap& outer, const SurdMap& inner) {
     return result;
 }
 
-// By Cramer's rule.
+// The inverse by Cramer's rule.
 SurdMap inverse(const SurdMap& map) {
     const std::size_t size = map.dimension();
     const Surd determinant = determinantOf(map.linear);

@@ -31,12 +31,12 @@ std::optional<Surd> squaredRatio(const SurdMap& map);
 Surd determinant(const SurdMap& map);
 SurdMap word(std::span<const SurdMap> maps, const Word& word);
 
-// The map in the coordinates along these axes, which it must leave alone: what it does to the affine hull of
-// the attractor. nullopt where it does not, or moves that hull.
+// The map restricted to the coordinates along these axes: its action on the affine hull of the attractor.
+// nullopt if the map does not leave the axes alone, or moves that hull.
 std::optional<SurdMap> restricted(const SurdMap& map, std::span<const int> axes);
 
-// The active maps as they are typed, and as they are stored where nothing is. Empty where what is typed is
-// what is stored, one of the numbers is too long, or maps are copied by a symmetry.
+// The active maps as they are typed; numbers without a typed form are those stored. Empty if nothing differs
+// from the stored numbers, one of the numbers is too long, or maps are copied by a symmetry.
 template <int Dim>
 std::vector<SurdMap> typedMaps(const IteratedFunctionSystem<Dim>& system, const ActiveMaps<Dim>& active);
 

@@ -23,7 +23,7 @@ std::vector<RowStochastic<Dim>> rowStochastic(const Simplex<Dim>& simplex,
 // The map back; over another simplex, the same matrix is the map carried along with the simplex.
 template <int Dim> AffineMap<Dim> affineMap(const Simplex<Dim>& simplex, const RowStochastic<Dim>& matrix);
 
-// Whether w takes the simplex into itself (to 1e-12). If all maps do, it contains the attractor.
+// Returns true if w takes the simplex into itself (to 1e-12). If all maps do, it contains the attractor.
 template <int Dim> bool isNonNegative(const RowStochastic<Dim>& matrix);
 
 } // namespace ifs

@@ -85,7 +85,7 @@ IteratedFunctionSystem<Dim> withBranchChanged(const IteratedFunctionSystem<Dim>&
                                               const AffineMap<Dim>& change) {
     const ActiveMaps<Dim> active = activeMaps(system);
     IteratedFunctionSystem<Dim> result;
-    // Where words of the cut set leave the branch: before their last symbol.
+    // Maps of the beginnings at which words of the cut set leave the branch: without their last symbol.
     std::vector<AffineMap<Dim>> beginnings(1);
     std::vector<double> chances{1};
     for (const int symbol : branch) {

@@ -42,8 +42,8 @@ template <int Dim>
 IteratedFunctionSystem<Dim> withBranchChanged(const IteratedFunctionSystem<Dim>& system, const Word& branch,
                                               const AffineMap<Dim>& change);
 
-// A branch that is shown elsewhere: what has an address that begins with `word` goes through `change`, in
-// coordinates of the code, once it is there. No orbit takes notice: nothing else moves, at no scale.
+// A branch that is shown elsewhere: points whose address begins with `word` go through `change`, in
+// coordinates of the code, when they are displayed. No orbit takes notice: nothing else moves, at no scale.
 template <int Dim> struct MovedBranch {
     Word word;
     AffineMap<Dim> change;
@@ -51,10 +51,10 @@ template <int Dim> struct MovedBranch {
     friend bool operator==(const MovedBranch&, const MovedBranch&) = default;
 };
 
-// What is shown of an attractor A whose branches are moved: the union of change(w_word(A)) over words with
-// exactly one of which every address begins. Of branches inside each other the inner one moves first. At most
-// 1 + (maps − 1)·Σ lengths of the words pieces, in lexicographic order. Branches with longer words than
-// `longest` stay.
+// The pieces of an attractor A whose branches are moved: the union of change(w_word(A)) over words with
+// exactly one of which every address begins. Among nested branches the inner one moves first. At most 1 +
+// (maps − 1)·Σ lengths of the words pieces, in lexicographic order. Branches with words longer than `longest`
+// stay.
 template <int Dim>
 std::vector<MovedBranch<Dim>> pieces(std::span<const MovedBranch<Dim>> moved, std::size_t mapCount,
                                      std::size_t longest = std::size_t(-1));
@@ -76,7 +76,8 @@ std::vector<MovedBranch<Dim>> overMaps(std::span<const MovedBranch<Dim>> moved,
                                        std::span<const std::size_t> indices);
 
 // The words over the cut set of `branch`, as indices into it, with one of which an address begins if and only
-// if it begins with `word`: what has to move in withBranchChanged(system, branch, {}) for `word` to move.
+// if it begins with `word`: the branches to move in withBranchChanged(system, branch, {}) so that `word`
+// moves.
 std::vector<Word> overCutSet(const Word& word, const Word& branch, std::size_t mapCount);
 
 } // namespace ifs

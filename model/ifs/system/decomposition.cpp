@@ -14,7 +14,7 @@ namespace ifs {
 
 namespace {
 
-// How exactly a similarity must be one, and a rank must be missing.
+// Relative tolerance for a map to be a similarity, and for a rank to be missing.
 constexpr double relativeTolerance = 1e-12;
 constexpr double rankRounding = 4e-15; // of the largest singular value: smaller ones are rounding
 
@@ -131,7 +131,7 @@ RotationScaleShear3 rotationScaleShear(const Matrix<3>& linear) {
         r.row(2) *= -1;
         q.col(2) *= -1;
     }
-    // What is below the rounding of its own column is not there.
+    // Entries below the rounding of their own column count as 0.
     for (int column = 0; column < 3; ++column)
         for (int row = 0; row <= column; ++row)
             if (std::abs(r(row, column)) <= 4e-15 * linear.col(column).norm()) r(row, column) = 0;

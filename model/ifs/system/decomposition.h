@@ -24,10 +24,9 @@ template <int Dim> struct Polar {
 };
 template <int Dim> Polar<Dim> polar(const Matrix<Dim>& linear);
 
-// Whether any rotation will do, or in space any that takes one line to another: of a point, and of a line in
-// space.
+// Returns true if the rotation of the decomposition is not unique: the image is a point, or in space a line.
 template <int Dim> bool isRotationOpen(const Matrix<Dim>& linear);
-// With that rotation, if it is open, which is nearest to another one.
+// The decomposition whose rotation, if it is not unique, is nearest to `rotation`.
 template <int Dim> Polar<Dim> polarNear(const Matrix<Dim>& linear, const Matrix<Dim>& rotation);
 
 // Decompositions of two maps one of which becomes the other: what is open turns no more than it must.
@@ -58,8 +57,7 @@ AxisAngle axisAngle(const Matrix<3>& rotation);
 Matrix<3> rotationAbout(const AxisAngle& turn);
 
 enum class MapKind { Similarity, ReflectedSimilarity, Affine, Singular, Constant };
-// What the map is geometrically: similarities to a relative 1e-12, Singular for rank < Dim, Constant for rank
-// 0.
+// Geometric kind of the map: similarities to a relative 1e-12, Singular for rank < Dim, Constant for rank 0.
 template <int Dim> MapKind kind(const Matrix<Dim>& linear);
 
 } // namespace ifs

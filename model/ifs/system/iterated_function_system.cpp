@@ -85,7 +85,7 @@ std::vector<double> shares(std::vector<double> masses, double floor) {
     for (double& mass : masses)
         mass = std::ldexp(mass, -exponent);
     const auto normalise = [&masses] {
-        // What is a power of two but for the rounding of the sum is one: .7, .2 and .1 stay what they are.
+        // A sum that is a power of two but for rounding is taken as one: .7, .2 and .1 stay as they are.
         double sum = std::accumulate(masses.begin(), masses.end(), 0.0);
         const double power = std::ldexp(1, int(std::lround(std::log2(sum))));
         if (std::abs(sum - power) <= 0x1p-53 * power * double(masses.size())) sum = power;

@@ -27,7 +27,7 @@ template <int Dim> struct WeightedMap {
     friend bool operator==(const WeightedMap&, const WeightedMap&) = default;
 };
 
-// How likely the chaos game applies `to` just after `from`: the weight of `to` is multiplied by this.
+// A factor of the weight of `to` where the chaos game has just applied `from`.
 struct Link {
     MapId from = MapId::None;
     MapId to = MapId::None;
@@ -36,7 +36,7 @@ struct Link {
     friend bool operator==(const Link&, const Link&) = default;
 };
 
-// Whether its weight says that the map takes no part.
+// Returns true if the weight excludes the map.
 template <int Dim> bool isOff(const WeightedMap<Dim>& map);
 
 // w_1 … w_N with their weights, in the order in which addresses number them, and the group Γ under which the
@@ -62,14 +62,14 @@ MapId append(IteratedFunctionSystem<Dim>& system, const AffineMap<Dim>& map,
 // identity, which keeps the id, then the other elements in their order under fresh ids. The result has no
 // symmetry. Beyond maxSymmetricMaps maps, or maxSymmetricLinkedMaps linked ones, it has lost its symmetry.
 template <int Dim> IteratedFunctionSystem<Dim> expanded(const IteratedFunctionSystem<Dim>& system);
-// How many maps each map stands for there: |Γ|, and 1 beyond the limit.
+// Number of maps of activeMaps() for each listed map: |Γ|, and 1 beyond the limit.
 template <int Dim> std::size_t copiesOfEachMap(const IteratedFunctionSystem<Dim>& system);
 
 // The maps in their order, without weights, ids and symmetry.
 template <int Dim> std::vector<AffineMap<Dim>> mapsOf(const IteratedFunctionSystem<Dim>& system);
 
-// One probability per listed map, its copies under the symmetry together, 0 for a map that is off and for no
-// other, sum 1 unless every map is off. A disabled map and a weight ≤ 0 (or not finite) mean off. If any
+// Probabilities of the listed maps, each with its copies under the symmetry: 0 for a map that is off and for
+// no other, sum 1 unless every map is off. A disabled map and a weight ≤ 0 (or not finite) mean off. If any
 // enabled map has no weight at all, the determinant rule serves for all maps that are not off.
 template <int Dim> std::vector<double> probabilities(const IteratedFunctionSystem<Dim>& system);
 
@@ -85,7 +85,7 @@ template <int Dim> struct ActiveMaps {
     bool isLinked() const { return !links.empty(); }
 };
 template <int Dim> ActiveMaps<Dim> activeMaps(const IteratedFunctionSystem<Dim>& system);
-// How many maps activeMaps() holds.
+// Number of maps that activeMaps() holds.
 template <int Dim> std::size_t countActive(const IteratedFunctionSystem<Dim>& system);
 
 // The masses divided by their sum, none below `floor` of it before renormalising. A mass that is negative or

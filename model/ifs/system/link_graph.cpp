@@ -98,7 +98,7 @@ private:
     std::vector<std::vector<std::size_t>> m_parts;
 };
 
-// Whether every state leads to a state of its part only.
+// Returns true if every state leads to states of its part only.
 bool isClosed(std::span<const double> matrix, std::size_t size, const std::vector<std::size_t>& part) {
     for (const std::size_t i : part)
         for (std::size_t j = 0; j < size; ++j)

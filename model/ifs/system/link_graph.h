@@ -10,7 +10,7 @@
 // The graph of linked maps by their positions in the list. docs/mathematics.md, "Linked maps".
 namespace ifs {
 
-// What becomes of a map in the chaos game.
+// Role of a map in the chaos game.
 enum class LinkState {
     TakesPart, // applied again and again
     Off,       // its weight is 0
@@ -26,8 +26,8 @@ std::vector<LinkState> statesOf(std::vector<double> matrix, const std::vector<ch
 // no cycle passes is a part of its own. Parts that lead to others come after them.
 std::vector<std::vector<std::size_t>> connectedParts(std::span<const double> matrix, std::size_t size);
 
-// By rows, from links that name the ids of the maps; 1 where there is none, 0 where one is negative or not
-// finite.
+// Builds the matrix, row by row, from links that name the ids of the maps; 1 where there is no link, 0 where
+// a weight is negative or not finite.
 template <class Maps, class Links> std::vector<double> matrixOf(const Maps& maps, const Links& links) {
     const std::size_t n = maps.size();
     std::vector<double> matrix(n * n, 1);

@@ -19,10 +19,10 @@ template <int Dim> std::vector<double> linkMatrix(const IteratedFunctionSystem<D
 
 // The weight 1 removes the link.
 template <int Dim> void setLink(IteratedFunctionSystem<Dim>& system, Link link);
-// One matrix for all maps of the system, by rows.
+// Sets the links from a matrix for all maps of the system, row by row.
 template <int Dim> void setLinks(IteratedFunctionSystem<Dim>& system, std::span<const double> matrix);
-// Each copy follows, and is followed by, the same maps as its original, and the copies each other as the
-// originals do. Both lists are as long.
+// Copies links: each copy follows, and is followed by, the same maps as its original, and the copies each
+// other as the originals do. Both lists have the same length.
 template <int Dim>
 void copyLinks(IteratedFunctionSystem<Dim>& system, std::span<const MapId> originals,
                std::span<const MapId> copies);
@@ -43,7 +43,8 @@ struct Transitions {
     std::vector<double> backward;                 // π_i T_ij / π_j at (j, i): map i came before map j
     std::vector<std::vector<std::size_t>> closed; // parts that the chain never leaves; all maps are in one
 };
-// Where the chain has several closed parts, each gets the weights of its maps. Unlinked maps give π = p.
+// Stationary chain of the active maps. If it has several closed parts, each gets the weights of its maps.
+// Unlinked maps give π = p.
 template <int Dim> Transitions transitions(const ActiveMaps<Dim>& active);
 
 } // namespace ifs

@@ -19,14 +19,15 @@ struct Swing {
     double angle(double time) const;
 };
 
-// Between two maps, t in [0, 1], exact at both ends: polar parts A = R·S with the rotation along the shortest
-// way (half a turn: counter-clockwise) and S linear in t, so ‖A(t)‖ ≤ max(‖A_0‖, ‖A_1‖); the image of
-// `reference` moves straight. A point, or a line in space, turns no more than it must: polarPair().
+// Interpolates between two maps, t in [0, 1], exact at both ends: polar parts A = R·S with the rotation along
+// the shortest way (half a turn: counter-clockwise) and S linear in t, so ‖A(t)‖ ≤ max(‖A_0‖, ‖A_1‖); the
+// image of `reference` moves straight. A point, or a line in space, turns no more than it must: polarPair().
 template <int Dim>
 AffineMap<Dim> interpolated(const AffineMap<Dim>& from, const AffineMap<Dim>& to, double t,
                             const Vector<Dim>& reference);
 
-// Whether the maps have determinants of opposite signs, so that every path between them folds flat somewhere.
+// Returns true if the determinants have opposite signs, so that every path between the maps is singular
+// somewhere.
 template <int Dim> bool mirrors(const AffineMap<Dim>& from, const AffineMap<Dim>& to);
 
 } // namespace ifs

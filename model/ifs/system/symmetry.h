@@ -9,8 +9,8 @@
 // Finite groups of symmetries of the plane and of space. docs/mathematics.md, "Symmetry".
 namespace ifs {
 
-// In space, the first four act in the plane of x and y and leave z alone, so that a lifted system keeps its
-// symmetry. The last three are the rotations of the polyhedra, in space alone.
+// Symmetry groups. In space, the first four act in the plane of x and y and leave z alone, so that a lifted
+// system keeps its symmetry. The last three are the rotations of the polyhedra, in space alone.
 enum class SymmetryGroup { None, Mirror, Rotation, Dihedral, Tetrahedral, Octahedral, Icosahedral };
 
 // The group {T∘ρ∘T⁻¹}: ρ runs over the group in its standard position at the origin, and
@@ -37,13 +37,13 @@ constexpr int maxSymmetryOrder = 24;
 constexpr std::size_t maxSymmetricMaps = 100'000;
 constexpr std::size_t maxSymmetricLinkedMaps = 1024; // whose links are a matrix
 
-// Whether the group exists in this dimension, its order is allowed, the numbers are finite and the frame can
-// be inverted.
+// Returns true if the group exists in this dimension, its order is allowed, the numbers are finite and the
+// frame can be inverted.
 template <int Dim> bool isValid(const Symmetry<Dim>& symmetry);
 
 std::size_t groupOrder(SymmetryGroup group, int order); // |Γ|
 
-// All |Γ| elements, the identity first, then in a fixed order. The symmetry must be valid.
+// The |Γ| elements, the identity first, then in a fixed order. The symmetry must be valid.
 template <int Dim> std::vector<AffineMap<Dim>> elements(const Symmetry<Dim>& symmetry);
 
 // The symmetry of the picture under a transformation that can be inverted: {T∘γ∘T⁻¹}. A transformation that

@@ -13,7 +13,7 @@
 
 namespace ifs {
 
-// A coefficient as somebody wrote it, such as 1/3 or √3/6, beside the double that the map holds.
+// A coefficient as it was typed, such as 1/3 or √3/6, beside the double that the map holds.
 struct TypedCoefficient {
     int which = 0; // 0 … Dim² − 1 of the matrix by rows, then those of the vector: the letters a, b, …
     double number = 0; // counts only while the coefficient is this double
@@ -29,7 +29,8 @@ template <int Dim> double coefficient(const AffineMap<Dim>& map, int which) {
     return which < Dim * Dim ? map.linear(which / Dim, which % Dim) : map.translation[which - Dim * Dim];
 }
 
-// Those of one map, shared by all copies of it, since an entry is copied at every step of a drag.
+// Typed coefficients of one map, shared by all copies of it, since an entry is copied at every step of a
+// drag.
 class TypedCoefficients {
 public:
     TypedCoefficients() noexcept = default; // said, because GCC 12 fails to find it out in some places
@@ -43,7 +44,7 @@ public:
     void clear(int which) {
         if (m_list) keep(without(which));
     }
-    // What is typed of this coefficient, if it is still this number; else null.
+    // The typed coefficient, if it still belongs to this number; else null.
     const TypedCoefficient* of(int which, double number) const {
         if (!m_list) return nullptr;
         const auto found = std::ranges::find(*m_list, which, &TypedCoefficient::which);

@@ -101,7 +101,7 @@ std::optional<Turn> integerTurn(const Matrix<2>& m) {
     return first && second ? std::optional(Turn{*first, *second}) : std::nullopt;
 }
 
-// Whether the integers give back the maps, to rounding error.
+// Returns true if the integers give back the maps, to rounding error.
 bool areStored(const TurningDigits& system, std::span<const AffineMap<2>> maps) {
     constexpr double few = 16 * StoredRounding<2>::share;
     const Matrix<2>&first = maps[0].linear, &basis = system.basis;
@@ -191,7 +191,8 @@ std::vector<Turn> turnsOf(const TurningDigits& system) {
     return result;
 }
 
-// Whether (h, i) ↦ w_1⁻¹ h w_i takes the turns and shifts h, with a letter i, to each of them just once.
+// Returns true if (h, i) ↦ w_1⁻¹ h w_i takes the turns and shifts h, with a letter i, to each of them just
+// once.
 bool areCovered(const TurningDigits& system, const std::vector<Turn>& turns) {
     const std::int64_t n = integerDeterminant(system.expansion);
     std::map<Turn, std::vector<Integers>> shifts;
@@ -273,8 +274,8 @@ private:
     const LatticeBox& m_box;
 };
 
-// Which points of the attractor have coordinates v/q: those from which the inverses of the maps have a way
-// that never leaves the box.
+// Points of the attractor with coordinates v/q: those from which the inverses of the maps have a way that
+// never leaves the box.
 class RationalPoints {
 public:
     RationalPoints(const TurningDigits& system, const LatticeBox& box, std::int64_t q)
@@ -328,7 +329,7 @@ private:
     std::map<Integers, bool> m_points;
 };
 
-// How many of the copies hold the point, if it is an inner point of all of them.
+// Number of copies that hold the point, if it is an inner point of all of them.
 std::optional<std::size_t> copiesAt(const Integers& point, std::int64_t q, const RationalPoints& points,
                                     const std::vector<Turn>& turns, const std::vector<Motion>& surroundings) {
     const auto isInside = [&](const Integers& v) {

@@ -19,7 +19,7 @@ public:
     bool isFull() const { return m_rank == 2; }
     const Matrix<2>& basis() const { return m_basis; }
 
-    // False when what is generated is no lattice.
+    // Returns false when the vectors generate no lattice.
     bool add(Vector<2> v);
 
 private:

@@ -19,8 +19,8 @@ struct Tile {
     bool isExact = false; // proved of the coefficients as they are; else as far as their rounding tells
 };
 
-// Nothing where neither is proved, within bounded work. Box and neighbours, if they are known, are those of
-// the attractor.
+// The tile, or nullopt where neither kind is proved within bounded work. Box and neighbours, if known, are
+// those of the attractor.
 std::optional<Tile> tile(std::span<const AffineMap<2>> maps, const BoundingBox<2>& box,
                          const NeighbourGraph* neighbours);
 

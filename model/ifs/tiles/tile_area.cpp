@@ -31,8 +31,8 @@ struct DigitSystem {
         return {matrix[0][0] * v[0] + matrix[0][1] * v[1], matrix[1][0] * v[0] + matrix[1][1] * v[1]};
     }
     std::int64_t determinant() const { return matrix[0][0] * matrix[1][1] - matrix[0][1] * matrix[1][0]; }
-    // One digit of every class modulo M: then the area is a multiple of that of the lattice (Lagarias and
-    // Wang).
+    // Returns true if there is one digit of every class modulo M: then the area is a multiple of that of the
+    // lattice (Lagarias and Wang).
     bool isComplete() const {
         const std::int64_t n = determinant();
         if (std::size_t(std::abs(n)) != digits.size()) return false;
@@ -47,7 +47,8 @@ struct DigitSystem {
     }
 };
 
-// Whether the integers give back the maps, x ↦ A x + b with A = B M⁻¹ B⁻¹ and b = A B d, to rounding error.
+// Returns true if the integers give back the maps, x ↦ A x + b with A = B M⁻¹ B⁻¹ and b = A B d, to rounding
+// error.
 bool isAsStored(const DigitSystem& system, std::span<const AffineMap<2>> maps) {
     constexpr double few = 8 * StoredRounding<2>::share;
     const Matrix<2>&linear = maps[0].linear, size = linear.cwiseAbs() * system.basis.cwiseAbs();
@@ -86,7 +87,7 @@ std::vector<Surd> image(const SurdMap& matrix, const std::vector<Surd>& v) {
     return (matrix * SurdMap{identity(2).linear, v}).translation;
 }
 
-// What the integers stand for: the v of A⁻¹(b_i − b_1) and of their images under A⁻¹.
+// An integer vector and the vector v that it stands for: one of A⁻¹(b_i − b_1), or an image of one under A⁻¹.
 struct Generator {
     Integers integers;
     std::vector<Surd> v;

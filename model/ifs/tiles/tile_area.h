@@ -23,8 +23,8 @@ struct TileArea {
 std::optional<TileArea> tileArea(std::span<const AffineMap<2>> maps, const BoundingBox<2>& box,
                                  const NeighbourGraph* neighbours);
 
-// Whether the area that the lattice of the digits gives is proved of the maps that are typed: they all have
-// one linear part, and the integers found give them back without rounding.
+// Returns true if the area given by the lattice of the digits is proved for the typed maps: they all have one
+// linear part, and the integers found give them back without rounding.
 bool isAreaOf(std::span<const AffineMap<2>> maps, std::span<const SurdMap> typed);
 
 } // namespace ifs

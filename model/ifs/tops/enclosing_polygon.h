@@ -20,8 +20,8 @@ struct EnclosingPolygon {
     explicit EnclosingPolygon(const SupportFunction<2>& attractor);
 
     Heights heights; // ⟨u_k, x⟩ ≤ heights[k] for every point of the attractor
-    // Corners of a convex polygon that contains the attractor, counter-clockwise; the last one fills what is
-    // left.
+    // Corners of a convex polygon that contains the attractor, counter-clockwise; unused places repeat the
+    // last one.
     Corners corners;
 
     Corners image(const AffineMap<2>& map) const; // of the corners

@@ -7,7 +7,7 @@ namespace ifs {
 
 namespace {
 
-// From (0, 0), (1, 0), (0, 1) to these points.
+// The map from (0, 0), (1, 0), (0, 1) to these points.
 AffineMap<2> onto(const Vector<2>& origin, const Vector<2>& right, const Vector<2>& up) {
     AffineMap<2> map;
     map.linear.col(0) = right - origin;

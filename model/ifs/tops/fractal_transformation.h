@@ -12,7 +12,7 @@ namespace ifs {
 // The maps correspond by their indices, and the first are on top. docs/mathematics.md, "Fractal tops".
 class FractalTransformation {
 public:
-    // As many maps of G as `from` has; they must have an attractor.
+    // `to`: equally many maps of G as `from` has; they must have an attractor.
     FractalTransformation(SupportFunction<2> from, std::vector<AffineMap<2>> to)
         : m_search(std::move(from)), m_to(std::move(to)) {}
 

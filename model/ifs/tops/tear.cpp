@@ -16,7 +16,7 @@ namespace {
 constexpr std::size_t maxPieces = 1U << 18;
 constexpr double slack = 1 + 1e-12; // for rounding
 
-// What is known of both pieces of a word.
+// Both pieces of a word.
 struct Piece {
     AffineMap<2> from, to;
     EnclosingPolygon::Heights heights{}; // of the piece of F
@@ -107,7 +107,7 @@ private:
         m_open.push({std::min(bound, outer), a, b});
     }
 
-    // By more than ε, in one of the directions.
+    // Returns true if the pieces are apart by more than ε in one of the directions.
     bool areApart(const Piece& a, const Piece& b) const {
         constexpr std::size_t half = EnclosingPolygon::sides / 2;
         const double allowed = m_epsilon + 1e-12 * (m_from.radius() + m_from.centre().norm());
@@ -144,8 +144,8 @@ Tear tear(const SupportFunction<2>& from, const SupportFunction<2>& to, double e
     return TearSearch(from, to, epsilon, maxPairs).found();
 }
 
-// Where all points of one attractor have one address and a point of the other has two, T misses a point or
-// takes two to one. docs/mathematics.md, "Fractal tops".
+// The verdict. If all points of one attractor have one address and a point of the other has two, T misses a
+// point or takes two to one. docs/mathematics.md, "Fractal tops".
 Homeomorphism homeomorphism(const SupportFunction<2>& from, const SupportFunction<2>& to) {
     if (from.maps() == to.maps() || from.maps().size() == 1) return Homeomorphism::Proved;
     const PieceContacts f = pieceContacts(from), g = pieceContacts(to);

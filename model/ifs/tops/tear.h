@@ -7,7 +7,7 @@
 #include <cstddef>
 #include <optional>
 
-// How continuous a fractal transformation is. docs/mathematics.md, "Fractal tops".
+// Continuity of a fractal transformation. docs/mathematics.md, "Fractal tops".
 namespace ifs {
 
 // The largest diameter of v_σ(A_G) ∪ v_ω(A_G), where σ, ω differ in their first symbol and are the shortest
@@ -21,11 +21,12 @@ struct Tear {
     double whole = 0;        // the same for all of A_G, which no jump can exceed
 };
 
-// As many maps in both, which correspond by their indices. ε > 0. About `maxPairs` pairs are kept at most.
+// Both systems must have equally many maps, which correspond by their indices. ε > 0. About `maxPairs` pairs
+// are kept at most.
 Tear tear(const SupportFunction<2>& from, const SupportFunction<2>& to, double epsilon,
           std::size_t maxPairs = 1U << 20);
 
-// Whether T_FG takes the attractor of F to that of G without tearing or gluing.
+// Verdict on whether T_FG takes the attractor of F to that of G without tearing or gluing.
 enum class Homeomorphism { Unknown, Proved, Refuted };
 Homeomorphism homeomorphism(const SupportFunction<2>& from, const SupportFunction<2>& to);
 

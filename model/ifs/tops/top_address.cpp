@@ -11,13 +11,13 @@ namespace ifs {
 
 namespace {
 
-constexpr int maxLooks = 4'000'000;
+constexpr int maxVisits = 4'000'000;
 constexpr std::size_t longest = 4096;
 constexpr double leafSize = 0.25;  // tolerances: the radius of a piece that is a point
 constexpr double settledSize = 64; // tolerances: pieces that no rounding chooses between
 constexpr std::size_t maxPeriod = 64;
 
-// By how far rounding may move a point of a composed map, with what it does to the coefficients.
+// Distance by which rounding may move a point of a composed map, including the error of the coefficients.
 double roundingOf(const SupportFunction<2>& attractor) {
     const double scale = attractor.centre().norm() + attractor.radius();
     double longestShift = 0;
@@ -63,7 +63,7 @@ TopSearch::Answer TopSearch::at(const Vector<2>& x) const {
     return {completed(settled(found.word), nearest), false};
 }
 
-// Depth first, in the order of the addresses: what is found first is the top.
+// Searches depth first, in the order of the addresses: the first find is the top.
 TopSearch::Found TopSearch::firstWithin(const Vector<2>& x) const {
     struct Level {
         AffineMap<2> map;
@@ -72,14 +72,14 @@ TopSearch::Found TopSearch::firstWithin(const Vector<2>& x) const {
     const auto& maps = m_attractor.maps();
     std::vector<Level> levels(1);
     Word word;
-    for (int looks = 0; !levels.empty();) {
+    for (int visits = 0; !levels.empty();) {
         Level& level = levels.back();
         if (level.next == maps.size()) {
             levels.pop_back();
             if (!word.empty()) word.pop_back();
             continue;
         }
-        if (++looks > maxLooks) return {{}, false, true};
+        if (++visits > maxVisits) return {{}, false, true};
         const int symbol = int(level.next++);
         const AffineMap<2> map = level.map * maps[std::size_t(symbol)];
         if (!isNear(map, x)) continue;
@@ -91,15 +91,15 @@ TopSearch::Found TopSearch::firstWithin(const Vector<2>& x) const {
     return {};
 }
 
-// Whether the piece may reach x, to the tolerance.
+// Returns true if the piece may reach x, to the tolerance.
 bool TopSearch::isNear(const AffineMap<2>& map, const Vector<2>& x) const {
     const double stretch = spectralNorm<2>(map.linear);
     const double distance = (map(m_attractor.centre()) - x).norm();
     return distance <= stretch * m_attractor.radius() + m_tolerance && !isOutside(map, x);
 }
 
-// Whether x is outside the polygon around the piece, which may be much thinner than the ball: beyond one of
-// its edges, by more than the tolerance and what rounding may have turned the edge by.
+// Returns true if x is outside the polygon around the piece, which may be much thinner than the ball: beyond
+// one of its edges, by more than the tolerance and the rotation of the edge by rounding.
 bool TopSearch::isOutside(const AffineMap<2>& map, const Vector<2>& x) const {
     const auto corners = m_polygon.image(map);
     const double orientation = determinant<2>(map.linear) < 0 ? -1 : 1;
@@ -114,7 +114,7 @@ bool TopSearch::isOutside(const AffineMap<2>& map, const Vector<2>& x) const {
     return false;
 }
 
-// Without the last symbols, which the upper end of the tolerance has chosen.
+// The word without its last symbols, which the upper end of the tolerance has chosen.
 Word TopSearch::settled(const Word& word) const {
     AffineMap<2> map;
     Word result;

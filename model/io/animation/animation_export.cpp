@@ -82,7 +82,7 @@ private:
     attractor::Support m_support;
 };
 
-// The hash of the same options on the command line; without a frame, what all frames have in common.
+// The hash of the same options on the command line; without a frame, the hash shared by all frames.
 QByteArray requestHash(const AnimationExport& what, std::optional<int> frame) {
     FrameRequestText text;
     text.addFrame(frame);

@@ -32,13 +32,14 @@ struct AnimationExport {
     std::optional<attractor::OrbitCamera> seenFrom{};
 };
 
-// With a key of the camera in place of `seenFrom`, so that the text of the entry says all. It may take long.
+// Replaces `seenFrom` by a key of the camera, so that the text of the entry says everything. It may take
+// long.
 AnimationExport withViewKeyed(AnimationExport what);
 
-// Between the names of files and the options of `animate`, these arguments say the same.
+// The options of `animate` that say the same, to be put between the names of files.
 QStringList options(const AnimationExport& what);
 
-// How many frames there are to draw.
+// Number of frames to draw.
 int frameCount(const document::Fractal& entry);
 // The number with which the last picture is written decides how many digits all have, at least four.
 // `path` is "NAME.png": frame 6 of "wind.png" is "wind.0007.png".
@@ -50,8 +51,8 @@ QStringList replacedFiles(const AnimationExport& what, const QString& path);
 // Why it cannot be written: an encoder is missing, or the format does not have this size or rate.
 Failure animationObstacle(const AnimationExport& what);
 
-// A frame in so many pixels, as bright as it is by itself, for a dialog. nullopt when stopped, and where
-// there is no room for it.
+// A frame at a size of `pixels`, with its own exposure, for a dialog. nullopt when stopped, and where there
+// is no room for it.
 std::optional<QImage> framePreview(AnimationExport what, int frame, const QSize& pixels,
                                    const std::stop_token& stop = {});
 

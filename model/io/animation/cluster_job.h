@@ -19,7 +19,7 @@ struct WrittenJob {
 // A new folder in `parent`, which is named after the entry. What was begun goes when it fails.
 WrittenJob writeClusterJob(const QString& parent, const ClusterJob& job);
 
-// What submits it, within the folder.
+// Name of the script that submits the job, within the folder.
 inline constexpr const char* submitScript = "submit.sh";
 
 } // namespace io

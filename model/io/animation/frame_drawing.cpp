@@ -13,7 +13,7 @@ namespace io {
 
 namespace {
 
-constexpr int looks = 8; // at how far things move while the shutter is open
+constexpr int shutterProbes = 8; // moments at which motion is measured while the shutter is open
 
 PictureFormat formatOf(const PlaneExport& picture) {
     const attractor::RenderRequest& request = picture.request;
@@ -28,7 +28,7 @@ PictureFormat formatOf(const PlaneExport& picture) {
     return format;
 }
 
-// Whether its pixels may wait in memory.
+// Returns true if the pixels are few enough to wait in memory.
 bool isLight(const PictureFormat& format) {
     constexpr std::int64_t most = std::int64_t{1} << 24;
     return format.depth == PictureFormat::Depth::Bits8 && std::int64_t(format.width) * format.height <= most;
@@ -52,12 +52,13 @@ FrameDrawing::FrameDrawing(std::unique_ptr<FrameSource> source, const FrameOptio
       m_facts(*document::animationFacts(m_source->entry())),
       m_pilots(document::exposurePilots(m_source->entry())) {}
 
-// None where the shutter shows the moment alone, or nothing moves as far as a pixel.
+// The moments of an open shutter; none where it shows the frame alone, or nothing moves as far as a pixel.
 template <class Request, class RequestAt>
 std::vector<Request> FrameDrawing::momentsOf(int frame, RequestAt requestAt) const {
     if (m_options.shutter == 0) return {};
     std::vector<attractor::TrackedPoints> tracked;
-    for (const animation::Moment& moment : document::shutterEdges(m_facts, frame, m_options.shutter, looks))
+    for (const animation::Moment& moment :
+         document::shutterEdges(m_facts, frame, m_options.shutter, shutterProbes))
         tracked.push_back(attractor::trackedPoints(requestAt(moment)));
     const int steps = attractor::stepsFor(tracked);
     if (steps == 1) return {};
@@ -179,7 +180,7 @@ Failure FrameDrawing::finish() {
     return m_written.valid() ? m_written.get() : std::nullopt;
 }
 
-// The failure of the picture before, or else what is written next is this one.
+// Begins a picture; returns the failure of the one before.
 Failure FrameDrawing::startOf(const QString& path) {
     Failure before = finish();
     if (!before) m_path = path;

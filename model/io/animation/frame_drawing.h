@@ -20,13 +20,12 @@
 
 namespace io {
 
-// The keywords of the texts in which a frame carries the hashes of what was asked for, and the number of its
-// file.
+// Keywords of the texts in which a frame carries the hashes of its request, and the number of its file.
 inline constexpr const char* frameRequestKeyword = "barycage:request";
 inline constexpr const char* animationRequestKeyword = "barycage:animation";
 inline constexpr const char* frameNumberKeyword = "barycage:frame";
 
-// How bright the frames are.
+// Brightness of the frames.
 enum class Exposing {
     Smooth, // follows the whole animation, without flicker
     Fixed,  // that of frame 0
@@ -38,8 +37,8 @@ struct FrameOptions {
     Exposing exposing = Exposing::Smooth;
 };
 
-// What an animated entry shows at a moment, drawn as somebody asks for it. One of the two is called, by the
-// dimension of the entry; what they carry as text is the whole entry.
+// Draws an animated entry at a moment, on request. One of the two functions is called, by the dimension of
+// the entry; their results carry the whole entry as text.
 class FrameSource {
 public:
     virtual ~FrameSource() = default;
@@ -64,7 +63,7 @@ public:
     Picture draw(int frame, const Progress& progress, const std::stop_token& stop);
 
     bool isTransparent(int frame) const; // some of it may be
-    // Whether any frame is.
+    // Returns true if any frame is transparent.
     bool isTransparent(const std::vector<int>& frames) const;
 
 private:

@@ -21,7 +21,7 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-// Moments that are looked at for the view of all frames; margins cover what is between them.
+// Moments sampled for the view of all frames; margins cover the time between them.
 std::vector<animation::Moment> sampled(const document::Fractal& entry, int most) {
     const document::AnimationFacts facts = *document::animationFacts(entry);
     return document::moments(facts, std::min(most, facts.length + 1));

@@ -8,7 +8,7 @@
 
 #include <span>
 
-// What a picture must show when nobody says; frames of an animation share it.
+// Default view of a picture; frames of an animation share it.
 namespace io {
 
 struct ViewBox {
@@ -17,15 +17,15 @@ struct ViewBox {
     bool certified = true; // false: where orbits spend most of their time
 };
 
-// In the plane, as displayed, under its cage and with its shadow.
+// Box in the plane, as displayed, of the picture under its cage and with its shadow.
 ViewBox boxOfAttractor(const document::Fractal& fractal, attractor::YAxis yAxis = attractor::YAxis::Up);
 
-// The box of an entry with an animation, at up to 121 moments in the plane and 33 in space: margins cover
-// what is between them. Moments that are proved to have no attractor, whose points escape, count only where
-// no other does.
+// The box of an entry with an animation, at up to 121 moments in the plane and 33 in space: margins cover the
+// time between them. Moments proved to have no attractor, whose points escape, count only if there are no
+// others.
 ViewBox boxOfFrames(const document::Fractal& entry, attractor::YAxis yAxis = attractor::YAxis::Up);
-// In space, as a camera sees them that has not gone round yet: turns about a pivot are taken back. Those
-// about the target of the camera are not, because the target is not known.
+// Support of the frames in space, as seen by a camera that has not gone round yet: turns about a pivot are
+// taken back. Turns about the target of the camera are not, because the target is not known.
 attractor::Support supportOfFrames(const document::Fractal& entry);
 
 // The support of what a camera that has not gone round yet sees in the same place as it sees the set of

@@ -11,8 +11,8 @@
 
 namespace io {
 
-// Everything that the bytes of a frame depend on, in lines "name value" in a fixed order; an option that is
-// not given is absent. It begins with the version of the pixels, and the entry ends it.
+// Text of everything that the bytes of a frame depend on, in lines "name value" in a fixed order; an option
+// that is not given is absent. It begins with the version of the pixels and ends with the entry.
 class FrameRequestText {
 public:
     explicit FrameRequestText(int pixels = attractor::pixelVersion);
@@ -22,14 +22,14 @@ public:
     // SHA-256, in hexadecimal digits.
     QByteArray hash(const document::Fractal& entry) const;
 
-    // Comes first. nullopt, for what all frames of an animation have in common, adds nothing.
+    // Must be called first. nullopt, for the text shared by all frames of an animation, adds nothing.
     void addFrame(std::optional<int> frame);
 
 private:
     QByteArray m_text;
 };
 
-// Two such hashes: of the frame, and of what all frames of its animation have in common.
+// Hashes of two such texts: of the frame, and of the part shared by all frames of its animation.
 struct FrameHashes {
     QByteArray frame;
     QByteArray animation;

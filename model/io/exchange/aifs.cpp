@@ -13,7 +13,7 @@ namespace io {
 
 namespace {
 
-// Without an exponent, which IFStile does not promise to read.
+// A number without an exponent, which IFStile does not promise to read.
 QByteArray plain(double value) {
     std::array<char, 400> buffer{};
     const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value == 0 ? 0.0 : value,
@@ -48,7 +48,7 @@ QByteArray identifier(const QString& name, QSet<QByteArray>& taken) {
     return unique;
 }
 
-// One line without '#', which begins a comment.
+// The text on one line without '#', which begins a comment.
 QByteArray shownName(QString text) {
     for (QChar& c : text) {
         if (c.category() == QChar::Other_Control) c = u' ';
@@ -57,7 +57,7 @@ QByteArray shownName(QString text) {
     return text.toUtf8();
 }
 
-// In comments: the corners and the matrices of the affine invariant form, where a triangle holds the system.
+// Comments with the corners and the matrices of the affine invariant form, where a triangle holds the system.
 QByteArray invariantForm(const document::Fractal& fractal, const document::System2& system,
                          const std::vector<double>& weights) {
     const ifs::ControlCage<2> cage = document::effectiveCage(fractal);

@@ -24,8 +24,8 @@ struct AffineInvariantForm {
 };
 AffineInvariantForm affineInvariantForm(const document::System2& system, const ifs::Simplex<2>& simplex);
 
-// One block for every system that has a map that takes part: what IFStile reads, and in comments the weights
-// and, of a plane system, the control triangle at rest and the row-stochastic matrices.
+// Writes a block for every system with an active map: what IFStile reads, and in comments the weights and,
+// for a plane system, the control triangle at rest and the row-stochastic matrices.
 QByteArray writeAifs(const QList<std::shared_ptr<const document::Fractal>>& fractals);
 
 } // namespace io

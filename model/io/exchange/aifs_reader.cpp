@@ -42,7 +42,7 @@ struct Map {
     std::vector<double> linear;      // its square
 };
 
-// One block, line by line.
+// A block, read line by line.
 class Block {
 public:
     explicit Block(const QByteArray& id) : m_name(QString::fromUtf8(id)) {}
@@ -87,7 +87,7 @@ public:
         return entry;
     }
 
-    // Nothing but settings: the head of a file.
+    // Returns true for a block of mere settings: the head of a file.
     bool isEmpty() const { return m_maps.isEmpty() && m_order.isEmpty() && !m_failure; }
 
 private:

@@ -68,8 +68,7 @@ bool isLineEnd(char c) {
     return c == '\n' || c == '\r';
 }
 
-// What stands behind the mark, nullopt where there is none: not in text that has blanks, or braces, as
-// entries do.
+// The text behind the mark. nullopt without one, and for text with blanks or braces, as entries have.
 std::optional<QByteArrayView> dataOf(QByteArrayView text) {
     text = text.trimmed();
     if (text.startsWith(scheme)) {

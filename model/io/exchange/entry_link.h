@@ -24,10 +24,10 @@ struct WrittenLink {
 };
 WrittenLink linkOf(const document::Fractal& fractal);
 
-// Whether this text is a link and nothing else, whole or not. Line ends, which programs for mail put into it,
-// are part of it.
+// Returns true if this text is a link and nothing else, complete or not. Line ends, which mail programs
+// insert, are part of it.
 bool looksLikeLink(QByteArrayView text);
-// The text in what looks like a link. No more than the limit is ever unpacked.
+// The text in a possible link. No more than the limit is ever unpacked.
 EmbeddedSystem readLink(QByteArrayView link);
 
 } // namespace io

@@ -39,7 +39,7 @@ constexpr qsizetype maxRefusals = 100;   // told one by one
 class Reader {
 public:
     Reader(const QString& text, FlameAxis axis) : m_xml(text), m_axis(axis) {
-        // Nothing a flame needs is declared in a document type: an entity is refused, not expanded.
+        // A flame needs nothing from a document type: an entity is refused, not expanded.
         m_xml.setEntityExpansionLimit(0);
     }
 
@@ -104,7 +104,7 @@ private:
         final.linear = 1;
         m_remarks.clear();
         bool isInXform = false;
-        // What is deeper than its children is what a program keeps, such as earlier versions.
+        // Skips deeper elements, in which programs keep things of their own, such as earlier versions.
         for (int depth = 0; !m_xml.atEnd();) {
             m_xml.readNext();
             if (m_xml.isEndElement() && --depth < 0) break;
@@ -142,7 +142,7 @@ private:
         if (std::size_t(m_file.entries.size()) > before) m_times.push_back(time);
     }
 
-    // One that moves the points when they are drawn: a map of the plane that can be taken back.
+    // Returns true if the final xform leaves all points of the plane where they are.
     static bool isNoFinal(const Xform& final) { return final.inPlane() == ifs::AffineMap<2>(); }
 
     QString readFinal(Xform& final) const {
@@ -172,7 +172,7 @@ private:
                    : Text::tr("its symmetry is not of a kind from −%1 to %1").arg(ifs::maxSymmetryOrder);
     }
 
-    // Whether the element is one of colours alone; that of a transform is read and says false.
+    // Reads an element of colours; false for any other. That of a transform is read as well, but gives false.
     bool readColours(FlameColourReader& colours) {
         const QXmlStreamAttributes attributes = m_xml.attributes();
         if (m_xml.name() == u"xform")
@@ -257,7 +257,7 @@ private:
         return shape;
     }
 
-    // What is left of a flame when all of it has been read.
+    // The parts of a flame that remain when all of it has been read.
     struct Flame {
         QString name;
         std::vector<Xform> xforms; // that are maps
@@ -278,7 +278,7 @@ private:
         }
         document::Fractal fractal;
         fractal.name = nameOnce(name.isEmpty() ? QStringLiteral("flame") : name);
-        // What a collection has no place for in a name goes behind its brace.
+        // A name that a collection cannot hold goes behind the brace.
         if (document::uniqueName({}, name) != name) fractal.headerComment = name;
         if (std::ranges::any_of(xforms, &Xform::isSpatial))
             fractal.shape = spaceOf(xforms, keepsZ);
@@ -348,8 +348,8 @@ QString hexPalette(const FlameColours& colours) {
     return text + QLatin1String("\n    ");
 }
 
-// As flam3 adds them: as likely as a map of weight 1, at rest in animations, and without a colour of their
-// own.
+// Writes the transforms as flam3 does: as likely as a map of weight 1, at rest in animations, and without a
+// colour of their own.
 void writeSymmetryTransforms(QXmlStreamWriter& xml, const ifs::Symmetry<2>& symmetry, FlameAxis axis) {
     for (const ifs::AffineMap<2>& map : symmetryTransforms(symmetry)) {
         xml.writeEmptyElement(QStringLiteral("xform"));

@@ -16,7 +16,8 @@ namespace io {
 // diag(1,−1)).
 enum class FlameAxis { Flipped, AsWritten };
 
-// One entry for every flame that is affine; for each of the others an error that says why it is refused.
+// Reads an entry from every flame that is affine; each of the others gives an error that says why it is
+// refused.
 document::FractalFile readFlame(const QByteArray& bytes, FlameAxis axis = FlameAxis::Flipped);
 
 bool looksLikeFlame(const QByteArray& bytes);

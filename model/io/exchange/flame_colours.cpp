@@ -64,7 +64,7 @@ std::array<Rgba, flameColours> sampled(const Palette& palette) {
     return colours;
 }
 
-// One of the program's own where it has exactly these colours.
+// The palette of these colours: one of the program's own if it has exactly these.
 Palette paletteThrough(const std::vector<Rgba>& colours, const QString& name) {
     for (const Palette& known : attractor::builtInPalettes())
         if (std::ranges::equal(sampled(known), colours)) return known;
@@ -100,7 +100,7 @@ std::array<Rgba, flameColours> spread(const std::vector<Rgba>& colours, FlameCol
     return sampled(palette);
 }
 
-// With the blends that maps have been given. Their colours are held where they are those of their places.
+// Adds the blends that maps have been given. Colours of maps are kept if they are those of their places.
 FlameColours blended(FlameColours flame, const attractor::Appearance& appearance,
                      const document::System2& system) {
     flame.holdsMapColours = appearance.colourBy == ColourBy::Blend;
@@ -118,7 +118,7 @@ FlameColours blended(FlameColours flame, const attractor::Appearance& appearance
     return flame;
 }
 
-// From 0 to 1.
+// A number limited to 0 … 1.
 std::optional<double> share(std::optional<double> number) {
     if (!number || std::isnan(*number)) return std::nullopt;
     return std::clamp(*number, 0.0, 1.0);
@@ -193,7 +193,7 @@ void FlameColourReader::blendMaps(attractor::Appearance& appearance, const docum
     }
 }
 
-// Whether any of them has got a colour.
+// Returns true if any map has got a colour.
 bool FlameColourReader::colourMaps(attractor::Appearance& appearance, const document::System2& system) const {
     bool isAny = false;
     for (std::size_t i = 0; i < std::min(m_xforms.size(), system.maps.size()); ++i) {

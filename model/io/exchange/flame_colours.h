@@ -19,7 +19,7 @@ namespace io {
 
 constexpr std::size_t flameColours = 256; // in a palette
 
-// Collects what one flame says, then gives it to the fractal that was read from it.
+// Collects the settings of one flame, then applies them to the fractal that was read from it.
 class FlameColourReader {
 public:
     void readFlame(const QXmlStreamAttributes& attributes);  // of <flame>
@@ -32,7 +32,7 @@ public:
 
     // Needs the system and the name in place.
     void applyTo(document::Fractal& fractal) const;
-    // It names a palette of another program by its number, and holds no colours.
+    // Returns true if the flame names a palette of another program by its number and holds no colours.
     bool namesForeignPalette() const { return m_isForeign && m_colours.empty(); }
 
 private:
@@ -54,7 +54,7 @@ private:
     bool m_isForeign = false;
 };
 
-// How a flame shows the colours of a fractal.
+// The colours of a fractal as a flame shows them.
 struct FlameColours {
     std::array<attractor::Rgba, flameColours> palette;
     std::vector<double> positions;             // 0 … 1, one per map
@@ -67,7 +67,7 @@ FlameColours flameColoursOf(const document::Fractal& fractal);
 
 // The attributes of <flame> that say how it looks.
 void writeFlameLook(QXmlStreamWriter& xml, const attractor::Appearance& appearance);
-// Its place on the palette, and its speed if it has one of its own.
+// Writes the position on the palette, and the speed if the map has one of its own.
 void writeFlameColour(QXmlStreamWriter& xml, const FlameColours& colours, std::size_t index);
 // The name of a map of the plane as an attribute of its xform, if it has one.
 void writeFlameName(QXmlStreamWriter& xml, const document::Fractal& fractal, std::size_t index);

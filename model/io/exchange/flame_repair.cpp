@@ -32,7 +32,7 @@ std::optional<Flaw> flawOf(const QString& xml) {
     return Flaw{reader.lineNumber(), reason};
 }
 
-// One flame with one layer: what the layer holds belongs to the flame. Where there are several, they stay.
+// Unwraps a single layer: its content belongs to the flame. Several layers stay.
 QString withoutSingleLayers(QString text) {
     if (!text.contains(QStringLiteral("<jwf-flame"))) return text;
     static const QRegularExpression flame(QStringLiteral("<jwf-flame\\b.*?</jwf-flame\\s*>"),
@@ -108,7 +108,7 @@ private:
                                   sentence};
     }
 
-    // With its tags mended, one by one.
+    // The flame with its tags mended, one by one.
     QString mended(const QString& flame) {
         static const QRegularExpression tag(QStringLiteral(
             "<([A-Za-z][\\w:.-]*)((?:\\s*[A-Za-z_][\\w:.-]*\\s*=\\s*(?:\"[^\"]*\"|'[^']*'))*)(\\s*/?>)"));

@@ -9,7 +9,7 @@ namespace io {
 
 struct RepairedFlames {
     QString text;                // XML with the same lines
-    document::Problems problems; // what was mended, and the flames that could not be
+    document::Problems problems; // repairs, and flames that could not be repaired
 };
 
 // Well-formed XML stays as it is, but for a flame of JWildfire that has one layer, which becomes a flame

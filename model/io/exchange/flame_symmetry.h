@@ -21,7 +21,7 @@ std::optional<ifs::Symmetry<2>> symmetryOfKind(int kind);
 // does, or when they are no isometries, in which case the flame has to list the maps.
 std::vector<ifs::AffineMap<2>> symmetryTransforms(const ifs::Symmetry<2>& symmetry);
 
-// Whether a flame has a place for the symmetry of the fractal, if it has one.
+// Returns true if a flame has a place for the symmetry of the fractal, or there is none.
 bool flameHoldsSymmetry(const document::Fractal& fractal);
 
 // The group that these maps generate; None when it is no finite group of symmetries of the plane.
@@ -30,12 +30,12 @@ ifs::Symmetry<2> generatedSymmetry(const std::vector<ifs::AffineMap<2>>& maps);
 // The xforms of one flame that only rotate or mirror, and the <symmetry> element.
 class FlameSymmetryReader {
 public:
-    // Whether the kind is known.
+    // Returns true if the kind is known.
     bool readKind(int kind);
     // The xform with this index, as it acts here, stands for a symmetry if a group comes of it.
     void addTransform(std::size_t index, const ifs::AffineMap<2>& map);
 
-    // What the flame is symmetric under, and the indices, ascending, of the xforms that say so: those are no
+    // The symmetry of the flame, and the indices, ascending, of the xforms that express it: those are not
     // maps.
     struct Outcome {
         ifs::Symmetry<2> symmetry;

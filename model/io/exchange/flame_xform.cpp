@@ -36,7 +36,7 @@ std::optional<ifs::AffineMap<2>> affine(QStringView text) {
     return ifs::affineMap(c[0], c[2], c[1], c[3], c[4], c[5]);
 }
 
-// What an xform's attributes say that is not one of its variations.
+// Attributes of an xform that are not variations.
 bool isPlainAttribute(QStringView name) {
     static const QStringList plain{QStringLiteral("weight"),
                                    QStringLiteral("color"),
@@ -79,7 +79,7 @@ bool isPartInSpace(QStringView name) {
     return name == u"yzCoefs" || name == u"zxCoefs";
 }
 
-// Its amounts of `linear` and `linear3D`, or the reason why it has other variations.
+// Reads the amounts of `linear` and `linear3D`, or the reason why there are other variations.
 void readAmounts(const QXmlStreamAttributes& attributes, Xform& xform) {
     QString* refusal = &xform.refusal;
     for (const QXmlStreamAttribute& attribute : attributes) {

@@ -28,7 +28,7 @@ QByteArray set(double value) {
     return digits == "-1" ? '-' + power : digits + "\\cdot " + power;
 }
 
-// How numbers are written.
+// Formatting of numbers.
 class Style {
 public:
     enum Kind { Exact, Readable };
@@ -41,7 +41,7 @@ public:
         return number.latex;
     }
 
-    // Behind what is said when something was rounded.
+    // The text, preceded by a remark when something was rounded.
     QByteArray withRemark(const QByteArray& text) const {
         return m_isRounded ? "% rounded to six significant digits\n" + text : text;
     }
@@ -62,7 +62,7 @@ template <class Matrix> QByteArray matrix(const Matrix& values, Style& style) {
     return "\\begin{pmatrix} " + rows.join(" \\\\ ") + " \\end{pmatrix}";
 }
 
-// No more lines in an environment than fit on a page, which cannot be broken inside it.
+// Splits lines among environments, which cannot be broken inside, so that each fits on a page.
 QByteArray aligned(const QByteArrayList& lines, qsizetype most) {
     QByteArray text;
     for (qsizetype i = 0; i < std::max<qsizetype>(lines.size(), 1); i += most)

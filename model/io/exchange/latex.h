@@ -10,9 +10,9 @@
 
 namespace io {
 
-// For a paper or a worksheet, not to be read again: of every system a formula per active map, and in the
-// plane a TikZ figure of the control polygon at rest and its images, in the colours of the maps, with their
-// numbers and fixed points. Needs amsmath and tikz.
+// Writes for a paper or a worksheet, not to be read again: for every system a formula per active map, and in
+// the plane a TikZ figure of the control polygon at rest and its images, in the colours of the maps, with
+// their numbers and fixed points. Needs amsmath and tikz.
 QByteArray writeLatex(const QList<std::shared_ptr<const document::Fractal>>& fractals);
 
 // Parts of it to be pasted, each empty for an entry that holds none of it. Only maps that take part. Numbers

@@ -20,7 +20,7 @@ namespace io {
 
 namespace {
 
-// What lies where around an attractor, as far as its normals ask.
+// Surroundings of an attractor in voxels, as needed for its normals.
 class Surroundings {
 public:
     Surroundings() = default;

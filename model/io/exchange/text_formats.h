@@ -19,7 +19,7 @@ enum class TextFormat { Fractint, Flame, Aifs, Latex, Csv, Tsv };
 inline constexpr std::array textFormats{TextFormat::Fractint, TextFormat::Flame, TextFormat::Aifs,
                                         TextFormat::Latex,    TextFormat::Csv,   TextFormat::Tsv};
 
-// By the suffix of a file, or by another of its names, in any case.
+// The format with this file suffix or other name, in any case.
 std::optional<TextFormat> textFormat(const QString& name);
 QString suffixOf(TextFormat format);
 const char* wordOf(TextFormat format);  // on the command line
@@ -34,7 +34,7 @@ struct TextOptions {
 // Flames lie in the plane; what could not be read nothing holds.
 bool holds(TextFormat format, const document::Fractal& fractal);
 
-// What of the fractal the format has no place for, as a sentence; nullopt when nothing is lost.
+// The parts of the fractal that the format has no place for, as a sentence; nullopt when nothing is lost.
 std::optional<QString> lossOf(TextFormat format, const document::Fractal& fractal);
 
 // The text of the fractals that the format holds; a format that holds one system gets the first.

@@ -60,7 +60,7 @@ attractor::Camera resized(attractor::Camera camera, const QSize& size) {
     return camera;
 }
 
-std::optional<QImage> heard(QImage image) {
+std::optional<QImage> ifDrawn(QImage image) {
     return image.isNull() ? std::nullopt : std::optional(std::move(image));
 }
 
@@ -68,7 +68,7 @@ std::optional<QImage> preview(PixelRecipe recipe, const document::Fractal& fract
                               const std::stop_token& stop) {
     recipe.camera = resized(recipe.camera, pixels);
     recipe.samplesPerPixel = std::min(recipe.samplesPerPixel, previewSamples);
-    return heard(drawPicture(exportOf(recipe, fractal), {}, stop).image);
+    return ifDrawn(drawPicture(exportOf(recipe, fractal), {}, stop).image);
 }
 
 std::optional<QImage> preview(const ShapeRecipe& recipe, const document::Fractal& fractal,
@@ -84,12 +84,12 @@ std::optional<QImage> preview(SpaceRecipe recipe, const document::Fractal& fract
     recipe.size = {pixels.width(), pixels.height()};
     const SpaceExport picture = exportOf(recipe, fractal);
     if (picture.look != attractor::LookInSpace::Depth)
-        return heard(drawSpacePicture(picture, {}, stop).image);
+        return ifDrawn(drawSpacePicture(picture, {}, stop).image);
     QByteArray depths;
     SpaceExport png = picture;
     png.file = PictureFile::Png;
     const ExportOutcome outcome = drawSpaceFile(png, depths, {}, stop);
-    return outcome.stopped || outcome.failure ? std::nullopt : heard(QImage::fromData(depths, "PNG"));
+    return outcome.stopped || outcome.failure ? std::nullopt : ifDrawn(QImage::fromData(depths, "PNG"));
 }
 
 std::optional<QImage> preview(const BodyRecipe&, const document::Fractal&, const QSize&,
@@ -161,7 +161,7 @@ SpaceExport exportOf(const SpaceRecipe& recipe, const document::Fractal& fractal
     attractor::OrbitCamera camera = recipe.camera;
     camera.size = recipe.size;
     camera.size.width = std::max(1, recipe.size.width / picturesAcross(picture.stereo));
-    // What is seen stays seen: a narrower picture shows more above and below.
+    // The visible part is kept: a narrower picture shows more above and below.
     const double before = double(recipe.camera.size.width) / recipe.camera.size.height;
     const double after = double(camera.size.width) / camera.size.height;
     if (after < before) camera.height *= before / after;

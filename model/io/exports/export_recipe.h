@@ -15,7 +15,7 @@
 
 namespace io {
 
-// What an export makes of an entry, as plain values that can be kept; the entry comes on top.
+// Recipes: the settings of an export, as plain values that can be kept, without the entry.
 
 struct PixelRecipe { // of the plane
     attractor::Camera camera;
@@ -69,10 +69,10 @@ struct BodyRecipe { // of a system in space
 
 using ExportRecipe = std::variant<PixelRecipe, ShapeRecipe, SpaceRecipe, BodyRecipe>;
 
-bool isInSpace(const ExportRecipe& recipe); // what entries it is for
-// Whether every number is in the range that the dialogs have.
+bool isInSpace(const ExportRecipe& recipe); // whether it is for entries in space
+// Returns true if every number is in the range that the dialogs have.
 bool isUsable(const ExportRecipe& recipe);
-// Whether the ending of the file's name is one of the recipe's format.
+// Returns true if the suffix of the file name belongs to the recipe's format.
 bool isNamedFor(const ExportRecipe& recipe, const QString& path);
 
 // The fractal has the dimension of the recipe, and the recipe is usable.
@@ -82,8 +82,8 @@ SvgExport exportOf(const ShapeRecipe& recipe, const document::Fractal& fractal);
 SpaceExport exportOf(const SpaceRecipe& recipe, const document::Fractal& fractal);
 SolidExport exportOf(const BodyRecipe& recipe, const document::Fractal& fractal);
 
-// What the picture shows, in so many pixels of the same shape; of shapes, those that so many pixels need.
-// nullopt when stopped, and for bodies.
+// A preview in `pixels` pixels of the same shape; of shapes, as many as those pixels need. nullopt when
+// stopped, and for bodies.
 std::optional<QImage> previewOf(const ExportRecipe& recipe, const document::Fractal& fractal,
                                 const QSize& pixels, const std::stop_token& stop);
 

@@ -30,7 +30,7 @@ QString nameOf(const Names<Value, Count>& names, const Value& wanted) {
     return {};
 }
 
-// Reads fields one after another; once one is not what it is to be, all is wrong.
+// Reads fields one after another; a single wrong field makes all of it wrong.
 class Fields {
 public:
     explicit Fields(const QJsonObject& json) : m_json(json) {}

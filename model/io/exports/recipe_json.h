@@ -9,7 +9,8 @@
 
 namespace io {
 
-// A recipe as JSON, and back to the last bit. nullopt for what is none; ranges are not looked at.
+// Conversion of a recipe to JSON and back, to the last bit. nullopt for JSON that is no recipe; ranges are
+// not checked.
 QJsonObject recipeJson(const ExportRecipe& recipe);
 std::optional<ExportRecipe> recipeIn(const QJsonObject& json);
 

@@ -44,7 +44,7 @@ QString TaskFolder::pathOf(const QString& id) const {
     return QDir(m_folder).filePath(id + ending);
 }
 
-// Also when somebody has emptied the folder meanwhile.
+// Works even if somebody has emptied the folder meanwhile.
 bool TaskFolder::own(const QString& id) {
     const QString path = pathOf(id);
     std::unique_ptr<document::ProcessLock>& lock = m_locks[id];
@@ -61,7 +61,7 @@ bool TaskFolder::write(const QString& id, const ExportTask& task) {
     if (!file.open(QIODevice::WriteOnly)) return false;
     file.setPermissions(QFile::ReadOwner | QFile::WriteOwner);
     const QByteArray data = taskFile(task);
-    // commit() would not notice that what is still in memory finds no room.
+    // commit() would not notice that bytes still in memory find no room.
     return file.write(data) == data.size() && file.flush() && file.commit();
 }
 
@@ -104,7 +104,7 @@ TaskFolder::TakenOver TaskFolder::takeOver() {
     const auto everything = QDir::Files | QDir::System | QDir::Hidden;
     for (const QString& name : folder.entryList({u'*' + ending}, everything))
         if (!m_locks.contains(name.chopped(ending.size()))) claim(folder.filePath(name), taken);
-    // What was half written when its process was killed: QSaveFile adds letters behind the name.
+    // Removes partly written files of killed processes: QSaveFile adds letters behind the name.
     for (const QString& name : folder.entryList({u'*' + ending + QStringLiteral(".*")}, everything)) {
         const QString path = folder.filePath(name.left(name.indexOf(ending) + ending.size()));
         const bool isOurs = m_locks.contains(QFileInfo(path).fileName().chopped(ending.size()));

@@ -21,7 +21,7 @@ namespace io {
 class TaskFolder {
 public:
     explicit TaskFolder(const QString& folder); // made when it is needed
-    ~TaskFolder();                              // what is left belongs to whoever comes next
+    ~TaskFolder();                              // remaining tasks belong to the next owner
 
     TaskFolder(const TaskFolder&) = delete;
     TaskFolder& operator=(const TaskFolder&) = delete;

@@ -30,7 +30,7 @@ void yieldToOthers() {
 #endif
 }
 
-// In a thread of its own: that of the lane goes on to other work, and cannot stop yielding.
+// Runs in a thread of its own: that of the lane goes on to other work, and cannot stop yielding.
 void yielding(const std::function<void()>& work) {
     try {
         std::thread([&] {

@@ -18,9 +18,9 @@ namespace io {
 
 using document::Lane;
 
-// Runs work(QPromise<Result>&) in a thread of its own, beside the window; what touches files is never in the
-// lane of what does not. Cancelling the future tells the work to end; what nobody waits for any more goes on
-// unheard, perhaps beyond the end of the program: it holds nothing but values.
+// Runs work(QPromise<Result>&) in a thread of its own, beside the window; work on files is never in the lane
+// of other work. Cancelling the future tells the work to end; work whose result nobody waits for any more
+// goes on, perhaps beyond the end of the program, so it must hold nothing but values.
 template <class Result, class Work> QFuture<Result> inBackground(Lane lane, Work work) {
     const auto promise = std::make_shared<QPromise<Result>>(); // a function that may be copied holds it
     QFuture<Result> future = promise->future();

@@ -11,7 +11,7 @@
 namespace io {
 
 // Work that writes what is exported, in a thread of its own. Destroying it tells the work to stop and waits,
-// but not long: what waits for a drive that does not answer goes on unheard, and cleans up if it gets that
+// but not long: work that waits for a drive that does not answer goes on alone, and cleans up if it gets that
 // far. The sudden end of the program tells it, too.
 class ExportWork {
 public:

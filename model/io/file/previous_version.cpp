@@ -40,7 +40,7 @@ bool writeAllTo(int file, const QByteArray& bytes) {
     return true;
 }
 
-// What others may not read is theirs at no moment.
+// Copies so that others who may not read the file can read the copy at no moment.
 bool copyAs(const QByteArray& name, const QByteArray& path, const QByteArray& bytes) {
     struct stat old {};
     if (::stat(path.constData(), &old) != 0) return false;

@@ -12,7 +12,7 @@ QString previousVersionOf(const QString& path);
 enum class Keeping {
     Nothing, // there is no file yet
     Kept,
-    Foreign, // somebody else's file has the name, and stays
+    Foreign, // another file has the name, and stays
     Refused  // by the file system
 };
 struct KeptVersion {

@@ -53,7 +53,7 @@ private:
 
 constexpr char accessList[] = "system.posix_acl_access";
 
-// What call(room, size) writes, which says how much that is when there is no room; nullopt when it fails.
+// Output of call(room, size), which returns the size needed when there is no room; nullopt when it fails.
 template <class Call> std::optional<QByteArray> written(Call call) {
     const ssize_t size = call(nullptr, 0);
     if (size < 0) return std::nullopt;
@@ -64,7 +64,7 @@ template <class Call> std::optional<QByteArray> written(Call call) {
     return bytes;
 }
 
-// They speak of the old bytes.
+// Returns true for attributes that describe the old bytes.
 bool isOfContents(const QByteArray& attribute) {
     return attribute == "security.capability" || attribute == "security.ima" || attribute == "security.evm";
 }
@@ -87,7 +87,7 @@ int keepExtendedAttributes(int file, const QByteArray& path) {
     return 0;
 }
 
-// One that the folder gives to every new file is not the old one's.
+// Drops the access list that the folder gives to every new file: the old file may have none.
 void dropAccessList(int file) {
     ::fremovexattr(file, accessList);
 }
@@ -114,7 +114,7 @@ int keepAttributes(int file, const QByteArray& path) {
     return keepExtendedAttributes(file, path);
 }
 
-// Nothing is left out: "link/.." is not the folder that the link lies in.
+// The folder, unsimplified: "link/.." is not the folder that the link lies in.
 QByteArray folderOf(const QByteArray& path) {
     const auto slash = path.lastIndexOf('/');
     return slash < 0 ? QByteArray(".") : slash == 0 ? QByteArray("/") : path.left(slash);
@@ -139,7 +139,8 @@ QByteArray linkOf(int file) {
     return "/proc/self/fd/" + QByteArray::number(file);
 }
 
-// Whether it is half a file of this user whose program has ended: nobody has it locked, nor has just made it.
+// Returns true for a partly written file of this user whose program has ended: nobody has it locked, nor has
+// just made it.
 bool isAbandoned(const QByteArray& name, time_t now) {
     constexpr time_t justNow = 60; // seconds, of the same clock, which may have been set back since
     const Descriptor file(::open(name.constData(), O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC));
@@ -161,7 +162,7 @@ void removeAbandoned(const QByteArray& folder, int made) {
     }
 }
 
-// Such a file, locked for as long as it is open; negative when there is none.
+// Creates a file with a temporary name, locked for as long as it is open; negative when there is none.
 int createPart(const QByteArray& folder, int access, mode_t mode, QByteArray& name) {
     int file = -1;
     name = freeName(folder, part, [&](const QByteArray& candidate) {
@@ -174,8 +175,8 @@ int createPart(const QByteArray& folder, int access, mode_t mode, QByteArray& na
     return file;
 }
 
-// A new file beside `path` for what is to replace it; without a name where the system can do that, so that
-// nothing stays of it whatever ends the program. What others may not read is theirs at no moment.
+// Creates the replacement of `path` beside it; without a name where the system can do that, so that nothing
+// stays of it whatever ends the program. At no moment can others read what they may not.
 int createBeside(const QByteArray& folder, const QByteArray& path, QByteArray* name) {
     const mode_t mode = ::access(path.constData(), F_OK) == 0 ? 0600 : 0666; // the umask is taken from it
     int file = -1;
@@ -260,7 +261,7 @@ struct ReplacementFile::State {
         return error == 0;
     }
 
-    // Where there is no file yet, it needs no other name on the way.
+    // A new file needs no other name on the way.
     bool becomesTarget() {
         return name.isEmpty() && ::linkat(AT_FDCWD, linkOf(file.number()).constData(), AT_FDCWD,
                                           target.constData(), AT_SYMLINK_FOLLOW) == 0;

@@ -8,7 +8,7 @@
 
 namespace io {
 
-// Why the system did not do what it was asked to.
+// The reason why a system call failed.
 struct SystemError {
     enum class Kind { None, DiskFull, Denied, NameTooLong, Other };
     Kind kind = Kind::None;
@@ -30,9 +30,9 @@ public:
     // The error of the last call, the constructor included.
     const SystemError& error() const { return m_error; }
 
-    // All of it, from a position on; false with an error.
+    // Writes all of it, from a position on; false with an error.
     bool write(qint64 position, const char* data, qint64 size);
-    // What was written there, at most `size` bytes; -1 with an error.
+    // Reads at most `size` bytes that were written there; -1 with an error.
     qint64 read(qint64 position, char* data, qint64 size);
 
     // Flushes the bytes to the disk, then gives them the name; the folder is flushed as well. `target` holds

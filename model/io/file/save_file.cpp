@@ -65,7 +65,7 @@ fs::path followed(const fs::path& given) {
     return at;
 }
 
-// Whether the last part of the path is a link, wherever it leads.
+// Returns true if the last part of the path is a link, wherever it leads.
 bool endsInLink(const fs::path& path) {
     std::error_code error;
     return fs::is_symlink(fs::symlink_status(path, error));
@@ -88,7 +88,7 @@ End target(const QString& path) {
     struct stat opened {};
     struct stat named {};
     const bool isRegular = ::fstat(end, &opened) == 0 && S_ISREG(opened.st_mode);
-    // Not so without /proc, or after the file was removed.
+    // False without /proc, or after the file was removed.
     const bool isNamed = !error && ::stat(resolved.c_str(), &named) == 0 && named.st_dev == opened.st_dev &&
                          named.st_ino == opened.st_ino;
     ::close(end);
@@ -248,7 +248,7 @@ qint64 NewFile::readData(char* data, qint64 size) {
             count = ::pread(m_waiting, data, std::size_t(size), off_t(pos()));
         while (count < 0 && errno == EINTR);
     }
-    // Whoever reads back what it wrote may not look at the result, as FFmpeg's writer of MP4.
+    // Readers of their own output may ignore the result, as FFmpeg's writer of MP4 does.
     if (count < 0) fail();
     return count;
 }

@@ -44,15 +44,15 @@ private:
     Failure m_failure;
 };
 
-// All of it at once.
+// Saves all bytes at once.
 Failure saveFile(const QString& path, const QByteArray& bytes);
 
 struct Loaded {
     QByteArray bytes;
     Failure failure;
 };
-// Both refuse more than 256 MB, saying so.
+// Both refuse more than 256 MB with a message.
 Loaded loadFile(const QString& path);   // also what is no regular file: it might never come to an end
-Loaded loadSource(const QString& path); // what a user of the command line names, also a pipe
+Loaded loadSource(const QString& path); // named by a user of the command line, also a pipe
 
 } // namespace io

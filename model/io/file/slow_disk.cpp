@@ -16,7 +16,7 @@ namespace io {
 
 namespace {
 
-// What is known of paths, and which of them are being asked about.
+// Known existence of paths, and the questions under way.
 class Presence {
 public:
     void ask(const QString& path) {
@@ -37,7 +37,7 @@ public:
         const std::scoped_lock lock(m_mutex);
         return m_asked.contains(path);
     }
-    // Until there is an answer about all of them, or it is late.
+    // Waits for an answer about all of them, or until it is late.
     void wait(const QStringList& paths, std::chrono::milliseconds patience) {
         std::unique_lock lock(m_mutex);
         m_answered.wait_for(lock, patience, [&] {

@@ -14,8 +14,8 @@ namespace io {
 
 inline constexpr std::chrono::milliseconds soon{50};
 
-// What `question` returns, if it does so in time. It goes on unheard otherwise, perhaps beyond the end of the
-// program: it holds nothing but values.
+// The result of `question`, if it comes in time. Otherwise the call goes on unnoticed, perhaps beyond the end
+// of the program: `question` must hold nothing but values.
 std::optional<bool> answerSoon(std::function<bool()> question, std::chrono::milliseconds patience = soon);
 
 // The paths without those where there is no file any more, in their order. A path that does not answer is as

@@ -7,8 +7,8 @@
 
 namespace io {
 
-// In place of a path: what is written waits in a file without a name until it is whole, and then goes to
-// standard output. Whatever ends the program, nothing is left in the temporary folder. No file is called so.
+// A pseudo path: output waits in a file without a name until it is complete, and then goes to standard
+// output. Whatever ends the program, nothing is left in the temporary folder. No file has this name.
 const QString& standardOutputPath();
 
 // The sentence for an error of the system.
@@ -18,11 +18,11 @@ QString cannotPrint(int error);
 // one.
 int namelessFile();
 
-// All of it to standard output, waiting where that is a pipe that does not block; false with errno when it
+// Writes all bytes to standard output, waiting where that is a non-blocking pipe; false with errno when it
 // cannot be written to.
 bool printBytes(const char* data, std::size_t size);
 
-// All of the file, from its beginning; false with errno when it cannot be read or printed.
+// Writes the whole file, from its beginning; false with errno when it cannot be read or printed.
 bool printFile(int descriptor);
 
 } // namespace io

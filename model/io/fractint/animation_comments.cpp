@@ -285,7 +285,7 @@ private:
         }
     }
 
-    // Takes what is stored of a motion; what is not taken must not be there.
+    // Takes stored fields into a motion; no other field may be stored.
     struct MotionFields {
         AnimationBuilder& builder;
         Stored::Motion left;
@@ -301,7 +301,8 @@ private:
         }
         void pivot(ifs::Vector<Dim>& point) { point = builder.point(std::exchange(left.pivot, {})); }
         void axis(ifs::Vector<3>& direction) { direction = builder.axis(left.axis); }
-        // In space one without an axis goes about the target, as all of them did before axes were stored.
+        // An orbit in space without an axis goes about the target, as all of them did before axes were
+        // stored.
         void axis(ifs::Vector<3>& direction, animation::OrbitPivot& pivot) {
             if (Dim == 3 && left.axis.empty())
                 pivot = animation::OrbitPivot::Target;

@@ -12,19 +12,19 @@
 
 namespace io {
 
-// The lines of a shape's animation, each under 70 bytes; none when nothing moves. docs/formats.md, "Our own
-// lines".
+// The lines of a shape's animation, each under 70 bytes; none when nothing moves. docs/formats.md,
+// "Barycage's comment lines".
 template <int Dim> QByteArrayList animationComments(const document::Shape<Dim>& shape);
 
-// What of an animation survives being written and read when maps get these ids: what moves only maps that are
-// gone is dropped, as are positions of a cage that is gone.
+// Reduces an animation to what survives being written and read when maps get these ids: motions of maps that
+// are gone are dropped, as are positions of a cage that is gone.
 template <int Dim>
 void renumberAnimation(document::Shape<Dim>& shape, const std::map<ifs::MapId, ifs::MapId>& ids);
 
 // Collects the lines of the animations of one entry, then gives the last valid one to its shape.
 class AnimationComments {
 public:
-    // Whether the line belongs to an animation that has begun, or begins one. What is wrong with it comes out
+    // Returns true if the line belongs to an animation that has begun, or begins one. Errors in it come out
     // in applyTo(), for then none of its lines counts. `line` names it in the outcome.
     bool read(const QByteArray& key, const QByteArrayList& values, std::size_t line);
 

@@ -15,7 +15,7 @@
 
 namespace io {
 
-// The lines of one animation, in whatever dimension: names, counts and numbers, not yet what they mean.
+// The lines of one animation, in whatever dimension: names, counts and numbers, not yet interpreted.
 class AnimationLines {
 public:
     struct Stored {
@@ -78,7 +78,7 @@ private:
     std::optional<QByteArray> m_mistake;
 };
 
-// As the lines name it.
+// Names of the tracks in the lines.
 
 } // namespace io
 

@@ -11,11 +11,11 @@
 #include <string>
 #include <vector>
 
-// How a fractal is coloured, in comment lines. Entries and keys of animations have the same lines; those of a
-// key begin with "look". docs/formats.md, "Our own lines".
+// Colouring of a fractal in comment lines. Entries and keys of animations have the same lines; those of a key
+// begin with "look". docs/formats.md, "Barycage's comment lines".
 namespace io {
 
-// None where everything is as in a new entry.
+// No lines for an appearance as in a new entry.
 QByteArrayList appearanceComments(const attractor::Appearance& appearance);
 QByteArrayList lookComments(const animation::Look& look);
 
@@ -25,7 +25,8 @@ public:
     // False when the key or its values are not understood.
     bool read(const QByteArray& key, const QByteArrayList& values);
 
-    // As in a new entry where no line says otherwise; the palette is the usual one.
+    // The appearance as read, with the values of a new entry where no line says otherwise; the palette is the
+    // usual one.
     const attractor::Appearance& appearance() const { return m_appearance; }
 
     bool namesPalette() const { return m_paletteName || !m_stops.empty(); }

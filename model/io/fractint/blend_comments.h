@@ -9,7 +9,7 @@
 #include <map>
 #include <vector>
 
-// Where maps pull colours on the palette, in comment lines. docs/formats.md, "Barycage's comment lines".
+// Pull of maps on palette coordinates, in comment lines. docs/formats.md, "Barycage's comment lines".
 namespace io {
 
 // "map-blend N COORDINATE SPEED" for every map that has been given a blend.

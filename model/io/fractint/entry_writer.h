@@ -7,7 +7,7 @@
 
 namespace io {
 
-// One entry in the strict form that every reader takes; used for new entries and for the clipboard.
+// An entry in the strict form that every reader takes; used for new entries and for the clipboard.
 QByteArray writeEntry(const document::Fractal& fractal, const QByteArray& lineEnd = "\n");
 
 } // namespace io

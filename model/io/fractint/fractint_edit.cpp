@@ -58,7 +58,7 @@ std::optional<ParsedEntry> parsed(QByteArrayView text, char lineEndByte, bool ba
     return isEntry ? std::optional(parseEntry(text, *block, lineEndByte)) : std::nullopt;
 }
 
-// What reading the written entry must give.
+// The result that reading the written entry must give.
 Fractal expected(const Fractal& fractal, const Fractal& before) {
     Fractal stored = asStored(fractal);
     if (fractal.name != before.name) stored.name = storedName(fractal.name);
@@ -356,7 +356,7 @@ void Edit::replaceRow(std::size_t row, const Row& after) {
         m_patches.push_back(std::move(patch));
 }
 
-// Whole lines change places when every row has one; else only the numbers with what stands between them.
+// Whole lines change places when every row has one; else only the numbers and the text between them.
 void Edit::permute(const std::vector<std::size_t>& kept, const std::vector<const Row*>& wanted) {
     const bool wholeLines =
         std::all_of(kept.begin(), kept.end(), [this](std::size_t row) { return m_slots[row].isOwnLine; });

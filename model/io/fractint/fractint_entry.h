@@ -9,8 +9,8 @@
 
 #include <vector>
 
-// One entry of a Fractint collection: what it means and where in its text each part stands.
-// docs/formats.md, "Reading one entry".
+// An entry of a Fractint collection: its meaning, and the place of each part in its text. docs/formats.md,
+// "Reading one entry".
 namespace io::fractint {
 
 struct Token {

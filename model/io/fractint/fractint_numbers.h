@@ -25,16 +25,16 @@ Number readNumber(std::string_view token);
 // nan for a token that is no good number. A decimal comma is one comma in front of a digit, without a point.
 double valueOf(std::string_view token, bool decimalComma);
 
-// Whether a number can end with this character.
+// Returns true if a number can end with this character.
 bool isNumberEnd(char c);
 
-// How many numbers make a row.
+// Number of numbers in a row.
 struct RowShape {
     int rowLength = 0;            // 6, 7, 12 or 13; 0 when the numbers fill no rows
     bool isMarkMissing = false;   // three-dimensional without (3D)
     bool isLineLengthOdd = false; // rows of 7 that disagree with the lines: each line has 6, or 13
 };
-// From the numbers in each line that has any.
+// The shape that fits the numbers of each line that has any.
 RowShape rowShape(const std::vector<std::size_t>& perLine, bool isMarked3D);
 
 } // namespace io::fractint

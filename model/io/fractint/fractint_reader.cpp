@@ -58,7 +58,7 @@ private:
     int m_line = 1;
 };
 
-// Whether the block is a set of parameters or a formula: its first words hold an equals sign.
+// Returns true if the block is a set of parameters or a formula: its first words hold an equals sign.
 bool isAssignment(QByteArrayView bytes, const Block& block, char lineEndByte) {
     int words = 0;
     bool inWord = false;
@@ -203,7 +203,7 @@ bool FileReader::readBare() {
     if (!holdsOnlyRows(rest, m_lineEnd)) return false;
     Block block;
     block.all = {begin, m_bytes.size()};
-    // What follows ^Z stays in the tail, before which new entries go.
+    // Text behind ^Z stays in the tail, before which new entries go.
     if (const qsizetype ctrlZ = m_bytes.indexOf('\x1a', begin); ctrlZ >= 0) block.all.end = ctrlZ;
     block.name = {begin, begin};
     block.close = block.all.end;

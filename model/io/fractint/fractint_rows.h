@@ -18,8 +18,8 @@ struct Row {
     ifs::MapId id = ifs::MapId::None;
     std::vector<double> coefficients; // 6, or 12: the matrix row by row, then the vector
     std::optional<double> weight;     // 0 for a map that is off; nullopt for a map without weight
-    // What stands in the row: the probabilities where a map that takes part has no weight, so that every
-    // program draws the same.
+    // The number in the row: the probability where a map that takes part has no weight, so that every program
+    // draws the same.
     double written = 0;
     double probability = 0;
 };
@@ -35,9 +35,9 @@ std::size_t secondLine(std::size_t numbers);
 QByteArrayList alignedRows(const std::vector<std::vector<QByteArray>>& rows);
 // The same, each row on two lines.
 QByteArrayList rowsOnTwoLines(const std::vector<std::vector<QByteArray>>& rows);
-// On two lines where one would be longer than maxLine.
+// Rows broken into two lines where one would be longer than maxLine.
 QByteArrayList brokenRows(const std::vector<std::vector<QByteArray>>& rows);
-// As alignedRows, with single blanks.
+// Rows like alignedRows, but with single blanks.
 QByteArrayList closeRows(const std::vector<std::vector<QByteArray>>& rows);
 
 QString storedName(const QString& name);       // one word that hides no brace, comment or prefix

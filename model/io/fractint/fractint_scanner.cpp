@@ -17,7 +17,8 @@ bool startsWithWord(QByteArrayView text, const char* word) {
     return text.size() >= length && qstrnicmp(text.data(), word, static_cast<std::size_t>(length)) == 0;
 }
 
-// A single word, perhaps followed by (3D): what may stand alone on the line above its brace.
+// Returns true for a single word, perhaps followed by (3D), which may stand alone on the line above its
+// brace.
 bool isLoneName(QByteArrayView line) {
     const auto paren = std::find(line.begin(), line.end(), '(');
     const Span word = withoutBlanks(line, {0, paren - line.begin()});
@@ -25,7 +26,8 @@ bool isLoneName(QByteArrayView line) {
     return !name.isEmpty() && std::none_of(name.begin(), name.end(), isBlank);
 }
 
-// Only "(…)" or nothing: what may stand between a line break and the brace that belongs to the line above.
+// Returns true for "(…)" or nothing: the text allowed between a line break and the brace that belongs to the
+// line above.
 bool isOnlyMarker(QByteArrayView text) {
     const Span rest = withoutBlanks(text, {0, text.size()});
     return rest.size() == 0 || (text[rest.begin] == '(' && text[rest.end - 1] == ')');
@@ -167,8 +169,8 @@ void Scanner::findClose(Block& block) {
     block.close = block.all.end = m_bytes.size();
 }
 
-// Where the entry begins whose opening brace was met inside `block`: at the start of that line, or of the
-// line above when that is a lone name.
+// The start of the entry whose opening brace was met inside `block`: the start of that line, or of the line
+// above when that is a lone name.
 qsizetype Scanner::restart(const Block& block, qsizetype secondOpen) const {
     const auto lineBegin = [&](qsizetype position) {
         while (position > block.open + 1 && m_bytes[position - 1] != m_lineEnd)

@@ -5,7 +5,7 @@
 
 #include <optional>
 
-// Where the entries of a Fractint collection are. docs/formats.md, "Finding entries".
+// Positions of the entries of a Fractint collection. docs/formats.md, "Finding entries".
 namespace io::fractint {
 
 struct Span {

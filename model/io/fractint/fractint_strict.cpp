@@ -30,7 +30,7 @@ constexpr std::size_t maxMaps = 63;
 constexpr std::size_t maxMapsBefore18 = 31;
 constexpr qsizetype maxEntries = 2000;
 
-// Letters lose their accents; what has no plain form becomes a question mark, or `replacement` in a name.
+// Removes accents; letters without a plain form become a question mark, or `replacement` in a name.
 QByteArray ascii(const QString& text, char replacement) {
     QByteArray result;
     for (const QChar c : text.normalized(QString::NormalizationForm_KD)) {
@@ -69,7 +69,7 @@ private:
         const QByteArray name = strictName(fractal.name);
         ++m_text.entries;
         if (m_text.entries > 1) m_text.bytes += '\n';
-        // Before the entry: Fractint 16–18 accept no comment inside.
+        // Comments go before the entry: Fractint 16–18 accept none inside.
         if (entry.source) addText(entry.source->before);
         for (const QString& comment : document::userComments(fractal.comments))
             addComment(comment);
@@ -129,7 +129,7 @@ private:
         if (before > 0 && m_text.bytes.size() > before) m_text.bytes.insert(before, '\n');
     }
 
-    // What stands behind the numbers of a row, or behind the closing brace.
+    // Adds the text behind the numbers of a row, or behind the closing brace.
     void addCommentsOfRows(const QByteArray& text) {
         bool isBody = false;
         for (const QByteArray& line : linesOf(text)) {
@@ -170,7 +170,7 @@ private:
         return legal.toLatin1();
     }
 
-    // Weights sum to 1, the last one taking what is left where that is more than the rounding of the sum.
+    // Weights sum to 1, the last one taking the remainder if that is more than the rounding of the sum.
     static QByteArrayList rowText(const std::vector<Row>& rows) {
         double rest = 1;
         std::vector<std::vector<QByteArray>> cells;

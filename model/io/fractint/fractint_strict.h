@@ -15,7 +15,7 @@ struct StrictText {
     qsizetype entries = 0; // written; for those that are not, an error is among the problems
     document::Problems problems;
 };
-// All entries with the head and tail of the file, or those of `only` alone.
+// Writes all entries with the head and tail of the file, or those of `only` alone.
 StrictText writeStrict(const document::FractalFile& file, const QList<document::EntryId>& only = {});
 
 } // namespace io

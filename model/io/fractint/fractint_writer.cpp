@@ -17,7 +17,7 @@ bool isLineOpen(const QByteArray& bytes) {
     return !bytes.isEmpty() && bytes.back() != '\n' && bytes.back() != '\r';
 }
 
-// Whether `b` stood right after `a` in the file they were read from.
+// Returns true if `b` stood right after `a` in the file they were read from.
 bool wereNeighbours(const Entry& a, const Entry& b, char lineEndByte) {
     return a.source && b.source &&
            b.source->line ==
@@ -77,7 +77,7 @@ private:
             add(isUntouched ? entry.source->text : fractint::editedText(*entry.source, *entry.fractal));
     }
 
-    // All entries may share one line: what is written already is not looked through again.
+    // Only new bytes are searched for line ends, because all entries may share one line.
     void add(const QByteArray& bytes) {
         const qsizetype line = std::max(bytes.lastIndexOf('\n'), bytes.lastIndexOf('\r')) + 1;
         m_endsInComment = (m_endsInComment && line == 0) || bytes.indexOf(';', line) >= 0;

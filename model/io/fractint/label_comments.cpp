@@ -26,7 +26,7 @@ QByteArray escapeOf(const QByteArray& bytes) {
     return text;
 }
 
-// What must not be in a comment as it is: ends of lines and entries, and what is not seen.
+// Returns false for letters that must be escaped in a comment: ends of lines and entries, and invisible ones.
 bool isPlain(const QString& letter) {
     const QChar c = letter.front();
     return letter != u"%" && letter != u"{" && letter != u"}" && (c.isPrint() || c.isSurrogate());

@@ -12,11 +12,11 @@
 // The names and the locks of maps, in comment lines. docs/formats.md, "Barycage's comment lines".
 namespace io {
 
-// None without labels. A name is UTF-8, in which %HH stands for a byte; a long one goes on in the next line
-// of its map.
+// No lines without labels. A name is UTF-8, in which %HH stands for a byte; a long one goes on in the next
+// line of its map.
 QByteArrayList labelComments(const document::Fractal& fractal);
 
-// What of a label survives being written and read.
+// The label as it comes back after being written and read.
 document::MapLabel storedLabel(document::MapLabel label);
 
 // Collects the lines of one entry.

@@ -25,7 +25,7 @@ public:
     bool read(const QByteArray& key, const QByteArrayList& values, std::size_t line);
 
     struct Outcome {
-        QString sentence;  // what did not fit the system; empty when all did
+        QString sentence;  // about links that do not fit the system; empty: all do
         bool kept = false; // the lines are to stay as they are
     };
     // Needs the symmetry in place.

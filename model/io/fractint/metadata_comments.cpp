@@ -46,7 +46,7 @@ template <int Dim> QByteArrayList pointLines(const char* key, const ifs::Vector<
     return lines;
 }
 
-// With one such map the determinant rule serves for all, and the rows hold probabilities.
+// Returns true for a map that makes the determinant rule serve for all; rows then hold probabilities.
 template <int Dim> bool lacksWeight(const ifs::WeightedMap<Dim>& map) {
     return map.enabled && !map.weight;
 }
@@ -87,7 +87,7 @@ template <int Dim> QByteArrayList branchLines(const ifs::MovedBranch<Dim>& branc
     return lines << pointLines<Dim>("by", branch.change.translation);
 }
 
-// By what the shape is held, and what is shown elsewhere.
+// Lines about the cage of the shape, and about its moved branches.
 template <int Dim> QByteArrayList placementLines(const document::Shape<Dim>& shape) {
     QByteArrayList lines;
     if (shape.cage) {
@@ -195,7 +195,7 @@ bool MetadataComments::read(QByteArrayView comment) {
            m_animations.read(key, values, m_ownComments - 1);
 }
 
-// One more point, or more coordinates of the last one.
+// Reads another point, or more coordinates of the last one.
 bool MetadataComments::readPoint(const QByteArrayList& values, std::vector<Point>& points) const {
     const bool continues = !points.empty() && points.back().isOpen;
     Point point = continues ? points.back() : Point();

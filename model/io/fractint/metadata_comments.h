@@ -17,19 +17,19 @@
 
 #include <vector>
 
-// What a Fractint entry has no place for (cage, appearance, maps that are off) travels in comment lines
-// "; barycage: key values". docs/formats.md, "Our own lines".
+// Parts of a fractal without a place in a Fractint entry (cage, appearance, maps that are off), in comment
+// lines "; barycage: key values". docs/formats.md, "Barycage's comment lines".
 namespace io {
 
 // Lines without line ends, each under 70 bytes; none when everything is as in a new entry.
 QByteArrayList metadataComments(const document::Fractal& fractal);
 
-// What of `fractal` survives being written and read: maps renumbered in their order, colours and labels of
-// maps that are gone dropped, texts cut to what a line can hold.
+// The fractal as it comes back after being written and read: maps renumbered in their order, colours and
+// labels of maps that are gone dropped, texts cut to what a line can hold.
 document::Fractal asStored(document::Fractal fractal);
 
-// Whether a comment (what follows the semicolon) is one of ours, whatever its key, apart from those that
-// stay among the comments (document/tops/kept_theft.h).
+// Returns true if a comment (the text after the semicolon) is one of ours, whatever its key, apart from those
+// that stay among the comments (document/tops/kept_theft.h).
 bool isOwnComment(QByteArrayView comment);
 
 // Collects the lines of one entry, then gives their values to the fractal that was read from its rows.

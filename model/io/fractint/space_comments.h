@@ -9,10 +9,10 @@
 #include <optional>
 #include <vector>
 
-// How an entry in space is shown, in comment lines. docs/formats.md, "Our own lines".
+// Appearance of an entry in space, in comment lines. docs/formats.md, "Barycage's comment lines".
 namespace io {
 
-// None where everything is as in a new entry. `before` is put before the key of every line.
+// No lines for an appearance as in a new entry. `before` is put before the key of every line.
 QByteArrayList spaceComments(const attractor::SpaceAppearance& appearance, const QByteArray& before = {});
 
 // Collects the lines of one entry.
@@ -21,7 +21,7 @@ public:
     // False when the key or its values are not understood.
     bool read(const QByteArray& key, const QByteArrayList& values);
 
-    // What the lines say; a clip that makes no sense is left out.
+    // The appearance as read; a clip that makes no sense is left out.
     attractor::SpaceAppearance appearance() const;
 
 private:

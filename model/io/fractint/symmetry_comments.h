@@ -13,14 +13,14 @@
 // The group under which an entry is symmetric, in comment lines. docs/formats.md, "Barycage's comment lines".
 namespace io {
 
-// None without a symmetry.
+// No lines without a symmetry.
 template <int Dim> QByteArrayList symmetryComments(const ifs::Symmetry<Dim>& symmetry);
 
 // Collects the lines of one entry.
 class SymmetryComments {
 public:
-    // Whether the key is one of a symmetry. What is wrong with its values comes out in applyTo(). `line`
-    // names it in lines().
+    // Returns true if the key is one of a symmetry. Errors in its values come out in applyTo(). `line` names
+    // it in lines().
     bool read(const QByteArray& key, const QByteArrayList& values, std::size_t line);
 
     const std::vector<std::size_t>& lines() const { return m_lines; }

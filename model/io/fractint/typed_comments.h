@@ -18,7 +18,8 @@ inline constexpr std::size_t maxTypedLines =
 
 template <int Dim> QByteArrayList typedComments(const ifs::IteratedFunctionSystem<Dim>& system);
 
-// What of them survives being written and read, where so many lines are left, which are counted down.
+// The coefficients as they come back after being written and read, in at most `left` lines, which are counted
+// down.
 template <int Dim> ifs::TypedCoefficients storedTyped(const ifs::WeightedMap<Dim>& map, std::size_t& left);
 
 // Collects the lines of one entry.

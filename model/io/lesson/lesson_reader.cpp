@@ -45,7 +45,7 @@ QStringList items(const QString& value) {
     return found;
 }
 
-// As many as there are words; nullopt when one is no number.
+// A number for each word; nullopt when one is no number.
 std::optional<std::vector<double>> numbersIn(const QStringList& texts) {
     std::vector<double> values;
     for (const QString& text : texts) {
@@ -66,7 +66,7 @@ bool isViewSize(double size) {
     return size >= minView && size <= maxView;
 }
 
-// How the plane is turned: perhaps "down", then perhaps "rotation" and degrees, and nothing else.
+// Rotation of the plane: optionally "down", then optionally "rotation" and degrees, and nothing else.
 std::optional<LessonFit> turnIn(QStringList texts) {
     LessonFit turn;
     if (texts.value(0) == QLatin1String("down")) {

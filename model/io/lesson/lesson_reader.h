@@ -8,14 +8,15 @@
 
 namespace io {
 
-// What a lesson file says. Lenient: what is not understood is a warning, and the rest counts; a setting of a
-// later version is kept. An error, and no step, when it is no lesson. docs/formats.md, "Lessons".
+// Content of a lesson file. Lenient: a line that is not understood gives a warning, and the rest counts; a
+// setting of a later version is kept. An error, and no step, when it is no lesson. docs/formats.md,
+// "Lessons".
 struct LessonFile {
     document::Lesson lesson;
     document::Problems problems;
 };
 
-// At most 4 MB, and the numbers of steps, letters and corners that lesson.h allows.
+// Reads at most 4 MB, and the numbers of steps, letters and corners that lesson.h allows.
 LessonFile readLesson(const QByteArray& bytes);
 
 } // namespace io

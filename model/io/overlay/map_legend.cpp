@@ -26,7 +26,7 @@ QFont font(int pixels, QFont::Weight weight = QFont::Normal) {
     return font;
 }
 
-// To four digits, with the minus of mathematics.
+// A number to four digits, with the minus of mathematics.
 QString shown(double number) {
     constexpr int digits = 4;
     return QString::number(number == 0 ? 0.0 : number, 'g', digits).replace(u'-', QChar(0x2212));
@@ -74,7 +74,7 @@ QStringList titlesOf(const document::Fractal& fractal) {
     return titles << QStringLiteral("p");
 }
 
-// Every measure follows from the size of the letters.
+// Painter of a legend whose measures all follow from the size of the letters.
 class LegendPainter {
 public:
     LegendPainter(const document::Fractal& fractal, int height)

@@ -16,7 +16,7 @@ class QPainter;
 // down.
 namespace io {
 
-// A polygon, a disc or a word, in this order of preference: what is empty is not drawn.
+// A polygon, a disc or a word, in this order of preference: empty ones are not drawn.
 struct OverlayMark {
     QPolygonF polygon;
     QPointF centre; // of the disc and of the word

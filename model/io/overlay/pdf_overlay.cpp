@@ -43,7 +43,7 @@ QByteArray path(const QPointF& centre, double radius) {
            "c\n" + at(-1, -k) + at(-k, -1) + at(0, -1) + "c\n" + at(k, -1) + at(1, -k) + at(1, 0) + "c\nh\n";
 }
 
-// Each opacity is a state of its own, named after it.
+// Name of the graphics state of an opacity: each has its own.
 QByteArray stateName(const QColor& fill) {
     return "/A" + QByteArray::number(fill.alpha());
 }

@@ -9,7 +9,7 @@ namespace io {
 
 // The operators of a page whose unit is a pixel, y down, that draw the marks.
 QByteArray pdfMarks(const OverlayMarks& marks);
-// What the dictionary of its resources must hold for them, without its brackets.
+// Entries that the resource dictionary of the page must hold for the marks, without its brackets.
 QByteArray pdfMarkResources(const OverlayMarks& marks);
 
 } // namespace io

@@ -31,7 +31,7 @@ QPointF middleOf(const QPolygonF& polygon) {
     return sum / double(std::max<qsizetype>(1, polygon.size()));
 }
 
-// In the order in which they lie on each other.
+// Shapes in the order in which they lie on each other.
 class Shapes {
 public:
     Shapes(const document::Fractal& fractal, const attractor::Camera& camera, const PictureOverlay& overlay,

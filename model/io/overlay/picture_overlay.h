@@ -16,7 +16,7 @@
 
 namespace io {
 
-// What explains a picture, drawn over it.
+// Parts drawn over a picture to explain it.
 struct PictureOverlay {
     bool maps = false;        // the image of the cage under each map, in the map's colour
     bool hull = false;        // the convex hull of the attractor
@@ -46,14 +46,14 @@ inline constexpr auto overlayParts = std::to_array<OverlayPart>({
 OverlayMarks overlayMarks(const document::Fractal& fractal, const attractor::Camera& camera,
                           const PictureOverlay& overlay, const document::MapFaces& faces = {});
 
-// What must be in view for these shapes to be seen: the corners of the cage and of its images.
+// Points that must be in view for these shapes to be seen: the corners of the cage and of its images.
 std::vector<ifs::Vector<2>> overlayPoints(const document::Fractal& fractal, const PictureOverlay& overlay);
 
 // An image that paints into whole rows of pixels.
 QImage imageOver(std::span<std::uint32_t> pixels, int width);
 QImage imageOver(std::span<attractor::Rgba16> pixels, int width);
 
-// Over the rows of the picture from `firstRow` on. Needs a QGuiApplication for the letters.
+// Paints over the rows of the picture from `firstRow` on. Needs a QGuiApplication for the letters.
 void paintOverlay(QImage& rows, const OverlayMarks& marks, int firstRow);
 
 } // namespace io

@@ -76,7 +76,7 @@ public:
     OverlayMarks taken() { return std::move(m_marks); }
 
 private:
-    // Its centre, or nullopt behind the eye.
+    // Adds a disc; returns its centre, or nullopt behind the eye.
     std::optional<QPointF> addDisc(const ifs::Vector<3>& point, double radius, const QColor& fill,
                                    const QColor& rim) {
         const auto centre = onScreen(point);

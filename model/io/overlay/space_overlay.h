@@ -13,7 +13,7 @@ namespace io {
 OverlayMarks spaceOverlayMarks(const document::Fractal& fractal, const attractor::OrbitCamera& camera,
                                const PictureOverlay& overlay);
 
-// What these marks take up: the corners of the cage and of the images.
+// Points occupied by these marks: the corners of the cage and of the images.
 std::vector<ifs::Vector<3>> spaceOverlayPoints(const document::Fractal& fractal,
                                                const PictureOverlay& overlay);
 

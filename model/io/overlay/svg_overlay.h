@@ -7,7 +7,7 @@ class QXmlStreamWriter;
 
 namespace io {
 
-// One element for each mark, into the element that is open.
+// Writes an element for each mark into the element that is open.
 void writeSvgMarks(QXmlStreamWriter& xml, const OverlayMarks& marks);
 
 } // namespace io

@@ -34,7 +34,7 @@ struct Sentence {
     const char* language;
     const char* text;
 };
-// What is read where no script runs. The page itself speaks by app/web/page/texts.js.
+// Shown where no script runs. The page itself speaks by app/web/page/texts.js.
 constexpr Sentence sentences[] = {
     {"en", "To drag this fractal, open the page in a browser with JavaScript."},
     {"de", "Um an diesem Fraktal zu ziehen, öffnen Sie die Seite in einem Browser mit JavaScript."},
@@ -156,7 +156,7 @@ QByteArray styleOf(const PageExport& page) {
     return style;
 }
 
-// As a Content-Security-Policy names a text that may run.
+// The name of a text that may run, in a Content-Security-Policy.
 QByteArray hashOf(const QByteArray& text) {
     return "sha256-" + QCryptographicHash::hash(text, QCryptographicHash::Sha256).toBase64();
 }
@@ -167,7 +167,7 @@ const char* sentenceIn(const QString& language) {
     return found == std::end(sentences) ? sentences[0].text : found->text;
 }
 
-// The template with its {{fields}} filled in; what they are filled with is not looked at again.
+// The template with its {{fields}} filled in; the inserted texts are not searched again.
 QByteArray filled(const QByteArray& pattern, const QMap<QByteArray, QByteArray>& fields) {
     QByteArray text;
     for (qsizetype at = 0; at < pattern.size();) {

@@ -10,8 +10,8 @@ namespace io {
 
 namespace {
 
-// Without what belongs to modules and to people: imports, exports, indents, and comments on lines of their
-// own.
+// The script without the parts for modules and people: imports, exports, indents, and comments on lines of
+// their own.
 QByteArray plainScript(const QByteArray& module) {
     QByteArray script;
     bool inImport = false, inComment = false;

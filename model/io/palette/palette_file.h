@@ -8,7 +8,7 @@
 
 namespace io {
 
-// What was read from a file of palettes, whichever program wrote it.
+// Palettes read from a file, whichever program wrote it.
 struct PaletteFile {
     std::vector<attractor::Palette> palettes; // empty only with an error among the problems
     document::Problems problems;

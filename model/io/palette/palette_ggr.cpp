@@ -82,7 +82,7 @@ std::optional<Segment> segmentOf(const QByteArray& line) {
         *blend, *way};
 }
 
-// How far from the first colour to the second.
+// Share of the way from the first colour to the second.
 double share(const Segment& segment, double position) {
     const double length = segment.right - segment.left;
     if (!(length > 0)) return 0.5;
@@ -151,7 +151,7 @@ Rgba rounded(const Colour& c) {
     return {level(c[0]), level(c[1]), level(c[2]), 255};
 }
 
-// At evenly spaced positions, both ends included.
+// Colours at evenly spaced positions, both ends included.
 std::vector<Rgba> sampled(const std::vector<Segment>& segments) {
     std::vector<Rgba> result;
     std::size_t k = 0;

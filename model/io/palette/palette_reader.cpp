@@ -59,7 +59,7 @@ std::optional<Palette::Stop> stopOf(const QByteArray& values) {
     return Palette::Stop{*position, *colour};
 }
 
-// Rows of three numbers: all of a colour map, and what follows the head of a GIMP palette.
+// Rows of three numbers: all of a colour map, or those behind the head of a GIMP palette.
 class Rows {
 public:
     explicit Rows(PaletteFile& file) : m_file(file) {}

@@ -15,7 +15,7 @@ namespace io {
 QByteArray colourText(const attractor::Rgba& colour);
 std::optional<attractor::Rgba> parseColour(const QByteArray& text);
 
-// In order of position, from 0 to 1.
+// Returns true for stops in order of position, from 0 to 1.
 bool isGradient(const std::vector<attractor::Palette::Stop>& stops);
 
 // Few stops whose gradient passes every one of these evenly spaced colours within

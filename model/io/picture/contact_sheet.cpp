@@ -46,7 +46,7 @@ QFont font(double pixels, QFont::Weight weight = QFont::Normal) {
     return font;
 }
 
-// Every measure follows from the tile.
+// Layout of a sheet, in which every measure follows from the tile.
 struct Layout {
     explicit Layout(const ContactSheet& sheet) : tile(sheet.tile) {
         const double module = std::sqrt(double(tile.width()) * tile.height()) / 12;
@@ -117,7 +117,7 @@ public:
     const Layout& layout() const { return m_layout; }
     QColor paper() const { return m_inks.paper; }
 
-    // With the upper left corner of the band in the origin. False when stopped.
+    // Paints with the upper left corner of the band in the origin. False when stopped.
     bool paint(QPainter& painter, const Band& band) {
         m_painter = &painter;
         painter.setRenderHints(QPainter::Antialiasing | QPainter::TextAntialiasing);
@@ -200,7 +200,7 @@ private:
         return drawPicture(picture, {}, m_stop).image;
     }
 
-    // As `render` does when it is told nothing.
+    // Draws as `render` does without options.
     QImage drawnInSpace(const document::Fractal& fractal) const {
         constexpr double azimuth = 30, elevation = 20;
         if (!document::spaceSupport(fractal)) return {};
@@ -241,7 +241,7 @@ PictureFormat formatOf(const ContactSheet& sheet) {
     return format;
 }
 
-// Each band as an image of its own. False when stopped.
+// Writes each band as an image of its own. False when stopped.
 bool writeBands(const ContactSheet& sheet, PictureWriter& writer, SheetPainter& sheetPainter,
                 ExportOutcome& outcome) {
     for (const Band& band : bandsOf(sheet, sheetPainter.layout())) {
@@ -261,7 +261,7 @@ bool writeBands(const ContactSheet& sheet, PictureWriter& writer, SheetPainter& 
     return true;
 }
 
-// Bands that stay together on a page: headings go with what follows.
+// Bands that stay together on a page: headings go with the band below.
 std::vector<std::vector<Band>> blocksOf(const std::vector<Band>& bands) {
     std::vector<std::vector<Band>> blocks(1);
     for (const Band& band : bands) {

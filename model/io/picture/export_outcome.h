@@ -21,8 +21,8 @@ struct ExportOutcome {
     bool isCoarse = false; // of a solid: so many pieces lie on each other that parts may be missing
 };
 
-// What `draw` writes to the device becomes the file, unless it fails or is stopped: `path` appears whole or
-// not at all. What stands in the way of drawing is the outcome before anything is begun.
+// Writes the output of `draw` to a file: `path` appears whole, or not at all if drawing fails or is stopped.
+// An obstacle is returned as the outcome before anything is begun.
 ExportOutcome writtenWhole(const QString& path, const Failure& obstacle,
                            const std::function<ExportOutcome(QIODevice& device)>& draw);
 

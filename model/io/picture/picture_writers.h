@@ -16,7 +16,7 @@ namespace io {
 // The part of the progress of an export in which it is drawn; the rest is compression.
 inline constexpr double shareOfDrawing = 0.8;
 
-// What a kind of picture file can hold, and who writes it.
+// Capabilities of a kind of picture file, and its writer.
 struct PictureFileFacts {
     PictureFile file;
     const char* title;   // "PNG"
@@ -33,7 +33,7 @@ struct PictureFileFacts {
 std::span<const PictureFileFacts> pictureFiles(); // in the order of lists
 const PictureFileFacts& factsOf(PictureFile file);
 
-// By the ending of a file's name, in any case; OpenEXR with 16 bits.
+// The kind of file with this suffix, in any case; OpenEXR with 16 bits.
 std::optional<PictureFile> pictureFileOf(const QString& suffix);
 
 bool takes(PictureFile file, PictureFormat::Depth depth); // rows of this depth

@@ -95,7 +95,7 @@ ExportOutcome drawInto(QIODevice& file, const PlaneExport& picture, const Progre
         return std::span(memory);
     };
     const auto take = [&](std::span<const Pixel> pixels, const Progress& writing) {
-        constexpr std::size_t few = 16; // rows between two looks at the stop token
+        constexpr std::size_t few = 16; // rows between two checks of the stop token
         for (std::size_t at = 0; at < pixels.size(); at += few * width) {
             if (stop.stop_requested()) return Drawn::Stopped;
             const auto rows = pixels.subspan(at, std::min(few * width, pixels.size() - at));

@@ -21,13 +21,13 @@ namespace io {
 // A picture of an entry in the plane, in any kind of file that is made of pixels.
 struct PlaneExport {
     document::Fractal fractal;        // embedded in the picture as text
-    attractor::RenderRequest request; // what is drawn; its samples are those of the whole picture
+    attractor::RenderRequest request; // its samples are those of the whole picture
     std::optional<double> dotsPerInch;
     CageVisibility cage = CageVisibility::Hidden;
     PictureFormat::Depth depth = PictureFormat::Depth::Bits8;
-    std::optional<attractor::DividedPicture> divided{};     // what of it is drawn here, and what elsewhere
+    std::optional<attractor::DividedPicture> divided{};     // the share that is drawn here
     std::vector<std::pair<QByteArray, QByteArray>> texts{}; // further ones, as in PictureFormat
-    // What a shutter sees in place of the request's moment; see BandedRendering::openShutter().
+    // The moments seen by an open shutter, in place of the request's own; see BandedRendering::openShutter().
     std::vector<attractor::RenderRequest> moments{};
     std::optional<attractor::Exposure> exposure{}; // mean density included; else that of the picture itself
     PictureFile file = PictureFile::Png;           // a kind of file that takes this depth

@@ -24,7 +24,7 @@ namespace {
 
 using attractor::LookInSpace;
 
-constexpr std::size_t fewRows = 16; // between two looks at the stop token
+constexpr std::size_t fewRows = 16; // between two checks of the stop token
 
 template <class Writer, class Pixel>
 void write(Writer& writer, std::span<const Pixel> pixels, int width, ExportOutcome& outcome,
@@ -63,7 +63,7 @@ int rowsTogether(const SpaceExport& picture) {
     return attractor::showsCloud(picture.look) ? height : rowsTogether(solidOf(picture));
 }
 
-// All rows of the picture in bands: all together of a cloud. draw(rows) returns how that ended.
+// Draws the picture in bands; a cloud in a single one. draw(rows) returns how that ended.
 template <class Draw> ExportOutcome inBands(const SpaceExport& picture, const Progress& progress, Draw draw) {
     const int height = picture.request.camera.size.height;
     const int together = std::max(1, rowsTogether(picture));
@@ -163,7 +163,7 @@ bool paintsMarks(const SpaceExport& picture) {
     return !picture.marks.empty() && !picture.page;
 }
 
-// What one eye sees.
+// Pixels of one eye.
 template <class Pixel>
 ExportOutcome eyePixels(const SpaceExport& picture, const RowRange& rows, std::span<Pixel> pixels,
                         const Progress& progress, const std::stop_token& stop) {

@@ -33,8 +33,8 @@ struct SpaceExport {
     PictureFormat::Depth depth = PictureFormat::Depth::Bits8;    // of a cloud or a solid
     std::optional<double> dotsPerInch;
     std::vector<std::pair<QByteArray, QByteArray>> texts{}; // further ones, as in PictureFormat
-    // What a shutter sees in place of the request's moment: requests that differ from it in system, cage and
-    // camera only. Not of depths.
+    // The moments seen by an open shutter, in place of the request's own: requests that differ from it in
+    // system, cage and camera only. Not for depths.
     std::vector<attractor::SpaceRequest> moments{};
     std::optional<attractor::Exposure> exposure{}; // of a cloud, mean density included; else its own
     PictureFile file = PictureFile::Png;           // of Depth: PNG
@@ -43,15 +43,16 @@ struct SpaceExport {
     std::optional<ShapeFile>
         page{};      // that a PNG of 8 bits is embedded in, with the marks as shapes; not Depth
     QImage legend{}; // as high as the picture, to its right in the file, but not beside Depth
-    // What of a cloud is drawn here, and what elsewhere. Not in stereo, nor with moments.
+    // The share of a cloud that is drawn here, when the rest is drawn elsewhere. Not in stereo, nor with
+    // moments.
     std::optional<attractor::DividedPicture> divided{};
     std::uint64_t bandBytes = std::uint64_t{1} << 28; // of a solid, as in SolidPicture
 };
 
-// How its file is written.
+// The format of its file.
 PictureFormat formatOf(const SpaceExport& picture); // but for the texts of Depth
 PictureFormat formatOfDepths(const SpaceExport& picture, const attractor::DepthRaster& raster);
-// The pixel of Depth for what is nearest there.
+// The pixel of Depth for the nearest point there.
 std::uint16_t depthValue(std::uint32_t key);
 // Why the kind of file cannot hold the picture, before it is drawn.
 Failure whyImpossible(const SpaceExport& picture);
@@ -66,7 +67,7 @@ ExportOutcome drawSpaceFile(const SpaceExport& picture, QIODevice& file, const P
                             std::stop_token stop = {});
 ExportOutcome drawSpaceFile(const SpaceExport& picture, QByteArray& bytes, const Progress& progress = {},
                             std::stop_token stop = {});
-// To a file that appears whole or not at all.
+// Exports to a file that appears whole or not at all.
 ExportOutcome exportSpace(const SpaceExport& picture, const QString& path, const Progress& progress = {},
                           std::stop_token stop = {});
 

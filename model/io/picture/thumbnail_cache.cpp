@@ -21,7 +21,7 @@ namespace io {
 
 namespace {
 
-// To be raised when the same fractal is drawn differently.
+// Version of the pictures, to be raised when the same fractal is drawn differently.
 constexpr char generation[] = "1 " BARYCAGE_VERSION;
 
 QFileInfoList picturesIn(const QString& folder) {

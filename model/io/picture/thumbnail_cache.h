@@ -11,9 +11,9 @@
 
 namespace io {
 
-// Small pictures of fractals in a folder, found again by what they show. The folder is kept below a size:
-// what was not looked at for longest goes first, when pictures are added. Whatever goes wrong with the disk,
-// pictures are drawn again.
+// Small pictures of fractals in a folder, found again by their content. The folder is kept below a size: the
+// pictures unused for longest go first, when pictures are added. If the disk fails in any way, pictures are
+// drawn again.
 class ThumbnailCache {
 public:
     // The folder of this user, below that for caches of the desktop.

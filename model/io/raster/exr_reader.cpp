@@ -23,7 +23,7 @@ namespace {
 constexpr std::uint64_t maxBlock = std::uint64_t{512} << 20; // bytes that are decompressed at once
 constexpr std::uint64_t maxAll = std::uint64_t{4} << 30;     // and altogether
 
-// What a header says before the library, which makes room for what it says, is asked.
+// Values of a header, read before the library, which allocates as much as they say.
 struct Header {
     QRect pixels, seen; // the windows of data and display
     std::uint64_t channels = 0;

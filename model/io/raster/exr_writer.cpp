@@ -23,7 +23,7 @@ namespace {
 
 constexpr std::size_t codes = 65536;
 
-// The library reports what goes wrong by exceptions, and wants the same of its streams.
+// A stream that reports failures by exceptions, as the library does itself and expects of streams.
 class DeviceStream final : public Imf::OStream {
 public:
     explicit DeviceStream(LibraryDevice& device) : OStream(""), m_device(device) {}

@@ -10,7 +10,7 @@
 
 namespace io {
 
-// Reads numbers and pieces at any place; what is not there leaves nothing.
+// Reads numbers and pieces at any offset; nullopt beyond the end.
 class FileBytes {
 public:
     explicit FileBytes(QByteArrayView bytes, bool isBigEndian = false)
@@ -25,7 +25,7 @@ public:
         if (!has(at, size)) return std::nullopt;
         return m_bytes.sliced(qsizetype(at), qsizetype(size));
     }
-    // Up to the next zero.
+    // The bytes up to the next zero.
     std::optional<QByteArrayView> name(std::uint64_t at) const {
         constexpr qsizetype maxName = 256;
         if (!has(at, 1)) return std::nullopt;

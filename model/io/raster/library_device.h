@@ -28,7 +28,7 @@ public:
 
     QString errorString() const { return m_device.errorString(); }
 
-    // What the device has thrown, once, to be called when the library has returned.
+    // Rethrows the exception of the device, once; to be called when the library has returned.
     void rethrow() {
         if (m_thrown) std::rethrow_exception(std::exchange(m_thrown, nullptr));
     }

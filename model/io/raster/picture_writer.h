@@ -15,7 +15,7 @@
 
 namespace io {
 
-// What a picture of pixels is written as.
+// File formats for pictures of pixels.
 enum class PictureFile {
     Png,
     Jpeg,
@@ -57,7 +57,7 @@ public:
 
 } // namespace io
 
-// As recipes have them.
+// Names in recipes.
 template <>
 inline constexpr auto ifs::names<io::PictureFile> = std::to_array<ifs::Named<io::PictureFile>>({
     {io::PictureFile::Png, "png"},

@@ -9,7 +9,8 @@
 
 namespace io {
 
-// One row of 0xAARRGGBB, premultiplied → bytes red, green, blue and, if asked for, alpha, not premultiplied.
+// Converts a row of 0xAARRGGBB, premultiplied, to bytes red, green, blue and, if asked for, alpha, not
+// premultiplied.
 inline void putBytes(const std::uint32_t* pixels, int width, bool withAlpha, std::uint8_t* to) {
     for (int x = 0; x < width; ++x) {
         const QRgb colour = qUnpremultiply(pixels[x]);

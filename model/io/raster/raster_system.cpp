@@ -17,10 +17,10 @@ namespace {
 
 constexpr qsizetype maxText = 8 * 1024 * 1024;
 
-// What was found in a picture: nullopt for one that is damaged before it could be found.
+// Text found in a picture: nullopt for one that is damaged before the text.
 using EmbeddedText = std::optional<QByteArray>;
 
-// All comments that begin with the mark, up to the pixels.
+// The comments that begin with the mark, up to the pixels.
 EmbeddedText jpegText(const QByteArray& picture) {
     constexpr std::uint8_t beginOfPixels = 0xda, endOfPicture = 0xd9, comment = 0xfe;
     const FileBytes bytes(picture, true);

@@ -64,7 +64,8 @@ Tiff opened(Source& source) {
             TIFFClose};
 }
 
-// What brings the first row to the top and the first column to the left, by the tag Orientation.
+// The transform that brings the first row to the top and the first column to the left, by the tag
+// Orientation.
 QTransform upright(std::uint16_t orientation) {
     switch (orientation) {
     case ORIENTATION_TOPRIGHT:

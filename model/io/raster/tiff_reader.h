@@ -9,8 +9,8 @@
 
 namespace io {
 
-// The first picture of a TIFF or BigTIFF, with channels of at most 16 bits, as 8 of them; at most so many
-// pixels.
+// The first picture of a TIFF or BigTIFF, with channels of at most 16 bits, read as 8 bits; at most
+// `maxPixels` pixels.
 RasterPicture readTiff(const QByteArray& bytes, qint64 maxPixels, const std::stop_token& stop = {});
 
 } // namespace io

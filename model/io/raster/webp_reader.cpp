@@ -22,7 +22,7 @@ QByteArray profileOf(const WebPData& file) {
     return {reinterpret_cast<const char*>(profile.bytes), qsizetype(profile.size)};
 }
 
-// In pieces, between which it may be stopped.
+// Decodes in pieces, between which it may be stopped.
 bool isDecoded(const WebPData& file, QImage& image, const std::stop_token& stop) {
     constexpr std::size_t piece = 1 << 16;
     const std::unique_ptr<WebPIDecoder, decltype(&WebPIDelete)> decoder(

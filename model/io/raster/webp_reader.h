@@ -9,7 +9,7 @@
 
 namespace io {
 
-// WebP, lossy or without loss, that is not animated; at most so many pixels.
+// A WebP picture, lossy or lossless, that is not animated; at most `maxPixels` pixels.
 RasterPicture readWebP(const QByteArray& bytes, qint64 maxPixels, const std::stop_token& stop = {});
 
 } // namespace io

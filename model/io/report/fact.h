@@ -16,22 +16,22 @@
 #include <utility>
 #include <vector>
 
-// What is known of a system: a row for each fact, from which follow the report of `barycage-cli info`, its
-// JSON and schema, and the *Analysis* panel.
+// Facts of a system: a row for each, from which follow the report of `barycage-cli info`, its JSON and
+// schema, and the *Analysis* panel.
 namespace io {
 
-// What the rows read.
+// Data that the rows read.
 template <int Dim> struct FactSource {
     const ifs::Facts<Dim>& facts;
     const document::Analysis* analysis = nullptr; // in the panel
     const document::Shape<Dim>* shape = nullptr;  // in a report
     bool withAffinityDimension = true;            // whether it was asked for
 
-    // Whether all of it is worked out that will be.
+    // Returns true if no part of the analysis is still under way.
     bool isComplete() const { return !analysis || analysis->isComplete; }
 };
 
-// How numbers are written.
+// Formatting of numbers.
 struct Figures {
     // Texts of numbers of things of that size, which may be off by the error; 0: as a number alone.
     QString (*text)(double value, double error, double size);
@@ -63,10 +63,10 @@ private:
 // The groups in the order of the panel. Reports have the order of the rows.
 enum class FactGroup { Maps, Dimensions, Moments, Extents, Hull, Pieces };
 
-// Whether a report has a line that says that a fact would take too long.
+// Whether a report has a line for a fact that would take too long.
 enum class Late { Silent, Said };
 
-// What refers to the source of the row, which outlives it.
+// A row. It refers to its source, which must outlive it.
 class Fact {
 public:
     using Text = std::function<std::optional<QString>(const Figures&)>;
@@ -74,7 +74,7 @@ public:
     explicit Fact(QString name) : label(std::move(name)) {}
 
     QString label; // in the report
-    // In the report a line, "unknown" where it is empty, and no line where it is nullopt.
+    // The line in the report: "unknown" if the text is empty, no line for nullopt.
     Text value{};
     std::function<void(FactLines&)> lines{}; // of the report, instead of a value
     std::vector<std::function<void(JsonMembers&)>> members{};
@@ -144,13 +144,13 @@ struct Panel {
     Q_DECLARE_TR_FUNCTIONS(Analysis)
 };
 
-// What a bound of the error leaves nothing of, or what nobody could compute.
+// The text for a value whose error bound leaves nothing of it, or that could not be computed.
 QString unknown();
 
 // The numbers of reports: six digits.
 const Figures& reportFigures();
 
-// As in reports, rounded up.
+// Digits as in reports, rounded up.
 QString upperDigits(double number);
 
 // The diagonal of the box, or the spread of the measure where there is none.

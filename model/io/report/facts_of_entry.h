@@ -8,7 +8,7 @@ namespace io {
 // The maps themselves, whether they have an attractor, and what each of them does.
 template <int Dim> void addMapFacts(FactRows& rows, const FactSource<Dim>& source);
 
-// What else an entry holds: a symmetry, links, a cage.
+// Further parts of an entry: a symmetry, links, a cage.
 template <int Dim> void addEntryFacts(FactRows& rows, const FactSource<Dim>& source);
 
 } // namespace io

@@ -29,7 +29,7 @@ template <int Dim> std::optional<QString> meanText(const FactSource<Dim>& source
     return tupleWithError<Dim>(mean->point, mean->error, size, number);
 }
 
-// In reports by rows, in the panel the part above the diagonal.
+// Form of a matrix: by rows in reports, the part above the diagonal in the panel.
 enum class MatrixForm { Rows, UpperPart };
 
 template <int Dim, MatrixForm Form>
@@ -64,7 +64,7 @@ template <int Dim> std::vector<double> endsOf(const ifs::Vector<Dim>& low, const
     return ends;
 }
 
-// By its corners.
+// The box by its corners.
 template <int Dim> QString boxText(const ifs::BoundingBox<Dim>& box, const Figures& number) {
     const double size = (box.max - box.min).stableNorm();
     if (isBoxWorthless(box, size)) return unknown();
@@ -73,7 +73,7 @@ template <int Dim> QString boxText(const ifs::BoundingBox<Dim>& box, const Figur
            number.note(endsOf<Dim>(low, high), box.error, size);
 }
 
-// By its sides.
+// The box by its sides.
 template <int Dim> std::optional<QString> sidesText(const FactSource<Dim>& source, const Figures& number) {
     if (!source.facts.box) return std::nullopt;
     const auto& box = *source.facts.box;
@@ -171,7 +171,7 @@ QString vertexCount(std::size_t vertices) {
     return vertices == 1 ? Text::tr("1 vertex") : Text::tr("%1 vertices").arg(vertices);
 }
 
-// Where the hull is not known exactly, neither is the number of its vertices.
+// The number of vertices, marked if the hull, and with it this number, is not known exactly.
 template <int Dim> QString withItsExactness(const QString& count, const ifs::Facts<Dim>& facts) {
     constexpr double roundOff = 1e-9; // of the size
     const bool isExact = facts.isHullExact || facts.hull->error <= roundOff * extentOf<Dim>(facts);
@@ -286,7 +286,7 @@ template <int Dim> void addPartLines(const FactSource<Dim>& source, FactLines& l
         if (++map; box) lines.add(Text::tr("part of map %1").arg(map), boxText(*box, reportFigures()));
 }
 
-// Nothing if there is no value.
+// The member of a value; nullopt if there is none.
 template <class Known, class Member> auto memberOf(const std::optional<Known>& known, Member member) {
     return known ? std::optional(std::invoke(member, *known)) : std::nullopt;
 }

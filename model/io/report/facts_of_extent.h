@@ -5,7 +5,7 @@
 
 namespace io {
 
-// Where the attractor is: mean and covariance, box and simplex, hull.
+// Position and extent of the attractor: mean and covariance, box and simplex, hull.
 template <int Dim> void addMoments(FactRows& rows, const FactSource<Dim>& source);
 template <int Dim> void addExtents(FactRows& rows, const FactSource<Dim>& source);
 template <int Dim> void addHull(FactRows& rows, const FactSource<Dim>& source);

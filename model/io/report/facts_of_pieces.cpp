@@ -13,7 +13,7 @@
 #include <functional>
 #include <limits>
 
-// What is unknown is null.
+// Names in the JSON, where unknown values are null.
 template <>
 inline constexpr auto ifs::names<ifs::Separation> = std::to_array<ifs::Named<ifs::Separation>>({
     {ifs::Separation::Strong, "strong"},
@@ -130,7 +130,7 @@ template <int Dim> void addOverlapLines(const FactSource<Dim>& source, FactLines
                           .arg(wordText(first, rows), wordText(second, rows)));
 }
 
-// As equations.
+// Overlaps as equations.
 template <int Dim> Value overlapsText(const FactSource<Dim>& source, const Figures&) {
     const auto& rows = source.facts.active.index;
     QStringList texts;
@@ -215,7 +215,7 @@ QString lowerDigits(double number) {
     return text.toDouble() > number ? reportFigures()(number - 1e-6 * std::abs(number)) : text;
 }
 
-// One number where that is all that the digits show of the interval.
+// The interval of the radius, or a single number if the digits show no more.
 template <int Dim> std::optional<QString> radiusText(const FactSource<Dim>& source, const Figures& number) {
     const auto radius = radiusOf(source);
     if (!radius) return std::nullopt;

@@ -5,7 +5,7 @@
 
 namespace io {
 
-// Dimensions, how the pieces of the attractor meet, and what follows for its measure.
+// Dimensions, the contacts of the pieces of the attractor, and consequences for its measure.
 template <int Dim> void addDimensions(FactRows& rows, const FactSource<Dim>& source);
 template <int Dim> void addPieces(FactRows& rows, const FactSource<Dim>& source);
 template <int Dim> void addMeasure(FactRows& rows, const FactSource<Dim>& source);

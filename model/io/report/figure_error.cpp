@@ -12,7 +12,7 @@ int leadingPower(double value) {
     return int(std::floor(std::log10(std::abs(value))));
 }
 
-// How many digits it takes to come from a value down to things of that size.
+// Number of digits from a value down to sizes of that order.
 int digitsAbove(double value, double size) {
     if (value == 0 || !(size > 0) || !std::isfinite(value)) return 0;
     return std::max(0, int(std::floor(std::log10(std::abs(value) / size))));

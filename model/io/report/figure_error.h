@@ -22,7 +22,7 @@ template <class Matrix> Matrix withoutNoise(Matrix values, double error) {
     return values;
 }
 
-// The value with so many significant digits, with more where things of that size lie far from 0, but none
+// The value with `digits` significant digits, with more where things of that size lie far from 0, but none
 // beyond the second digit of the error.
 QString figure(double value, double error, double size, int digits);
 
@@ -33,7 +33,7 @@ QString boundText(double bound);
 // where all of them are noise, of the size of things; else nothing.
 QString errorNote(const std::vector<double>& values, double error, double size, int digits);
 
-// Whether the error leaves nothing of a figure of that size.
+// Returns true if the error leaves nothing of a figure of that size.
 inline bool isWorthless(double error, double size) {
     return !(error < size) && error > 0;
 }

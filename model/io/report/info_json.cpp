@@ -83,7 +83,7 @@ void listShape(JsonMembers& out, const document::Shape<Dim>& shape, const docume
     out("moved_branches", reportedBranches(shape));
 }
 
-// All are null but the animation, which has no facts either.
+// Lists all facts as null, and no moved branches.
 void listUnread(JsonWriter& json, JsonMembers& out) {
     JsonMembers nulls(json, JsonMembers::Values::AllNull);
     const document::Shape<2> empty;
@@ -92,7 +92,7 @@ void listUnread(JsonWriter& json, JsonMembers& out) {
     out("moved_branches", reportedBranches(empty));
 }
 
-// All facts are those of the moment asked for; the animation is that of the entry.
+// Writes the facts of the moment asked for; the animation is that of the entry.
 void writeEntry(JsonWriter& json, const document::Entry& entry, const InfoSubject& subject) {
     const document::Fractal fractal = momentOf(entry, subject);
     json.beginObject();

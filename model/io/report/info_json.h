@@ -7,7 +7,7 @@
 
 namespace io {
 
-// One object with everything that is known; null for what is not. docs: the manual page of barycage-cli.
+// A JSON object with all facts; null for those that are not known. docs: the manual page of barycage-cli.
 QByteArray infoJson(const InfoSubject& subject);
 
 // The same with no more of each entry than its number in the file, name, dimension and number of maps. At

@@ -12,8 +12,8 @@ namespace io {
 
 namespace {
 
-// How far off the hull may be before that is said. What nobody asked for may be off by twice as much, since
-// finding the addresses of its vertices can add to the error, and by what rounding leaves far from the
+// Error of the hull up to which no remark is made. Without a requested tolerance it may be twice the usual
+// one, since finding the addresses of its vertices can add to the error, plus the rounding far from the
 // origin.
 template <int Dim> double bearableError(const ifs::Facts<Dim>& facts, std::optional<double> wanted) {
     if (wanted) return *wanted;

@@ -15,7 +15,7 @@
 
 namespace io {
 
-// What a report is about.
+// Subject of a report.
 struct InfoSubject {
     QString fileName; // as the user gave it
     QString format;   // "fractint", "png", "svg" …
@@ -26,7 +26,7 @@ struct InfoSubject {
     std::optional<ifs::ProcessorClock::time_point> end = {};   // no fact of any entry begins after it
     std::optional<animation::Moment> moment = {};              // all facts are those of this one
     std::function<void(qsizetype)> begun = {};                 // the entry of this index
-    std::function<void(const document::Problem&)> remark = {}; // what was asked for and not reached
+    std::function<void(const document::Problem&)> remark = {}; // about requests that were not met
 };
 
 // The facts of the system of an entry, with a remark where the hull is not as near as it was asked to be.

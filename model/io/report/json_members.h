@@ -22,8 +22,8 @@ namespace io {
 
 class JsonMembers;
 
-// How values of a type are written, and their schema. A type for which there is a function
-// `void members(JsonMembers&, const T&)` is an object; a default value of it is listed for the schema.
+// Writer and schema of the values of a type. A type for which there is a function `void members(JsonMembers&,
+// const T&)` is an object; a default value of it is listed for the schema.
 template <class T> struct JsonOf;
 
 // Lists the members of one object.

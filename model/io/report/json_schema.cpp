@@ -76,7 +76,7 @@ void writeSchema(JsonWriter& json, const JsonSchema& schema) {
     json.endObject();
 }
 
-// In the order in which they are referred to.
+// Collects definitions in the order in which they are referred to.
 void collectDefinitions(const JsonSchema& schema, std::vector<const JsonSchema*>& found) {
     if (!schema.name.isEmpty()) {
         if (std::ranges::any_of(found, [&](const auto* other) { return other->name == schema.name; })) return;

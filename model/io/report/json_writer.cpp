@@ -9,8 +9,8 @@ namespace io {
 
 namespace {
 
-// No control character is left as it is: JSON forbids some of them, and a terminal obeys the others. A lone
-// surrogate stands for a byte of a file name that is not UTF-8.
+// Quotes a text. No control character is left as it is: JSON forbids some of them, and a terminal obeys the
+// others. A lone surrogate stands for a byte of a file name that is not UTF-8.
 QByteArray quoted(const QString& text) {
     QString result;
     for (qsizetype i = 0; i < text.size(); ++i) {

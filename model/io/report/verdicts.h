@@ -8,8 +8,8 @@
 #include <cstddef>
 #include <vector>
 
-// What is proved of a system, in words: one wording for `barycage-cli info`, the *Analysis* panel and the
-// status bar. Maps are counted from 1; rows[k] is the row of the k-th active map in the system, from 0.
+// Verdicts on a system in words: one wording for `barycage-cli info`, the *Analysis* panel and the status
+// bar. Maps are counted from 1; rows[k] is the row of the k-th active map in the system, from 0.
 namespace io {
 
 // "3 1": the word as the rows of its maps.
@@ -22,8 +22,8 @@ QString separationText(ifs::Separation separation);
 QString connectednessText(ifs::Connectedness connectedness);
 QString openSetText(const ifs::OpenSetFacts& facts);
 
-// What makes of Moran's number, and of the entropy divided by the Lyapunov exponent, a dimension or only an
-// upper bound: a remark in brackets after a blank, or nothing.
+// A remark in brackets after a blank, or nothing: whether Moran's number, and the entropy divided by the
+// Lyapunov exponent, are a dimension or only an upper bound.
 template <int Dim> QString openSetNote(const ifs::Facts<Dim>& facts);
 
 // " (within rounding error)", or nothing of an exact proof.

@@ -25,7 +25,7 @@ bool writeMesh(const PrintableSolid& solid, MeshFormat format, const QString& na
 
 } // namespace io
 
-// By the ending of a file's name, in the order of lists.
+// Suffixes of file names, in the order of lists.
 template <>
 inline constexpr auto ifs::names<io::MeshFormat> = std::to_array<ifs::Named<io::MeshFormat>>({
     {io::MeshFormat::Stl, "stl"},

@@ -85,7 +85,7 @@ QByteArray programText(const document::Fractal& fractal, const attractor::Prepar
     return text;
 }
 
-// By how much a part is stretched on its way to where it is shown, and the longest word of a piece.
+// Largest stretch of a part on its way to where it is shown, and the longest word of a piece.
 struct Pieces {
     double stretch = 0;
     int longest = 0;

@@ -50,7 +50,7 @@ Box boxOf(const ifs::SupportFunction<3>& support, const ifs::AffineMap<3>& place
     return box;
 }
 
-// Whether neighbouring points of the lattice stay apart in the numbers of the file.
+// Returns true if neighbouring points of the lattice stay apart in the numbers of the file.
 bool keepsPointsApart(const PrintableSolid& solid) {
     for (const auto& point : solid.mesh.points)
         for (int k = 0; k < 3; ++k) {
@@ -118,7 +118,8 @@ private:
         m_box = boxOf(*support, m_placement, document::shownPieces(*shape));
         const double longest = (m_box.max - m_box.min).maxCoeff();
         if (!(longest < HUGE_VAL)) return Text::tr("“%1” is too large for a solid.").arg(m_fractal.name);
-        // What is fixed by all maps is found up to rounding, which grows with the distance from the origin.
+        // A common fixed point of all maps is found up to rounding, which grows with the distance from the
+        // origin.
         const double farthest = m_box.max.cwiseAbs().cwiseMax(m_box.min.cwiseAbs()).maxCoeff();
         if (!(longest > 1e-13 * farthest) && (m_options.voxel == 0 || m_options.longest > 0))
             return Text::tr("“%1” is a single point: only the size of its voxel can be chosen.")

@@ -12,7 +12,7 @@
 
 namespace io {
 
-// How a fractal in space becomes a body to print. Lengths are millimetres.
+// Settings that turn a fractal in space into a body to print. Lengths are millimetres.
 struct SolidOptions {
     static constexpr int maxResolution = 4096;
     static constexpr int leastOffered = 8; // resolution: with less, nothing can be made out
@@ -24,8 +24,8 @@ struct SolidOptions {
     bool fillsCavities = false;
 };
 
-// What is certain of the body S of an attractor A: A ⊂ S, and every point of S that is not in a filled cavity
-// is within `bound` of A. docs/mathematics.md, "Voxels".
+// Certified facts about the body S of an attractor A: A ⊂ S, and every point of S that is not in a filled
+// cavity is within `bound` of A. docs/mathematics.md, "Voxels".
 struct SolidFacts {
     ifs::Vector<3> size = ifs::Vector<3>::Zero(); // mm
     double volume = 0;                            // mm³
@@ -54,7 +54,7 @@ Failure obstacleToSolid(const document::Fractal& fractal);
 // The same with these options, as far as can be known before any voxel is looked at.
 Failure obstacleToSolid(const document::Fractal& fractal, const SolidOptions& options);
 
-// Its surface is closed and a manifold, or there is a failure.
+// The body; its surface is closed and a manifold, or there is a failure.
 PrintableSolid printableSolid(const document::Fractal& fractal, const SolidOptions& options,
                               const Progress& progress = {}, const std::stop_token& stop = {});
 

@@ -118,7 +118,7 @@ bool isCloud(const SpaceExport& picture) {
     return attractor::showsCloud(picture.look);
 }
 
-// As it is drawn.
+// The fractal as it is drawn.
 document::Fractal placed(const SpaceExport& picture) {
     document::Fractal fractal = picture.fractal;
     if (auto* shape = document::space(fractal)) shape->cage = picture.request.cage;

@@ -11,9 +11,9 @@
 
 namespace io {
 
-// What decides the pixels of a picture of Algorithm::Density, as text: the entry, the view, the size, the
-// seed, the format and the version of the pixels, not the number of samples and nothing that changes no byte.
-// Equal pictures have equal texts.
+// Text of everything that determines the pixels of a picture of Algorithm::Density: the entry, the view, the
+// size, the seed, the format and the version of the pixels, not the number of samples and nothing that
+// changes no byte. Equal pictures have equal texts.
 QByteArray pictureRequest(const PlaneExport& picture, int pixels = attractor::pixelVersion);
 
 // The picture again, its samples 0; nullopt where the text is none, or of another version of the pixels.

@@ -12,8 +12,8 @@
 // sums).
 namespace io {
 
-// What is drawn of a picture: `drawn` here, the rest is in the files. The first pass has as many samples as
-// the request.
+// A picture in parts: `drawn` is to be drawn here, the rest is in the files. The first pass has as many
+// samples as the request.
 struct PictureSums {
     PlaneExport picture;
     std::vector<std::uint64_t> passes;
@@ -31,13 +31,13 @@ LoadedSums sumsIn(const std::shared_ptr<SumFiles>& files, int threads);
 // The units in rows [firstRow, endRow) of the picture as the file will name it: drawn from the text of its
 // request, so that every machine draws the same.
 PictureSums partOf(const PlaneExport& picture, int firstRow, int endRow, const attractor::PicturePart& part);
-// One more pass of so many samples on top of what the files hold.
+// Adds a pass of `samples` samples to those that the files hold.
 void addPass(PictureSums& sums, std::uint64_t samples);
 
-// Draws what is to be drawn and writes it with what is in the files into one file of sums.
+// Draws the missing part and writes it, together with the sums in the files, into one file of sums.
 ExportOutcome exportSums(const PictureSums& sums, const QString& path, const Progress& progress = {},
                          std::stop_token stop = {});
-// What is missing for the picture; nullopt when all units of all passes are there.
+// A description of the missing parts; nullopt when all units of all passes are there.
 Failure incompleteness(const PictureSums& sums);
 // The picture itself, unless it is incomplete.
 ExportOutcome exportPicture(const PictureSums& sums, const QString& path, const Progress& progress = {},

@@ -70,10 +70,10 @@ CellSums::Sum sumOf(std::uint32_t pixel) {
 CellSums::Sum sumOf(const Rgba16& pixel) {
     return {pixel.alpha, pixel.red, pixel.green, pixel.blue};
 }
-void become(const CellSums::Sum& sum, std::uint32_t& pixel) {
+void setPixel(const CellSums::Sum& sum, std::uint32_t& pixel) {
     pixel = std::uint32_t(sum.samples << 24 | sum.red << 16 | sum.green << 8 | sum.blue);
 }
-void become(const CellSums::Sum& sum, Rgba16& pixel) {
+void setPixel(const CellSums::Sum& sum, Rgba16& pixel) {
     pixel = {std::uint16_t(sum.red), std::uint16_t(sum.green), std::uint16_t(sum.blue),
              std::uint16_t(sum.samples)};
 }
@@ -96,7 +96,7 @@ bool pixelSums(const SpaceSums& sums, int firstRow, int endRow, CellSums& cells,
     return true;
 }
 
-// What is nothing is 0, and 65535 − v is the value v of a pixel.
+// Sums of depths: an empty pixel is 0, and a pixel of value v is 65535 − v.
 constexpr std::uint64_t emptyDepth = 65535;
 
 bool depthSums(attractor::SolidRendering& rendering, int firstRow, int endRow, CellSums& cells,
@@ -141,7 +141,7 @@ template <class Pixel> Failure writeRow(const CellSums& cells, int row, PictureW
     std::vector<Pixel> pixels(std::size_t(cells.window().width));
     if (cells.sumsOfRow(row, sums))
         for (std::size_t x = 0; x < pixels.size(); ++x)
-            become(sums[x], pixels[x]);
+            setPixel(sums[x], pixels[x]);
     return writer.writeRows(std::span<const Pixel>(pixels));
 }
 

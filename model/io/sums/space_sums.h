@@ -28,7 +28,7 @@ struct LoadedSpaceSums {
 };
 LoadedSpaceSums spaceSumsIn(const std::shared_ptr<SumFiles>& files, int threads);
 
-// As for the plane. Of a solid, `part` is all of the rows.
+// Like those for the plane. For a solid, `part` is all of the rows.
 SpaceSums partOf(const SpaceExport& picture, int firstRow, int endRow, const attractor::PicturePart& part);
 void addPass(SpaceSums& sums, std::uint64_t samples); // to a cloud
 

@@ -63,7 +63,7 @@ private:
     const std::uint8_t* m_end;
 };
 
-// Whether codes for single bytes would save less than a quarter.
+// Returns true if codes for single bytes would save less than a quarter.
 bool isNoise(std::span<const std::uint8_t> bytes) {
     constexpr double bitsOfNoise = 6; // a byte
     std::array<std::size_t, 256> counts{};

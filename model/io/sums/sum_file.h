@@ -26,12 +26,12 @@ struct SumShare {
 };
 
 struct SumHeader {
-    QByteArray request; // what is drawn: pictureRequest()
+    QByteArray request; // pictureRequest()
     attractor::CellKind kind = attractor::CellKind::Count;
     int columns = 0; // cells of the whole picture
     int rows = 0;
     std::vector<std::uint64_t> passes; // samples of each
-    std::vector<SumShare> shares;      // what the sums hold
+    std::vector<SumShare> shares;      // contained in the sums
 };
 
 // The sums of 256 × 16 cells, fewer at the right and lower edge, row by row: the samples of each cell, with
@@ -43,7 +43,7 @@ struct SumTile {
     SumTile& operator+=(const SumTile& other); // of the same number
 };
 
-// Where tiles are, in cells.
+// Positions of tiles, in cells.
 class TileGrid {
 public:
     static constexpr int tileColumns = 256;
@@ -66,11 +66,12 @@ private:
     std::size_t m_values;
 };
 
-// Fast: numbers that are mostly noise are not compressed, which would take longer than all else.
+// Effort of compression. Fast leaves numbers that are mostly noise as they are; packing them would take
+// longer than all else.
 enum class Packing { Small, Fast };
 // A tile as a file has it; empty where it is left out. Any thread.
 QByteArray storedTile(const SumTile& tile, Packing packing);
-// What is in its block; nullopt where that makes no sense.
+// Decodes the block of a tile; nullopt for invalid bytes.
 std::optional<SumTile> tileIn(const TileGrid& grid, std::uint32_t number, const QByteArray& block);
 
 // Writes a file of sums (docs/formats.md). Tiles come in rising order, those of zeros alone are left out. Any
@@ -95,7 +96,7 @@ public:
 
     const Failure& failure() const { return m_failure; } // the first
     const SumHeader& header() const { return m_header; }
-    // Where each tile that the file holds begins.
+    // Offsets of the tiles that the file holds.
     const std::map<std::uint32_t, qint64>& tiles() const { return m_tiles; }
     std::optional<SumTile> read(std::uint32_t number);         // nullopt: not in the file, or a failure
     std::optional<QByteArray> readBlock(std::uint32_t number); // the same for tileIn()

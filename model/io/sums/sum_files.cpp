@@ -19,7 +19,7 @@ using attractor::CellRegion;
 using attractor::CellSums;
 using attractor::CellWindow;
 
-// Whether the same unit may be in both.
+// Returns true if the same unit may be in both.
 bool overlap(const SumShare& a, const SumShare& b) {
     if (a.pass != b.pass || a.endRow <= b.firstRow || b.endRow <= a.firstRow) return false;
     const std::uint64_t common = std::gcd(a.part.count, b.part.count);
@@ -127,7 +127,7 @@ bool SumFiles::collect(Merged& merged) {
     return true;
 }
 
-// Any thread.
+// Thread-safe.
 void SumFiles::add(Merged& merged) const {
     const TileGrid grid(m_header);
     std::optional<SumTile> sum;
@@ -145,7 +145,7 @@ void SumFiles::add(Merged& merged) const {
     merged.stored = storedTile(*sum, Packing::Fast);
 }
 
-// Files are read and written here, and what is in their tiles is added up by all threads.
+// Reads and writes files in this thread; all threads add up the contents of tiles.
 bool SumFiles::writeTo(SumWriter& writer, int threads, const Progress& progress,
                        const std::stop_token& stop) {
     std::set<std::uint32_t> numbers;

@@ -9,7 +9,7 @@
 #include <span>
 #include <vector>
 
-// What files of sums of the plane and of space have in common.
+// Code shared by files of sums of the plane and of space.
 namespace io {
 
 // Whole rows of tiles: rows from `first` on whose number is a multiple of 16 begin and end them.
@@ -19,7 +19,7 @@ void writeTiles(const attractor::CellSums& sums, const SumHeader& header, SumWri
 ExportOutcome writeSums(const SumHeader& header, const std::shared_ptr<SumFiles>& files,
                         const std::function<bool(SumWriter&)>& fill, const QString& path);
 
-// What is drawn here of a picture, and what the files hold.
+// Combines the shares to draw here with those in the files.
 attractor::DividedPicture dividedPicture(const std::vector<std::uint64_t>& passes,
                                          const std::vector<SumShare>& drawn,
                                          const std::shared_ptr<SumFiles>& files);
@@ -27,7 +27,7 @@ attractor::DividedPicture dividedPicture(const std::vector<std::uint64_t>& passe
 // Why a picture cannot be drawn again as the file of this name has it.
 QString otherPixels(const QString& name);
 
-// Whether both are of the same cells, of the same kind.
+// Returns true if both have the same cells, of the same kind.
 bool haveSameCells(const SumHeader& a, const SumHeader& b);
 
 // Makes of `sums` what the files hold: of the picture that their request asks for. False if it asks for none.
@@ -42,7 +42,8 @@ bool takeFiles(Sums& sums, const std::optional<Picture>& picture, const std::sha
     return picture.has_value();
 }
 
-// What is missing of a picture of so many rows of pixels; nullopt when all units of all passes are there.
+// A description of the parts missing in a picture of `rows` rows of pixels; nullopt when all units of all
+// passes are there.
 Failure missingIn(const SumHeader& header, int rows,
                   const std::function<std::uint64_t(std::span<const std::uint64_t> passes)>& units);
 

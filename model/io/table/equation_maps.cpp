@@ -31,7 +31,7 @@ QString plainLines(const QString& text) {
     return lines.join(u'\n');
 }
 
-// One side of a point: x' = …; index 0 for x.
+// A side of an equation: x' = …; index 0 for x.
 struct Equation {
     int index = 0;
     AffineExpression value;
@@ -50,7 +50,7 @@ bool endsThere(QStringView text, qsizetype at) {
         ++at;
     if (at >= text.size()) return true;
     const QChar c = text[at];
-    // What would continue the expression is one that was not understood.
+    // A sign that would continue the expression was not understood.
     return !QStringView(u"*/^=<>?·×").contains(c) || text.sliced(at).startsWith(u"//") ||
            text.sliced(at).startsWith(u"=>");
 }
@@ -75,7 +75,7 @@ std::vector<Equation> equationsIn(const QString& text) {
     return equations;
 }
 
-// Whether what ends there are the parameters of a function: (x, y) -> …
+// Returns true if the parameters of a function end there: (x, y) -> …
 bool areParameters(QStringView text, qsizetype at) {
     while (at < text.size() && text[at].isSpace())
         ++at;

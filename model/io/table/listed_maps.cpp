@@ -236,7 +236,7 @@ public:
     }
 
 private:
-    // Each list is tried a few times at most, however deep it lies: the time grows in proportion to the text.
+    // Tries each list a few times at most, however deep it lies: the time grows in proportion to the text.
     void search(const Literal& list, const QString& name) {
         const QString own = nameIn(list, name);
         if (takeLetters(list, own)) return;
@@ -385,7 +385,7 @@ private:
                (!a.hasWeight || !b.hasWeight || a.names == b.names);
     }
 
-    // None, unless all items are maps of one kind.
+    // The maps of a list; none unless all items are maps of one kind.
     static std::vector<Map> mapsAlike(const Literal& list) {
         std::vector<Map> maps;
         for (const Literal& item : list.items) {
@@ -514,7 +514,7 @@ QList<ListedMaps> named(const QList<MarkupRow>& rows) {
     return {listed};
 }
 
-// None, unless all can be read.
+// The lists one below the other; none unless all can be read.
 QList<ListedMaps> oneBelowTheOther(const QString& text) {
     QList<ListedMaps> found;
     for (const TitledTable& titled : severalTables(text)) {

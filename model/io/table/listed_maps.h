@@ -10,7 +10,7 @@
 
 namespace io {
 
-// What a text with maps is written in.
+// Notation of a text with maps.
 enum class Notation {
     Lists, // of JSON, Python and their like
     Yaml,

@@ -304,8 +304,8 @@ QList<MarkupTable> markdownTables(const QString& text) {
     return tables;
 }
 
-// "{|" to "|}": rows part at "|-", cells begin with "|" or "!", or "||" and "!!" in a line; what stands
-// before a single "|" in a cell says how it is set.
+// "{|" to "|}": rows part at "|-", cells begin with "|" or "!", or "||" and "!!" in a line; text before a
+// single "|" in a cell is formatting.
 class WikiReader {
 public:
     QList<MarkupTable> read(const QString& text) && {

@@ -10,8 +10,8 @@
 // Tables as LaTeX, HTML, Markdown and wikis write them, and matrices of LaTeX.
 namespace io {
 
-// In the order of the text. Rules between rows are left out, and so is what is hidden or only sets the type.
-// Lines of cells alone, without what begins a table, are one as well.
+// The tables in the order of the text. Rules between rows are left out, and so are hidden text and mere
+// typesetting. Lines of cells alone, without the beginning of a table, form one as well.
 QList<MarkupTable> markupTables(const QString& text);
 
 // A matrix or a column of numbers in LaTeX, with its place in the text.

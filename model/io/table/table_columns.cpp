@@ -80,7 +80,7 @@ bool isPolar(TableColumn column) {
     return column >= R && column <= Phi;
 }
 
-// Without the index of the map behind the letter, the unit in parentheses, and what sets mathematics.
+// The name without the index of the map behind the letter, the unit in parentheses, and mathematical markup.
 QString bareName(QString name) {
     static const QRegularExpression unit(QStringLiteral("\\s*([(\\[](%|deg|degrees?|[°º])[)\\]]|[°º]| %)$"));
     static const QRegularExpression index(QStringLiteral("^([a-zA-Zθφϕϑ])(_?[ijkn]|_\\{[ijkn]\\}|[ₙᵢⱼₖ])$"));

@@ -11,7 +11,7 @@
 #include <span>
 #include <vector>
 
-// What the columns of a table of maps mean. Programs and books differ in their order.
+// Meaning of the columns of a table of maps. Programs and books differ in their order.
 namespace io {
 
 // x' = A x + B y + E, y' = C x + D y + F, weight P; or the linear part as scales R, S and angles Theta, Phi
@@ -23,7 +23,8 @@ inline bool isWeight(TableColumn column) {
     return column == TableColumn::Weight || column == TableColumn::Cumulative;
 }
 
-// All of A B C D or all of R S Theta Phi, E and F, each once; and one of Weight and Cumulative.
+// All of A B C D or all of R S Theta Phi, E and F, each once and in any order; and one of Weight and
+// Cumulative.
 using TableColumns = std::vector<TableColumn>;
 
 TableColumns fractintColumns(); // a b c d e f p
@@ -31,8 +32,8 @@ TableColumns fractintColumns(); // a b c d e f p
 // The column of that name: "a", "a_i", "a11", "theta", "h" (another name for e), "p (%)".
 std::optional<TableColumn> tableColumn(const QString& name);
 
-// Out of names like "a", "theta" or "h" (another name for e); nullopt when they do not say everything. A
-// weight that is not named comes last.
+// Columns from names like "a", "theta" or "h" (another name for e); nullopt when they do not say everything.
+// A weight that is not named comes last.
 std::optional<TableColumns> tableColumns(const QStringList& names);
 // The same out of "a b c d e f p" or "abecdfp".
 std::optional<TableColumns> tableColumns(const QString& text);
@@ -45,14 +46,15 @@ QString columnsObstacle(const QString& text);
 
 QStringList columnNames(const TableColumns& columns);
 
-// One number for every column, or none for the weight when it is missing from the row (`numbers` is one
-// shorter).
+// Builds a map from one number for every column; `numbers` may be one shorter if the weight is missing from
+// the row.
 ifs::WeightedMap<2> mapOf(const TableColumns& columns, std::span<const double> numbers);
 // Degrees of angles. In such a row with `count` numbers.
 NumberUnit unitOfNumber(const TableColumns& columns, std::size_t number, std::size_t count);
-// Which coefficient it is, 0 … 5 for A … F; nullopt for a weight, and where coefficients are made of it.
+// Index of the coefficient, 0 … 5 for A … F; nullopt for a weight, and if coefficients are computed from the
+// column.
 std::optional<int> coefficientOf(const TableColumns& columns, std::size_t number, std::size_t count);
-// `weight` is what stands under Weight or Cumulative.
+// The numbers of a row; `weight` goes under Weight or Cumulative.
 std::vector<double> numbersOf(const TableColumns& columns, const ifs::AffineMap<2>& map, double weight);
 
 } // namespace io

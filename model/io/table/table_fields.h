@@ -10,10 +10,10 @@
 #include <optional>
 #include <vector>
 
-// What stands in the rows of a table besides the numbers of its maps.
+// Contents of the rows of a table besides the numbers of its maps.
 namespace io {
 
-// A word that nobody meant as a number: w1, ƒ1, "f(1)", 1: — and neither O.5 nor nan.
+// Returns true for a word that is not meant as a number: w1, ƒ1, "f(1)", 1: — and neither O.5 nor nan.
 bool looksLikeLabel(const QString& text);
 // Words behind the numbers: two letters at least, and neither nan nor a mistyped number.
 bool looksLikeWords(const QString& text);
@@ -32,10 +32,10 @@ QStringList namesOf(const Row& header); // of each field, its words together
 // Names of the columns a … l of a map in space, alone, or with its weight or the sum up to it behind them.
 enum class SpaceHeader { None, Plain, Weighted, Cumulative };
 SpaceHeader spaceHeader(const QStringList& names);
-// Whether these are the columns of a map, in the plane or in space.
+// Returns true if these are the columns of a map, in the plane or in space.
 bool nameAllColumns(const QStringList& names);
 
-// Which fields hold the columns of a map, where there are others.
+// Fields that hold the columns of a map, in a table with others.
 struct Picks {
     TableColumns columns; // of a map in the plane, as many as fields
     SpaceHeader space = SpaceHeader::None;
@@ -45,10 +45,10 @@ struct Picks {
     bool isSpace() const { return space != SpaceHeader::None; }
     bool areAdjacent() const { return fields.back() - fields.front() + 1 == qsizetype(fields.size()); }
 };
-// By their names: every column once, and any others. Beside weights, their running sum is another. nullopt:
+// Picks by name: every column once, and any others. Beside weights, their running sum is another. nullopt if
 // the names do not say it.
 std::optional<Picks> pickedByName(const QStringList& names);
-// By the order as chosen, which may hold TableColumn::Other.
+// Picks by the chosen order, which may hold TableColumn::Other.
 Picks pickedByOrder(const TableColumns& columns);
 
 } // namespace io

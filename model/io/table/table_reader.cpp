@@ -121,8 +121,8 @@ private:
                             [this](const Cell& cell) { return value(cell).has_value(); });
     }
 
-    // One column per map: every row begins with the name of what it holds. A row above may name the maps, and
-    // rows of words may follow.
+    // The rows of a table with a column per map: every row begins with the name of its values. A row above
+    // may name the maps, and rows of words may follow.
     std::optional<QList<Row>> transposed(QList<Row> table) const {
         if (!table.isEmpty() && pickedByName(textsOf(table.first()))) return std::nullopt; // names columns
         for (Row& row : table)
@@ -216,8 +216,8 @@ private:
         m_picks = std::move(picks);
     }
 
-    // Where there are more columns than the chosen order has, those that have its names are meant; else those
-    // that hold numbers in the first row.
+    // Picks columns if there are more than the chosen order has: those with its names, or else those that
+    // hold numbers in the first row.
     void pickForOrder() {
         const QStringList names = namesOf(m_header);
         if (m_picks || names.size() <= qsizetype(m_columns.size()) + 1) return;
@@ -271,7 +271,8 @@ private:
         addRow(chosen);
     }
 
-    // By how many cells longer or shorter than the header's the label of a row is, between blanks.
+    // Number of cells by which the label of a row is longer than the header's, between blanks; negative if it
+    // is shorter.
     qsizetype shiftOf(const Row& cells, bool mayEndEarly) const {
         const qsizetype first = m_picks->fields.front();
         const qsizetype needed = qsizetype(m_picks->fields.size()) - (mayEndEarly ? 1 : 0);
@@ -304,7 +305,7 @@ private:
                                          .arg(unread.join(QStringLiteral(", ")))});
     }
 
-    // Whether the names say which column is which.
+    // Returns true if the names say which column is which.
     bool takeNames(const QStringList& names) {
         if (const SpaceHeader space = spaceHeader(names); space != SpaceHeader::None) {
             if (m_wanted == TableMaps::Plane) return false;
@@ -350,7 +351,7 @@ private:
         addRow(cells.sliced(*start));
     }
 
-    // Without the words behind as many numbers as a row has.
+    // The row without the words behind as many numbers as a row has.
     Row withoutWords(const Row& cells) const {
         const auto isNumber = [this](const Cell& cell) { return weightOf(cell).has_value(); };
         const auto first = std::find_if(cells.begin(), cells.end(), isNumber);
@@ -383,8 +384,8 @@ private:
                m_most > 0 && count == m_most - 1;
     }
 
-    // What stands before the numbers is a label only where it cannot be a number gone wrong, and where as
-    // many numbers are left as a row has. nullopt: it could be both.
+    // The index of the first number. Text before it is a label only where it cannot be a number gone wrong,
+    // and where as many numbers are left as a row has. nullopt: it could be both.
     std::optional<qsizetype> beginOfNumbers(const Row& cells) const {
         if (m_labels == Labels::None) return 0;
         if (m_labels == Labels::Named) return wordsOfField(cells);

@@ -29,7 +29,8 @@ enum class TableMaps { Plane, PlaneOrSpace }; // which are wanted; others are an
 Table readTable(const QString& text, const std::optional<TableColumns>& columns = std::nullopt,
                 TableMaps wanted = TableMaps::Plane);
 bool hasErrors(const Table& table);
-// Whether the text is a table that does not say what its columns are, and could be read if one said it.
+// Returns true if the text is a table that does not say what its columns are, and can be read once they are
+// given.
 bool isOrderOpen(const QString& text);
 
 // The rows as a system, numbered from 1.
@@ -38,8 +39,8 @@ ifs::IteratedFunctionSystem<3> spaceSystemOf(const Table& table);
 
 constexpr qsizetype maxTable = 64 * 1024 * 1024; // characters
 
-// Whether a text is a table whose numbers Fractint would take for other rows: a count and matrices, or
-// semicolons between the numbers, where they begin comments.
+// Returns true if a text is a table whose numbers Fractint would take for other rows: a count and matrices,
+// or semicolons between the numbers, where they begin comments.
 bool isTableToFractintUnknown(const QString& beginning);
 
 } // namespace io

@@ -8,12 +8,12 @@
 
 namespace io {
 
-// An expression such as 0.85x + 0.04*y − 1/3: the factors of x, y and z, and what is added.
+// An expression such as 0.85x + 0.04*y − 1/3: the factors of x, y and z, and the constant.
 struct AffineExpression {
     std::array<double, 3> factors{};
     double shift = 0;
     bool usesZ = false;
-    qsizetype end = 0; // what of the text belongs to it
+    qsizetype end = 0; // of its part of the text
 
     bool isConstant() const { return factors == std::array<double, 3>{}; }
 };

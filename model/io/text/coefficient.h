@@ -8,7 +8,7 @@
 
 namespace io {
 
-// Fractint's numbers end here; what is larger is refused by every reader, and so is what is not a number.
+// The largest number of Fractint; every reader refuses larger ones, and infinities and NaN.
 constexpr double maxCoefficient = std::numeric_limits<float>::max();
 
 inline bool isCoefficient(double number) {

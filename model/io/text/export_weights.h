@@ -14,7 +14,7 @@ namespace io {
 // part has one, else the probabilities; 0 for a map that is off.
 template <int Dim> std::vector<double> exportWeights(const ifs::IteratedFunctionSystem<Dim>& system);
 
-// What is to be said of a weight that was read and leaves its map, counted from 1, without a part.
+// A remark on a weight that was read and switches its map, counted from 1, off.
 std::optional<QString> weightRemark(std::size_t map, double weight);
 
 // Remarks on a map without a weight, counted from 1, where others have one.

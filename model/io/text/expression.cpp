@@ -22,7 +22,7 @@ namespace {
 
 constexpr double degree = std::numbers::pi / 180;
 
-// As many degrees as the angle has, if that is a whole number but for rounding; else NaN.
+// The degrees of the angle, if they are a whole number but for rounding; else NaN.
 double wholeDegrees(double radians) {
     const double degrees = radians / degree;
     const double whole = std::nearbyint(degrees);
@@ -63,7 +63,7 @@ struct Quantity {
     double reading = 0; // without units: 90 for 90°, π/2 for pi/2
     double degrees = 0; // how often ° is a factor, minus how often a divisor
     double radians = 0; // the same of π and of inverse functions
-    // Without units and rounding: the value is this · (π/180)^degrees · π^radians. Often there is none.
+    // The exact value without units: the value is this · (π/180)^degrees · π^radians. Often there is none.
     ifs::Surd exact = ifs::Surd::none();
 };
 
@@ -89,7 +89,7 @@ bool isSameUnit(const Quantity& a, const Quantity& b) {
     return a.degrees == b.degrees && a.radians == b.radians;
 }
 
-// What becomes of two numbers one unit of which must do for both.
+// Combines two numbers that must share one unit.
 template <class Function> Quantity together(const Quantity& a, const Quantity& b, const Function& function) {
     const double value = function(a.value, b.value);
     if (isSameUnit(a, b)) return {value, function(a.reading, b.reading), a.degrees, a.radians};
@@ -156,7 +156,7 @@ ifs::Surd exactSine(const ifs::Surd& degrees) {
     return turned > 180 ? -found->second : found->second;
 }
 
-// In degrees, of an angle that is written with ° or π; else without value.
+// Degrees of an angle that is written with ° or π; else without value.
 ifs::Surd exactDegrees(const Quantity& angle) {
     if (angle.degrees == 1 && angle.radians == 0) return angle.exact;
     if (angle.degrees == 0 && angle.radians == 1) return angle.exact * ifs::Surd(180);
@@ -302,7 +302,7 @@ private:
     }
 };
 
-// In the letters and signs of the parser; empty where there is any other.
+// The text in letters and signs of the parser; empty if it has any other.
 std::string plain(QStringView text) {
     static const std::array<std::pair<QChar, const char*>, 14> signs{
         {{u'−', "-"},
@@ -344,8 +344,7 @@ std::string plain(QStringView text) {
     return result;
 }
 
-// Whether all its words are known and there is something to work out: anything else is no matter for the
-// parser.
+// Returns true if all words are known and there is something to compute; anything else is not for the parser.
 bool isPossible(std::string_view text) {
     bool hasValue = false;
     for (std::size_t i = 0; i < text.size();) {

@@ -16,25 +16,25 @@ namespace io {
 // characters. nullopt where there is none or it is not finite.
 std::optional<double> evaluate(QStringView text);
 
-// What a number field or a column of a table holds.
+// Quantity in a number field or a column of a table.
 enum class NumberUnit { None, Degrees };
 
-// As many degrees as an angle has that people write where degrees are expected. A plain number such as 45 or
-// 360/7 is degrees, and ° marks them: 90° is 90. What carries pi or is the result of asin, acos, atan or
-// atan2 is in radians and is converted once: pi/2 is 90. Sums add up degrees: 90° + pi/4 and 90 + pi/4 are
-// 135. Angles cancel: acos(0.8)*180/pi is 36.87. The arguments of functions and their other results are those
-// of evaluate(): cos(60°) is 0.5. NumberUnit::None is evaluate().
+// Evaluates an angle in degrees, as people write them. A plain number such as 45 or 360/7 is degrees, and °
+// marks them: 90° is 90. Terms with pi and the results of asin, acos, atan and atan2 are radians and are
+// converted once: pi/2 is 90. Sums add up degrees: 90° + pi/4 and 90 + pi/4 are 135. Angles cancel:
+// acos(0.8)*180/pi is 36.87. The arguments of functions and their other results are those of evaluate():
+// cos(60°) is 0.5. NumberUnit::None is evaluate().
 std::optional<double> evaluate(QStringView text, NumberUnit unit);
 
 // The value of evaluate() without rounding; nullopt where it is none of the numbers that ifs::Surd can hold,
 // and of a plain number, which means the double that is stored for it.
 std::optional<ifs::Surd> evaluateExactly(QStringView text);
 
-// Whether the expression is an angle by itself, by ° or in radians, which a field of degrees shows as a
-// number.
+// Returns true if the expression is an angle by itself, by ° or in radians, which a field of degrees shows as
+// a number.
 bool isAngle(QStringView text);
 
-// Whether it is a whole expression whose value is not finite, such as 1/0 or sqrt(-1).
+// Returns true for a complete expression whose value is not finite, such as 1/0 or sqrt(-1).
 bool isWithoutValue(QStringView text);
 
 constexpr qsizetype maxExpression = 200; // characters

@@ -119,7 +119,7 @@ private:
         }
     }
 
-    // 0{,}5 and {-}1, but also what is only held together.
+    // 0{,}5 and {-}1, but also mere groups.
     void addGroup() {
         const QString text = argument();
         m_text += text == u"," ? QStringLiteral(".") : text;
@@ -191,7 +191,7 @@ private:
                                    : QStringLiteral("((%2)^(1/(%1)))").arg(degree, of);
     }
 
-    // Takes a number with what belongs to it, where no parentheses follow.
+    // Reads the argument of a function, where no parentheses follow.
     void function(const QString& name) {
         skipBlanks();
         if (!m_text.isEmpty() && m_text.back().isDigit()) m_text += u'*';

@@ -87,7 +87,7 @@ private:
         if (at() == end && !end.isNull()) ++m_at;
     }
 
-    // "a[4] = …" and "a[] = …" name what follows, and hold nothing.
+    // "a[4] = …" and "a[] = …" name the following list, and hold nothing.
     static QString nameOfDimensions(Literal& list) {
         QString name;
         while (!list.items.isEmpty()) {

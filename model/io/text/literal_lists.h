@@ -6,7 +6,7 @@
 
 namespace io {
 
-// What brackets in a text hold, whether it is JSON, a program in Python, C or JavaScript, or close to one.
+// Content of brackets in a text, whether it is JSON, a program in Python, C or JavaScript, or close to one.
 struct Literal {
     enum class Kind {
         Number,
@@ -21,9 +21,8 @@ struct Literal {
     QList<Literal> items;
 };
 
-// All lists of the text as the items of one, with what stands between them left out. Comments (#, //, /*) are
-// skipped. 1/3 is a number, and so is what is within the limits: 64 levels, 2 000 000 items.
-// `isCut` says that there was more.
+// The lists of a text as the items of one; text between them is left out. Comments (#, //, /*) are skipped.
+// 1/3 is a number. Limits: 64 levels, 2 000 000 items. `isCut` says that there was more.
 struct Literals {
     Literal root;
     bool isCut = false;

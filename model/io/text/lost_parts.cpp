@@ -26,7 +26,7 @@ struct Held {
     bool named = false; // any of its maps
 };
 
-// Whether they make a difference: between the maps that take part, or in which these are.
+// Returns true if links make a difference: between the maps that take part, or by excluding some.
 template <int Dim> bool linksMatter(const ifs::IteratedFunctionSystem<Dim>& system) {
     if (system.links.empty()) return false;
     auto unlinked = system;

@@ -23,7 +23,7 @@ struct KeptParts {
     bool mapBlends = false;
 };
 
-// What is lost, in sentences; nullopt when nothing is, or only what is as in a new entry.
+// The lost parts, in sentences; nullopt when nothing is lost, or only values as in a new entry.
 std::optional<QString> lossBeside(const KeptParts& kept, const document::Fractal& fractal);
 
 } // namespace io

@@ -9,7 +9,7 @@
 #include <optional>
 #include <string>
 
-// The form of the lines "; barycage: key values". docs/formats.md, "Our own lines".
+// The form of the lines "; barycage: key values". docs/formats.md, "Barycage's comment lines".
 namespace io {
 
 inline constexpr const char* metadataPrefix = "barycage:";

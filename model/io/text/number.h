@@ -11,7 +11,8 @@
 // Numbers as text: always the C locale, whatever the user's.
 namespace io {
 
-// std::from_chars, but what is closer to 0 than any double is 0, and only what is too large is out of range.
+// Like std::from_chars, but numbers closer to 0 than any double are 0, and only those that are too large are
+// out of range.
 std::from_chars_result fromChars(const char* first, const char* last, double& value,
                                  std::chars_format format = std::chars_format::general);
 

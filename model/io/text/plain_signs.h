@@ -5,8 +5,8 @@
 
 namespace io {
 
-// Whether it is a hyphen, a dash or a minus sign of any kind (‐ ‑ ‒ – — ― − ﹣ －), as programs that set text
-// put them before negative numbers.
+// Returns true for a hyphen, a dash or a minus sign of any kind (‐ ‑ ‒ – — ― − ﹣ －), as typesetting
+// programs put them before negative numbers.
 bool isDash(QChar c);
 
 // Narrow and fixed blanks, with which a sign is set apart from its digits.

@@ -22,13 +22,13 @@ struct NamedSymmetry {
 };
 std::optional<NamedSymmetry> symmetryNamed(QStringView text);
 
-// At the origin where no centre is given; a centre in the plane is at height 0 in space. nullopt when the
-// group or the centre does not belong to this dimension.
+// The symmetry, at the origin if no centre is given; a centre in the plane is at height 0 in space. nullopt
+// when the group or the centre does not belong to this dimension.
 template <int Dim> std::optional<ifs::Symmetry<Dim>> symmetryIn(const NamedSymmetry& named);
 
 QString symmetryName(ifs::SymmetryGroup group, int order); // c6, mirror …, without angle and centre
 
-// For people: "6-fold rotation about (0, 0)", "mirror at 30° through (1, 0)".
+// A description for people: "6-fold rotation about (0, 0)", "mirror at 30° through (1, 0)".
 template <int Dim> QString symmetrySentence(const ifs::Symmetry<Dim>& symmetry);
 
 } // namespace io

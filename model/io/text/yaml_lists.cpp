@@ -37,7 +37,7 @@ bool isItem(const QString& text) {
     return text == u"-" || text.startsWith(u"- ");
 }
 
-// Where the key of "key: value" ends; -1 without one.
+// End of the key of "key: value"; -1 without one.
 qsizetype endOfKey(const QString& text) {
     if (text.startsWith(u'[') || text.startsWith(u'{')) return -1;
     for (qsizetype i = 1; i < text.size(); ++i)
@@ -85,7 +85,7 @@ private:
         return list;
     }
 
-    // What stands behind "- " is as far in as its text.
+    // The item behind "- "; its depth is that of its text.
     Literal item(Line& line, int depth) {
         QString rest = line.text.sliced(1);
         qsizetype blanks = 0;

@@ -23,7 +23,7 @@ PictureFormat formatOf(const StealExport& what) {
     return format;
 }
 
-// Beyond this, doubles have no digits left for a pixel.
+// A note beyond the size at which doubles have no digits left for a pixel.
 attractor::RenderNote noteOf(const StealExport& what) {
     const attractor::Camera& camera = what.request.camera;
     double farthest = camera.centre.cwiseAbs().maxCoeff();

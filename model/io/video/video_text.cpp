@@ -24,7 +24,7 @@ bool write(QIODevice& device, qint64 at, const QByteArray& bytes) {
     return device.seek(at) && device.write(bytes) == bytes.size();
 }
 
-// What comes behind moves on, the last of it first.
+// Inserts bytes; those behind are moved, the last first.
 bool insert(QIODevice& device, qint64 size, qint64 at, const QByteArray& bytes) {
     constexpr qint64 piece = 1 << 20;
     for (qint64 end = size; end > at;) {
@@ -58,7 +58,7 @@ bool addToApng(QIODevice& device, qint64 size, const QByteArray& text) {
                   bigEndian(quint32(data.size() - 4)) + data + bigEndian(quint32(sum)));
 }
 
-// Before the last byte.
+// Adds the text before the last byte.
 bool addToGif(QIODevice& device, qint64 size, const QByteArray& text) {
     constexpr qsizetype block = 255;
     if (read(device, size - 1, 1) != ";") return false;

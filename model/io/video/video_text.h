@@ -11,7 +11,7 @@
 
 namespace io {
 
-// Whether the text is added to a file of this format once it is complete; in others it is a tag that the
+// Returns true if the text is appended to a complete file of this format; in others it is a tag that the
 // encoder writes.
 bool hasTextAdded(VideoFormat format);
 

@@ -85,7 +85,7 @@ VideoSettings encoded(VideoSettings settings) {
     return settings;
 }
 
-// What goes on between two looks at the stop token.
+// State between two checks of the stop token.
 struct Course {
     const VideoWriter::Progress& progress;
     const std::stop_token& stop;

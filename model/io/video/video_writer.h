@@ -37,7 +37,7 @@ public:
     // The next frame, sRGB of any QImage format, of the size in the settings. It is encoded while the caller
     // draws the one after it, so that its failure may be that of the next call.
     Failure writeFrame(const QImage& frame);
-    // After the last frame, of which there is at least one. When stopped, nothing is written.
+    // Call after the last frame, of which there is at least one. When stopped, nothing is written.
     Failure finish(const Progress& progress = {}, const std::stop_token& stop = {});
 
 private:

@@ -75,7 +75,7 @@ ifs::Vector<2> worldOffset(const attractor::Camera& camera, const QPointF& pixel
 
 namespace {
 
-// As pixelTransform(), of cameras that are turned.
+// The pixelTransform() of cameras that are turned.
 QTransform turnedTransform(const attractor::Camera& from, const attractor::Camera& to) {
     const double scale = to.pixelsPerUnit / from.pixelsPerUnit;
     const double down = to.yAxis == attractor::YAxis::Up ? -1 : 1;

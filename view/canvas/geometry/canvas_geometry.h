@@ -10,7 +10,8 @@
 
 #include <vector>
 
-// Between the plane and the pixels of the canvas. Pixels are device independent unless said otherwise.
+// Conversions between the plane and the pixels of the canvas. Pixels are device independent unless said
+// otherwise.
 namespace view {
 
 QPointF toPoint(const ifs::Vector<2>& v);
@@ -24,10 +25,10 @@ double distanceToSegment(const QPointF& p, const QPointF& a, const QPointF& b);
 
 QPointF pixelOf(const attractor::Camera& camera, const ifs::Vector<2>& world);
 QPolygonF pixelsOf(const attractor::Camera& camera, const std::vector<ifs::Vector<2>>& points);
-// Around the box, which may be turned.
+// The pixels around the box, which may be turned.
 QRectF pixelsOf(const attractor::Camera& camera, const ifs::Vector<2>& min, const ifs::Vector<2>& max);
 ifs::Vector<2> worldAt(const attractor::Camera& camera, const QPointF& pixel);
-// What a motion by `pixels` is in the plane; exactly zero for no motion.
+// The motion in the plane for a motion by `pixels`; exactly zero for no motion.
 ifs::Vector<2> worldOffset(const attractor::Camera& camera, const QPointF& pixels);
 
 // The pixels of one camera as pixels of another: where a picture made for `from` belongs in the view `to`.

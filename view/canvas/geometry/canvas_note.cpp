@@ -56,8 +56,8 @@ QString noAttractor(const ifs::ActiveMaps<2>& active, const std::vector<int>& wi
         .arg(word, stretch, radius);
 }
 
-// What is proved of the maps is known at once, while the picture comes later, and the last one may be of
-// others.
+// The proved verdict on the maps, if there is one: it is known at once, while the last picture may be of
+// other maps.
 template <int Dim>
 attractor::RenderNote provedNote(const ifs::IteratedFunctionSystem<Dim>& system,
                                  attractor::RenderNote drawn) {

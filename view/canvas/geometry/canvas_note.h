@@ -13,8 +13,8 @@ enum class CageMode;
 
 namespace view {
 
-// Why the canvas does not show what one would expect, as whole sentences; empty when it does. The note is
-// that of the last picture.
+// Why the canvas does not show the expected picture, as whole sentences; empty when it does. The note is that
+// of the last picture.
 QString noteOn(const document::Fractal& fractal, attractor::RenderNote note);
 
 // The same of a system in space.
@@ -23,11 +23,11 @@ QString noteInSpace(const document::Fractal& fractal, attractor::RenderNote note
 // Said where a view shows none of the picture.
 QString nothingHere();
 
-// What moving the cage does, where that is not what one expects; empty where it is.
+// A note on the effect of moving the cage, where users may not expect it; else empty.
 QString modeNote(document::CageMode mode);
 
-// Why a drag of maps stops: the word, and what it does, that would take the attractor away. `system` has the
-// same maps taking part as those of `way`.
+// Why a drag of maps stops: the word that would lose the attractor, and its effect. `system` must have the
+// same active maps as those of `way`.
 template <int Dim>
 QString stopNote(const ifs::IteratedFunctionSystem<Dim>& system, const ifs::SafeWay<Dim>& way);
 

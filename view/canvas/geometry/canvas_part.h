@@ -3,7 +3,7 @@
 
 namespace view {
 
-// What of the cage, or of the images of the cage under the maps, can be dragged.
+// A part of the cage, or of its images under the maps, that can be dragged.
 struct CanvasPart {
     enum class Kind { None, Vertex, Edge, Inside, Pivot, Rotate, Scale };
 

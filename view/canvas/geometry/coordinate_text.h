@@ -7,9 +7,9 @@
 
 namespace view {
 
-// How coordinates of a view are written, along one axis (0: x, 1: y): with digits enough to tell neighbouring
-// pixels apart. Where that takes more than maxPlainDecimals, as a base that all of the view has in common and
-// an offset: "0.123456789 + 3.215e-13".
+// Texts of coordinates of a view, along one axis (0: x, 1: y): with digits enough to tell neighbouring pixels
+// apart. Where that takes more than maxPlainDecimals, a base that all of the view has in common and an
+// offset: "0.123456789 + 3.215e-13".
 class CoordinateText {
 public:
     CoordinateText(const attractor::Camera& camera, int axis);

@@ -12,8 +12,8 @@
 
 namespace view {
 
-// One gesture on the vertices of polygons, as it was when it began. Every position of the pointer is answered
-// from here, so nothing accumulates and the way back is exact.
+// A gesture on the vertices of polygons, as it was when it began. Every position of the pointer is answered
+// from this state, so nothing accumulates and the way back is exact.
 struct PolygonDrag {
     using Mode = DragMode;
 
@@ -21,7 +21,7 @@ struct PolygonDrag {
     std::vector<ifs::Vector<2>> points;
     std::vector<int> vertices; // those of the points that move
     ifs::Vector<2> pivot = ifs::Vector<2>::Zero();
-    ifs::Vector<2> press = ifs::Vector<2>::Zero(); // what was under the pointer
+    ifs::Vector<2> press = ifs::Vector<2>::Zero(); // the point under the pointer
     int snapVertex = 0;                            // the vertex that is drawn to snap targets
 };
 
@@ -32,7 +32,7 @@ enum class Constraint {
 
 struct DragResult {
     std::vector<ifs::Vector<2>> points;
-    ifs::AffineMap<2> change; // what happens to the vertices that move
+    ifs::AffineMap<2> change; // of the vertices that move
     Snapped snap;             // of the snap vertex; snapped nowhere for Rotate and Scale
 };
 
@@ -41,7 +41,7 @@ struct DragResult {
 DragResult dragged(const PolygonDrag& drag, const ifs::Vector<2>& offset, Constraint constraint,
                    const SnapTargets& targets);
 
-// By numbers, as the keyboard does it. Angle in radians, counter-clockwise with y up.
+// Moves by numbers, for the keyboard. Angles in radians, counter-clockwise with y up.
 DragResult moved(const PolygonDrag& drag, const ifs::Vector<2>& offset);
 DragResult rotated(const PolygonDrag& drag, double angle);
 DragResult scaled(const PolygonDrag& drag, const ifs::Vector<2>& factors);

@@ -10,7 +10,7 @@
 
 namespace view {
 
-// What a dragged point is drawn to.
+// Targets that attract a dragged point.
 enum class SnapTo {
     Grid = 1,     // lines of the visible grid
     Vertices = 2, // other vertices of the cage, both current and at rest
@@ -25,7 +25,7 @@ struct SnapTargets {
     std::vector<ifs::Vector<2>> vertices; // in the plane
 };
 
-// Where a point ends up, and which of its coordinates a target decided.
+// A snapped point, and the coordinates that a target decided.
 struct Snapped {
     ifs::Vector<2> point;
     bool x = false;

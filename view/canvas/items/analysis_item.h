@@ -11,7 +11,7 @@
 
 namespace view {
 
-// What an analysis draws over the picture: box, hull, simplex, fixed points, ellipse, cylinders.
+// Results of an analysis drawn over the picture: box, hull, simplex, fixed points, ellipse, cylinders.
 class AnalysisItem : public OverlayItem {
 public:
     void setShapes(std::vector<document::OutlineShape> shapes); // in the plane

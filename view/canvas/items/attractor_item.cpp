@@ -18,7 +18,7 @@ namespace {
 constexpr double square = 8;    // of the checkerboard, pixels
 constexpr double maxZoom = 256; // beyond this an old picture is only a few blurred pixels
 
-// Where the picture falls on the pixels of the screen one to one.
+// Returns true if the picture falls on the pixels of the screen one to one.
 bool isAligned(const QTransform& toDevice) {
     constexpr double tolerance = 1e-6;
     return std::abs(toDevice.m11() - 1) < tolerance && std::abs(toDevice.m22() - 1) < tolerance &&

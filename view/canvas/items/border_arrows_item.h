@@ -11,7 +11,7 @@
 
 namespace view {
 
-// Where a corner of the cage lies that the view does not show.
+// A pointer to a corner of the cage outside the view.
 struct BorderArrow {
     QPointF at;      // the middle of the arrow, just inside the border
     QPointF towards; // the corner, of length 1
@@ -19,13 +19,13 @@ struct BorderArrow {
     int others = 0;  // corners behind the same arrow
 };
 
-// One arrow at the border of `view` for each corner outside; corners in nearly the same place share one.
+// Arrows at the border of `view`, one for each corner outside; corners in nearly the same place share one.
 std::vector<BorderArrow> borderArrows(const QPolygonF& corners, const QRectF& view);
 
-// What a click on one does.
+// The description of a click on an arrow.
 QString cornerOutside();
 
-// These arrows, each with the number of its corner.
+// Draws the arrows, each with the number of its corner.
 class BorderArrowsItem : public OverlayItem {
 public:
     void setView(const QRectF& view);

@@ -10,8 +10,7 @@
 
 namespace view {
 
-// Where a dragged point has been caught: a ring on a vertex, short guides along the lines of the grid and the
-// axes.
+// Mark of a snapped point: a ring on a vertex, short guides along the lines of the grid and the axes.
 class SnapMark : public OverlayItem {
 public:
     void setSnap(const std::optional<Snapped>& snap, const QPointF& pixel);

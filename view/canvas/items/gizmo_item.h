@@ -7,7 +7,7 @@
 
 namespace view {
 
-// Where the handles that turn and scale the whole cage are, in pixels of the view.
+// Positions of the handles that turn and scale the whole cage, in pixels of the view.
 struct GizmoLayout {
     QPointF pivot;
     QPointF rotate;
@@ -15,7 +15,8 @@ struct GizmoLayout {
     bool isPivotCovered = false; // a vertex lies there, which comes first
 };
 
-// Beside the right corners of the cage, kept inside the view and apart from each other and from the vertices.
+// Places the handles beside the right corners of the cage, kept inside the view and apart from each other and
+// from the vertices.
 GizmoLayout gizmoLayout(const QPolygonF& cage, const QPointF& pivot, const QRectF& view);
 
 // The pivot and the two handles beside the cage. Without modifier keys they do what Ctrl and Alt do with a

@@ -160,7 +160,7 @@ void GridItem::paintLabels(QPainter& painter) const {
     paintBase(painter);
 }
 
-// What the labels are to be added to, where they are too long.
+// Paints the base of labels that would be too long, to which they are offsets.
 QRectF GridItem::paintBase(QPainter& painter) const {
     const CoordinateText abscissae(m_camera, 0), ordinates(m_camera, 1);
     if (abscissae.base().isEmpty()) return {};
@@ -171,8 +171,7 @@ QRectF GridItem::paintBase(QPainter& painter) const {
     return boxOf(text, at, metrics);
 }
 
-// Where a coordinate is a multiple of the step: the lines in a view that is turned, each in the order of the
-// other coordinate.
+// Grid lines in a view that is turned, each at a multiple of the step, with its index.
 std::vector<GridItem::TurnedLine> GridItem::turnedLines(int axis, double step) const {
     const QRectF area = boundingRect();
     ifs::Vector<2> low = worldAt(m_camera, area.topLeft()), high = low;
@@ -240,7 +239,8 @@ void GridItem::paintTurnedLabels(QPainter& painter) const {
                 paint(number, by);
                 continue;
             }
-            // From the lowest end of a line of x, and from the leftmost of one of y, or else from the other.
+            // The label is at the lowest end of a line of x, and at the leftmost of one of y, or else at the
+            // other.
             const bool isFirst = axis == 0 ? line.y1() > line.y2() : line.x1() < line.x2();
             const QString text = (axis == 0 ? QStringLiteral("x ") : QStringLiteral("y ")) + number;
             if (!paint(text, isFirst ? line.p1() : line.p2())) paint(text, isFirst ? line.p2() : line.p1());

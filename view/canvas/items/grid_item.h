@@ -20,8 +20,9 @@ public:
     bool isGridVisible() const { return m_grid; }
     bool areAxesVisible() const { return m_axes; }
 
-    // For the item below, which paints a picture that fills the view band by band: the upright lines are laid
-    // over each band while it is in the cache, which paint() then leaves out once. In device pixels.
+    // Support for the item below, which paints a picture that fills the view band by band: it draws the
+    // upright lines over each band while the band is in the cache, and paint() then leaves them out once. In
+    // device pixels.
     static constexpr int band = 16; // rows
     QImage uprightLines(double ratio) const;
     void leaveOutUprightLines() { m_areUprightPainted = true; }

@@ -21,8 +21,8 @@ constexpr double frameDot = 3.5;  // of any other
 constexpr double frameFocusRadius = 13;
 constexpr double minSide = 8;          // of a frame whose corners can be told apart
 constexpr std::ptrdiff_t maxHeld = 50; // selected frames that show their handles however small
-// What can be painted for every move of a drag: frames with corners, and outlines of frames in pixels of the
-// screen, filled, with corners, and thin; of more every so many.
+// Amounts that can be painted for every move of a drag: frames with corners, and outlines of frames in pixels
+// of the screen, filled, with corners, and thin; beyond these, only every n-th frame.
 constexpr std::ptrdiff_t minWhole = 8; // selected ones, whatever it takes
 constexpr std::size_t maxWhole = 250;
 constexpr double maxFilled = 16'000;
@@ -38,7 +38,7 @@ double area(const QPolygonF& polygon) {
     return std::abs(doubled) / 2;
 }
 
-// What is seen of the outlines, or a little more, in pixels of the screen.
+// Length of the visible part of the outlines, or a little more, in pixels of the screen.
 double lengthSeen(const QPainter& painter, std::span<const MapFrame* const> frames) {
     const QRectF view = painter.viewport();
     double all = 0;

@@ -23,8 +23,8 @@ struct MapFrame {
 
 const MapFrame* frameOf(const std::vector<MapFrame>& frames, int index); // by index; nullptr: none
 
-// What of the frames a press at `position` takes: a corner within `corner` pixels, those of selected frames
-// first; else the smallest frame that holds the position or has it within `edge` of its outline.
+// The part of the frames taken by a press at `position`: a corner within `corner` pixels, those of selected
+// frames first; else the smallest frame that holds the position or has it within `edge` of its outline.
 CanvasPart framePartAt(const std::vector<MapFrame>& frames, const QPointF& position, double corner,
                        double edge);
 

@@ -9,8 +9,8 @@
 
 namespace view {
 
-// The ways of what is keyed: a dot for each frame, and a diamond for each key; and what is keyed as the
-// neighbouring keys have it.
+// The paths of keyed vertices or maps: a dot for each frame, and a diamond for each key; and their shapes at
+// the neighbouring keys.
 class MotionPathItem : public OverlayItem {
 public:
     struct Way {

@@ -21,7 +21,7 @@ public:
     void setDismissible(bool dismissible); // shows that a click puts it away
     void setView(const QRectF& view);
     void setFont(const QFont& font);
-    // What must stay in sight, in pixels, and a box that it must not lie on.
+    // Points that must stay in sight, in pixels, and a box that the note must not cover.
     void avoid(std::vector<QPointF> points, const QRectF& other);
     QRectF box() const;
 

@@ -22,7 +22,7 @@ protected:
     OverlayStyle m_style;
 };
 
-// One with parts that can be dragged.
+// An overlay with parts that can be dragged.
 class HandlesItem : public OverlayItem {
 public:
     virtual void setMarks(CanvasPart hovered, CanvasPart pressed, CanvasPart focused) {

@@ -108,7 +108,7 @@ void strokeWithHalo(QPainter& painter, const QPainterPath& path, const OverlaySt
 
 void strokeSeen(QPainter& painter, const QPainterPath& path, const OverlayStyle& style, const QColor& colour,
                 double width, Qt::PenStyle pattern) {
-    // Between dashes the line is seen; beside a solid one it takes room of its own.
+    // The halo is seen between dashes; beside a solid line it takes room of its own.
     strokeWithHalo(painter, path, style, style.line,
                    pattern == Qt::SolidLine ? width + 2 * haloWidth : width);
     stroke(painter, path, colour, width, pattern);

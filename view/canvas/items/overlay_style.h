@@ -13,8 +13,8 @@ class QPainterPath;
 
 namespace view {
 
-// Colours of what is drawn over the picture. They follow the background of the picture, not only the
-// desktop's palette: a handle must be seen on both.
+// Colours of everything drawn over the picture. They follow the background of the picture, not only the
+// desktop's palette: a handle must be visible on both.
 struct OverlayStyle {
     QColor backdrop; // behind the picture
     QColor checker;  // the other squares behind a transparent picture; invalid when it is opaque
@@ -57,7 +57,7 @@ void strokeOutline(QPainter& painter, const QPolygonF& outline, const OverlaySty
 void strokeLit(QPainter& painter, const QPainterPath& path, const OverlayStyle& style, double width,
                Qt::PenStyle pattern = Qt::SolidLine);
 
-// Around what the keyboard moves.
+// Draws a ring around the handle that the keyboard moves.
 void strokeFocusRing(QPainter& painter, const QPointF& centre, double radius, const OverlayStyle& style);
 
 } // namespace view

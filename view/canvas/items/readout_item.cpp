@@ -46,7 +46,7 @@ QRectF ReadoutItem::box() const {
     if (corner.x() + size.width() > m_view.right()) corner.setX(m_pointer.x() - across - size.width());
     if (corner.y() + size.height() > m_view.bottom()) corner.setY(m_pointer.y() - down - size.height());
     if (m_view.isEmpty()) return {corner, size};
-    // Where there is room on neither side, over or under the pointer.
+    // With room on neither side, the box goes over or under the pointer.
     corner.setX(std::max(m_view.left() + readoutMargin,
                          std::min(corner.x(), m_view.right() - readoutMargin - size.width())));
     corner.setY(std::max(m_view.top() + readoutMargin,

@@ -8,7 +8,7 @@
 
 namespace view {
 
-// What a gesture has come to, in a small box at the pointer; nothing while the text is empty.
+// The result of a gesture so far, in a small box at the pointer; hidden while the text is empty.
 class ReadoutItem : public OverlayItem {
 public:
     void setText(const QString& text, const QPointF& pointer); // pixels of the view

@@ -7,7 +7,7 @@
 
 namespace view {
 
-// Where a shadow is held, in pixels of the view.
+// Handle of a shadow, in pixels of the view.
 struct ShadowMarks {
     QPointF foot; // of a stick that is as high as the picture
     QPointF tip;  // of its shadow: the handle

@@ -10,7 +10,7 @@
 
 namespace view {
 
-// Where the centre of a symmetry is, in pixels of the view.
+// Handles of a symmetry, in pixels of the view.
 struct SymmetryMarks {
     QPointF centre;
     QPointF knob; // the handle of the centre, beside it so that neither hides the other handles there

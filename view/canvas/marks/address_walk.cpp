@@ -42,7 +42,7 @@ void paintWord(QPainter& painter, const OverlayStyle& style, const QPolygonF& im
     font.setBold(true);
     painter.setFont(font);
     const QSizeF size = QFontMetricsF(font).size(Qt::TextSingleLine, word) + QSizeF(8, 2);
-    // At the highest corner, outside, so that the words of nested images stand apart.
+    // Words stand outside the highest corner, so that those of nested images stand apart.
     const QPointF top = *std::ranges::min_element(image, {}, &QPointF::y);
     const QRectF room(
         QPointF(std::clamp(top.x() - size.width() / 2, box.left(), box.right()), top.y() - size.height() - 3),

@@ -18,7 +18,8 @@ protected:
 };
 
 // The images of the cage under the beginnings of a word of indices, the longest last, as they are displayed;
-// branches that are shown elsewhere stay where their maps put them. Empty for what is no system of the plane.
+// branches that are shown elsewhere stay where their maps put them. Empty unless the entry is a system of the
+// plane.
 std::vector<std::vector<ifs::Vector<2>>> addressWalk(const document::Fractal& fractal, const ifs::Word& word);
 
 } // namespace view

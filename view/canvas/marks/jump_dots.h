@@ -6,8 +6,8 @@
 
 namespace view {
 
-// Where the jumps of a chaos game have led while they are few: discs in the colours of the maps that led
-// there, and rings for the first jumps, which are not plotted.
+// The jumps of a chaos game while they are few: discs in the colours of the maps applied, and rings for the
+// first jumps, which are not plotted.
 class JumpDots : public SceneMark {
 public:
     explicit JumpDots(const Construction* construction) : m_construction(construction) {}

@@ -9,8 +9,8 @@ namespace view {
 
 class CanvasScene;
 
-// Something that explains the picture and lies under the handles. It finds what it shows when it is painted,
-// and is hidden with everything else over the picture. To be added to a CanvasScene, which then owns it.
+// A mark that explains the picture and lies under the handles. It finds its content when it is painted, and
+// is hidden with all other overlays. To be added to a CanvasScene, which then owns it.
 class SceneMark : public QGraphicsItem {
 public:
     SceneMark();
@@ -19,7 +19,7 @@ public:
     void paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidget* widget) final;
 
 protected:
-    // In pixels of the view; the painter smooths.
+    // Paints in pixels of the view, with antialiasing on.
     virtual void paintOver(QPainter& painter, const CanvasScene& canvas, const OverlayStyle& style) = 0;
 };
 

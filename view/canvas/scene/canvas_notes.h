@@ -32,7 +32,7 @@ public:
 
     void setMode(const QString& note); // shown while there is nothing to say about the picture
 
-    void setPrompt(const QString& prompt); // what the tool asks for; empty: none
+    void setPrompt(const QString& prompt); // the tool's request; empty: none
     void setHint(const QString& hint);     // shown while there is no prompt
     const QString& hint() const { return m_hint; }
 

@@ -5,7 +5,7 @@
 
 namespace view {
 
-// What the user switches on and off on the canvas.
+// Options of the canvas that the user can switch.
 class CanvasOptions : public QObject {
     Q_OBJECT
 

@@ -30,8 +30,8 @@ constexpr std::size_t maxAvoided = 300; // handles that a sentence makes way for
 constexpr std::size_t maxCorners = 60;  // of maps that are not selected, in addition
 constexpr double keyReach = 7;          // pixels from the middle of a diamond
 
-// Whether every pixel is one of the background. Where there is a picture, that is known after a few. The
-// first points of a chaos game say nothing about the view.
+// Returns true if every pixel is one of the background. A picture with content is recognised after a few
+// pixels. The first points of a chaos game say nothing about the view.
 bool showsNothing(const attractor::Frame& frame, const attractor::Rgba& background) {
     constexpr std::uint64_t enough = 100'000; // samples
     const bool isTelling = frame.measure < 1 || frame.samples >= enough;
@@ -254,7 +254,7 @@ std::vector<QPointF> CanvasScene::handlePositions() const {
     return positions;
 }
 
-// Shows the paths of what is in hand: the cage, or the maps.
+// Shows the paths of the current target: the cage, or the maps.
 void CanvasScene::layoutPaths() {
     std::vector<MotionPathItem::Way> ways;
     for (const document::MotionPath& path : paths())

@@ -27,7 +27,7 @@ class MotionPathItem;
 class ShadowItem;
 class SymmetryItem;
 
-// What is on the canvas, in device-independent pixels of the view, y down; the camera leads to the plane.
+// Content of the canvas, in device-independent pixels of the view, y down; the camera leads to the plane.
 // Places the items. Follows the document and never edits it.
 class CanvasScene : public QGraphicsScene {
     Q_OBJECT
@@ -50,7 +50,7 @@ public:
     const TransientMarks& marks() const { return m_marks; }
     CanvasNotes& notes() { return m_notes; }
     GridItem& grid() const { return *m_grid; }
-    // What has a handle of its own, whichever tool is in use.
+    // Items that have their own handles, whichever tool is in use.
     struct Knobs {
         SymmetryItem& symmetry;
         ShadowItem& shadow;
@@ -63,7 +63,7 @@ public:
     HitTester hitTester() const { return {m_handles, m_camera, m_gizmoLayout, frames()}; }
     CanvasPart partAt(const QPointF& position, Reach reach) const; // none while the handles are hidden
     QPointF positionOf(const CanvasPart& part) const { return hitTester().positionOf(part); }
-    // The key whose diamond on a path is there and is not covered by a handle, and what it is of.
+    // The key whose diamond on a path is at the position and not covered by a handle, and the part it moves.
     struct KeyOnPath {
         int frame = 0;
         CanvasPart part; // a vertex of the cage, or the inside of a map
@@ -75,14 +75,15 @@ public:
 
     Snapping snapping() const { return m_snapping; }
     void setSnapping(Snapping snapping) { m_snapping = snapping; }
-    // Without those vertices of the part that move.
+    // Snap targets without those vertices of the part that move.
     SnapTargets snapTargets(const CanvasPart& part = {}, const std::vector<int>& moving = {}) const;
 
     void setOverlaysVisible(bool visible);
     bool overlaysVisible() const { return m_overlaysVisible; }
     void setCageVisible(bool visible); // off while another triangle is being defined
 
-    // While there is one the items stay; then they are laid out once, if they have to be.
+    // Defers the layout of the items: while a batch exists they stay, and at its end they are laid out once
+    // if necessary.
     class Batch {
     public:
         explicit Batch(CanvasScene& scene) : m_scene(scene) { ++m_scene.m_batches; }

@@ -16,13 +16,13 @@
 
 namespace view {
 
-// The extent of so many maps may take longer to find than the window may be busy.
+// Number of maps from which on finding their extent may take longer than the window may be busy.
 constexpr std::size_t manyMaps = 10'000;
 
 enum class HandleTarget { Cage, Maps, Branch };
 
-// What the handles hold: the cage, the maps as its images, or one branch. Positions are in the plane.
-// What is known of the maps and of the branch is found when it is first asked for.
+// Geometry of the handles: of the cage, of the maps as its images, or of one branch. Positions are in the
+// plane. Data about maps and the branch is computed on demand.
 class HandleModel : public QObject {
     Q_OBJECT
 
@@ -48,11 +48,11 @@ public:
     // The branch that is held, by indices in the system; empty: none.
     const ifs::Word& branch() const { return m_branch; }
     void setBranch(const ifs::Word& branch);
-    // Addresses of what is displayed; those of very many maps are found in the background. The first waits
-    // for them, the second returns nullptr until addressesFound().
+    // Addresses of displayed points; those of very many maps are found in the background. The first function
+    // waits for them, the second returns nullptr until addressesFound().
     const document::Addresses& addresses() const;
     const document::Addresses* knownAddresses() const;
-    // At a point, known to within `precision`; empty without a cage.
+    // The address at a point, known to within `precision`; empty without a cage.
     ifs::Word addressAt(const ifs::Vector<2>& point, double precision) const;
 
     // The polygons that are held when the cage is not: of the maps, or of the branch.
@@ -61,7 +61,7 @@ public:
     std::vector<ifs::Vector<2>> heldPoints() const;
     bool isAnythingHeld() const; // that can be moved: not where all selected maps are locked
 
-    // About which what is held turns and scales: the mean of its vertices until it is put elsewhere.
+    // The point about which the handles turn and scale: the mean of the vertices until it is put elsewhere.
     ifs::Vector<2> pivot() const;
     void setPivot(const std::optional<ifs::Vector<2>>& pivot); // nullopt: the mean again
     bool hasOwnPivot() const { return m_pivot.has_value(); }

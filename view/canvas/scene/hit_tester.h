@@ -9,15 +9,15 @@
 
 namespace view {
 
-// Which part is where, in pixels of the view: from the geometry, whatever has been painted. Refers to what it
-// is made of.
+// Finds parts by position, in pixels of the view: from the geometry, whatever has been painted. Keeps
+// references to its arguments.
 class HitTester {
 public:
     HitTester(const HandleModel& handles, const attractor::Camera& camera, const GizmoLayout& gizmo,
               const std::vector<MapFrame>& frames)
         : m_handles(handles), m_camera(camera), m_gizmo(gizmo), m_frames(frames) {}
 
-    CanvasPart partAt(const QPointF& position, Reach reach) const; // what a press would hold
+    CanvasPart partAt(const QPointF& position, Reach reach) const; // the part that a press would hold
     QPointF positionOf(const CanvasPart& part) const;
     // The maps whose frames, the images of the cage, lie in `band`.
     std::vector<std::size_t> mapsWithin(const QRectF& band) const;

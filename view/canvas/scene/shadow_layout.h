@@ -9,7 +9,7 @@
 
 namespace view {
 
-// Where the shadow of a fractal in the plane is held; nullopt without one.
+// Handle of the shadow of a fractal in the plane; nullopt without a shadow.
 std::optional<ShadowMarks> shadowLayout(const document::Fractal& fractal, const attractor::Camera& camera);
 
 } // namespace view

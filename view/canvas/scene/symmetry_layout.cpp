@@ -35,7 +35,7 @@ std::optional<SymmetryMarks> symmetryLayout(const document::Fractal& fractal,
     SymmetryMarks marks;
     marks.centre = pixelOf(camera, placement(symmetry.centre));
     marks.knob = marks.centre + aside;
-    // The direction on the screen of what has this angle in the standard position of the group.
+    // The direction on the screen of a line with this angle in the standard position of the group.
     const auto direction = [&](double degrees) {
         const double angle = (symmetry.angle + degrees) * std::numbers::pi / 180;
         const ifs::Vector<2> along =

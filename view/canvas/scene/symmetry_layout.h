@@ -9,7 +9,7 @@
 
 namespace view {
 
-// Where the symmetry of a fractal in the plane is seen, under its cage; nullopt without one.
+// Displayed symmetry of a fractal in the plane, under its cage; nullopt without one.
 std::optional<SymmetryMarks> symmetryLayout(const document::Fractal& fractal,
                                             const attractor::Camera& camera);
 

@@ -24,7 +24,7 @@ class RubberItem;
 class SnapMark;
 class TrailItem;
 
-// What tools, analyses and the chaos game draw over the picture for a while. Points are in the plane.
+// Temporary marks over the picture, of tools, analyses and the chaos game. Points are in the plane.
 class TransientMarks {
 public:
     TransientMarks();

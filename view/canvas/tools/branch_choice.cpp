@@ -16,7 +16,7 @@ namespace {
 constexpr std::size_t maxChosen = 200; // a hundred drags
 constexpr int notch = 120;             // of a wheel, in eighths of a degree
 
-// What was chosen in that fractal; empty: it is not known.
+// The branch chosen in that fractal; empty if it is not known.
 ifs::Word knownIn(const auto& chosen, const std::shared_ptr<const document::Fractal>& fractal) {
     const auto known =
         std::ranges::find_if(chosen, [&](const auto& each) { return each.fractal.lock() == fractal; });
@@ -110,7 +110,7 @@ void BranchChoice::beginDrag() {
     m_addressAtPress = m_address;
 }
 
-// Once it is a map of its own the branch is the first one.
+// The branch that becomes a map of its own is the first map.
 void BranchChoice::showDragged(bool hasMoved) {
     if (!m_before) return;
     const bool isConverted = m_edit == document::BranchEdit::OwnMap && hasMoved &&

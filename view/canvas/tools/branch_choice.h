@@ -29,7 +29,7 @@ public:
     void setDepth(int depth);
     void turnDepth(int angle);                           // by a wheel, in eighths of a degree
     bool pressDepthKey(int key);                         // Page Down and Page Up; false: another key
-    document::BranchEdit edit() const { return m_edit; } // what drags to come change
+    document::BranchEdit edit() const { return m_edit; } // of later drags
     void setEdit(document::BranchEdit edit);
     // The whole address of the point that was clicked, of which the branch is the beginning.
     const ifs::Word& address() const { return m_address; }
@@ -37,18 +37,18 @@ public:
     void choose(const ifs::Word& address);
     // "Branch 3 2", for the status bar; empty without one.
     QString text() const;
-    QString prompt() const; // what a click would do while nothing is chosen; empty: something is
+    QString prompt() const; // effect of a click while nothing is chosen; else empty
     QString stepText(DragMode mode,
                      std::optional<std::size_t> corner) const; // of a drag of it, or of a corner
     // Why it cannot be dragged, as a sentence: the map that would change, or be divided, is locked, or a map
     // that would be divided has keys. Empty: it can.
     QString obstacle() const;
 
-    // Until it ends the branch follows the drag alone, whatever becomes of the document. Begun again, it is
-    // the one of the beginning.
+    // Makes the branch follow the drag alone until it ends, whatever becomes of the document. A repeated call
+    // returns to the branch of the first.
     void beginDrag();
     void showDragged(bool hasMoved); // by a preview
-    QString endDrag();               // what to say if the branch is now map 1; else empty
+    QString endDrag();               // a message if the branch is now map 1; else empty
     void cancelDrag();
     const std::shared_ptr<const document::Fractal>& before() const { return m_before; } // null: no drag
 
@@ -66,7 +66,7 @@ private:
     ifs::Word m_address;
     ifs::Word m_addressAtPress;
     std::shared_ptr<const document::Fractal> m_before;
-    // What was chosen before and after the latest drags, for undo and redo.
+    // Choices before and after the latest drags, for undo and redo.
     struct Chosen {
         std::weak_ptr<const document::Fractal> fractal;
         ifs::Word address;

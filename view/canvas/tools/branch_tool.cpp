@@ -73,7 +73,7 @@ void BranchTool::clicked(const CanvasPart& part, const Pointer& pointer) {
     if (part.kind == Kind::Inside) selectAt(pointer.position);
 }
 
-// One branch is selected, and only a click or the keys of its depth change which: not as among the maps.
+// Unlike among maps, only a click or the keys of the depth change which branch is selected.
 bool BranchTool::walk(int step) {
     return PolygonTool::walk(step); // NOLINT(bugprone-parent-virtual-call): MapsTool selects what it walks to
 }

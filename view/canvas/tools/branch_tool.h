@@ -13,7 +13,7 @@ class BranchTool : public MapsTool {
 public:
     explicit BranchTool(CanvasScene& scene);
 
-    // Which branch it is. The window into space has the same.
+    // The chosen branch, shared with the window into space.
     BranchChoice& choice() { return m_choice; }
 
     double shareToShow(const std::function<const document::Fractal&(double)>& after) override;

@@ -90,7 +90,7 @@ void CageTool::pressed(const CanvasPart& part, Qt::KeyboardModifiers modifiers) 
     if (part.kind == Kind::Vertex && !(modifiers & adding) && together(part).size() == 1) selectItems({});
 }
 
-// One vertex alone needs no selection: it has the focus.
+// A single vertex needs no selection: it has the focus.
 void CageTool::clicked(const CanvasPart& part, const Pointer& pointer) {
     if (part.kind != Kind::Vertex || !(pointer.modifiers & adding)) return selectItems({});
     if (m_focusedBefore.kind == Kind::Vertex && m_focusedBefore != part && selection().vertices().empty())
@@ -118,8 +118,8 @@ bool CageTool::keyPress(const QKeyEvent& event) {
     return PolygonTool::keyPress(event);
 }
 
-// On the edge under the pointer; else in the middle of the edge in focus, or of the one after the vertex in
-// focus.
+// Inserts on the edge under the pointer; else in the middle of the edge in focus, or of the one after the
+// vertex in focus.
 void CageTool::insertVertex() {
     const CanvasPart focused = selection().focused();
     if (selection().hovered().kind == Kind::Edge)

@@ -10,7 +10,7 @@ class QKeyEvent;
 
 namespace view {
 
-// One way of using the left button. A tool decides what a gesture means and tells the document.
+// A mode of the left button. A tool decides what a gesture means and tells the document.
 class CanvasTool : public QObject {
     Q_OBJECT
 

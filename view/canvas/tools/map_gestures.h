@@ -15,10 +15,10 @@
 
 class QKeyEvent;
 
-// What gestures on maps have in common in plane and space.
+// Code shared by gestures on maps in plane and space.
 namespace view {
 
-// The name of the undo step that drags so many maps, of which the one held has that number; or one corner.
+// The name of the undo step that drags `count` maps, of which the one held is number `number`; or one corner.
 QString mapsStepText(DragMode mode, std::size_t count, std::size_t number, std::optional<std::size_t> corner);
 
 // Delete and Insert, Ctrl+A, and Alt with a digit, on the maps that are selected.
@@ -30,9 +30,9 @@ struct MapKey {
 MapKey pressMapKey(const QKeyEvent& event, document::Document& document,
                    const std::vector<std::size_t>& selected);
 
-// How much of a change, after(0) to after(1), leaves an attractor. Of linked maps, all: only some words
-// count, and the picture tells when they no longer contract. What `after` returns must live until it is
-// called again.
+// The part of a change, after(0) to after(1), that leaves an attractor. For linked maps, all of it: only some
+// words count, and the picture shows when they no longer contract. The result of `after` must live until the
+// next call.
 template <int Dim>
 ifs::SafeWay<Dim> wayWithAttractor(const std::function<const document::Fractal&(double)>& after) {
     const auto system = [&](double share) -> const auto& {

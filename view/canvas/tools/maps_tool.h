@@ -17,8 +17,8 @@ public:
     // A drag stops where the attractor would be lost, unless this is allowed.
     void setAllowsNoAttractor(bool allows) { m_allowsNoAttractor = allows; }
     bool allowsNoAttractor() const { return m_allowsNoAttractor; }
-    // How much of a change, after(0) to after(1), may be shown: all of it, or as much as leaves an attractor.
-    // Then the canvas says why. What `after` returns must live until it is called again.
+    // The share of a change, after(0) to after(1), that may be shown: all of it, or as much as leaves an
+    // attractor. Then the canvas says why. The result of `after` must live until the next call.
     virtual double shareToShow(const std::function<const document::Fractal&(double)>& after);
     void dismissStop(); // takes that sentence away
 
@@ -37,8 +37,8 @@ protected:
     void selectItems(const std::vector<std::size_t>& indices) override;
     std::vector<std::size_t> enclosedBy(const QRectF& band) const override;
 
-    // What a press on the part holds: the maps as they are then, and the indices of those that move. Empty:
-    // nothing.
+    // Maps held by a press: all maps as they are at the press, and the indices of those that move. Empty if
+    // the press holds nothing.
     struct HeldMaps {
         std::optional<document::MapHandles> maps;
         std::vector<std::size_t> indices;

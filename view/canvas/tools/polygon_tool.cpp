@@ -46,7 +46,7 @@ PolygonTool::~PolygonTool() = default;
 
 void PolygonTool::press(const Pointer& pointer) {
     end();
-    // A key on a path: its moment is shown, and what is keyed is there to be dragged.
+    // A press on the key of a path shows its moment, so that the keyed part can be dragged there.
     const auto key = m_scene.keyAt(pointer.position, pointer.reach);
     if (key) m_scene.document().setMoment(animation::moment(key->frame));
     m_part = key ? key->part : m_scene.partAt(pointer.position, pointer.reach);
@@ -166,7 +166,7 @@ double PolygonTool::show(const std::function<DragResult(double)>& resultAt) {
     return shown.share;
 }
 
-// What has been done, and to what value.
+// Describes the drag and its value.
 void PolygonTool::describe(const DragResult& result) {
     m_session.describe(withValue(m_session.text(), m_drag, result),
                        qHashMulti(0, int(m_part.kind), m_part.index, m_part.map));
@@ -182,7 +182,7 @@ void PolygonTool::movePivot(const Pointer& pointer) {
     m_scene.marks().showSnap(snap);
 }
 
-// At once, so that one sees it; a press on the empty canvas selects nothing.
+// Selects at once, so that the user sees it; a press on the empty canvas selects nothing.
 void PolygonTool::selectWithin(const Pointer& pointer) {
     const QRectF band = QRectF(m_session.pressedAt(), pointer.position).normalized();
     std::vector<std::size_t> items = enclosedBy(band);
@@ -217,7 +217,7 @@ void PolygonTool::settle() {
     if (m_session.finish() == DragSession::Outcome::Abandoned) abandoned();
 }
 
-// Leaves nothing of a gesture behind; what has been previewed and not committed goes.
+// Leaves nothing of a gesture behind; previews that are not committed go.
 void PolygonTool::end() {
     const CanvasScene::Batch batch(m_scene);
     if (m_state == State::Nudging) settle();
@@ -251,7 +251,7 @@ void PolygonTool::restorePivot() {
     handles().setPivot(m_ownPivotAtPress ? std::optional(m_pivotAtPress) : std::nullopt);
 }
 
-// What the handles without a number are for is said in the status bar.
+// Handles without a number are explained in the status bar.
 void PolygonTool::hover(const CanvasPart& part) {
     const CanvasPart before = selection().hovered();
     if (part == before) return;
@@ -303,7 +303,7 @@ bool PolygonTool::keyPress(const QKeyEvent& event) {
     return true;
 }
 
-// One undo step for as long as the key is held.
+// Makes one undo step for as long as the key is held.
 void PolygonTool::nudge(const CanvasPart& part, const QPointF& way, Qt::KeyboardModifiers modifiers) {
     if (part.kind == Kind::Pivot) {
         handles().setPivot(handles().pivot() + worldOffset(m_scene.camera(), way * nudgePace(modifiers)));

@@ -31,14 +31,14 @@ public:
     void stop() override;
     QCursor cursor(const Pointer& pointer) const override;
 
-    // To the next or the previous handle; false beyond the last one, where none is in focus.
+    // Moves the focus to the next or the previous handle; false beyond the last one, where none is in focus.
     virtual bool walk(int step);
 
 signals:
     void dragStarted(); // a gesture has begun
 
 protected:
-    // What a drag of a part moves.
+    // Points moved by a drag of a part.
     struct DragSubject {
         QString text; // of the undo step
         std::vector<ifs::Vector<2>> points;
@@ -50,16 +50,16 @@ protected:
         double share = 1; // of what is asked for
         DragResult result;
     };
-    // Shows what the gesture has come to. resultAt(1) is what is asked for, resultAt(0) is how it began. Each
-    // call computes; what is shown is asked for once.
+    // Shows the result of the gesture so far. resultAt(1) is the requested one, resultAt(0) the beginning.
+    // Each call computes; the result shown is requested once.
     virtual Shown preview(const std::function<DragResult(double)>& resultAt) = 0;
     virtual void pressed(const CanvasPart&, Qt::KeyboardModifiers) {} // perhaps to be dragged
     virtual void clicked(const CanvasPart&, const Pointer&) {}        // pressed and let go where it was
     virtual void abandoned() {} // undone in the middle; ended() comes next
     virtual void ended() {}     // nothing is held any more
 
-    // What of the polygons can be selected, by numbers of the tool's own: by a rectangle drawn from the empty
-    // canvas, and by clicks. nullopt: nothing can.
+    // Selectable items of the polygons, by numbers of the tool's own: by a rectangle drawn from the empty
+    // canvas, and by clicks. nullopt if nothing can be selected.
     virtual std::optional<std::vector<std::size_t>> selectedItems() const { return std::nullopt; }
     virtual void selectItems(const std::vector<std::size_t>&) {}
     virtual std::vector<std::size_t> enclosedBy(const QRectF&) const { return {}; } // pixels

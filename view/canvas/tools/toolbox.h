@@ -24,7 +24,7 @@ public:
     // A tool that cannot be used now is refused: message() or definingRefused() says why.
     void setTool(Tool tool);
     Tool tool() const { return m_tool; }
-    void stop(); // what is held is let go
+    void stop(); // and releases the held part
     CanvasTool& active();
     // The tool that a press there goes to: the one in use, or that of the handle of a symmetry or a shadow.
     CanvasTool& toolAt(const Pointer& pointer);
@@ -34,7 +34,7 @@ public:
     MapsTool& mapsTool() { return m_mapsTool; }
     BranchTool& branchTool() { return m_branchTool; }
 
-    // Whether dragging a map may lead where there is no attractor; else the drag stops there.
+    // Lets drags of maps pass where there is no attractor; else the drag stops there.
     void setAllowsNoAttractor(bool allows);
 
 signals:

@@ -136,7 +136,7 @@ void AnimationExportDialog::createFormat() {
     connect(m_section, &QComboBox::currentIndexChanged, this, &AnimationExportDialog::showPreview);
 }
 
-// As of the last export, for the format that it had.
+// Begins with the size of the last export, for the format that it had.
 void AnimationExportDialog::createSize() {
     m_size = new FrameSizeEditor;
     m_form->addRow(tr("&Size in pixels:"), m_size);
@@ -286,7 +286,7 @@ QString AnimationExportDialog::suffix() const {
     return format ? io::videoSuffix(*format) : QStringLiteral("png");
 }
 
-// With the view of the canvas as a key, where that is to be shown.
+// The entry with the view of the canvas as a key, if that is to be shown.
 document::Fractal AnimationExportDialog::entryInView() const {
     document::Fractal entry = m_entry;
     if (io::hasCameraKeys(entry) || chosenValue<Section>(m_section) == Section::Animation) return entry;

@@ -32,16 +32,16 @@ class AnimationExportDialog : public ExportShell {
     Q_OBJECT
 
 public:
-    using Camera = std::variant<attractor::View, attractor::OrbitCamera>; // what the canvas shows
+    using Camera = std::variant<attractor::View, attractor::OrbitCamera>; // of the canvas
     AnimationExportDialog(document::Document* document, const Camera& camera, QWidget* parent = nullptr);
     ~AnimationExportDialog() override;
 
     enum class Section { View = -2, Animation = -1 }; // saved views have the numbers from 0
-    void setSection(Section section);                 // what is shown where no camera key says
+    void setSection(Section section);                 // the view without camera keys
     using Format = std::optional<io::VideoFormat>;    // nullopt: a picture for each frame
     void setFormat(Format format);
     void exportTo(const QString& path) override;
-    void prepareCluster(const QString& folder); // what On a Cluster does once a folder is chosen
+    void prepareCluster(const QString& folder); // for On a Cluster, after a folder is chosen
     void escape() override { reject(); }        // which asks first
     void reject() override;
 
@@ -77,7 +77,7 @@ private:
     QComboBox* m_format = nullptr;
     QComboBox* m_section = nullptr;
     FrameSizeEditor* m_size = nullptr;
-    bool m_isSizeProposed = true; // nobody has chosen it
+    bool m_isSizeProposed = true; // not chosen by the user
     QSpinBox* m_first = nullptr;
     QSpinBox* m_last = nullptr;
     QComboBox* m_quality = nullptr;

@@ -18,7 +18,7 @@ namespace {
 
 constexpr std::chrono::seconds askEvery{2};
 
-// How many tasks of a job are in which state; states are Slurm's own, such as RUNNING.
+// Number of tasks of a job by state; states are Slurm's own, such as RUNNING.
 using States = QMap<QString, int>;
 
 int count(const States& states, std::initializer_list<const char*> names) {
@@ -70,7 +70,7 @@ ClusterQueue::ClusterQueue(QObject* parent) : QObject(parent) {
     connect(&m_question, &QProcess::finished, this, &ClusterQueue::takeStates);
 }
 
-// What is being submitted has a moment to arrive at Slurm whole.
+// Gives a submission under way a moment to arrive at Slurm whole.
 ClusterQueue::~ClusterQueue() {
     constexpr int moment = 2000; // milliseconds
     for (QProcess* process : {&m_submission, &m_question}) {

@@ -16,14 +16,14 @@ public:
     explicit ClusterQueue(QObject* parent = nullptr);
     ~ClusterQueue() override;
 
-    // Whether `sbatch` is found, as far as the drives it may lie on answer at once.
+    // Returns true if `sbatch` is found, as far as the drives it may lie on answer at once.
     static bool isAvailable();
 
     // Runs the script of a job folder, and asks for the state of its jobs from then on.
     void submit(const QString& folder);
 
 signals:
-    void stateChanged(const QString& sentence); // what Slurm says, or why nothing could be submitted
+    void stateChanged(const QString& sentence); // by Slurm, or why nothing could be submitted
     void finished(bool isDone);                 // false: some of it failed, or could not be submitted
 
 private:

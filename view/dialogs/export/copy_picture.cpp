@@ -20,7 +20,7 @@ void copyPicture(document::Document* document, const attractor::Camera& camera, 
         io::inBackground<QByteArray>([fractal = document->fractal(), camera](QPromise<QByteArray>& promise) {
             promise.addResult(io::structuredSvg(fractal, camera));
         });
-    // Without its lines it is still a picture.
+    // A picture without shapes is still a picture.
     if (waitFor(QFuture<void>(writing), ExportDialog::tr("Copying the picture…"), parent))
         if (const QByteArray svg = writing.takeResult(); !svg.isEmpty())
             data->setData(QStringLiteral("image/svg+xml"), svg);

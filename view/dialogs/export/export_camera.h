@@ -7,8 +7,8 @@
 
 namespace view {
 
-// The same view in another size: what was on the screen stays in the picture, and where the shape differs,
-// more is shown around it.
+// The same view in another size: the visible part stays in the picture, and where the shape differs, more is
+// shown around it.
 attractor::Camera resized(attractor::Camera camera, const QSize& size);
 
 } // namespace view

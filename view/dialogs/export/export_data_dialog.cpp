@@ -34,7 +34,7 @@ const io::TextFormat* textIn(const DataFormat& format) {
     return std::get_if<io::TextFormat>(&format);
 }
 
-// As the settings have them.
+// The name of a format in the settings.
 QString dataNameOf(const DataFormat& format) {
     if (const auto* text = textIn(format)) return io::suffixOf(*text);
     return format == DataFormat(io::PointFormat::Ply) ? QStringLiteral("points-ply")
@@ -117,7 +117,7 @@ void ExportDataDialog::createOptions(QFormLayout* form) {
     connect(m_bake, &QCheckBox::toggled, this, &ExportDataDialog::update);
 }
 
-// This one or, if it cannot store the system, the first that can; the others of its kind are grey.
+// Chooses this format or, if it cannot store the system, the first that can; the others of its kind are grey.
 void ExportDataDialog::chooseFormat(const Format& remembered) {
     const auto holds = [this](const Format& format) {
         const auto* text = textIn(format);
@@ -164,7 +164,7 @@ std::function<QByteArray()> ExportDataDialog::textMaker() const {
     };
 }
 
-// What the chosen format has no place for, as a sentence; empty when nothing is lost.
+// The parts that the chosen format has no place for, as a sentence; empty when nothing is lost.
 QString ExportDataDialog::loss() const {
     const auto format = textFormat();
     if (!format) return {};
@@ -198,7 +198,7 @@ void ExportDataDialog::update() {
     if (format && m_isPossible) startPreview();
 }
 
-// In the background, for the text of many maps takes long.
+// Previews in the background, because the text of many maps takes long.
 void ExportDataDialog::startPreview() {
     constexpr qsizetype maxShown = 8000; // bytes; a palette is long
     constexpr std::chrono::milliseconds patience{30};

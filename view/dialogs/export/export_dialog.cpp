@@ -228,7 +228,7 @@ bool ExportDialog::isTransparent() const {
     return m_transparent->isChecked() && (isSvg() || io::factsOf(*pixels()).canBeTransparent);
 }
 
-// What was chosen, where the format takes it.
+// The chosen depth, if the format takes it.
 io::PictureFormat::Depth ExportDialog::depthOfColour() const {
     using enum io::PictureFormat::Depth;
     const auto chosen = chosenValue<io::PictureFormat::Depth>(m_depthOfColour);
@@ -322,7 +322,7 @@ void ExportDialog::update() {
     m_memory->setText(tr("about %1").arg(QLocale::c().formattedDataSize(qint64(memory()))));
 }
 
-// The memory of the pixels, wherever they look.
+// Memory that the picture of pixels takes, in bytes.
 std::uint64_t ExportDialog::memory() const {
     const auto pixels = std::get<io::PixelRecipe>(recipe(resized(m_camera, m_size->pixels())));
     return io::memoryFor(io::exportOf(pixels, m_fractal));

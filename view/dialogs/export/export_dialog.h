@@ -35,9 +35,9 @@ public:
     ExportDialog(document::Document* document, const attractor::Camera& camera, QWidget* parent = nullptr);
     ~ExportDialog() override;
 
-    using File = std::variant<io::PictureFile, io::ShapeFile>; // what the format is
+    using File = std::variant<io::PictureFile, io::ShapeFile>; // the format
     enum class Section { View = -2, Attractor = -1 };          // saved views have the numbers from 0
-    void setSection(Section section);                          // what the picture shows; the view at first
+    void setSection(Section section);                          // the part shown; the view at first
     void exportTo(const QString& path) override;               // the ending of the name decides the format
     const ExportPreview& preview() const { return *m_preview; }
 
@@ -93,7 +93,7 @@ private:
     QTimer m_planTimer;
     QFutureWatcher<std::optional<document::Box>> m_extent; // of what is exported, found in the background
     QFutureWatcher<io::SvgPlan> m_planning;
-    bool m_isPlanOld = false; // what is worked out is no longer what is wanted
+    bool m_isPlanOld = false; // the plan being computed is no longer wanted
 };
 
 } // namespace view

@@ -18,7 +18,7 @@ constexpr int margin = 1;       // for the outline
 constexpr double square = 8;    // of the chequer, in pixels of the widget
 constexpr int maxPixels = 2000; // on a side, however large the window is
 
-// As paint programs show that nothing is there, in light and dark windows.
+// A chequerboard, by which paint programs show transparency, in light and dark windows.
 void paintChequer(QPainter& painter, const QRect& area) {
     const QColor bright(255, 255, 255), shaded(204, 204, 204);
     painter.fillRect(area, bright);

@@ -13,13 +13,13 @@
 
 namespace view {
 
-// A picture as it will be exported, reduced to the room there is: its shape, what it shows, and a chequer
-// where it is transparent. It is drawn in the background, the newest wish at last.
+// A picture as it will be exported, reduced to the available room: its shape, its content, and a chequer
+// where it is transparent. It is drawn in the background; the newest request wins.
 class ExportPreview : public QWidget {
     Q_OBJECT
 
 public:
-    // The picture in so many pixels, which have the shape of the exported one; any thread.
+    // Draws the picture at a size of `pixels`, in the shape of the exported one; called in any thread.
     using Drawing = std::function<std::optional<QImage>(const QSize& pixels, const std::stop_token&)>;
 
     explicit ExportPreview(QWidget* parent = nullptr);
@@ -42,7 +42,7 @@ protected:
 private:
     struct Drawn {
         QImage picture;
-        QSize of; // what was exported then
+        QSize of; // of the export
     };
     void draw();
 

@@ -9,7 +9,7 @@ class QProgressBar;
 
 namespace view {
 
-// How far an export is, and how long it still takes. Hidden while there is none.
+// Progress of an export and its remaining time. Hidden while there is none.
 class ExportProgress : public QWidget {
     Q_OBJECT
 

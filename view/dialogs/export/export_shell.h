@@ -24,20 +24,19 @@ namespace view {
 class ExportProgress;
 class ExportQueue;
 
-// What all dialogs have in common that write a file: the buttons, Esc, the chooser of the file, the progress,
-// and what came of it. The work goes on in a thread of the model while the window is used; closing the dialog
-// stops it.
+// Base of all dialogs that write a file: the buttons, Esc, the chooser of the file, the progress and the
+// outcome. The work goes on in a thread of the model while the window is used; closing the dialog stops it.
 class ExportShell : public QDialog {
     Q_OBJECT
 
 public:
     ~ExportShell() override;
 
-    // What Export does once a file is chosen, and somebody has been asked whether to replace it.
+    // Exports to a chosen file, after the user has agreed to replace an existing one.
     virtual void exportTo(const QString& path) = 0;
     void addToQueue(const QString& path);
     void setQueue(ExportQueue* queue); // which outlives it; without one, there is no Add to Queue
-    QString message() const;           // what came of it
+    QString message() const;           // about the outcome
     bool canExport() const;
     bool isBusy() const { return bool(m_work); }
     bool mayClose();                           // asks the user while an export is under way
@@ -53,7 +52,7 @@ protected:
     // entry.
     ExportShell(const QString& kind, const QString& entry, QWidget* parent);
 
-    // Lays the options out, beside or above what shows what they do, and message, progress and buttons below.
+    // Lays out the options beside or above their preview, and message, progress and buttons below.
     void lay(QWidget* options, QWidget* preview, Qt::Orientation orientation);
     void lay(QFormLayout* options, QWidget* preview, Qt::Orientation orientation);
     void setStartHelp(const QString& text) const;
@@ -72,13 +71,13 @@ protected:
     QString chooseFile(const WantedFile& wanted);
     LastExport last() const { return lastExport(m_kind); }
     void remember(const LastExport& last, const QString& path) const { rememberExport(m_kind, last, path); }
-    // What is put into the queue under this name; nullopt where that cannot be, which has then been said.
+    // The recipe to queue under this name; nullopt if it cannot be queued, after the user was told why.
     virtual std::optional<io::ExportRecipe> recipeFor(const QString& path);
     virtual const document::Fractal* queuedFractal() const { return nullptr; }
     virtual bool isPossible() const { return true; } // whether the options make sense
     virtual bool isQueueable() const { return true; }
     virtual QString sentenceFor(const io::ExportOutcome& outcome, const QString& path) const;
-    // What mayClose() says: what is under way, and what stopping means.
+    // Texts of mayClose(): the export under way, and the effect of stopping it.
     struct Unfinished {
         QString sentence;
         QString ifStopped;
@@ -87,7 +86,7 @@ protected:
     virtual void whenFinished() {} // once it is idle again, before the outcome is said
 
     void say(const QString& sentence); // empty: nothing; with room for it
-    virtual void escape();             // what Esc does: as the button, it stops before it closes
+    virtual void escape();             // for Esc: like the button, stops before it closes
     bool event(QEvent* event) override;
     void keyPressEvent(QKeyEvent* event) override;
     void enableButtons();
@@ -112,7 +111,7 @@ private:
     QPushButton* m_enqueue = nullptr;
     QPushButton* m_close = nullptr;
     QPushButton* m_showInFolder = nullptr; // visible once something was written
-    QString m_written;                     // what it shows
+    QString m_written;                     // its file
     ExportQueue* m_queue = nullptr;
     QPointer<QMessageBox> m_question;       // whether to stop; nobody need answer once the work has ended
     std::unique_ptr<io::ExportWork> m_work; // last: stops before the rest goes

@@ -25,9 +25,9 @@ public:
     void setPixels(const QSize& size); // as they are, also against the lock
     double dotsPerInch() const;
     bool isOnPaper() const; // in millimetres or inches
-    // What is chosen, so that it can be chosen again: a size by the screen is that of another screen then.
+    // The choice as a text for choose(): a size by the screen is that of another screen then.
     QString choice() const;
-    void choose(const QString& choice); // nothing happens where it is none
+    void choose(const QString& choice); // ignores texts that are no choice
     void setResolutionVisible(bool visible);
 
 signals:

@@ -63,7 +63,7 @@ template <int Dim> QString sumText(const ifs::AffineMap<Dim>& map, int row) {
     return text.isEmpty() ? QStringLiteral("0") : text;
 }
 
-// One entry in its part of a page. All lengths follow from `line`, the height of a line of text.
+// An entry in its part of a page. All lengths follow from `line`, the height of a line of text.
 class CellPainter {
 public:
     CellPainter(QPainter& painter, const QRectF& cell, double line, const HandoutOptions& options)
@@ -106,7 +106,7 @@ private:
         m_painter.setFont(printedFont(m_painter, share * m_line, bold));
     }
 
-    // For the picture and for the text.
+    // The rooms for the picture and for the text.
     std::pair<QRectF, QRectF> divided(const QRectF& room, bool hasText) const {
         if (!hasText) return {room, QRectF()};
         const double gap = m_line;
@@ -203,7 +203,7 @@ private:
         }
     }
 
-    // As many as there is room for. Returns where they end.
+    // Paints as many lines as there is room for. Returns where they end.
     double paintTexts(const QRectF& room, QStringList lines) {
         const double height = lineSpacing * m_line;
         lines = lines.first(std::min(lines.size(), linesIn(room)));
@@ -405,13 +405,13 @@ QStringList cornerTexts(const ifs::ControlCage<3>& cage) {
 
 namespace {
 
-// How many entries are beside each other, and how many above each other.
+// Number of entries side by side and above each other.
 struct HandoutGrid {
     int columns = 1;
     int rows = 1;
 };
 
-// Where there are fewer entries than a page takes, these have all of it.
+// The grid; fewer entries than a page takes have the whole page.
 HandoutGrid handoutGrid(int perPage, std::size_t items, bool isLandscape) {
     int cells = perPage;
     for (const int fewer : {4, 2, 1})

@@ -7,11 +7,11 @@
 // chosen, also after a restart.
 namespace view {
 
-// As the dialog of the kind has put it; empty before the first export.
+// Choices of the last export of a kind, in words of its dialog; empty before the first export.
 struct LastExport {
     QString format;
     QString size;
-    QString more{}; // what else is remembered; empty: as it is
+    QString more{}; // further choices; empty: as it is
 };
 
 LastExport lastExport(const QString& kind);

@@ -27,7 +27,7 @@ constexpr int linesOnPage = 60;
 constexpr double wholeWidth = 8; // columns: tables with as many are as wide as the page
 constexpr int longSide = 2400;   // of the picture, in pixels
 
-// As withoutMargins(), of a view that is turned: there the box around the box counts.
+// The withoutMargins() of a view that is turned: there the box around the box counts.
 attractor::Camera withoutTurnedMargins(const document::Box& box, attractor::Camera camera) {
     constexpr double margin = 0.01;   // of the canvas
     constexpr double narrowest = 0.1; // of the canvas
@@ -43,7 +43,7 @@ attractor::Camera withoutTurnedMargins(const document::Box& box, attractor::Came
     return camera;
 }
 
-// What the canvas shows without its empty sides, which are the cage's.
+// The view of the canvas without its empty sides, which are the cage's.
 attractor::Camera withoutMargins(const document::Fractal& fractal, attractor::Camera camera) {
     const auto box = document::boxWithShadow(fractal, camera.yAxis);
     if (!box || camera.width < 1 || camera.height < 1) return camera;
@@ -73,7 +73,7 @@ io::PlaneExport pictureFor(const document::Fractal& fractal, attractor::Camera c
     return picture;
 }
 
-// Tables of what is displayed or, where no maps have that picture, of the picture at rest.
+// Tables of the displayed system or, if no maps have that picture, of the picture at rest.
 std::pair<std::vector<PrintedTable>, bool> tablesOf(const document::Fractal& fractal) {
     if (const auto* system = document::system2(fractal)) {
         const auto displayed = document::effectiveSystem(fractal);
@@ -87,7 +87,7 @@ std::pair<std::vector<PrintedTable>, bool> tablesOf(const document::Fractal& fra
     return {tables, !displayed};
 }
 
-// One below the other, from there on.
+// Paints tables one below the other, from `top` on.
 void paintTables(QPainter& painter, const QRectF& page, double top, const std::vector<PrintedTable>& tables,
                  const std::function<void()>& newPage) {
     const double line = page.height() / linesOnPage;

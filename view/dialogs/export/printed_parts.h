@@ -15,7 +15,7 @@
 class QPainter;
 class QWidget;
 
-// What printed pages are made of.
+// Building blocks of printed pages.
 namespace view {
 
 struct PrintedTable {
@@ -32,7 +32,7 @@ struct Printed {
     std::size_t rows = 0;
     double bottom = 0;
 };
-// As many rows from `first` on as are legible in the room, under the names of the columns.
+// Paints rows from `first` on, as many as are legible in the room, under the names of the columns.
 Printed paintTable(QPainter& painter, const QRectF& room, double minHeight, const PrintedTable& table,
                    std::size_t first);
 
@@ -44,11 +44,11 @@ document::Fractal onPaper(document::Fractal fractal);
 QImage drawnForPaper(const io::PlaneExport& picture, QWidget* parent);
 QImage drawnForPaper(const io::SpaceExport& picture, QWidget* parent);
 
-// As a solid is seen at first.
+// The initial camera of a solid.
 attractor::OrbitCamera standardView();
-// An entry in space as it looks on paper, so many pixels along the longer side.
+// An entry in space as it looks on paper, `longSide` pixels along the longer side.
 io::SpaceExport spacePicture(const document::Fractal& fractal, attractor::OrbitCamera camera, int longSide);
-// Without the sides where there is nothing but that colour; of a line, a tenth of the picture is left.
+// Crops the empty sides, which have only the ground's colour; for a line, a tenth of the picture is left.
 QImage withoutEmptySides(const QImage& picture, QRgb ground);
 
 } // namespace view

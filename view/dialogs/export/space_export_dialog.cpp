@@ -167,7 +167,7 @@ void SpaceExportDialog::createBody() {
     connect(m_wall, &QDoubleSpinBox::valueChanged, this, &SpaceExportDialog::check);
 }
 
-// As remembered by bodyText().
+// Restores what bodyText() remembered.
 void SpaceExportDialog::showBody(const QString& text) {
     const auto recipe = io::recipeIn(QJsonDocument::fromJson(text.toUtf8()).object());
     const auto* body = recipe && io::isUsable(*recipe) ? std::get_if<io::BodyRecipe>(&*recipe) : nullptr;
@@ -209,7 +209,7 @@ QString SpaceExportDialog::suffix() const {
     return std::ranges::find(kinds, format(), &BodyKind::format)->suffix;
 }
 
-// For the proportions of the canvas.
+// The camera for the proportions of the canvas.
 attractor::OrbitCamera SpaceExportDialog::camera() const {
     const int saved = chosenValue<int>(m_section);
     if (saved == theCanvas) return m_camera;

@@ -302,7 +302,7 @@ void MutateDialog::showChild(int child) {
     m_ring->showChild(child, picture, tr("Variation %1").arg(child + 1));
 }
 
-// Until the large picture is drawn, what there is.
+// Shows a smaller picture until the large one is drawn.
 void MutateDialog::showParent() {
     Thumbnail thumbnail = m_large->thumbnail(quint64(m_generation), middle());
     if (thumbnail.state == Thumbnail::State::Pending)

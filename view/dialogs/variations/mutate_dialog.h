@@ -48,7 +48,7 @@ public:
     MutateDialog(document::Document* document, QWidget* parent, const Descent& left);
     ~MutateDialog() override;
 
-    void accept() override; // what is in the middle becomes the document's
+    void accept() override; // the fractal in the middle becomes the document's
     Descent descent() const { return {m_line, m_generation}; }
 
 private:

@@ -105,7 +105,7 @@ void VariationRing::choose(const QModelIndex& index) {
     if (child >= 0) emit chosen(child);
 }
 
-// Otherwise the dialog takes Enter for its default button.
+// Takes Enter, which the dialog would otherwise give to its default button.
 void VariationRing::keyPressEvent(QKeyEvent* event) {
     const bool chooses =
         event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter || event->key() == Qt::Key_Space;

@@ -30,7 +30,7 @@ public:
 
 signals:
     void chosen(int child);
-    void used(); // what is in the middle now
+    void used(); // the variation in the middle
     void resized();
 
 protected:

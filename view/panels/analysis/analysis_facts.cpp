@@ -24,7 +24,7 @@ struct Texts {
 
 constexpr int shownDigits = 5, allDigits = 15;
 
-// With more digits than usual where things of that size lie far from 0.
+// A figure with more digits than usual if things of that size lie far from 0.
 QString shortFigure(double value, double error, double size) {
     constexpr double far = 1e4; // sizes
     const bool isFar = size > 0 && std::abs(value) > far * size;
@@ -56,7 +56,7 @@ QString absenceOf(const ifs::Existence& existence, const QString& reason) {
                             : reason;
 }
 
-// What the rows refer to, for as long as a line is shown.
+// Data that the rows refer to, for as long as a line is shown.
 template <int Dim> struct Shown {
     std::shared_ptr<const Analysis> analysis;
     io::FactSource<Dim> source;

@@ -11,7 +11,7 @@
 
 namespace view {
 
-// One line of what is known of a picture.
+// A line about a picture.
 struct Fact {
     QString name;
     QString value;                  // short digits; empty: not known

@@ -48,7 +48,8 @@ QIcon swatch(const QColor& colour, const QColor& backdrop) {
     return pixmap;
 }
 
-// No line ends inside the brackets of a pair of numbers; those of a remark are as long as a sentence.
+// The text without line breaks inside the brackets of a pair of numbers; those of a remark are as long as a
+// sentence.
 QString unbroken(QString text) {
     static const QRegularExpression brackets(QStringLiteral("[(\\[][^()\\[\\]]*[)\\]]"));
     static const QRegularExpression word(QStringLiteral("\\p{L}{2}"));
@@ -245,7 +246,7 @@ void AnalysisPanel::showAnalysis() {
     if (!isVisible()) return;
     const auto analysis = m_bridge->analysis();
     QList<Fact> facts = analysis ? analysisFacts(analysis) : QList<Fact>();
-    // What is still being worked out keeps the value of a moment ago.
+    // Facts still under way keep the value of a moment ago.
     for (qsizetype k = 0; k < facts.size() && k < m_facts.size(); ++k)
         if (facts[k].isPending && facts[k].name == m_facts[k].name) {
             facts[k].value = m_facts[k].value;
@@ -314,8 +315,8 @@ void AnalysisPanel::showLines() {
     arrangeLines();
 }
 
-// Beside its name stands a value that has room there, else below it. No digit is ever cut off: where a number
-// is too wide even so, there is a scroll bar.
+// Puts a value beside its name if it has room there, else below it. No digit is ever cut off: for a number
+// that is too wide even so, there is a scroll bar.
 void AnalysisPanel::arrangeLines() {
     const QMargins margins = widget()->layout()->contentsMargins();
     const int room = viewport()->width() - margins.left() - margins.right();

@@ -21,8 +21,8 @@ namespace view {
 class AnalysisBridge;
 class BoxCountingPlot;
 
-// What is known of the picture, live while it is dragged, and which of it is outlined on the canvas. Nothing
-// is worked out while the panel is hidden.
+// Facts of the picture, live during a drag, and the choice of outlines on the canvas. Nothing is computed
+// while the panel is hidden.
 class AnalysisPanel : public QScrollArea {
     Q_OBJECT
 

@@ -157,7 +157,7 @@ void AppearancePanel::choosePalette() {
     const auto text = [&browser] { return tr("Palette: %1").arg(browser.title()); };
     connect(&browser, &PaletteBrowser::tried, this,
             [&] { preview(text(), [&](Appearance& a) { a.palette = browser.palette(); }); });
-    // At the left, so that most of the picture is seen.
+    // The dialog opens at the left, so that most of the picture is visible.
     const QRect frame = window()->geometry();
     browser.move(frame.left() + browserInset,
                  frame.top() + std::max(0, frame.height() - browser.height()) / 2);
@@ -285,8 +285,8 @@ AppearancePanel::Uses AppearancePanel::uses() const {
     return uses;
 }
 
-// In the plane, what is not used is disabled and keeps its place; in space it is hidden, with all that a
-// solid has no use for.
+// In the plane, unused controls are disabled and keep their places; in space they are hidden, with all
+// controls that make no sense for a solid.
 void AppearancePanel::showUses() {
     const Uses used = uses();
     if (std::exchange(m_shownUses, used) == used) return;

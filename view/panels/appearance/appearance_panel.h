@@ -24,8 +24,8 @@ class NumberRows;
 class SliceRows;
 class SpaceRows;
 
-// How the attractor is coloured, and in space also lit. Every control is live; one undo step per drag, dialog
-// or typed number.
+// Colours of the attractor, and in space also its light. Every control is live; one undo step per drag,
+// dialog or typed number.
 class AppearancePanel : public QWidget {
     Q_OBJECT
 
@@ -57,7 +57,7 @@ private:
     void makeMapColours(QFormLayout* form);
     ColourButton* colourButton(const QString& name, attractor::Rgba attractor::Appearance::*member);
     void follow(const document::Change& change);
-    // What the picture shown makes use of.
+    // Groups of settings that affect the picture shown.
     struct Uses {
         bool colourBy = false; // of a density
         bool palette = false;

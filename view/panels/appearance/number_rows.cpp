@@ -129,7 +129,7 @@ void NumberRows::setVisible(bool tones, bool shadow) {
     showRows();
 }
 
-// Where a shadow falls is asked only while there is one.
+// Shows the rows of a shadow only while there is one.
 void NumberRows::showRows() {
     for (const AppearanceNumber& number : attractor::appearanceNumbers) {
         const bool isTone = number.part == AppearanceNumber::Part::Tone;

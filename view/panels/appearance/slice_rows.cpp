@@ -23,7 +23,7 @@ using attractor::SpaceClip;
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
 constexpr double usualThickness = 0.1; // of the extent along the normal
-// As in SliceRows::Across.
+// Directions in the order of SliceRows::Across.
 const std::array<ifs::Vector<3>, 4> directions{ifs::Vector<3>::UnitX(), ifs::Vector<3>::UnitY(),
                                                ifs::Vector<3>::UnitZ(), ifs::Vector<3>::Ones()};
 
@@ -33,7 +33,7 @@ SliceRows::Kind kindOf(const std::optional<SpaceClip>& clip) {
                                                                        : SliceRows::Kind::Half;
 }
 
-// In units of space: of the middle of a slice, or of the border of a half.
+// Offset in units of space: of the middle of a slice, or of the border of a half.
 double offsetOf(const SpaceClip& clip) {
     const double sum = std::isfinite(clip.lowest) ? clip.lowest : clip.highest;
     return (std::isfinite(clip.highest) ? (sum + clip.highest) / 2 : sum) / clip.normal.norm();
@@ -120,7 +120,7 @@ void SliceRows::makeNormal(QFormLayout* form, QWidget* parent) {
     form->addRow(tr("Normal"), m_normalBox);
 }
 
-// A half keeps what is below its plane; both begin in the middle of the picture.
+// A half keeps the part below its plane; both begin in the middle of the picture.
 void SliceRows::choose(Kind kind) {
     m_edit.commit();
     document::Fractal fractal = m_document->fractal();

@@ -16,8 +16,8 @@ namespace view {
 class AppearanceSlider;
 class NumberField;
 
-// The rows of the Appearance panel by which an entry in space is cut: what is kept, the normal of the plane,
-// its offset and, of a slice, its thickness, both in units of space. One undo step per drag or choice.
+// The rows of the Appearance panel by which an entry in space is cut: the part to keep, the normal of the
+// plane, its offset and, of a slice, its thickness, both in units of space. One undo step per drag or choice.
 class SliceRows : public QObject {
     Q_OBJECT
 

@@ -105,8 +105,8 @@ CagePanel::CagePanel(document::Document* document, QWidget* parent)
     showCage();
 }
 
-// A field that loses the focus while it is destroyed has nobody left to tell, and neither has the document
-// when what was being typed ends there.
+// A field that loses the focus while it is destroyed has no receiver left, and neither has the document when
+// typing ends there.
 CagePanel::~CagePanel() {
     disconnect(m_following);
     for (NumberField* field : findChildren<NumberField*>())

@@ -26,8 +26,8 @@ namespace view {
 
 class NumberField;
 
-// The control cage in numbers: its vertices, what it does to the picture, and how it is fitted, reset and
-// baked.
+// The control cage in numbers: its vertices, its effect on the picture, and the commands to fit, reset and
+// bake it.
 class CagePanel : public QWidget {
     Q_OBJECT
 

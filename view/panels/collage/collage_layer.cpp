@@ -118,7 +118,8 @@ QRectF CollageLayer::boundingRect() const {
     return m_area;
 }
 
-// On a dark picture the shape is light, and on a light one dark: both ways the attractor stays in sight.
+// Draws a light shape on a dark picture, and a dark one on a light picture: both ways the attractor stays in
+// sight.
 void CollageLayer::prepareTarget() {
     m_targetOnDark = isOnDark();
     m_scaled = {};
@@ -173,12 +174,12 @@ void CollageLayer::paintAgreement(QPainter& painter) const {
     const QTransform onto =
         QTransform::fromScale(there.width() / picture.width(), there.height() / picture.height()) *
         QTransform::fromTranslate(there.x(), there.y());
-    // Only what is seen: scaling costs by the pixel, be it empty or out of sight.
+    // The visible part only: scaling costs by the pixel, be it empty or out of sight.
     const QRect source = onto.inverted().mapRect(m_area).toAlignedRect() & used;
     if (!source.isEmpty()) painter.drawImage(onto.mapRect(QRectF(source)), picture, QRectF(source));
 }
 
-// Each map carries the target: w_i(L), in the colour of the map.
+// Paints the target under each map: w_i(L), in the colour of the map.
 void CollageLayer::paintImages(QPainter& painter) const {
     if (m_canvas->tool() != CanvasView::Tool::Maps) return;
     const auto maps = document::collageMaps(m_document->fractal());

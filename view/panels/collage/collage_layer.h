@@ -16,9 +16,9 @@ namespace view {
 
 class CanvasView;
 
-// The target on the canvas, between the attractor and everything that can be held: dimmed, with what agrees
-// and what does not, with its images under the maps while the Maps tool is in use, and with a mark where the
-// agreement is worst.
+// The target on the canvas, between the attractor and all handles: dimmed, with agreeing, excess and missing
+// parts, with its images under the maps while the Maps tool is in use, and with a mark where the agreement is
+// worst.
 class CollageLayer : public QGraphicsObject {
     Q_OBJECT
 
@@ -29,7 +29,7 @@ public:
     void setOpacity100(int percent);                                       // of the target
     void setMeasured(std::optional<document::MeasuredFractal> measured);
     void setAgreementVisible(bool visible);
-    // Where the mark is, in pixels of the canvas; nullopt without one.
+    // The position of the mark, in pixels of the canvas; nullopt without one.
     std::optional<QPointF> mark() const;
 
     QRectF boundingRect() const override;

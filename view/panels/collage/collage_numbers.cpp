@@ -19,13 +19,13 @@ QString pixels(double distance) {
     return CollageNumbers::tr("%1 px", "pixels").arg(roundedNumber(distance, 2));
 }
 
-// Never “1” for what is less.
+// A factor that is never “1” for a smaller number.
 QString factorText(double factor) {
     const QString text = roundedNumber(factor, 3);
     return factor < 1 && text.toDouble() >= 1 ? fullNumber(factor) : text;
 }
 
-// With the norm in which the maps contract, by what it is called elsewhere.
+// The bound with the norm in which the maps contract, by its usual name.
 QString guarantee(const document::MeasuredFractal& measured) {
     if (!measured.bound)
         return CollageNumbers::tr("none: a map stretches by %1").arg(roundedNumber(measured.contraction, 3));

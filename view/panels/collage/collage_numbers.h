@@ -11,7 +11,7 @@ class QLabel;
 
 namespace view {
 
-// The numbers before and after a refinement of what is compared.
+// Numbers before and after a refinement, with the shape that was compared.
 struct Refinement {
     document::Compared compared;
     document::MeasuredFractal before, after;
@@ -19,7 +19,7 @@ struct Refinement {
 // The distance and the guarantee of both, and which of them has become worse.
 QString refinementText(const Refinement& refinement);
 
-// How well the fractal agrees with the target, in numbers.
+// Agreement of the fractal with the target, in numbers.
 class CollageNumbers : public QWidget {
     Q_OBJECT
 

@@ -32,7 +32,7 @@ using Task = FitBox::Task;
 using document::Compared;
 
 constexpr int progressInterval = 100; // milliseconds
-// In a drag the picture comes first, and the numbers are measured when it has had this time.
+// Head start of the picture in a drag, before the numbers are measured.
 constexpr int pictureFirst = 8;
 constexpr qsizetype maxLocksNamed = 6; // on the button, which is no wider than the panel
 
@@ -181,7 +181,7 @@ CollagePanel::~CollagePanel() {
     delete m_layer;
 }
 
-// Where the user has moved the view, it stays.
+// Leaves a view that the user has moved.
 void CollagePanel::bringTargetIntoView() {
     const document::TracedPicture* traced = m_target->traced().get();
     std::optional<document::Box> box;
@@ -287,7 +287,7 @@ void CollagePanel::showRefinement(const Refinement& refinement) {
     emit message(text);
 }
 
-// They are of other maps, of another target or of an earlier run.
+// Drops results: they belong to other maps, another target or an earlier run.
 void CollagePanel::forgetResults() {
     m_refined->hide();
     m_shades->hide();
@@ -364,7 +364,7 @@ CollagePanel::Work CollagePanel::workFor(Task task, const std::shared_ptr<const 
 
 void CollagePanel::run(Task task) {
     if (m_running || !m_target->traced()) return;
-    // A suggestion, or a cage around what is there, needs no maps that can be compared.
+    // A suggestion, or a cage around the present fractal, needs no maps that can be compared.
     if (task != Task::Suggest && task != Task::FitCage)
         if (const QString obstacle = document::collageObstacle(m_document->fractal()); !obstacle.isEmpty())
             return emit message(obstacle);
@@ -419,8 +419,8 @@ void CollagePanel::cancel() {
     m_fit->setProgress(std::nullopt);
 }
 
-// In an entry of its own, so that nothing is overwritten and nothing moves; another one takes its place
-// there.
+// Uses an entry of its own, so that nothing is overwritten and nothing moves; another suggestion takes its
+// place there.
 void CollagePanel::use(int suggestion) {
     const std::shared_ptr<const document::Fractal>& chosen = m_suggestions->fractal(suggestion);
     if (m_suggested != document::EntryId::None && m_document->currentId() == m_suggested) {

@@ -31,15 +31,16 @@ class CollagePanel : public QWidget {
     Q_OBJECT
 
 public:
-    // What the canvas compares with the target.
+    // The shape compared with the target on the canvas.
     enum class Agreement { OfCollage, OfAttractor, Hidden };
     CollagePanel(document::Document* document, CanvasView* canvas, QWidget* parent = nullptr);
     ~CollagePanel() override;
 
     TargetBox* target() const { return m_target; }
-    // Nothing runs in the background, and what is shown is of the fractal as it is.
+    // Returns true if nothing runs in the background, and the results shown are those of the fractal as it
+    // is.
     bool isSettled() const;
-    // What is beyond the three steps: a picture, suggestions, a choice. Remembered between runs.
+    // Shows the controls beyond the three steps: a picture, suggestions, a choice. Remembered between runs.
     void showMore(bool shown);
 
 signals:
@@ -88,8 +89,8 @@ private:
     QComboBox* m_compared;
     CollageNumbers* m_numbers;
     FitBox* m_fit;
-    QLabel* m_refined; // what the last refinement has made of the numbers
-    QLabel* m_shades;  // what is guaranteed of the weights that were fitted last
+    QLabel* m_refined; // the numbers after the last refinement
+    QLabel* m_shades;  // the guarantee of the weights fitted last
     SuggestionList* m_suggestions;
     QWidget* m_more;
     QToolButton* m_moreButton = nullptr;

@@ -81,7 +81,7 @@ QWidget* FitBox::makeSearch() {
     return box;
 }
 
-// In the same columns.
+// Adds constraints in the same columns.
 void FitBox::addConstraints(QGridLayout* grid) {
     QWidget* box = grid->parentWidget();
     const auto check = [&](const QString& text, const QString& tip) {

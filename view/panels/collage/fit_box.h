@@ -19,7 +19,7 @@ class QToolButton;
 
 namespace view {
 
-// What the machine can do about a target, and with which constraints.
+// Automatic fits to a target, and their constraints.
 class FitBox : public QWidget {
     Q_OBJECT
 

@@ -91,7 +91,7 @@ std::function<QByteArray()> pictureIn(const QMimeData& data) {
         const QString type = QStringLiteral("image/") + QLatin1String(kind);
         if (data.hasFormat(type)) return [bytes = data.data(type)] { return bytes; };
     }
-    // Qt decodes what comes from other programs when it is asked for an image.
+    // Qt decodes data of other programs when it is asked for an image.
     if (data.inherits("QInternalMimeData") || !data.hasImage()) return nullptr;
     return [image = qvariant_cast<QImage>(data.imageData())] {
         QByteArray bytes;

@@ -32,20 +32,20 @@ class TargetBox : public QWidget {
     Q_OBJECT
 
 public:
-    // How the picture is read and shown: for the panel to lay where it likes.
+    // Controls for reading and showing the picture, for the panel to place.
     QWidget* controls() const { return m_controls; }
 
     explicit TargetBox(document::Document* document, QWidget* parent);
     ~TargetBox() override;
 
-    // In the background; a sentence says why a picture cannot be used.
+    // Reads in the background; a sentence says why a picture cannot be used.
     void read(const QString& path);
     void take(const std::shared_ptr<const document::Fractal>& entry); // its attractor
 
     const std::shared_ptr<const document::TracedPicture>& traced() const { return m_traced; } // null: none
     bool hasTargets() const; // for any entry of the file
     QString name() const;    // of what the current entry has
-    // Another entry has the same target as the current one from now on.
+    // Gives another entry the target of the current one.
     void share(document::EntryId with) { m_states[with] = state(); }
     bool isBusy() const { return m_reading.isBusy() || m_tracing.isBusy(); }
 
@@ -62,7 +62,7 @@ private:
         QString name;
         QString sentence; // why there is no picture
         document::TraceOptions options;
-        std::optional<document::Box> onto; // what the entry showed when it came: as large is the shape
+        std::optional<document::Box> onto; // the picture when it came: the shape has its size
 
         bool isTracedAs(const State& other) const;
     };

@@ -24,7 +24,7 @@ bool isReadable(const document::Entry& entry) {
     return document::dimension(*entry.fractal) != 0;
 }
 
-// Without what follows a colon: there is room for a few words below a picture.
+// The title without the part behind a colon: there is room for a few words below a picture.
 QString shortTitle(const QString& title) {
     return title.section(QLatin1String(": "), 0, 0);
 }

@@ -33,7 +33,7 @@ public:
     void append(const io::CollectionTheme& theme, const QString& folder = {});
     void removeFolder(const QString& folder);
 
-    // What the user likes, by folder, theme and name.
+    // The user's favourites, by folder, theme and name.
     void setFavourites(const QStringList& favourites);
     QStringList favourites() const { return {m_favourites.begin(), m_favourites.end()}; }
     // Entries used last, the newest first, named like favourites.
@@ -43,10 +43,10 @@ public:
 
     // nullptr for the title of a theme.
     std::shared_ptr<const document::Fractal> fractalAt(const QModelIndex& index) const;
-    // The number of an entry that no other one has, as long as it is there; 0 for titles.
+    // Number of an entry, unique while the entry is there; 0 for titles.
     Thumbnails::Key keyAt(const QModelIndex& index) const;
-    QModelIndex indexOf(Thumbnails::Key key) const; // invalid for 0, and where it is gone
-    // It, and behind it the partner of its fractal transformation, with the picture by its full path.
+    QModelIndex indexOf(Thumbnails::Key key) const; // invalid for 0 and for entries that are gone
+    // The fractal, followed by the partner of its fractal transformation, with the full path of the picture.
     QList<document::Fractal> withPartnerAt(const QModelIndex& index) const;
 
     int rowCount(const QModelIndex& parent = {}) const override;

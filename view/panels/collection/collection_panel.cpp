@@ -248,7 +248,7 @@ void CollectionPanel::read(const QString& folder) {
     if (m_readings.size() == 1) showProgress();
 }
 
-// What does not answer is not waited for.
+// Gives up on folders that do not answer.
 void CollectionPanel::endReading(const Watcher* watcher) {
     const auto found = std::ranges::find(m_readings, watcher, &Reading::watcher);
     if (found == m_readings.end()) return;

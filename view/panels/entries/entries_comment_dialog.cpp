@@ -65,7 +65,7 @@ EntriesCommentDialog::EntriesCommentDialog(const document::Fractal& fractal, QWi
 
 document::Fractal EntriesCommentDialog::fractal() const {
     document::Fractal after = m_before;
-    // As it will be read from the file: what was pasted may hold line ends and tabs.
+    // The comment as it will be read from the file: pasted text may hold line ends and tabs.
     after.headerComment = io::fractint::storedComment(m_header->text());
     after.comments = lines();
     for (QString& line : after.comments)

@@ -162,7 +162,7 @@ QWidget* EntriesDelegate::createEditor(QWidget* parent, const QStyleOptionViewIt
 void EntriesDelegate::setEditorData(QWidget* editor, const QModelIndex& index) const {
     auto* line = qobject_cast<QLineEdit*>(editor);
     const QString name = index.data(Qt::EditRole).toString();
-    // A picture that arrives meanwhile must not undo the typing, nor what is selected to be typed over.
+    // A picture that arrives meanwhile must undo neither the typing nor the selection to type over.
     if (line && !line->isModified() && line->text() != name) line->setText(name);
 }
 

@@ -67,7 +67,7 @@ void EntriesList::setEmptyText(const QString& text) {
     viewport()->update();
 }
 
-// On to the next name, unless the one just given has taken it out of the filter.
+// Goes on to the next name, unless the new name has taken the entry out of the filter.
 void EntriesList::closeEditor(QWidget* editor, QAbstractItemDelegate::EndEditHint hint) {
     const bool isNext = hint == QAbstractItemDelegate::EditNextItem;
     const bool goesOn = isNext || hint == QAbstractItemDelegate::EditPreviousItem;

@@ -39,7 +39,7 @@ bool shownAlike(const Entry& a, const Entry& b) {
     return a.fractal == b.fractal && a.source == b.source && a.problems == b.problems;
 }
 
-// Whether the entries of `part` are in `whole`, too, in the same order.
+// Returns true if the entries of `part` are in `whole`, too, in the same order.
 bool isPartOf(const FractalFile& part, const FractalFile& whole) {
     auto entry = part.entries.begin();
     for (auto other = whole.entries.begin(); entry != part.entries.end() && other != whole.entries.end();

@@ -26,7 +26,7 @@ public:
         SeverityRole,          // int of document::Problem::Severity; invalid without problems
     };
 
-    // Both must outlive the model.
+    // `document` and `thumbnails` must outlive the model.
     EntriesModel(document::Document* document, Thumbnails* thumbnails, QObject* parent = nullptr);
     ~EntriesModel() override;
 
@@ -58,7 +58,7 @@ private:
 
     document::Document* m_document;
     Thumbnails* m_thumbnails;
-    document::FractalFile m_shown;     // what the views know; follows the document by row operations
+    document::FractalFile m_shown;     // as known to views; follows the document by row operations
     document::FractalFile m_savedFile; // as last read or saved
     // The same by id, once it was asked for.
     mutable QHash<document::EntryId, std::shared_ptr<const document::Fractal>> m_saved;

@@ -123,7 +123,7 @@ void EntriesPanel::createList() {
             &EntriesPanel::updateActions);
     connect(m_list, &EntriesList::entriesDropped, this, &EntriesPanel::moveEntries);
     connect(m_list, &EntriesList::dataDropped, this, [this](const QMimeData& mimeData, EntryId before) {
-        // Once the drop is over: questions may follow, and the program that it came from waits.
+        // Runs after the drop: questions may follow, and the program that it came from waits.
         QMetaObject::invokeMethod(
             this,
             [this, text = entriesTextIn(mimeData), after = idInFrontOf(m_document->file(), before)] {

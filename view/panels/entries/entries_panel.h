@@ -61,7 +61,7 @@ private:
     void makeCurrent(const QModelIndex& index);
 
     QList<document::Entry> entriesOf(const QList<document::EntryId>& ids) const;
-    // Their new ids.
+    // Returns the ids of the new entries.
     QList<document::EntryId> insertEntries(const QList<document::Entry>& entries, document::EntryId after,
                                            const QString& text);
     void insertFrom(const std::function<QByteArray()>& text, document::EntryId after);

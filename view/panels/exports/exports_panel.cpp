@@ -56,7 +56,8 @@ ExportsPanel::ExportsPanel(ExportQueue* queue, QWidget* parent)
     layout->addWidget(buttonBar(m_actions, m_remove, this));
     layout->addWidget(m_list, 1);
     layout->addWidget(m_empty, 1);
-    // Not before a reset: then the rows are those of the new list already. A reset does not announce it.
+    // Remembers the selection as it changes: at a reset, which does not announce it, the rows are those of
+    // the new list already.
     connect(m_list->selectionModel(), &QItemSelectionModel::selectionChanged, this,
             [this] { m_selected = selectedIds(); });
     connect(m_model, &QAbstractItemModel::modelReset, this, &ExportsPanel::keepSelection);

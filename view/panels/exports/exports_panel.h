@@ -14,7 +14,7 @@ namespace view {
 
 class ExportsModel;
 
-// The queue of exports: how far each is, and what can be done with them.
+// The queue of exports: the progress of each, and the commands for them.
 class ExportsPanel : public QWidget {
     Q_OBJECT
 

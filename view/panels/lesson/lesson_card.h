@@ -13,8 +13,8 @@ struct Lesson;
 
 namespace view {
 
-// What the class reads while a lesson is played: title and text of the step in letters that grow with the
-// window, and the buttons that lead on and back. It stands beside the canvas, so that it covers nothing.
+// The step of a lesson as the class reads it: title and text in letters that grow with the window, and the
+// buttons that lead on and back. It stands beside the canvas, so that it covers nothing.
 class LessonCard : public QFrame {
     Q_OBJECT
 

@@ -32,7 +32,7 @@ public:
     void moveTo(const QString& name);  // to another one, which is not saved yet
 
     QUndoStack* history() { return &m_history; }
-    // One step of the history each; typing in one field is one step.
+    // Edits of one undo step each; typing in one field is one step.
     void setTitle(const QString& title);
     void addStep(const document::LessonState& state); // after the current one; it becomes current
     void setState(const document::LessonState& state);

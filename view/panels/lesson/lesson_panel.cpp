@@ -112,7 +112,7 @@ void LessonPanel::createFields() {
     connect(m_save, &QPushButton::clicked, this, &LessonPanel::saveRequested);
 }
 
-// What is too long is cut where it can be seen.
+// Cuts text that is too long where the user can see it.
 void LessonPanel::takeText() {
     if (m_isFollowing) return;
     const QString typed = m_text->toPlainText();
@@ -192,7 +192,7 @@ void LessonPanel::followSteps() {
     m_steps->setCurrentRow(m_notebook->current());
 }
 
-// What is being typed stays as it is typed: the notebook keeps it without blanks at the ends.
+// Leaves the field being typed in as it is: the notebook keeps its text without blanks at the ends.
 void LessonPanel::follow() {
     const QScopedValueRollback<bool> following(m_isFollowing, true);
     const document::Lesson& lesson = m_notebook->lesson();

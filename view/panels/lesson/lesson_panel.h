@@ -16,8 +16,8 @@ namespace view {
 
 class LessonNotebook;
 
-// Where a lesson is written: its steps, the text of one of them, and the buttons that take the state of the
-// window, play and save.
+// Editor of a lesson: its steps, the text of one of them, and the buttons that take the state of the window,
+// play and save.
 class LessonPanel : public QWidget {
     Q_OBJECT
 

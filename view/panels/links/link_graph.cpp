@@ -92,7 +92,7 @@ void LinkGraph::choose(int from, int to) {
     if (from >= 0) emit selected(from, to);
 }
 
-// What a screen reader says.
+// Describes the graph to screen readers.
 void LinkGraph::describe() {
     QString text = tr("No map is selected.");
     if (m_keyTarget >= 0)

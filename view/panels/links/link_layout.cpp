@@ -65,7 +65,7 @@ QPointF LinkLayout::outwards(int map) const {
     return length > 0.5 ? v / length : QPointF(0, -1);
 }
 
-// From rim to rim, bent to its left so that it and its opposite are seen apart.
+// A curve from rim to rim, bent to its left so that it and its opposite are seen apart.
 QPolygonF LinkLayout::curve(int from, int to) const {
     const QPointF a = node(from), b = node(to), along = b - a;
     const QPointF control = (a + b) / 2 + bend * QPointF(along.y(), -along.x());

@@ -10,7 +10,7 @@
 
 namespace view {
 
-// Where the graph of linked maps lies: the maps on a circle, the first on top, clockwise, and a curved arrow
+// Layout of the graph of linked maps: the maps on a circle, the first on top, clockwise, and a curved arrow
 // from each map to those that may follow it. Pixels of the widget.
 class LinkLayout {
 public:

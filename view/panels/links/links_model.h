@@ -35,11 +35,11 @@ public:
     void setWeight(int from, int to, double weight); // one undo step; none where it is so already
     void forbid(const QModelIndexList& cells);       // in one undo step; cells of the last column stay
     ifs::LinkState state(int map) const { return m_states[std::size_t(map)]; }
-    QString reason(int map) const; // what becomes of the map, or why it takes no part
+    QString reason(int map) const; // about the role of the map, or why it has none
     QColor colour(int map) const;
 
 signals:
-    void refused(const QString& reason); // what was typed
+    void refused(const QString& reason); // of the typed text
 
 private:
     bool isState(int column) const { return column == rowCount(); }

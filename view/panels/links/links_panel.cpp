@@ -19,7 +19,7 @@ namespace view {
 
 namespace {
 
-// Whether the chaos game ever draws lots: else only the fixed points of the cycles are drawn.
+// Returns true if the chaos game ever draws lots; else only the fixed points of the cycles are drawn.
 bool leavesAChoice(const document::System2& system) {
     const ifs::ActiveMaps<2> active = ifs::activeMaps(system);
     const std::size_t count = active.maps.size();

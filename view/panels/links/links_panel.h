@@ -16,8 +16,8 @@ namespace view {
 class LinkGraph;
 class LinksModel;
 
-// Which maps may follow which in the chaos game, as a graph and as a matrix; one step of the history for each
-// arrow drawn or removed and each cell edited. What is selected in one is selected in the other.
+// Links between maps in the chaos game, as a graph and as a matrix with a common selection; one undo step for
+// each arrow drawn or removed and each cell edited.
 class LinksPanel : public QWidget {
     Q_OBJECT
 

@@ -12,8 +12,8 @@ namespace view {
 
 class NumberField;
 
-// Where one map draws colours on the palette, and how fast; shown while these make the colours of the
-// picture. Each field edit is live and one undo step.
+// Position and speed of one map on the palette; shown while these make the colours of the picture. Each field
+// edit is live and one undo step.
 class MapBlendRow : public QWidget {
     Q_OBJECT
 

@@ -18,8 +18,8 @@ namespace view {
 class MapBlendRow;
 class NumberField;
 
-// One map as rotation, scale, shear and translation (shear acts first, translation last): the same map as its
-// row in the table, in other words; and below, where it draws colours. Angles in degrees, counter-clockwise
+// A map as rotation, scale, shear and translation (shear acts first, translation last): the same map as its
+// row in the table, in other words; and below, its place on the palette. Angles in degrees, counter-clockwise
 // with y up; in space, counter-clockwise as seen from the tip of the axis. Each field edit is live and one
 // undo step.
 class MapShapeEditor : public QWidget {

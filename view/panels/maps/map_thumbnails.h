@@ -31,7 +31,7 @@ public:
     // A change forgets all pictures. `faint` is the colour of the rest of the attractor.
     void setLook(const QSize& size, qreal devicePixelRatio, const QColor& faint);
 
-    // Never waits; null while there is none. What is asked for and not there is drawn, and ready() follows.
+    // Never waits; null while there is none. A missing picture is then drawn, and ready() follows.
     QImage picture(int row, ifs::MapId map);
     bool isBusy() const { return m_work.isBusy() || m_submit.isActive(); }
 

@@ -25,8 +25,8 @@ constexpr int picture = 36;
 constexpr int shortestName = 48, longestName = 110;
 constexpr double narrowestFigures = 0.72; // of their usual width
 
-// The digits that must be shown are drawn narrower, as in a drag, rather than left out of sight; what is
-// between the numbers stays.
+// Digits that must be shown are drawn narrower, as in a drag, rather than left out of sight; the gaps between
+// numbers stay.
 void squeeze(std::vector<int>& widths, int room) {
     constexpr int gap = 2 * MapsDelegate::numberMargin;
     const int gaps = int(widths.size()) * gap;
@@ -48,7 +48,7 @@ bool MapsColumns::eventFilter(QObject* watched, QEvent* event) {
     return QObject::eventFilter(watched, event);
 }
 
-// What the numbers need, and the letter over them.
+// The width of the numbers, and of the letter over them.
 int MapsColumns::widthOf(int column) const {
     const QString name = m_model->headerData(column, Qt::Horizontal).toString();
     const QAbstractItemView* view = m_table; // where the hint is public
@@ -57,8 +57,9 @@ int MapsColumns::widthOf(int column) const {
                      m_table->horizontalHeader()->fontMetrics().horizontalAdvance(name) + 12});
 }
 
-// Whether there is a scroll bar beside the rows must not depend on the widths that depend on it: it has its
-// room unless all rows are in sight even above the other scroll bar.
+// The width for the columns. It must not depend on whether there is a scroll bar beside the rows, which
+// depends on the widths: the scroll bar has its room unless all rows are in sight even above the other scroll
+// bar.
 int MapsColumns::available() const {
     const int scrollBar = m_table->style()->pixelMetric(QStyle::PM_ScrollBarExtent, nullptr, m_table);
     const int rows = m_table->verticalHeader()->length() + m_table->horizontalHeader()->sizeHint().height();
@@ -86,7 +87,8 @@ void MapsColumns::fit() {
         if (std::accumulate(widths.begin(), widths.end(), 0) <= room) break;
     }
     if (decimals < 0) squeeze(widths, room);
-    // What is left is for longer names, if all digits are there, then for those that come up in a drag.
+    // The remaining width is for longer names, if all digits are there, then for numbers that come up in a
+    // drag.
     int left = std::max(0, room - std::accumulate(widths.begin(), widths.end(), 0));
     if (isNamed) {
         const int given = decimals == maxDecimals ? std::min(wantedName - name, left) : 0;

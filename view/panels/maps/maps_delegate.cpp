@@ -36,7 +36,7 @@ int fractionWidth(const QFontMetrics& metrics, int decimals) {
     return decimals == 0 ? 0 : metrics.horizontalAdvance(u'.') + decimals * metrics.horizontalAdvance(u'0');
 }
 
-// With as many decimals as there is room for.
+// A number with as many decimals as there is room for.
 QString fitting(double value, const QFontMetrics& metrics, int width) {
     for (int decimals = maxDecimals; decimals > 0; --decimals)
         if (QString text = roundedNumber(value, decimals); metrics.horizontalAdvance(text) <= width)
@@ -44,8 +44,8 @@ QString fitting(double value, const QFontMetrics& metrics, int width) {
     return roundedNumber(value, 0);
 }
 
-// In the middle of a drag, when columns keep their widths: the figures become narrower before any is left
-// out.
+// Paints a number in the middle of a drag, when columns keep their widths: the figures become narrower before
+// any is left out.
 void paintFitting(QPainter& painter, const QRect& area, double value) {
     const QString text = fitting(value, painter.fontMetrics(), area.width());
     const int wide = painter.fontMetrics().horizontalAdvance(text);
@@ -65,7 +65,7 @@ bool isMark(int column) {
     return column == MapsModel::Enabled || column == MapsModel::Lock;
 }
 
-// Where a row of a matrix in space begins, or the shift, or the weight behind it.
+// Returns true if a row of a matrix in space begins, or the shift, or the weight behind it.
 bool beginsGroup(const MapsModel& model, int column) {
     constexpr int letters = 12, inRow = 3;
     if (model.dimension() != 3) return false;
@@ -161,7 +161,7 @@ void MapsDelegate::destroyEditor(QWidget* editor, const QModelIndex& index) cons
 
 void MapsDelegate::updateEditorGeometry(QWidget* editor, const QStyleOptionViewItem& option,
                                         const QModelIndex&) const {
-    // Wide enough for what is typed, even over a narrow column: over those that Tab comes to later.
+    // Wide enough for the typed text, even over a narrow column: over those that Tab comes to later.
     QRect area = option.rect;
     area.setWidth(std::max(area.width(), editor->sizeHint().width()));
     area.moveRight(std::min(area.right(), editor->parentWidget()->width() - 1));

@@ -42,7 +42,8 @@ template <int Dim> bool contracts(const ifs::AffineMap<Dim>& map) {
     return ifs::spectralNorm<Dim>(map.linear) < 1;
 }
 
-// What displays the code; nullopt where no code would show the same: while the placement is flat or bends.
+// The map that displays the code; nullopt if no code would show the same: while the placement is flat or
+// bends.
 template <int Dim> std::optional<ifs::AffineMap<Dim>> displayOf(const document::Shape<Dim>& shape) {
     if (!shape.cage || shape.cage->rest == shape.cage->current) return ifs::AffineMap<Dim>{};
     if (ifs::bends(*shape.cage)) return std::nullopt;
@@ -218,8 +219,8 @@ QString MapsModel::columnTip(int column) const {
     }
 }
 
-// Asked for by what is in sight, and of as many rows as a header looks at for its widths: a hundred thousand
-// numbers are not written out.
+// The most decimals in a column, of as many rows as a header looks at for its widths: views ask for visible
+// cells, and a hundred thousand numbers are not written out.
 int MapsModel::decimals(int column) const {
     std::optional<int>& most = m_decimals[static_cast<std::size_t>(column)];
     if (most) return *most;
@@ -350,7 +351,7 @@ QString MapsModel::remark(const QModelIndex& index) const {
     return weight < 0 ? *io::weightRemark(std::size_t(index.row()) + 1, weight) : QString();
 }
 
-// What is said of the cells before the code.
+// Texts about the cells before the code.
 QString MapsModel::mark(int row, Column column) const {
     const QString name = title(row);
     switch (column) {

@@ -68,9 +68,9 @@ public:
     // The typing in one cell: shown live, one undo step on commit. The kind: see EditGesture::describe().
     void preview(const QModelIndex& index, double value, int kind = -1);
     void previewName(const QModelIndex& index, const QString& name);
-    void revert() override { cancelEdit(); } // what item views call on Esc
+    void revert() override { cancelEdit(); } // called by item views on Esc
     void commitEdit() { m_edit.commit(); }
-    // How the number in the cell was written, if not as a plain number.
+    // Remembers the text of the number in the cell, if it is not a plain number.
     void keepTyped(const QModelIndex& index, double value, const QString& text);
     QString typedText(const QModelIndex& index) const;
     void cancelEdit() { m_edit.cancel(); }
@@ -87,7 +87,7 @@ public:
     void setSolo(ifs::MapId map);
 
     ifs::MapId idAt(int row) const;
-    // In the order of the ids; maps that are gone have none.
+    // Rows in the order of the ids; maps that are gone have none.
     std::vector<int> rowsOf(const std::vector<ifs::MapId>& ids) const;
     int dimension() const { return m_shown.index() == 0 ? 2 : 3; }
     int coefficientCount() const { return dimension() * (dimension() + 1); }
@@ -101,7 +101,7 @@ private:
         std::vector<ifs::Link> links;               // on which it depends which maps take part
         std::optional<ifs::AffineMap<Dim>> display; // nullopt while the placement is flat or bends
     };
-    // What a column holds: A or EffectiveA for the coefficient `which`, else the enumerator.
+    // Content of a column: A or EffectiveA for the coefficient `which`, else the enumerator.
     struct Meaning {
         Column kind;
         int which = 0;
@@ -119,12 +119,12 @@ private:
     QString columnName(int column) const;
     QString columnTip(int column) const;
     QString tip(int row, int column) const;
-    QString warning(int row) const; // what is wrong with the map; empty when nothing is
+    QString warning(int row) const; // about the map; empty when nothing is wrong
     bool isEnabled(int row) const;
     document::MapLabel labelOf(int row) const;
     QString title(int row) const; // the number and, in parentheses, the name
     QString mark(int row, Column column) const;
-    QString spoken(int row, Column column) const; // what a screen reader says of a cell without text
+    QString spoken(int row, Column column) const; // for screen readers, about a cell without text
     bool switchMap(int row, bool on);
     bool colourMap(int row, const QColor& colour);
     std::optional<double> weightOf(int row) const;

@@ -90,7 +90,7 @@ MapsPanel::MapsPanel(document::Document* document, QWidget* parent)
     restoreSelection();
 }
 
-// What is being typed ends while the panel is destroyed; it no longer shows that.
+// The edit under way ends while the panel is destroyed, which no longer follows it.
 MapsPanel::~MapsPanel() {
     disconnect(m_following);
 }
@@ -302,7 +302,7 @@ void MapsPanel::hideColumns(Columns group, bool hidden) {
 void MapsPanel::showColumns(Columns group, bool shown) {
     hideColumns(group, !shown);
     const auto [first, last] = columnsOf(group);
-    // What was asked for is seen, and its first column first of all.
+    // The requested maps come into view, and their first column first of all.
     if (shown && m_table->isVisible()) {
         m_table->doItemsLayout(); // the new width is there to scroll in
         const int row = std::max(0, m_table->currentIndex().row());
@@ -553,7 +553,7 @@ void MapsPanel::renameMap() {
     m_table->edit(cell);
 }
 
-// All of them, unless all of them are locked.
+// Locks all selected maps, or unlocks them if all of them are locked.
 void MapsPanel::toggleLock() {
     const std::vector<ifs::MapId> maps = selectedMaps();
     const document::MapLabels& labels = m_document->fractal().mapLabels;

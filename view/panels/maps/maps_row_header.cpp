@@ -27,7 +27,7 @@ void MapsRowHeader::putBack(int, int from, int to) {
         const QSignalBlocker blocker(this);
         moveSection(to, from);
     }
-    // After the header has finished with the mouse: the model may reset it.
+    // Waits until the header has finished with the mouse: the model may reset it.
     QMetaObject::invokeMethod(
         this, [this, from, to] { emit rowDragged(from, to); }, Qt::QueuedConnection);
 }
@@ -43,7 +43,7 @@ void MapsRowHeader::leaveEvent(QEvent* event) {
     QHeaderView::leaveEvent(event);
 }
 
-// All rows have the same, which is asked for many of them at a time.
+// The size of any row: all have the same, which is asked for many of them at a time.
 QSize MapsRowHeader::sectionSizeFromContents(int row) const {
     if (m_sizedCount != count() || m_sizedFont != font()) {
         m_sizedCount = count();

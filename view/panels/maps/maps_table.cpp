@@ -62,8 +62,8 @@ bool MapsTable::edit(const QModelIndex& index, EditTrigger trigger, QEvent* even
     return QTableView::edit(index, trigger, event);
 }
 
-// What a number or an expression may begin with starts the edit of a cell, whatever the window does with that
-// key: digits, and the letters of cos, exp, ln, pi, sqrt and tan.
+// Characters with which a number or an expression may begin start the edit of a cell, whatever the window
+// does with that key: digits, and the letters of cos, exp, ln, pi, sqrt and tan.
 bool MapsTable::event(QEvent* event) {
     if (event->type() == QEvent::ShortcutOverride) {
         const auto* key = static_cast<QKeyEvent*>(event);

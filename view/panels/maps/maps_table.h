@@ -20,7 +20,7 @@ public:
 
 signals:
     void rowPointed(int row);            // by the pointer; −1: none
-    void refused(const QString& reason); // somebody tried to edit a cell that is locked
+    void refused(const QString& reason); // after an attempt to edit a locked cell
 
 protected:
     bool edit(const QModelIndex& index, EditTrigger trigger, QEvent* event) override;

@@ -8,7 +8,7 @@
 
 #include <array>
 
-// What the table of maps says of kinds, coefficients and itself, and the line below it of one map.
+// Texts of the table of maps about kinds, coefficients and itself, and the line about one map below it.
 namespace view {
 
 QString kindText(ifs::MapKind kind);

@@ -11,7 +11,7 @@ namespace view {
 
 namespace {
 
-// In order.
+// The ids of the maps in their order.
 std::vector<ifs::MapId> mapsOf(const document::Fractal& fractal) {
     std::vector<ifs::MapId> maps;
     const auto add = [&](const auto* system) {

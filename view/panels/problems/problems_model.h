@@ -8,7 +8,7 @@
 
 namespace view {
 
-// What the reader reported about the open file and the entries still in it, in the order of their lines.
+// Problems that the reader found in the open file and the entries still in it, in the order of their lines.
 class ProblemsModel : public QAbstractTableModel {
     Q_OBJECT
 

@@ -12,7 +12,7 @@ namespace view {
 
 class ProblemsModel;
 
-// What the reader had to say about the file: choosing a line shows the entry it concerns.
+// The reader's problems with the file: choosing a line shows the entry it concerns.
 class ProblemsPanel : public QWidget {
     Q_OBJECT
 

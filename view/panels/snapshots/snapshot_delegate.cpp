@@ -25,7 +25,7 @@ QRect nameOf(const QRect& tile) {
     return {tile.left() + 3, top, tile.width() - 6, tile.bottom() - top};
 }
 
-// In the corner of the picture, whatever the picture is.
+// Paints the mark in the corner of the picture, whatever the picture is.
 void paintPill(QPainter& painter, const QRect& picture, const QStyleOptionViewItem& option) {
     const QRectF pill(picture.right() - pillSide - 1, picture.top() + 3, pillSide, pillSide);
     painter.setPen(Qt::NoPen);

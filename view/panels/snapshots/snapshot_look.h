@@ -20,7 +20,7 @@ class SnapshotLook : public QObject {
     Q_OBJECT
 
 public:
-    // What shows pictures.
+    // The canvases that show pictures.
     struct Canvases {
         CanvasView* plane;
         RenderBridge* render;
@@ -31,7 +31,8 @@ public:
                  QObject* parent = nullptr);
     ~SnapshotLook() override;
 
-    // By this key, if it is not null: a look that it begins ends when it was held down and comes up.
+    // Begins or ends a look. If `key` is not null and begins the look, releasing it after it was held down
+    // ends it.
     void toggle(Qt::Key key = Qt::Key_unknown);
     void end();
     bool isOn() const { return m_shown != 0; }

@@ -12,7 +12,7 @@ namespace {
 
 using document::Fractal;
 
-// What the entry becomes: it stays the same entry, with what the user calls it and writes about it.
+// The restored entry: it stays the same entry, with the name and comments that the user has given it.
 Fractal restored(const Fractal& kept, const Fractal& now) {
     Fractal fractal = kept;
     fractal.name = now.name;

@@ -49,7 +49,7 @@ private:
     QAction* m_add = nullptr;
     QAction* m_remove = nullptr;
     QAction* m_bringBack = nullptr;
-    bool m_isFollowing = false; // what changes in the list comes from the snapshots
+    bool m_isFollowing = false; // changes in the list come from the snapshots
 };
 
 } // namespace view

@@ -9,13 +9,13 @@
 class QPainter;
 class QPalette;
 
-// How keys look in the timeline.
+// Drawing of keys in the timeline.
 namespace view {
 
 QColor faded(QColor colour, double share);
 QPolygonF diamond(const QPointF& middle, double half);
 
-// With the pen and brush of the painter: a diamond, or a circle where the motion goes on without a corner.
+// Paints with the painter's pen and brush: a diamond, or a circle where the motion goes on without a corner.
 void paintKeyMark(QPainter& painter, const QPointF& middle, const animation::Ease& ease);
 
 // A red bar below `top`: something is wrong at this frame.

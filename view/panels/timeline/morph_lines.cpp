@@ -168,7 +168,7 @@ void MorphLines::mouseMoveEvent(QMouseEvent* event) {
     update();
 }
 
-// Where a click chose the first of a pair, it waits for the second.
+// A click that chooses the first of a pair waits for the second.
 void MorphLines::mouseReleaseEvent(QMouseEvent* event) {
     const auto place = placeAt(event->position());
     m_hand.reset();

@@ -34,7 +34,7 @@ public:
 
     const Place& current() const { return m_current; }
     QRect rectOf(const Place& place) const;
-    QString sentence() const; // what becomes of the current map
+    QString sentence() const; // the fate of the current map
 
     QSize sizeHint() const override;
     QSize minimumSizeHint() const override { return sizeHint(); }

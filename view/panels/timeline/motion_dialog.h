@@ -29,7 +29,8 @@ private:
     QWidget* field(std::size_t index, int ordinal);
     void take(std::size_t index, double value);
     void preview();
-    // With these numbers or, so that an attractor is left at all times, a smaller strength, which is said.
+    // The entry with these numbers or, so that an attractor is left at all times, with a smaller strength and
+    // a note about it.
     document::Fractal changed() const;
 
     document::Fractal m_entry; // as it was

@@ -95,7 +95,7 @@ void MotionPage::draw() {
     m_next = 0;
     m_preview.reset();
     drawNext();
-    // Where the desktop asks for no animations, the pictures stand still.
+    // The pictures stand still if the desktop asks for no animations.
     if (style()->styleHint(QStyle::SH_Widget_Animation_Duration, nullptr, this) > 0) m_clock.start();
 }
 

@@ -18,19 +18,19 @@ class QToolButton;
 
 namespace view {
 
-// Instead of an empty table: loops that one click makes, as small moving pictures of the fractal itself with
-// their names, and how to make keys.
+// The page in place of an empty table: loops that one click makes, as small moving pictures of the fractal
+// itself with their names, and how to make keys.
 class MotionPage : public QWidget {
     Q_OBJECT
 
 public:
-    // What an entry looks like with a motion; nullopt: not at all.
+    // Makes an entry with a motion; nullopt if it cannot have this one.
     using Make = std::function<std::optional<document::Fractal>()>;
 
     // A button for each action; those with a menu and nothing to do by themselves open it.
     explicit MotionPage(const QList<QAction*>& actions, QWidget* parent = nullptr);
 
-    // How the moving picture of each action is made, in their order. Those without keep their icons.
+    // Makers of the moving pictures, in the order of the actions. Actions without one keep their icons.
     void setMotions(std::vector<Make> motions) { m_motions = std::move(motions); }
     void renew(); // the fractal has changed
     bool isMoving() const { return m_clock.isActive(); }

@@ -24,7 +24,7 @@ constexpr std::size_t maxMaps = 64;
 constexpr double margin = 2;            // pixels
 constexpr double paletteInMiddle = 0.7; // where a point of usual density is in a palette
 
-// From in front and a little from above, through a camera that has gone round.
+// A point as seen from in front and a little from above, through a camera that has gone round.
 QPointF seen(const attractor::OrbitCamera& camera, const ifs::Vector<3>& point) {
     const ifs::Vector<3> at = camera.orientation.conjugate() * (point - camera.target);
     return {at.x(), at.y()};
@@ -47,7 +47,7 @@ std::vector<QPointF> chaosGame(const ifs::IteratedFunctionSystem<Dim>& system, S
     return result;
 }
 
-// What all frames show; of an endless zoom, each its own view.
+// The box of all frames; of an endless zoom, each frame has its own view.
 template <class Frame> QRectF boxOf(const std::vector<Frame>& frames) {
     double left = HUGE_VAL, right = -HUGE_VAL, bottom = HUGE_VAL, top = -HUGE_VAL;
     for (const Frame& frame : frames)

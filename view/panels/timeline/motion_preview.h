@@ -14,7 +14,7 @@
 
 namespace view {
 
-// Whether the entry has few enough maps for moving pictures.
+// Returns true if the entry has few enough maps for moving pictures.
 bool isPreviewed(const document::Fractal& entry);
 
 struct PreviewStyle {

@@ -92,7 +92,7 @@ int Playback::untilNext(const document::Timing& timing) const {
     return int(std::clamp(due - now, shortestTick, longestTick));
 }
 
-// At most half a frame, so that one that takes long does not make the next come far too early.
+// Lead of at most half a frame, so that a frame that takes long does not make the next come far too early.
 qint64 Playback::ahead(const document::Timing& timing) const {
     const double most = 0.5 * double(second * timing.rate.seconds) / timing.rate.frames;
     return m_clock.elapsed() + qint64(std::min(m_toPicture, most));

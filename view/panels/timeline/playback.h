@@ -22,7 +22,7 @@ public:
     explicit Playback(document::Document* document, QObject* parent = nullptr);
 
     bool isPlaying() const { return m_timer.isActive(); }
-    // From where the playhead is; from the beginning if it is at the end of an animation without a loop.
+    // Plays from the playhead; from the beginning if it is at the end of an animation without a loop.
     void setPlaying(bool playing);
     void seek(int frame); // goes on from there if it plays, and shows it
     int position() const; // counts back and forth: beyond the length on the way back

@@ -21,7 +21,7 @@ double xOf(const RulerPlace& place, double frame) {
     return place.start + frame * place.scale;
 }
 
-// As wide as the longest of all, wherever the ruler is scrolled to.
+// The width of the longest of all labels, wherever the ruler is scrolled to.
 double labelWidth(const RulerPlace& place, const QFontMetricsF& metrics) {
     const auto& [rate, length, loop] = place.timing;
     const bool isSeconds = place.unit == RulerUnit::Seconds;
@@ -51,7 +51,7 @@ int tickStep(const RulerPlace& place, int step) {
     return step;
 }
 
-// Each column of pixels once, however many keys it has.
+// Paints each column of pixels once, however many keys it has.
 void paintKeyTicks(QPainter& painter, const RulerPlace& place,
                    const std::vector<document::TrackKeys>& tracks) {
     std::vector<bool> isMarked(std::size_t(std::max(0.0, place.area.width())) + 1);

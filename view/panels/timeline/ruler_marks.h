@@ -13,10 +13,10 @@ class QFont;
 class QPainter;
 class QPalette;
 
-// What a ruler shows: labels, ticks between them, and ticks where there are keys.
+// Marks of a ruler: labels, ticks between them, and ticks where there are keys.
 namespace view {
 
-// What is seen of a ruler, in pixels.
+// The visible part of a ruler, in pixels.
 struct RulerPlace {
     QRectF area;
     double start = 0; // x of frame 0

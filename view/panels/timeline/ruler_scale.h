@@ -5,7 +5,7 @@
 
 #include <QString>
 
-// What a ruler of frames says, and how often.
+// Labels of a ruler of frames and their distances.
 namespace view {
 
 enum class RulerUnit { Frames, Seconds };

@@ -17,7 +17,7 @@ namespace view {
 
 namespace {
 
-// From the first to the last of the selected keys; of fewer than two, the whole animation.
+// The range from the first to the last of the selected keys; with fewer than two, the whole animation.
 document::Stretch selectedRange(const Timeline& timeline) {
     document::Stretch range{0, timeline.timing().length, timeline.timing().length};
     const auto& keys = timeline.selected();

@@ -17,8 +17,8 @@ namespace view {
 
 class Timeline;
 
-// What can be done to the keys of a timeline: those that are selected, or one at the playhead. Every edit is
-// one step of the history.
+// Commands for keys of a timeline: the selected ones, or one at the playhead. Every edit is one step of the
+// history.
 class KeyCommands {
 public:
     explicit KeyCommands(Timeline* timeline) : m_timeline(timeline) {}
@@ -42,8 +42,8 @@ private:
     std::vector<document::CopiedKey> m_copied;
 };
 
-// The animation of the current entry as the panel shows it, and what can be done to it. Every edit is one
-// step of the history.
+// The animation of the current entry as the panel shows it, with its commands. Every edit is one step of the
+// history.
 class Timeline : public QObject {
     Q_OBJECT
 
@@ -52,7 +52,7 @@ public:
 
     document::Document& document() const { return *m_document; }
     Playback& playback() { return m_playback; }
-    // What a key of the camera holds: what is seen at present.
+    // The camera that a new key holds: that of the present view.
     void setCameraSource(std::function<document::SeenCamera()> source) { m_camera = std::move(source); }
     document::SeenCamera camera() const { return m_camera ? m_camera() : std::nullopt; }
 

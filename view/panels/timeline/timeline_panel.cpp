@@ -53,7 +53,7 @@ auto windOf(std::size_t preset) {
     };
 }
 
-// The row of what has been added: the motion, which is the last, or else the track that has new keys.
+// The row of an addition: the motion, which is the last, or else the track that has new keys.
 int addedRow(const Timeline& timeline, std::size_t motions, const std::vector<document::TrackKeys>& tracks) {
     if (timeline.motions().size() > motions) return timeline.rowCount() - 1;
     const auto [added, before] = std::ranges::mismatch(timeline.tracks(), tracks);
@@ -150,7 +150,7 @@ TimelinePanel::TimelinePanel(document::Document* document, QWidget* parent)
     follow();
 }
 
-// Nothing is known yet of another entry.
+// Results for another entry are dropped.
 void TimelinePanel::watch(const document::Change& change) {
     using document::Change;
     const bool isAnother = change.parts & (Change::Current | Change::File);
@@ -189,7 +189,7 @@ void TimelinePanel::takeZoom(std::optional<document::Fractal> zoom) {
     if (m_zoom) m_page->renew();
 }
 
-// Not where it is known that there is none.
+// Offers the zoom unless it is known that there is none.
 void TimelinePanel::offerZoom() {
     const bool cannot = m_cannotZoom && m_zoomed == m_document->currentEntry().fractal;
     const QString tip =
@@ -317,8 +317,8 @@ void TimelinePanel::apply(const QString& text, const Make& make, const QString& 
     QMetaObject::invokeMethod(m_tracks, &TrackView::reveal, Qt::QueuedConnection); // where it is shown now
 }
 
-// For the moving picture, and to know whether it can be offered. To find the copy may take long: until it is
-// found, there is no picture.
+// The zoom, for the moving picture, and to know whether it can be offered. Finding the copy may take long:
+// until it is found, there is no picture.
 std::optional<document::Fractal> TimelinePanel::zoomOfEntry() {
     const auto& entry = m_document->currentEntry().fractal;
     if (m_zoomed == entry) return m_zoom;

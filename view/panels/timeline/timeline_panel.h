@@ -78,7 +78,7 @@ private:
     QStackedWidget* m_pages = nullptr;
     bool m_wantsTracks = false;
     std::shared_ptr<const document::Fractal> m_zoomed; // the entry of which the endless zoom is looked for
-    std::optional<document::Fractal> m_zoom;           // what has been found
+    std::optional<document::Fractal> m_zoom;           // the zoom, once found
     bool m_cannotZoom = false;                         // nothing has been found
     NewestWork<document::Fractal> m_zooming;           // last: it stops before the rest goes
 };

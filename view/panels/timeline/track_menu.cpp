@@ -30,7 +30,7 @@ constexpr EaseName eases[] = {
     {Kind::Hold, QT_TRANSLATE_NOOP("view::Timeline", "Hold")},
 };
 
-// Whether all selected keys have this ease.
+// Returns true if all selected keys have this ease.
 bool isEaseOfAll(const Timeline& timeline, Kind kind) {
     for (const auto& one : timeline.tracks())
         for (const auto& key : one.keys)

@@ -8,12 +8,11 @@ namespace view {
 
 class Timeline;
 
-// What can be done to the selected keys, their ease first, and to the current row. It opens there and deletes
-// itself.
+// A menu for the selected keys, their ease first, and for the current row. It opens there and deletes itself.
 void showTrackMenu(Timeline& timeline, const QPoint& global, QWidget* parent);
 
-// What Enter or a double click does to the current row: a key at the playhead of a track comes or goes, and
-// the numbers of a motion are asked for.
+// The effect of Enter or a double click on the current row: toggles a track's key at the playhead, or asks
+// for the numbers of a motion.
 void activateRow(Timeline& timeline, QWidget* parent);
 
 } // namespace view

@@ -175,7 +175,7 @@ void TrackView::reveal() {
         down->setValue(top + rowHeight() - down->pageStep());
 }
 
-// For screen readers: where the keyboard is.
+// Describes the place of the keyboard to screen readers.
 void TrackView::describe() {
     const int row = m_timeline->row();
     if (row >= m_timeline->rowCount()) return setAccessibleDescription({});

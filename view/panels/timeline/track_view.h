@@ -24,7 +24,7 @@ class TrackView : public QAbstractScrollArea {
 public:
     explicit TrackView(Timeline* timeline, QWidget* parent = nullptr);
 
-    // In the viewport, for those who drive it.
+    // Positions in the viewport, also for code that drives the view.
     QPoint keyPosition(int row, int frame) const;
     QPoint rulerPosition(int frame) const;
     QPoint toggleOf(int row) const; // the diamond in front

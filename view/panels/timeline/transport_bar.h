@@ -13,7 +13,8 @@ namespace view {
 
 class Timeline;
 
-// Play and pause, the frame, the next key; how long the animation is, how fast, and what comes after its end.
+// Play and pause, the frame, the next key; the length of the animation, its rate, and its behaviour after the
+// end.
 class TransportBar : public QWidget {
     Q_OBJECT
 
@@ -27,7 +28,7 @@ public:
     QComboBox* rate() const { return m_rate; }
     QComboBox* loop() const { return m_loop; }
 
-    // Where there is less room than for all of it, it goes without names, and then without more.
+    // The size without names and optional controls, which are hidden when there is too little room.
     QSize minimumSizeHint() const override;
 
 protected:
@@ -41,7 +42,7 @@ private:
     void showFrame();
     void showPlaying(bool playing);
     void showRate();
-    void takeRate(); // what is typed or chosen
+    void takeRate(); // typed or chosen
 
     Timeline* m_timeline;
     QToolButton* m_play;

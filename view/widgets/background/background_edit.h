@@ -30,7 +30,7 @@ public:
 
     explicit BackgroundEdit(const document::Document* document, QObject* parent = nullptr);
 
-    // The window waits for a moment: what is found by then is taken before this returns.
+    // Waits for a moment in the window's thread: a result found by then is taken before this returns.
     void start(Find find, Take take);
 
 private:

@@ -13,8 +13,8 @@
 namespace view {
 
 // Work in the background of which only the newest counts: one piece runs, and the newest that came meanwhile
-// waits for it, unless it reads files: those may never answer, and what runs is told to stop and no longer
-// heard. It ends with its owner: what runs then is told to stop.
+// waits for it, unless it reads files: those may never answer, and the running piece is told to stop and its
+// result is dropped. It ends with its owner: what runs then is told to stop.
 template <class Result> class NewestWork {
 public:
     using Work = std::function<std::optional<Result>(const std::stop_token&)>;

@@ -17,7 +17,7 @@ namespace view {
 
 namespace {
 
-// Somebody cancels what somebody else is about to finish; the first one decides.
+// State shared by saving and cancelling, which may coincide; the first one decides.
 struct Shared {
     std::atomic<bool> isDecided = false;
     io::Failure failure;

@@ -19,7 +19,7 @@ namespace view {
 
 namespace {
 
-// Scrolls what does not fit, in the one direction only if that is enough.
+// Scrolls contents that do not fit, in one direction only if that is enough.
 class Contents : public QScrollArea {
 public:
     explicit Contents(QWidget* content) {
@@ -39,7 +39,7 @@ bool hasButtons(QLayoutItem& item) {
     return false;
 }
 
-// Only once: what is left needs hardly any room.
+// Done once: the rest needs hardly any room.
 void scrollContents(QDialog& dialog) {
     QLayout* layout = dialog.layout();
     if (dynamic_cast<Contents*>(layout->itemAt(0)->widget())) return;

@@ -9,11 +9,11 @@ class QWidget;
 
 namespace view {
 
-// The room that the screen of a window leaves to what is inside its frame.
+// The room on the screen of a window for its content, without its frame.
 QSize roomOnScreen(const QWidget& window);
 
-// No dialog is larger than its screen. One whose contents need more room scrolls them above its buttons. For
-// all dialogs of the application, as long as this lives.
+// Keeps every dialog of the application within its screen as long as this object lives. A dialog whose
+// contents need more room scrolls them above its buttons.
 class FitScreen : public QObject {
 public:
     explicit FitScreen(QCoreApplication* application);

@@ -95,7 +95,7 @@ protected:
     }
 };
 
-// Once the widget has its place, the areas around it scroll to where all of it is seen.
+// Scrolls the areas around the widget to show all of it, once it has its place.
 inline void scrollIntoView(QWidget* widget) {
     QTimer::singleShot(0, widget, [widget] {
         for (QWidget* at = widget->parentWidget(); at != nullptr; at = at->parentWidget()) {

@@ -39,19 +39,19 @@ std::optional<int> whole(const std::optional<double>& value, int min, int max) {
     return static_cast<int>(*value);
 }
 
-// Not 1.000 or 1,000, which may be groups of digits.
+// Returns false for 1.000 or 1,000, which may be groups of digits.
 bool hasDecimals(const QString& typed) {
     const qsizetype point = std::max(typed.lastIndexOf(u'.'), typed.lastIndexOf(u','));
     return point >= 0 && typed.size() - point != 4 && !isExpression(typed);
 }
 
-// As 1.234.567, which some languages write so.
+// Returns true for 1.234.567, which some languages write so.
 bool isInGroups(const QString& typed) {
     static const QRegularExpression groups(QStringLiteral("^[-+]?[0-9]{1,3}([.,])[0-9]{3}(\\1[0-9]{3})*$"));
     return groups.match(typed).hasMatch();
 }
 
-// The box has the value again, and goes on showing what is being typed.
+// Gives the box its value again, while it goes on showing the typed text.
 template <class Box, class Value> void bringBack(Box& box, QLineEdit& edit, Value value) {
     const QString text = edit.text();
     const int position = edit.cursorPosition();
@@ -118,7 +118,7 @@ QValidator::State NumberBox::validate(QString& text, int& position) const {
                                                                : QValidator::Intermediate;
 }
 
-// The value from before the first key, where what was typed is no number at the end.
+// Restores the value from before the first key if the typed text is no number at the end.
 void NumberBox::fixup(QString& text) const {
     if (!m_before) return;
     m_refusal = refusalOf(*this, text);
@@ -158,7 +158,7 @@ QValidator::State WholeNumberBox::validate(QString& text, int& position) const {
     int at = position - int(text.left(position).count(groupSeparator));
     const QValidator::State state = QSpinBox::validate(plain, at);
     const QString typed = withoutUnits(*this, text);
-    // Else the next digit would join those before.
+    // Without this the next digit would join those before.
     if (hasDecimals(typed) || (isBeyondRepair(typed) && !isInGroups(typed))) return QValidator::Intermediate;
     if (state == QValidator::Acceptable || !isExpression(typed)) {
         if (!isGrouped) {

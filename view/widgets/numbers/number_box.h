@@ -43,7 +43,7 @@ protected:
 
 private:
     TypedExpression m_typed;
-    std::optional<double> m_before; // what is being typed
+    std::optional<double> m_before; // value before the text being typed
     mutable QString m_refusal;      // why that is not taken
 };
 

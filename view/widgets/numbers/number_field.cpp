@@ -18,7 +18,7 @@ namespace view {
 
 namespace {
 
-// How many steps an arrow key takes.
+// Number of steps of an arrow key.
 double paceOf(Qt::KeyboardModifiers modifiers) {
     double pace = 1;
     if (modifiers & Qt::ShiftModifier) pace *= 10;
@@ -158,7 +158,7 @@ void NumberField::finish() {
         return;
     }
     m_edited = false;
-    // What was typed is a step of the document now, and no longer one of the text.
+    // The typed text is a step of the document now, and no longer one of the text.
     setText(isExpression(text()) ? valueText() : text());
     emit committed();
 }
@@ -253,7 +253,7 @@ bool NumberField::leavesToDocument(const QKeyEvent& event) {
 }
 
 bool NumberField::event(QEvent* event) {
-    // Esc takes back what was typed before any dialog or shortcut hears of it.
+    // Esc drops the typed text before any dialog or shortcut gets the key.
     if (event->type() == QEvent::ShortcutOverride && m_edited &&
         static_cast<QKeyEvent*>(event)->key() == Qt::Key_Escape) {
         event->accept();

@@ -22,7 +22,7 @@ public:
     explicit NumberField(QWidget* parent = nullptr);
 
     double value() const { return m_value; }
-    // From the model. While the user is typing, the text is left alone.
+    // Sets the value of the model. While the user is typing, the text is left alone.
     void setValue(double value, const QString& typed = {}); // as it was written, if that is known
     // Starts typing: all digits, or as it was written, selected.
     void editValue(double value, const QString& typed = {});
@@ -31,11 +31,11 @@ public:
     void setRange(const NumberRange& range);
     // Takes angles as degrees: 90, 90° and pi/2 are the same, and Enter shows the number.
     void setDegrees();
-    void setRounding(double rounding) { m_rounding = rounding; } // what is no larger reads 0, until edited
+    void setRounding(double rounding) { m_rounding = rounding; } // numbers no larger read 0, until edited
     // Sets the step of arrow keys (Shift: ×10, Alt or Ctrl: ×0.1), of the wheel and of drags (Shift: ×0.1,
     // Ctrl: ×10).
     void setStep(double step) { m_step = step; }
-    // As the wheel does, also without the focus: one edit until endSteps(), or none after cancelSteps().
+    // Steps like the wheel, also without the focus: one edit until endSteps(), or none after cancelSteps().
     void takeSteps(int count, Qt::KeyboardModifiers modifiers);
     void endSteps();
     void cancelSteps() { abandon(); }

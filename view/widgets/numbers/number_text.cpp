@@ -32,7 +32,7 @@ QString withPoint(const QString& text) {
     return (comma ? QString(text).replace(u',', u'.') : text).trimmed();
 }
 
-// Whether a text that is not taken as a number would be too large a one.
+// Returns true if a text that is not taken as a number would be too large a one.
 bool isTooLarge(const QString& text) {
     const QByteArray digits = withPoint(text).toLatin1();
     double value = 0;

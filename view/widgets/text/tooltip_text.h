@@ -10,13 +10,13 @@
 // text by Application::notify().
 namespace view {
 
-// A tool tip or a What's This that shows a text as it is written: Qt takes what looks like markup for markup,
-// and reads the pictures that it names.
+// A tool tip or a What's This that shows a text as it is written: Qt would interpret text that looks like
+// markup, and read the pictures that it names.
 inline QString tooltipText(const QString& text) {
     return Qt::mightBeRichText(text) ? Qt::convertFromPlainText(text, Qt::WhiteSpaceNormal) : text;
 }
 
-// What such a tool tip shows, for a place where markup is not understood, such as a status tip.
+// The text of such a tool tip, for a place where markup is not understood, such as a status tip.
 inline QString plainText(const QString& tip) {
     return Qt::mightBeRichText(tip) ? QTextDocumentFragment::fromHtml(tip).toPlainText() : tip;
 }

@@ -77,7 +77,7 @@ const ifs::ControlCage<3>* cage3(const Fractal& fractal) {
     return shape && shape->cage ? &*shape->cage : nullptr;
 }
 
-// What is asked of the cage that is stored; false without one.
+// Asks about the stored cage; false without one.
 template <class Ask> bool storedCage(const Fractal& fractal, Ask ask) {
     if (const auto* cage = cage3(fractal)) return ask(*cage);
     const auto* cage = cage2(fractal);

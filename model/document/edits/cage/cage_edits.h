@@ -23,12 +23,12 @@ QString planeObstacle(const Fractal& fractal);
 // Why the entry has no cage; empty when it has one. Cheap.
 QString cageObstacle(const Fractal& fractal);
 
-// Whether the vertices are the same to what rounding leaves of them.
+// Returns true if the vertices are the same up to rounding.
 bool isCageAlike(const Fractal& a, const Fractal& b);
 
 // Why the placement cannot become the code, as a sentence; empty when it can.
 QString bakeObstacle(const Fractal& fractal);
-// The code that shows what is displayed, its cage at rest; nullopt when there is an obstacle.
+// The code of the displayed picture, its cage at rest; nullopt when there is an obstacle.
 std::optional<Fractal> baked(const Fractal& fractal);
 
 // Why there is nothing to reset; empty when there is.
@@ -39,7 +39,7 @@ Fractal withCageAtRest(Fractal fractal);
 // The fractal with its cage moved there. In the mode Rewrite the code follows and the cage rests; where no
 // affine code does (the cage is flat or bends), it is placed.
 template <int Dim> Fractal withCageMoved(Fractal fractal, ifs::ControlCage<Dim> cage, CageMode mode);
-// What moving the cage will do to the code, as a sentence.
+// The effect on the code of moving the cage, as a sentence.
 QString modeText(const Fractal& fractal, CageMode mode);
 
 // The opposite of baking for a triangle or a tetrahedron: the code becomes that of the corners 0, e₁, e₂ and,
@@ -47,8 +47,7 @@ QString modeText(const Fractal& fractal, CageMode mode);
 QString unbakeObstacle(const Fractal& fractal);
 std::optional<Fractal> unbaked(const Fractal& fractal);
 
-// What the user should know about a cage that bends: concave or folded, as a sentence; empty when it is
-// sound.
+// A warning about a cage that bends, concave or folded, as a sentence; empty when it is sound.
 QString cageWarning(const Fractal& fractal);
 
 // The displayed picture held by its smallest right isosceles triangle with legs along the axes, over all
@@ -56,8 +55,8 @@ QString cageWarning(const Fractal& fractal);
 enum class SimplexChoice { Minimal, PlusPlus, MinusPlus, PlusMinus, MinusMinus };
 std::optional<ifs::CanonicalSimplex<2>> displayedSimplex(const Fractal& fractal, SimplexChoice choice);
 std::optional<Fractal> withCageFitted(const Fractal& fractal, SimplexChoice choice);
-// Such a polygon around the displayed picture, certified to hold it; nullopt as above. And the picture held
-// by it.
+// The chosen polygon around the displayed picture, certified to hold it; nullopt as above. And the picture
+// held by it.
 std::optional<std::vector<ifs::Vector<2>>> verticesAround(const Fractal& fractal, PolygonChoice choice,
                                                           int corners = 4);
 std::optional<Fractal> withCageAround(const Fractal& fractal, PolygonChoice choice, int corners = 4);

@@ -8,8 +8,8 @@
 #include <type_traits>
 #include <vector>
 
-// What a cage can be fitted to: polygons and polyhedra around an attractor, certified to hold it. Menus and
-// --rest-cage follow from these tables.
+// Shapes to which a cage can be fitted: polygons and polyhedra around an attractor, certified to hold it.
+// Menus and --rest-cage follow from these tables.
 namespace document {
 
 // The bounding box, the smallest rectangle of any direction, the convex hull simplified from outside to so
@@ -20,7 +20,7 @@ enum class PolygonChoice { Box, Rectangle, Hull, Regular };
 // most so many of a hull.
 enum class SpacePolyhedron { Simplex, Box, Octahedron, Hull };
 
-// How many corners a fit can have.
+// Numbers of corners that a fit can have.
 struct CornerCounts {
     int usual, least, most;
     std::span<const int> offered{}; // in the menu; none: there is no choice
@@ -35,7 +35,7 @@ template <int Dim> struct CageFit {
     std::vector<ifs::Vector<Dim>> (*around)(const ifs::SupportFunction<Dim>&, double tolerance, int corners);
 };
 
-// In the order of the menu.
+// The fits in the order of the menu.
 template <int Dim> std::span<const CageFit<Dim>> cageFits();
 template <> std::span<const CageFit<2>> cageFits<2>();
 template <> std::span<const CageFit<3>> cageFits<3>();

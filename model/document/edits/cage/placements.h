@@ -8,7 +8,7 @@
 // Placements in files: other programs read the code alone, and show its picture where it is without one.
 namespace document {
 
-// Whether the cage shows the picture elsewhere than the code draws it, in an animation at frame 0.
+// Returns true if the cage shows the picture elsewhere than the code draws it, in an animation at frame 0.
 bool isPlaced(const Fractal& entry);
 QStringList placedEntries(const FractalFile& file); // their names, in order
 
@@ -17,8 +17,8 @@ struct BakedFile {
     QStringList left; // names of entries that other programs still show otherwise
 };
 
-// Every placement written into the code, where a code can have it: the picture of a bent or flat cage has
-// none, and that of keys changes.
+// Bakes every placement that a code can have: the picture of a bent or flat cage has none, and that of keys
+// changes.
 BakedFile withPlacementsBaked(FractalFile file);
 
 // The same, and the maps of symmetric and linked systems listed one by one, where that is possible.

@@ -14,7 +14,7 @@ bool rests(const Fractal& fractal) {
     return !shape || !shape->cage || shape->cage->rest == shape->cage->current;
 }
 
-// Where the cage of an entry in space puts its code.
+// The placement of the code by the cage of an entry in space.
 ifs::AffineMap<3> placementOf(const Fractal& fractal) {
     const Shape<3>* shape = space(fractal);
     return shape && shape->cage ? ifs::displayMap(*shape->cage) : ifs::AffineMap<3>();

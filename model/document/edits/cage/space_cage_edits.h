@@ -11,8 +11,8 @@
 #include <optional>
 #include <vector>
 
-// Cages fitted to an entry in space as functions from fractal to fractal; cage_edits.h has what is common to
-// both dimensions, and calls these for an entry in space.
+// Cages fitted to an entry in space as functions from fractal to fractal. cage_edits.h has the functions for
+// both dimensions, which call these for an entry in space.
 namespace document {
 
 // Why no cage can be fitted around the picture of an entry in space; empty when one can.

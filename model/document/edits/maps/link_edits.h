@@ -13,7 +13,7 @@ constexpr std::size_t maxLinkedMaps = 256;
 // Why the maps cannot be linked; empty when they can.
 QString linkObstacle(const Fractal& fractal);
 
-// After map `from`, map `to` is drawn with its weight times `weight`, ≥ 0. The fractal must allow links.
+// Multiplies the weight of map `to` by `weight`, ≥ 0, after map `from`. The fractal must allow links.
 Fractal withLink(Fractal fractal, int from, int to, double weight);
 Fractal withoutLinks(Fractal fractal);
 

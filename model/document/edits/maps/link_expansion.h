@@ -17,7 +17,7 @@ QString linkExpansionObstacle(const Fractal& fractal);
 // The same attractor from plain maps; there must be no obstacle. An entry that is not linked stays as it is.
 Fractal withLinksExpanded(Fractal fractal);
 
-// Whether these maps, with their weights, also have the same density everywhere.
+// Returns true if these maps, with their weights, also have the same density everywhere.
 bool linkExpansionKeepsDensity(const Fractal& fractal);
 
 } // namespace document

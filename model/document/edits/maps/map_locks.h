@@ -22,7 +22,7 @@ QString lockObstacle(const Fractal& fractal, const std::vector<int>& rows);
 
 std::vector<ifs::MapId> lockedMaps(const Fractal& fractal); // in the order of the maps
 
-// As one step of the document; the names are cut to what a name can be.
+// Edits of one undo step; the names are cut to what a name can be.
 void lockMaps(Document& document, std::span<const ifs::MapId> maps, bool lock);
 void renameMap(Document& document, std::size_t index, const QString& name);
 

@@ -101,7 +101,8 @@ template <int Dim> ifs::Matrix<Dim> MapShapeIn<Dim>::changed(Part part, double v
     return m_known.back().linear;
 }
 
-// What the numbers give, but where they give what they gave at first: there the first coefficient.
+// The coefficients of these numbers. Coefficients that come out as they did from the first numbers keep the
+// bits of the first matrix.
 template <int Dim> ifs::Matrix<Dim> MapShapeIn<Dim>::composed(const Parts& parts) const {
     const Known& first = m_known.front();
     const ifs::Matrix<Dim> before = linearPart(first.parts);

@@ -27,7 +27,7 @@ public:
 
     MapShapeIn() { show(ifs::Matrix<Dim>::Identity()); }
 
-    // As it is in the document now, whatever changed it.
+    // Takes over the linear part that is in the document now, whatever changed it.
     void show(const ifs::Matrix<Dim>& linear);
     const Parts& parts() const { return m_parts; }
     // The coefficients after this change.

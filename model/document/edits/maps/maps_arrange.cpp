@@ -51,7 +51,7 @@ std::optional<AffineMap<2>> changeOfAll(MapsArrangement arrangement, const Vecto
     }
 }
 
-// How far each map has to go for their centres to be in a line, or evenly spaced along the axis.
+// Offsets of the maps that bring their centres into a line, or space them evenly along the axis.
 std::vector<Vector<2>> offsets(const std::vector<Vector<2>>& centres, int axis, bool isEven) {
     std::vector<Vector<2>> result(centres.size(), Vector<2>::Zero());
     if (!isEven) {
@@ -71,7 +71,7 @@ std::vector<Vector<2>> offsets(const std::vector<Vector<2>>& centres, int axis, 
     return result;
 }
 
-// To the corner of the cage from which its own image is the least far away.
+// The offset to the corner of the cage whose own image is nearest to it.
 Vector<2> toNearestCorner(const std::vector<Vector<2>>& corners, const std::vector<Vector<2>>& cage) {
     Vector<2> nearest = cage.front() - corners.front();
     for (std::size_t k = 1; k < corners.size(); ++k)

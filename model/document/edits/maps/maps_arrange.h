@@ -24,10 +24,10 @@ enum class MapsArrangement {
     FitToCorners, // each to the nearest corner of the cage, so that it takes this corner to itself
 };
 
-// In the plane. `indices` ascending, without doubles.
+// Arranges maps of the plane. `indices` ascending, without doubles.
 Fractal arranged(const Fractal& fractal, std::span<const std::size_t> indices, MapsArrangement arrangement);
 
-// As one step of the document; returns why nothing was done.
+// Arranges in one undo step; returns why nothing was done.
 std::optional<QString> arrangeMaps(Document& document, std::span<const std::size_t> indices,
                                    MapsArrangement arrangement);
 

@@ -112,7 +112,7 @@ template <int Dim> void setWeight(ifs::IteratedFunctionSystem<Dim>& system, std:
     system.maps[row].weight = weight;
 }
 
-// What the locked ones have stays, and the others share the rest.
+// Locked maps keep their weights, and the others share the rest.
 template <int Dim>
 void setWeights(ifs::IteratedFunctionSystem<Dim>& system, WeightRule rule, const MapLabels& labels) {
     ifs::IteratedFunctionSystem<Dim> enabled;
@@ -165,7 +165,7 @@ template <int Dim> void scaleToOne(ifs::IteratedFunctionSystem<Dim>& system) {
     if (sum && *sum > 0 && std::isfinite(*sum)) setWeights(system, WeightRule::Normalise, {});
 }
 
-// Where the weights summed to 1, they do so again: the shares of the maps stay in proportion.
+// Scales weights that summed to 1 before so that they do again: the shares of the maps stay in proportion.
 MapsEdit keepingSum(bool wasOne, MapsEdit edit) {
     if (!wasOne || sumsToOne(edit.fractal)) return edit;
     if (System2* system = system2(edit.fractal))

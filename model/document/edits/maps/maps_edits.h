@@ -17,10 +17,10 @@ using SpaceMapRows = std::vector<ifs::WeightedMap<3>>;
 
 struct MapsEdit {
     Fractal fractal;
-    std::vector<ifs::MapId> touched; // what to select afterwards
+    std::vector<ifs::MapId> touched; // the maps to select afterwards
 };
 
-// One more map at the end: half the size, fixing the middle of the rest cage.
+// Appends a map of half the size that fixes the middle of the rest cage.
 MapsEdit withNewMap(Fractal fractal);
 // A copy of each row, right after the last of them.
 MapsEdit withDuplicates(Fractal fractal, const Rows& rows);
@@ -32,9 +32,9 @@ MapsEdit withMapsMoved(Fractal fractal, const Rows& rows, int before);
 MapsEdit withMapsPasted(Fractal fractal, const Rows& rows, const MapRows& pasted);
 MapsEdit withMapsPasted(Fractal fractal, const Rows& rows, const SpaceMapRows& pasted);
 
-// As one step of the document; returns the maps to select afterwards.
+// Duplicates in one undo step; returns the maps to select afterwards.
 std::vector<ifs::MapId> duplicateMaps(Document& document, const Rows& rows);
-// None, and nothing happens, where one of them is locked: lockObstacle() has the sentence for that.
+// Returns none and changes nothing if one of them is locked: lockObstacle() has the sentence for that.
 std::vector<ifs::MapId> deleteMaps(Document& document, const Rows& rows);
 
 // The weight of one map. Where none were given, the others get the probability they have now: a single weight

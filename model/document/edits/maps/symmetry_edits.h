@@ -20,7 +20,7 @@ QString symmetryObstacle(const Fractal& fractal, std::size_t groupOrder);
 Fractal withSymmetry(Fractal fractal, const ifs::Symmetry<2>& symmetry);
 Fractal withSymmetry(Fractal fractal, const ifs::Symmetry<3>& symmetry);
 
-// Why the maps that a symmetry stands for cannot be listed without changing what is seen; empty where they
+// Why the maps that a symmetry stands for cannot be listed without changing the picture; empty where they
 // can.
 QString expandObstacle(const Fractal& fractal);
 

@@ -139,7 +139,7 @@ template <int Dim> bool areTracksAlike(const Shape<Dim>& a, const Shape<Dim>& b)
            std::ranges::equal(a.moved, b.moved, {}, word, word);
 }
 
-// What the keys alone show, and the entry itself: what a first key needs to be there.
+// The shape that the keys alone show, without motions: the basis of a new key.
 template <int Dim> Shape<Dim> keyedShape(Fractal entry, int frame) {
     if (auto& animation = std::get<Shape<Dim>>(entry.shape).animation) animation->motions.clear();
     return std::get<Shape<Dim>>(frameAt(entry, animation::moment(frame)).fractal.shape);

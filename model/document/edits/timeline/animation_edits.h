@@ -13,7 +13,7 @@
 // one that has none yet and begins with animation::Animation's own timing, and return it changed.
 namespace document {
 
-// What keys can move.
+// A part of an entry that keys can move.
 struct Track {
     enum class Kind { Cage, Map, Branch, Look, Camera };
     Kind kind = Kind::Cage;
@@ -22,7 +22,7 @@ struct Track {
     friend bool operator==(const Track&, const Track&) = default;
 };
 
-// All that keys can move in this entry, with the keys that do, by frame.
+// The tracks of an entry, including those without keys, with their keys by frame.
 struct TrackKeys {
     struct Key {
         int frame = 0;
@@ -35,10 +35,10 @@ struct TrackKeys {
     friend bool operator==(const TrackKeys&, const TrackKeys&) = default;
 };
 std::vector<TrackKeys> tracksOf(const Fractal& entry);
-// Whether tracks, keys, motions and timing of both are the same, told without listing them.
+// Returns true if tracks, keys, motions and timing of both are the same, without listing them.
 bool areTracksAlike(const Fractal& a, const Fractal& b);
 
-// When an animation plays; of an entry without one, as a new one begins.
+// Timing of an animation; for an entry without one, that of a new one.
 struct Timing {
     animation::FrameRate rate;
     int length = 0;
@@ -58,8 +58,8 @@ struct KeyAt {
     friend bool operator==(const KeyAt&, const KeyAt&) = default;
 };
 
-// A key at this frame with the value shown there; the first of its track also keys frame 0. `camera` is what
-// is seen there, the orbit of an entry in space included; of the other dimension it keys nothing.
+// Adds a key at this frame with the value shown there; the first of its track also keys frame 0. `camera` is
+// the view there, the orbit of an entry in space included; a view of the other dimension adds no key.
 using SeenCamera = std::optional<SavedView::Camera>;
 Fractal withKey(Fractal entry, const Track& track, int frame, const SeenCamera& camera);
 // A track that loses its last keys stays as the first of these had it.
@@ -67,13 +67,13 @@ Fractal withoutKeys(Fractal entry, std::span<const KeyAt> keys);
 Fractal withEase(Fractal entry, std::span<const KeyAt> keys, const animation::Ease& ease);
 
 enum class KeyMove {
-    Move,   // what is at the new frames gives way
+    Move,   // keys at the new frames give way
     Copy,   // and they stay where they were as well
     Ripple, // all later keys of these tracks come along; the animation grows if need be
 };
-// By so many frames, as far as they stay within the animation.
+// Moves keys by a number of frames, as far as they stay within the animation.
 Fractal withKeysMoved(Fractal entry, std::span<const KeyAt> keys, int by, KeyMove how);
-// How many frames these keys can be moved, at most `by`.
+// Number of frames by which these keys can be moved, at most `by`.
 int possibleMove(const Fractal& entry, std::span<const KeyAt> keys, int by, KeyMove how);
 
 // Keys apart from any entry, for the clipboard; frames count from the first of them.
@@ -94,7 +94,7 @@ struct Pasted {
 };
 Pasted withKeysPasted(Fractal entry, std::span<const CopiedKey> keys, int frame);
 
-// Without its motion of this index.
+// Removes the motion of this index.
 Fractal withoutMotion(Fractal entry, std::size_t motion);
 
 // A number of a motion that a user may change.
@@ -110,9 +110,9 @@ struct MotionNumber {
 
     friend bool operator==(const MotionNumber&, const MotionNumber&) = default;
 };
-// Always in the same order; none where there is no motion of this index.
+// The numbers, always in the same order; none if there is no motion of this index.
 std::vector<MotionNumber> motionNumbers(const Fractal& entry, std::size_t motion);
-// With other values of them all. Where one is out of its range, the entry as it is.
+// Sets all numbers. If one is out of its range, the entry stays as it is.
 Fractal withMotionNumbers(Fractal entry, std::size_t motion, std::span<const MotionNumber> numbers);
 
 } // namespace document

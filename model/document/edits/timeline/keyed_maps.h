@@ -13,8 +13,8 @@ namespace document {
 // divided.
 QString branchAsMapObstacle(const Fractal& entry);
 
-// Why the code cannot take up its placement, or give it up, as a sentence: what has keys would do so at this
-// frame alone, and the rest at all. Empty where no map and no branch has keys.
+// Why the code cannot take up its placement, or give it up, as a sentence: values with keys would change at
+// this frame alone, the others at all frames. Empty where no map and no branch has keys.
 QString rewriteObstacle(const Fractal& entry);
 
 } // namespace document

@@ -16,7 +16,7 @@ enum class MorphFlaw {
     Measure,    // the measure of one of them has no covariance
     TooMany,    // more than 256 maps
     Linked,     // the maps of one of them are linked
-    BentCage,   // what one of them shows is not that of any code
+    BentCage,   // the picture of one of them has no code
 };
 
 // An entry without a cage that shows the first fractal at frame 0 and the second at frame `length`, both as

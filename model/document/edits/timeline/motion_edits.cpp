@@ -37,7 +37,7 @@ template <int Dim> std::vector<ifs::Vector<Dim>> fixedPoints(const Shape<Dim>& s
     return result;
 }
 
-// Where a plant stands: of the fixed points, which belong to the attractor, the lowest on the screen.
+// The foot of a plant: the lowest fixed point on the screen; fixed points belong to the attractor.
 template <int Dim> ifs::Vector<Dim> root(const Fractal& fractal, const Shape<Dim>& shape) {
     const auto points = fixedPoints<Dim>(shape);
     const auto height = [&](const ifs::Vector<Dim>& point) { return displayed<Dim>(fractal, point).y(); };
@@ -61,7 +61,7 @@ template <int Dim> Fractal withMotion(Fractal entry, animation::Motion<Dim> moti
     return entry;
 }
 
-// Whether the shapes have maps; then what `make` returns for the one there is.
+// Calls `make` with the shape of the entry's dimension, if it has maps.
 template <class Make> std::optional<Fractal> ofItsDimension(const Fractal& entry, Make make) {
     if (const auto* shape = plane(entry); shape && !shape->system.maps.empty())
         return make.template operator()<2>(*shape);
@@ -74,7 +74,8 @@ std::optional<Fractal> asStrongAsCanBe(const Fractal& entry, const std::stop_tok
     return withSafeStrength(entry, animationFacts(entry)->motions - 1, stop);
 }
 
-// How far the piece w(A) is from a point, or less: the largest distance to a line that has it on one side.
+// Lower bound of the distance of the piece w(A) from a point: the largest distance to a line that has the
+// piece on one side.
 double distanceTo(const ifs::SupportFunction<2>& attractor, const ifs::AffineMap<2>& piece,
                   const ifs::Vector<2>& point) {
     double distance = 0;
@@ -98,8 +99,8 @@ double ratioOf(const ifs::AffineMap<2>& map) {
     return std::sqrt(std::abs(map.linear.determinant()));
 }
 
-// Where the view comes to if the map is a similarity, with radius 0. After a mirrored copy comes one of that
-// copy, which is not mirrored and lies in the same place.
+// The view at which a zoom by the map ends, if it is a similarity; its radius is 0. A mirrored copy is
+// replaced by its own copy, which is not mirrored and lies in the same place.
 std::optional<SmallCopy> copyUnder(const ifs::AffineMap<2>& map) {
     const double ratio = ratioOf(map), square = ratio * ratio;
     const auto centre = ifs::fixedPoint<2>(map);
@@ -130,7 +131,7 @@ std::optional<SmallCopy> largestCopy(const System2& shown, const std::stop_token
     return best;
 }
 
-// In colours of the palette, where it has others: by density, or a solid by address.
+// The entry in colours of the palette, if it has others: by density, or a solid by address.
 Fractal showingPalette(Fractal entry) {
     using attractor::ColourBy;
     using attractor::LookInSpace;
@@ -211,7 +212,7 @@ std::optional<Fractal> withEndlessZoom(const Fractal& entry, double aspect, attr
     if (!copy) return std::nullopt;
     const double height = viewMargin * 2 * copy->radius / std::hypot(1, aspect);
     const attractor::View from{copy->centre, height, yAxis};
-    // What lies counter-clockwise comes upright again as the picture turns the other way.
+    // A counter-clockwise copy comes upright again as the picture turns the other way.
     const double turn = yAxis == attractor::YAxis::Up ? -copy->turn : copy->turn;
     const attractor::View to{copy->centre, height * copy->ratio, yAxis,
                              attractor::rotationOf(attractor::degreesOf(turn))};

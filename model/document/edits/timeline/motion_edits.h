@@ -11,16 +11,17 @@
 // has one, and add to it. What may take long, as of many maps, returns nullopt soon after it is stopped.
 namespace document {
 
-// Sway about what is lowest on the screen, as strong as leaves an attractor at all times. nullopt where the
-// entry holds no maps, as of all of these functions.
+// Adds a sway about the lowest point on the screen, as strong as leaves an attractor at all times. nullopt if
+// the entry holds no maps, as for all of these functions.
 std::optional<Fractal> withWind(const Fractal& entry, const animation::SwayPreset& preset,
                                 const std::stop_token& stop = {});
-// All maps turn once about the middle; where an attractor would be lost, those that can. nullopt if none.
+// Adds one turn about the middle to all maps; if that would lose the attractor, to those that can turn.
+// nullopt if none can.
 std::optional<Fractal> withTurn(const Fractal& entry, const std::stop_token& stop = {});
 // The picture, or the camera in space, goes round once, about the middle of the attractor: centreOfPicture().
 // An entry that has no animation yet begins with one of five seconds. `axis` is that in space.
 std::optional<Fractal> withOrbit(const Fractal& entry, const ifs::Vector<3>& axis = ifs::Vector<3>::UnitY());
-// All maps swell and shrink by up to a tenth, as far as leaves an attractor at all times.
+// Makes all maps swell and shrink by up to a tenth, as far as leaves an attractor at all times.
 std::optional<Fractal> withBreathing(const Fractal& entry, const std::stop_token& stop = {});
 // The palette goes round.
 std::optional<Fractal> withPaletteCycle(const Fractal& entry);

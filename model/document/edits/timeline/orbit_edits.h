@@ -7,10 +7,10 @@
 #include <cstddef>
 #include <optional>
 
-// Where an orbit turns: its axis and its pivot.
+// The place of an orbit: its axis and its pivot.
 namespace document {
 
-// In the plane the axis means nothing, the pivot is the centre, and z is 0.
+// In the plane the axis has no meaning, the pivot is the centre, and z is 0.
 struct OrbitPlace {
     ifs::Vector<3> axis = ifs::Vector<3>::UnitY(); // of length 1
     animation::OrbitPivot pivot = animation::OrbitPivot::Centre;
@@ -21,7 +21,7 @@ struct OrbitPlace {
 
 // nullopt where the entry has no motion of this index, or it is no orbit.
 std::optional<OrbitPlace> orbitPlace(const Fractal& entry, std::size_t motion);
-// With another place; one that is not valid leaves the entry as it is, as does a motion that is no orbit.
+// Sets the place. An invalid one leaves the entry as it is, as does a motion that is no orbit.
 Fractal withOrbitPlace(Fractal entry, std::size_t motion, const OrbitPlace& place);
 
 // The middle of the attractor as it is displayed while nothing moves: of the box around it. nullopt without

@@ -26,7 +26,7 @@ qsizetype behindBlocks(const QByteArray& bytes, qsizetype at) {
     return at + 1;
 }
 
-// Where the descriptor of the first picture begins; beyond the end where there is none.
+// Offset of the descriptor of the first picture; beyond the end if there is none.
 qsizetype firstPicture(const QByteArray& bytes) {
     constexpr char extension = 0x21, picture = 0x2c;
     if (bytes.size() <= headerSize) return bytes.size();

@@ -5,8 +5,8 @@
 
 namespace io {
 
-// Whether the pixels of the first picture of a GIF, as its codes say, are far more than it has: each code of
-// 12 bits may stand for thousands. The bytes must begin as a GIF file does; what is no GIF further on is not
+// Returns true if the codes of a GIF's first picture stand for far more pixels than it has: each code of 12
+// bits may stand for thousands. The bytes must begin as a GIF file does; later bytes that are not GIF are not
 // judged.
 bool isSwollenGif(const QByteArray& bytes);
 

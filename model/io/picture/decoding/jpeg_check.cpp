@@ -15,7 +15,7 @@ bool isFrameHeader(int marker) {
     return marker >= 0xC0 && marker <= 0xCF && marker != 0xC4 && marker != 0xC8 && marker != 0xCC;
 }
 
-// The next marker at or behind the index, past what is coded in between: where its second byte is.
+// The place of the second byte of the next marker at or behind the index, past coded data.
 qsizetype nextMarker(const QByteArray& bytes, qsizetype index) {
     for (; index + 1 < bytes.size(); ++index) {
         const int code = byteAt(bytes, index + 1);

@@ -11,7 +11,7 @@ struct JpegFacts {
     int scans = 0;           // each goes over all of the picture
     bool isKept = false;     // until the last scan has come: it is not read row by row
 };
-// From the markers alone; the bytes must begin as a JPEG file does.
+// Reads the markers alone; the bytes must begin as a JPEG file does.
 JpegFacts jpegFacts(const QByteArray& bytes);
 
 } // namespace io

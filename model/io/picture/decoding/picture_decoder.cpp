@@ -37,8 +37,8 @@ bool isKnown(const QByteArray& format) {
     return formats.contains(format);
 }
 
-// Whether every chunk that matters is there with its checksum, to the last one. libpng would tell the
-// terminal.
+// Returns true if every critical chunk is there with its checksum, to the last one. libpng would complain on
+// the terminal.
 bool isWholePng(const QByteArray& bytes) {
     for (qsizetype at = 8; at + 12 <= bytes.size();) {
         const qsizetype length = qFromBigEndian<quint32>(bytes.constData() + at);
@@ -59,8 +59,8 @@ bool changesPixels(QByteArrayView type) {
     return (type[0] & 0x20) == 0 || std::ranges::find(kinds, type) != kinds.end();
 }
 
-// A whole PNG with nothing but what its pixels need, each of what is not critical once. The library unpacks
-// all texts and keeps them, and unpacks a profile each time that it comes.
+// A complete PNG reduced to the chunks that its pixels need, each ancillary one once. The library unpacks all
+// texts and keeps them, and unpacks a profile each time that it comes.
 QByteArray withPixelsOnly(const QByteArray& bytes) {
     constexpr qsizetype signature = 8, around = 12; // length, name and checksum of a chunk
     QByteArray kept = bytes.first(signature);
@@ -76,8 +76,7 @@ QByteArray withPixelsOnly(const QByteArray& bytes) {
     return kept;
 }
 
-// What the pixels need at most, in the file of a PNG: each row with a byte for its filter, in up to seven
-// passes.
+// Upper bound of the unpacked size of a PNG: each row with a byte for its filter, in up to seven passes.
 quint64 unpackedSize(const QByteArray& png) {
     constexpr qsizetype widthAt = 16, depthAt = 24, coloursAt = 25;
     if (png.size() <= coloursAt) return 0;
@@ -88,8 +87,8 @@ quint64 unpackedSize(const QByteArray& png) {
     return (width * channels * quint64(png[depthAt]) / 8 + 2) * height * 2;
 }
 
-// Whether the pixels unpack to far more than they need: the library would unpack all of it, a thousand times
-// the file. Small files are not looked at: that takes a second at most.
+// Returns true if the pixels unpack to far more than they need: the library would unpack all of it, a
+// thousand times the file. Small files are not checked: they take a second at most.
 bool isSwollen(const QByteArray& png, const std::stop_token& stop) {
     constexpr qsizetype small = 1 << 20;
     constexpr quint64 slack = quint64{64} << 20;
@@ -134,7 +133,7 @@ private:
     std::stop_token m_stop;
 };
 
-// What its reader would pass over in silence. A PNG has been checked before.
+// Returns true for damage that the reader would silently pass over. A PNG has been checked before.
 bool isDamaged(const QByteArray& bytes, const QByteArray& format) {
     if (format.startsWith("jp")) return !jpegFacts(bytes).isComplete;
     if (format == "gif") {
@@ -176,7 +175,7 @@ QString animated() {
     return Text::tr("The picture is animated. Save one of its frames as a picture of its own.");
 }
 
-// Only of these the reader scales the rows as they come.
+// Returns true for the formats whose reader scales the rows as they come.
 bool isReducible(const QByteArray& format, const QSize& size) {
     return (format == "png" || format.startsWith("jp")) && pixelsOf(size) <= maxReducedPixels;
 }
@@ -295,7 +294,7 @@ DecodedPicture decodedPicture(const QByteArray& given, LargePicture large, const
         if (raster->image.isNull()) return {{}, flawOf(*raster)};
         return inSrgb(std::move(raster->image));
     }
-    // Its content decides, and nothing but the readers of pixels is asked, whatever other plug-ins there are.
+    // The content decides, and nothing but the readers of pixels is asked, whatever other plug-ins there are.
     const QByteArray format = formatOf(given);
     const bool isPng = format == "png";
     if (isPng && !isWholePng(given)) return {{}, damaged()};

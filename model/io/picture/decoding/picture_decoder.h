@@ -16,8 +16,8 @@ namespace io {
 // that reads them, incomplete pictures, and those with more pixels or scans than this. Memory is bounded by
 // these. Texts and what else changes no pixel are not read. A stop makes it end with a flaw.
 inline constexpr qint64 maxDecodedPixels = 32'000'000;
-// Where the size does not matter, a PNG or JPEG picture with up to so many is scaled down to those while it
-// is read, in its proportions.
+// Number of pixels to which a larger PNG or JPEG picture is scaled down while it is read, in its proportions,
+// where the size does not matter.
 inline constexpr qint64 maxReducedPixels = 256'000'000;
 inline constexpr int maxScans = 100; // of a JPEG; encoders write some ten
 enum class LargePicture { Refused, Reduced };
@@ -30,7 +30,8 @@ const QStringList& pictureSuffixes(); // of files that may be such pictures, in 
 DecodedPicture decodedPicture(const QByteArray& bytes, LargePicture large = LargePicture::Refused,
                               const std::stop_token& stop = {});
 
-// A frame of a video: a PNG with at most so many pixels, as videos have at most, in its own colour space.
+// A frame of a video: a PNG with at most `maxFramePixels` pixels, as videos have at most, in its own colour
+// space.
 inline constexpr qint64 maxFramePixels = 1 << 28;
 DecodedPicture decodedFrame(const QByteArray& png, const std::stop_token& stop = {});
 

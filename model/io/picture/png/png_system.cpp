@@ -32,7 +32,7 @@ struct Source {
 
 void onWarning(png_structp, png_const_charp) {}
 
-// What is held at a time: many chunks may each be within their limit.
+// Memory in use: many chunks may each be within their limit.
 struct Memory {
     png_size_t used = 0;
     bool isExceeded = false;

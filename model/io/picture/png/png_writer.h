@@ -18,7 +18,7 @@ public:
 
     Failure writeRows(std::span<const std::uint32_t> pixels) override;
     Failure writeRows(std::span<const attractor::Rgba16> pixels) override;
-    // Into a picture of Pixels::Grey with 16 bits.
+    // Writes rows of a picture of Pixels::Grey with 16 bits.
     Failure writeRows(std::span<const std::uint16_t> values);
     Failure finish() override;
 

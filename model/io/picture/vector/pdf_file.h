@@ -5,7 +5,7 @@
 #include <QByteArrayList>
 #include <QString>
 
-// What a file in PDF is made of.
+// Building blocks of a PDF file.
 namespace io {
 
 QByteArray pdfNumber(double number);       // without an exponent, which PDF does not know

@@ -213,7 +213,7 @@ private:
         return content + "Q\n";
     }
 
-    // As one transparent group, so that what lies over each other in it is no darker.
+    // Adds a single transparent group, in which overlapping parts are no darker.
     QByteArray addShadow(const QByteArray& content, const QByteArray& resources) {
         const int object =
             m_file.addStream("/Type/XObject/Subtype/Form/BBox[0 0 " + text(double(m_page.camera.width)) +

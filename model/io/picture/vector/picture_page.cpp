@@ -23,7 +23,7 @@ using Depth = PictureFormat::Depth;
 using Pixels = PictureFormat::Pixels;
 using Row = std::span<const std::uint32_t>;
 
-// Its pixels alone.
+// The format without texts, for the pixels alone.
 PictureFormat withoutTexts(const PictureFormat& format) {
     PictureFormat plain;
     plain.width = format.width;

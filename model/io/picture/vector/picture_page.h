@@ -15,7 +15,7 @@ class PdfFile;
 
 enum class ShapeFile { Svg, Pdf };
 
-// In the lists of pictures of the plane and of solids; for Text::tr().
+// Titles in the lists of pictures of the plane and of solids; for Text::tr().
 struct ShapeFileTitles {
     const char* inPlane;
     const char* inSpace;
@@ -37,7 +37,7 @@ std::unique_ptr<PictureWriter> pageWriter(OverlayMarks marks, PdfFile& file, con
 
 } // namespace io
 
-// By the ending of a file's name.
+// Suffixes of file names.
 template <>
 inline constexpr auto ifs::names<io::ShapeFile> = std::to_array<ifs::Named<io::ShapeFile>>({
     {io::ShapeFile::Svg, "svg"},

@@ -28,7 +28,7 @@ QPolygonF polygon(const Ring& ring, const ifs::AffineMap<2>& map) {
     return corners;
 }
 
-// One that is drawn without a long wait.
+// A depth that is drawn without a long wait.
 int previewDepth(const ifs::CopyHierarchy& levels, const SvgFormat& format) {
     int depth = std::min(svgDepth(levels, format), levels.deepest());
     while (depth > 0 && levels.references(depth) > maxCopies)
@@ -107,7 +107,7 @@ private:
         }
     }
 
-    // `map` takes what it is a copy of to pixels.
+    // Draws a copy; `map` takes its original to pixels.
     void drawCopy(QPainter& painter, const ifs::CopyHierarchy& levels, const ifs::Copy& copy,
                   const ifs::AffineMap<2>& map) {
         if (m_stop.stop_requested()) return;

@@ -8,7 +8,7 @@
 
 class QXmlStreamWriter;
 
-// What every SVG picture begins with.
+// The beginning of every SVG picture.
 namespace io {
 
 const QString& svgNamespace();

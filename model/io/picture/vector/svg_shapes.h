@@ -20,8 +20,8 @@ struct ShapeLevels {
 };
 ShapeLevels shapeLevels(const document::Fractal& fractal, const attractor::Camera& camera);
 
-// One colour for what has shades in a picture made of points: the plain one, or the bright part of the
-// palette.
+// A single colour in place of the shades of a picture made of points: the plain colour, or the bright part of
+// the palette.
 attractor::Rgba shapeColour(const attractor::Appearance& appearance);
 // The colour of a copy in the picture; nullopt: that of all.
 std::optional<attractor::Rgba> shapeColour(const document::Fractal& fractal, const ifs::CopyHierarchy& levels,

@@ -51,7 +51,7 @@ template <typename Points> QString pointList(const Points& points) {
     return list;
 }
 
-// To a thousandth of a pixel.
+// Coordinates to a thousandth of a pixel.
 QString pixels(const ifs::Vector<2>& point) {
     const auto rounded = [](double number) { return svgText(std::round(number * 1000) / 1000); };
     return rounded(point.x()) + QLatin1Char(' ') + rounded(point.y());
@@ -95,7 +95,7 @@ public:
         });
     }
 
-    // Nothing to fill and no background: what the knife or the pen follows, and nothing else.
+    // Outlines for a knife or a pen, without fills or a background.
     QByteArray outline(const std::vector<Ring>& rings) {
         return picture([&] {
             QString path;
@@ -165,7 +165,7 @@ private:
     void startElement(const char* name) { m_xml.writeStartElement(svg, QLatin1String(name)); }
 
     static QString levelId(int level) { return QStringLiteral("level-%1").arg(level); }
-    // By the name that files have always given to it.
+    // The name that files have always given to a projection.
     static QString projectionId(std::size_t i) { return QStringLiteral("projection-%1").arg(i + 1); }
 
     void writeDefinitions(const ifs::CopyHierarchy& levels, const ifs::MergedCopies& merged, int depth) {
@@ -193,7 +193,7 @@ private:
         m_xml.writeEndElement();
     }
 
-    // All pieces in one path, all counter-clockwise: where two overlap, both are filled.
+    // A single path of all pieces, all counter-clockwise: where two overlap, both are filled.
     static QString pathOf(const ifs::CopyHierarchy& levels, const ifs::Polygon& outline,
                           const std::vector<ifs::MergedCopies::Piece>& pieces) {
         std::vector<ifs::Polygon> polygons;
@@ -312,7 +312,7 @@ private:
     QXmlStreamWriter m_xml;
 };
 
-// At the depth that is asked for, else at the usual one or, where that is too much, at the deepest that
+// The outline at the requested depth, else at the usual one or, where that is too much, at the deepest that
 // programs read.
 SvgPicture outlinePicture(const document::Fractal& fractal, const attractor::Camera& camera,
                           const ifs::CopyHierarchy& levels, SvgFormat format, const std::stop_token& stop) {

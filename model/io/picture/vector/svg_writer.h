@@ -38,7 +38,7 @@ struct SvgFormat {
     double dotsPerInch = pixelsOfSvg; // pixels of the camera an inch
 };
 
-// What a picture of shapes would be: for the dialog, before anything is written.
+// A summary of a picture of shapes: for the dialog, before anything is written.
 struct SvgPlan {
     int depth = 0;
     int deepest = 0;              // the largest depth that stays under the bound of references

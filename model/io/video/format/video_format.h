@@ -17,7 +17,7 @@ enum class VideoFormat {
     Apng, // without loss
 };
 
-// What a kind of video is called and what it can hold.
+// Names and capabilities of a kind of video.
 struct VideoFormatFacts {
     VideoFormat format;
     const char* suffix;  // "mp4", also its name in settings and requests
@@ -33,7 +33,7 @@ struct VideoFormatFacts {
 std::span<const VideoFormatFacts> videoFormats(); // in the order of lists
 const VideoFormatFacts& factsOf(VideoFormat format);
 
-// By the suffix of a file name, whatever its case; nullopt for any other.
+// The format with this file suffix, in any case; nullopt for any other.
 std::optional<VideoFormat> videoFormat(const QString& suffix);
 
 QString videoSuffix(VideoFormat format); // "mp4", …

@@ -21,7 +21,7 @@ struct Option {
     const char* value;
 };
 
-// How a format is written.
+// Encoding of a format.
 struct Recipe {
     const char* muxer;
     const char* encoder;
@@ -129,8 +129,8 @@ std::uint32_t littleEndian(std::span<const std::uint8_t> bytes) {
     return value;
 }
 
-// How long the last picture of an animated WebP is shown, so that all of them take `total` milliseconds: its
-// encoder gives it the mean of the others. In a still picture there is nothing to set.
+// Sets the duration of the last picture of an animated WebP, so that all of them take `total` milliseconds:
+// its encoder gives it the mean of the others. In a still picture there is nothing to set.
 void setDuration(std::span<std::uint8_t> file, std::int64_t total) {
     constexpr std::size_t header = 12, chunkHeader = 8, durationAt = 12, durationSize = 3;
     std::span<std::uint8_t> last;
@@ -299,7 +299,7 @@ void Encoder::encode(AVFrame* picture) {
 
 void Encoder::finish() {
     if (!m_failure) encode(nullptr);
-    // Else the last picture would be shown as long as the one before.
+    // Without this, the last picture would be shown as long as the one before.
     if (!m_failure && m_kind == VideoFormat::Gif && m_pictures > 0)
         isDone(library().av_opt_set_int(m_format->priv_data, "final_delay",
                                         ticksBefore(m_pictures) - ticksBefore(m_pictures - 1), 0));

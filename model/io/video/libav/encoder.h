@@ -18,7 +18,7 @@ QByteArray commentOf(const QByteArray& systemText);
 // Says that the encoder of the format is missing; nullopt: it is there.
 Failure encoderObstacle(VideoFormat format);
 
-// One stream of pictures into one file. Failures carry the words of the libraries.
+// An encoder of one stream of pictures into one file. Failures carry the words of the libraries.
 class Encoder {
 public:
     Encoder(QIODevice& device, const VideoSettings& settings);
@@ -38,7 +38,8 @@ private:
     Frame converted(AVFrame& picture);
     void encode(AVFrame* picture); // nullptr: what waits
     bool isDone(int result);       // false after a failure, which is remembered
-    // Where a picture begins, in the ticks of a GIF or WebP: rounded each by itself, so that nothing adds up.
+    // The start of a picture, in the ticks of a GIF or WebP: rounded each by itself, so that no error adds
+    // up.
     std::int64_t ticksBefore(std::int64_t picture) const;
 
     File m_file;

@@ -85,7 +85,7 @@ void File::close(AVIOContext* context) {
     library().avio_context_free(&context);
 }
 
-// Where all that is written comes first, the beginning is made room for by reading on.
+// Hands the file to the muxer. A muxer that moves the beginning behind reads what it has written.
 void File::serve(AVFormatContext& format) {
     format.opaque = this;
     format.pb = open(true);

@@ -11,8 +11,8 @@ struct AVIOContext;
 
 namespace io::libav {
 
-// A device as FFmpeg's libraries write to it, and read what they have written, through any number of
-// positions of their own.
+// A device as FFmpeg's libraries write to it and read back from it, through any number of positions of their
+// own.
 class File {
 public:
     explicit File(QIODevice& device); // open for reading and writing, random-access; outlives the file

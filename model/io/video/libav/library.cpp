@@ -48,7 +48,7 @@ bool isInstalled() {
     return known().has_value();
 }
 
-// One that is there may find no memory, or be damaged.
+// The reason why loading failed: a library that exists may find no memory, or be damaged.
 QString loadingError() {
 #ifdef Q_OS_LINUX
     constexpr std::pair<const char*, int> names[] = {{"avutil", LIBAVUTIL_VERSION_MAJOR},

@@ -44,7 +44,7 @@ namespace io::libav {
                                                                     use(scale, sws_scale)                    \
                                                                         use(scale, sws_setColorspaceDetails)
 
-// Their functions, by their own names.
+// The functions, by their own names.
 struct Library {
 #define BARYCAGE_LIBAV_MEMBER(library, name) decltype(&::name) name = nullptr;
     BARYCAGE_LIBAV_FUNCTIONS(BARYCAGE_LIBAV_MEMBER)

@@ -5,7 +5,7 @@
 
 #include <memory>
 
-// What FFmpeg's libraries hand out, owned.
+// Owning pointers for the objects of FFmpeg's libraries.
 namespace io::libav {
 
 struct Free {

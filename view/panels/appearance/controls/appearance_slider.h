@@ -25,7 +25,7 @@ public:
 
     void setRange(double min, double max); // the value is set anew after it
     void setValue(double value);
-    // What the number does: in a few words, and in more of them.
+    // Sets the help for the number: in a few words, and in more of them.
     void explain(const QString& toolTip, const QString& whatsThis);
     QSlider* slider() const { return m_slider; }
     NumberField* field() const { return m_field; }

@@ -37,7 +37,7 @@ signals:
     void tried(const QString& what, const attractor::Palette& gradient);
     void accepted();
     void rejected();
-    void message(const QString& sentence); // what became of a file
+    void message(const QString& sentence); // the outcome for a file
 
 private:
     void connectEditors(); // of the strip and of the selected stop

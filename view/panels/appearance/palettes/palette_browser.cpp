@@ -210,7 +210,7 @@ void PaletteBrowser::setFavourite(bool isFavourite) {
     chooseFound();
 }
 
-// While the list is searched, something of what is found is selected, so that Enter uses it.
+// Keeps a match selected while the list is searched, so that Enter uses it.
 void PaletteBrowser::chooseFound() {
     m_whyEmpty->setVisible(m_filtered->rowCount() == 0);
     m_whyEmpty->setText(m_search->text().isEmpty()

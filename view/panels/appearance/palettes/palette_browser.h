@@ -19,7 +19,7 @@ namespace view {
 class AppearanceSlider;
 class PaletteFilter;
 
-// All palettes that come with the program, to search and to try on the fractal; the one selected may be
+// The palettes that come with the program, to search and to try on the fractal; the selected one can be
 // turned to other hues, shifted and reversed. Favourites are remembered in the settings.
 class PaletteBrowser : public QDialog {
     Q_OBJECT
@@ -54,7 +54,7 @@ private:
     struct Adjustment {
         AppearanceSlider* slider = nullptr;
         double value = 0;
-        double kept = 0; // what Esc in the field returns to
+        double kept = 0; // the value to which Esc in the field returns
     };
     void createSlider(Adjustment& adjustment, const QString& name, double min, double max);
     void showFavourite(int row); // of the model

@@ -11,7 +11,7 @@ namespace view {
 
 namespace {
 
-// For the translators: the palettes themselves know no Qt.
+// Names for the translators: the palettes themselves know no Qt.
 [[maybe_unused]] constexpr const char* names[] = {
     QT_TRANSLATE_NOOP("Palette", "Maple"),       QT_TRANSLATE_NOOP("Palette", "Fern"),
     QT_TRANSLATE_NOOP("Palette", "Glacier"),     QT_TRANSLATE_NOOP("Palette", "Orchid"),
