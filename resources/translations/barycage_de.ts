@@ -2459,6 +2459,14 @@
         <source>Hidden in this small window: %1 (View › Panels).</source>
         <translation>In diesem kleinen Fenster ausgeblendet: %1 (Ansicht › Felder).</translation>
     </message>
+    <message>
+        <source>Pr&amp;int Lesson…</source>
+        <translation>Lektion &amp;drucken…</translation>
+    </message>
+    <message>
+        <source>Print the steps of the lesson, with their pictures and texts</source>
+        <translation>Die Schritte der Lektion mit Bildern und Texten drucken</translation>
+    </message>
 </context>
 <context>
     <name>NumberField</name>
@@ -5752,6 +5760,14 @@
     <message>
         <source>This link was cut off: its end is missing. Copy all of it.</source>
         <translation>Dieser Link wurde abgeschnitten: Sein Ende fehlt. Kopieren Sie ihn ganz.</translation>
+    </message>
+    <message>
+        <source>Drawing the pictures…</source>
+        <translation>Die Bilder werden gezeichnet…</translation>
+    </message>
+    <message>
+        <source>Lesson</source>
+        <translation>Lektion</translation>
     </message>
 </context>
 <context>

@@ -2459,6 +2459,14 @@
         <source>Hidden in this small window: %1 (View › Panels).</source>
         <translation>Ocultos en esta ventana pequeña: %1 (Ver › Paneles).</translation>
     </message>
+    <message>
+        <source>Pr&amp;int Lesson…</source>
+        <translation>&amp;Imprimir la lección…</translation>
+    </message>
+    <message>
+        <source>Print the steps of the lesson, with their pictures and texts</source>
+        <translation>Imprimir los pasos de la lección, con sus imágenes y textos</translation>
+    </message>
 </context>
 <context>
     <name>NumberField</name>
@@ -5752,6 +5760,14 @@
     <message>
         <source>This link was cut off: its end is missing. Copy all of it.</source>
         <translation>Este enlace está cortado: falta el final. Cópielo entero.</translation>
+    </message>
+    <message>
+        <source>Drawing the pictures…</source>
+        <translation>Dibujando las imágenes…</translation>
+    </message>
+    <message>
+        <source>Lesson</source>
+        <translation>Lección</translation>
     </message>
 </context>
 <context>

@@ -2459,6 +2459,14 @@
         <source>Hidden in this small window: %1 (View › Panels).</source>
         <translation>Masqués dans cette petite fenêtre&#xa0;: %1 (Affichage › Panneaux).</translation>
     </message>
+    <message>
+        <source>Pr&amp;int Lesson…</source>
+        <translation>&amp;Imprimer la leçon…</translation>
+    </message>
+    <message>
+        <source>Print the steps of the lesson, with their pictures and texts</source>
+        <translation>Imprimer les étapes de la leçon, avec leurs images et leurs textes</translation>
+    </message>
 </context>
 <context>
     <name>NumberField</name>
@@ -5752,6 +5760,14 @@
     <message>
         <source>This link was cut off: its end is missing. Copy all of it.</source>
         <translation>Ce lien a été coupé : il manque la fin. Copiez-le en entier.</translation>
+    </message>
+    <message>
+        <source>Drawing the pictures…</source>
+        <translation>Dessin des images…</translation>
+    </message>
+    <message>
+        <source>Lesson</source>
+        <translation>Leçon</translation>
     </message>
 </context>
 <context>

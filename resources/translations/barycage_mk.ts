@@ -2465,6 +2465,14 @@
         <source>Hidden in this small window: %1 (View › Panels).</source>
         <translation>Скриени во овој мал прозорец: %1 (Приказ › Панели).</translation>
     </message>
+    <message>
+        <source>Pr&amp;int Lesson…</source>
+        <translation>П&amp;ечати ја лекцијата…</translation>
+    </message>
+    <message>
+        <source>Print the steps of the lesson, with their pictures and texts</source>
+        <translation>Печати ги чекорите на лекцијата, со нивните слики и текстови</translation>
+    </message>
 </context>
 <context>
     <name>NumberField</name>
@@ -5767,6 +5775,14 @@
     <message>
         <source>This link was cut off: its end is missing. Copy all of it.</source>
         <translation>Оваа врска е пресечена: недостасува крајот. Копирајте ја целата.</translation>
+    </message>
+    <message>
+        <source>Drawing the pictures…</source>
+        <translation>Се цртаат сликите…</translation>
+    </message>
+    <message>
+        <source>Lesson</source>
+        <translation>Лекција</translation>
     </message>
 </context>
 <context>

@@ -14,6 +14,7 @@
 #include "io/lesson/lesson_writer.h"
 #include "messages/save_question.h"
 #include "panels/lesson/lesson_panel.h"
+#include "panels/lesson/lesson_print.h"
 #include "stage/stage.h"
 #include "widgets/background/save_beside.h"
 #include "widgets/background/wait_for.h"
@@ -138,7 +139,16 @@ void LessonCommands::createActions() {
                            {},
                            tr("Save the lesson under another name or in another folder")},
                           [this] { this->saveAs(); });
-    const auto update = [this, play, next, back, save, saveAs] {
+    QAction* print = add({"print-lesson",
+                          tr("Pr&int Lesson…"),
+                          {},
+                          tr("Print the steps of the lesson, with their pictures and texts"),
+                          nullptr,
+                          false,
+                          "print"},
+                         [this] { this->print(); });
+    const auto update = [this, play, next, back, save, saveAs, print] {
+        print->setEnabled(!m_notebook->lesson().steps.isEmpty() && !m_player->isPlaying());
         play->setEnabled(!m_notebook->lesson().steps.isEmpty() && !m_player->isPlaying());
         for (QAction* saving : {save, saveAs})
             saving->setEnabled(!m_notebook->isEmpty() && !m_player->isPlaying());
@@ -484,6 +494,11 @@ void LessonCommands::addStep() {
     m_panel->beginToWrite();
     context().messages->say(tr("Step %1 has the current state of the window. Now write its text.")
                                 .arg(m_notebook->current() + 1));
+}
+
+void LessonCommands::print() {
+    view::printLesson(m_notebook->lesson(), context().document->file(), m_parts.window,
+                      [messages = context().messages](const QString& sentence) { messages->say(sentence); });
 }
 
 void LessonCommands::play() {

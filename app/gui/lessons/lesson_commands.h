@@ -61,6 +61,7 @@ private:
     bool saveTo(const QString& path);
     void addStep();
     void play();
+    void print();
     void fileChanged();
     bool isUnused() const;
 
