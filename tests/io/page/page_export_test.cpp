@@ -164,7 +164,7 @@ void PageExportTest::scriptsAreInOnePiece() {
     static const QRegularExpression declared(
         QStringLiteral("^(?:async )?(?:const|let|class|function) (\\w+)"),
         QRegularExpression::MultilineOption);
-    for (const QByteArray& script : {io::pageScript(), io::workerScript()}) {
+    for (const QByteArray& script : {io::pageScript(false), io::pageScript(true), io::workerScript()}) {
         QVERIFY(!script.contains("\nimport ") && !script.contains("\nexport "));
         QVERIFY(!script.contains("/**\n") && !script.contains("SPDX"));
         QVERIFY(!script.contains("</") && !script.contains("<!--"));
