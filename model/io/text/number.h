@@ -1,19 +1,18 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "entry/text/number.h"
+
 #include <QByteArray>
 #include <QString>
 #include <QStringView>
 
-#include <charconv>
 #include <optional>
 
 // Numbers as text: always the C locale, whatever the user's.
 namespace io {
 
-// std::from_chars, but what is closer to 0 than any double is 0, and only what is too large is out of range.
-std::from_chars_result fromChars(const char* first, const char* last, double& value,
-                                 std::chars_format format = std::chars_format::general);
+using entry::fromChars;
 
 // A finite decimal number and nothing else (surrounding blanks allowed); nullopt for 1/3, 0,5, inf, nan, hex,
 // "".
