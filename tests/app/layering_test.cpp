@@ -184,6 +184,7 @@ void LayeringTest::includesPointDownwards_data() {
     QTest::newRow("model/document") << "model/document" << document << widgets;
     QTest::newRow("model/io") << "model/io" << io << widgets;
     QTest::newRow("app/web") << "app/web" << attractor + QStringList{QStringLiteral("web")} << qt;
+    QTest::newRow("app/python") << "app/python" << entry + QStringList{QStringLiteral("python")} << qt;
     QTest::newRow("view") << "view" << view << QStringLiteral("^$");
 }
 
