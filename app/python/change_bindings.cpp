@@ -10,6 +10,7 @@
 
 #include <pybind11/stl.h>
 
+#include <array>
 #include <cmath>
 #include <optional>
 #include <stdexcept>
@@ -130,8 +131,10 @@ py::array tops(const entry::Entry& from, const entry::Entry& to, const Numbers& 
 }
 
 // Systems whose attractors look like the mask, best first: maps, weights.
-py::list fit(const pybind11::array_t<std::uint8_t, pybind11::array::c_style>& mask, int least, int most,
-             double seconds, std::size_t starts, std::uint64_t seed, int threads) {
+py::list fit(const pybind11::array_t<std::uint8_t, pybind11::array::c_style>& mask,
+             const std::array<int, 2>& maps, double seconds, std::size_t starts, std::uint64_t seed,
+             int threads) {
+    const auto [least, most] = maps;
     if (mask.ndim() != 2 || mask.size() == 0)
         throw std::invalid_argument("mask: the shape must be (rows, columns)");
     if (least < 1 || most < least || most > 32) throw std::invalid_argument("maps: from 1 to 32");

@@ -38,8 +38,10 @@ namespace py = pybind11;
 constexpr int maxSide = 32'768; // pixels
 constexpr std::uint64_t maxPoints = 1'000'000'000;
 
-void checkRaster(int height, int width) {
-    if (height < 1 || width < 1 || height > maxSide || width > maxSide)
+using Sides = std::array<int, 2>; // rows, columns
+
+void checkRaster(const Sides& shape) {
+    if (std::ranges::any_of(shape, [](int side) { return side < 1 || side > maxSide; }))
         throw std::invalid_argument("shape: rows and columns must be from 1 to " + std::to_string(maxSide));
 }
 
@@ -97,14 +99,13 @@ py::tuple points(const entry::Entry& entry, std::uint64_t count, std::uint64_t s
 
 // Where one looks: all of what is shown, or a point in the middle and pixels per unit.
 struct View {
-    int height = 0;
-    int width = 0;
+    Sides shape{}; // rows, columns
     std::optional<std::array<double, 2>> centre;
     std::optional<double> scale;
 };
 
 attractor::RenderRequest framed(const entry::Entry& entry, const View& view) {
-    attractor::RenderRequest request = requestOf(entry, view.width, view.height);
+    attractor::RenderRequest request = requestOf(entry, view.shape[1], view.shape[0]);
     requireDrawable(ifs::activeMaps(request.system));
     if (!view.centre || !view.scale) request.camera = cameraAround(entry, request.camera);
     if (view.centre) request.camera.centre = {(*view.centre)[0], (*view.centre)[1]};
@@ -114,13 +115,13 @@ attractor::RenderRequest framed(const entry::Entry& entry, const View& view) {
     return request;
 }
 
-py::array density(const entry::Entry& entry, int height, int width, std::uint64_t samples, std::uint64_t seed,
-                  const std::optional<std::array<double, 2>>& centre, const std::optional<double>& scale,
+py::array density(const entry::Entry& entry, const View& view, std::uint64_t samples, std::uint64_t seed,
                   int threads) {
-    checkRaster(height, width);
+    checkRaster(view.shape);
+    const int height = view.shape[0], width = view.shape[1];
     std::vector<std::uint64_t> counts(std::size_t(height) * std::size_t(width));
     interruptibly([&](const std::stop_token& stop) {
-        attractor::RenderRequest request = framed(entry, {height, width, centre, scale});
+        attractor::RenderRequest request = framed(entry, view);
         request.appearance = {};
         request.samples = samples;
         request.seed = seed;
@@ -165,13 +166,13 @@ std::uint64_t hashOf(std::span<const std::uint32_t> pixels) {
 }
 
 // The picture, and FNV-1a of its premultiplied pixels, as in tests/data/hashes.txt.
-py::tuple picture(const entry::Entry& entry, int height, int width, std::uint64_t samples, std::uint64_t seed,
-                  const std::optional<std::array<double, 2>>& centre, const std::optional<double>& scale,
+py::tuple picture(const entry::Entry& entry, const View& view, std::uint64_t samples, std::uint64_t seed,
                   int threads) {
-    checkRaster(height, width);
+    checkRaster(view.shape);
+    const int height = view.shape[0], width = view.shape[1];
     attractor::Frame frame;
     interruptibly([&](const std::stop_token& stop) {
-        attractor::RenderRequest request = framed(entry, {height, width, centre, scale});
+        attractor::RenderRequest request = framed(entry, view);
         request.samples = samples;
         request.seed = seed;
         request.threads = threadsOf(threads);
@@ -182,9 +183,12 @@ py::tuple picture(const entry::Entry& entry, int height, int width, std::uint64_
     return py::make_tuple(arrayOf(rgbaOf(frame.pixels), {height, width, 4}), hash);
 }
 
-py::tuple solid(const entry::Entry& entry, int height, int width, double azimuth, double elevation,
-                const std::string& look, double fieldOfView, int threads) {
-    checkRaster(height, width);
+// The angles: azimuth, elevation and field of view.
+py::tuple solid(const entry::Entry& entry, const Sides& shape, const std::array<double, 3>& angles,
+                const std::string& look, int threads) {
+    checkRaster(shape);
+    const int height = shape[0], width = shape[1];
+    const double azimuth = angles[0], elevation = angles[1], fieldOfView = angles[2];
     const auto shown = ifs::named<attractor::LookInSpace>(look);
     if (!shown || attractor::showsCloud(*shown))
         throw std::invalid_argument("look: stone, ink, depth or normals");
@@ -225,8 +229,9 @@ py::tuple solid(const entry::Entry& entry, int height, int width, double azimuth
 }
 
 // How many points lie in each cell of the certified box: (z, y, x), and the box.
-py::tuple volume(const entry::Entry& entry, int depth, int height, int width, std::uint64_t samples,
+py::tuple volume(const entry::Entry& entry, const std::array<int, 3>& shape, std::uint64_t samples,
                  std::uint64_t seed) {
+    const int depth = shape[0], height = shape[1], width = shape[2];
     constexpr int most = 2048;
     if (std::min({depth, height, width}) < 1 || std::max({depth, height, width}) > most)
         throw std::invalid_argument("shape: from 1 to " + std::to_string(most) + " cells along each axis");
@@ -348,9 +353,10 @@ private:
 };
 
 py::array_t<std::uint32_t> densityBatch(const Numbers& systems, const std::optional<Numbers>& weights,
-                                        int height, int width, std::uint64_t samples, std::uint64_t seed,
+                                        const Sides& shape, std::uint64_t samples, std::uint64_t seed,
                                         int threads) {
-    checkRaster(height, width);
+    checkRaster(shape);
+    const int height = shape[0], width = shape[1];
     checkCount(samples, "samples");
     if (systems.ndim() != 4 || systems.shape(2) != 2 || systems.shape(3) != 3 || systems.shape(1) < 1)
         throw std::invalid_argument("systems: the shape must be (systems, maps, 2, 3)");
@@ -433,6 +439,11 @@ py::list palettes() {
 } // namespace
 
 void bindPictures(py::module_& core) {
+    py::class_<View>(core, "View")
+        .def(py::init([](const Sides& shape, const std::optional<std::array<double, 2>>& centre,
+                         const std::optional<double>& scale) {
+            return View{shape, centre, scale};
+        }));
     core.def("points", &points);
     core.def("density", &density);
     core.def("density_batch", &densityBatch);

@@ -3,7 +3,7 @@
 
 #include "attractor/request/camera.h"
 #include "attractor/request/render_request.h"
-#include "entry/entry.h"
+#include "entry/value/entry.h"
 #include "ifs/extent/extent.h"
 
 #include <optional>

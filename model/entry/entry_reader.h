@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "entry/entry.h"
+#include "entry/value/entry.h"
 
 #include <optional>
 #include <string>

@@ -273,8 +273,7 @@ class Entry:
 
         Where a scale is given, a system without a certified extent can be drawn as well.
         """
-        rows, columns = shape
-        return _core.density(self._entry, rows, columns, samples, seed, centre, scale, threads)
+        return _core.density(self._entry, _core.View(shape, centre, scale), samples, seed, threads)
 
     def picture(self, shape: Shape = (600, 800), *, samples: int = 1_000_000, seed: int = 1,
                 centre: Optional[tuple[float, float]] = None, scale: Optional[float] = None, threads: int = 0,
@@ -290,9 +289,8 @@ class Entry:
         >>> Entry([[[.5, 0, 0], [0, .5, 0]], [[.5, 0, 1], [0, .5, 1]]]).picture((30, 40)).shape
         (30, 40, 4)
         """
-        rows, columns = shape
         entry = _core.coloured(self._entry, colour_by, palette, brightness, gamma, background)
-        return _picture(*_core.picture(entry, rows, columns, samples, seed, centre, scale, threads))
+        return _picture(*_core.picture(entry, _core.View(shape, centre, scale), samples, seed, threads))
 
     def solid(self, shape: Shape = (600, 800), *, azimuth: float = 30, elevation: float = 20, look: str = "stone",
               field_of_view: float = 0, threads: int = 0) -> Picture:
@@ -302,12 +300,11 @@ class Entry:
         look                'stone', 'ink', 'depth' (near is white) or 'normals'
         field_of_view       degrees; 0: parallel rays
         """
-        rows, columns = shape
-        return _picture(*_core.solid(self._entry, rows, columns, azimuth, elevation, look, field_of_view, threads))
+        return _picture(*_core.solid(self._entry, shape, (azimuth, elevation, field_of_view), look, threads))
 
     def volume(self, shape: tuple[int, int, int], *, samples: int = 1_000_000, seed: int = 1) -> Volume:
         """Points of the attractor of an entry in space, without its cage, counted in cells of its certified box."""
-        return Volume(*_core.volume(self._entry, *shape, samples, seed))
+        return Volume(*_core.volume(self._entry, shape, samples, seed))
 
     def _repr_png_(self) -> bytes:
         picture = self.picture if self.space_dimension == 2 else self.solid

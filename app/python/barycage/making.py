@@ -29,10 +29,9 @@ def density_batch(systems: Any, shape: Shape = (256, 256), *, samples: int = 100
         if weights is None:
             weights = np.stack([entry.probabilities for entry in systems])
         systems = np.stack([entry.maps for entry in systems])
-    rows, columns = shape
     return _core.density_batch(np.asarray(systems, np.float64),
-                               None if weights is None else np.asarray(weights, np.float64), rows, columns, samples,
-                               seed, threads)
+                               None if weights is None else np.asarray(weights, np.float64), shape, samples, seed,
+                               threads)
 
 
 def random(*, maps: Optional[int] = None, seed: int, alpha: Optional[float] = None) -> Entry:
@@ -85,7 +84,7 @@ def fit(mask: Any, *, maps: Union[int, tuple[int, int]] = 4, seconds: float = 2,
 
     The height of the picture is 1 unit, y is up, and its middle is the origin.
     """
-    least, most = (maps, maps) if isinstance(maps, int) else maps
+    least_and_most = (maps, maps) if isinstance(maps, int) else maps
     shape = np.ascontiguousarray(np.asarray(mask) != 0, dtype=np.uint8)
     return [Entry(found, weights, name=f"fit_{index}")
-            for index, (found, weights) in enumerate(_core.fit(shape, least, most, seconds, starts, seed, threads), 1)]
+            for index, (found, weights) in enumerate(_core.fit(shape, least_and_most, seconds, starts, seed, threads), 1)]

@@ -3,7 +3,7 @@
 
 #include "attractor/cut/address_cut.h"
 #include "attractor/request/shadow.h"
-#include "entry/entry.h"
+#include "entry/value/entry.h"
 #include "ifs/extent/extent.h"
 #include "ifs/links/linked_existence.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "entry/entry.h"
+#include "entry/value/entry.h"
 
 #include "ifs/system/recurring_branch.h"
 
