@@ -25,6 +25,7 @@ private slots:
     void theWindowReadsTheSameOfDamagedFiles();
     void theWindowWritesTheSame();
     void whatIsWrittenIsReadAgain();
+    void spacesOfAnyKindEndAComment();
     void flawsSayWhere_data();
     void flawsSayWhere();
     void everythingThatIsStoredIsRead();
@@ -164,6 +165,13 @@ void EntryReaderTest::whatIsWrittenIsReadAgain() {
             ++read;
         }
     QVERIFY(read > 200);
+}
+
+void EntryReaderTest::spacesOfAnyKindEndAComment() {
+    const QByteArray text = "a { ; of a file\xc2\x85\n; \xe3\x80\x80two \xc2\xa0\n .5 0 0 .5 0 0 1\n}\n";
+    const std::string written = entry::written(entry::readFile(viewOf(text)).entries[0]);
+    QCOMPARE(QByteArray::fromStdString(written), io::writeEntry(*io::readFractint(text).entries[0].fractal));
+    QVERIFY(written.starts_with("a { ; of a file\n  ; two\n"));
 }
 
 void EntryReaderTest::flawsSayWhere_data() {

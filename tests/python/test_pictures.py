@@ -1,4 +1,5 @@
 # SPDX-License-Identifier: MIT
+import os
 import signal
 import threading
 import zlib
@@ -106,8 +107,16 @@ def test_batches(triangle):
     lambda entry: entry.picture((400, 400), samples=10 ** 13),
 ])
 def test_ctrl_c_stops(maple, call):
-    """The other thread runs only while the interpreter is free."""
-    thread = threading.Thread(target=signal.raise_signal, args=[signal.SIGINT])
+    def threads():
+        return len(os.listdir("/proc/self/task"))
+
+    def interrupt():  # which happens only while the interpreter is free
+        while threads() <= before + 1:  # until the call has begun its work
+            os.sched_yield()
+        signal.raise_signal(signal.SIGINT)
+
+    before = threads()
+    thread = threading.Thread(target=interrupt)
     with pytest.raises(KeyboardInterrupt):
         thread.start()
         call(maple)
