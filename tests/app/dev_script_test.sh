@@ -181,11 +181,13 @@ expect "fail when no file was looked at" ends_with 1
 expect "leave no check without files" not called "^clang-\|^codespell"
 
 begin "everything"
-mkdir -p "$work/project/"{tests/{farm,web,portable},resources/portable,build/release}
+mkdir -p "$work/project/"{tests/{farm,python,web,portable},resources/portable,build/release}
 fake farm <<<'echo "farm $*" >>"$LOG"'
 mv "$work/bin/farm" "$work/project/tests/farm/slurm_test.sh"
 fake web <<<'echo "web $*" >>"$LOG"'
 mv "$work/bin/web" "$work/project/tests/web/run.sh"
+fake python <<<'echo "python $*" >>"$LOG"'
+mv "$work/bin/python" "$work/project/tests/python/run.sh"
 fake barycage-cli <<<'echo barycage-cli 1.2.3'
 mv "$work/bin/barycage-cli" "$work/project/build/release"
 fake bundle.sh <<<'echo "bundle $*" >>"$LOG"'
@@ -210,13 +212,14 @@ fake valgrind <<<'exit 99'
 : >"$work/log"
 dev test --all </dev/null
 expect "fails when parts do" ends_with 1
-parts=("release FAILED" "accessibility passed" "exports FAILED" "farm passed" "web passed" "asan passed" "tsan passed" "valgrind FAILED"
+parts=("release FAILED" "accessibility passed" "exports FAILED" "farm passed" "web passed" "python passed" "asan passed" "tsan passed" "valgrind FAILED"
   "coverage passed" "monkey FAILED" "fuzz passed" "portable passed")
 results=$(tr -s ' ' <<<"${output##*Results}")
 for part in "${parts[@]}"; do
   expect "reports $part" grep -q "test $part" <<<"$results"
 done
 expect "opens pages" called "^web build/release/barycage-cli build/npm"
+expect "tests the Python module" called "^python .*python3 build/python/package"
 expect "packs one file" called "^pack build/portable barycage-1.2.3-linux-"
 expect "runs that file" called "^portable dist/barycage-1.2.3-linux-"
 expect "draws on a farm" called "^farm build/release/barycage-cli resources/slurm"

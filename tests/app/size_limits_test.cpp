@@ -34,9 +34,9 @@ constexpr qsizetype maxFileLines = 600, maxFunctionLines = 60, maxPublicFunction
 // Functions that are tables of data.
 const QStringList tables{
     QStringLiteral("model/attractor/colour/palette.cpp: const std::vector<Palette>& gradients()"),
+    QStringLiteral("tests/entry/scanner_test.cpp: void ScannerTest::blocks_data()"),
     QStringLiteral("tests/io/fractint/fractint_edit_test.cpp: void FractintEditTest::edits_data()"),
     QStringLiteral("tests/io/fractint/fractint_reader_test.cpp: void FractintReaderTest::rules_data()"),
-    QStringLiteral("tests/io/fractint/fractint_scanner_test.cpp: void FractintScannerTest::blocks_data()"),
     QStringLiteral("tests/io/fractint/fractint_writer_test.cpp: "
                    "void FractintWriterTest::editsTouchOnlyWhatChanged_data()"),
     QStringLiteral("tests/io/fractint/metadata_comments_test.cpp: "

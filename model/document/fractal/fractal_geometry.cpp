@@ -3,15 +3,12 @@
 
 #include "attractor/cut/address_cut.h"
 #include "attractor/request/shadow.h"
-#include "document/fractal/recurring_branches.h"
+#include "entry/value/entry.h"
 #include "ifs/extent/extent.h"
 #include "ifs/links/linked_existence.h"
-#include "ifs/system/recurring_branch.h"
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
-#include <set>
 #include <utility>
 
 namespace document {
@@ -79,27 +76,8 @@ ifs::Placement placement(const Fractal& fractal) {
     return {*cage, ifs::suitableCoordinates(cage->rest, support.get(), pieces)};
 }
 
-// Branches that are moved once come first: they move what the others have moved.
 template <int Dim> std::vector<ifs::MovedBranch<Dim>> movedBranches(const Shape<Dim>& shape) {
-    std::vector<ifs::MovedBranch<Dim>> result, inside, again;
-    const std::vector<ifs::AffineMap<Dim>> maps =
-        std::ranges::any_of(shape.moved, [](const auto& branch) { return recurs(branch.word); })
-            ? ifs::mapsOf(shape.system)
-            : std::vector<ifs::AffineMap<Dim>>();
-    std::set<ifs::Word> known; // of several that end up in one branch, the first goes on
-    for (StoredBranch<Dim>& stored : storedBranches(shape)) {
-        if (!stored.recurs) {
-            result.push_back(std::move(stored.branch));
-            continue;
-        }
-        std::vector<ifs::MovedBranch<Dim>> all = ifs::recurring<Dim>(stored.branch, maps);
-        for (auto branch = std::next(all.begin()); branch != all.end(); ++branch)
-            if (known.insert(branch->word).second) again.push_back(std::move(*branch));
-        inside.push_back(std::move(all.front()));
-    }
-    std::ranges::move(inside, std::back_inserter(result));
-    std::ranges::move(again, std::back_inserter(result));
-    return result;
+    return entry::movedBranches(shape.system, shape.moved);
 }
 template std::vector<ifs::MovedBranch<2>> movedBranches(const Shape<2>&);
 template std::vector<ifs::MovedBranch<3>> movedBranches(const Shape<3>&);

@@ -3,6 +3,7 @@
 
 #include "document/fractal/fractal.h"
 #include "document/problem.h"
+#include "entry/rows/row_reader.h"
 #include "io/fractint/fractint_scanner.h"
 
 #include <QByteArrayView>
@@ -12,6 +13,9 @@
 // An entry of a Fractint collection: its meaning, and the place of each part in its text. docs/formats.md,
 // "Reading one entry".
 namespace io::fractint {
+
+using entry::maxLines;
+using entry::maxMaps;
 
 struct Token {
     Span span;
@@ -52,9 +56,7 @@ ParsedEntry parseEntry(QByteArrayView text, const Block& block, char lineEndByte
 // UTF-8 where it is valid, else Latin-1.
 QString decoded(QByteArrayView bytes);
 
-constexpr qsizetype maxEntries = 200'000;   // per file
-constexpr std::size_t maxMaps = 250'000;    // per entry
-constexpr std::size_t maxLines = 1'000'000; // per entry
-constexpr qsizetype maxProblems = 10;       // told per entry
+constexpr qsizetype maxEntries = 200'000; // per file
+constexpr qsizetype maxProblems = 10;     // told per entry
 
 } // namespace io::fractint

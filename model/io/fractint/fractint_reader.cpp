@@ -58,42 +58,6 @@ private:
     int m_line = 1;
 };
 
-// Returns true if the block is a set of parameters or a formula: its first words hold an equals sign.
-bool isAssignment(QByteArrayView bytes, const Block& block, char lineEndByte) {
-    int words = 0;
-    bool inWord = false;
-    for (qsizetype i = block.open + 1; i < block.close && words <= 2; ++i) {
-        if (bytes[i] == ';') {
-            i = fractint::lineEnd(bytes, i, lineEndByte);
-            inWord = false;
-        } else if (fractint::isBlank(bytes[i])) {
-            inWord = false;
-        } else {
-            words += inWord ? 0 : 1;
-            inWord = true;
-            if (bytes[i] == '=' && words <= 2) return true;
-        }
-    }
-    return false;
-}
-
-bool holdsOnlyRows(QByteArrayView bytes, char lineEndByte) {
-    bool any = false;
-    for (qsizetype begin = 0; begin < bytes.size();) {
-        const qsizetype end = fractint::lineEnd(bytes, begin, lineEndByte);
-        const QByteArrayView line = bytes.sliced(begin, end - begin);
-        const auto comment = std::find(line.begin(), line.end(), ';');
-        const auto numberLike = [](char c) {
-            return fractint::isBlank(c) || (c >= '0' && c <= '9') || c == '.' || c == '-' || c == '+' ||
-                   c == 'e' || c == 'E';
-        };
-        if (!std::all_of(line.begin(), comment, numberLike)) return false;
-        any = any || std::any_of(line.begin(), comment, [](char c) { return c >= '0' && c <= '9'; });
-        begin = end + 1;
-    }
-    return any;
-}
-
 class FileReader {
 public:
     FileReader(const QByteArray& bytes, const QString& bareName)
@@ -170,7 +134,7 @@ void FileReader::readBlock(const Block& block) {
     }
     m_isParameterFile = m_isParameterFile || block.hasPrefix;
     const bool isOpenEntry = block.kind == BlockKind::Entry || block.kind == BlockKind::Unclosed;
-    if (isOpenEntry && !isAssignment(m_bytes, block, m_lineEnd))
+    if (isOpenEntry && !fractint::isAssignment(m_bytes, block, m_lineEnd))
         addEntry(block);
     else
         leaveAsText(block);
@@ -200,7 +164,7 @@ void FileReader::leaveAsText(const Block& block) {
 bool FileReader::readBare() {
     const qsizetype begin = m_bytes.startsWith("\xef\xbb\xbf") ? 3 : 0;
     const QByteArrayView rest = QByteArrayView(m_bytes).sliced(begin);
-    if (!holdsOnlyRows(rest, m_lineEnd)) return false;
+    if (!fractint::holdsOnlyRows(rest, m_lineEnd)) return false;
     Block block;
     block.all = {begin, m_bytes.size()};
     // Text behind ^Z stays in the tail, before which new entries go.

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "document/fractal/fractal.h"
+#include "entry/rows/row_reader.h"
 
 #include <QByteArray>
 #include <QByteArrayList>
@@ -12,7 +13,7 @@
 // A system as rows of numbers, whatever its dimension, and texts that an entry can hold.
 namespace io::fractint {
 
-constexpr qsizetype maxLine = 200; // bytes that Fractint and Iterated Dynamics read of a line
+using entry::maxLine;
 
 struct Row {
     ifs::MapId id = ifs::MapId::None;

@@ -1,67 +1,15 @@
 // SPDX-License-Identifier: MIT
 #include "io/text/number.h"
 
-#include <cmath>
-
 namespace io {
-
-namespace {
-
-// The power of ten of the first digit that is not 0, of the text of a number.
-double magnitude(const char* first, const char* last) {
-    double power = -1;
-    bool isFraction = false;
-    bool isFound = false;
-    const char* at = first;
-    for (; at != last && *at != 'e' && *at != 'E'; ++at) {
-        if (*at == '.') {
-            isFraction = true;
-            continue;
-        }
-        if (*at < '0' || *at > '9') continue;
-        isFound = isFound || *at != '0';
-        if (isFound && !isFraction) ++power;
-        if (!isFound && isFraction) --power;
-    }
-    if (at == last) return power;
-    double exponent = 0;
-    const bool isNegative = ++at != last && *at == '-';
-    if (at != last && (*at == '-' || *at == '+')) ++at;
-    for (; at != last && *at >= '0' && *at <= '9'; ++at)
-        exponent = 10 * exponent + (*at - '0');
-    return isNegative ? power - exponent : power + exponent;
-}
-
-} // namespace
-
-std::from_chars_result fromChars(const char* first, const char* last, double& value,
-                                 std::chars_format format) {
-    std::from_chars_result result = std::from_chars(first, last, value, format);
-    if (result.ec == std::errc::result_out_of_range && magnitude(first, result.ptr) < 0) {
-        value = 0;
-        result.ec = {};
-    }
-    return result;
-}
 
 std::optional<double> parseNumber(QStringView text) {
     const QByteArray digits = text.trimmed().toLatin1();
-    const char* first = digits.constData();
-    const char* last = first + digits.size();
-    if (first != last && *first == '+') {
-        ++first;
-        if (first != last && *first == '-') return std::nullopt;
-    }
-    double value = 0;
-    const auto result = fromChars(first, last, value);
-    if (result.ec != std::errc() || result.ptr != last || !std::isfinite(value)) return std::nullopt;
-    return value;
+    return entry::parseNumber({digits.constData(), std::size_t(digits.size())});
 }
 
 QByteArray formatNumber(double value) {
-    char buffer[32];
-    const auto result = std::to_chars(buffer, buffer + sizeof buffer, value == 0 ? 0.0 : value);
-    return QByteArray(buffer, result.ptr - buffer);
+    return QByteArray::fromStdString(entry::formatNumber(value));
 }
 
 } // namespace io

@@ -2,50 +2,14 @@
 #include "io/text/symmetry_text.h"
 
 #include "document/text/text.h"
-#include "io/text/number.h"
-
+#include <QByteArray>
 #include <QStringList>
-
-#include <algorithm>
-#include <array>
 
 namespace io {
 
 namespace {
 
 using enum ifs::SymmetryGroup;
-
-struct GroupName {
-    ifs::SymmetryGroup group;
-    const char* name;
-};
-constexpr std::array groupNames{GroupName{None, "none"}, GroupName{Mirror, "mirror"},
-                                GroupName{Tetrahedral, "tetrahedral"}, GroupName{Octahedral, "octahedral"},
-                                GroupName{Icosahedral, "icosahedral"}};
-
-bool readGroup(QStringView name, NamedSymmetry& result) {
-    for (const GroupName& known : groupNames)
-        if (name.compare(QLatin1String(known.name), Qt::CaseInsensitive) == 0) {
-            result.group = known.group;
-            return true;
-        }
-    if (name.size() < 2 || name.size() > 3) return false;
-    const QChar letter = name.front().toLower();
-    if (letter != u'c' && letter != u'd') return false;
-    if (!std::ranges::all_of(name.sliced(1), [](QChar c) { return c >= u'0' && c <= u'9'; })) return false;
-    result.group = letter == u'c' ? Rotation : Dihedral;
-    result.order = name.sliced(1).toInt();
-    return result.order >= ifs::minSymmetryOrder && result.order <= ifs::maxSymmetryOrder;
-}
-
-bool readCentre(QStringView text, NamedSymmetry& result) {
-    for (const QStringView part : text.split(u',')) {
-        const auto coordinate = parseNumber(part);
-        if (!coordinate) return false;
-        result.centre.push_back(*coordinate);
-    }
-    return result.centre.size() == 2 || result.centre.size() == 3;
-}
 
 template <int Dim> QString pointText(const ifs::Vector<Dim>& point) {
     QStringList numbers;
@@ -57,37 +21,11 @@ template <int Dim> QString pointText(const ifs::Vector<Dim>& point) {
 } // namespace
 
 std::optional<NamedSymmetry> symmetryNamed(QStringView text) {
-    NamedSymmetry result;
-    text = text.trimmed();
-    if (const qsizetype at = text.indexOf(u'@'); at >= 0) {
-        if (!readCentre(text.sliced(at + 1), result)) return std::nullopt;
-        text.truncate(at);
-    }
-    if (const qsizetype colon = text.indexOf(u':'); colon >= 0) {
-        result.angle = parseNumber(text.sliced(colon + 1));
-        if (!result.angle) return std::nullopt;
-        text.truncate(colon);
-    }
-    if (!readGroup(text, result)) return std::nullopt;
-    if (result.angle && result.group != Mirror && result.group != Dihedral) return std::nullopt;
-    return result;
+    return entry::symmetryNamed(text.trimmed().toUtf8().toStdString());
 }
-
-template <int Dim> std::optional<ifs::Symmetry<Dim>> symmetryIn(const NamedSymmetry& named) {
-    if (named.centre.size() > Dim) return std::nullopt;
-    ifs::Symmetry<Dim> symmetry{named.group, named.order, named.angle.value_or(0)};
-    if (named.group == None) return symmetry;
-    for (std::size_t i = 0; i < named.centre.size(); ++i)
-        symmetry.centre[Eigen::Index(i)] = named.centre[i];
-    return ifs::isValid(symmetry) ? std::optional(symmetry) : std::nullopt;
-}
-template std::optional<ifs::Symmetry<2>> symmetryIn<2>(const NamedSymmetry&);
-template std::optional<ifs::Symmetry<3>> symmetryIn<3>(const NamedSymmetry&);
 
 QString symmetryName(ifs::SymmetryGroup group, int order) {
-    if (group == Rotation) return QStringLiteral("c%1").arg(order);
-    if (group == Dihedral) return QStringLiteral("d%1").arg(order);
-    return QLatin1String(std::ranges::find(groupNames, group, &GroupName::group)->name);
+    return QString::fromStdString(entry::symmetryName(group, order));
 }
 
 template <int Dim> QString symmetrySentence(const ifs::Symmetry<Dim>& symmetry) {

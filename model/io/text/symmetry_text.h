@@ -1,30 +1,22 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "entry/text/symmetry_name.h"
 #include "ifs/system/symmetry.h"
 
 #include <QString>
 #include <QStringView>
 
 #include <optional>
-#include <vector>
 
 // Symmetries as text: none, mirror, c2 … c24 (rotation), d2 … d24 (dihedral), tetrahedral, octahedral and
 // icosahedral. docs/formats.md, "Barycage's comment lines".
 namespace io {
 
-// NAME[:DEGREES][@X,Y[,Z]], before the dimension is known.
-struct NamedSymmetry {
-    ifs::SymmetryGroup group = ifs::SymmetryGroup::None;
-    int order = 1;
-    std::optional<double> angle;
-    std::vector<double> centre; // two or three coordinates, or none
-};
-std::optional<NamedSymmetry> symmetryNamed(QStringView text);
+using entry::NamedSymmetry;
+using entry::symmetryIn;
 
-// The symmetry, at the origin if no centre is given; a centre in the plane is at height 0 in space. nullopt
-// when the group or the centre does not belong to this dimension.
-template <int Dim> std::optional<ifs::Symmetry<Dim>> symmetryIn(const NamedSymmetry& named);
+std::optional<NamedSymmetry> symmetryNamed(QStringView text);
 
 QString symmetryName(ifs::SymmetryGroup group, int order); // c6, mirror …, without angle and centre
 

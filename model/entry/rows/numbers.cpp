@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "io/fractint/fractint_numbers.h"
+#include "entry/rows/numbers.h"
 
-#include "io/text/coefficient.h"
-#include "io/text/number.h"
+#include "entry/text/number.h"
 
 #include <algorithm>
 #include <cctype>
@@ -10,7 +9,7 @@
 #include <numeric>
 #include <string>
 
-namespace io::fractint {
+namespace entry {
 
 namespace {
 
@@ -68,4 +67,4 @@ RowShape rowShape(const std::vector<std::size_t>& perLine, bool isMarked3D) {
     return {allMultiplesOf(perLine, 6) ? 6 : 0, false, false};
 }
 
-} // namespace io::fractint
+} // namespace entry

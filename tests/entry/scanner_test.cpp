@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-#include "io/fractint/fractint_scanner.h"
+#include "entry/rows/scanner.h"
 #include "support/named_test.h"
 
 #include <QTest>
 
 #include <random>
 
-using namespace io::fractint;
+using namespace entry;
 
 namespace {
 
@@ -45,7 +45,7 @@ QByteArray summary(const QByteArray& bytes) {
 
 } // namespace
 
-class FractintScannerTest : public QObject {
+class ScannerTest : public QObject {
     Q_OBJECT
 
 private slots:
@@ -59,7 +59,7 @@ private slots:
     void blocksAreInOrderAndInside();
 };
 
-void FractintScannerTest::blocks_data() {
+void ScannerTest::blocks_data() {
     QTest::addColumn<QByteArray>("bytes");
     QTest::addColumn<QByteArray>("expected");
     const auto row = [](const char* name, const QByteArray& bytes, const char* expected) {
@@ -122,13 +122,13 @@ void FractintScannerTest::blocks_data() {
         "entry <a> 0-6; entry <b> 7-13");
 }
 
-void FractintScannerTest::blocks() {
+void ScannerTest::blocks() {
     QFETCH(QByteArray, bytes);
     QFETCH(QByteArray, expected);
     QCOMPARE(summary(bytes), expected);
 }
 
-void FractintScannerTest::bracesAreWhereTheyAre() {
+void ScannerTest::bracesAreWhereTheyAre() {
     const QByteArray bytes = "x\na ; {\n(3D) {\n1 ; }\n } ; end\nb { 2";
     Scanner scanner(bytes, '\n');
     const auto a = scanner.next();
@@ -142,7 +142,7 @@ void FractintScannerTest::bracesAreWhereTheyAre() {
     QVERIFY(!scanner.next());
 }
 
-void FractintScannerTest::relativeBlocksBeginAtZero() {
+void ScannerTest::relativeBlocksBeginAtZero() {
     const QByteArray bytes = "head\n\nifs:name {\n1\n}\n";
     const Block block = *Scanner(bytes, '\n').next();
     const Block own = relative(block);
@@ -158,7 +158,7 @@ void FractintScannerTest::relativeBlocksBeginAtZero() {
     QCOMPARE(relative(bare).close, 6);
 }
 
-void FractintScannerTest::lineEnds() {
+void ScannerTest::lineEnds() {
     QCOMPARE(lineEndByte("a\nb"), '\n');
     QCOMPARE(lineEndByte("a\r\nb"), '\n');
     QCOMPARE(lineEndByte("a\rb"), '\r');
@@ -169,14 +169,14 @@ void FractintScannerTest::lineEnds() {
     QCOMPARE(lineEnd("ab\rcd", 0, '\n'), 5);
 }
 
-void FractintScannerTest::blanks() {
+void ScannerTest::blanks() {
     QByteArray found;
     for (int c = 0; c < 256; ++c)
         if (isBlank(char(c))) found += char(c);
     QCOMPARE(found, QByteArray("\0\t\n\v\f\r\x1a ", 8));
 }
 
-void FractintScannerTest::scanningGoesOnFromAnywhere() {
+void ScannerTest::scanningGoesOnFromAnywhere() {
     const QByteArray bytes = "a {\n}\nb {\n}\nc {\n}\n";
     Scanner scanner(bytes, '\n', 6);
     QCOMPARE(textAt(bytes, scanner.next()->name), QByteArray("b"));
@@ -184,7 +184,7 @@ void FractintScannerTest::scanningGoesOnFromAnywhere() {
 }
 
 // Whatever the bytes: blocks follow each other without overlap, and everything in them is inside.
-void FractintScannerTest::blocksAreInOrderAndInside() {
+void ScannerTest::blocksAreInOrderAndInside() {
     std::mt19937 random(11);
     const QByteArray letters = "ab{{}};\n\n\r (3D) 1.\x1a:";
     for (int trial = 0; trial < 20'000; ++trial) {
@@ -207,5 +207,5 @@ void FractintScannerTest::blocksAreInOrderAndInside() {
     }
 }
 
-BARYCAGE_TEST(FractintScannerTest);
-#include "fractint_scanner_test.moc"
+BARYCAGE_TEST(ScannerTest);
+#include "scanner_test.moc"

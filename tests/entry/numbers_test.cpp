@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
-#include "io/fractint/fractint_numbers.h"
+#include "entry/rows/numbers.h"
 #include "support/named_test.h"
 
 #include <QTest>
 
 #include <cmath>
 
-using namespace io::fractint;
+using namespace entry;
 
-class FractintNumbersTest : public QObject {
+class NumbersTest : public QObject {
     Q_OBJECT
 
 private slots:
@@ -20,7 +20,7 @@ private slots:
     void shapes();
 };
 
-void FractintNumbersTest::tokens_data() {
+void NumbersTest::tokens_data() {
     QTest::addColumn<QByteArray>("token");
     QTest::addColumn<int>("kind");
     QTest::addColumn<double>("value");
@@ -59,7 +59,7 @@ void FractintNumbersTest::tokens_data() {
         Kind::NotANumber); // the minus sign of typesetters
 }
 
-void FractintNumbersTest::tokens() {
+void NumbersTest::tokens() {
     QFETCH(QByteArray, token);
     QFETCH(int, kind);
     QFETCH(double, value);
@@ -70,7 +70,7 @@ void FractintNumbersTest::tokens() {
     QVERIFY(number.kind == Number::Kind::Good ? good == value : std::isnan(good));
 }
 
-void FractintNumbersTest::decimalCommas_data() {
+void NumbersTest::decimalCommas_data() {
     QTest::addColumn<QByteArray>("token");
     QTest::addColumn<double>("value"); // nan: no number
     const auto row = [](const char* token, double value = std::nan("")) {
@@ -88,7 +88,7 @@ void FractintNumbersTest::decimalCommas_data() {
     row(",");
 }
 
-void FractintNumbersTest::decimalCommas() {
+void NumbersTest::decimalCommas() {
     QFETCH(QByteArray, token);
     QFETCH(double, value);
     const double found = valueOf(token.toStdString(), true);
@@ -96,7 +96,7 @@ void FractintNumbersTest::decimalCommas() {
     if (token.contains(',')) QVERIFY(std::isnan(valueOf(token.toStdString(), false)));
 }
 
-void FractintNumbersTest::shapes_data() {
+void NumbersTest::shapes_data() {
     QTest::addColumn<QList<int>>("perLine");
     QTest::addColumn<bool>("isMarked3D");
     QTest::addColumn<int>("rowLength");
@@ -128,7 +128,7 @@ void FractintNumbersTest::shapes_data() {
     row("five", {5}, false, 0);
 }
 
-void FractintNumbersTest::shapes() {
+void NumbersTest::shapes() {
     QFETCH(QList<int>, perLine);
     QFETCH(bool, isMarked3D);
     QFETCH(int, rowLength);
@@ -139,5 +139,5 @@ void FractintNumbersTest::shapes() {
     QCOMPARE(shape.isLineLengthOdd, remark == "lines");
 }
 
-BARYCAGE_TEST(FractintNumbersTest);
-#include "fractint_numbers_test.moc"
+BARYCAGE_TEST(NumbersTest);
+#include "numbers_test.moc"

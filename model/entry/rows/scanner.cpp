@@ -1,39 +1,35 @@
 // SPDX-License-Identifier: MIT
-#include "io/fractint/fractint_scanner.h"
-
-#include <QByteArray>
+#include "entry/rows/scanner.h"
 
 #include <algorithm>
-#include <cstring>
 
-namespace io::fractint {
+namespace entry {
 
 namespace {
 
 constexpr char ctrlZ = 0x1a;
 
-bool startsWithWord(QByteArrayView text, const char* word) {
-    const auto length = static_cast<qsizetype>(std::strlen(word));
-    return text.size() >= length && qstrnicmp(text.data(), word, static_cast<std::size_t>(length)) == 0;
+// In letters of any size; `word` has small ones.
+bool startsWithWord(Bytes text, Bytes word) {
+    return text.size() >= word.size() &&
+           std::equal(word.begin(), word.end(), text.begin(), [](char a, char b) { return a == lower(b); });
 }
 
-// Returns true for a single word, perhaps followed by (3D), which may stand alone on the line above its
-// brace.
-bool isLoneName(QByteArrayView line) {
+// A single word, perhaps followed by (3D): what may stand alone on the line above its brace.
+bool isLoneName(Bytes line) {
     const auto paren = std::find(line.begin(), line.end(), '(');
     const Span word = withoutBlanks(line, {0, paren - line.begin()});
-    const QByteArrayView name = line.sliced(word.begin, word.size());
+    const Bytes name = line.sliced(word.begin, word.size());
     return !name.isEmpty() && std::none_of(name.begin(), name.end(), isBlank);
 }
 
-// Returns true for "(…)" or nothing: the text allowed between a line break and the brace that belongs to the
-// line above.
-bool isOnlyMarker(QByteArrayView text) {
+// Only "(…)" or nothing: what may stand between a line break and the brace that belongs to the line above.
+bool isOnlyMarker(Bytes text) {
     const Span rest = withoutBlanks(text, {0, text.size()});
     return rest.size() == 0 || (text[rest.begin] == '(' && text[rest.end - 1] == ')');
 }
 
-BlockKind kindOf(QByteArrayView name) {
+BlockKind kindOf(Bytes name) {
     if (name.isEmpty()) return BlockKind::Unnamed;
     if (name.size() == 7 && startsWithWord(name, "comment")) return BlockKind::CommentBlock;
     if (startsWithWord(name, "frm:") || startsWithWord(name, "par:") || startsWithWord(name, "lsys:"))
@@ -48,19 +44,19 @@ bool isBlank(char c) {
 }
 
 Block relative(Block block) {
-    const qsizetype begin = block.all.begin;
-    for (qsizetype* offset :
+    const Offset begin = block.all.begin;
+    for (Offset* offset :
          {&block.all.begin, &block.all.end, &block.name.begin, &block.name.end, &block.close})
         *offset -= begin;
     if (block.open >= 0) block.open -= begin;
     return block;
 }
 
-char lineEndByte(QByteArrayView bytes) {
+char lineEndByte(Bytes bytes) {
     return !bytes.contains('\n') && bytes.contains('\r') ? '\r' : '\n';
 }
 
-Span withoutBlanks(QByteArrayView bytes, Span span) {
+Span withoutBlanks(Bytes bytes, Span span) {
     while (span.begin < span.end && isBlank(bytes[span.begin]))
         ++span.begin;
     while (span.end > span.begin && isBlank(bytes[span.end - 1]))
@@ -68,25 +64,59 @@ Span withoutBlanks(QByteArrayView bytes, Span span) {
     return span;
 }
 
-Span withoutSpaceMarker(QByteArrayView bytes, Span span) {
-    constexpr qsizetype length = 4;
+Span withoutSpaceMarker(Bytes bytes, Span span) {
+    constexpr Offset length = 4;
     span = withoutBlanks(bytes, span);
-    if (span.size() < length || bytes.sliced(span.begin, length).toByteArray().toLower() != "(3d)")
-        return span;
+    if (span.size() < length || lowered(bytes.sliced(span.begin, length)) != "(3d)") return span;
     return withoutBlanks(bytes, {span.begin + length, span.end});
 }
 
-qsizetype lineEnd(QByteArrayView bytes, qsizetype position, char lineEndByte) {
-    const qsizetype found = bytes.indexOf(lineEndByte, position);
+Offset lineEnd(Bytes bytes, Offset position, char lineEndByte) {
+    const Offset found = bytes.indexOf(lineEndByte, position);
     return found < 0 ? bytes.size() : found;
 }
 
-Scanner::Scanner(QByteArrayView bytes, char lineEndByte, qsizetype begin)
+bool isAssignment(Bytes bytes, const Block& block, char lineEndByte) {
+    int words = 0;
+    bool inWord = false;
+    for (Offset i = block.open + 1; i < block.close && words <= 2; ++i) {
+        if (bytes[i] == ';') {
+            i = lineEnd(bytes, i, lineEndByte);
+            inWord = false;
+        } else if (isBlank(bytes[i])) {
+            inWord = false;
+        } else {
+            words += inWord ? 0 : 1;
+            inWord = true;
+            if (bytes[i] == '=' && words <= 2) return true;
+        }
+    }
+    return false;
+}
+
+bool holdsOnlyRows(Bytes bytes, char lineEndByte) {
+    bool any = false;
+    for (Offset begin = 0; begin < bytes.size();) {
+        const Offset end = lineEnd(bytes, begin, lineEndByte);
+        const Bytes line = bytes.sliced(begin, end - begin);
+        const auto comment = std::find(line.begin(), line.end(), ';');
+        const auto numberLike = [](char c) {
+            return isBlank(c) || (c >= '0' && c <= '9') || c == '.' || c == '-' || c == '+' || c == 'e' ||
+                   c == 'E';
+        };
+        if (!std::all_of(line.begin(), comment, numberLike)) return false;
+        any = any || std::any_of(line.begin(), comment, [](char c) { return c >= '0' && c <= '9'; });
+        begin = end + 1;
+    }
+    return any;
+}
+
+Scanner::Scanner(Bytes bytes, char lineEndByte, Offset begin)
     : m_bytes(bytes), m_lineEnd(lineEndByte), m_position(begin) {}
 
 std::optional<Block> Scanner::next() {
     for (skipBetween(); m_position < m_bytes.size(); skipBetween()) {
-        const qsizetype open = findOpen();
+        const Offset open = findOpen();
         if (open < 0) { // free text
             m_position = std::min(lineEnd(m_bytes, m_position, m_lineEnd) + 1, m_bytes.size());
             continue;
@@ -113,27 +143,27 @@ void Scanner::skipBetween() {
 
 // The opening brace on the line that begins at the position, or on the next one when this line is a lone
 // name.
-qsizetype Scanner::findOpen() const {
-    const QByteArrayView rest = m_bytes.sliced(m_position);
+Offset Scanner::findOpen() const {
+    const Bytes rest = m_bytes.sliced(m_position);
     const auto stop = std::find_if(rest.begin(), rest.end(),
                                    [this](char c) { return c == '{' || c == ';' || c == m_lineEnd; });
-    const qsizetype end = m_position + (stop - rest.begin());
+    const Offset end = m_position + (stop - rest.begin());
     if (stop != rest.end() && *stop == '{') return end;
     if (!isLoneName(rest.first(end - m_position))) return -1;
-    qsizetype next = lineEnd(m_bytes, end, m_lineEnd);
+    Offset next = lineEnd(m_bytes, end, m_lineEnd);
     while (next < m_bytes.size() && isBlank(m_bytes[next]))
         ++next;
-    const qsizetype nextEnd = lineEnd(m_bytes, next, m_lineEnd);
-    const qsizetype open = m_bytes.sliced(next, nextEnd - next).indexOf('{');
+    const Offset nextEnd = lineEnd(m_bytes, next, m_lineEnd);
+    const Offset open = m_bytes.sliced(next, nextEnd - next).indexOf('{');
     return open >= 0 && isOnlyMarker(m_bytes.sliced(next, open)) ? next + open : -1;
 }
 
-Block Scanner::blockAt(qsizetype open) {
+Block Scanner::blockAt(Offset open) {
     Block block;
     block.open = open;
     block.all.begin = m_position;
-    const QByteArrayView header = m_bytes.sliced(m_position, open - m_position);
-    if (const qsizetype brace = header.lastIndexOf('}'); brace >= 0) block.all.begin += brace + 1;
+    const Bytes header = m_bytes.sliced(m_position, open - m_position);
+    if (const Offset brace = header.lastIndexOf('}'); brace >= 0) block.all.begin += brace + 1;
     while (block.all.begin < open && isBlank(m_bytes[block.all.begin]))
         ++block.all.begin;
     const auto stop = std::find_if(m_bytes.begin() + block.all.begin, m_bytes.begin() + open,
@@ -148,7 +178,7 @@ Block Scanner::blockAt(qsizetype open) {
 }
 
 void Scanner::findClose(Block& block) {
-    for (qsizetype i = block.open + 1; i < m_bytes.size(); ++i) {
+    for (Offset i = block.open + 1; i < m_bytes.size(); ++i) {
         const char c = m_bytes[i];
         if (c == ';') {
             i = lineEnd(m_bytes, i, m_lineEnd);
@@ -157,7 +187,7 @@ void Scanner::findClose(Block& block) {
             block.all.end = endOfEntry(i);
             return;
         } else if (c == '{' && block.kind != BlockKind::CommentBlock) {
-            const qsizetype headerEnd = lineEnd(m_bytes, block.open, m_lineEnd);
+            const Offset headerEnd = lineEnd(m_bytes, block.open, m_lineEnd);
             const bool onHeader = i < headerEnd;
             block.kind = onHeader ? BlockKind::TwoBraces : BlockKind::Unclosed;
             block.all.end = onHeader ? std::min(headerEnd + 1, m_bytes.size()) : restart(block, i);
@@ -169,28 +199,28 @@ void Scanner::findClose(Block& block) {
     block.close = block.all.end = m_bytes.size();
 }
 
-// The start of the entry whose opening brace was met inside `block`: the start of that line, or of the line
-// above when that is a lone name.
-qsizetype Scanner::restart(const Block& block, qsizetype secondOpen) const {
-    const auto lineBegin = [&](qsizetype position) {
+// Where the entry begins whose opening brace was met inside `block`: at the start of that line, or of the
+// line above when that is a lone name.
+Offset Scanner::restart(const Block& block, Offset secondOpen) const {
+    const auto lineBegin = [&](Offset position) {
         while (position > block.open + 1 && m_bytes[position - 1] != m_lineEnd)
             --position;
         return position;
     };
-    const qsizetype begin = lineBegin(secondOpen);
+    const Offset begin = lineBegin(secondOpen);
     if (!isOnlyMarker(m_bytes.sliced(begin, secondOpen - begin))) return begin;
-    qsizetype above = begin;
+    Offset above = begin;
     while (above > block.open + 1 && isBlank(m_bytes[above - 1]))
         --above;
-    const qsizetype aboveBegin = lineBegin(above);
-    const QByteArrayView line = m_bytes.sliced(aboveBegin, above - aboveBegin);
+    const Offset aboveBegin = lineBegin(above);
+    const Bytes line = m_bytes.sliced(aboveBegin, above - aboveBegin);
     const bool isName =
         aboveBegin > lineEnd(m_bytes, block.open, m_lineEnd) && isLoneName(line) && !line.contains(';');
     return isName ? aboveBegin : begin;
 }
 
-qsizetype Scanner::endOfEntry(qsizetype close) const {
-    qsizetype end = close + 1;
+Offset Scanner::endOfEntry(Offset close) const {
+    Offset end = close + 1;
     while (end < m_bytes.size() && m_bytes[end] != m_lineEnd &&
            (m_bytes[end] == ' ' || m_bytes[end] == '\t' || m_bytes[end] == '\r'))
         ++end;
@@ -199,4 +229,4 @@ qsizetype Scanner::endOfEntry(qsizetype close) const {
     return std::min(lineEnd(m_bytes, end, m_lineEnd) + 1, m_bytes.size());
 }
 
-} // namespace io::fractint
+} // namespace entry

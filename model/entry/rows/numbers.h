@@ -7,7 +7,7 @@
 
 // The numbers of a Fractint entry, one token each, and the rows that they fill. docs/formats.md, "Reading one
 // entry".
-namespace io::fractint {
+namespace entry {
 
 struct Number {
     enum class Kind {
@@ -37,4 +37,4 @@ struct RowShape {
 // The shape that fits the numbers of each line that has any.
 RowShape rowShape(const std::vector<std::size_t>& perLine, bool isMarked3D);
 
-} // namespace io::fractint
+} // namespace entry
