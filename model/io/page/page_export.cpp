@@ -26,8 +26,9 @@ namespace io {
 
 namespace {
 
-constexpr int stillWidth = 640, stillHeight = 480; // of the picture for readers without JavaScript
-constexpr int stillQuality = 72;
+constexpr int stillWidth = 640, stillHeight = 480;     // of the picture for readers without JavaScript
+constexpr int stillQualities[] = {72, 60, 48, 36, 24}; // the first by which it is small enough
+constexpr qsizetype stillBytes = 26'000;
 constexpr std::uint64_t stillSamples = 4'000'000;
 
 struct Sentence {
@@ -81,19 +82,14 @@ QImage stillPicture(const document::Fractal& fractal) {
     return drawPicture(picture).image;
 }
 
-// A JPEG in an address, on white where the picture is transparent. Only memory can be missing.
-QByteArray stillAddress(const document::Fractal& fractal) {
-    const QImage drawn = stillPicture(fractal);
-    QImage image(drawn.size(), QImage::Format_ARGB32_Premultiplied);
-    if (drawn.isNull() || image.isNull()) throw std::bad_alloc();
-    image.fill(Qt::white);
-    QPainter(&image).drawImage(0, 0, drawn);
+// Only memory can be missing.
+QByteArray jpegOf(const QImage& image, int quality) {
     QBuffer file;
     file.open(QIODevice::WriteOnly);
     PictureFormat format;
     format.width = image.width();
     format.height = image.height();
-    format.quality = stillQuality;
+    format.quality = quality;
     JpegWriter writer(file, format);
     const std::size_t width = std::size_t(image.width());
     for (int y = 0; y < image.height(); ++y)
@@ -101,7 +97,21 @@ QByteArray stillAddress(const document::Fractal& fractal) {
                 std::span(reinterpret_cast<const std::uint32_t*>(image.constScanLine(y)), width)))
             throw std::bad_alloc();
     if (writer.finish()) throw std::bad_alloc();
-    return "data:image/jpeg;base64," + file.data().toBase64();
+    return file.data();
+}
+
+// A JPEG in an address, on white where the picture is transparent. Single points make large files: a page of
+// dust is no larger than one of a leaf.
+QByteArray stillAddress(const document::Fractal& fractal) {
+    const QImage drawn = stillPicture(fractal);
+    QImage image(drawn.size(), QImage::Format_ARGB32_Premultiplied);
+    if (drawn.isNull() || image.isNull()) throw std::bad_alloc();
+    image.fill(Qt::white);
+    QPainter(&image).drawImage(0, 0, drawn);
+    QByteArray jpeg;
+    for (const int quality : stillQualities)
+        if (jpeg = jpegOf(image, quality); jpeg.size() <= stillBytes) break;
+    return "data:image/jpeg;base64," + jpeg.toBase64();
 }
 
 void writeGallery(JsonWriter& json, const PageExport& page) {
@@ -194,7 +204,7 @@ QString pageObstacle(const document::Fractal& fractal) {
 }
 
 QByteArray pageOf(const PageExport& page) {
-    const QByteArray script = pageScript(!page.entries.isEmpty()), style = styleOf(page);
+    const QByteArray script = joinedScript(pageModules(!page.entries.isEmpty())), style = styleOf(page);
     const auto isSolid = [](const auto& fractal) { return document::space(*fractal) != nullptr; };
     const bool knowsSpace = document::space(page.fractal) || std::ranges::any_of(page.entries, isSolid);
     const char* engine = knowsSpace ? "engine.wasm.gz" : "engine_plane.wasm.gz";
@@ -210,7 +220,7 @@ QByteArray pageOf(const PageExport& page) {
         {"still", stillAddress(page.fractal)},
         {"content", contentOf(page)},
         {"engine", pagePart(engine).toBase64()},
-        {"worker", workerScript()},
+        {"worker", joinedScript(workerModules())},
         {"script", script},
         {"script-hash", hashOf(script)},
     };

@@ -9,6 +9,7 @@
 
 #include <QCryptographicHash>
 #include <QFile>
+#include <QImage>
 #include <QJsonArray>
 #include <QJsonDocument>
 #include <QJsonObject>
@@ -24,6 +25,7 @@ private slots:
     void everyEntryOfTheCollectionHasAPage();
     void hostileTextsStayTexts();
     void onlyWhatIsNamedMayRun();
+    void stillPicturesOfDustAreSmall();
     void optionsAreWritten();
     void scriptsAreInOnePiece();
     void entriesThatCannotBeShown();
@@ -133,6 +135,16 @@ void PageExportTest::onlyWhatIsNamedMayRun() {
     QVERIFY(!page.contains("innerHTML"));
 }
 
+// A gasket fills the picture with single points, which pack badly.
+void PageExportTest::stillPicturesOfDustAreSmall() {
+    io::PageExport what;
+    what.fractal = entryOf(gasket("gasket"));
+    const QByteArray page = io::pageOf(what);
+    const QByteArray jpeg = QByteArray::fromBase64(inside(page, "src=\"data:image/jpeg;base64,", "\""));
+    QVERIFY2(jpeg.size() <= 26'000, QByteArray::number(jpeg.size()));
+    QCOMPARE(QImage::fromData(jpeg).size(), QSize(640, 480));
+}
+
 void PageExportTest::optionsAreWritten() {
     io::PageExport what;
     what.fractal =
@@ -162,18 +174,21 @@ void PageExportTest::optionsAreWritten() {
 // Modules lose their imports, and no name is declared by two of them.
 void PageExportTest::scriptsAreInOnePiece() {
     static const QRegularExpression declared(
-        QStringLiteral("^(?:async )?(?:const|let|class|function) (\\w+)"),
+        QStringLiteral("^(?:export )?(?:async )?(?:const|let|class|function) (\\w+)"),
         QRegularExpression::MultilineOption);
-    for (const QByteArray& script : {io::pageScript(), io::workerScript()}) {
+    for (const auto& modules : {io::pageModules(true), io::workerModules()}) {
+        const QByteArray script = io::joinedScript(modules);
         QVERIFY(!script.contains("\nimport ") && !script.contains("\nexport "));
         QVERIFY(!script.contains("/**\n") && !script.contains("SPDX"));
         QVERIFY(!script.contains("</") && !script.contains("<!--"));
         QSet<QString> names;
-        auto matches = declared.globalMatch(QString::fromUtf8(script));
-        while (matches.hasNext()) {
-            const QString name = matches.next().captured(1);
-            QVERIFY2(!names.contains(name), qPrintable(name));
-            names.insert(name);
+        for (const char* module : modules) {
+            auto matches = declared.globalMatch(QString::fromUtf8(io::pagePart(module)));
+            while (matches.hasNext()) {
+                const QString name = matches.next().captured(1);
+                QVERIFY2(!names.contains(name), qPrintable(name));
+                names.insert(name);
+            }
         }
         QVERIFY(names.size() > 5);
     }
