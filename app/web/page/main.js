@@ -9,7 +9,7 @@ import { Gallery } from "./gallery.js";
 import { entryText } from "./ifs_text.js";
 import { linkData, packed, unpacked } from "./link.js";
 import { fillTable } from "./table.js";
-import { filled, paletteTitle, spokenLanguage, textsOf } from "./texts.js";
+import { filled, spokenLanguage, textsOf } from "./texts.js";
 
 /** @typedef {import("./engine.js").Entry} Entry */
 /** @typedef {import("./engine.js").Palette} Palette */
@@ -37,10 +37,11 @@ function tell(sentence) {
 
 function speak() {
   document.documentElement.lang = language;
-  for (const place of document.querySelectorAll("[data-text]"))
-    place.textContent = texts[/** @type {keyof typeof texts} */ (place.getAttribute("data-text"))];
+  const textFor = (/** @type {Element} */ place, /** @type {string} */ attribute) =>
+    String(texts[/** @type {keyof typeof texts} */ (place.getAttribute(attribute))]);
+  for (const place of document.querySelectorAll("[data-text]")) place.textContent = textFor(place, "data-text");
   for (const place of document.querySelectorAll("[data-label]")) {
-    const text = texts[/** @type {keyof typeof texts} */ (place.getAttribute("data-label"))];
+    const text = textFor(place, "data-label");
     place.setAttribute("aria-label", text);
     place.setAttribute("title", text);
   }
@@ -123,8 +124,8 @@ function showPicture({ width = 0, height = 0, pixels, samples = 0 }) {
 /** @param {Palette[]} palettes @param {(palette: Palette) => void} choose */
 function fillPalettes(palettes, choose) {
   const given = JSON.stringify(entry.appearance?.stops ?? palettes[0].stops);
-  byId("palettes").replaceChildren(...palettes.map((palette) => {
-    const title = paletteTitle(palette.name, language);
+  byId("palettes").replaceChildren(...palettes.map((palette, i) => {
+    const title = texts.palettes[i] ?? palette.name;
     const swatch = element("button", { type: "button", role: "radio", class: "swatch", "aria-label": title, title,
       "aria-checked": String(JSON.stringify(palette.stops) === given) });
     swatch.style.backgroundImage = `linear-gradient(90deg, ${palette.stops.map(([at, r, g, b]) =>

@@ -14,6 +14,8 @@
 #include <QBuffer>
 #include <QCryptographicHash>
 #include <QImage>
+#include <QJsonDocument>
+#include <QJsonObject>
 #include <QMap>
 #include <QPainter>
 
@@ -30,19 +32,6 @@ constexpr int stillWidth = 640, stillHeight = 480;     // of the picture for rea
 constexpr int stillQualities[] = {72, 60, 48, 36, 24}; // the first by which it is small enough
 constexpr qsizetype stillBytes = 26'000;
 constexpr std::uint64_t stillSamples = 4'000'000;
-
-struct Sentence {
-    const char* language;
-    const char* text;
-};
-// What is read where no script runs. The page itself speaks by app/web/page/texts.js.
-constexpr Sentence sentences[] = {
-    {"en", "To drag this fractal, open the page in a browser with JavaScript."},
-    {"de", "Um an diesem Fraktal zu ziehen, öffnen Sie die Seite in einem Browser mit JavaScript."},
-    {"es", "Para arrastrar este fractal, abra la página en un navegador con JavaScript."},
-    {"fr", "Pour manipuler cette fractale, ouvrez la page dans un navigateur avec JavaScript."},
-    {"mk", "За да го влечете овој фрактал, отворете ја страницата во прелистувач со JavaScript."},
-};
 
 // The attractor and its cage.
 attractor::Camera stillCamera(const document::Fractal& fractal) {
@@ -124,7 +113,11 @@ void writeGallery(JsonWriter& json, const PageExport& page) {
     json.endArray();
 }
 
-// JSON that nothing in it can end: no “<” stands in it.
+// JSON within a page, which nothing in it can end: no “<” stands in it.
+QByteArray embedded(QByteArray json) {
+    return json.replace('<', "\\u003c");
+}
+
 QByteArray contentOf(const PageExport& page) {
     JsonWriter json;
     json.beginObject();
@@ -143,8 +136,7 @@ QByteArray contentOf(const PageExport& page) {
     json.member("language", page.language);
     json.member("points", double(page.points));
     json.endObject();
-    QByteArray text = json.text();
-    return text.replace('<', "\\u003c");
+    return embedded(json.text());
 }
 
 QByteArray backgroundOf(const document::Fractal& fractal) {
@@ -171,10 +163,10 @@ QByteArray hashOf(const QByteArray& text) {
     return "sha256-" + QCryptographicHash::hash(text, QCryptographicHash::Sha256).toBase64();
 }
 
-const char* sentenceIn(const QString& language) {
-    const auto* found = std::ranges::find_if(
-        sentences, [&](const Sentence& sentence) { return language == QLatin1String(sentence.language); });
-    return found == std::end(sentences) ? sentences[0].text : found->text;
+// What the page can say: in its language, or in all from which the browser chooses.
+QByteArray textsIn(const QString& language, const QJsonObject& all) {
+    const QJsonObject texts = language.isEmpty() ? all : QJsonObject{{language, all[language]}};
+    return embedded(QJsonDocument(texts).toJson(QJsonDocument::Compact));
 }
 
 // The template with its {{fields}} filled in; what they are filled with is not looked at again.
@@ -209,11 +201,14 @@ QByteArray pageOf(const PageExport& page) {
     const bool knowsSpace = document::space(page.fractal) || std::ranges::any_of(page.entries, isSolid);
     const char* engine = knowsSpace ? "engine.wasm.gz" : "engine_plane.wasm.gz";
     const QString& title = page.entries.isEmpty() ? page.fractal.name : page.title;
+    const QString language = page.language.isEmpty() ? QStringLiteral("en") : page.language;
+    const QJsonObject texts = QJsonDocument::fromJson(pagePart("texts.json")).object();
     const QMap<QByteArray, QByteArray> fields{
-        {"language", page.language.isEmpty() ? QByteArray("en") : page.language.toLatin1()},
+        {"language", language.toLatin1()},
         {"title", title.toHtmlEscaped().toUtf8()},
         {"caption", page.caption.toHtmlEscaped().toUtf8()},
-        {"plain", sentenceIn(page.language)},
+        {"plain", texts[language][u"plain"].toString().toUtf8()}, // where no script runs
+        {"texts", textsIn(page.language, texts)},
         {"show", ifs::nameOf(page.parts)},
         {"style", style},
         {"style-hash", hashOf(style)},

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "io/page/page_export.h"
 
+#include "attractor/colour/palette.h"
 #include "document/edits/cage/cage_edits.h"
 #include "io/collection_reader.h"
 #include "io/page/page_script.h"
@@ -27,6 +28,7 @@ private slots:
     void onlyWhatIsNamedMayRun();
     void stillPicturesOfDustAreSmall();
     void optionsAreWritten();
+    void everyLanguageHasEveryText();
     void scriptsAreInOnePiece();
     void entriesThatCannotBeShown();
 };
@@ -107,8 +109,8 @@ void PageExportTest::hostileTextsStayTexts() {
     const QByteArray page = io::pageOf(what);
     QVERIFY(!page.contains("<script>alert"));
     QVERIFY(!page.contains("<!--"));
-    QCOMPARE(count(page, "<script"), 4);
-    QCOMPARE(count(page, "</script"), 4);
+    QCOMPARE(count(page, "<script"), 5);
+    QCOMPARE(count(page, "</script"), 5);
     QCOMPARE(count(page, "<style"), 1);
     QCOMPARE(count(page, "</style"), 1);
     QVERIFY(page.contains("&lt;/style&gt;&lt;script&gt;alert(2)&lt;/script&gt; &quot;&amp;amp;"));
@@ -169,6 +171,42 @@ void PageExportTest::optionsAreWritten() {
     QVERIFY(page.contains("<html lang=\"mk\">"));
     QVERIFY(page.contains("JavaScript."));
     QVERIFY(page.contains("src=\"data:image/jpeg;base64,"));
+}
+
+// A page speaks all languages, or its own alone. What one says, all say, with the same places to be filled.
+void PageExportTest::everyLanguageHasEveryText() {
+    io::PageExport what;
+    what.fractal = document::sierpinskiTriangle();
+    const auto textsOf = [&] {
+        return QJsonDocument::fromJson(
+                   inside(io::pageOf(what), R"(<script type="application/json" id="texts">)", "</script>"))
+            .object();
+    };
+    const QJsonObject all = textsOf();
+    QCOMPARE(all.size(), qsizetype(io::pageLanguages.size()));
+    const QJsonObject english = all[u"en"].toObject();
+    QVERIFY(english.size() > 30);
+    static const QRegularExpression place(QStringLiteral("\\{\\d\\}"));
+    const auto placesIn = [&](const QJsonValue& text) {
+        QStringList places;
+        auto matches = place.globalMatch(text.toString());
+        while (matches.hasNext())
+            places << matches.next().captured();
+        places.sort();
+        return places;
+    };
+    for (const char* name : io::pageLanguages) {
+        const QString language = QLatin1String(name);
+        const QJsonObject texts = all[language].toObject();
+        QCOMPARE(texts.keys(), english.keys());
+        QCOMPARE(texts[u"palettes"].toArray().size(), qsizetype(attractor::builtInPalettes().size()));
+        for (const QString& key : english.keys()) {
+            QVERIFY2(key == u"palettes" || !texts[key].toString().isEmpty(), qPrintable(language + key));
+            QVERIFY2(placesIn(texts[key]) == placesIn(english[key]), qPrintable(language + key));
+        }
+        what.language = language;
+        QCOMPARE(textsOf(), (QJsonObject{{language, texts}}));
+    }
 }
 
 // Modules lose their imports, and no name is declared by two of them.
