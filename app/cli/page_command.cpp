@@ -28,20 +28,21 @@ struct PageArguments {
     bool all = false;
     std::string caption, language;
     io::PageParts parts = io::PageParts::All;
-    std::vector<std::string> allowed{"cage", "code"};
+    std::vector<std::string> allowed{"cage", "maps", "code"};
     std::optional<QSize> size;
     std::uint64_t points = io::PageExport().points;
     Verbosity verbosity;
 };
 
 std::vector<std::string> allowArgument(const std::string&, const std::string& text) {
+    constexpr const char* known[] = {"cage", "maps", "code", "none"};
     std::vector<std::string> words;
     for (const QString& word : QString::fromStdString(text).split(u',')) {
         words.push_back(word.trimmed().toStdString());
-        if (words.back() != "cage" && words.back() != "code" && words.back() != "none")
-            throw UsageError{
-                tr("--allow “%1” is not valid: it must be cage, code, both between commas, or none.")
-                    .arg(QString::fromStdString(text))};
+        if (std::ranges::find(known, words.back()) == std::end(known))
+            throw UsageError{tr("--allow “%1” is not valid: it must be cage, maps, code, some of them "
+                                "between commas, or none.")
+                                 .arg(QString::fromStdString(text))};
     }
     return words;
 }
@@ -59,6 +60,7 @@ io::PageExport pageWith(const PageArguments& arguments, const document::Fractal&
     page.fractal = fractal;
     page.parts = arguments.parts;
     page.allowsCage = allows("cage");
+    page.allowsMaps = allows("maps");
     page.allowsCode = allows("code");
     page.caption = QString::fromStdString(arguments.caption);
     page.language = QString::fromStdString(arguments.language);
@@ -151,8 +153,10 @@ Command pageCommand() {
              "Parts of the page: figure, table (and the maps) or all (and palettes and files to save)",
              "all");
     page.add("--allow", "EDITS", parsed(&arguments->allowed, allowArgument),
-             "What the reader can edit: cage, code, both between commas, or none", "cage,code")
-        .completedBy(Completion::Kind::Words, {"cage", "code", "cage,code", "none"});
+             "What the reader can edit: cage and maps by dragging, code by typing, some of them between "
+             "commas, or none",
+             "cage,maps,code")
+        .completedBy(Completion::Kind::Words, {"cage", "maps", "code", "cage,maps", "cage,code", "none"});
     page.add("--caption", "TEXT", &arguments->caption, "Caption below the name").orEmpty();
     page.add("--lang", "LANGUAGE", parsed(&arguments->language, languageArgument),
              "Language of the page: en, de, es, fr or mk", "that of the browser")

@@ -310,7 +310,7 @@ _barycage_cli_value_of() {
     'collage --angles') kind=words choices=(60 90) ;;
     'steal --mode') kind=words choices=(steal transform grid reduce posterise) ;;
     'page --show') kind=words choices=(figure table all) ;;
-    'page --allow') kind=words choices=(cage code cage,code none) ;;
+    'page --allow') kind=words choices=(cage maps code cage,maps cage,code none) ;;
     'page --lang') kind=words choices=(en de es fr mk) ;;
     *) return 1 ;;
   esac

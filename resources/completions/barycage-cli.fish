@@ -246,7 +246,7 @@ complete -c barycage-cli -n "__fish_seen_subcommand_from page" -s o -l output -r
 complete -c barycage-cli -n "__fish_seen_subcommand_from page" -l entry -x -a "(__barycage_cli_names)" -d "The entry that is shown"
 complete -c barycage-cli -n "__fish_seen_subcommand_from page" -l all -d "A gallery of all entries"
 complete -c barycage-cli -n "__fish_seen_subcommand_from page" -l show -x -a "figure table all" -d "Parts of the page"
-complete -c barycage-cli -n "__fish_seen_subcommand_from page" -l allow -x -a "cage code cage,code none" -d "What the reader can edit"
+complete -c barycage-cli -n "__fish_seen_subcommand_from page" -l allow -x -a "cage maps code cage,maps cage,code none" -d "What the reader can edit"
 complete -c barycage-cli -n "__fish_seen_subcommand_from page" -l caption -x -d "Caption below the name"
 complete -c barycage-cli -n "__fish_seen_subcommand_from page" -l lang -x -a "en de es fr mk" -d "Language of the page"
 complete -c barycage-cli -n "__fish_seen_subcommand_from page" -l size -x -d "Width and height of the picture in pixels of the page"

@@ -131,6 +131,7 @@ QByteArray contentOf(const PageExport& page) {
     json.key("allow");
     json.beginArray(JsonWriter::Layout::Inline);
     if (page.allowsCage) json.value(QStringLiteral("cage"));
+    if (page.allowsMaps) json.value(QStringLiteral("maps"));
     if (page.allowsCode) json.value(QStringLiteral("code"));
     json.endArray();
     json.member("language", page.language);

@@ -31,6 +31,7 @@ struct PageExport {
     QString title; // of a gallery
     PageParts parts = PageParts::All;
     bool allowsCage = true;    // may the reader drag the cage
+    bool allowsMaps = true;    // may the reader drag maps
     bool allowsCode = true;    // may the reader type maps
     QString caption;           // below the name, or the title; empty: none
     QString language;          // one of pageLanguages(); empty: that of the browser

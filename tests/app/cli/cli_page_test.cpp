@@ -51,6 +51,10 @@ void CliPageTest::optionsReachThePage() {
     QVERIFY(page.contains("\"points\": 3e+06"));
     QCOMPARE(run("page systems.ifs --allow none -o page.html").status, 0);
     QVERIFY(read("page.html").contains("\"allow\": []"));
+    QCOMPARE(run("page systems.ifs --allow cage,maps -o page.html").status, 0);
+    QVERIFY(read("page.html").contains("\"allow\": [\"cage\", \"maps\"]"));
+    QCOMPARE(run("page systems.ifs -o page.html").status, 0);
+    QVERIFY(read("page.html").contains("\"allow\": [\"cage\", \"maps\", \"code\"]"));
 }
 
 void CliPageTest::aGalleryHasAllEntriesThatCanBeShown() {
@@ -79,7 +83,8 @@ void CliPageTest::aGalleryHasAllEntriesThatCanBeShown() {
 void CliPageTest::wrongUsage_data() {
     QTest::addColumn<QByteArray>("options");
     QTest::addColumn<QByteArray>("sentence");
-    QTest::newRow("allow") << QByteArray("--allow maps") << QByteArray("--allow “maps” is not valid");
+    QTest::newRow("allow") << QByteArray("--allow maps,colours")
+                           << QByteArray("--allow “maps,colours” is not valid");
     QTest::newRow("show") << QByteArray("--show everything") << QByteArray("--show");
     QTest::newRow("language") << QByteArray("--lang it") << QByteArray("--lang");
     QTest::newRow("points") << QByteArray("--points 12") << QByteArray("--points");
