@@ -2,6 +2,7 @@
 #include "options/commands.h"
 #include "options/tr.h"
 #include "options/usage_error.h"
+#include "page_lesson.h"
 #include "process/arguments.h"
 #include "process/heading.h"
 #include "process/input.h"
@@ -24,7 +25,7 @@ namespace cli {
 namespace {
 
 struct PageArguments {
-    std::string file, entry, output;
+    std::string file, entry, lesson, output;
     bool all = false;
     std::string caption, language;
     io::PageParts parts = io::PageParts::All;
@@ -102,11 +103,19 @@ ExitStatus writeGallery(const PageArguments& arguments, const Input& input) {
     return std::max(read, writeOutput(fileNameOf(arguments.output), io::pageOf(page)));
 }
 
+ExitStatus writeLesson(const PageArguments& arguments, const Input& input) {
+    io::PageExport page = pageWith(arguments, {});
+    const ExitStatus read = addLesson(page, arguments.lesson, input);
+    if (page.steps.isEmpty()) return read;
+    return std::max(read, writeOutput(fileNameOf(arguments.output), io::pageOf(page)));
+}
+
 ExitStatus writePage(const PageArguments& arguments) {
     applied(arguments.verbosity);
     const auto input = readInput(arguments.file);
     if (!input) return ExitStatus::CannotReadOrWrite;
     if (arguments.all) return writeGallery(arguments, *input);
+    if (!arguments.lesson.empty()) return writeLesson(arguments, *input);
     std::vector<std::string> names;
     if (!arguments.entry.empty()) names.push_back(arguments.entry);
     const ToDraw found = entriesToDraw(*input, names);
@@ -148,6 +157,14 @@ Command pageCommand() {
               "A gallery of all entries: small pictures, to be searched by name, each of which leads to its "
               "figure")
         .excludes("--entry");
+    files
+        .add("--lesson", "LESSON", &arguments->lesson,
+             "A lesson about the collection: the texts of its steps, with the entry, cage, colours and area "
+             "of each")
+        .completedBy(Completion::Kind::Files, {"lesson"})
+        .fileName()
+        .excludes("--entry")
+        .excludes("--all");
     const OptionGroup page = command.group("Page");
     page.add("--show", "PARTS", choice(&arguments->parts),
              "Parts of the page: figure, table (and the maps) or all (and palettes and files to save)",

@@ -148,6 +148,8 @@ test("the keyboard alone: M, Tab to maps and their corners, arrows, Escape", asy
   assert.deepEqual((await rows(browser))[1].slice(0, 4), maps[1].slice(0, 4));
   assert.match(await label(browser), /^Map 2, at \(/); // it keeps the focus
   assert.match(await said(browser, "said"), /^Map 2, at \(/);
+  await browser.keys(tab);
+  assert.match(await label(browser), /^Corner 1 of map 2, at \(/);
   await browser.keys("m");
   assert.equal(await browser.value("document.activeElement.id"), "stage");
   await browser.keys(tab);

@@ -3,9 +3,9 @@
 
 #include "bridges/analysis_bridge.h"
 #include "bridges/construction.h"
-#include "document/edits/cage/cage_edits.h"
 #include "document/fractal/fractal_geometry.h"
 #include "document/fractal/space_geometry.h"
+#include "document/lesson/lesson_cage.h"
 #include "document/text/text.h"
 #include "stage/stage.h"
 
@@ -60,25 +60,6 @@ LessonConstruction constructionOf(const view::Construction& construction) {
     return kept;
 }
 
-// The fractal with its cage there; nullopt where the cage has other corners.
-std::optional<document::Fractal> withCage(const document::Fractal& fractal, const LessonCage& cage) {
-    const auto moved = [&](auto present, const auto& corners) -> std::optional<document::Fractal> {
-        if (!present || present->current.size() != corners.size()) return std::nullopt;
-        if (present->current == corners) return fractal;
-        present->current = corners;
-        return document::withCageMoved(fractal, *std::move(present), document::CageMode::Place);
-    };
-    if (std::holds_alternative<LessonAtRest>(cage))
-        return document::isAtRest(fractal) ? fractal : document::withCageAtRest(fractal);
-    if (const auto* plane = std::get_if<std::vector<ifs::Vector<2>>>(&cage))
-        return moved(document::plane(fractal) ? std::optional(document::effectiveCage(fractal))
-                                              : std::nullopt,
-                     *plane);
-    if (const auto* space = std::get_if<std::vector<ifs::Vector<3>>>(&cage))
-        return moved(document::space(fractal) ? document::spaceCage(fractal) : std::nullopt, *space);
-    return fractal;
-}
-
 QString showEntry(document::Document& document, const LessonState& state) {
     if (state.entry.isEmpty()) return {};
     const auto& entries = document.file().entries;
@@ -94,7 +75,7 @@ QString showFractal(document::Document& document, const LessonState& state) {
     const document::Fractal& entry = document.entryFractal();
     if (document::dimension(entry) == 0) return {};
     if (document::animationFacts(entry)) document.setMoment(state.moment.value_or(animation::Moment()));
-    std::optional<document::Fractal> shown = withCage(entry, state.cage);
+    std::optional<document::Fractal> shown = document::withLessonCage(entry, state.cage);
     const bool fits = shown.has_value();
     if (!fits) shown = entry;
     if (state.colourBy && document::plane(entry)) shown->appearance.colourBy = *state.colourBy;

@@ -272,6 +272,12 @@ export class Figure {
     this.change(true);
   }
 
+  /** @param {number[]} area of the plane: its middle, width and height */
+  look([x, y, width, height]) {
+    this.plane = { centre: [x, y], scale: Math.min(this.size.width / width, this.size.height / height) };
+    this.change(true);
+  }
+
   reset() {
     this.current = this.rest;
     this.fit();

@@ -7,6 +7,7 @@ import { readEntry } from "./entry_reader.js";
 import { Figure } from "./figure.js";
 import { Gallery } from "./gallery.js";
 import { entryText } from "./ifs_text.js";
+import { Lesson } from "./lesson.js";
 import { linkData, packed, unpacked } from "./link.js";
 import { fillTable } from "./table.js";
 import { filled, spokenLanguage, textsOf } from "./texts.js";
@@ -15,7 +16,7 @@ import { filled, spokenLanguage, textsOf } from "./texts.js";
 /** @typedef {import("./engine.js").Palette} Palette */
 /** @typedef {(number | null)[]} Row of a map */
 /** What the program has written into the page.
- * @typedef {{entry: Entry, entries?: Entry[], title?: string, caption?: string, show: string, allow: string[], language: string,
+ * @typedef {{entry: Entry, entries?: Entry[], steps?: import("./lesson.js").Step[], title?: string, caption?: string, show: string, allow: string[], language: string,
  *   points: number}} Content */
 
 const content = /** @type {Content} */ (JSON.parse(byId("content").textContent ?? ""));
@@ -258,6 +259,24 @@ function openGallery(entries, drawing, showEntry, isLinked) {
   else close();
 }
 
+/** The lesson of a collection. Each step begins with the entry as it was.
+ * @param {Entry[]} entries @param {import("./lesson.js").Step[]} steps @param {Figure} figure
+ * @param {() => Promise<void>} showEntry */
+function openLesson(entries, steps, figure, showEntry) {
+  const { title = "", caption = "" } = content;
+  new Lesson(title, steps, texts, async (step) => {
+    const own = structuredClone(entries[step.entry]);
+    takeEntry(own);
+    document.title = `${step.title} – ${title}`;
+    byId("caption").textContent = caption;
+    await showEntry();
+    if (entry !== own) return; // another step is shown
+    figure.setHoldsMaps(step.maps && isDragged);
+    if (step.area) figure.look(step.area);
+    speakOfEntry(figure);
+  }).go(0);
+}
+
 async function start() {
   speak();
   listenForLinks();
@@ -280,10 +299,9 @@ async function start() {
   const { showEntry, changeMap } = connect(drawing, figure, palettes);
   // For tests, and for the curious.
   Object.assign(window, { barycage: { drawing, figure, versions, get entry() { return entry; } } });
-  if (content.entries) {
-    document.body.dataset.state = "live";
-    openGallery(content.entries, drawing, showEntry, linked !== null);
-  }
+  if (content.entries) document.body.dataset.state = "live";
+  if (content.steps && content.entries && !linked) openLesson(content.entries, content.steps, figure, showEntry);
+  else if (content.entries && !content.steps) openGallery(content.entries, drawing, showEntry, linked !== null);
   if (!content.entries || linked) await showEntry();
 }
 

@@ -111,6 +111,26 @@ void writeGallery(JsonWriter& json, const PageExport& page) {
     for (const auto& fractal : page.entries)
         writePageEntry(json, *fractal);
     json.endArray();
+    if (page.steps.isEmpty()) return;
+    json.key("steps");
+    json.beginArray();
+    for (const PageStep& step : page.steps) {
+        json.beginObject();
+        json.member("title", step.title);
+        json.member("text", step.text);
+        json.member("entry", int(step.entry));
+        json.member("maps", step.holdsMaps);
+        if (step.area) {
+            const attractor::View& view = step.area->view;
+            json.key("area");
+            json.beginArray(JsonWriter::Layout::Inline);
+            for (const double number : {view.centre.x(), view.centre.y(), step.area->width, view.height})
+                json.value(number);
+            json.endArray();
+        }
+        json.endObject();
+    }
+    json.endArray();
 }
 
 // JSON within a page, which nothing in it can end: no “<” stands in it.
@@ -197,7 +217,8 @@ QString pageObstacle(const document::Fractal& fractal) {
 }
 
 QByteArray pageOf(const PageExport& page) {
-    const QByteArray script = joinedScript(pageModules(!page.entries.isEmpty())), style = styleOf(page);
+    const char* extra = !page.steps.isEmpty() ? "lesson.js" : page.entries.isEmpty() ? nullptr : "gallery.js";
+    const QByteArray script = joinedScript(pageModules(extra)), style = styleOf(page);
     const auto isSolid = [](const auto& fractal) { return document::space(*fractal) != nullptr; };
     const bool knowsSpace = document::space(page.fractal) || std::ranges::any_of(page.entries, isSolid);
     const char* engine = knowsSpace ? "engine.wasm.gz" : "engine_plane.wasm.gz";

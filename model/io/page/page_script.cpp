@@ -46,10 +46,10 @@ QByteArray joinedScript(const std::vector<const char*>& modules) {
     return script + "})();\n";
 }
 
-std::vector<const char*> pageModules(bool isGallery) {
+std::vector<const char*> pageModules(const char* extra) {
     std::vector modules{"numbers.js", "geometry.js", "texts.js",        "dom.js",  "drawing.js",
                         "table.js",   "ifs_text.js", "entry_reader.js", "link.js", "figure.js"};
-    if (isGallery) modules.push_back("gallery.js");
+    if (extra != nullptr) modules.push_back(extra);
     modules.push_back("main.js");
     return modules;
 }

@@ -12,8 +12,9 @@ namespace io {
 QByteArray pagePart(const char* name);
 
 // The modules of the page, and those of its worker: each list becomes one script, without what belongs to
-// modules and to people, in one scope, so that no two of them may declare the same name.
-std::vector<const char*> pageModules(bool isGallery);
+// modules and to people, in one scope, so that no two of them may declare the same name. The extra one, if it
+// is given, is for a gallery or a lesson.
+std::vector<const char*> pageModules(const char* extra);
 std::vector<const char*> workerModules();
 QByteArray joinedScript(const std::vector<const char*>& modules);
 
