@@ -2,6 +2,7 @@
 #include "options/commands.h"
 #include "options/tr.h"
 #include "options/usage_error.h"
+#include "page_lesson.h"
 #include "process/arguments.h"
 #include "process/heading.h"
 #include "process/input.h"
@@ -24,24 +25,25 @@ namespace cli {
 namespace {
 
 struct PageArguments {
-    std::string file, entry, output;
+    std::string file, entry, lesson, output;
     bool all = false;
     std::string caption, language;
     io::PageParts parts = io::PageParts::All;
-    std::vector<std::string> allowed{"cage", "code"};
+    std::vector<std::string> allowed{"cage", "maps", "code"};
     std::optional<QSize> size;
     std::uint64_t points = io::PageExport().points;
     Verbosity verbosity;
 };
 
 std::vector<std::string> allowArgument(const std::string&, const std::string& text) {
+    constexpr const char* known[] = {"cage", "maps", "code", "none"};
     std::vector<std::string> words;
     for (const QString& word : QString::fromStdString(text).split(u',')) {
         words.push_back(word.trimmed().toStdString());
-        if (words.back() != "cage" && words.back() != "code" && words.back() != "none")
-            throw UsageError{
-                tr("--allow “%1” is not valid: it must be cage, code, both between commas, or none.")
-                    .arg(QString::fromStdString(text))};
+        if (std::ranges::find(known, words.back()) == std::end(known))
+            throw UsageError{tr("--allow “%1” is not valid: it must be cage, maps, code, some of them "
+                                "between commas, or none.")
+                                 .arg(QString::fromStdString(text))};
     }
     return words;
 }
@@ -59,6 +61,7 @@ io::PageExport pageWith(const PageArguments& arguments, const document::Fractal&
     page.fractal = fractal;
     page.parts = arguments.parts;
     page.allowsCage = allows("cage");
+    page.allowsMaps = allows("maps");
     page.allowsCode = allows("code");
     page.caption = QString::fromStdString(arguments.caption);
     page.language = QString::fromStdString(arguments.language);
@@ -100,11 +103,19 @@ ExitStatus writeGallery(const PageArguments& arguments, const Input& input) {
     return std::max(read, writeOutput(fileNameOf(arguments.output), io::pageOf(page)));
 }
 
+ExitStatus writeLesson(const PageArguments& arguments, const Input& input) {
+    io::PageExport page = pageWith(arguments, {});
+    const ExitStatus read = addLesson(page, arguments.lesson, input);
+    if (page.steps.isEmpty()) return read;
+    return std::max(read, writeOutput(fileNameOf(arguments.output), io::pageOf(page)));
+}
+
 ExitStatus writePage(const PageArguments& arguments) {
     applied(arguments.verbosity);
     const auto input = readInput(arguments.file);
     if (!input) return ExitStatus::CannotReadOrWrite;
     if (arguments.all) return writeGallery(arguments, *input);
+    if (!arguments.lesson.empty()) return writeLesson(arguments, *input);
     std::vector<std::string> names;
     if (!arguments.entry.empty()) names.push_back(arguments.entry);
     const ToDraw found = entriesToDraw(*input, names);
@@ -146,13 +157,23 @@ Command pageCommand() {
               "A gallery of all entries: small pictures, to be searched by name, each of which leads to its "
               "figure")
         .excludes("--entry");
+    files
+        .add("--lesson", "LESSON", &arguments->lesson,
+             "A lesson about the collection: the texts of its steps, with the entry, cage, colours and area "
+             "of each")
+        .completedBy(Completion::Kind::Files, {"lesson"})
+        .fileName()
+        .excludes("--entry")
+        .excludes("--all");
     const OptionGroup page = command.group("Page");
     page.add("--show", "PARTS", choice(&arguments->parts),
              "Parts of the page: figure, table (and the maps) or all (and palettes and files to save)",
              "all");
     page.add("--allow", "EDITS", parsed(&arguments->allowed, allowArgument),
-             "What the reader can edit: cage, code, both between commas, or none", "cage,code")
-        .completedBy(Completion::Kind::Words, {"cage", "code", "cage,code", "none"});
+             "What the reader can edit: cage and maps by dragging, code by typing, some of them between "
+             "commas, or none",
+             "cage,maps,code")
+        .completedBy(Completion::Kind::Words, {"cage", "maps", "code", "cage,maps", "cage,code", "none"});
     page.add("--caption", "TEXT", &arguments->caption, "Caption below the name").orEmpty();
     page.add("--lang", "LANGUAGE", parsed(&arguments->language, languageArgument),
              "Language of the page: en, de, es, fr or mk", "that of the browser")

@@ -121,7 +121,7 @@ _barycage_cli_options_of() {
       options=(--help --output --entry --from --from-file --order --mode --map --tear --json --picture --picture-view --size --view --background --exact --points --seed --threads --simd --progress --quiet)
       ;;
     page)
-      options=(--help --output --entry --all --show --allow --caption --lang --size --points --progress --quiet)
+      options=(--help --output --entry --all --lesson --show --allow --caption --lang --size --points --progress --quiet)
       ;;
     *) options=() ;;
   esac
@@ -268,7 +268,8 @@ _barycage_cli_value_of() {
       'steal --from-file' | \
       'steal --picture' | \
       'page -o' | \
-      'page --output') kind=files ;;
+      'page --output' | \
+      'page --lesson') kind=files ;;
     'render --look' | \
       'animate --look') kind=words choices=(stone ink cloud x-ray depth normals) ;;
     'render --stereo' | \
@@ -310,7 +311,7 @@ _barycage_cli_value_of() {
     'collage --angles') kind=words choices=(60 90) ;;
     'steal --mode') kind=words choices=(steal transform grid reduce posterise) ;;
     'page --show') kind=words choices=(figure table all) ;;
-    'page --allow') kind=words choices=(cage code cage,code none) ;;
+    'page --allow') kind=words choices=(cage maps code cage,maps cage,code none) ;;
     'page --lang') kind=words choices=(en de es fr mk) ;;
     *) return 1 ;;
   esac

@@ -71,7 +71,7 @@ export class Browser {
   /** A drag with a pointer: "mouse", "touch" or "pen". Points in pixels of the page. */
   async drag(points, { pointer = "mouse", key = null, release = true } = {}) {
     const moves = points.map(([x, y], i) => ({ type: "pointerMove", duration: i === 0 ? 0 : 60, x: Math.round(x), y: Math.round(y) }));
-    const actions = [{ type: "pointer", id: "pointer", parameters: { pointerType: pointer },
+    const actions = [{ type: "pointer", id: pointer, parameters: { pointerType: pointer },
       actions: [moves[0], { type: "pointerDown", button: 0 }, ...moves.slice(1), ...(release ? [{ type: "pointerUp", button: 0 }] : [])] }];
     if (key) await this.send("POST", "/actions", { actions: [{ type: "key", id: "keys", actions: [{ type: "keyDown", value: key }] }] });
     await this.send("POST", "/actions", { actions });

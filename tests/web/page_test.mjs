@@ -7,8 +7,8 @@ import { readFileSync, readdirSync, statSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
 import { test } from "node:test";
 import { Browser } from "./browser.mjs";
-import { alt, cli, collection, control, corners, current, escape, folder, keep, open, page, paper, pixels, rested, right, shift,
-  shown, source, tab } from "./pages.mjs";
+import { alt, cli, collection, control, corners, current, escape, folder, keep, obstacles, open, page, paper, pixels, rested, right, shift,
+  shown, smallTargets, source, tab } from "./pages.mjs";
 
 
 const maple = page(paper, "--entry", "maple", "--caption", "Drag a corner: “the class drags the maple”.");
@@ -101,9 +101,7 @@ test("a telephone: fingers drag, pinch, and nothing is cut off", async () => {
   const scale = await browser.value("barycage.figure.plane.scale");
   await browser.pinch([[150, 200], [250, 200]], [[90, 200], [310, 200]]);
   assert.ok((await browser.value("barycage.figure.plane.scale")) > 1.5 * scale);
-  const small = await browser.value(`[...document.querySelectorAll("button, .corner .reach, input")].filter((e) => {
-    const r = e.getBoundingClientRect(); return r.width > 0 && Math.min(r.width, r.height) < 40; }).map((e) => e.id || e.className)`);
-  assert.deepEqual(small, [], "targets are large enough for fingers");
+  assert.deepEqual(await smallTargets(browser), [], "targets are large enough for fingers");
   assert.deepEqual(await browser.complaints(), []);
 });
 
@@ -220,13 +218,9 @@ test("without WebAssembly there is a still picture and a sentence", async () => 
 });
 
 test("axe finds nothing that keeps anybody out", async () => {
-  const axe = readFileSync(join(process.env.BARYCAGE_NODE_MODULES, "axe-core/axe.min.js"), "utf8");
   for (const dark of [false, true]) {
     const browser = await shown(maple, { dark });
-    await browser.send("POST", "/execute/sync", { script: `${axe}; window.axe = axe;`, args: [] });
-    const found = await browser.send("POST", "/execute/async", { args: [], script: `const done = arguments[0];
-      axe.run().then((r) => done(r.violations.map((v) => v.id + ": " + v.nodes.map((n) => n.target).join(" "))));` });
-    assert.deepEqual(found, []);
+    assert.deepEqual(await obstacles(browser), []);
   }
 });
 

@@ -2,7 +2,7 @@
 // What the tests of pages share: pages that barycage-cli writes, browsers that show them, and what is seen there.
 // Pictures of it go to BARYCAGE_PICTURES, if it is given.
 import { execFileSync } from "node:child_process";
-import { mkdtempSync, writeFileSync } from "node:fs";
+import { mkdtempSync, readFileSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { after } from "node:test";
@@ -55,6 +55,16 @@ export const pixels = (browser) => browser.value(`(() => { const c = document.ge
   copy.drawImage(c, 0, 0);
   const d = copy.getImageData(0, 0, c.width, c.height).data; let sum = 0;
   for (let i = 0; i < d.length; i += 4) sum = (sum * 31 + d[i] + 256 * d[i + 1]) % 4294967291; return sum; })()`);
+/** Of axe, which finds what keeps people out. @returns {Promise<string[]>} */
+export async function obstacles(browser) {
+  const axe = readFileSync(join(process.env.BARYCAGE_NODE_MODULES, "axe-core/axe.min.js"), "utf8");
+  await browser.send("POST", "/execute/sync", { script: `${axe}; window.axe = axe;`, args: [] });
+  return browser.send("POST", "/execute/async", { args: [], script: `const done = arguments[0];
+    axe.run().then((r) => done(r.violations.map((v) => v.id + ": " + v.nodes.map((n) => n.target).join(" "))));` });
+}
+/** What is too small for fingers. */
+export const smallTargets = (browser) => browser.value(`[...document.querySelectorAll("button, .corner .reach, input")].filter((e) => {
+  const r = e.getBoundingClientRect(); return r.width > 0 && Math.min(r.width, r.height) < 40; }).map((e) => e.id || e.className)`);
 /** A click of the mouse. @param {string} id */
 export async function press(browser, id) {
   const { x, y } = await browser.value(`(() => { const button = document.getElementById("${id}");

@@ -3,7 +3,6 @@
 
 #include "bridges/analysis_bridge.h"
 #include "bridges/construction.h"
-#include "document/edits/cage/cage_edits.h"
 #include "document/fractal/fractal_geometry.h"
 #include "document/fractal/space_geometry.h"
 #include "document/lesson/shown_step.h"

@@ -10,7 +10,7 @@
  * @typedef {{width: number, height: number, ratio: number, view: number[], rest: Point[], current: Point[],
  *   bends: boolean}} Scene */
 /** @typedef {{kind: string, palettes?: Palette[], versions?: string, knowsSpace?: boolean,
- *   extent?: Extent | null, pixels?: Uint8ClampedArray<ArrayBuffer>,
+ *   extent?: Extent | null, row?: (number | null)[], isStopped?: boolean, pixels?: Uint8ClampedArray<ArrayBuffer>,
  *   width?: number, height?: number, samples?: number, milliseconds?: number, hash?: string}} Answer */
 
 const liveMilliseconds = 11; // for a picture of a drag

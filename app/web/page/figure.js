@@ -2,8 +2,8 @@
 // The picture with its cage: what is held, dragged, turned and zoomed.
 
 import { byId, shape } from "./dom.js";
-import { carried, dragged, fitted, fittedInSpace, middle, minus, offsetInSpace, partAt, plus, times, toPixel, toPixelInSpace,
-  toWorld, zoomed } from "./geometry.js";
+import { carried, dragged, fitted, fittedInSpace, image, middle, minus, offsetInSpace, partAt, plus, times, toPixel,
+  toPixelInSpace, toWorld, withImagesMoved, zoomed } from "./geometry.js";
 import { readable } from "./numbers.js";
 import { filled } from "./texts.js";
 
@@ -13,16 +13,24 @@ import { filled } from "./texts.js";
 /** @typedef {import("./geometry.js").PlaneView} PlaneView */
 /** @typedef {import("./geometry.js").SpaceView} SpaceView */
 /** @typedef {import("./texts.js").Texts} Texts */
-/** What the pointer has pressed, as it was then.
- * @typedef {{moving: number[], from: Point, pixel: Point, vertices: Point[], plane: PlaneView, space: SpaceView}} Press
- */
+/** What can be dragged, as it is shown: the cage, or a map as its image of the cage.
+ * @typedef {{map: number | null, points: Point[]}} Held */
+/** What of it moves: indices of points.
+ * @typedef {Held & {part: string, moving: number[]}} Grip */
+/** What the pointer has pressed, as it was then. Where nothing moves, it is the view.
+ * @typedef {Grip & {row: (number | null)[], from: Point, pixel: Point, plane: PlaneView, space: SpaceView}} Press */
 
 const reachOfFinger = 26, reachOfMouse = 14; // pixels
 const margin = 0.09;
+const mostHandled = 60; // maps
+// As attractor::categoricalColour().
+const mapColours = ["#f5ae39", "#37aae3", "#f75f4c", "#59d38c", "#d476cd", "#e0d653", "#7382e6", "#47c7c7", "#f07999",
+  "#71a255", "#e5b28a", "#ae96da"];
 
 export class Figure {
   /** @param {Entry} entry @param {Texts} texts @param {string} language @param {boolean} isHeld may its cage be dragged
-   * @param {{draw: (findsExposure?: boolean) => void, setLive: (isLive: boolean) => void}} drawing */
+   * @param {{draw: (findsExposure?: boolean) => void, setLive: (isLive: boolean) => void,
+   *   changeMap: (map: number, row: (number | null)[]) => Promise<void>}} drawing */
   constructor(entry, texts, language, isHeld, drawing) {
     this.stage = byId("stage");
     this.canvas = /** @type {HTMLCanvasElement} */ (byId("canvas"));
@@ -50,6 +58,12 @@ export class Figure {
     this.pointers = new Map();
     this.isSpace = false;
     this.isKnown = false; // the engine has the entry
+    this.holdsMaps = false; // not the cage
+    this.chosen = 0; // map, whose corners have handles
+    /** @type {SVGGElement[]} */
+    this.groups = []; // of handles
+    /** @type {Promise<void> | undefined} */
+    this.changed = undefined; // when the picture has a map as it was dragged
     this.entry = entry;
     this.take(entry);
     this.listen();
@@ -60,7 +74,7 @@ export class Figure {
     this.entry = entry;
     this.isKnown = false;
     this.extent = null;
-    this.rest = this.current = [];
+    this.rest = this.current = this.groups = [];
     const [x, y, z, azimuth, elevation, height, field] = entry.view ?? [0, 0, 0, 30, 20, 2, 0];
     this.home = { target: [x, y, z], azimuth, elevation, height, field };
     this.space = this.home;
@@ -100,42 +114,105 @@ export class Figure {
       const isPlaced = before.rest.length > 0 && this.rest.length > 0;
       this.current = isPlaced ? carried(before.rest, before.current, this.rest) : this.rest;
     }
-    this.makeHandles();
+    this.holdsMaps &&= this.hasMaps;
+    if (this.groups.length !== this.held().length || !this.holdsMaps) this.makeHandles();
     if (this.isSpace && !this.entry.view && extent && before.rest.length === 0)
       this.home = fittedInSpace(this.home, [...this.current, extent.box.slice(0, 3), extent.box.slice(3, 6)], margin);
     if (before.rest.length === 0) this.fit();
     else this.change();
   }
 
+  /** Whether maps can be held: where the cage carries them by an affine map. */
+  get hasMaps() {
+    return this.rest.length === this.entry.dimension + 1;
+  }
+
+  /** @param {boolean} holdsMaps */
+  setHoldsMaps(holdsMaps) {
+    const hadFocus = this.svg.contains(document.activeElement);
+    this.holdsMaps = holdsMaps && this.hasMaps;
+    this.chosen = 0;
+    this.makeHandles();
+    this.layOut();
+    if (hadFocus) this.stage.focus();
+  }
+
+  /** @returns {Held[]} */
+  held() {
+    if (!this.holdsMaps) return this.current.length > 0 ? [{ map: null, points: this.current }] : [];
+    return this.entry.maps.slice(0, mostHandled).map((row, map) =>
+      ({ map, points: carried(this.rest, this.current, this.rest.map((p) => image(row, p))) }));
+  }
+
   makeHandles() {
-    const handles = this.isHeld ? this.current.map((_, i) => {
-      const handle = shape("g", { class: "corner", tabindex: "0", role: "button", "aria-describedby": "corner-help" });
-      handle.append(shape("circle", { class: "reach", r: "22" }), shape("circle", { class: "dot", r: "7.5" }));
-      handle.dataset.corner = String(i);
-      return handle;
-    }) : [];
-    const lines = this.isSpace
-      ? this.current.flatMap((_, i) => this.current.slice(i + 1).map(() => shape("line", { class: "edge" })))
-      : [shape("polygon", { class: "rest" }), shape("polygon", { class: "edge" })];
-    this.svg.replaceChildren(...(this.isHeld && (!this.isSpace || this.current.length === 4) ? lines : []), ...handles);
+    const edge = (/** @type {Point[]} */ points) => !this.isSpace ? [shape("polygon", { class: "edge" })]
+      : points.length === 4 ? Array.from({ length: 6 }, () => shape("line", { class: "edge" })) : [];
+    this.groups = (this.isHeld || this.holdsMaps ? this.held() : []).map(({ map, points }) => {
+      const group = shape("g");
+      group.style.setProperty("--cage", map === null ? "" : this.colour(map));
+      const handles = [...(map === null ? [] : [this.handle(map, points.length, String(map + 1))]),
+        ...points.map((_, i) => this.handle(map, i, ""))]; // a map comes before its corners
+      group.append(...edge(points), ...handles);
+      return group;
+    });
+    const around = this.isSpace ? [] : [shape("polygon", { class: "rest" })];
+    this.svg.replaceChildren(...(this.groups.length > 0 ? around : []), ...this.groups);
+  }
+
+  /** @param {number} map */
+  colour(map) {
+    const own = this.entry.appearance?.mapColours?.find(([index]) => index === map);
+    return own ? `rgb(${own[1].slice(0, 3).join(" ")})` : mapColours[map % mapColours.length];
+  }
+
+  /** Of a corner or, with a number in it, of a map as a whole.
+   * @param {number | null} map @param {number} corner @param {string} number */
+  handle(map, corner, number) {
+    const handle = shape("g", { class: number ? "corner middle" : "corner", tabindex: "0", role: "button", "aria-describedby": "corner-help" });
+    handle.append(shape("circle", { class: "reach", r: "22" }), shape("circle", { class: "dot", r: number ? "11" : "7.5" }));
+    if (number) handle.append(shape("text", { "aria-hidden": "true", dy: ".36em" }));
+    if (number) handle.children[2].textContent = number;
+    handle.dataset.corner = String(corner);
+    handle.dataset.map = String(map ?? "");
+    handle.addEventListener("focus", () => this.choose(map));
+    return handle;
+  }
+
+  /** The map whose corners can be held from now on. @param {number | null} map */
+  choose(map) {
+    this.chosen = map ?? 0;
+    this.groups.forEach((group, i) => group.classList.toggle("chosen", !this.holdsMaps || i === this.chosen));
   }
 
   /** Moves the handles to where the corners are. */
   layOut() {
-    const corners = this.corners();
     const text = (/** @type {Point[]} */ points) => points.map((p) => p.map((x) => x.toFixed(2)).join()).join(" ");
-    const rest = this.svg.querySelector(".rest"), edge = this.svg.querySelector("polygon.edge");
-    rest?.setAttribute("points", text(this.rest.map((p) => toPixel(this.plane, this.size, p))));
-    rest?.classList.toggle("moved", this.rest.some((p, i) => p.some((x, k) => x !== this.current[i][k])));
-    edge?.setAttribute("points", text(corners));
-    const pairs = corners.flatMap((a, i) => corners.slice(i + 1).map((b) => [a, b]));
-    this.svg.querySelectorAll("line.edge").forEach((line, i) => {
-      ["x1", "y1", "x2", "y2"].forEach((name, k) => line.setAttribute(name, pairs[i].flat()[k].toFixed(2)));
+    const rest = this.svg.querySelector(".rest");
+    const isMoved = this.rest.some((p, i) => p.some((x, k) => x !== this.current[i][k]));
+    rest?.setAttribute("points", text((this.holdsMaps ? this.current : this.rest).map((p) => this.pixel(p))));
+    rest?.classList.toggle("moved", isMoved || this.holdsMaps);
+    this.held().slice(0, this.groups.length).forEach(({ map, points }, n) => {
+      const corners = points.map((p) => this.pixel(p)), all = [...corners, this.pixel(middle(points))];
+      this.groups[n].querySelector("polygon")?.setAttribute("points", text(corners));
+      const pairs = corners.flatMap((a, i) => corners.slice(i + 1).map((b) => [a, b]));
+      this.groups[n].querySelectorAll("line").forEach((line, i) => {
+        ["x1", "y1", "x2", "y2"].forEach((name, k) => line.setAttribute(name, pairs[i].flat()[k].toFixed(2)));
+      });
+      for (const handle of /** @type {NodeListOf<SVGElement>} */ (this.groups[n].querySelectorAll(".corner"))) {
+        const corner = Number(handle.dataset.corner);
+        handle.setAttribute("transform", `translate(${text([all[corner]])})`);
+        handle.setAttribute("aria-label", this.name(map, corner));
+      }
     });
-    this.svg.querySelectorAll(".corner").forEach((handle, i) => {
-      handle.setAttribute("transform", `translate(${corners[i].map((x) => x.toFixed(2)).join()})`);
-      handle.setAttribute("aria-label", filled(this.texts.corner, i + 1, this.spoken(this.current[i])));
-    });
+    this.choose(this.chosen);
+  }
+
+  /** A handle and where it is, for those who listen. @param {number | null} map @param {number} corner */
+  name(map, corner) {
+    const { points } = this.held()[map ?? 0];
+    const place = this.spoken([...points, middle(points)][corner]), { texts } = this;
+    return map === null ? filled(texts.corner, corner + 1, place)
+      : corner < points.length ? filled(texts.mapCorner, corner + 1, map + 1, place) : filled(texts.mapPlace, map + 1, place);
   }
 
   /** @param {Point} point */
@@ -143,10 +220,14 @@ export class Figure {
     return `(${point.map((x) => readable(x, this.language)).join("; ")})`;
   }
 
-  /** The corners in pixels of the page. */
+  /** @param {Point} point @returns {Point} in pixels of the page */
+  pixel(point) {
+    return this.isSpace ? toPixelInSpace(this.shownSpace(), this.size, point) : toPixel(this.plane, this.size, point);
+  }
+
+  /** The corners of the cage, in pixels of the page. */
   corners() {
-    return this.current.map((p) => this.isSpace ? toPixelInSpace(this.shownSpace(), this.size, p)
-      : toPixel(this.plane, this.size, p));
+    return this.current.map((p) => this.pixel(p));
   }
 
   /** The camera in space, which shows all of what is as wide as high also where the picture is narrow. */
@@ -191,6 +272,12 @@ export class Figure {
     this.change(true);
   }
 
+  /** @param {number[]} area of the plane: its middle, width and height */
+  look([x, y, width, height]) {
+    this.plane = { centre: [x, y], scale: Math.min(this.size.width / width, this.size.height / height) };
+    this.change(true);
+  }
+
   reset() {
     this.current = this.rest;
     this.fit();
@@ -209,11 +296,27 @@ export class Figure {
     return [event.clientX - left, event.clientY - top];
   }
 
-  /** @param {Point} pixel @param {number} reach */
+  /** What is held there: the nearest handle that is seen, then an edge or the inside, of the chosen map before others.
+   * @param {Point} pixel @param {number} reach @returns {Grip | null} */
   partUnder(pixel, reach) {
-    if (!this.isHeld || this.current.length === 0) return null;
-    const part = partAt(this.corners(), pixel, reach);
-    return this.isSpace && part?.part !== "vertex" ? null : part;
+    const held = this.groups.length > 0 ? this.held() : [];
+    const isChosen = (/** @type {Held} */ { map }) => map === null || map === this.chosen;
+    /** @type {Grip | null} */
+    let found = null;
+    for (const shown of held)
+      [...shown.points, middle(shown.points)].forEach((point, i, { length }) => {
+        const isWhole = i === length - 1, apart = Math.hypot(...minus(this.pixel(point), pixel));
+        if (apart > reach || !(isWhole ? shown.map !== null : isChosen(shown))) return;
+        reach = apart;
+        found = { ...shown, part: "vertex", moving: isWhole ? shown.points.map((_, k) => k) : [i] };
+      });
+    if (found || this.isSpace) return found;
+    for (const shown of [...held.filter(isChosen), ...held]) {
+      const { map, points } = shown, all = points.map((_, k) => k);
+      const part = partAt(points.map((p) => this.pixel(p)), pixel, reach);
+      if (part) return { ...shown, part: part.part, moving: part.part === "edge" && map === null ? [part.index, (part.index + 1) % all.length] : all };
+    }
+    return null;
   }
 
   /** @param {PointerEvent} event */
@@ -229,15 +332,32 @@ export class Figure {
 
   /** @param {Point} pixel @param {number} reach */
   begin(pixel, reach) {
-    const part = this.partUnder(pixel, reach);
-    const all = this.current.map((_, i) => i);
-    const moving = !part ? [] : part.part === "inside" ? all
-      : part.part === "edge" ? [part.index, (part.index + 1) % all.length] : [part.index];
-    this.press = { moving, from: toWorld(this.plane, this.size, pixel), pixel, vertices: this.current,
+    const grip = this.partUnder(pixel, reach) ?? { map: null, points: this.current, part: "", moving: [] };
+    this.press = { ...grip, row: this.rowOf(grip.map), from: toWorld(this.plane, this.size, pixel), pixel,
       plane: this.plane, space: this.space };
-    this.stage.classList.toggle("dragging", moving.length > 0);
-    this.svg.querySelectorAll(".corner").forEach((handle, i) =>
-      handle.classList.toggle("held", moving.length === 1 && moving[0] === i));
+    if (grip.map !== null) this.choose(grip.map);
+    this.stage.classList.toggle("dragging", grip.moving.length > 0);
+    this.groups[grip.map ?? 0]?.querySelectorAll(".corner").forEach((handle) =>
+      handle.classList.toggle("held", grip.moving.length === 1 && handle.getAttribute("data-corner") === String(grip.moving[0])));
+  }
+
+  /** @param {number | null} map */
+  rowOf(map) {
+    return map === null ? [] : [...this.entry.maps[map]];
+  }
+
+  /** Brings what is held to other points. @param {Held & {row: (number | null)[]}} held @param {Point[]} points */
+  put({ map, points: before, row }, points) {
+    if (map === null) {
+      this.current = points;
+      this.change();
+      return;
+    }
+    const inCode = carried(this.current, this.rest, [...before, ...points]);
+    const offsets = before.map((_, i) => minus(inCode[before.length + i], inCode[i]));
+    if (!offsets.flat().every(Number.isFinite)) return; // the cage is flat
+    this.entry.cage ??= { rest: this.rest, current: this.current, bends: true }; // it stays where it is
+    this.changed = this.drawing.changeMap(map, withImagesMoved(row, this.rest, offsets));
   }
 
   /** @param {PointerEvent} event */
@@ -282,15 +402,15 @@ export class Figure {
         this.plane = { centre: [centre[0] - shift[0] / scale, centre[1] + shift[1] / scale], scale };
       }
     } else if (this.isSpace) {
-      const offset = offsetInSpace(this.shownSpace(), this.size, press.vertices[press.moving[0]], shift);
-      this.current = press.vertices.map((v, i) => (press.moving.includes(i) ? plus(v, offset) : v));
+      const offset = offsetInSpace(this.shownSpace(), this.size, press.points[press.moving[0]], shift);
+      this.put(press, press.points.map((v, i) => (press.moving.includes(i) ? plus(v, offset) : v)));
     } else {
-      const isWhole = press.moving.length === this.current.length;
+      const isWhole = press.moving.length === press.points.length;
       const mode = isWhole && keys.ctrlKey ? "rotate" : isWhole && keys.altKey ? "scale" : "move";
       const to = toWorld(press.plane, this.size, pixel);
-      this.current = dragged(press.vertices, press.moving, mode, press.from, to, keys.shiftKey);
+      this.put(press, dragged(press.points, press.moving, mode, press.from, to, keys.shiftKey));
     }
-    this.change();
+    if (press.moving.length === 0) this.change();
   }
 
   /** @param {number} azimuth @param {number} elevation */
@@ -302,8 +422,7 @@ export class Figure {
   released(event, isCancelled) {
     if (!this.pointers.delete(event.pointerId)) return;
     if (this.press && isCancelled) this.cancel();
-    if (this.press && this.press.moving.length === 1)
-      this.say(this.press.moving[0]);
+    if (this.press && this.press.moving.length > 0) this.say(this.press.map, this.press.moving);
     this.press = null;
     this.stage.classList.remove("dragging");
     this.svg.querySelectorAll(".held").forEach((handle) => handle.classList.remove("held"));
@@ -312,16 +431,17 @@ export class Figure {
 
   cancel() {
     if (!this.press) return;
-    this.current = this.press.vertices;
+    if (this.press.moving.length > 0) this.put(this.press, this.press.points);
     this.plane = this.press.plane;
     this.space = this.press.space;
     this.press = null;
     this.change();
   }
 
-  /** @param {number} corner */
-  say(corner) {
-    this.said.textContent = filled(this.texts.corner, corner + 1, this.spoken(this.current[corner]));
+  /** Says where a corner or a map is, once it is there. @param {number | null} map @param {number[]} moving */
+  async say(map, moving) {
+    await this.changed;
+    if (map !== null || moving.length === 1) this.said.textContent = this.name(map, moving.length > 1 ? moving.length : moving[0]);
   }
 
   /** @param {KeyboardEvent} event */
@@ -329,15 +449,15 @@ export class Figure {
     if (event.ctrlKey || event.altKey || event.metaKey) return;
     /** @type {Record<string, Point>} */
     const arrows = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, -1], ArrowDown: [0, 1] };
-    const corner = event.target instanceof SVGElement ? event.target.closest("g")?.dataset.corner : undefined;
+    const handle = event.target instanceof SVGElement ? event.target.closest("g")?.dataset : undefined;
     const centre = [this.size.width / 2, this.size.height / 2];
     if (Object.hasOwn(arrows, event.key)) {
       const step = times(arrows[event.key], event.shiftKey ? 40 : 8);
-      if (corner !== undefined) this.moveBy([Number(corner)], step);
+      if (handle) this.moveBy(handle.map ? Number(handle.map) : null, Number(handle.corner), step);
       else if (this.isSpace) {
         this.turnTo(this.space.azimuth - step[0] / 2, this.space.elevation + step[1] / 2);
         this.change();
-      } else if (this.isHeld && this.current.length > 0) this.moveBy(this.current.map((_, i) => i), step);
+      } else if (this.isHeld && !this.holdsMaps && this.current.length > 0) this.moveBy(null, this.current.length, step);
       else {
         this.pan(times(step, -1));
         this.change();
@@ -346,16 +466,18 @@ export class Figure {
     else if (event.key === "-") this.zoom(centre, 0.8);
     else if (event.key === "0") this.fit();
     else if (event.key === "Escape") this.cancel();
+    else if (event.key.toLowerCase() === "m" && !this.press) byId("hold-maps").click();
     else return;
     event.preventDefault();
   }
 
-  /** @param {number[]} moving @param {Point} pixels */
-  moveBy(moving, pixels) {
+  /** @param {number | null} map @param {number} corner that of a handle @param {Point} pixels */
+  moveBy(map, corner, pixels) {
+    const { points } = this.held()[map ?? 0], moving = corner < points.length ? [corner] : points.map((_, i) => i);
     const offset = (/** @type {Point} */ v) => this.isSpace ? offsetInSpace(this.shownSpace(), this.size, v, pixels)
       : [pixels[0] / this.plane.scale, -pixels[1] / this.plane.scale];
-    this.current = this.current.map((v, i) => (moving.includes(i) ? plus(v, offset(v)) : v));
-    this.change();
-    if (moving.length === 1) this.say(moving[0]);
+    const by = offset(moving.length === 1 ? points[corner] : middle(points));
+    this.put({ map, points, row: this.rowOf(map) }, points.map((v, i) => (moving.includes(i) ? plus(v, by) : v)));
+    this.say(map, moving);
   }
 }

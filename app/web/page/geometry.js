@@ -170,6 +170,31 @@ export function carried(from, to, points) {
   });
 }
 
+/** @param {(number | null)[]} row of a map @param {Point} point @returns {Point} its image */
+export function image(row, point) {
+  const m = /** @type {number[]} */ (row), d = point.length;
+  return point.map((_, i) => dot(m.slice(i * d, i * d + d), point) + m[d * d + i]);
+}
+
+/** The row of a map whose images of a simplex are moved. Where all move alike, its matrix stays as it is.
+ * @param {(number | null)[]} row @param {Point[]} simplex @param {Point[]} offsets */
+export function withImagesMoved(row, simplex, offsets) {
+  const m = /** @type {number[]} */ ([...row]), [origin, ...ends] = simplex, [first, ...others] = offsets, d = ends.length;
+  const least = 1e-12 * Math.max(...offsets.flat().map(Math.abs));
+  const apart = others.map((offset) => minus(offset, first).map((x) => (Math.abs(x) < least ? 0 : x)));
+  const sides = ends.map((p) => minus(p, origin));
+  first.forEach((_, column) => {
+    const shares = solved(sides, first.map((_, i) => (i === column ? 1 : 0)));
+    first.forEach((_, i) => {
+      const slope = shares.reduce((sum, share, k) => sum + share * apart[k][i], 0);
+      m[i * d + column] += slope;
+      m[d * d + i] -= slope * origin[column];
+    });
+  });
+  first.forEach((x, i) => (m[d * d + i] += x));
+  return m;
+}
+
 /** Cramer's rule for two or three columns.
  * @param {Point[]} columns @param {Point} right @returns {number[]} */
 function solved(columns, right) {

@@ -7,21 +7,24 @@ import { readEntry } from "./entry_reader.js";
 import { Figure } from "./figure.js";
 import { Gallery } from "./gallery.js";
 import { entryText } from "./ifs_text.js";
+import { Lesson } from "./lesson.js";
 import { linkData, packed, unpacked } from "./link.js";
 import { fillTable } from "./table.js";
-import { filled, paletteTitle, spokenLanguage, textsOf } from "./texts.js";
+import { filled, spokenLanguage, textsOf } from "./texts.js";
 
 /** @typedef {import("./engine.js").Entry} Entry */
 /** @typedef {import("./engine.js").Palette} Palette */
+/** @typedef {(number | null)[]} Row of a map */
 /** What the program has written into the page.
- * @typedef {{entry: Entry, entries?: Entry[], title?: string, caption?: string, show: string, allow: string[], language: string,
+ * @typedef {{entry: Entry, entries?: Entry[], steps?: import("./lesson.js").Step[], title?: string, caption?: string, show: string, allow: string[], language: string,
  *   points: number}} Content */
 
 const content = /** @type {Content} */ (JSON.parse(byId("content").textContent ?? ""));
 const language = content.language || spokenLanguage(navigator.languages);
 const texts = textsOf(language);
 let entry = content.entries?.[0] ?? content.entry; // or that of a link, or one that is chosen
-const isHeld = content.allow.includes("cage"), isTyped = content.allow.includes("code");
+let first = structuredClone(entry); // as it was shown first
+const [isHeld, isDragged, isTyped] = ["cage", "maps", "code"].map((edit) => content.allow.includes(edit));
 let isEdited = false;
 
 /** @param {number} points */
@@ -37,19 +40,24 @@ function tell(sentence) {
 
 function speak() {
   document.documentElement.lang = language;
-  for (const place of document.querySelectorAll("[data-text]"))
-    place.textContent = texts[/** @type {keyof typeof texts} */ (place.getAttribute("data-text"))];
+  const textFor = (/** @type {Element} */ place, /** @type {string} */ attribute) =>
+    String(texts[/** @type {keyof typeof texts} */ (place.getAttribute(attribute))]);
+  for (const place of document.querySelectorAll("[data-text]")) place.textContent = textFor(place, "data-text");
   for (const place of document.querySelectorAll("[data-label]")) {
-    const text = texts[/** @type {keyof typeof texts} */ (place.getAttribute("data-label"))];
+    const text = textFor(place, "data-label");
     place.setAttribute("aria-label", text);
     place.setAttribute("title", text);
   }
 }
 
-function speakOfEntry() {
-  const isTouch = matchMedia("(pointer: coarse)").matches;
-  const hints = entry.dimension === 3 ? [texts.turn, texts.deform] : ["", isTouch ? texts.touch : texts.drag];
-  byId("hint").textContent = hints.slice(0, isHeld ? 2 : 1).join(" ");
+/** @param {Figure} figure */
+function speakOfEntry({ holdsMaps, hasMaps }) {
+  const isTouch = matchMedia("(pointer: coarse)").matches, isSolid = entry.dimension === 3;
+  const maps = isTouch || isSolid ? texts.touchMap : texts.dragMap;
+  const cage = !isHeld ? "" : isSolid ? texts.deform : isTouch ? texts.touch : texts.drag;
+  byId("hint").textContent = `${isSolid ? texts.turn : ""} ${holdsMaps ? maps : cage}`;
+  byId("hold-maps").hidden = !isDragged || !hasMaps;
+  byId("hold-maps").setAttribute("aria-pressed", String(holdsMaps));
 }
 
 function failed() {
@@ -71,6 +79,8 @@ async function linkedEntry(palettes, knowsSpace) {
 /** Shows this entry in place of the one that the program has put here. @param {Entry} shown */
 function takeEntry(shown) {
   entry = shown;
+  first = structuredClone(shown);
+  if (isEdited) byId("notice").textContent = "";
   isEdited = false;
   document.title = entry.name;
   byId("name").textContent = entry.name;
@@ -123,8 +133,8 @@ function showPicture({ width = 0, height = 0, pixels, samples = 0 }) {
 /** @param {Palette[]} palettes @param {(palette: Palette) => void} choose */
 function fillPalettes(palettes, choose) {
   const given = JSON.stringify(entry.appearance?.stops ?? palettes[0].stops);
-  byId("palettes").replaceChildren(...palettes.map((palette) => {
-    const title = paletteTitle(palette.name, language);
+  byId("palettes").replaceChildren(...palettes.map((palette, i) => {
+    const title = texts.palettes[i] ?? palette.name;
     const swatch = element("button", { type: "button", role: "radio", class: "swatch", "aria-label": title, title,
       "aria-checked": String(JSON.stringify(palette.stops) === given) });
     swatch.style.backgroundImage = `linear-gradient(90deg, ${palette.stops.map(([at, r, g, b]) =>
@@ -138,40 +148,42 @@ function fillPalettes(palettes, choose) {
 }
 
 /** @param {Drawing} drawing @param {Figure} figure @param {Palette[]} palettes
- * @returns {() => Promise<void>} shows the entry of the page */
+ * @returns {{showEntry: () => Promise<void>, changeMap: (map: number, to: Row) => Promise<void>}} what shows
+ *   the entry of the page, and what drags a map of it */
 function connect(drawing, figure, palettes) {
+  /** @type {{map: number, to: Row} | undefined} */
+  let next;
+  let showNumbers = () => {};
   const load = async () => {
-    const loaded = entry;
-    const { extent } = await drawing.ask({ kind: "load", entry });
+    const loaded = entry, change = next && { ...next, from: entry.maps[next.map] };
+    next = undefined;
+    const { extent, row, isStopped } = await drawing.ask({ kind: "load", entry, change });
     if (loaded !== entry) return;
-    tell(extent ? "" : texts.noAttractor);
+    if (change) Object.assign(entry.maps[change.map], row);
+    if (change) showNumbers();
+    const sentence = isStopped ? texts.stopped : extent ? "" : texts.noAttractor;
+    tell(change ? "" : sentence);
+    if (isEdited) byId("notice").textContent = change ? sentence : "";
     figure.hold(extent ?? null);
+    speakOfEntry(figure);
   };
-  let isLoading = false, isOld = false;
-  const reload = async () => {
+  let isOld = false;
+  /** @type {Promise<void> | null} */
+  let loading = null;
+  const reload = () => {
     isOld = true;
-    if (isLoading) return;
-    isLoading = true;
-    while (isOld) {
-      isOld = false;
-      await load();
-    }
-    isLoading = false;
+    return loading ??= (async () => {
+      while (isOld) {
+        isOld = false;
+        await load();
+      }
+      loading = null;
+    })();
   };
-  byId("reset").addEventListener("click", () => figure.reset());
-  byId("fit").addEventListener("click", () => figure.fit());
-  byId("png").addEventListener("click", () => {
-    const canvas = /** @type {HTMLCanvasElement} */ (byId("canvas"));
-    canvas.toBlob((blob) => blob && save(blob, `${entry.name}.png`));
-  });
-  byId("ifs").addEventListener("click", () =>
-    save(new Blob([entryText(entry, figure.rest, figure.current, isEdited)], { type: "text/plain" }), `${entry.name}.ifs`));
-  byId("copy-link").addEventListener("click", () => copyLink(figure));
-  return async () => {
+  const showEntry = async () => {
     drawing.stop();
-    speakOfEntry();
     figure.take(entry);
-    fillTable(byId("maps"), entry, texts, isTyped, () => {
+    showNumbers = fillTable(byId("maps"), entry, texts, isTyped, () => {
       isEdited = true;
       reload();
     }, tell);
@@ -183,6 +195,32 @@ function connect(drawing, figure, palettes) {
     });
     await load();
   };
+  byId("hold-maps").addEventListener("click", () => {
+    figure.setHoldsMaps(!figure.holdsMaps);
+    speakOfEntry(figure);
+  });
+  byId("reset").addEventListener("click", async () => {
+    if (isEdited) {
+      entry = { ...structuredClone(first), appearance: entry.appearance, palette: entry.palette };
+      isEdited = false;
+      byId("notice").textContent = "";
+      await showEntry();
+    }
+    figure.reset();
+  });
+  byId("fit").addEventListener("click", () => figure.fit());
+  byId("png").addEventListener("click", () => {
+    const canvas = /** @type {HTMLCanvasElement} */ (byId("canvas"));
+    canvas.toBlob((blob) => blob && save(blob, `${entry.name}.png`));
+  });
+  byId("ifs").addEventListener("click", () =>
+    save(new Blob([entryText(entry, figure.rest, figure.current, isEdited)], { type: "text/plain" }), `${entry.name}.ifs`));
+  byId("copy-link").addEventListener("click", () => copyLink(figure));
+  return { showEntry, changeMap(map, to) {
+    next = { map, to };
+    isEdited = true;
+    return reload();
+  } };
 }
 
 /** The gallery of a collection, a click in which leads to a figure, and the browser's Back from there.
@@ -221,6 +259,24 @@ function openGallery(entries, drawing, showEntry, isLinked) {
   else close();
 }
 
+/** The lesson of a collection. Each step begins with the entry as it was.
+ * @param {Entry[]} entries @param {import("./lesson.js").Step[]} steps @param {Figure} figure
+ * @param {() => Promise<void>} showEntry */
+function openLesson(entries, steps, figure, showEntry) {
+  const { title = "", caption = "" } = content;
+  new Lesson(title, steps, texts, async (step) => {
+    const own = structuredClone(entries[step.entry]);
+    takeEntry(own);
+    document.title = `${step.title} – ${title}`;
+    byId("caption").textContent = caption;
+    await showEntry();
+    if (entry !== own) return; // another step is shown
+    figure.setHoldsMaps(step.maps && isDragged);
+    if (step.area) figure.look(step.area);
+    speakOfEntry(figure);
+  }).go(0);
+}
+
 async function start() {
   speak();
   listenForLinks();
@@ -238,14 +294,14 @@ async function start() {
   figure = new Figure(entry, texts, language, isHeld, {
     draw: (findsExposure) => document.body.dataset.view !== "gallery" && drawing.begin(findsExposure),
     setLive: (isLive) => drawing.setLive(isLive),
+    changeMap: (map, row) => changeMap(map, row),
   });
-  const showEntry = connect(drawing, figure, palettes);
+  const { showEntry, changeMap } = connect(drawing, figure, palettes);
   // For tests, and for the curious.
   Object.assign(window, { barycage: { drawing, figure, versions, get entry() { return entry; } } });
-  if (content.entries) {
-    document.body.dataset.state = "live";
-    openGallery(content.entries, drawing, showEntry, linked !== null);
-  }
+  if (content.entries) document.body.dataset.state = "live";
+  if (content.steps && content.entries && !linked) openLesson(content.entries, content.steps, figure, showEntry);
+  else if (content.entries && !content.steps) openGallery(content.entries, drawing, showEntry, linked !== null);
   if (!content.entries || linked) await showEntry();
 }
 

@@ -27,17 +27,25 @@ function cellOrder(dimension) {
 /** Fills `place` with the maps of the entry. `changed` hears of a new value that is a number.
  * @param {HTMLElement} place @param {Entry} entry @param {Texts} texts @param {boolean} isEditable
  * @param {(map: number, index: number, value: number | null) => void} changed
- * @param {(sentence: string) => void} say */
+ * @param {(sentence: string) => void} say
+ * @returns {() => void} shows numbers that have changed elsewhere */
 export function fillTable(place, entry, texts, isEditable, changed, say) {
-  const count = entry.dimension === 3 ? 4 : 6;
+  const count = entry.dimension === 3 ? 4 : 5;
   const weightAt = entry.dimension * (entry.dimension + 1);
+  /** @type {(() => void)[]} */
+  const cells = [];
   const cards = entry.maps.slice(0, shownMaps).map((map, number) => {
     /** @param {number} index @param {string} label */
     const cell = (index, label) => {
       const input = element("input", { type: "text", inputmode: "text", autocomplete: "off", spellcheck: "false",
         "aria-label": filled(texts.cell, label, number + 1) });
-      input.value = digits(map[index] ?? null, count);
-      input.title = String(map[index] ?? "");
+      const show = () => {
+        input.value = digits(map[index] ?? null, count);
+        input.title = String(map[index] ?? "");
+        input.removeAttribute("aria-invalid");
+      };
+      show();
+      cells.push(show);
       input.readOnly = !isEditable;
       input.addEventListener("focus", () => {
         if (isEditable && !input.hasAttribute("aria-invalid")) input.value = String(map[index] ?? "");
@@ -62,14 +70,15 @@ export function fillTable(place, entry, texts, isEditable, changed, say) {
       });
       return element("label", { class: "cell" }, [element("span", { "aria-hidden": "true" }, [label]), input]);
     };
-    const cells = cellOrder(entry.dimension).map((index) => cell(index, letters[index]));
+    const matrix = cellOrder(entry.dimension).map((index) => cell(index, letters[index]));
     const weight = cell(weightAt, "p");
     weight.classList.add("weight");
     const head = element("div", { class: "head" }, [element("h3", {}, [filled(texts.map, number + 1)]), weight]);
     return element("li", { class: `map dimension-${entry.dimension}` }, [head,
-      element("div", { class: "matrix" }, cells)]);
+      element("div", { class: "matrix" }, matrix)]);
   });
   if (entry.maps.length > shownMaps)
     cards.push(element("li", { class: "more" }, [`… ${entry.maps.length}`]));
   place.replaceChildren(...cards);
+  return () => cells.forEach((show) => show());
 }

@@ -7,8 +7,10 @@ import { startedEngine } from "./engine.js";
 /** @typedef {import("./engine.js").Entry} Entry */
 /** @typedef {import("./engine.js").Appearance} Appearance */
 /** @typedef {import("./geometry.js").Point} Point */
+/** A map that is dragged: its row as it is shown, and where the hand is.
+ * @typedef {{map: number, from: (number | null)[], to: (number | null)[]}} Change */
 /** What the page asks for; cage and camera are those of the moment.
- * @typedef {{kind: "start", wasm: string} | {kind: "load", entry: Entry} | {kind: "look", appearance: Appearance} |
+ * @typedef {{kind: "start", wasm: string} | {kind: "load", entry: Entry, change?: Change} | {kind: "look", appearance: Appearance} |
  *   {kind: "hash"} | {kind: "thumbnail", entry: Entry, width: number, height: number, samples: number} | {kind: "draw", id: number, width: number, height: number, view: number[], rest: Point[], current: Point[],
  *    bends: boolean, samples: number, begin: boolean, keepExposure: boolean}} Request
  */
@@ -41,6 +43,22 @@ function drawSmall(drawing, entry, width, height, samples) {
   drawing.draw(samples, true, false);
 }
 
+const halvings = 4; // of a way that leads to where there is no attractor: near its end, every look takes long
+
+/** Loads an entry with one map changed, as far as leaves an attractor; all the way where there is none to keep.
+ * @param {Engine} loading @param {Entry} entry @param {Change} change */
+function loadChanged(loading, entry, { map, from, to }) {
+  const at = (/** @type {number} */ share) => {
+    const row = to.map((x, i) => (x === null || share === 1 ? x : Number(from[i]) + share * (x - Number(from[i]))));
+    return { row, extent: loading.load({ ...entry, maps: entry.maps.map((other, i) => (i === map ? row : other)) }) };
+  };
+  const whole = at(1);
+  if (whole.extent || !at(0).extent) return { ...(whole.extent ? whole : at(1)), isStopped: false };
+  let share = 0;
+  for (let step = 0.5, i = 0; i < halvings; step /= 2, ++i) if (at(share + step).extent) share += step;
+  return { ...at(share), isStopped: true };
+}
+
 /** @type {Engine | null} */
 let engine = null;
 
@@ -53,7 +71,10 @@ async function answer(request) {
       knowsSpace: engine.knows({ name: "", dimension: 3, maps: [] }) }, []];
   }
   if (!engine) throw new Error("the engine has not started");
-  if (request.kind === "load") return [{ kind: "loaded", extent: engine.load(request.entry) }, []];
+  if (request.kind === "load") {
+    const { entry, change } = request;
+    return [{ kind: "loaded", ...(change ? loadChanged(engine, entry, change) : { extent: engine.load(entry) }) }, []];
+  }
   if (request.kind === "look") {
     engine.setAppearance(request.appearance);
     return [{ kind: "looked" }, []];

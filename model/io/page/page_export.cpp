@@ -14,6 +14,8 @@
 #include <QBuffer>
 #include <QCryptographicHash>
 #include <QImage>
+#include <QJsonDocument>
+#include <QJsonObject>
 #include <QMap>
 #include <QPainter>
 
@@ -26,22 +28,10 @@ namespace io {
 
 namespace {
 
-constexpr int stillWidth = 640, stillHeight = 480; // of the picture for readers without JavaScript
-constexpr int stillQuality = 72;
+constexpr int stillWidth = 640, stillHeight = 480;     // of the picture for readers without JavaScript
+constexpr int stillQualities[] = {72, 60, 48, 36, 24}; // the first by which it is small enough
+constexpr qsizetype stillBytes = 26'000;
 constexpr std::uint64_t stillSamples = 4'000'000;
-
-struct Sentence {
-    const char* language;
-    const char* text;
-};
-// Shown where no script runs. The page itself speaks by app/web/page/texts.js.
-constexpr Sentence sentences[] = {
-    {"en", "To drag this fractal, open the page in a browser with JavaScript."},
-    {"de", "Um an diesem Fraktal zu ziehen, öffnen Sie die Seite in einem Browser mit JavaScript."},
-    {"es", "Para arrastrar este fractal, abra la página en un navegador con JavaScript."},
-    {"fr", "Pour manipuler cette fractale, ouvrez la page dans un navigateur avec JavaScript."},
-    {"mk", "За да го влечете овој фрактал, отворете ја страницата во прелистувач со JavaScript."},
-};
 
 // The attractor and its cage.
 attractor::Camera stillCamera(const document::Fractal& fractal) {
@@ -81,19 +71,14 @@ QImage stillPicture(const document::Fractal& fractal) {
     return drawPicture(picture).image;
 }
 
-// A JPEG in an address, on white where the picture is transparent. Only memory can be missing.
-QByteArray stillAddress(const document::Fractal& fractal) {
-    const QImage drawn = stillPicture(fractal);
-    QImage image(drawn.size(), QImage::Format_ARGB32_Premultiplied);
-    if (drawn.isNull() || image.isNull()) throw std::bad_alloc();
-    image.fill(Qt::white);
-    QPainter(&image).drawImage(0, 0, drawn);
+// Only memory can be missing.
+QByteArray jpegOf(const QImage& image, int quality) {
     QBuffer file;
     file.open(QIODevice::WriteOnly);
     PictureFormat format;
     format.width = image.width();
     format.height = image.height();
-    format.quality = stillQuality;
+    format.quality = quality;
     JpegWriter writer(file, format);
     const std::size_t width = std::size_t(image.width());
     for (int y = 0; y < image.height(); ++y)
@@ -101,7 +86,21 @@ QByteArray stillAddress(const document::Fractal& fractal) {
                 std::span(reinterpret_cast<const std::uint32_t*>(image.constScanLine(y)), width)))
             throw std::bad_alloc();
     if (writer.finish()) throw std::bad_alloc();
-    return "data:image/jpeg;base64," + file.data().toBase64();
+    return file.data();
+}
+
+// A JPEG in an address, on white where the picture is transparent. Single points make large files: a page of
+// dust is no larger than one of a leaf.
+QByteArray stillAddress(const document::Fractal& fractal) {
+    const QImage drawn = stillPicture(fractal);
+    QImage image(drawn.size(), QImage::Format_ARGB32_Premultiplied);
+    if (drawn.isNull() || image.isNull()) throw std::bad_alloc();
+    image.fill(Qt::white);
+    QPainter(&image).drawImage(0, 0, drawn);
+    QByteArray jpeg;
+    for (const int quality : stillQualities)
+        if (jpeg = jpegOf(image, quality); jpeg.size() <= stillBytes) break;
+    return "data:image/jpeg;base64," + jpeg.toBase64();
 }
 
 void writeGallery(JsonWriter& json, const PageExport& page) {
@@ -112,9 +111,33 @@ void writeGallery(JsonWriter& json, const PageExport& page) {
     for (const auto& fractal : page.entries)
         writePageEntry(json, *fractal);
     json.endArray();
+    if (page.steps.isEmpty()) return;
+    json.key("steps");
+    json.beginArray();
+    for (const PageStep& step : page.steps) {
+        json.beginObject();
+        json.member("title", step.title);
+        json.member("text", step.text);
+        json.member("entry", int(step.entry));
+        json.member("maps", step.holdsMaps);
+        if (step.area) {
+            const attractor::View& view = step.area->view;
+            json.key("area");
+            json.beginArray(JsonWriter::Layout::Inline);
+            for (const double number : {view.centre.x(), view.centre.y(), step.area->width, view.height})
+                json.value(number);
+            json.endArray();
+        }
+        json.endObject();
+    }
+    json.endArray();
 }
 
-// JSON that nothing in it can end: no “<” stands in it.
+// JSON within a page, which nothing in it can end: no “<” stands in it.
+QByteArray embedded(QByteArray json) {
+    return json.replace('<', "\\u003c");
+}
+
 QByteArray contentOf(const PageExport& page) {
     JsonWriter json;
     json.beginObject();
@@ -128,13 +151,13 @@ QByteArray contentOf(const PageExport& page) {
     json.key("allow");
     json.beginArray(JsonWriter::Layout::Inline);
     if (page.allowsCage) json.value(QStringLiteral("cage"));
+    if (page.allowsMaps) json.value(QStringLiteral("maps"));
     if (page.allowsCode) json.value(QStringLiteral("code"));
     json.endArray();
     json.member("language", page.language);
     json.member("points", double(page.points));
     json.endObject();
-    QByteArray text = json.text();
-    return text.replace('<', "\\u003c");
+    return embedded(json.text());
 }
 
 QByteArray backgroundOf(const document::Fractal& fractal) {
@@ -161,10 +184,10 @@ QByteArray hashOf(const QByteArray& text) {
     return "sha256-" + QCryptographicHash::hash(text, QCryptographicHash::Sha256).toBase64();
 }
 
-const char* sentenceIn(const QString& language) {
-    const auto* found = std::ranges::find_if(
-        sentences, [&](const Sentence& sentence) { return language == QLatin1String(sentence.language); });
-    return found == std::end(sentences) ? sentences[0].text : found->text;
+// What the page can say: in its language, or in all from which the browser chooses.
+QByteArray textsIn(const QString& language, const QJsonObject& all) {
+    const QJsonObject texts = language.isEmpty() ? all : QJsonObject{{language, all[language]}};
+    return embedded(QJsonDocument(texts).toJson(QJsonDocument::Compact));
 }
 
 // The template with its {{fields}} filled in; the inserted texts are not searched again.
@@ -194,23 +217,27 @@ QString pageObstacle(const document::Fractal& fractal) {
 }
 
 QByteArray pageOf(const PageExport& page) {
-    const QByteArray script = pageScript(!page.entries.isEmpty()), style = styleOf(page);
+    const char* extra = !page.steps.isEmpty() ? "lesson.js" : page.entries.isEmpty() ? nullptr : "gallery.js";
+    const QByteArray script = joinedScript(pageModules(extra)), style = styleOf(page);
     const auto isSolid = [](const auto& fractal) { return document::space(*fractal) != nullptr; };
     const bool knowsSpace = document::space(page.fractal) || std::ranges::any_of(page.entries, isSolid);
     const char* engine = knowsSpace ? "engine.wasm.gz" : "engine_plane.wasm.gz";
     const QString& title = page.entries.isEmpty() ? page.fractal.name : page.title;
+    const QString language = page.language.isEmpty() ? QStringLiteral("en") : page.language;
+    const QJsonObject texts = QJsonDocument::fromJson(pagePart("texts.json")).object();
     const QMap<QByteArray, QByteArray> fields{
-        {"language", page.language.isEmpty() ? QByteArray("en") : page.language.toLatin1()},
+        {"language", language.toLatin1()},
         {"title", title.toHtmlEscaped().toUtf8()},
         {"caption", page.caption.toHtmlEscaped().toUtf8()},
-        {"plain", sentenceIn(page.language)},
+        {"plain", texts[language][u"plain"].toString().toUtf8()}, // where no script runs
+        {"texts", textsIn(page.language, texts)},
         {"show", ifs::nameOf(page.parts)},
         {"style", style},
         {"style-hash", hashOf(style)},
         {"still", stillAddress(page.fractal)},
         {"content", contentOf(page)},
         {"engine", pagePart(engine).toBase64()},
-        {"worker", workerScript()},
+        {"worker", joinedScript(workerModules())},
         {"script", script},
         {"script-hash", hashOf(script)},
     };

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "document/fractal/fractal.h"
+#include "document/lesson/lesson.h"
 #include "ifs/names.h"
 
 #include <QByteArray>
@@ -24,13 +25,23 @@ enum class PageParts {
     All,    // and palettes, and files to be saved
 };
 
+// A step of a lesson: a text, and what is shown with it.
+struct PageStep {
+    QString title, text;
+    qsizetype entry = 0;                        // index
+    std::optional<document::LessonArea> area{}; // of the plane; nullopt: all
+    bool holdsMaps = false;                     // and not the cage
+};
+
 struct PageExport {
     document::Fractal fractal;
-    QList<std::shared_ptr<const document::Fractal>>
-        entries;   // of a gallery, which begins with the fractal; empty: none
-    QString title; // of a gallery
+    // Of a gallery or of a lesson, which begins with the fractal; empty: none.
+    QList<std::shared_ptr<const document::Fractal>> entries;
+    QString title;         // of these
+    QList<PageStep> steps; // of a lesson; empty: none
     PageParts parts = PageParts::All;
     bool allowsCage = true;    // may the reader drag the cage
+    bool allowsMaps = true;    // may the reader drag maps
     bool allowsCode = true;    // may the reader type maps
     QString caption;           // below the name, or the title; empty: none
     QString language;          // one of pageLanguages(); empty: that of the browser

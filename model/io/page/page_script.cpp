@@ -31,13 +31,6 @@ QByteArray plainScript(const QByteArray& module) {
     return script;
 }
 
-QByteArray joined(const std::vector<const char*>& modules) {
-    QByteArray script = "\"use strict\";\n(() => {\n";
-    for (const char* module : modules)
-        script += plainScript(pagePart(module));
-    return script + "})();\n";
-}
-
 } // namespace
 
 QByteArray pagePart(const char* name) {
@@ -46,12 +39,23 @@ QByteArray pagePart(const char* name) {
     return file.readAll();
 }
 
-QByteArray pageScript(bool isGallery) {
+QByteArray joinedScript(const std::vector<const char*>& modules) {
+    QByteArray script = "\"use strict\";\n(() => {\n";
+    for (const char* module : modules)
+        script += plainScript(pagePart(module));
+    return script + "})();\n";
+}
+
+std::vector<const char*> pageModules(const char* extra) {
     std::vector modules{"numbers.js", "geometry.js", "texts.js",        "dom.js",  "drawing.js",
                         "table.js",   "ifs_text.js", "entry_reader.js", "link.js", "figure.js"};
-    if (isGallery) modules.push_back("gallery.js");
+    if (extra != nullptr) modules.push_back(extra);
     modules.push_back("main.js");
-    return joined(modules);
+    return modules;
+}
+
+std::vector<const char*> workerModules() {
+    return {"engine.js", "worker.js"};
 }
 
 QByteArray pageStyle() {
@@ -59,10 +63,6 @@ QByteArray pageStyle() {
     for (const QByteArray& line : pagePart("page.css").split('\n'))
         style += line.trimmed() + '\n';
     return style;
-}
-
-QByteArray workerScript() {
-    return joined({"engine.js", "worker.js"});
 }
 
 } // namespace io

@@ -2,6 +2,10 @@
 #include "app/cli/command_line.h"
 #include "support/named_test.h"
 
+#include <QFile>
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QJsonObject>
 #include <QTest>
 
 // Web pages that barycage-cli writes; tests/web/page_test.mjs opens them in a browser.
@@ -13,6 +17,7 @@ private slots:
     void theFirstReadableEntryIsShown();
     void optionsReachThePage();
     void aGalleryHasAllEntriesThatCanBeShown();
+    void aLessonHasItsStepsAndWhatTheyShow();
     void wrongUsage_data();
     void wrongUsage();
     void whatCannotBeWritten();
@@ -51,6 +56,10 @@ void CliPageTest::optionsReachThePage() {
     QVERIFY(page.contains("\"points\": 3e+06"));
     QCOMPARE(run("page systems.ifs --allow none -o page.html").status, 0);
     QVERIFY(read("page.html").contains("\"allow\": []"));
+    QCOMPARE(run("page systems.ifs --allow cage,maps -o page.html").status, 0);
+    QVERIFY(read("page.html").contains("\"allow\": [\"cage\", \"maps\"]"));
+    QCOMPARE(run("page systems.ifs -o page.html").status, 0);
+    QVERIFY(read("page.html").contains("\"allow\": [\"cage\", \"maps\", \"code\"]"));
 }
 
 void CliPageTest::aGalleryHasAllEntriesThatCanBeShown() {
@@ -76,14 +85,58 @@ void CliPageTest::aGalleryHasAllEntriesThatCanBeShown() {
     QVERIFY(!QFile::exists(path("none.html")));
 }
 
+void CliPageTest::aLessonHasItsStepsAndWhatTheyShow() {
+    write("leaf.ifs", "gasket {\n .5 0 0 .5 0 0\n .5 0 0 .5 .5 0\n .5 0 0 .5 0 .5\n}\n"
+                      "dust {\n .3 0 0 .3 0 0\n .3 0 0 .3 .7 .7\n .3 0 0 .3 0 .7\n}\n");
+    write(
+        "leaf.lesson",
+        "lesson: Leaves < trees\nfile: other.ifs\n\n## First\nentry: dust\n\nLook </script> here.\n\n"
+        "## Second\nentry: gasket\ntool: maps\nview: area 0.25 0.5 2 1\ncage: 0 0, 1 0.5, 0 1\n\nDrag it.\n\n"
+        "## Third\n\nThe same entry, as it was.\n\n## Fourth\nentry: dust\nconstruction: steps 3\n\nSee.\n");
+    const Result result = run("page leaf.ifs --lesson leaf.lesson -o lesson.html");
+    QCOMPARE(result.status, 0);
+    QVERIFY2(result.err.contains("in these steps: 4"), result.err);
+    const QByteArray page = read("lesson.html");
+    QVERIFY(page.contains("<title>Leaves &lt; trees</title>"));
+    const qsizetype from = page.indexOf("id=\"content\">") + 13;
+    const QJsonObject content =
+        QJsonDocument::fromJson(page.sliced(from, page.indexOf("</script>", from) - from)).object();
+    const QJsonArray steps = content[u"steps"].toArray(), entries = content[u"entries"].toArray();
+    QCOMPARE(steps.size(), 4);
+    QCOMPARE(steps[0][u"text"].toString(), QStringLiteral("Look </script> here."));
+    QCOMPARE(steps[1][u"maps"].toBool(), true);
+    QCOMPARE(steps[1][u"area"].toArray(), (QJsonArray{0.25, 0.5, 2, 1}));
+    QVERIFY(!steps[0].toObject().contains(u"area"));
+    // Dust, the gasket with its cage moved, and as it is: what is the same stands there once.
+    QCOMPARE(entries.size(), 3);
+    QCOMPARE(entries[steps[0][u"entry"].toInt()][u"name"].toString(), QStringLiteral("dust"));
+    QCOMPARE(entries[steps[1][u"entry"].toInt()][u"cage"][u"current"].toArray(),
+             (QJsonArray{QJsonArray{0, 0}, QJsonArray{1, 0.5}, QJsonArray{0, 1}}));
+    QCOMPARE(entries[steps[2][u"entry"].toInt()][u"name"].toString(), QStringLiteral("gasket"));
+    QVERIFY(!entries[steps[2][u"entry"].toInt()].toObject().contains(u"cage"));
+    QCOMPARE(steps[3][u"entry"], steps[0][u"entry"]);
+    // What cannot be shown is named.
+    write("bad.lesson", "lesson: Bad\nfile: leaf.ifs\n\n## One\nentry: nobody\n\nText.\n");
+    const Result bad = run("page leaf.ifs --lesson bad.lesson -o bad.html");
+    QCOMPARE(bad.status, 1);
+    QVERIFY2(bad.err.contains("Step 1: the collection has no entry “nobody”"), bad.err);
+    QCOMPARE(run("page leaf.ifs --lesson leaf.ifs -o none.html").status, 1);
+    QCOMPARE(run("page leaf.ifs --lesson nothing.lesson -o none.html").status, 3);
+    QVERIFY(!QFile::exists(path("none.html")));
+}
+
 void CliPageTest::wrongUsage_data() {
     QTest::addColumn<QByteArray>("options");
     QTest::addColumn<QByteArray>("sentence");
-    QTest::newRow("allow") << QByteArray("--allow maps") << QByteArray("--allow “maps” is not valid");
+    QTest::newRow("allow") << QByteArray("--allow maps,colours")
+                           << QByteArray("--allow “maps,colours” is not valid");
     QTest::newRow("show") << QByteArray("--show everything") << QByteArray("--show");
     QTest::newRow("language") << QByteArray("--lang it") << QByteArray("--lang");
     QTest::newRow("points") << QByteArray("--points 12") << QByteArray("--points");
     QTest::newRow("entries") << QByteArray("--entry all") << QByteArray("A page shows one entry");
+    QTest::newRow("lesson and one") << QByteArray("--lesson a.lesson --entry maple")
+                                    << QByteArray("--lesson");
+    QTest::newRow("lesson and all") << QByteArray("--lesson a.lesson --all") << QByteArray("--lesson");
     QTest::newRow("all and one") << QByteArray("--all --entry maple") << QByteArray("--all");
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "io/page/page_export.h"
 
+#include "attractor/colour/palette.h"
 #include "document/edits/cage/cage_edits.h"
 #include "io/collection_reader.h"
 #include "io/page/page_script.h"
@@ -8,8 +9,8 @@
 #include "support/paths.h"
 
 #include <QCryptographicHash>
-#include <QDir>
 #include <QFile>
+#include <QImage>
 #include <QJsonArray>
 #include <QJsonDocument>
 #include <QJsonObject>
@@ -25,9 +26,10 @@ private slots:
     void everyEntryOfTheCollectionHasAPage();
     void hostileTextsStayTexts();
     void onlyWhatIsNamedMayRun();
+    void stillPicturesOfDustAreSmall();
     void optionsAreWritten();
+    void everyLanguageHasEveryText();
     void scriptsAreInOnePiece();
-    void modulesShareNoNames();
     void entriesThatCannotBeShown();
 };
 
@@ -107,8 +109,8 @@ void PageExportTest::hostileTextsStayTexts() {
     const QByteArray page = io::pageOf(what);
     QVERIFY(!page.contains("<script>alert"));
     QVERIFY(!page.contains("<!--"));
-    QCOMPARE(count(page, "<script"), 4);
-    QCOMPARE(count(page, "</script"), 4);
+    QCOMPARE(count(page, "<script"), 5);
+    QCOMPARE(count(page, "</script"), 5);
     QCOMPARE(count(page, "<style"), 1);
     QCOMPARE(count(page, "</style"), 1);
     QVERIFY(page.contains("&lt;/style&gt;&lt;script&gt;alert(2)&lt;/script&gt; &quot;&amp;amp;"));
@@ -133,6 +135,16 @@ void PageExportTest::onlyWhatIsNamedMayRun() {
             !policy.contains("http"));
     QVERIFY(!page.contains(" style=\"") && !page.contains("onclick"));
     QVERIFY(!page.contains("innerHTML"));
+}
+
+// A gasket fills the picture with single points, which pack badly.
+void PageExportTest::stillPicturesOfDustAreSmall() {
+    io::PageExport what;
+    what.fractal = entryOf(gasket("gasket"));
+    const QByteArray page = io::pageOf(what);
+    const QByteArray jpeg = QByteArray::fromBase64(inside(page, "src=\"data:image/jpeg;base64,", "\""));
+    QVERIFY2(jpeg.size() <= 26'000, QByteArray::number(jpeg.size()));
+    QCOMPARE(QImage::fromData(jpeg).size(), QSize(640, 480));
 }
 
 void PageExportTest::optionsAreWritten() {
@@ -161,30 +173,61 @@ void PageExportTest::optionsAreWritten() {
     QVERIFY(page.contains("src=\"data:image/jpeg;base64,"));
 }
 
-void PageExportTest::scriptsAreInOnePiece() {
-    for (const QByteArray& script : {io::pageScript(true), io::workerScript()}) {
-        QVERIFY(script.size() > 5000);
-        QVERIFY(!script.contains("\nimport ") && !script.contains("\nexport "));
-        QVERIFY(!script.contains("/**\n") && !script.contains("SPDX"));
-        QVERIFY(!script.contains("</") && !script.contains("<!--"));
+// A page speaks all languages, or its own alone. What one says, all say, with the same places to be filled.
+void PageExportTest::everyLanguageHasEveryText() {
+    io::PageExport what;
+    what.fractal = document::sierpinskiTriangle();
+    const auto textsOf = [&] {
+        return QJsonDocument::fromJson(
+                   inside(io::pageOf(what), R"(<script type="application/json" id="texts">)", "</script>"))
+            .object();
+    };
+    const QJsonObject all = textsOf();
+    QCOMPARE(all.size(), qsizetype(io::pageLanguages.size()));
+    const QJsonObject english = all[u"en"].toObject();
+    QVERIFY(english.size() > 30);
+    static const QRegularExpression place(QStringLiteral("\\{\\d\\}"));
+    const auto placesIn = [&](const QJsonValue& text) {
+        QStringList places;
+        auto matches = place.globalMatch(text.toString());
+        while (matches.hasNext())
+            places << matches.next().captured();
+        places.sort();
+        return places;
+    };
+    for (const char* name : io::pageLanguages) {
+        const QString language = QLatin1String(name);
+        const QJsonObject texts = all[language].toObject();
+        QCOMPARE(texts.keys(), english.keys());
+        QCOMPARE(texts[u"palettes"].toArray().size(), qsizetype(attractor::builtInPalettes().size()));
+        for (const QString& key : english.keys()) {
+            QVERIFY2(key == u"palettes" || !texts[key].toString().isEmpty(), qPrintable(language + key));
+            QVERIFY2(placesIn(texts[key]) == placesIn(english[key]), qPrintable(language + key));
+        }
+        what.language = language;
+        QCOMPARE(textsOf(), (QJsonObject{{language, texts}}));
     }
-    QVERIFY(io::pageScript(true).size() > io::pageScript(false).size());
 }
 
-// In one script, two modules must not declare the same name.
-void PageExportTest::modulesShareNoNames() {
+// Modules lose their imports, and no name is declared by two of them.
+void PageExportTest::scriptsAreInOnePiece() {
     static const QRegularExpression declared(
         QStringLiteral("^(?:export )?(?:async )?(?:const|let|class|function) (\\w+)"),
         QRegularExpression::MultilineOption);
-    const QStringList ofWorker{QStringLiteral("engine.js"), QStringLiteral("worker.js")};
-    QSet<QString> names;
-    for (const QString& module : QDir(QStringLiteral(":/web")).entryList({QStringLiteral("*.js")})) {
-        if (ofWorker.contains(module)) continue;
-        auto matches = declared.globalMatch(QString::fromUtf8(io::pagePart(module.toUtf8().constData())));
-        while (matches.hasNext()) {
-            const QString name = matches.next().captured(1);
-            QVERIFY2(!names.contains(name), qPrintable(module + u' ' + name));
-            names.insert(name);
+    for (const auto& modules :
+         {io::pageModules("gallery.js"), io::pageModules("lesson.js"), io::workerModules()}) {
+        const QByteArray script = io::joinedScript(modules);
+        QVERIFY(!script.contains("\nimport ") && !script.contains("\nexport "));
+        QVERIFY(!script.contains("/**\n") && !script.contains("SPDX"));
+        QVERIFY(!script.contains("</") && !script.contains("<!--"));
+        QSet<QString> names;
+        for (const char* module : modules) {
+            auto matches = declared.globalMatch(QString::fromUtf8(io::pagePart(module)));
+            while (matches.hasNext()) {
+                const QString name = matches.next().captured(1);
+                QVERIFY2(!names.contains(name), qPrintable(name));
+                names.insert(name);
+            }
         }
     }
     QVERIFY(names.size() > 50);
