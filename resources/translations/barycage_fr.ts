@@ -461,7 +461,7 @@
     </message>
     <message>
         <source>Fronds: one large map climbs the rachis, two small ones attach the pinnae, and a flat one draws the stem.</source>
-        <translation>Frondes&#x202f;: une longue application lente monte le long du rachis, deux courtes y accrochent les pennes, une plate trace la tige.</translation>
+        <translation>Frondes&#x202f;: une grande application monte le long du rachis, deux petites y attachent les pennes, et une plate trace la tige.</translation>
     </message>
     <message>
         <source>Trees</source>
@@ -485,7 +485,7 @@
     </message>
     <message>
         <source>Gaskets and carpets: a polygon made of smaller copies of itself, with holes between them.</source>
-        <translation>Tamis et tapis&#x202f;: un polygone contient des copies réduites de lui-même et garde ses trous.</translation>
+        <translation>Tamis et tapis&#x202f;: un polygone fait de copies plus petites de lui-même, avec des trous entre elles.</translation>
     </message>
     <message>
         <source>Koch family</source>
@@ -493,7 +493,7 @@
     </message>
     <message>
         <source>Curves built by replacing a segment again and again, and the islands they enclose.</source>
-        <translation>Des courbes construites en remplaçant un segment, et les îles qu’elles délimitent.</translation>
+        <translation>Des courbes construites en remplaçant un segment encore et encore, et les îles qu’elles entourent.</translation>
     </message>
     <message>
         <source>Spirals</source>
@@ -501,7 +501,7 @@
     </message>
     <message>
         <source>One map that turns and shrinks a little, and small maps that set beads along its path.</source>
-        <translation>Une application qui tourne et réduit un peu, et de petites qui s’égrènent le long de son parcours.</translation>
+        <translation>Une application qui tourne et réduit un peu, et de petites qui posent des perles le long de son chemin.</translation>
     </message>
     <message>
         <source>Leaves and flowers</source>
@@ -517,7 +517,7 @@
     </message>
     <message>
         <source>Sets that tile the plane: rep-tiles, which are made of copies of themselves, and the central tiles of number systems.</source>
-        <translation>Des ensembles qui pavent le plan&#x202f;: copies d’eux-mêmes, reptuiles, et tuiles centrales de systèmes de numération.</translation>
+        <translation>Des ensembles qui pavent le plan&#x202f;: reptuiles, faites de copies d’elles-mêmes, et tuiles centrales de systèmes de numération.</translation>
     </message>
     <message>
         <source>Cantor sets and dust</source>
@@ -525,7 +525,7 @@
     </message>
     <message>
         <source>Sets with gaps at every scale: the points crowd together, but hardly any are connected.</source>
-        <translation>Des ensembles pleins de lacunes à toutes les échelles&#x202f;: partout des points proches, presque aucun relié à un autre.</translation>
+        <translation>Des ensembles lacunaires à toutes les échelles&#x202f;: les points se pressent, mais presque aucun n’est relié à un autre.</translation>
     </message>
     <message>
         <source>Crystals and snowflakes</source>
@@ -533,7 +533,7 @@
     </message>
     <message>
         <source>Sets with the symmetry of snow crystals: five, six and more arms.</source>
-        <translation>Des ensembles qui ont la symétrie du givre&#x202f;: cinq, six branches et davantage.</translation>
+        <translation>Des ensembles qui ont la symétrie des cristaux de neige&#x202f;: cinq, six branches et davantage.</translation>
     </message>
     <message>
         <source>Curves and graphs</source>
@@ -541,7 +541,7 @@
     </message>
     <message>
         <source>Graphs of unusual functions, smooth curves as attractors, and coordinates of space-filling curves.</source>
-        <translation>Graphes de fonctions étranges, courbes lisses en attracteurs, coordonnées de courbes remplissant le plan.</translation>
+        <translation>Graphes de fonctions inhabituelles, courbes lisses en attracteurs et coordonnées de courbes remplissant le plan.</translation>
     </message>
     <message>
         <source>Abstract</source>
@@ -549,7 +549,7 @@
     </message>
     <message>
         <source>Affine patterns with no counterpart in nature: relatives of the gasket, weaves, rosettes.</source>
-        <translation>Motifs affines sans nom dans la nature&#x202f;: parents du tamis, entrelacs, rosaces.</translation>
+        <translation>Motifs affines sans équivalent dans la nature&#x202f;: cousins du tamis, tissages, rosaces.</translation>
     </message>
     <message>
         <source>Polyhedra in space</source>
@@ -573,7 +573,7 @@
     </message>
     <message>
         <source>Fronds and trees with branches all around the stem.</source>
-        <translation>Des frondes et des arbres dont les branches entourent la tige.</translation>
+        <translation>Des frondes et des arbres aux branches tout autour de la tige.</translation>
     </message>
     <message>
         <source>Shells and corals in space</source>
@@ -614,6 +614,1021 @@
     <message>
         <source>Fractals coloured by a picture on another fractal; a double click opens both side by side.</source>
         <translation>Des fractales aux couleurs d’une image posée sur une autre ; un double clic ouvre les deux côte à côte.</translation>
+    </message>
+</context>
+<context>
+    <name>CollectionNames</name>
+    <message>
+        <source>Maple</source>
+        <translation>Érable</translation>
+    </message>
+    <message>
+        <source>Flower</source>
+        <translation>Fleur</translation>
+    </message>
+    <message>
+        <source>Maple in the wind</source>
+        <translation>Érable au vent</translation>
+    </message>
+    <message>
+        <source>Fern that unrolls</source>
+        <translation>Fougère qui se déroule</translation>
+    </message>
+    <message>
+        <source>Paper strip that folds to a dragon</source>
+        <translation>Bande de papier qui se plie en dragon</translation>
+    </message>
+    <message>
+        <source>Koch curve that grows spikes</source>
+        <translation>Courbe de Koch à qui poussent des épines</translation>
+    </message>
+    <message>
+        <source>Zoom into a flake without end</source>
+        <translation>Zoom sans fin dans un flocon</translation>
+    </message>
+    <message>
+        <source>Walk through a weaving flower</source>
+        <translation>Promenade dans une fleur qui se tisse</translation>
+    </message>
+    <message>
+        <source>Tree in a storm</source>
+        <translation>Arbre dans la tempête</translation>
+    </message>
+    <message>
+        <source>Sea fan in the swell</source>
+        <translation>Gorgone dans la houle</translation>
+    </message>
+    <message>
+        <source>Bracts that breathe</source>
+        <translation>Bractées qui respirent</translation>
+    </message>
+    <message>
+        <source>Pentagons that turn in place</source>
+        <translation>Pentagones qui tournent sur place</translation>
+    </message>
+    <message>
+        <source>Menger sponge that turns</source>
+        <translation>Éponge de Menger qui tourne</translation>
+    </message>
+    <message>
+        <source>Flight into the Menger sponge</source>
+        <translation>Vol dans l’éponge de Menger</translation>
+    </message>
+    <message>
+        <source>Tree in space that sways</source>
+        <translation>Arbre dans l’espace qui se balance</translation>
+    </message>
+    <message>
+        <source>Snow star that becomes a fern of ice</source>
+        <translation>Étoile de neige qui devient fougère de glace</translation>
+    </message>
+    <message>
+        <source>Maple that becomes a fern</source>
+        <translation>Érable qui devient fougère</translation>
+    </message>
+    <message>
+        <source>Black spleenwort fern</source>
+        <translation>Doradille noire</translation>
+    </message>
+    <message>
+        <source>Maiden fern</source>
+        <translation>Fougère des marais</translation>
+    </message>
+    <message>
+        <source>Culcita fern</source>
+        <translation>Fougère Culcita</translation>
+    </message>
+    <message>
+        <source>Fishbone fern</source>
+        <translation>Néphrolépis</translation>
+    </message>
+    <message>
+        <source>Fiddlehead: a frond still curled</source>
+        <translation>Crosse&#x202f;: une fronde encore enroulée</translation>
+    </message>
+    <message>
+        <source>Bracken: opposite pinnae at the same height</source>
+        <translation>Fougère aigle&#x202f;: pennes opposées à la même hauteur</translation>
+    </message>
+    <message>
+        <source>Lady fern: alternate pinnae, a nodding tip</source>
+        <translation>Fougère femelle&#x202f;: pennes alternes, pointe penchée</translation>
+    </message>
+    <message>
+        <source>Maidenhair: a fan on a fine stalk</source>
+        <translation>Capillaire&#x202f;: un éventail sur une tige fine</translation>
+    </message>
+    <message>
+        <source>Ostrich fern: a shuttlecock plume</source>
+        <translation>Fougère à l’autruche&#x202f;: un panache en volant</translation>
+    </message>
+    <message>
+        <source>Golden fern: pinnae smaller by the golden ratio squared</source>
+        <translation>Fougère d’or&#x202f;: pennes réduites selon le carré du nombre d’or</translation>
+    </message>
+    <message>
+        <source>Moss: a frond of frond-like feathers</source>
+        <translation>Mousse&#x202f;: une fronde de plumes semblables à des frondes</translation>
+    </message>
+    <message>
+        <source>Fractal tree</source>
+        <translation>Arbre fractal</translation>
+    </message>
+    <message>
+        <source>Golden tree: branches of 1/phi at 60 degrees, just touching</source>
+        <translation>Arbre d’or&#x202f;: branches de rapport 1/φ à 60°, qui se touchent tout juste</translation>
+    </message>
+    <message>
+        <source>Stone pine: an umbrella of three boughs</source>
+        <translation>Pin parasol&#x202f;: une ombrelle de trois branches</translation>
+    </message>
+    <message>
+        <source>Spruce: whorls of drooping boughs</source>
+        <translation>Épicéa&#x202f;: verticilles de branches tombantes</translation>
+    </message>
+    <message>
+        <source>Willow: branches that bend down</source>
+        <translation>Saule&#x202f;: branches qui retombent</translation>
+    </message>
+    <message>
+        <source>Tree in the wind</source>
+        <translation>Arbre au vent</translation>
+    </message>
+    <message>
+        <source>Bonsai pine: flat cushions on a leaning trunk</source>
+        <translation>Pin bonsaï&#x202f;: coussins plats sur un tronc penché</translation>
+    </message>
+    <message>
+        <source>Cypress</source>
+        <translation>Cyprès</translation>
+    </message>
+    <message>
+        <source>Thorn bush: alternate twigs</source>
+        <translation>Buisson épineux&#x202f;: rameaux alternes</translation>
+    </message>
+    <message>
+        <source>Poplar: narrow and steep</source>
+        <translation>Peuplier&#x202f;: étroit et dressé</translation>
+    </message>
+    <message>
+        <source>Ternary tree: three halves, drawn with their branches</source>
+        <translation>Arbre ternaire&#x202f;: trois moitiés dessinées avec leurs branches</translation>
+    </message>
+    <message>
+        <source>Branching coral</source>
+        <translation>Corail ramifié</translation>
+    </message>
+    <message>
+        <source>H-tree: right angles all the way</source>
+        <translation>Arbre en H&#x202f;: rien que des angles droits</translation>
+    </message>
+    <message>
+        <source>Heighway dragon</source>
+        <translation>Dragon de Heighway</translation>
+    </message>
+    <message>
+        <source>Twindragon</source>
+        <translation>Dragon jumeau</translation>
+    </message>
+    <message>
+        <source>Levy dragon (C curve)</source>
+        <translation>Dragon de Lévy (courbe du C)</translation>
+    </message>
+    <message>
+        <source>Terdragon</source>
+        <translation>Terdragon</translation>
+    </message>
+    <message>
+        <source>Golden dragon</source>
+        <translation>Dragon d’or</translation>
+    </message>
+    <message>
+        <source>Tame twindragon</source>
+        <translation>Dragon jumeau apprivoisé</translation>
+    </message>
+    <message>
+        <source>Dragon curve unfolded to 100 degrees only</source>
+        <translation>Courbe du dragon dépliée à 100° seulement</translation>
+    </message>
+    <message>
+        <source>Dragon curve unfolded to 115 degrees</source>
+        <translation>Courbe du dragon dépliée à 115°</translation>
+    </message>
+    <message>
+        <source>C curve on triangles of 100 degrees</source>
+        <translation>Courbe du C sur des triangles de 100°</translation>
+    </message>
+    <message>
+        <source>Z dragon: the three strokes of a Z</source>
+        <translation>Dragon en Z&#x202f;: les trois traits d’un Z</translation>
+    </message>
+    <message>
+        <source>Sierpinski triangle</source>
+        <translation>Triangle de Sierpiński</translation>
+    </message>
+    <message>
+        <source>Right-angled Sierpinski triangle</source>
+        <translation>Triangle rectangle de Sierpiński</translation>
+    </message>
+    <message>
+        <source>Sierpinski carpet</source>
+        <translation>Tapis de Sierpiński</translation>
+    </message>
+    <message>
+        <source>Vicsek fractal (saltire)</source>
+        <translation>Fractale de Vicsek (sautoir)</translation>
+    </message>
+    <message>
+        <source>Vicsek fractal (cross)</source>
+        <translation>Fractale de Vicsek (croix)</translation>
+    </message>
+    <message>
+        <source>Sierpinski pentagon</source>
+        <translation>Pentagone de Sierpiński</translation>
+    </message>
+    <message>
+        <source>Sierpinski hexagon</source>
+        <translation>Hexagone de Sierpiński</translation>
+    </message>
+    <message>
+        <source>Sierpinski heptagon</source>
+        <translation>Heptagone de Sierpiński</translation>
+    </message>
+    <message>
+        <source>Sierpinski octagon</source>
+        <translation>Octogone de Sierpiński</translation>
+    </message>
+    <message>
+        <source>Sierpinski dodecagon</source>
+        <translation>Dodécagone de Sierpiński</translation>
+    </message>
+    <message>
+        <source>Pascal&apos;s triangle modulo 3</source>
+        <translation>Triangle de Pascal modulo 3</translation>
+    </message>
+    <message>
+        <source>Pascal&apos;s triangle modulo 5</source>
+        <translation>Triangle de Pascal modulo 5</translation>
+    </message>
+    <message>
+        <source>Sierpinski pedal triangle</source>
+        <translation>Triangle orthique de Sierpiński</translation>
+    </message>
+    <message>
+        <source>Bedford-McMullen carpet</source>
+        <translation>Tapis de Bedford-McMullen</translation>
+    </message>
+    <message>
+        <source>Bedford-McMullen weave of 3 by 5 cells</source>
+        <translation>Tissage de Bedford-McMullen de 3 sur 5 cases</translation>
+    </message>
+    <message>
+        <source>Carpet of fifths with a cross-shaped hole</source>
+        <translation>Tapis de cinquièmes percé d’une croix</translation>
+    </message>
+    <message>
+        <source>Carpet of quarters with a square hole</source>
+        <translation>Tapis de quarts percé d’un carré</translation>
+    </message>
+    <message>
+        <source>Checkered carpet</source>
+        <translation>Tapis en damier</translation>
+    </message>
+    <message>
+        <source>Koch curve</source>
+        <translation>Courbe de Koch</translation>
+    </message>
+    <message>
+        <source>Koch snowflake, filled</source>
+        <translation>Flocon de Koch plein</translation>
+    </message>
+    <message>
+        <source>Cesaro curve of 85 degrees</source>
+        <translation>Courbe de Cesàro à 85°</translation>
+    </message>
+    <message>
+        <source>Quadratic Koch curve of five edges</source>
+        <translation>Courbe de Koch quadratique à cinq segments</translation>
+    </message>
+    <message>
+        <source>Minkowski sausage</source>
+        <translation>Saucisse de Minkowski</translation>
+    </message>
+    <message>
+        <source>Mandelbrot-Given curve</source>
+        <translation>Courbe de Mandelbrot-Given</translation>
+    </message>
+    <message>
+        <source>Ice fractal on a square</source>
+        <translation>Fractale de glace sur un carré</translation>
+    </message>
+    <message>
+        <source>Ice fractal with a pair of spikes</source>
+        <translation>Fractale de glace à deux épines</translation>
+    </message>
+    <message>
+        <source>Koch curve drawn on both sides</source>
+        <translation>Courbe de Koch des deux côtés</translation>
+    </message>
+    <message>
+        <source>Koch curve with peaks turned inwards</source>
+        <translation>Courbe de Koch aux pics tournés vers l’intérieur</translation>
+    </message>
+    <message>
+        <source>Pentigree</source>
+        <translation>Pentigree</translation>
+    </message>
+    <message>
+        <source>Pentadendrite</source>
+        <translation>Pentadendrite</translation>
+    </message>
+    <message>
+        <source>Edge of the Gosper island</source>
+        <translation>Bord de l’île de Gosper</translation>
+    </message>
+    <message>
+        <source>Spiral of spirals</source>
+        <translation>Spirale de spirales</translation>
+    </message>
+    <message>
+        <source>Swirl</source>
+        <translation>Tourbillon</translation>
+    </message>
+    <message>
+        <source>Galaxy with two arms</source>
+        <translation>Galaxie à deux bras</translation>
+    </message>
+    <message>
+        <source>Whorl of three-fold rosettes</source>
+        <translation>Verticille de rosaces triples</translation>
+    </message>
+    <message>
+        <source>Ram&apos;s horn</source>
+        <translation>Corne de bélier</translation>
+    </message>
+    <message>
+        <source>Whirl of pentagons</source>
+        <translation>Tourbillon de pentagones</translation>
+    </message>
+    <message>
+        <source>Double spiral between two eyes</source>
+        <translation>Double spirale entre deux yeux</translation>
+    </message>
+    <message>
+        <source>Spiral of feathers</source>
+        <translation>Spirale de plumes</translation>
+    </message>
+    <message>
+        <source>Nautilus: chambers along a golden spiral</source>
+        <translation>Nautile&#x202f;: des loges le long d’une spirale d’or</translation>
+    </message>
+    <message>
+        <source>Sunflower: seeds at the golden angle</source>
+        <translation>Tournesol&#x202f;: des graines à l’angle d’or</translation>
+    </message>
+    <message>
+        <source>Shell: ribs that follow the turn</source>
+        <translation>Coquille&#x202f;: des côtes qui suivent la rotation</translation>
+    </message>
+    <message>
+        <source>Three spirals passing into one another</source>
+        <translation>Trois spirales qui passent l’une dans l’autre</translation>
+    </message>
+    <message>
+        <source>Maple leaf</source>
+        <translation>Feuille d’érable</translation>
+    </message>
+    <message>
+        <source>Pointed leaf</source>
+        <translation>Feuille pointue</translation>
+    </message>
+    <message>
+        <source>Poinsettia: five bracts</source>
+        <translation>Poinsettia&#x202f;: cinq bractées</translation>
+    </message>
+    <message>
+        <source>Edelweiss: eight woolly rays</source>
+        <translation>Edelweiss&#x202f;: huit rayons laineux</translation>
+    </message>
+    <message>
+        <source>Lily of six petals</source>
+        <translation>Lis à six pétales</translation>
+    </message>
+    <message>
+        <source>Oak leaf</source>
+        <translation>Feuille de chêne</translation>
+    </message>
+    <message>
+        <source>Feather</source>
+        <translation>Plume</translation>
+    </message>
+    <message>
+        <source>Plane-tree leaf: five blades from one root</source>
+        <translation>Feuille de platane&#x202f;: cinq lobes d’une même base</translation>
+    </message>
+    <message>
+        <source>Dill umbel</source>
+        <translation>Ombelle d’aneth</translation>
+    </message>
+    <message>
+        <source>Thistle head</source>
+        <translation>Capitule de chardon</translation>
+    </message>
+    <message>
+        <source>Dandelion clock</source>
+        <translation>Aigrette de pissenlit</translation>
+    </message>
+    <message>
+        <source>Marigold: rings of petals</source>
+        <translation>Souci&#x202f;: des couronnes de pétales</translation>
+    </message>
+    <message>
+        <source>Ear of wheat</source>
+        <translation>Épi de blé</translation>
+    </message>
+    <message>
+        <source>Chair rep-tile (L tromino)</source>
+        <translation>Reptuile de la chaise (tromino en L)</translation>
+    </message>
+    <message>
+        <source>Golden bee (Ammann&apos;s chair)</source>
+        <translation>Abeille d’or (chaise d’Ammann)</translation>
+    </message>
+    <message>
+        <source>Gosper island</source>
+        <translation>Île de Gosper</translation>
+    </message>
+    <message>
+        <source>Quintet</source>
+        <translation>Quintette</translation>
+    </message>
+    <message>
+        <source>Eisenstein fractal</source>
+        <translation>Fractale d’Eisenstein</translation>
+    </message>
+    <message>
+        <source>Rauzy fractal (tribonacci)</source>
+        <translation>Fractale de Rauzy (tribonacci)</translation>
+    </message>
+    <message>
+        <source>Hokkaido tile</source>
+        <translation>Tuile de Hokkaido</translation>
+    </message>
+    <message>
+        <source>Tile of Narayana&apos;s cows</source>
+        <translation>Tuile des vaches de Narayana</translation>
+    </message>
+    <message>
+        <source>Tile of x^2 + x + 3</source>
+        <translation>Tuile de x² + x + 3</translation>
+    </message>
+    <message>
+        <source>Tile of x^2 + 2 x + 3</source>
+        <translation>Tuile de x² + 2x + 3</translation>
+    </message>
+    <message>
+        <source>Tile of x^2 + 3 x + 3</source>
+        <translation>Tuile de x² + 3x + 3</translation>
+    </message>
+    <message>
+        <source>Tile of x^2 + 2 x + 4</source>
+        <translation>Tuile de x² + 2x + 4</translation>
+    </message>
+    <message>
+        <source>Jigsaw square: nine thirds, one pushed out</source>
+        <translation>Carré puzzle&#x202f;: neuf tiers, dont un poussé au-dehors</translation>
+    </message>
+    <message>
+        <source>Numbers in base -2+i with digits 0 to 4</source>
+        <translation>Nombres en base −2+i avec les chiffres de 0 à 4</translation>
+    </message>
+    <message>
+        <source>Fudgeflake: three terdragons round a point</source>
+        <translation>Fudgeflake&#x202f;: trois terdragons autour d’un point</translation>
+    </message>
+    <message>
+        <source>Central tile of x^3 = 2 x^2 + x + 1</source>
+        <translation>Tuile centrale de x³ = 2x² + x + 1</translation>
+    </message>
+    <message>
+        <source>Penrose tiles</source>
+        <translation>Pavés de Penrose</translation>
+    </message>
+    <message>
+        <source>Penrose tiles, cracked</source>
+        <translation>Pavés de Penrose fissurés</translation>
+    </message>
+    <message>
+        <source>Parts of the Rauzy fractal</source>
+        <translation>Parties de la fractale de Rauzy</translation>
+    </message>
+    <message>
+        <source>Boundary of the dragon</source>
+        <translation>Frontière du dragon</translation>
+    </message>
+    <message>
+        <source>Boundary of the twindragon</source>
+        <translation>Frontière du dragon jumeau</translation>
+    </message>
+    <message>
+        <source>Golden mean carpet</source>
+        <translation>Tapis du nombre d’or</translation>
+    </message>
+    <message>
+        <source>Golden mean dragon</source>
+        <translation>Dragon du nombre d’or</translation>
+    </message>
+    <message>
+        <source>Restless pentagon</source>
+        <translation>Pentagone sans repos</translation>
+    </message>
+    <message>
+        <source>One-way square</source>
+        <translation>Carré à sens unique</translation>
+    </message>
+    <message>
+        <source>Neighbouring corners</source>
+        <translation>Sommets voisins</translation>
+    </message>
+    <message>
+        <source>Steps around a hexagon</source>
+        <translation>Pas autour d’un hexagone</translation>
+    </message>
+    <message>
+        <source>Steps around a pentagon</source>
+        <translation>Pas autour d’un pentagone</translation>
+    </message>
+    <message>
+        <source>Old and young</source>
+        <translation>Vieilles et jeunes</translation>
+    </message>
+    <message>
+        <source>Sunset in a triangle</source>
+        <translation>Coucher de soleil dans un triangle</translation>
+    </message>
+    <message>
+        <source>Triangle for the sunset</source>
+        <translation>Triangle pour le coucher de soleil</translation>
+    </message>
+    <message>
+        <source>Bent window</source>
+        <translation>Vitrail courbé</translation>
+    </message>
+    <message>
+        <source>Triangle for the glass</source>
+        <translation>Triangle pour le vitrail</translation>
+    </message>
+    <message>
+        <source>Tartan in a square</source>
+        <translation>Tartan dans un carré</translation>
+    </message>
+    <message>
+        <source>Square for the tartan</source>
+        <translation>Carré pour le tartan</translation>
+    </message>
+    <message>
+        <source>Grid of a square</source>
+        <translation>Quadrillage d’un carré</translation>
+    </message>
+    <message>
+        <source>Square for the grid</source>
+        <translation>Carré pour le quadrillage</translation>
+    </message>
+    <message>
+        <source>Rainbow fern</source>
+        <translation>Fougère arc-en-ciel</translation>
+    </message>
+    <message>
+        <source>Maple for the fern</source>
+        <translation>Érable pour la fougère</translation>
+    </message>
+    <message>
+        <source>Autumn maple</source>
+        <translation>Érable d’automne</translation>
+    </message>
+    <message>
+        <source>Square for the maple</source>
+        <translation>Carré pour l’érable</translation>
+    </message>
+    <message>
+        <source>Dragon of paper</source>
+        <translation>Dragon de papier</translation>
+    </message>
+    <message>
+        <source>Sheet for the dragon</source>
+        <translation>Feuille de papier pour le dragon</translation>
+    </message>
+    <message>
+        <source>Curve of waves</source>
+        <translation>Courbe de vagues</translation>
+    </message>
+    <message>
+        <source>Sheet for the curve</source>
+        <translation>Feuille de papier pour la courbe</translation>
+    </message>
+    <message>
+        <source>Koch curve across a square</source>
+        <translation>Courbe de Koch à travers un carré</translation>
+    </message>
+    <message>
+        <source>Square for the curve</source>
+        <translation>Carré pour la courbe</translation>
+    </message>
+    <message>
+        <source>Hilbert curve along a coast</source>
+        <translation>Courbe de Hilbert le long d’une côte</translation>
+    </message>
+    <message>
+        <source>Curve for the square</source>
+        <translation>Courbe pour le carré</translation>
+    </message>
+    <message>
+        <source>Broken picture</source>
+        <translation>Image brisée</translation>
+    </message>
+    <message>
+        <source>Square to break</source>
+        <translation>Carré à briser</translation>
+    </message>
+    <message>
+        <source>Gasket of a dragon</source>
+        <translation>Tamis d’un dragon</translation>
+    </message>
+    <message>
+        <source>Terdragon for the gasket</source>
+        <translation>Terdragon pour le tamis</translation>
+    </message>
+    <message>
+        <source>Cantor dust</source>
+        <translation>Poussière de Cantor</translation>
+    </message>
+    <message>
+        <source>Cantor comb: a Cantor set times an interval</source>
+        <translation>Peigne de Cantor&#x202f;: un ensemble de Cantor fois un intervalle</translation>
+    </message>
+    <message>
+        <source>Dust on a triangle</source>
+        <translation>Poussière sur un triangle</translation>
+    </message>
+    <message>
+        <source>Dust on a pentagon</source>
+        <translation>Poussière sur un pentagone</translation>
+    </message>
+    <message>
+        <source>Dust of unequal ratios</source>
+        <translation>Poussière de rapports inégaux</translation>
+    </message>
+    <message>
+        <source>Dust on an octagon</source>
+        <translation>Poussière sur un octogone</translation>
+    </message>
+    <message>
+        <source>Rings of dust</source>
+        <translation>Anneaux de poussière</translation>
+    </message>
+    <message>
+        <source>Tartan dust</source>
+        <translation>Tartan de poussière</translation>
+    </message>
+    <message>
+        <source>Pinwheel dust</source>
+        <translation>Moulinet de poussière</translation>
+    </message>
+    <message>
+        <source>Swirling dust of three</source>
+        <translation>Poussière de trois copies qui tourbillonne</translation>
+    </message>
+    <message>
+        <source>Hexaflake</source>
+        <translation>Flocon hexagonal</translation>
+    </message>
+    <message>
+        <source>Pentaflake</source>
+        <translation>Flocon pentagonal</translation>
+    </message>
+    <message>
+        <source>Stellar snowflake</source>
+        <translation>Flocon en étoile</translation>
+    </message>
+    <message>
+        <source>Fern-like snowflake</source>
+        <translation>Flocon en fougère</translation>
+    </message>
+    <message>
+        <source>Sectored plate</source>
+        <translation>Plaquette de neige à secteurs</translation>
+    </message>
+    <message>
+        <source>Needle snowflake</source>
+        <translation>Flocon en aiguilles</translation>
+    </message>
+    <message>
+        <source>Frost flower</source>
+        <translation>Fleur de givre</translation>
+    </message>
+    <message>
+        <source>Decaflake</source>
+        <translation>Flocon décagonal</translation>
+    </message>
+    <message>
+        <source>Pentagram flake</source>
+        <translation>Flocon de pentagrammes</translation>
+    </message>
+    <message>
+        <source>Quartz: four-fold lattice</source>
+        <translation>Quartz&#x202f;: réseau d’ordre quatre</translation>
+    </message>
+    <message>
+        <source>Crystal of two maps</source>
+        <translation>Cristal de deux applications</translation>
+    </message>
+    <message>
+        <source>Dendrite snowflake</source>
+        <translation>Flocon dendritique</translation>
+    </message>
+    <message>
+        <source>Eight-pointed star</source>
+        <translation>Étoile à huit branches</translation>
+    </message>
+    <message>
+        <source>Frost cross: squares turned by 45 degrees</source>
+        <translation>Croix de givre&#x202f;: des carrés tournés de 45°</translation>
+    </message>
+    <message>
+        <source>Takagi curve (blancmange)</source>
+        <translation>Courbe de Takagi (du blanc-manger)</translation>
+    </message>
+    <message>
+        <source>Quadratic Bezier arc by de Casteljau</source>
+        <translation>Arc de Bézier quadratique selon de Casteljau</translation>
+    </message>
+    <message>
+        <source>Devil&apos;s staircase</source>
+        <translation>Escalier du diable</translation>
+    </message>
+    <message>
+        <source>Okamoto function, a = 2/3 (Bourbaki&apos;s)</source>
+        <translation>Fonction d’Okamoto, a = 2/3 (celle de Bourbaki)</translation>
+    </message>
+    <message>
+        <source>Okamoto function, a = 5/6 (Perkins&apos;s)</source>
+        <translation>Fonction d’Okamoto, a = 5/6 (celle de Perkins)</translation>
+    </message>
+    <message>
+        <source>Kiesswetter curve</source>
+        <translation>Courbe de Kiesswetter</translation>
+    </message>
+    <message>
+        <source>Bolzano function</source>
+        <translation>Fonction de Bolzano</translation>
+    </message>
+    <message>
+        <source>Fractal interpolation of four points</source>
+        <translation>Interpolation fractale de quatre points</translation>
+    </message>
+    <message>
+        <source>Mountain skyline</source>
+        <translation>Ligne de crête</translation>
+    </message>
+    <message>
+        <source>First coordinate of Peano&apos;s curve</source>
+        <translation>Première coordonnée de la courbe de Peano</translation>
+    </message>
+    <message>
+        <source>Lebesgue&apos;s singular function, a = 0.3</source>
+        <translation>Fonction singulière de Lebesgue, a = 0,3</translation>
+    </message>
+    <message>
+        <source>Takagi curve and its mirror image</source>
+        <translation>Courbe de Takagi et son image dans un miroir</translation>
+    </message>
+    <message>
+        <source>Hilbert&apos;s four maps, shrunk so that the seams open</source>
+        <translation>Les quatre applications de Hilbert, réduites jusqu’à ce que s’ouvrent les coutures</translation>
+    </message>
+    <message>
+        <source>Relative of the Sierpinski triangle</source>
+        <translation>Cousin du triangle de Sierpiński</translation>
+    </message>
+    <message>
+        <source>Zigzag of two maps</source>
+        <translation>Zigzag de deux applications</translation>
+    </message>
+    <message>
+        <source>Coral</source>
+        <translation>Corail</translation>
+    </message>
+    <message>
+        <source>Rosette of three</source>
+        <translation>Rosace de trois</translation>
+    </message>
+    <message>
+        <source>Rosette of five</source>
+        <translation>Rosace de cinq</translation>
+    </message>
+    <message>
+        <source>Rosette of seven</source>
+        <translation>Rosace de sept</translation>
+    </message>
+    <message>
+        <source>Mandala of twelve</source>
+        <translation>Mandala de douze</translation>
+    </message>
+    <message>
+        <source>Lace</source>
+        <translation>Dentelle</translation>
+    </message>
+    <message>
+        <source>Weave</source>
+        <translation>Tissage</translation>
+    </message>
+    <message>
+        <source>Twigs: a turn and a mirror</source>
+        <translation>Brindilles&#x202f;: une rotation et un miroir</translation>
+    </message>
+    <message>
+        <source>Heather</source>
+        <translation>Bruyère</translation>
+    </message>
+    <message>
+        <source>Breaking wave</source>
+        <translation>Vague déferlante</translation>
+    </message>
+    <message>
+        <source>City seen from above</source>
+        <translation>Ville vue d’en haut</translation>
+    </message>
+    <message>
+        <source>Flames</source>
+        <translation>Flammes</translation>
+    </message>
+    <message>
+        <source>Hills in haze</source>
+        <translation>Collines dans la brume</translation>
+    </message>
+    <message>
+        <source>Knotwork: four copies turned by 45 degrees</source>
+        <translation>Entrelacs&#x202f;: quatre copies tournées de 45°</translation>
+    </message>
+    <message>
+        <source>Sea dragon</source>
+        <translation>Dragon de mer</translation>
+    </message>
+    <message>
+        <source>Kaleidoscope</source>
+        <translation>Kaléidoscope</translation>
+    </message>
+    <message>
+        <source>Sierpinski tetrahedron</source>
+        <translation>Tétraèdre de Sierpiński</translation>
+    </message>
+    <message>
+        <source>Octahedron flake</source>
+        <translation>Flocon octaédrique</translation>
+    </message>
+    <message>
+        <source>Sierpinski pyramid</source>
+        <translation>Pyramide de Sierpiński</translation>
+    </message>
+    <message>
+        <source>Icosahedron flake</source>
+        <translation>Flocon icosaédrique</translation>
+    </message>
+    <message>
+        <source>Dodecahedron flake</source>
+        <translation>Flocon dodécaédrique</translation>
+    </message>
+    <message>
+        <source>Cuboctahedron flake</source>
+        <translation>Flocon cuboctaédrique</translation>
+    </message>
+    <message>
+        <source>Menger sponge</source>
+        <translation>Éponge de Menger</translation>
+    </message>
+    <message>
+        <source>Mosely snowflake</source>
+        <translation>Flocon de Mosely</translation>
+    </message>
+    <message>
+        <source>Jerusalem cube</source>
+        <translation>Cube de Jérusalem</translation>
+    </message>
+    <message>
+        <source>Cross in space</source>
+        <translation>Croix dans l’espace</translation>
+    </message>
+    <message>
+        <source>Saltire in space</source>
+        <translation>Sautoir dans l’espace</translation>
+    </message>
+    <message>
+        <source>Cantor dust in space</source>
+        <translation>Poussière de Cantor dans l’espace</translation>
+    </message>
+    <message>
+        <source>Cube corner: seven of eight cubes</source>
+        <translation>Coin de cube&#x202f;: sept cubes sur huit</translation>
+    </message>
+    <message>
+        <source>Cube corners in mirrors</source>
+        <translation>Coins de cube dans des miroirs</translation>
+    </message>
+    <message>
+        <source>Quadratic Koch surface: cubes on squares</source>
+        <translation>Surface de Koch quadratique&#x202f;: des cubes sur des carrés</translation>
+    </message>
+    <message>
+        <source>Fern in space</source>
+        <translation>Fougère dans l’espace</translation>
+    </message>
+    <message>
+        <source>Tree with three boughs</source>
+        <translation>Arbre à trois branches</translation>
+    </message>
+    <message>
+        <source>Oak with a leader and four boughs</source>
+        <translation>Chêne à une flèche et quatre branches</translation>
+    </message>
+    <message>
+        <source>Fir: drooping whorls around a leader</source>
+        <translation>Sapin&#x202f;: verticilles tombants autour d’une flèche</translation>
+    </message>
+    <message>
+        <source>Poplar: pairs of steep twigs</source>
+        <translation>Peuplier&#x202f;: paires de rameaux dressés</translation>
+    </message>
+    <message>
+        <source>Umbel: six rays from the top of a stalk</source>
+        <translation>Ombelle&#x202f;: six rayons au sommet d’une tige</translation>
+    </message>
+    <message>
+        <source>Thuja: flat sprays turned by the golden angle</source>
+        <translation>Thuya&#x202f;: rameaux plats tournés de l’angle d’or</translation>
+    </message>
+    <message>
+        <source>Romanesco: cones on a cone, by the golden angle</source>
+        <translation>Romanesco&#x202f;: des cônes sur un cône, selon l’angle d’or</translation>
+    </message>
+    <message>
+        <source>Cauliflower</source>
+        <translation>Chou-fleur</translation>
+    </message>
+    <message>
+        <source>Turret shell</source>
+        <translation>Turritelle</translation>
+    </message>
+    <message>
+        <source>Top shell: whorls of whorls</source>
+        <translation>Troque&#x202f;: des tours faits de tours</translation>
+    </message>
+    <message>
+        <source>Nautilus: chambers along a flat spiral</source>
+        <translation>Nautile&#x202f;: des loges le long d’une spirale plane</translation>
+    </message>
+    <message>
+        <source>Double helix that narrows to a point</source>
+        <translation>Double hélice qui finit en pointe</translation>
+    </message>
+    <message>
+        <source>Staghorn coral</source>
+        <translation>Corail corne de cerf</translation>
+    </message>
+    <message>
+        <source>Bush coral</source>
+        <translation>Corail buissonnant</translation>
+    </message>
+    <message>
+        <source>Sea fan: forks almost in one plane</source>
+        <translation>Gorgone&#x202f;: des fourches presque dans un même plan</translation>
+    </message>
+    <message>
+        <source>Allium: a ball of twelve stalks with alliums at their ends</source>
+        <translation>Ail d’ornement&#x202f;: une boule de douze tiges portant chacune un ail</translation>
+    </message>
+    <message>
+        <source>Dragon in space: each fold about another axis</source>
+        <translation>Dragon dans l’espace&#x202f;: chaque pli autour d’un autre axe</translation>
+    </message>
+    <message>
+        <source>C curve in space</source>
+        <translation>Courbe du C dans l’espace</translation>
+    </message>
+    <message>
+        <source>Terdragon in space</source>
+        <translation>Terdragon dans l’espace</translation>
+    </message>
+    <message>
+        <source>Tetrahedra, each turned by 60 degrees</source>
+        <translation>Tétraèdres, chacun tourné de 60°</translation>
+    </message>
+    <message>
+        <source>Cubes, each turned by 60 degrees</source>
+        <translation>Cubes, chacun tourné de 60°</translation>
+    </message>
+    <message>
+        <source>Octahedra, each turned by 45 degrees</source>
+        <translation>Octaèdres, chacun tourné de 45°</translation>
     </message>
 </context>
 <context>
@@ -2457,7 +3472,7 @@
     </message>
     <message>
         <source>Hidden in this small window: %1 (View › Panels).</source>
-        <translation>Masqués dans cette petite fenêtre : %1 (Affichage › Panneaux).</translation>
+        <translation>Masqués dans cette petite fenêtre&#xa0;: %1 (Affichage › Panneaux).</translation>
     </message>
 </context>
 <context>

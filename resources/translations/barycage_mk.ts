@@ -462,7 +462,7 @@
     </message>
     <message>
         <source>Fronds: one large map climbs the rachis, two small ones attach the pinnae, and a flat one draws the stem.</source>
-        <translation>Папратови листови: едно долго бавно пресликување се качува по главната оска, две кратки ги додаваат страничните ливчиња, а едно сплескано ја црта дршката.</translation>
+        <translation>Папратови листови: едно големо пресликување се качува по главната оска, две мали ги додаваат страничните ливчиња, а едно сплескано ја црта дршката.</translation>
     </message>
     <message>
         <source>Trees</source>
@@ -486,7 +486,7 @@
     </message>
     <message>
         <source>Gaskets and carpets: a polygon made of smaller copies of itself, with holes between them.</source>
-        <translation>Триаголници и килими: многуаголникот содржи смалени копии од себе и ги задржува дупките.</translation>
+        <translation>Триаголници и килими: многуаголник составен од помали копии на самиот себе, со дупки меѓу нив.</translation>
     </message>
     <message>
         <source>Koch family</source>
@@ -494,7 +494,7 @@
     </message>
     <message>
         <source>Curves built by replacing a segment again and again, and the islands they enclose.</source>
-        <translation>Криви добиени со замена на отсечка и островите што тие ги оградуваат.</translation>
+        <translation>Криви што настануваат кога отсечка постојано се заменува, и островите што тие ги опфаќаат.</translation>
     </message>
     <message>
         <source>Spirals</source>
@@ -518,7 +518,7 @@
     </message>
     <message>
         <source>Sets that tile the plane: rep-tiles, which are made of copies of themselves, and the central tiles of number systems.</source>
-        <translation>Множества што ја поплочуваат рамнината: копии од самите себе, рептајли и централните плочки на бројните системи.</translation>
+        <translation>Множества што ја поплочуваат рамнината: рептајли, составени од копии на самите себе, и централните плочки на бројните системи.</translation>
     </message>
     <message>
         <source>Cantor sets and dust</source>
@@ -526,7 +526,7 @@
     </message>
     <message>
         <source>Sets with gaps at every scale: the points crowd together, but hardly any are connected.</source>
-        <translation>Множества полни со празнини во секој размер: насекаде во близина има точки, а речиси ниедни не се поврзани.</translation>
+        <translation>Множества со празнини во секој размер: точките се збиваат, но речиси ниедна не е поврзана со друга.</translation>
     </message>
     <message>
         <source>Crystals and snowflakes</source>
@@ -534,7 +534,7 @@
     </message>
     <message>
         <source>Sets with the symmetry of snow crystals: five, six and more arms.</source>
-        <translation>Множества со симетрија на мраз: со пет, шест и повеќе краци.</translation>
+        <translation>Множества со симетрија на снежни кристали: со пет, шест и повеќе краци.</translation>
     </message>
     <message>
         <source>Curves and graphs</source>
@@ -542,7 +542,7 @@
     </message>
     <message>
         <source>Graphs of unusual functions, smooth curves as attractors, and coordinates of space-filling curves.</source>
-        <translation>Графици на необични функции, мазни криви како атрактори, координати на криви што го исполнуваат просторот.</translation>
+        <translation>Графици на необични функции, мазни криви како атрактори и координати на криви што ја исполнуваат рамнината.</translation>
     </message>
     <message>
         <source>Abstract</source>
@@ -550,7 +550,7 @@
     </message>
     <message>
         <source>Affine patterns with no counterpart in nature: relatives of the gasket, weaves, rosettes.</source>
-        <translation>Афини шари без име во природата: роднини на триаголникот на Серпињски, плетенки, розети.</translation>
+        <translation>Афини шари што ги нема во природата: роднини на триаголникот на Серпињски, плетенки, розети.</translation>
     </message>
     <message>
         <source>Polyhedra in space</source>
@@ -574,7 +574,7 @@
     </message>
     <message>
         <source>Fronds and trees with branches all around the stem.</source>
-        <translation>Лисја и дрвја чии гранки стојат насекаде околу стеблото.</translation>
+        <translation>Папратови листови и дрвја со гранки насекаде околу стеблото.</translation>
     </message>
     <message>
         <source>Shells and corals in space</source>
@@ -615,6 +615,1021 @@
     <message>
         <source>Fractals coloured by a picture on another fractal; a double click opens both side by side.</source>
         <translation>Фрактали во боите на слика врз друг фрактал; двоен клик ги отвора двата еден до друг.</translation>
+    </message>
+</context>
+<context>
+    <name>CollectionNames</name>
+    <message>
+        <source>Maple</source>
+        <translation>Јавор</translation>
+    </message>
+    <message>
+        <source>Flower</source>
+        <translation>Цвет</translation>
+    </message>
+    <message>
+        <source>Maple in the wind</source>
+        <translation>Јавор на ветер</translation>
+    </message>
+    <message>
+        <source>Fern that unrolls</source>
+        <translation>Папрат што се одвиткува</translation>
+    </message>
+    <message>
+        <source>Paper strip that folds to a dragon</source>
+        <translation>Хартиена лента што се превиткува во змеј</translation>
+    </message>
+    <message>
+        <source>Koch curve that grows spikes</source>
+        <translation>Кохова крива на која ѝ растат боцки</translation>
+    </message>
+    <message>
+        <source>Zoom into a flake without end</source>
+        <translation>Бескрајно приближување кон снегулка</translation>
+    </message>
+    <message>
+        <source>Walk through a weaving flower</source>
+        <translation>Прошетка низ цвет што се плете</translation>
+    </message>
+    <message>
+        <source>Tree in a storm</source>
+        <translation>Дрво во бура</translation>
+    </message>
+    <message>
+        <source>Sea fan in the swell</source>
+        <translation>Морска лепеза меѓу брановите</translation>
+    </message>
+    <message>
+        <source>Bracts that breathe</source>
+        <translation>Брактеи што дишат</translation>
+    </message>
+    <message>
+        <source>Pentagons that turn in place</source>
+        <translation>Петаголници што се вртат во место</translation>
+    </message>
+    <message>
+        <source>Menger sponge that turns</source>
+        <translation>Менгеров сунѓер што се врти</translation>
+    </message>
+    <message>
+        <source>Flight into the Menger sponge</source>
+        <translation>Лет во Менгеровиот сунѓер</translation>
+    </message>
+    <message>
+        <source>Tree in space that sways</source>
+        <translation>Дрво во простор што се ниша</translation>
+    </message>
+    <message>
+        <source>Snow star that becomes a fern of ice</source>
+        <translation>Снежна ѕвезда што станува ледена папрат</translation>
+    </message>
+    <message>
+        <source>Maple that becomes a fern</source>
+        <translation>Јавор што станува папрат</translation>
+    </message>
+    <message>
+        <source>Black spleenwort fern</source>
+        <translation>Црн асплениум</translation>
+    </message>
+    <message>
+        <source>Maiden fern</source>
+        <translation>Мочуришна папрат</translation>
+    </message>
+    <message>
+        <source>Culcita fern</source>
+        <translation>Папрат кулцита</translation>
+    </message>
+    <message>
+        <source>Fishbone fern</source>
+        <translation>Папрат рибја коска</translation>
+    </message>
+    <message>
+        <source>Fiddlehead: a frond still curled</source>
+        <translation>Млада папрат: лист што е сѐ уште завиткан</translation>
+    </message>
+    <message>
+        <source>Bracken: opposite pinnae at the same height</source>
+        <translation>Орлова папрат: спротивни ливчиња на иста висина</translation>
+    </message>
+    <message>
+        <source>Lady fern: alternate pinnae, a nodding tip</source>
+        <translation>Женска папрат: наизменични ливчиња, наведнат врв</translation>
+    </message>
+    <message>
+        <source>Maidenhair: a fan on a fine stalk</source>
+        <translation>Венерина коса: лепеза на тенка дршка</translation>
+    </message>
+    <message>
+        <source>Ostrich fern: a shuttlecock plume</source>
+        <translation>Нојова папрат: перјаница налик на инка</translation>
+    </message>
+    <message>
+        <source>Golden fern: pinnae smaller by the golden ratio squared</source>
+        <translation>Златна папрат: ливчиња смалени со квадратот на златниот пресек</translation>
+    </message>
+    <message>
+        <source>Moss: a frond of frond-like feathers</source>
+        <translation>Мов: лист од пердуви налик на листови</translation>
+    </message>
+    <message>
+        <source>Fractal tree</source>
+        <translation>Фрактално дрво</translation>
+    </message>
+    <message>
+        <source>Golden tree: branches of 1/phi at 60 degrees, just touching</source>
+        <translation>Златно дрво: гранки со однос 1/φ под 60°, што едвај се допираат</translation>
+    </message>
+    <message>
+        <source>Stone pine: an umbrella of three boughs</source>
+        <translation>Пинија: чадор од три гранки</translation>
+    </message>
+    <message>
+        <source>Spruce: whorls of drooping boughs</source>
+        <translation>Смрча: венци од обесени гранки</translation>
+    </message>
+    <message>
+        <source>Willow: branches that bend down</source>
+        <translation>Врба: гранки што се свиваат надолу</translation>
+    </message>
+    <message>
+        <source>Tree in the wind</source>
+        <translation>Дрво на ветер</translation>
+    </message>
+    <message>
+        <source>Bonsai pine: flat cushions on a leaning trunk</source>
+        <translation>Бонсаи бор: рамни перничиња на накривено стебло</translation>
+    </message>
+    <message>
+        <source>Cypress</source>
+        <translation>Чемпрес</translation>
+    </message>
+    <message>
+        <source>Thorn bush: alternate twigs</source>
+        <translation>Трнлива грмушка: наизменични гранчиња</translation>
+    </message>
+    <message>
+        <source>Poplar: narrow and steep</source>
+        <translation>Топола: тесна и исправена</translation>
+    </message>
+    <message>
+        <source>Ternary tree: three halves, drawn with their branches</source>
+        <translation>Тројно дрво: три половини, нацртани со своите гранки</translation>
+    </message>
+    <message>
+        <source>Branching coral</source>
+        <translation>Разгранет корал</translation>
+    </message>
+    <message>
+        <source>H-tree: right angles all the way</source>
+        <translation>H-дрво: само прави агли</translation>
+    </message>
+    <message>
+        <source>Heighway dragon</source>
+        <translation>Змеј на Хајвеј</translation>
+    </message>
+    <message>
+        <source>Twindragon</source>
+        <translation>Змеј близнак</translation>
+    </message>
+    <message>
+        <source>Levy dragon (C curve)</source>
+        <translation>Змеј на Леви (C-крива)</translation>
+    </message>
+    <message>
+        <source>Terdragon</source>
+        <translation>Троен змеј</translation>
+    </message>
+    <message>
+        <source>Golden dragon</source>
+        <translation>Златен змеј</translation>
+    </message>
+    <message>
+        <source>Tame twindragon</source>
+        <translation>Питом змеј близнак</translation>
+    </message>
+    <message>
+        <source>Dragon curve unfolded to 100 degrees only</source>
+        <translation>Змејова крива одвиткана само до 100°</translation>
+    </message>
+    <message>
+        <source>Dragon curve unfolded to 115 degrees</source>
+        <translation>Змејова крива одвиткана до 115°</translation>
+    </message>
+    <message>
+        <source>C curve on triangles of 100 degrees</source>
+        <translation>C-крива врз триаголници од 100°</translation>
+    </message>
+    <message>
+        <source>Z dragon: the three strokes of a Z</source>
+        <translation>Z-змеј: трите потези на буквата Z</translation>
+    </message>
+    <message>
+        <source>Sierpinski triangle</source>
+        <translation>Триаголник на Серпињски</translation>
+    </message>
+    <message>
+        <source>Right-angled Sierpinski triangle</source>
+        <translation>Правоаголен триаголник на Серпињски</translation>
+    </message>
+    <message>
+        <source>Sierpinski carpet</source>
+        <translation>Килим на Серпињски</translation>
+    </message>
+    <message>
+        <source>Vicsek fractal (saltire)</source>
+        <translation>Фрактал на Вичек (кос крст)</translation>
+    </message>
+    <message>
+        <source>Vicsek fractal (cross)</source>
+        <translation>Фрактал на Вичек (крст)</translation>
+    </message>
+    <message>
+        <source>Sierpinski pentagon</source>
+        <translation>Петаголник на Серпињски</translation>
+    </message>
+    <message>
+        <source>Sierpinski hexagon</source>
+        <translation>Шестаголник на Серпињски</translation>
+    </message>
+    <message>
+        <source>Sierpinski heptagon</source>
+        <translation>Седумаголник на Серпињски</translation>
+    </message>
+    <message>
+        <source>Sierpinski octagon</source>
+        <translation>Осумаголник на Серпињски</translation>
+    </message>
+    <message>
+        <source>Sierpinski dodecagon</source>
+        <translation>Дванаесетаголник на Серпињски</translation>
+    </message>
+    <message>
+        <source>Pascal&apos;s triangle modulo 3</source>
+        <translation>Паскалов триаголник по модул 3</translation>
+    </message>
+    <message>
+        <source>Pascal&apos;s triangle modulo 5</source>
+        <translation>Паскалов триаголник по модул 5</translation>
+    </message>
+    <message>
+        <source>Sierpinski pedal triangle</source>
+        <translation>Ортички триаголник на Серпињски</translation>
+    </message>
+    <message>
+        <source>Bedford-McMullen carpet</source>
+        <translation>Килим на Бедфорд и Макмален</translation>
+    </message>
+    <message>
+        <source>Bedford-McMullen weave of 3 by 5 cells</source>
+        <translation>Плетенка на Бедфорд и Макмален од 3 по 5 полиња</translation>
+    </message>
+    <message>
+        <source>Carpet of fifths with a cross-shaped hole</source>
+        <translation>Килим од петтини со дупка во облик на крст</translation>
+    </message>
+    <message>
+        <source>Carpet of quarters with a square hole</source>
+        <translation>Килим од четвртини со квадратна дупка</translation>
+    </message>
+    <message>
+        <source>Checkered carpet</source>
+        <translation>Шаховски килим</translation>
+    </message>
+    <message>
+        <source>Koch curve</source>
+        <translation>Кохова крива</translation>
+    </message>
+    <message>
+        <source>Koch snowflake, filled</source>
+        <translation>Кохова снегулка, исполнета</translation>
+    </message>
+    <message>
+        <source>Cesaro curve of 85 degrees</source>
+        <translation>Крива на Чезаро од 85°</translation>
+    </message>
+    <message>
+        <source>Quadratic Koch curve of five edges</source>
+        <translation>Квадратна Кохова крива од пет отсечки</translation>
+    </message>
+    <message>
+        <source>Minkowski sausage</source>
+        <translation>Колбас на Минковски</translation>
+    </message>
+    <message>
+        <source>Mandelbrot-Given curve</source>
+        <translation>Крива на Манделброт и Гивен</translation>
+    </message>
+    <message>
+        <source>Ice fractal on a square</source>
+        <translation>Леден фрактал врз квадрат</translation>
+    </message>
+    <message>
+        <source>Ice fractal with a pair of spikes</source>
+        <translation>Леден фрактал со пар боцки</translation>
+    </message>
+    <message>
+        <source>Koch curve drawn on both sides</source>
+        <translation>Кохова крива од двете страни</translation>
+    </message>
+    <message>
+        <source>Koch curve with peaks turned inwards</source>
+        <translation>Кохова крива со врвови навнатре</translation>
+    </message>
+    <message>
+        <source>Pentigree</source>
+        <translation>Пентигри</translation>
+    </message>
+    <message>
+        <source>Pentadendrite</source>
+        <translation>Пентадендрит</translation>
+    </message>
+    <message>
+        <source>Edge of the Gosper island</source>
+        <translation>Раб на островот на Госпер</translation>
+    </message>
+    <message>
+        <source>Spiral of spirals</source>
+        <translation>Спирала од спирали</translation>
+    </message>
+    <message>
+        <source>Swirl</source>
+        <translation>Вртлог</translation>
+    </message>
+    <message>
+        <source>Galaxy with two arms</source>
+        <translation>Галаксија со два крака</translation>
+    </message>
+    <message>
+        <source>Whorl of three-fold rosettes</source>
+        <translation>Венец од тројни розети</translation>
+    </message>
+    <message>
+        <source>Ram&apos;s horn</source>
+        <translation>Овнов рог</translation>
+    </message>
+    <message>
+        <source>Whirl of pentagons</source>
+        <translation>Вртлог од петаголници</translation>
+    </message>
+    <message>
+        <source>Double spiral between two eyes</source>
+        <translation>Двојна спирала меѓу две очи</translation>
+    </message>
+    <message>
+        <source>Spiral of feathers</source>
+        <translation>Спирала од пердуви</translation>
+    </message>
+    <message>
+        <source>Nautilus: chambers along a golden spiral</source>
+        <translation>Наутилус: комори долж златна спирала</translation>
+    </message>
+    <message>
+        <source>Sunflower: seeds at the golden angle</source>
+        <translation>Сончоглед: семки под златниот агол</translation>
+    </message>
+    <message>
+        <source>Shell: ribs that follow the turn</source>
+        <translation>Школка: ребра што го следат вртењето</translation>
+    </message>
+    <message>
+        <source>Three spirals passing into one another</source>
+        <translation>Три спирали што преминуваат една во друга</translation>
+    </message>
+    <message>
+        <source>Maple leaf</source>
+        <translation>Јаворов лист</translation>
+    </message>
+    <message>
+        <source>Pointed leaf</source>
+        <translation>Зашилен лист</translation>
+    </message>
+    <message>
+        <source>Poinsettia: five bracts</source>
+        <translation>Божиќна ѕвезда: пет брактеи</translation>
+    </message>
+    <message>
+        <source>Edelweiss: eight woolly rays</source>
+        <translation>Еделвајс: осум волнести зраци</translation>
+    </message>
+    <message>
+        <source>Lily of six petals</source>
+        <translation>Крин со шест ливчиња</translation>
+    </message>
+    <message>
+        <source>Oak leaf</source>
+        <translation>Дабов лист</translation>
+    </message>
+    <message>
+        <source>Feather</source>
+        <translation>Пердув</translation>
+    </message>
+    <message>
+        <source>Plane-tree leaf: five blades from one root</source>
+        <translation>Лист од чинар: пет делови од ист корен</translation>
+    </message>
+    <message>
+        <source>Dill umbel</source>
+        <translation>Соцвет на копар</translation>
+    </message>
+    <message>
+        <source>Thistle head</source>
+        <translation>Главичка од магарешки трн</translation>
+    </message>
+    <message>
+        <source>Dandelion clock</source>
+        <translation>Прецутено глуварче</translation>
+    </message>
+    <message>
+        <source>Marigold: rings of petals</source>
+        <translation>Невен: венци од ливчиња</translation>
+    </message>
+    <message>
+        <source>Ear of wheat</source>
+        <translation>Пченичен клас</translation>
+    </message>
+    <message>
+        <source>Chair rep-tile (L tromino)</source>
+        <translation>Рептајл „столче“ (L-тромино)</translation>
+    </message>
+    <message>
+        <source>Golden bee (Ammann&apos;s chair)</source>
+        <translation>Златна пчела (столче на Аман)</translation>
+    </message>
+    <message>
+        <source>Gosper island</source>
+        <translation>Остров на Госпер</translation>
+    </message>
+    <message>
+        <source>Quintet</source>
+        <translation>Квинтет</translation>
+    </message>
+    <message>
+        <source>Eisenstein fractal</source>
+        <translation>Фрактал на Ајзенштајн</translation>
+    </message>
+    <message>
+        <source>Rauzy fractal (tribonacci)</source>
+        <translation>Фрактал на Рози (трибоначи)</translation>
+    </message>
+    <message>
+        <source>Hokkaido tile</source>
+        <translation>Плочка на Хокаидо</translation>
+    </message>
+    <message>
+        <source>Tile of Narayana&apos;s cows</source>
+        <translation>Плочка на кравите на Нарајана</translation>
+    </message>
+    <message>
+        <source>Tile of x^2 + x + 3</source>
+        <translation>Плочка на x² + x + 3</translation>
+    </message>
+    <message>
+        <source>Tile of x^2 + 2 x + 3</source>
+        <translation>Плочка на x² + 2x + 3</translation>
+    </message>
+    <message>
+        <source>Tile of x^2 + 3 x + 3</source>
+        <translation>Плочка на x² + 3x + 3</translation>
+    </message>
+    <message>
+        <source>Tile of x^2 + 2 x + 4</source>
+        <translation>Плочка на x² + 2x + 4</translation>
+    </message>
+    <message>
+        <source>Jigsaw square: nine thirds, one pushed out</source>
+        <translation>Квадрат-сложувалка: девет третини, една истуркана надвор</translation>
+    </message>
+    <message>
+        <source>Numbers in base -2+i with digits 0 to 4</source>
+        <translation>Броеви со основа −2+i и цифри од 0 до 4</translation>
+    </message>
+    <message>
+        <source>Fudgeflake: three terdragons round a point</source>
+        <translation>Фаџфлејк: три тројни змеја околу една точка</translation>
+    </message>
+    <message>
+        <source>Central tile of x^3 = 2 x^2 + x + 1</source>
+        <translation>Централна плочка на x³ = 2x² + x + 1</translation>
+    </message>
+    <message>
+        <source>Penrose tiles</source>
+        <translation>Пенроузови плочки</translation>
+    </message>
+    <message>
+        <source>Penrose tiles, cracked</source>
+        <translation>Пенроузови плочки, напукнати</translation>
+    </message>
+    <message>
+        <source>Parts of the Rauzy fractal</source>
+        <translation>Делови на фракталот на Рози</translation>
+    </message>
+    <message>
+        <source>Boundary of the dragon</source>
+        <translation>Граница на змејот</translation>
+    </message>
+    <message>
+        <source>Boundary of the twindragon</source>
+        <translation>Граница на змејот близнак</translation>
+    </message>
+    <message>
+        <source>Golden mean carpet</source>
+        <translation>Килим на златниот пресек</translation>
+    </message>
+    <message>
+        <source>Golden mean dragon</source>
+        <translation>Змеј на златниот пресек</translation>
+    </message>
+    <message>
+        <source>Restless pentagon</source>
+        <translation>Немирен петаголник</translation>
+    </message>
+    <message>
+        <source>One-way square</source>
+        <translation>Еднонасочен квадрат</translation>
+    </message>
+    <message>
+        <source>Neighbouring corners</source>
+        <translation>Соседни темиња</translation>
+    </message>
+    <message>
+        <source>Steps around a hexagon</source>
+        <translation>Чекори околу шестаголник</translation>
+    </message>
+    <message>
+        <source>Steps around a pentagon</source>
+        <translation>Чекори околу петаголник</translation>
+    </message>
+    <message>
+        <source>Old and young</source>
+        <translation>Стари и млади</translation>
+    </message>
+    <message>
+        <source>Sunset in a triangle</source>
+        <translation>Зајдисонце во триаголник</translation>
+    </message>
+    <message>
+        <source>Triangle for the sunset</source>
+        <translation>Триаголник за зајдисонцето</translation>
+    </message>
+    <message>
+        <source>Bent window</source>
+        <translation>Искривен витраж</translation>
+    </message>
+    <message>
+        <source>Triangle for the glass</source>
+        <translation>Триаголник за витражот</translation>
+    </message>
+    <message>
+        <source>Tartan in a square</source>
+        <translation>Тартан во квадрат</translation>
+    </message>
+    <message>
+        <source>Square for the tartan</source>
+        <translation>Квадрат за тартанот</translation>
+    </message>
+    <message>
+        <source>Grid of a square</source>
+        <translation>Мрежа на квадрат</translation>
+    </message>
+    <message>
+        <source>Square for the grid</source>
+        <translation>Квадрат за мрежата</translation>
+    </message>
+    <message>
+        <source>Rainbow fern</source>
+        <translation>Папрат со бои на виножито</translation>
+    </message>
+    <message>
+        <source>Maple for the fern</source>
+        <translation>Јавор за папратта</translation>
+    </message>
+    <message>
+        <source>Autumn maple</source>
+        <translation>Есенски јавор</translation>
+    </message>
+    <message>
+        <source>Square for the maple</source>
+        <translation>Квадрат за јаворот</translation>
+    </message>
+    <message>
+        <source>Dragon of paper</source>
+        <translation>Змеј од хартија</translation>
+    </message>
+    <message>
+        <source>Sheet for the dragon</source>
+        <translation>Лист хартија за змејот</translation>
+    </message>
+    <message>
+        <source>Curve of waves</source>
+        <translation>Крива од бранови</translation>
+    </message>
+    <message>
+        <source>Sheet for the curve</source>
+        <translation>Лист хартија за кривата</translation>
+    </message>
+    <message>
+        <source>Koch curve across a square</source>
+        <translation>Кохова крива низ квадрат</translation>
+    </message>
+    <message>
+        <source>Square for the curve</source>
+        <translation>Квадрат за кривата</translation>
+    </message>
+    <message>
+        <source>Hilbert curve along a coast</source>
+        <translation>Хилбертова крива долж брегот</translation>
+    </message>
+    <message>
+        <source>Curve for the square</source>
+        <translation>Крива за квадратот</translation>
+    </message>
+    <message>
+        <source>Broken picture</source>
+        <translation>Скршена слика</translation>
+    </message>
+    <message>
+        <source>Square to break</source>
+        <translation>Квадрат за кршење</translation>
+    </message>
+    <message>
+        <source>Gasket of a dragon</source>
+        <translation>Триаголник на Серпињски од змеј</translation>
+    </message>
+    <message>
+        <source>Terdragon for the gasket</source>
+        <translation>Троен змеј за триаголникот</translation>
+    </message>
+    <message>
+        <source>Cantor dust</source>
+        <translation>Канторова прав</translation>
+    </message>
+    <message>
+        <source>Cantor comb: a Cantor set times an interval</source>
+        <translation>Канторов чешел: Канторово множество помножено со интервал</translation>
+    </message>
+    <message>
+        <source>Dust on a triangle</source>
+        <translation>Прав врз триаголник</translation>
+    </message>
+    <message>
+        <source>Dust on a pentagon</source>
+        <translation>Прав врз петаголник</translation>
+    </message>
+    <message>
+        <source>Dust of unequal ratios</source>
+        <translation>Прав со нееднакви односи</translation>
+    </message>
+    <message>
+        <source>Dust on an octagon</source>
+        <translation>Прав врз осумаголник</translation>
+    </message>
+    <message>
+        <source>Rings of dust</source>
+        <translation>Прстени од прав</translation>
+    </message>
+    <message>
+        <source>Tartan dust</source>
+        <translation>Тартан од прав</translation>
+    </message>
+    <message>
+        <source>Pinwheel dust</source>
+        <translation>Ветерница од прав</translation>
+    </message>
+    <message>
+        <source>Swirling dust of three</source>
+        <translation>Прав од три копии што се вртложат</translation>
+    </message>
+    <message>
+        <source>Hexaflake</source>
+        <translation>Шестаголна снегулка</translation>
+    </message>
+    <message>
+        <source>Pentaflake</source>
+        <translation>Петаголна снегулка</translation>
+    </message>
+    <message>
+        <source>Stellar snowflake</source>
+        <translation>Ѕвездеста снегулка</translation>
+    </message>
+    <message>
+        <source>Fern-like snowflake</source>
+        <translation>Снегулка налик на папрат</translation>
+    </message>
+    <message>
+        <source>Sectored plate</source>
+        <translation>Снежна плочка со сектори</translation>
+    </message>
+    <message>
+        <source>Needle snowflake</source>
+        <translation>Игличеста снегулка</translation>
+    </message>
+    <message>
+        <source>Frost flower</source>
+        <translation>Цвет од слана</translation>
+    </message>
+    <message>
+        <source>Decaflake</source>
+        <translation>Десетаголна снегулка</translation>
+    </message>
+    <message>
+        <source>Pentagram flake</source>
+        <translation>Снегулка од пентаграми</translation>
+    </message>
+    <message>
+        <source>Quartz: four-fold lattice</source>
+        <translation>Кварц: решетка од четврти ред</translation>
+    </message>
+    <message>
+        <source>Crystal of two maps</source>
+        <translation>Кристал од две пресликувања</translation>
+    </message>
+    <message>
+        <source>Dendrite snowflake</source>
+        <translation>Дендритна снегулка</translation>
+    </message>
+    <message>
+        <source>Eight-pointed star</source>
+        <translation>Осмокрака ѕвезда</translation>
+    </message>
+    <message>
+        <source>Frost cross: squares turned by 45 degrees</source>
+        <translation>Крст од слана: квадрати завртени за 45°</translation>
+    </message>
+    <message>
+        <source>Takagi curve (blancmange)</source>
+        <translation>Крива на Такаги (бланманже)</translation>
+    </message>
+    <message>
+        <source>Quadratic Bezier arc by de Casteljau</source>
+        <translation>Квадратен лак на Безје според Де Кастелжо</translation>
+    </message>
+    <message>
+        <source>Devil&apos;s staircase</source>
+        <translation>Ѓаволски скали</translation>
+    </message>
+    <message>
+        <source>Okamoto function, a = 2/3 (Bourbaki&apos;s)</source>
+        <translation>Функција на Окамото, a = 2/3 (на Бурбаки)</translation>
+    </message>
+    <message>
+        <source>Okamoto function, a = 5/6 (Perkins&apos;s)</source>
+        <translation>Функција на Окамото, a = 5/6 (на Перкинс)</translation>
+    </message>
+    <message>
+        <source>Kiesswetter curve</source>
+        <translation>Крива на Кисветер</translation>
+    </message>
+    <message>
+        <source>Bolzano function</source>
+        <translation>Болцанова функција</translation>
+    </message>
+    <message>
+        <source>Fractal interpolation of four points</source>
+        <translation>Фрактална интерполација на четири точки</translation>
+    </message>
+    <message>
+        <source>Mountain skyline</source>
+        <translation>Силуета на планини</translation>
+    </message>
+    <message>
+        <source>First coordinate of Peano&apos;s curve</source>
+        <translation>Прва координата на Пеановата крива</translation>
+    </message>
+    <message>
+        <source>Lebesgue&apos;s singular function, a = 0.3</source>
+        <translation>Лебегова сингуларна функција, a = 0,3</translation>
+    </message>
+    <message>
+        <source>Takagi curve and its mirror image</source>
+        <translation>Крива на Такаги и нејзиниот одраз</translation>
+    </message>
+    <message>
+        <source>Hilbert&apos;s four maps, shrunk so that the seams open</source>
+        <translation>Четирите пресликувања на Хилберт, смалени за да се отворат шевовите</translation>
+    </message>
+    <message>
+        <source>Relative of the Sierpinski triangle</source>
+        <translation>Роднина на триаголникот на Серпињски</translation>
+    </message>
+    <message>
+        <source>Zigzag of two maps</source>
+        <translation>Цик-цак од две пресликувања</translation>
+    </message>
+    <message>
+        <source>Coral</source>
+        <translation>Корал</translation>
+    </message>
+    <message>
+        <source>Rosette of three</source>
+        <translation>Розета од три</translation>
+    </message>
+    <message>
+        <source>Rosette of five</source>
+        <translation>Розета од пет</translation>
+    </message>
+    <message>
+        <source>Rosette of seven</source>
+        <translation>Розета од седум</translation>
+    </message>
+    <message>
+        <source>Mandala of twelve</source>
+        <translation>Мандала од дванаесет</translation>
+    </message>
+    <message>
+        <source>Lace</source>
+        <translation>Тантела</translation>
+    </message>
+    <message>
+        <source>Weave</source>
+        <translation>Плетенка</translation>
+    </message>
+    <message>
+        <source>Twigs: a turn and a mirror</source>
+        <translation>Гранчиња: вртење и огледало</translation>
+    </message>
+    <message>
+        <source>Heather</source>
+        <translation>Врес</translation>
+    </message>
+    <message>
+        <source>Breaking wave</source>
+        <translation>Бран што се крши</translation>
+    </message>
+    <message>
+        <source>City seen from above</source>
+        <translation>Град гледан одозгора</translation>
+    </message>
+    <message>
+        <source>Flames</source>
+        <translation>Пламени</translation>
+    </message>
+    <message>
+        <source>Hills in haze</source>
+        <translation>Ридови во магла</translation>
+    </message>
+    <message>
+        <source>Knotwork: four copies turned by 45 degrees</source>
+        <translation>Преплет: четири копии завртени за 45°</translation>
+    </message>
+    <message>
+        <source>Sea dragon</source>
+        <translation>Морски змеј</translation>
+    </message>
+    <message>
+        <source>Kaleidoscope</source>
+        <translation>Калеидоскоп</translation>
+    </message>
+    <message>
+        <source>Sierpinski tetrahedron</source>
+        <translation>Тетраедар на Серпињски</translation>
+    </message>
+    <message>
+        <source>Octahedron flake</source>
+        <translation>Октаедарска снегулка</translation>
+    </message>
+    <message>
+        <source>Sierpinski pyramid</source>
+        <translation>Пирамида на Серпињски</translation>
+    </message>
+    <message>
+        <source>Icosahedron flake</source>
+        <translation>Икосаедарска снегулка</translation>
+    </message>
+    <message>
+        <source>Dodecahedron flake</source>
+        <translation>Додекаедарска снегулка</translation>
+    </message>
+    <message>
+        <source>Cuboctahedron flake</source>
+        <translation>Кубоктаедарска снегулка</translation>
+    </message>
+    <message>
+        <source>Menger sponge</source>
+        <translation>Менгеров сунѓер</translation>
+    </message>
+    <message>
+        <source>Mosely snowflake</source>
+        <translation>Снегулка на Моузли</translation>
+    </message>
+    <message>
+        <source>Jerusalem cube</source>
+        <translation>Ерусалимска коцка</translation>
+    </message>
+    <message>
+        <source>Cross in space</source>
+        <translation>Крст во простор</translation>
+    </message>
+    <message>
+        <source>Saltire in space</source>
+        <translation>Кос крст во простор</translation>
+    </message>
+    <message>
+        <source>Cantor dust in space</source>
+        <translation>Канторова прав во простор</translation>
+    </message>
+    <message>
+        <source>Cube corner: seven of eight cubes</source>
+        <translation>Агол на коцка: седум од осум коцки</translation>
+    </message>
+    <message>
+        <source>Cube corners in mirrors</source>
+        <translation>Агли на коцки во огледала</translation>
+    </message>
+    <message>
+        <source>Quadratic Koch surface: cubes on squares</source>
+        <translation>Квадратна Кохова површина: коцки врз квадрати</translation>
+    </message>
+    <message>
+        <source>Fern in space</source>
+        <translation>Папрат во простор</translation>
+    </message>
+    <message>
+        <source>Tree with three boughs</source>
+        <translation>Дрво со три гранки</translation>
+    </message>
+    <message>
+        <source>Oak with a leader and four boughs</source>
+        <translation>Даб со водечка гранка и уште четири</translation>
+    </message>
+    <message>
+        <source>Fir: drooping whorls around a leader</source>
+        <translation>Ела: обесени венци околу водечка гранка</translation>
+    </message>
+    <message>
+        <source>Poplar: pairs of steep twigs</source>
+        <translation>Топола: парови исправени гранчиња</translation>
+    </message>
+    <message>
+        <source>Umbel: six rays from the top of a stalk</source>
+        <translation>Штитест соцвет: шест зраци од врвот на една дршка</translation>
+    </message>
+    <message>
+        <source>Thuja: flat sprays turned by the golden angle</source>
+        <translation>Туја: рамни гранчиња завртени за златниот агол</translation>
+    </message>
+    <message>
+        <source>Romanesco: cones on a cone, by the golden angle</source>
+        <translation>Романеско: конуси врз конус, според златниот агол</translation>
+    </message>
+    <message>
+        <source>Cauliflower</source>
+        <translation>Карфиол</translation>
+    </message>
+    <message>
+        <source>Turret shell</source>
+        <translation>Кулест полжав</translation>
+    </message>
+    <message>
+        <source>Top shell: whorls of whorls</source>
+        <translation>Полжав чигра: навои од навои</translation>
+    </message>
+    <message>
+        <source>Nautilus: chambers along a flat spiral</source>
+        <translation>Наутилус: комори долж рамна спирала</translation>
+    </message>
+    <message>
+        <source>Double helix that narrows to a point</source>
+        <translation>Двојна завојница што се стеснува во врв</translation>
+    </message>
+    <message>
+        <source>Staghorn coral</source>
+        <translation>Корал еленски рог</translation>
+    </message>
+    <message>
+        <source>Bush coral</source>
+        <translation>Грмушест корал</translation>
+    </message>
+    <message>
+        <source>Sea fan: forks almost in one plane</source>
+        <translation>Морска лепеза: разгранувања речиси во една рамнина</translation>
+    </message>
+    <message>
+        <source>Allium: a ball of twelve stalks with alliums at their ends</source>
+        <translation>Украсен лук: топка од дванаесет дршки со лук на крајот</translation>
+    </message>
+    <message>
+        <source>Dragon in space: each fold about another axis</source>
+        <translation>Змеј во простор: секое превиткување околу друга оска</translation>
+    </message>
+    <message>
+        <source>C curve in space</source>
+        <translation>C-крива во простор</translation>
+    </message>
+    <message>
+        <source>Terdragon in space</source>
+        <translation>Троен змеј во простор</translation>
+    </message>
+    <message>
+        <source>Tetrahedra, each turned by 60 degrees</source>
+        <translation>Тетраедри, секој завртен за 60°</translation>
+    </message>
+    <message>
+        <source>Cubes, each turned by 60 degrees</source>
+        <translation>Коцки, секоја завртена за 60°</translation>
+    </message>
+    <message>
+        <source>Octahedra, each turned by 45 degrees</source>
+        <translation>Октаедри, секој завртен за 45°</translation>
     </message>
 </context>
 <context>
