@@ -2241,7 +2241,7 @@
     </message>
     <message>
         <source>Watch the attractor being built: in steps of the deterministic algorithm, or by the chaos game</source>
-        <translation>Zusehen, wie der Attraktor entsteht: in Schritten des deterministischen Algorithmus oder durch das Chaos-Spiel</translation>
+        <translation>Zusehen, wie der Attraktor entsteht: in Schritten des deterministischen Algorithmus oder durch das Chaosspiel</translation>
     </message>
     <message>
         <source>&amp;Help</source>
@@ -2841,7 +2841,7 @@
     </message>
     <message>
         <source>The Chaos Game</source>
-        <translation>Das Chaos-Spiel</translation>
+        <translation>Das Chaosspiel</translation>
     </message>
     <message>
         <source>Why the Maple Fits Its Triangle</source>
@@ -9478,7 +9478,7 @@
     </message>
     <message>
         <source>Chaos Game</source>
-        <translation>Chaos-Spiel</translation>
+        <translation>Chaosspiel</translation>
     </message>
     <message>
         <source>One point that jumps by maps chosen at random; the first 14 points are not plotted</source>
@@ -9554,7 +9554,7 @@
     </message>
     <message>
         <source>How many jumps the chaos game makes per second. At up to ten per second, the die shows each map that is rolled.</source>
-        <translation>Wie viele Sprünge das Chaos-Spiel je Sekunde macht. Bis zu zehn je Sekunde zeigt der Würfel jede Abbildung, die fällt.</translation>
+        <translation>Wie viele Sprünge das Chaosspiel je Sekunde macht. Bis zu zehn je Sekunde zeigt der Würfel jede Abbildung, die fällt.</translation>
     </message>
     <message>
         <source>W%1: the start</source>
@@ -9629,7 +9629,7 @@
     </message>
     <message>
         <source>The die of the chaos game. It has a face for each map, as wide as the probability of the map. The face that was rolled is shown in the colour of its map, and so is the point that the map leads to. At more than ten jumps per second, the die rolls too fast to be read.</source>
-        <translation>Der Würfel des Chaos-Spiels. Er hat für jede Abbildung eine Seite, so breit wie deren Wahrscheinlichkeit. Die gefallene Seite erscheint in der Farbe ihrer Abbildung, ebenso der Punkt, zu dem diese geführt hat. Bei mehr als zehn Sprüngen je Sekunde rollt er zu schnell, um abgelesen zu werden.</translation>
+        <translation>Der Würfel des Chaosspiels. Er hat für jede Abbildung eine Seite, so breit wie deren Wahrscheinlichkeit. Die gefallene Seite erscheint in der Farbe ihrer Abbildung, ebenso der Punkt, zu dem diese geführt hat. Bei mehr als zehn Sprüngen je Sekunde rollt er zu schnell, um abgelesen zu werden.</translation>
     </message>
     <message>
         <source>Each map has a face, as wide as its probability.</source>
@@ -10052,7 +10052,7 @@
     </message>
     <message>
         <source>The points of the chaos game as shown, without the first 14.</source>
-        <translation>Die Punkte des Chaos-Spiels, wo sie gezeigt werden, ohne die ersten 14.</translation>
+        <translation>Die Punkte des Chaosspiels, wo sie gezeigt werden, ohne die ersten 14.</translation>
     </message>
     <message>
         <source>Export Data</source>
@@ -10076,7 +10076,7 @@
     </message>
     <message>
         <source>How many points of the chaos game are written.</source>
-        <translation>Wie viele Punkte des Chaos-Spiels geschrieben werden.</translation>
+        <translation>Wie viele Punkte des Chaosspiels geschrieben werden.</translation>
     </message>
     <message>
         <source>In flame programs, y points down. With this option, the flame looks as it does here; without it, the numbers stay the same.</source>
@@ -10219,7 +10219,7 @@
     </message>
     <message>
         <source>One dot for every visible point of the chaos game.</source>
-        <translation>Ein Fleck für jeden Punkt des Chaos-Spiels, der zu sehen ist.</translation>
+        <translation>Ein Fleck für jeden Punkt des Chaosspiels, der zu sehen ist.</translation>
     </message>
     <message>
         <source> The cage bends the picture, which copies cannot reproduce: the affine fit of the cage is written instead. A PNG shows the bend.</source>
@@ -10251,11 +10251,11 @@
     </message>
     <message>
         <source>Copies of copies make a small file that drawing programs can edit; the outline is one path; points are dots of the chaos game.</source>
-        <translation>Kopien von Kopien geben eine kleine Datei, die Zeichenprogramme bearbeiten können; der Umriss ist ein einziger Pfad; Punkte sind Flecken des Chaos-Spiels.</translation>
+        <translation>Kopien von Kopien geben eine kleine Datei, die Zeichenprogramme bearbeiten können; der Umriss ist ein einziger Pfad; Punkte sind Flecken des Chaosspiels.</translation>
     </message>
     <message>
         <source>How many dots of the chaos game are drawn.</source>
-        <translation>Wie viele Flecken des Chaos-Spiels gezeichnet werden.</translation>
+        <translation>Wie viele Flecken des Chaosspiels gezeichnet werden.</translation>
     </message>
     <message>
         <source>The number of levels of copies. More levels hardly enlarge the file, but the picture takes longer to draw.</source>
@@ -12095,7 +12095,7 @@ Tasten: Bild auf und Bild ab wählen eine Marke, die Pfeile bewegen sie, Einfg f
     </message>
     <message>
         <source>Weight as entered: how often the chaos game chooses the map. The weights need not sum to 1.</source>
-        <translation>Gewicht wie angegeben: wie oft das Chaos-Spiel die Abbildung nimmt. Die Summe muss nicht 1 sein.</translation>
+        <translation>Gewicht wie angegeben: wie oft das Chaosspiel die Abbildung nimmt. Die Summe muss nicht 1 sein.</translation>
     </message>
     <message>
         <source>Determinant ad − bc: the factor by which areas change; negative if the map reflects.</source>

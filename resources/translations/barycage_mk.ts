@@ -227,7 +227,7 @@
     </message>
     <message>
         <source>−Σ pᵢ ln pᵢ: the uncertainty of one step of the chaos game, in nats.</source>
-        <translation>−Σ pᵢ ln pᵢ: колку остава отворено еден чекор од играта на хаос, во нати.</translation>
+        <translation>−Σ pᵢ ln pᵢ: колку остава отворено еден чекор од играта на хаосот, во нати.</translation>
     </message>
     <message>
         <source>Lyapunov exponent</source>
@@ -235,7 +235,7 @@
     </message>
     <message>
         <source>Σ pᵢ ln sᵢ: how the logarithm of a distance changes per step of the chaos game, if all maps are similarities in some coordinates.</source>
-        <translation>Σ pᵢ ln sᵢ: како се менува логаритмот на растојание по чекор од играта на хаос, ако сите пресликувања се сличности во некои координати.</translation>
+        <translation>Σ pᵢ ln sᵢ: како се менува логаритмот на растојание по чекор од играта на хаосот, ако сите пресликувања се сличности во некои координати.</translation>
     </message>
     <message>
         <source>Dimension of the measure</source>
@@ -606,7 +606,7 @@
     </message>
     <message>
         <source>Maps that may follow only certain maps: Penrose tiles, boundaries, and chaos games with rules.</source>
-        <translation>Пресликувања што смеат да следат само некои: Пенроузови плочки, граници и игри на хаос со правила.</translation>
+        <translation>Пресликувања што смеат да следат само некои: Пенроузови плочки, граници и игри на хаосот со правила.</translation>
     </message>
     <message>
         <source>Fractal transformations</source>
@@ -2246,7 +2246,7 @@
     </message>
     <message>
         <source>Watch the attractor being built: in steps of the deterministic algorithm, or by the chaos game</source>
-        <translation>Гледај како се гради атракторот: по чекори на детерминистичкиот алгоритам или со игра на хаос</translation>
+        <translation>Гледај како се гради атракторот: по чекори на детерминистичкиот алгоритам или со игра на хаосот</translation>
     </message>
     <message>
         <source>&amp;Help</source>
@@ -2846,11 +2846,11 @@
     </message>
     <message>
         <source>The Chaos Game</source>
-        <translation>Играта на хаос</translation>
+        <translation>Играта на хаосот</translation>
     </message>
     <message>
         <source>Why the Maple Fits Its Triangle</source>
-        <translation>Зошто јаворот го собира неговиот триаголник</translation>
+        <translation>Зошто јаворот се собира во својот триаголник</translation>
     </message>
     <message>
         <source>&amp;Lesson</source>
@@ -5681,7 +5681,7 @@
     </message>
     <message>
         <source>Which map may follow which in the chaos game, as a graph and as a matrix.</source>
-        <translation>Кои пресликувања играта на хаос смее да ги примени по кои, како граф и како матрица.</translation>
+        <translation>Кои пресликувања играта на хаосот смее да ги примени по кои, како граф и како матрица.</translation>
     </message>
     <message>
         <source>The control cage in numbers: its vertices, their positions at rest, what moving them does, and other cages to choose from.</source>
@@ -9496,7 +9496,7 @@
     </message>
     <message>
         <source>Chaos Game</source>
-        <translation>Игра на хаос</translation>
+        <translation>Игра на хаосот</translation>
     </message>
     <message>
         <source>One point that jumps by maps chosen at random; the first 14 points are not plotted</source>
@@ -9572,7 +9572,7 @@
     </message>
     <message>
         <source>How many jumps the chaos game makes per second. At up to ten per second, the die shows each map that is rolled.</source>
-        <translation>Колку скокови прави играта на хаос во секунда. До десет во секунда, коцката го покажува секое пресликување што паѓа.</translation>
+        <translation>Колку скокови прави играта на хаосот во секунда. До десет во секунда, коцката го покажува секое пресликување што паѓа.</translation>
     </message>
     <message>
         <source>W%1: the start</source>
@@ -9647,7 +9647,7 @@
     </message>
     <message>
         <source>The die of the chaos game. It has a face for each map, as wide as the probability of the map. The face that was rolled is shown in the colour of its map, and so is the point that the map leads to. At more than ten jumps per second, the die rolls too fast to be read.</source>
-        <translation>Коцката на играта на хаос. Има по една страна за секое пресликување, широка колку неговата веројатност. Страната што паднала се прикажува во бојата на своето пресликување, исто како и точката до која тоа довело. При повеќе од десет скокови во секунда се тркала пребрзо за да се чита.</translation>
+        <translation>Коцката на играта на хаосот. Има по една страна за секое пресликување, широка колку неговата веројатност. Страната што паднала се прикажува во бојата на своето пресликување, исто како и точката до која тоа довело. При повеќе од десет скокови во секунда се тркала пребрзо за да се чита.</translation>
     </message>
     <message>
         <source>Each map has a face, as wide as its probability.</source>
@@ -10077,7 +10077,7 @@
     </message>
     <message>
         <source>The points of the chaos game as shown, without the first 14.</source>
-        <translation>Точките од играта на хаос таму каде што се прикажани, без првите 14.</translation>
+        <translation>Точките од играта на хаосот таму каде што се прикажани, без првите 14.</translation>
     </message>
     <message>
         <source>Export Data</source>
@@ -10101,7 +10101,7 @@
     </message>
     <message>
         <source>How many points of the chaos game are written.</source>
-        <translation>Колку точки од играта на хаос се запишуваат.</translation>
+        <translation>Колку точки од играта на хаосот се запишуваат.</translation>
     </message>
     <message>
         <source>In flame programs, y points down. With this option, the flame looks as it does here; without it, the numbers stay the same.</source>
@@ -10244,7 +10244,7 @@
     </message>
     <message>
         <source>One dot for every visible point of the chaos game.</source>
-        <translation>По една точка за секоја видлива точка од играта на хаос.</translation>
+        <translation>По една точка за секоја видлива точка од играта на хаосот.</translation>
     </message>
     <message>
         <source> The cage bends the picture, which copies cannot reproduce: the affine fit of the cage is written instead. A PNG shows the bend.</source>
@@ -10276,11 +10276,11 @@
     </message>
     <message>
         <source>Copies of copies make a small file that drawing programs can edit; the outline is one path; points are dots of the chaos game.</source>
-        <translation>Копиите од копии даваат мала датотека што програмите за цртање можат да ја уредуваат; контурата е една патека; точките се точки од играта на хаос.</translation>
+        <translation>Копиите од копии даваат мала датотека што програмите за цртање можат да ја уредуваат; контурата е една патека; точките се точки од играта на хаосот.</translation>
     </message>
     <message>
         <source>How many dots of the chaos game are drawn.</source>
-        <translation>Колку точки од играта на хаос се цртаат.</translation>
+        <translation>Колку точки од играта на хаосот се цртаат.</translation>
     </message>
     <message>
         <source>The number of levels of copies. More levels hardly enlarge the file, but the picture takes longer to draw.</source>
@@ -11691,7 +11691,7 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
     </message>
     <message>
         <source>Each circle is a map, and an arrow leads to each map that may follow it in the chaos game; thicker arrows have more weight. Drag from one map to another to link them, or out of a map and back to link it to itself. Click an arrow and press Delete to remove it, or double-click it to enter its weight. With the keyboard: Left and Right walk through the maps, Up and Down through the arrows of a map; Space begins a new arrow, Left and Right choose its end, Enter adds it. Maps with a dashed ring take no part; the reason is shown beside them.</source>
-        <translation>Секој круг е пресликување, а стрелка води до секое пресликување што смее да го следи во играта на хаос; подебелите стрелки имаат поголема тежина. Влечете од едно пресликување до друго за да ги поврзете, или надвор од пресликување и назад за да го поврзете со самото себе. Кликнете на стрелка и притиснете Delete за да ја отстраните, или двоен клик за да ја внесете нејзината тежина. Со тастатурата: лево и десно минуваат низ пресликувањата, горе и долу низ стрелките на едно пресликување; празно место почнува нова стрелка, лево и десно го избираат нејзиниот крај, Enter ја додава. Пресликувањата со испрекинат прстен не учествуваат, од причината што стои до нив.</translation>
+        <translation>Секој круг е пресликување, а стрелка води до секое пресликување што смее да го следи во играта на хаосот; подебелите стрелки имаат поголема тежина. Влечете од едно пресликување до друго за да ги поврзете, или надвор од пресликување и назад за да го поврзете со самото себе. Кликнете на стрелка и притиснете Delete за да ја отстраните, или двоен клик за да ја внесете нејзината тежина. Со тастатурата: лево и десно минуваат низ пресликувањата, горе и долу низ стрелките на едно пресликување; празно место почнува нова стрелка, лево и десно го избираат нејзиниот крај, Enter ја додава. Пресликувањата со испрекинат прстен не учествуваат, од причината што стои до нив.</translation>
     </message>
     <message>
         <source>No map is selected.</source>
@@ -12127,7 +12127,7 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
     </message>
     <message>
         <source>Weight as entered: how often the chaos game chooses the map. The weights need not sum to 1.</source>
-        <translation>Тежината како што е зададена: колку често играта на хаос го зема пресликувањето. Збирот на тежините не мора да биде 1.</translation>
+        <translation>Тежината како што е зададена: колку често играта на хаосот го зема пресликувањето. Збирот на тежините не мора да биде 1.</translation>
     </message>
     <message>
         <source>Determinant ad − bc: the factor by which areas change; negative if the map reflects.</source>
