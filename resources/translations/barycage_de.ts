@@ -84,11 +84,11 @@
     </message>
     <message>
         <source>If a table does not name its columns, you are asked for their order. In the Maps panel, Paste adds the copied maps, or rows of numbers, to the fractal.</source>
-        <translation>Wenn eine Tabelle ihre Spalten nicht benennt, werden Sie nach deren Reihenfolge gefragt. Im Bereich Abbildungen fügt Einfügen die kopierten Abbildungen oder Zeilen von Zahlen zum Fraktal hinzu.</translation>
+        <translation>Wenn eine Tabelle ihre Spalten nicht benennt, werden Sie nach deren Reihenfolge gefragt. Im Feld „Abbildungen“ fügt „Einfügen“ die kopierten Abbildungen oder Zeilen von Zahlen zum Fraktal hinzu.</translation>
     </message>
     <message>
         <source>Acts on maps while the table of maps, or the canvas with the Maps tool, has the focus, and on entries while the list of entries has it.</source>
-        <translation>Es gilt, was den Fokus hat: Die Tabelle der Abbildungen und die Leinwand mit dem Werkzeug Abbildungen verschieben Abbildungen, die Liste der Einträge Einträge.</translation>
+        <translation>Es gilt, was den Fokus hat: Die Tabelle der Abbildungen und die Zeichenfläche mit dem Werkzeug Abbildungen verschieben Abbildungen, die Liste der Einträge Einträge.</translation>
     </message>
     <message>
         <source>Maps are copied with their names and as rows of numbers, entries as .ifs text that other programs can read.</source>
@@ -1650,7 +1650,7 @@
     </message>
     <message>
         <source>Grow variations</source>
-        <translation>Variationen züchten</translation>
+        <translation>Abwandlungen züchten</translation>
     </message>
     <message>
         <source>Save a poster</source>
@@ -2789,7 +2789,7 @@
     </message>
     <message>
         <source>Select maps or entries first: in their panels, or on the canvas with the Maps tool.</source>
-        <translation>Erst Abbildungen oder Einträge wählen: in ihren Bereichen, oder Abbildungen auf der Leinwand mit ihrem Werkzeug.</translation>
+        <translation>Erst Abbildungen oder Einträge wählen: in ihren Feldern, oder Abbildungen auf der Zeichenfläche mit ihrem Werkzeug.</translation>
     </message>
     <message>
         <source>&amp;Cut</source>
@@ -3145,7 +3145,7 @@
     </message>
     <message>
         <source>Snapshots are not saved with the file and will be lost: %1. To keep one, cancel and choose Add as Entry in the Snapshots panel.</source>
-        <translation>Schnappschüsse werden nicht mit der Datei gespeichert und gehen verloren: %1. Um einen zu behalten, brechen Sie ab und wählen Sie im Bereich „Schnappschüsse“ „Als Eintrag hinzufügen“.</translation>
+        <translation>Schnappschüsse werden nicht mit der Datei gespeichert und gehen verloren: %1. Um einen zu behalten, brechen Sie ab und wählen Sie im Feld „Schnappschüsse“ „Als Eintrag hinzufügen“.</translation>
     </message>
     <message>
         <source>The target in the Collage panel is not saved with the file.</source>
@@ -3356,7 +3356,7 @@
     </message>
     <message>
         <source>&amp;Variations…</source>
-        <translation>&amp;Variationen…</translation>
+        <translation>A&amp;bwandlungen…</translation>
     </message>
     <message>
         <source>S&amp;hadow</source>
@@ -6238,11 +6238,11 @@
     </message>
     <message>
         <source>Map %1 is locked. Unlock it in the Maps panel first.</source>
-        <translation>Abbildung %1 ist gesperrt. Geben Sie sie erst im Bereich Abbildungen frei.</translation>
+        <translation>Abbildung %1 ist gesperrt. Geben Sie sie erst im Feld „Abbildungen“ frei.</translation>
     </message>
     <message>
         <source>Maps %1 are locked. Unlock them in the Maps panel first.</source>
-        <translation>Die Abbildungen %1 sind gesperrt. Geben Sie sie erst im Bereich Abbildungen frei.</translation>
+        <translation>Die Abbildungen %1 sind gesperrt. Geben Sie sie erst im Feld „Abbildungen“ frei.</translation>
     </message>
     <message>
         <source>Lock a map</source>
@@ -6594,7 +6594,7 @@
     </message>
     <message>
         <source>A solid has no shadow on the ground. Move its light in the Appearance panel: the solid darkens the side that faces away from it.</source>
-        <translation>Ein Körper wirft keinen Schatten auf den Boden. Verschieben Sie sein Licht im Bereich „Aussehen“: Die abgewandte Seite des Körpers wird dunkel.</translation>
+        <translation>Ein Körper wirft keinen Schatten auf den Boden. Verschieben Sie sein Licht im Feld „Aussehen“: Die abgewandte Seite des Körpers wird dunkel.</translation>
     </message>
     <message>
         <source>This entry could not be read, so there is no picture to cast a shadow.</source>
@@ -9412,7 +9412,7 @@
     </message>
     <message>
         <source>mutate mutation vary breed evolve grow similar</source>
-        <translation>mutieren Mutation variieren züchten entwickeln wachsen ähnlich</translation>
+        <translation>mutieren Mutation variieren Variationen züchten entwickeln wachsen ähnlich</translation>
     </message>
     <message>
         <source>shade silhouette drop cast ground light sun</source>
@@ -10307,7 +10307,7 @@
     </message>
     <message>
         <source>Asks for a file name and adds the picture to the queue in the Exports panel. The queue continues after a restart.</source>
-        <translation>Fragt nach einem Dateinamen und zeichnet das Bild, wenn es an der Reihe ist, nach denen, die in der Leiste „Exporte“ warten. Die Warteschlange läuft nach einem Neustart weiter.</translation>
+        <translation>Fragt nach einem Dateinamen und zeichnet das Bild, wenn es an der Reihe ist, nach denen, die im Feld „Exporte“ warten. Die Warteschlange läuft nach einem Neustart weiter.</translation>
     </message>
     <message>
         <source>The view “%1”</source>
@@ -11851,7 +11851,7 @@ Tasten: Bild auf und Bild ab wählen eine Marke, die Pfeile bewegen sie, Einfg f
     </message>
     <message>
         <source>Puts the maps back in the order of their numbers, which is that of the Maps panel: map 1 is on top. This is one step that you can undo.</source>
-        <translation>Ordnet die Abbildungen wieder nach ihren Nummern, also wie im Bereich „Abbildungen“: Abbildung 1 liegt oben. Das ist ein Schritt, den Sie rückgängig machen können.</translation>
+        <translation>Ordnet die Abbildungen wieder nach ihren Nummern, also wie im Feld „Abbildungen“: Abbildung 1 liegt oben. Das ist ein Schritt, den Sie rückgängig machen können.</translation>
     </message>
 </context>
 <context>
@@ -12910,7 +12910,7 @@ Tasten: Bild auf und Bild ab wählen eine Marke, die Pfeile bewegen sie, Einfg f
     </message>
     <message>
         <source>Use a variation</source>
-        <translation>Variation übernehmen</translation>
+        <translation>Abwandlung übernehmen</translation>
     </message>
 </context>
 <context>
@@ -13456,7 +13456,7 @@ Tasten: Bild auf und Bild ab wählen eine Marke, die Pfeile bewegen sie, Einfg f
     </message>
     <message>
         <source>Each map also acts rotated or mirrored about the origin, so the fractal is symmetric. You can change the symmetry later in the Maps panel. The tetrahedral, octahedral and icosahedral groups exist in space only.</source>
-        <translation>Jede Abbildung wirkt auch um den Ursprung gedreht oder gespiegelt, sodass das Fraktal symmetrisch ist. Später können Sie die Symmetrie im Bereich „Abbildungen“ ändern. Tetraeder-, Oktaeder- und Ikosaedergruppe gibt es nur im Raum.</translation>
+        <translation>Jede Abbildung wirkt auch um den Ursprung gedreht oder gespiegelt, sodass das Fraktal symmetrisch ist. Später können Sie die Symmetrie im Feld „Abbildungen“ ändern. Tetraeder-, Oktaeder- und Ikosaedergruppe gibt es nur im Raum.</translation>
     </message>
     <message>
         <source>Order of the symmetry</source>
@@ -14038,7 +14038,7 @@ Tasten: Bild auf und Bild ab wählen eine Marke, die Pfeile bewegen sie, Einfg f
     </message>
     <message>
         <source>&amp;Shortcut:</source>
-        <translation>&amp;Kürzel:</translation>
+        <translation>Tasten&amp;kürzel:</translation>
     </message>
     <message>
         <source>Press the keys that the selected command is to have. Tab goes on to the next field.</source>
@@ -14384,7 +14384,7 @@ Tasten: Bild auf und Bild ab wählen eine Marke, die Pfeile bewegen sie, Einfg f
     </message>
     <message>
         <source>&amp;Transparent background</source>
-        <translation>&amp;Transparenter Hintergrund</translation>
+        <translation>&amp;Durchsichtiger Hintergrund</translation>
     </message>
     <message>
         <source>Makes the surroundings of the solid transparent.</source>
@@ -14440,7 +14440,7 @@ Tasten: Bild auf und Bild ab wählen eine Marke, die Pfeile bewegen sie, Einfg f
     </message>
     <message>
         <source>Asks for a file name and adds the file to the queue in the Exports panel. The queue continues after a restart.</source>
-        <translation>Fragt nach einem Dateinamen und erstellt die Datei, wenn sie an der Reihe ist, nach denen, die in der Leiste „Exporte“ warten. Die Warteschlange läuft nach einem Neustart weiter.</translation>
+        <translation>Fragt nach einem Dateinamen und erstellt die Datei, wenn sie an der Reihe ist, nach denen, die im Feld „Exporte“ warten. Die Warteschlange läuft nach einem Neustart weiter.</translation>
     </message>
     <message>
         <source>The view on the canvas</source>
@@ -14661,7 +14661,7 @@ Tasten: Bild auf und Bild ab wählen eine Marke, die Pfeile bewegen sie, Einfg f
     <name>view::SpaceView</name>
     <message>
         <source>Canvas in space</source>
-        <translation>Leinwand im Raum</translation>
+        <translation>Zeichenfläche im Raum</translation>
     </message>
     <message>
         <source>The solid and its tetrahedron. Drag a corner: X, Y or Z keeps it on an axis, with Shift in a plane, and the wheel pushes it away. Drag anywhere else to turn the view; the wheel zooms at the pointer, the middle button pans. Double-click the solid to turn about that point.</source>
@@ -14713,7 +14713,7 @@ Tasten: Bild auf und Bild ab wählen eine Marke, die Pfeile bewegen sie, Einfg f
     </message>
     <message>
         <source>The attractor and its control tetrahedron. Tab moves from corner to corner and to the ball of axes, the arrow keys move the corner in focus or turn the view, F6 leaves the canvas.</source>
-        <translation>Der Attraktor und sein Kontrolltetraeder. Tab wechselt von Ecke zu Ecke und zur Achsenkugel, die Pfeiltasten bewegen die Ecke mit dem Fokus oder drehen die Ansicht, F6 verlässt die Leinwand.</translation>
+        <translation>Der Attraktor und sein Kontrolltetraeder. Tab wechselt von Ecke zu Ecke und zur Achsenkugel, die Pfeiltasten bewegen die Ecke mit dem Fokus oder drehen die Ansicht, F6 verlässt die Zeichenfläche.</translation>
     </message>
     <message>
         <source>Ball of axes, positive end of %1.</source>
@@ -16120,7 +16120,7 @@ Tasten: Bild auf und Bild ab wählen eine Marke, die Pfeile bewegen sie, Einfg f
     <name>view::TransformationView</name>
     <message>
         <source>Canvas of the partner</source>
-        <translation>Leinwand des Partners</translation>
+        <translation>Zeichenfläche des Partners</translation>
     </message>
     <message>
         <source>Choose Partner</source>

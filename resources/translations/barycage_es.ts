@@ -1792,7 +1792,7 @@
     </message>
     <message>
         <source>Replace</source>
-        <translation>Sustituir</translation>
+        <translation>Reemplazar</translation>
     </message>
     <message>
         <source>Save As…</source>
@@ -6062,7 +6062,7 @@
     </message>
     <message>
         <source>The cage is flat, so its placement cannot be baked into the code. Open the cage first.</source>
-        <translation>La jaula es plana, así que su posición no se puede incorporar al código. Abra primero la jaula.</translation>
+        <translation>La jaula es plana, así que su colocación no se puede incorporar al código. Abra primero la jaula.</translation>
     </message>
     <message>
         <source>The cage is at rest.</source>
@@ -6082,7 +6082,7 @@
     </message>
     <message>
         <source>The cage is not at rest: it already holds a placement.</source>
-        <translation>La jaula no está en reposo: ya contiene una posición.</translation>
+        <translation>La jaula no está en reposo: ya contiene una colocación.</translation>
     </message>
     <message>
         <source>Only a cage with three vertices can be unbaked.</source>
@@ -7690,7 +7690,7 @@
     </message>
     <message>
         <source>Supersampling: %1</source>
-        <translation>Sobremuestreo: %1</translation>
+        <translation>Supermuestreo: %1</translation>
     </message>
     <message>
         <source>More Palettes…</source>
@@ -13043,7 +13043,7 @@ Teclas: Re Pág y Av Pág eligen una parada, las flechas la mueven, Ins añade u
     </message>
     <message>
         <source>No matches</source>
-        <translation>Sin coincidencias</translation>
+        <translation>Sin resultados</translation>
     </message>
     <message>
         <source>Rotate all hues by this many degrees; the lightness stays the same</source>

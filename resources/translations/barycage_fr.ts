@@ -2377,7 +2377,7 @@
     </message>
     <message>
         <source>Show only the canvas in full screen, for example on a projector; press Esc to return</source>
-        <translation>Laisser tout l’écran à la zone de dessin, par exemple pour un projecteur&#x202f;; Échap ramène le reste</translation>
+        <translation>Laisser tout l’écran au canevas, par exemple pour un projecteur&#x202f;; Échap ramène le reste</translation>
     </message>
     <message>
         <source>Add Ra&amp;ndom Fractal…</source>
@@ -3069,7 +3069,7 @@
     </message>
     <message>
         <source>Rotate the view counter-clockwise by 15°</source>
-        <translation>Tourner de 15° dans le sens inverse des aiguilles d’une montre ce que montre la zone de dessin</translation>
+        <translation>Tourner de 15° dans le sens inverse des aiguilles d’une montre ce que montre le canevas</translation>
     </message>
     <message>
         <source>Rotate View &amp;Right</source>
@@ -3081,7 +3081,7 @@
     </message>
     <message>
         <source>Rotate the view clockwise by 15°</source>
-        <translation>Tourner de 15° dans le sens des aiguilles d’une montre ce que montre la zone de dessin</translation>
+        <translation>Tourner de 15° dans le sens des aiguilles d’une montre ce que montre le canevas</translation>
     </message>
     <message>
         <source>Re&amp;set Rotation</source>
@@ -5088,7 +5088,7 @@
     </message>
     <message>
         <source>The cage of “%1” is flat or bends the picture. Bake or reset it first.</source>
-        <translation>La cage de « %1 » est plate ou courbe l’image. Inscrivez-la d’abord dans le code, ou remettez-la au repos.</translation>
+        <translation>La cage de « %1 » est plate ou courbe l’image. Intégrez-la d’abord au code, ou remettez-la au repos.</translation>
     </message>
     <message>
         <source>“%1” has no active map, so there is nothing to draw.</source>
@@ -7170,7 +7170,7 @@
     </message>
     <message>
         <source>On the canvas</source>
-        <translation>Sur la zone de dessin</translation>
+        <translation>Sur le canevas</translation>
     </message>
     <message>
         <source>Box</source>
@@ -7230,7 +7230,7 @@
     </message>
     <message>
         <source>The cage bends the picture, and no system produces a bent picture. These are the properties of the code; on the canvas, the outlines bend with the picture.</source>
-        <translation>La cage courbe l’image, et aucun système ne produit une image courbée. Ce sont les propriétés du code ; sur la zone de dessin, les contours se courbent avec l’image.</translation>
+        <translation>La cage courbe l’image, et aucun système ne produit une image courbée. Ce sont les propriétés du code ; sur le canevas, les contours se courbent avec l’image.</translation>
     </message>
     <message>
         <source>Outline the hulls of all pieces with addresses of the same length, each in the colour of its first map; click one to see its address</source>
@@ -7854,7 +7854,7 @@
     </message>
     <message>
         <source>The number of maps in the address of the branch (Shift + wheel over the canvas)</source>
-        <translation>Combien d’applications de l’adresse nomment la branche (Maj + molette sur la zone de dessin)</translation>
+        <translation>Combien d’applications de l’adresse nomment la branche (Maj + molette sur le canevas)</translation>
     </message>
     <message>
         <source>The address of the clicked point, outermost map first; the bold part is the address of the branch</source>
@@ -8074,7 +8074,7 @@
     </message>
     <message>
         <source>Define the triangle with three clicks on the canvas; the picture stays</source>
-        <translation>Définir le triangle en trois clics dans la zone de dessin&#x202f;; l’image reste</translation>
+        <translation>Définir le triangle en trois clics sur le canevas&#x202f;; l’image reste</translation>
     </message>
     <message>
         <source>Reset</source>
@@ -8721,7 +8721,7 @@
     </message>
     <message>
         <source>The attractor and its control cage. Tab moves from handle to handle, the arrow keys move the handle in focus, F6 leaves the canvas.</source>
-        <translation>L’attracteur et sa cage de contrôle. Tab passe d’une poignée à l’autre, les touches fléchées déplacent celle qui a le focus, F6 quitte la zone de dessin.</translation>
+        <translation>L’attracteur et sa cage de contrôle. Tab passe d’une poignée à l’autre, les touches fléchées déplacent celle qui a le focus, F6 quitte le canevas.</translation>
     </message>
     <message>
         <source>Define triangle</source>
@@ -13647,7 +13647,7 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
     <name>view::ShortcutsDialog</name>
     <message>
         <source>On the canvas</source>
-        <translation>Dans la zone de dessin</translation>
+        <translation>Sur le canevas</translation>
     </message>
     <message>
         <source>Move a vertex, an edge, the whole cage</source>
@@ -13779,7 +13779,7 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
     </message>
     <message>
         <source>drag from the empty canvas; Shift adds</source>
-        <translation>faire glisser depuis la zone de dessin vide&#x202f;; Maj ajoute</translation>
+        <translation>faire glisser depuis le canevas vide&#x202f;; Maj ajoute</translation>
     </message>
     <message>
         <source>Add a map or vertex to the selection, or remove it</source>

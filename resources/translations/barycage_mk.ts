@@ -40,7 +40,7 @@
     </message>
     <message>
         <source>The coefficients do not change. To keep the picture as it is and change the coefficients instead, use Bake.</source>
-        <translation>Коефициентите не се менуваат. За сликата да остане иста, а да се сменат коефициентите, користи Впиши во кодот.</translation>
+        <translation>Коефициентите не се менуваат. За сликата да остане иста, а да се сменат коефициентите, користете „Впиши во кодот“.</translation>
     </message>
     <message>
         <source>Each map w becomes T w T⁻¹, where T is the affine map from the cage at rest to the current cage. The cage is at rest afterwards. A cage that is flat or bends the picture cannot be baked.</source>
@@ -68,7 +68,7 @@
     </message>
     <message>
         <source>A bar appears under the canvas: choose the number of steps, or let the chaos game run point by point at any speed.</source>
-        <translation>Под платното се појавува лента: избери број на чекори или пушти ја играта на хаосот да оди точка по точка со која било брзина.</translation>
+        <translation>Под платното се појавува лента: изберете број на чекори или пуштете ја играта на хаосот да оди точка по точка со која било брзина.</translation>
     </message>
     <message>
         <source>As a placement, it leaves the coefficients unchanged; as code, it replaces them by those of the transformed fractal. The canvas shows the result before you accept it.</source>
@@ -84,7 +84,7 @@
     </message>
     <message>
         <source>If a table does not name its columns, you are asked for their order. In the Maps panel, Paste adds the copied maps, or rows of numbers, to the fractal.</source>
-        <translation>Ако табелата не ги именува колоните, ќе бидете прашани за нивниот редослед. Во панелот Пресликувања, Залепи ги додава копираните пресликувања или редиците броеви во фракталот.</translation>
+        <translation>Ако табелата не ги именува колоните, ќе бидете прашани за нивниот редослед. Во панелот „Пресликувања“, „Вметни“ ги додава копираните пресликувања или редиците броеви во фракталот.</translation>
     </message>
     <message>
         <source>Acts on maps while the table of maps, or the canvas with the Maps tool, has the focus, and on entries while the list of entries has it.</source>
@@ -1651,7 +1651,7 @@
     </message>
     <message>
         <source>Grow variations</source>
-        <translation>Одгледајте варијации</translation>
+        <translation>Одгледајте варијанти</translation>
     </message>
     <message>
         <source>Save a poster</source>
@@ -2358,7 +2358,7 @@
     </message>
     <message>
         <source>P&amp;aste</source>
-        <translation>&amp;Залепи</translation>
+        <translation>В&amp;метни</translation>
     </message>
     <message>
         <source>Your unsaved work was recovered nevertheless.</source>
@@ -2546,11 +2546,11 @@
     </message>
     <message>
         <source>Select a map first.</source>
-        <translation>Прво избери пресликување.</translation>
+        <translation>Прво изберете пресликување.</translation>
     </message>
     <message>
         <source>Duplicate the selected maps</source>
-        <translation>Дуплирај ги избраните пресликувања</translation>
+        <translation>Удвои ги избраните пресликувања</translation>
     </message>
     <message>
         <source>Delete the selected maps</source>
@@ -2634,7 +2634,7 @@
     </message>
     <message>
         <source>P&amp;revious Frame</source>
-        <translation>П&amp;ретходна слика</translation>
+        <translation>П&amp;ретходен кадар</translation>
     </message>
     <message>
         <source>,</source>
@@ -2642,11 +2642,11 @@
     </message>
     <message>
         <source>Move the playhead back one frame</source>
-        <translation>Врати ја главата за пуштање една слика назад</translation>
+        <translation>Врати ја главата за пуштање еден кадар назад</translation>
     </message>
     <message>
         <source>Ne&amp;xt Frame</source>
-        <translation>&amp;Следна слика</translation>
+        <translation>&amp;Следен кадар</translation>
     </message>
     <message>
         <source>.</source>
@@ -2654,7 +2654,7 @@
     </message>
     <message>
         <source>Move the playhead forward one frame</source>
-        <translation>Помести ја главата за пуштање една слика напред</translation>
+        <translation>Помести ја главата за пуштање еден кадар напред</translation>
     </message>
     <message>
         <source>Pre&amp;vious Key</source>
@@ -2794,7 +2794,7 @@
     </message>
     <message>
         <source>Select maps or entries first: in their panels, or on the canvas with the Maps tool.</source>
-        <translation>Прво избери пресликувања или записи: во нивните панели, или на платното со алатката за пресликувања.</translation>
+        <translation>Прво изберете пресликувања или записи: во нивните панели, или на платното со алатката за пресликувања.</translation>
     </message>
     <message>
         <source>&amp;Cut</source>
@@ -2814,11 +2814,11 @@
     </message>
     <message>
         <source>Dupl&amp;icate</source>
-        <translation>&amp;Дуплирај</translation>
+        <translation>&amp;Удвои</translation>
     </message>
     <message>
         <source>Duplicate the selected maps or entries</source>
-        <translation>Дуплирај ги избраните пресликувања или записи</translation>
+        <translation>Удвои ги избраните пресликувања или записи</translation>
     </message>
     <message>
         <source>&amp;Delete</source>
@@ -3362,7 +3362,7 @@
     </message>
     <message>
         <source>&amp;Variations…</source>
-        <translation>&amp;Варијации…</translation>
+        <translation>&amp;Варијанти…</translation>
     </message>
     <message>
         <source>S&amp;hadow</source>
@@ -3470,7 +3470,7 @@
     </message>
     <message>
         <source>Copy a link that holds the fractal: Barycage opens it when it is pasted</source>
-        <translation>Копирај врска што го содржи фракталот: Barycage ја отвора кога ќе се залепи</translation>
+        <translation>Копирај врска што го содржи фракталот: Barycage ја отвора кога ќе се вметне</translation>
     </message>
     <message>
         <source>The link was copied to the clipboard. It holds the whole fractal.</source>
@@ -6221,7 +6221,7 @@
     </message>
     <message>
         <source>%1 has keys: it would be rewritten at this frame only, and what has none at every frame. Remove its keys in the timeline first.</source>
-        <translation>%1 има клучеви: би се препишало само во оваа слика, а она што нема клучеви во сите. Прво отстранете ги од временската линија.</translation>
+        <translation>%1 има клучеви: би се препишало само во овој кадар, а она што нема клучеви во сите. Прво отстранете ги од временската линија.</translation>
     </message>
     <message>
         <source>Maps in space cannot be linked.</source>
@@ -6297,7 +6297,7 @@
     </message>
     <message>
         <source>Select a map first.</source>
-        <translation>Прво избери пресликување.</translation>
+        <translation>Прво изберете пресликување.</translation>
     </message>
     <message>
         <source>The maps are linked. Only maps that may all follow each other can be shown alone.</source>
@@ -6513,11 +6513,11 @@
     </message>
     <message>
         <source>Select at least two maps first.</source>
-        <translation>Прво избери барем две пресликувања.</translation>
+        <translation>Прво изберете барем две пресликувања.</translation>
     </message>
     <message>
         <source>Select at least three maps first.</source>
-        <translation>Прво избери барем три пресликувања.</translation>
+        <translation>Прво изберете барем три пресликувања.</translation>
     </message>
     <message>
         <source>The cage is flat, so maps cannot be moved in it. Reset the cage first.</source>
@@ -7115,7 +7115,7 @@
     <message>
         <source>%1 (frame %2)</source>
         <comment>what is done, at which frame</comment>
-        <translation>%1 (слика %2)</translation>
+        <translation>%1 (кадар %2)</translation>
     </message>
 </context>
 <context>
@@ -7472,7 +7472,7 @@
     </message>
     <message>
         <source>Frame without an attractor</source>
-        <translation>Слика без атрактор</translation>
+        <translation>Кадар без атрактор</translation>
     </message>
     <message>
         <source>Sect&amp;ion:</source>
@@ -7544,7 +7544,7 @@
     </message>
     <message>
         <source>S&amp;upersampling:</source>
-        <translation>&amp;Натсемплирање:</translation>
+        <translation>&amp;Суперсемплирање:</translation>
     </message>
     <message>
         <source>%1 needs even sides: the last column or row is shown twice.</source>
@@ -7797,7 +7797,7 @@
     <name>view::AttractorWatch</name>
     <message>
         <source>At frame %1, it could not be decided whether there is an attractor.</source>
-        <translation>Кај слика %1 не можеше да се утврди дали постои атрактор.</translation>
+        <translation>Кај кадар %1 не можеше да се утврди дали постои атрактор.</translation>
     </message>
     <message>
         <source>Weaken the motions.</source>
@@ -7809,19 +7809,19 @@
     </message>
     <message>
         <source>Weaken the motions, or change the keys of the maps (frames: %1).</source>
-        <translation>Ослабете ги движењата или сменете ги клучевите на пресликувањата (слики: %1).</translation>
+        <translation>Ослабете ги движењата или сменете ги клучевите на пресликувањата (кадри: %1).</translation>
     </message>
     <message>
         <source>Change the keys of the maps (frames: %1).</source>
-        <translation>Сменете ги клучевите на пресликувањата (слики: %1).</translation>
+        <translation>Сменете ги клучевите на пресликувањата (кадри: %1).</translation>
     </message>
     <message>
         <source>Set a key there, or change the keys of the maps (frames: %1).</source>
-        <translation>Поставете клуч таму или сменете ги клучевите на пресликувањата (слики: %1).</translation>
+        <translation>Поставете клуч таму или сменете ги клучевите на пресликувањата (кадри: %1).</translation>
     </message>
     <message>
         <source>At frame %1, there is no attractor.</source>
-        <translation>Кај слика %1 нема атрактор.</translation>
+        <translation>Кај кадар %1 нема атрактор.</translation>
     </message>
 </context>
 <context>
@@ -8358,11 +8358,11 @@
     </message>
     <message>
         <source>Select a vertex first.</source>
-        <translation>Прво избери теме.</translation>
+        <translation>Прво изберете теме.</translation>
     </message>
     <message>
         <source>To insert a vertex, point to an edge or select a vertex.</source>
-        <translation>За да вметнеш теме, покажи на страна или избери теме.</translation>
+        <translation>За да вметнете теме, покажете на страна или изберете теме.</translation>
     </message>
 </context>
 <context>
@@ -8837,7 +8837,7 @@
     <message>
         <source>%1 px</source>
         <comment>pixels</comment>
-        <translation>%1 пкс</translation>
+        <translation>%1 px</translation>
     </message>
     <message>
         <source>Coverage</source>
@@ -9040,7 +9040,7 @@
     </message>
     <message>
         <source>On average, the shades of the attractor are guaranteed to lie within %1 px of those of the picture.</source>
-        <translation>Гарантирано е дека нијансите на атракторот во просек се на најмногу %1 пкс од оние на сликата.</translation>
+        <translation>Гарантирано е дека нијансите на атракторот во просек се на најмногу %1 px од оние на сликата.</translation>
     </message>
     <message>
         <source>With these weights, the maps do not contract on average, so nothing is guaranteed for the shades.</source>
@@ -10777,7 +10777,7 @@
     </message>
     <message>
         <source>Seed of the random numbers</source>
-        <translation>Почетна вредност на случајните броеви</translation>
+        <translation>Семе на случајните броеви</translation>
     </message>
     <message>
         <source>Another seed gives another search</source>
@@ -10785,7 +10785,7 @@
     </message>
     <message>
         <source>Seed:</source>
-        <translation>Почеток:</translation>
+        <translation>Семе:</translation>
     </message>
     <message>
         <source>Similarities only</source>
@@ -12402,7 +12402,7 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
     </message>
     <message>
         <source>Table of maps</source>
-        <translation>Табела со пресликувања</translation>
+        <translation>Табела на пресликувањата</translation>
     </message>
     <message>
         <source>No maps: add one, or paste rows of 6 or 7 numbers.</source>
@@ -12595,7 +12595,7 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
     </message>
     <message>
         <source>Select a map first.</source>
-        <translation>Прво избери пресликување.</translation>
+        <translation>Прво изберете пресликување.</translation>
     </message>
     <message>
         <source>There are too many maps to show them all. Zoom in to see the others.</source>
@@ -12942,7 +12942,7 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
     </message>
     <message>
         <source>Use a variation</source>
-        <translation>Користи варијација</translation>
+        <translation>Користи варијанта</translation>
     </message>
 </context>
 <context>
@@ -13075,7 +13075,7 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
     </message>
     <message>
         <source>No matches</source>
-        <translation>Нема совпаѓања</translation>
+        <translation>Нема резултати</translation>
     </message>
     <message>
         <source>Rotate all hues by this many degrees; the lightness stays the same</source>
@@ -13824,7 +13824,7 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
     </message>
     <message>
         <source>Insert a vertex on an edge, duplicate the selected maps</source>
-        <translation>Вметни теме на страна, удвој ги избраните пресликувања</translation>
+        <translation>Вметни теме на страна, удвои ги избраните пресликувања</translation>
     </message>
     <message>
         <source>Remove the last vertex while defining a triangle</source>
@@ -13916,7 +13916,7 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
     </message>
     <message>
         <source>First or last frame</source>
-        <translation>Прва или последна слика</translation>
+        <translation>Прв или последен кадар</translation>
     </message>
     <message>
         <source>Home, End</source>
@@ -14401,7 +14401,7 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
     </message>
     <message>
         <source>S&amp;upersampling:</source>
-        <translation>&amp;Натсемплирање:</translation>
+        <translation>&amp;Суперсемплирање:</translation>
     </message>
     <message>
         <source>8 bits</source>
@@ -14909,7 +14909,7 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
     </message>
     <message>
         <source>Mean distance %1 px</source>
-        <translation>Средно растојание %1 пкс</translation>
+        <translation>Средно растојание %1 px</translation>
     </message>
     <message>
         <source>Overlap %1 %</source>
@@ -14925,7 +14925,7 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
     </message>
     <message>
         <source>Guaranteed within %1 px</source>
-        <translation>Загарантирано до %1 пкс</translation>
+        <translation>Загарантирано до %1 px</translation>
     </message>
 </context>
 <context>
@@ -15307,11 +15307,11 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
     </message>
     <message>
         <source>Key of %1 (frame %2)</source>
-        <translation>Клуч на %1 (слика %2)</translation>
+        <translation>Клуч на %1 (кадар %2)</translation>
     </message>
     <message>
         <source>Keys of all tracks (frame %1)</source>
-        <translation>Клучеви на сите патеки (слика %1)</translation>
+        <translation>Клучеви на сите патеки (кадар %1)</translation>
     </message>
     <message>
         <source>Delete keys</source>
@@ -15411,11 +15411,11 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
     </message>
     <message>
         <source>Ease of keys (frame %1)</source>
-        <translation>Премин на клучеви (слика %1)</translation>
+        <translation>Премин на клучеви (кадар %1)</translation>
     </message>
     <message>
         <source>Ease of keys (frames %1–%2)</source>
-        <translation>Премин на клучеви (слики %1–%2)</translation>
+        <translation>Премин на клучеви (кадри %1–%2)</translation>
     </message>
     <message>
         <source>Edit the Motion…</source>
@@ -15530,7 +15530,7 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
     </message>
     <message>
         <source>The view moves into a small copy of the whole; the last frame matches the first.</source>
-        <translation>Погледот навлегува во мала копија на целината, каде што последната слика е првата.</translation>
+        <translation>Погледот навлегува во мала копија на целината, каде што последниот кадар е првиот.</translation>
     </message>
     <message>
         <source>Zoom in endlessly</source>
@@ -15578,7 +15578,7 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
     </message>
     <message>
         <source>Frame without an attractor</source>
-        <translation>Слика без атрактор</translation>
+        <translation>Кадар без атрактор</translation>
     </message>
     <message>
         <source>Steady Sway</source>
@@ -15593,7 +15593,7 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
     </message>
     <message>
         <source>Drag a corner, an edge or the inside of the cage.  Ctrl rotates  ·  Alt scales  ·  Shift keeps directions  ·  double-click an edge for a new vertex</source>
-        <translation>Влечи теме, раб или внатрешност на кафезот.  Ctrl врти  ·  Alt менува големина  ·  Shift ги задржува правците  ·  двоен клик на раб: ново теме</translation>
+        <translation>Влечете теме, раб или внатрешност на кафезот.  Ctrl врти  ·  Alt менува големина  ·  Shift ги задржува правците  ·  двоен клик на раб: ново теме</translation>
     </message>
     <message>
         <source>Click the three corners of the new triangle.  Backspace removes the last point  ·  Esc cancels</source>
@@ -15605,11 +15605,11 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
     </message>
     <message>
         <source>Drag a corner or a face of the cage.  X, Y, Z keep an axis  ·  Ctrl rotates  ·  Alt scales  ·  drag anywhere else to turn the view</source>
-        <translation>Влечи теме или страна на кафезот.  X, Y, Z задржуваат оска  ·  Ctrl врти  ·  Alt менува големина  ·  влечи на друго место за да го завртиш приказот</translation>
+        <translation>Влечете теме или страна на кафезот.  X, Y, Z задржуваат оска  ·  Ctrl врти  ·  Alt менува големина  ·  влечете на друго место за да го завртите приказот</translation>
     </message>
     <message>
         <source>Click a corner of a map to select it, Shift+click for more.  Drag its corners or its middle  ·  X, Y, Z keep an axis  ·  Ctrl rotates  ·  Alt scales  ·  drag anywhere else to turn the view</source>
-        <translation>Кликни на теме од пресликување за да го избереш, Shift+клик за уште.  Влечи ги неговите темиња или средината  ·  X, Y, Z задржуваат оска  ·  Ctrl врти  ·  Alt менува големина  ·  влечи на друго место за да го завртиш приказот</translation>
+        <translation>Кликнете на теме од пресликување за да го изберете, Shift+клик за уште.  Влечете ги неговите темиња или средината  ·  X, Y, Z задржуваат оска  ·  Ctrl врти  ·  Alt менува големина  ·  влечете на друго место за да го завртите приказот</translation>
     </message>
     <message>
         <source>Side by side, the fractal can be turned and zoomed.  To change it, switch stereo off.</source>
@@ -15683,7 +15683,7 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
     </message>
     <message>
         <source>Switch the ruler between frames and seconds</source>
-        <translation>Префрли го линијарот меѓу слики и секунди</translation>
+        <translation>Префрли го линијарот меѓу кадри и секунди</translation>
     </message>
     <message>
         <source>Seconds</source>
@@ -15691,11 +15691,11 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
     </message>
     <message>
         <source>Frames</source>
-        <translation>Слики</translation>
+        <translation>Кадри</translation>
     </message>
     <message>
         <source>%1, frame %2</source>
-        <translation>%1, слика %2</translation>
+        <translation>%1, кадар %2</translation>
     </message>
     <message>
         <source>, key</source>
@@ -16227,11 +16227,11 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
     </message>
     <message>
         <source>Frame</source>
-        <translation>Слика</translation>
+        <translation>Кадар</translation>
     </message>
     <message>
         <source>The frame that is shown and edited</source>
-        <translation>Сликата што се прикажува и се уредува</translation>
+        <translation>Кадарот што се прикажува и се уредува</translation>
     </message>
     <message>
         <source>Length</source>
@@ -16239,15 +16239,15 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
     </message>
     <message>
         <source>The length of the animation in frames</source>
-        <translation>Колку слики е долга анимацијата</translation>
+        <translation>Колку кадри е долга анимацијата</translation>
     </message>
     <message>
         <source>Frames per second</source>
-        <translation>Слики во секунда</translation>
+        <translation>Кадри во секунда</translation>
     </message>
     <message>
         <source>The number of frames played per second</source>
-        <translation>Колку слики се пуштаат во секунда</translation>
+        <translation>Колку кадри се пуштаат во секунда</translation>
     </message>
     <message>
         <source>Previous Key</source>
@@ -16267,7 +16267,7 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
     </message>
     <message>
         <source>Frame:</source>
-        <translation>Слика:</translation>
+        <translation>Кадар:</translation>
     </message>
     <message>
         <source>Length:</source>
@@ -16287,11 +16287,11 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
     </message>
     <message>
         <source>What happens after the last frame</source>
-        <translation>Што доаѓа по последната слика</translation>
+        <translation>Што доаѓа по последниот кадар</translation>
     </message>
     <message>
         <source>Off: the animation stops at its last frame. Cycle: it starts again from frame 0. There and Back: it runs backwards to the start.</source>
-        <translation>Исклучено: анимацијата запира на последната слика. Круг: почнува одново, а сликата на крајот е слика 0. Напред и назад: се враќа наназад до почетокот.</translation>
+        <translation>Исклучено: анимацијата запира на последниот кадар. Круг: почнува одново, а кадарот на крајот е кадар 0. Напред и назад: се враќа наназад до почетокот.</translation>
     </message>
     <message>
         <source>Off</source>
@@ -16312,11 +16312,11 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
     </message>
     <message>
         <source>The number of frames drawn per second during playback</source>
-        <translation>Колку слики во секунда се цртаат при пуштањето</translation>
+        <translation>Колку кадри во секунда се цртаат при пуштањето</translation>
     </message>
     <message>
         <source>Frames per second: %1</source>
-        <translation>Слики во секунда: %1</translation>
+        <translation>Кадри во секунда: %1</translation>
     </message>
     <message>
         <source>Loop: %1</source>
@@ -16328,22 +16328,22 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
     </message>
     <message>
         <source>Stop at this frame</source>
-        <translation>Запри на оваа слика</translation>
+        <translation>Запри на овој кадар</translation>
     </message>
     <message>
         <source>The number of frames played per second: a number or a fraction, such as 24, 12.5 or 30000/1001. 29.97 stands for the latter, the rate of television.</source>
-        <translation>Колку слики се пуштаат во секунда: број или дропка, на пример 24, 12.5 или 30000/1001. 29.97 ја означува последната, брзината на телевизијата.</translation>
+        <translation>Колку кадри се пуштаат во секунда: број или дропка, на пример 24, 12.5 или 30000/1001. 29.97 ја означува последната, брзината на телевизијата.</translation>
     </message>
     <message>
         <source>“%1” is not a frame rate. Enter frames per second, above 0 and at most %2, such as 24, 29.97 or 30000/1001.</source>
-        <translation>„%1“ не е брзина на слики. Внесете слики во секунда, над 0 и најмногу %2, на пример 24, 29.97 или 30000/1001.</translation>
+        <translation>„%1“ не е брзина на кадри. Внесете кадри во секунда, над 0 и најмногу %2, на пример 24, 29.97 или 30000/1001.</translation>
     </message>
     <message numerus="yes">
         <source>Length of the animation: %n frame(s)</source>
         <translation>
-            <numerusform>Должина на анимацијата: %n слика</numerusform>
-            <numerusform>Должина на анимацијата: %n слики</numerusform>
-            <numerusform>Должина на анимацијата: %n слики</numerusform>
+            <numerusform>Должина на анимацијата: %n кадар</numerusform>
+            <numerusform>Должина на анимацијата: %n кадри</numerusform>
+            <numerusform>Должина на анимацијата: %n кадри</numerusform>
         </translation>
     </message>
 </context>
