@@ -14368,7 +14368,7 @@ Teclas: Re Pág y Av Pág eligen una parada, las flechas la mueven, Ins añade u
     </message>
     <message>
         <source>S&amp;upersampling:</source>
-        <translation>So&amp;bremuestreo:</translation>
+        <translation>Sup&amp;ermuestreo:</translation>
     </message>
     <message>
         <source>8 bits</source>

@@ -9617,7 +9617,7 @@
     </message>
     <message>
         <source>Step by Step</source>
-        <translation>По чекори</translation>
+        <translation>Чекори</translation>
     </message>
     <message>
         <source>All maps at once, applied n times to the cage or another shape (Wⁿ)</source>
