@@ -16,7 +16,7 @@
 namespace io {
 namespace {
 
-// ./dev translate puts the texts of the bundled index into the catalogues.
+// ./dev translate puts the texts of the bundled index, and the titles of the entries, into the catalogues.
 QString translated(const QJsonValue& text) {
     return QCoreApplication::translate("Collection", text.toString().toUtf8().constData());
 }
@@ -75,6 +75,10 @@ CollectionTheme readTheme(const QString& path) {
     else
         theme.entries = readFractint(loaded.bytes, info.completeBaseName()).entries;
     return theme;
+}
+
+QString bundledTitle(const QString& title) {
+    return QCoreApplication::translate("CollectionNames", title.toUtf8().constData());
 }
 
 QFuture<CollectionTheme> readThemes(const QString& folder) {

@@ -27,6 +27,9 @@ QStringList collectionIn(const QString& folder);
 // Title and description come from the index beside the file if there is one, else from the file's name.
 CollectionTheme readTheme(const QString& path);
 
+// The title of an entry of the bundled files in the user's language; any other text as it is.
+QString bundledTitle(const QString& title);
+
 // Reads the bundled files, or those of a folder when one is named, in a thread of its own: a result for each,
 // as soon as it is there, and the number of files as progress. Ends behind the present file when cancelled.
 QFuture<CollectionTheme> readThemes(const QString& folder);

@@ -84,11 +84,11 @@
     </message>
     <message>
         <source>If a table does not name its columns, you are asked for their order. In the Maps panel, Paste adds the copied maps, or rows of numbers, to the fractal.</source>
-        <translation>Wenn eine Tabelle ihre Spalten nicht benennt, werden Sie nach deren Reihenfolge gefragt. Im Bereich Abbildungen fügt Einfügen die kopierten Abbildungen oder Zeilen von Zahlen zum Fraktal hinzu.</translation>
+        <translation>Wenn eine Tabelle ihre Spalten nicht benennt, werden Sie nach deren Reihenfolge gefragt. Im Feld „Abbildungen“ fügt „Einfügen“ die kopierten Abbildungen oder Zeilen von Zahlen zum Fraktal hinzu.</translation>
     </message>
     <message>
         <source>Acts on maps while the table of maps, or the canvas with the Maps tool, has the focus, and on entries while the list of entries has it.</source>
-        <translation>Es gilt, was den Fokus hat: Die Tabelle der Abbildungen und die Leinwand mit dem Werkzeug Abbildungen verschieben Abbildungen, die Liste der Einträge Einträge.</translation>
+        <translation>Es gilt, was den Fokus hat: Die Tabelle der Abbildungen und die Zeichenfläche mit dem Werkzeug Abbildungen verschieben Abbildungen, die Liste der Einträge Einträge.</translation>
     </message>
     <message>
         <source>Maps are copied with their names and as rows of numbers, entries as .ifs text that other programs can read.</source>
@@ -453,7 +453,7 @@
     </message>
     <message>
         <source>The two systems of E. Hadzieva and M. Shuminoska, with the coefficients as printed.</source>
-        <translation>Die beiden Systeme von E. Hadzieva und M. Shuminoska, mit den gedruckten Koeffizienten.</translation>
+        <translation>Die beiden Systeme von E. Hadzieva und M. Shuminoska mit den Koeffizienten, wie sie gedruckt sind.</translation>
     </message>
     <message>
         <source>Ferns</source>
@@ -461,7 +461,7 @@
     </message>
     <message>
         <source>Fronds: one large map climbs the rachis, two small ones attach the pinnae, and a flat one draws the stem.</source>
-        <translation>Wedel: Eine große Abbildung steigt die Spindel hinauf, zwei kleine setzen die Fiedern an, eine flache zeichnet den Stiel.</translation>
+        <translation>Wedel: Eine große Abbildung steigt die Spindel hinauf, zwei kleine setzen die Fiedern an, und eine flache zeichnet den Stiel.</translation>
     </message>
     <message>
         <source>Trees</source>
@@ -477,7 +477,7 @@
     </message>
     <message>
         <source>Paper-folding curves, and fractals of two or three rotating similarities.</source>
-        <translation>Kurven aus gefaltetem Papier und die Fraktale von zwei oder drei gedrehten Ähnlichkeiten.</translation>
+        <translation>Kurven aus gefaltetem Papier und Fraktale aus zwei oder drei Drehstreckungen.</translation>
     </message>
     <message>
         <source>Sierpiński family</source>
@@ -485,7 +485,7 @@
     </message>
     <message>
         <source>Gaskets and carpets: a polygon made of smaller copies of itself, with holes between them.</source>
-        <translation>Siebe und Teppiche: Ein Vieleck enthält verkleinerte Kopien von sich und behält seine Löcher.</translation>
+        <translation>Siebe und Teppiche: ein Vieleck aus kleineren Kopien seiner selbst, mit Löchern dazwischen.</translation>
     </message>
     <message>
         <source>Koch family</source>
@@ -493,7 +493,7 @@
     </message>
     <message>
         <source>Curves built by replacing a segment again and again, and the islands they enclose.</source>
-        <translation>Kurven, die durch Ersetzen einer Strecke entstehen, und die Inseln, die sie umranden.</translation>
+        <translation>Kurven, bei denen eine Strecke immer wieder ersetzt wird, und die Inseln, die sie umschließen.</translation>
     </message>
     <message>
         <source>Spirals</source>
@@ -501,7 +501,7 @@
     </message>
     <message>
         <source>One map that turns and shrinks a little, and small maps that set beads along its path.</source>
-        <translation>Eine Abbildung, die dreht und ein wenig schrumpft, und kleine, die ihren Weg besetzen.</translation>
+        <translation>Eine Abbildung, die ein wenig dreht und verkleinert, und kleine, die Perlen auf ihren Weg setzen.</translation>
     </message>
     <message>
         <source>Leaves and flowers</source>
@@ -509,7 +509,7 @@
     </message>
     <message>
         <source>Leaf outlines, and flowers whose petals are rotated copies of one another.</source>
-        <translation>Umrisse von Blättern, und Blüten, deren Blätter gedrehte Kopien voneinander sind.</translation>
+        <translation>Umrisse von Blättern, und Blüten, deren Blütenblätter gedrehte Kopien voneinander sind.</translation>
     </message>
     <message>
         <source>Tiles and reptiles</source>
@@ -517,7 +517,7 @@
     </message>
     <message>
         <source>Sets that tile the plane: rep-tiles, which are made of copies of themselves, and the central tiles of number systems.</source>
-        <translation>Mengen, die die Ebene pflastern: Kopien ihrer selbst, Rep-Tiles und die mittleren Kacheln von Zahlsystemen.</translation>
+        <translation>Mengen, die die Ebene pflastern: Rep-Tiles, die aus Kopien ihrer selbst bestehen, und die zentralen Kacheln von Zahlsystemen.</translation>
     </message>
     <message>
         <source>Cantor sets and dust</source>
@@ -525,7 +525,7 @@
     </message>
     <message>
         <source>Sets with gaps at every scale: the points crowd together, but hardly any are connected.</source>
-        <translation>Mengen voller Lücken in jeder Größe: überall Punkte in der Nähe, kaum welche verbunden.</translation>
+        <translation>Mengen mit Lücken in jeder Größe: Die Punkte drängen sich, aber kaum welche hängen zusammen.</translation>
     </message>
     <message>
         <source>Crystals and snowflakes</source>
@@ -533,7 +533,7 @@
     </message>
     <message>
         <source>Sets with the symmetry of snow crystals: five, six and more arms.</source>
-        <translation>Mengen mit der Symmetrie des Frosts: fünf, sechs und mehr Arme.</translation>
+        <translation>Mengen mit der Symmetrie von Schneekristallen: fünf, sechs und mehr Arme.</translation>
     </message>
     <message>
         <source>Curves and graphs</source>
@@ -541,7 +541,7 @@
     </message>
     <message>
         <source>Graphs of unusual functions, smooth curves as attractors, and coordinates of space-filling curves.</source>
-        <translation>Graphen seltsamer Funktionen, glatte Kurven als Attraktoren, raumfüllende Koordinaten.</translation>
+        <translation>Graphen ungewöhnlicher Funktionen, glatte Kurven als Attraktoren und Koordinaten raumfüllender Kurven.</translation>
     </message>
     <message>
         <source>Abstract</source>
@@ -549,7 +549,7 @@
     </message>
     <message>
         <source>Affine patterns with no counterpart in nature: relatives of the gasket, weaves, rosettes.</source>
-        <translation>Affine Muster ohne Namen in der Natur: Verwandte des Siebs, Geflechte, Rosetten.</translation>
+        <translation>Affine Muster ohne Vorbild in der Natur: Verwandte des Siebs, Geflechte, Rosetten.</translation>
     </message>
     <message>
         <source>Polyhedra in space</source>
@@ -573,7 +573,7 @@
     </message>
     <message>
         <source>Fronds and trees with branches all around the stem.</source>
-        <translation>Wedel und Bäume, deren Äste rings um den Stamm stehen.</translation>
+        <translation>Wedel und Bäume mit Ästen rings um den Stamm.</translation>
     </message>
     <message>
         <source>Shells and corals in space</source>
@@ -617,6 +617,1021 @@
     </message>
 </context>
 <context>
+    <name>CollectionNames</name>
+    <message>
+        <source>Maple</source>
+        <translation>Ahorn</translation>
+    </message>
+    <message>
+        <source>Flower</source>
+        <translation>Blüte</translation>
+    </message>
+    <message>
+        <source>Maple in the wind</source>
+        <translation>Ahorn im Wind</translation>
+    </message>
+    <message>
+        <source>Fern that unrolls</source>
+        <translation>Farn, der sich entrollt</translation>
+    </message>
+    <message>
+        <source>Paper strip that folds to a dragon</source>
+        <translation>Papierstreifen, der sich zum Drachen faltet</translation>
+    </message>
+    <message>
+        <source>Koch curve that grows spikes</source>
+        <translation>Koch-Kurve, der Stacheln wachsen</translation>
+    </message>
+    <message>
+        <source>Zoom into a flake without end</source>
+        <translation>Endloser Zoom in eine Flocke</translation>
+    </message>
+    <message>
+        <source>Walk through a weaving flower</source>
+        <translation>Gang durch eine webende Blüte</translation>
+    </message>
+    <message>
+        <source>Tree in a storm</source>
+        <translation>Baum im Sturm</translation>
+    </message>
+    <message>
+        <source>Sea fan in the swell</source>
+        <translation>Fächerkoralle in der Dünung</translation>
+    </message>
+    <message>
+        <source>Bracts that breathe</source>
+        <translation>Atmende Hochblätter</translation>
+    </message>
+    <message>
+        <source>Pentagons that turn in place</source>
+        <translation>Fünfecke, die sich auf der Stelle drehen</translation>
+    </message>
+    <message>
+        <source>Menger sponge that turns</source>
+        <translation>Menger-Schwamm, der sich dreht</translation>
+    </message>
+    <message>
+        <source>Flight into the Menger sponge</source>
+        <translation>Flug in den Menger-Schwamm</translation>
+    </message>
+    <message>
+        <source>Tree in space that sways</source>
+        <translation>Schwankender Baum im Raum</translation>
+    </message>
+    <message>
+        <source>Snow star that becomes a fern of ice</source>
+        <translation>Schneestern, der zum Eisfarn wird</translation>
+    </message>
+    <message>
+        <source>Maple that becomes a fern</source>
+        <translation>Ahorn, der zum Farn wird</translation>
+    </message>
+    <message>
+        <source>Black spleenwort fern</source>
+        <translation>Schwarzer Streifenfarn</translation>
+    </message>
+    <message>
+        <source>Maiden fern</source>
+        <translation>Sumpffarn</translation>
+    </message>
+    <message>
+        <source>Culcita fern</source>
+        <translation>Culcita-Farn</translation>
+    </message>
+    <message>
+        <source>Fishbone fern</source>
+        <translation>Schwertfarn</translation>
+    </message>
+    <message>
+        <source>Fiddlehead: a frond still curled</source>
+        <translation>Junger Farn: ein noch eingerollter Wedel</translation>
+    </message>
+    <message>
+        <source>Bracken: opposite pinnae at the same height</source>
+        <translation>Adlerfarn: gegenständige Fiedern auf gleicher Höhe</translation>
+    </message>
+    <message>
+        <source>Lady fern: alternate pinnae, a nodding tip</source>
+        <translation>Frauenfarn: wechselständige Fiedern, eine nickende Spitze</translation>
+    </message>
+    <message>
+        <source>Maidenhair: a fan on a fine stalk</source>
+        <translation>Frauenhaarfarn: ein Fächer auf feinem Stiel</translation>
+    </message>
+    <message>
+        <source>Ostrich fern: a shuttlecock plume</source>
+        <translation>Straußenfarn: ein Federbusch wie ein Federball</translation>
+    </message>
+    <message>
+        <source>Golden fern: pinnae smaller by the golden ratio squared</source>
+        <translation>Goldener Farn: Fiedern, verkleinert mit dem Quadrat des Goldenen Schnitts</translation>
+    </message>
+    <message>
+        <source>Moss: a frond of frond-like feathers</source>
+        <translation>Moos: ein Wedel aus wedelartigen Federn</translation>
+    </message>
+    <message>
+        <source>Fractal tree</source>
+        <translation>Fraktaler Baum</translation>
+    </message>
+    <message>
+        <source>Golden tree: branches of 1/phi at 60 degrees, just touching</source>
+        <translation>Goldener Baum: Äste im Verhältnis 1/φ unter 60°, die einander eben berühren</translation>
+    </message>
+    <message>
+        <source>Stone pine: an umbrella of three boughs</source>
+        <translation>Pinie: ein Schirm aus drei Ästen</translation>
+    </message>
+    <message>
+        <source>Spruce: whorls of drooping boughs</source>
+        <translation>Fichte: Quirle hängender Äste</translation>
+    </message>
+    <message>
+        <source>Willow: branches that bend down</source>
+        <translation>Weide: Äste, die sich herabneigen</translation>
+    </message>
+    <message>
+        <source>Tree in the wind</source>
+        <translation>Baum im Wind</translation>
+    </message>
+    <message>
+        <source>Bonsai pine: flat cushions on a leaning trunk</source>
+        <translation>Bonsai-Kiefer: flache Polster auf geneigtem Stamm</translation>
+    </message>
+    <message>
+        <source>Cypress</source>
+        <translation>Zypresse</translation>
+    </message>
+    <message>
+        <source>Thorn bush: alternate twigs</source>
+        <translation>Dornbusch: wechselständige Zweige</translation>
+    </message>
+    <message>
+        <source>Poplar: narrow and steep</source>
+        <translation>Pappel: schmal und steil</translation>
+    </message>
+    <message>
+        <source>Ternary tree: three halves, drawn with their branches</source>
+        <translation>Dreiästiger Baum: drei Hälften, mit ihren Ästen gezeichnet</translation>
+    </message>
+    <message>
+        <source>Branching coral</source>
+        <translation>Verzweigte Koralle</translation>
+    </message>
+    <message>
+        <source>H-tree: right angles all the way</source>
+        <translation>H-Baum: lauter rechte Winkel</translation>
+    </message>
+    <message>
+        <source>Heighway dragon</source>
+        <translation>Heighway-Drache</translation>
+    </message>
+    <message>
+        <source>Twindragon</source>
+        <translation>Zwillingsdrache</translation>
+    </message>
+    <message>
+        <source>Levy dragon (C curve)</source>
+        <translation>Lévy-Drache (C-Kurve)</translation>
+    </message>
+    <message>
+        <source>Terdragon</source>
+        <translation>Terdragon</translation>
+    </message>
+    <message>
+        <source>Golden dragon</source>
+        <translation>Goldener Drache</translation>
+    </message>
+    <message>
+        <source>Tame twindragon</source>
+        <translation>Zahmer Zwillingsdrache</translation>
+    </message>
+    <message>
+        <source>Dragon curve unfolded to 100 degrees only</source>
+        <translation>Drachenkurve, nur bis 100° entfaltet</translation>
+    </message>
+    <message>
+        <source>Dragon curve unfolded to 115 degrees</source>
+        <translation>Drachenkurve, bis 115° entfaltet</translation>
+    </message>
+    <message>
+        <source>C curve on triangles of 100 degrees</source>
+        <translation>C-Kurve auf Dreiecken von 100°</translation>
+    </message>
+    <message>
+        <source>Z dragon: the three strokes of a Z</source>
+        <translation>Z-Drache: die drei Striche eines Z</translation>
+    </message>
+    <message>
+        <source>Sierpinski triangle</source>
+        <translation>Sierpiński-Dreieck</translation>
+    </message>
+    <message>
+        <source>Right-angled Sierpinski triangle</source>
+        <translation>Rechtwinkliges Sierpiński-Dreieck</translation>
+    </message>
+    <message>
+        <source>Sierpinski carpet</source>
+        <translation>Sierpiński-Teppich</translation>
+    </message>
+    <message>
+        <source>Vicsek fractal (saltire)</source>
+        <translation>Vicsek-Fraktal (Andreaskreuz)</translation>
+    </message>
+    <message>
+        <source>Vicsek fractal (cross)</source>
+        <translation>Vicsek-Fraktal (Kreuz)</translation>
+    </message>
+    <message>
+        <source>Sierpinski pentagon</source>
+        <translation>Sierpiński-Fünfeck</translation>
+    </message>
+    <message>
+        <source>Sierpinski hexagon</source>
+        <translation>Sierpiński-Sechseck</translation>
+    </message>
+    <message>
+        <source>Sierpinski heptagon</source>
+        <translation>Sierpiński-Siebeneck</translation>
+    </message>
+    <message>
+        <source>Sierpinski octagon</source>
+        <translation>Sierpiński-Achteck</translation>
+    </message>
+    <message>
+        <source>Sierpinski dodecagon</source>
+        <translation>Sierpiński-Zwölfeck</translation>
+    </message>
+    <message>
+        <source>Pascal&apos;s triangle modulo 3</source>
+        <translation>Pascalsches Dreieck modulo 3</translation>
+    </message>
+    <message>
+        <source>Pascal&apos;s triangle modulo 5</source>
+        <translation>Pascalsches Dreieck modulo 5</translation>
+    </message>
+    <message>
+        <source>Sierpinski pedal triangle</source>
+        <translation>Sierpiński-Dreieck aus Höhenfußpunkten</translation>
+    </message>
+    <message>
+        <source>Bedford-McMullen carpet</source>
+        <translation>Bedford-McMullen-Teppich</translation>
+    </message>
+    <message>
+        <source>Bedford-McMullen weave of 3 by 5 cells</source>
+        <translation>Bedford-McMullen-Geflecht aus 3 mal 5 Feldern</translation>
+    </message>
+    <message>
+        <source>Carpet of fifths with a cross-shaped hole</source>
+        <translation>Teppich aus Fünfteln mit kreuzförmigem Loch</translation>
+    </message>
+    <message>
+        <source>Carpet of quarters with a square hole</source>
+        <translation>Teppich aus Vierteln mit quadratischem Loch</translation>
+    </message>
+    <message>
+        <source>Checkered carpet</source>
+        <translation>Schachbrettteppich</translation>
+    </message>
+    <message>
+        <source>Koch curve</source>
+        <translation>Koch-Kurve</translation>
+    </message>
+    <message>
+        <source>Koch snowflake, filled</source>
+        <translation>Koch-Schneeflocke, ausgefüllt</translation>
+    </message>
+    <message>
+        <source>Cesaro curve of 85 degrees</source>
+        <translation>Cesàro-Kurve mit 85°</translation>
+    </message>
+    <message>
+        <source>Quadratic Koch curve of five edges</source>
+        <translation>Quadratische Koch-Kurve aus fünf Strecken</translation>
+    </message>
+    <message>
+        <source>Minkowski sausage</source>
+        <translation>Minkowski-Wurst</translation>
+    </message>
+    <message>
+        <source>Mandelbrot-Given curve</source>
+        <translation>Mandelbrot-Given-Kurve</translation>
+    </message>
+    <message>
+        <source>Ice fractal on a square</source>
+        <translation>Eisfraktal auf einem Quadrat</translation>
+    </message>
+    <message>
+        <source>Ice fractal with a pair of spikes</source>
+        <translation>Eisfraktal mit zwei Stacheln</translation>
+    </message>
+    <message>
+        <source>Koch curve drawn on both sides</source>
+        <translation>Koch-Kurve nach beiden Seiten</translation>
+    </message>
+    <message>
+        <source>Koch curve with peaks turned inwards</source>
+        <translation>Koch-Kurve mit Zacken nach innen</translation>
+    </message>
+    <message>
+        <source>Pentigree</source>
+        <translation>Pentigree</translation>
+    </message>
+    <message>
+        <source>Pentadendrite</source>
+        <translation>Pentadendrit</translation>
+    </message>
+    <message>
+        <source>Edge of the Gosper island</source>
+        <translation>Rand der Gosper-Insel</translation>
+    </message>
+    <message>
+        <source>Spiral of spirals</source>
+        <translation>Spirale aus Spiralen</translation>
+    </message>
+    <message>
+        <source>Swirl</source>
+        <translation>Strudel</translation>
+    </message>
+    <message>
+        <source>Galaxy with two arms</source>
+        <translation>Galaxie mit zwei Armen</translation>
+    </message>
+    <message>
+        <source>Whorl of three-fold rosettes</source>
+        <translation>Quirl dreizähliger Rosetten</translation>
+    </message>
+    <message>
+        <source>Ram&apos;s horn</source>
+        <translation>Widderhorn</translation>
+    </message>
+    <message>
+        <source>Whirl of pentagons</source>
+        <translation>Wirbel aus Fünfecken</translation>
+    </message>
+    <message>
+        <source>Double spiral between two eyes</source>
+        <translation>Doppelspirale zwischen zwei Augen</translation>
+    </message>
+    <message>
+        <source>Spiral of feathers</source>
+        <translation>Spirale aus Federn</translation>
+    </message>
+    <message>
+        <source>Nautilus: chambers along a golden spiral</source>
+        <translation>Nautilus: Kammern längs einer Goldenen Spirale</translation>
+    </message>
+    <message>
+        <source>Sunflower: seeds at the golden angle</source>
+        <translation>Sonnenblume: Kerne im Goldenen Winkel</translation>
+    </message>
+    <message>
+        <source>Shell: ribs that follow the turn</source>
+        <translation>Schneckenhaus: Rippen, die der Drehung folgen</translation>
+    </message>
+    <message>
+        <source>Three spirals passing into one another</source>
+        <translation>Drei Spiralen, die ineinander übergehen</translation>
+    </message>
+    <message>
+        <source>Maple leaf</source>
+        <translation>Ahornblatt</translation>
+    </message>
+    <message>
+        <source>Pointed leaf</source>
+        <translation>Spitzes Blatt</translation>
+    </message>
+    <message>
+        <source>Poinsettia: five bracts</source>
+        <translation>Weihnachtsstern: fünf Hochblätter</translation>
+    </message>
+    <message>
+        <source>Edelweiss: eight woolly rays</source>
+        <translation>Edelweiß: acht wollige Strahlen</translation>
+    </message>
+    <message>
+        <source>Lily of six petals</source>
+        <translation>Lilie mit sechs Blütenblättern</translation>
+    </message>
+    <message>
+        <source>Oak leaf</source>
+        <translation>Eichenblatt</translation>
+    </message>
+    <message>
+        <source>Feather</source>
+        <translation>Feder</translation>
+    </message>
+    <message>
+        <source>Plane-tree leaf: five blades from one root</source>
+        <translation>Platanenblatt: fünf Lappen aus einem Ansatz</translation>
+    </message>
+    <message>
+        <source>Dill umbel</source>
+        <translation>Dilldolde</translation>
+    </message>
+    <message>
+        <source>Thistle head</source>
+        <translation>Distelkopf</translation>
+    </message>
+    <message>
+        <source>Dandelion clock</source>
+        <translation>Pusteblume</translation>
+    </message>
+    <message>
+        <source>Marigold: rings of petals</source>
+        <translation>Ringelblume: Kränze aus Blütenblättern</translation>
+    </message>
+    <message>
+        <source>Ear of wheat</source>
+        <translation>Weizenähre</translation>
+    </message>
+    <message>
+        <source>Chair rep-tile (L tromino)</source>
+        <translation>Stuhl-Rep-Tile (L-Tromino)</translation>
+    </message>
+    <message>
+        <source>Golden bee (Ammann&apos;s chair)</source>
+        <translation>Goldene Biene (Ammanns Stuhl)</translation>
+    </message>
+    <message>
+        <source>Gosper island</source>
+        <translation>Gosper-Insel</translation>
+    </message>
+    <message>
+        <source>Quintet</source>
+        <translation>Quintett</translation>
+    </message>
+    <message>
+        <source>Eisenstein fractal</source>
+        <translation>Eisenstein-Fraktal</translation>
+    </message>
+    <message>
+        <source>Rauzy fractal (tribonacci)</source>
+        <translation>Rauzy-Fraktal (Tribonacci)</translation>
+    </message>
+    <message>
+        <source>Hokkaido tile</source>
+        <translation>Hokkaido-Kachel</translation>
+    </message>
+    <message>
+        <source>Tile of Narayana&apos;s cows</source>
+        <translation>Kachel von Narayanas Kühen</translation>
+    </message>
+    <message>
+        <source>Tile of x^2 + x + 3</source>
+        <translation>Kachel von x² + x + 3</translation>
+    </message>
+    <message>
+        <source>Tile of x^2 + 2 x + 3</source>
+        <translation>Kachel von x² + 2x + 3</translation>
+    </message>
+    <message>
+        <source>Tile of x^2 + 3 x + 3</source>
+        <translation>Kachel von x² + 3x + 3</translation>
+    </message>
+    <message>
+        <source>Tile of x^2 + 2 x + 4</source>
+        <translation>Kachel von x² + 2x + 4</translation>
+    </message>
+    <message>
+        <source>Jigsaw square: nine thirds, one pushed out</source>
+        <translation>Puzzle-Quadrat: neun Drittel, eines hinausgeschoben</translation>
+    </message>
+    <message>
+        <source>Numbers in base -2+i with digits 0 to 4</source>
+        <translation>Zahlen zur Basis −2+i mit den Ziffern 0 bis 4</translation>
+    </message>
+    <message>
+        <source>Fudgeflake: three terdragons round a point</source>
+        <translation>Fudgeflake: drei Terdragons um einen Punkt</translation>
+    </message>
+    <message>
+        <source>Central tile of x^3 = 2 x^2 + x + 1</source>
+        <translation>Zentrale Kachel von x³ = 2x² + x + 1</translation>
+    </message>
+    <message>
+        <source>Penrose tiles</source>
+        <translation>Penrose-Kacheln</translation>
+    </message>
+    <message>
+        <source>Penrose tiles, cracked</source>
+        <translation>Penrose-Kacheln mit Rissen</translation>
+    </message>
+    <message>
+        <source>Parts of the Rauzy fractal</source>
+        <translation>Teile des Rauzy-Fraktals</translation>
+    </message>
+    <message>
+        <source>Boundary of the dragon</source>
+        <translation>Rand des Drachen</translation>
+    </message>
+    <message>
+        <source>Boundary of the twindragon</source>
+        <translation>Rand des Zwillingsdrachen</translation>
+    </message>
+    <message>
+        <source>Golden mean carpet</source>
+        <translation>Teppich des Goldenen Schnitts</translation>
+    </message>
+    <message>
+        <source>Golden mean dragon</source>
+        <translation>Drache des Goldenen Schnitts</translation>
+    </message>
+    <message>
+        <source>Restless pentagon</source>
+        <translation>Rastloses Fünfeck</translation>
+    </message>
+    <message>
+        <source>One-way square</source>
+        <translation>Einbahnquadrat</translation>
+    </message>
+    <message>
+        <source>Neighbouring corners</source>
+        <translation>Benachbarte Ecken</translation>
+    </message>
+    <message>
+        <source>Steps around a hexagon</source>
+        <translation>Schritte um ein Sechseck</translation>
+    </message>
+    <message>
+        <source>Steps around a pentagon</source>
+        <translation>Schritte um ein Fünfeck</translation>
+    </message>
+    <message>
+        <source>Old and young</source>
+        <translation>Alt und Jung</translation>
+    </message>
+    <message>
+        <source>Sunset in a triangle</source>
+        <translation>Sonnenuntergang im Dreieck</translation>
+    </message>
+    <message>
+        <source>Triangle for the sunset</source>
+        <translation>Dreieck für den Sonnenuntergang</translation>
+    </message>
+    <message>
+        <source>Bent window</source>
+        <translation>Verbogenes Glasfenster</translation>
+    </message>
+    <message>
+        <source>Triangle for the glass</source>
+        <translation>Dreieck für das Glasfenster</translation>
+    </message>
+    <message>
+        <source>Tartan in a square</source>
+        <translation>Schottenkaro im Quadrat</translation>
+    </message>
+    <message>
+        <source>Square for the tartan</source>
+        <translation>Quadrat für das Schottenkaro</translation>
+    </message>
+    <message>
+        <source>Grid of a square</source>
+        <translation>Gitter eines Quadrats</translation>
+    </message>
+    <message>
+        <source>Square for the grid</source>
+        <translation>Quadrat für das Gitter</translation>
+    </message>
+    <message>
+        <source>Rainbow fern</source>
+        <translation>Regenbogenfarn</translation>
+    </message>
+    <message>
+        <source>Maple for the fern</source>
+        <translation>Ahorn für den Farn</translation>
+    </message>
+    <message>
+        <source>Autumn maple</source>
+        <translation>Herbstahorn</translation>
+    </message>
+    <message>
+        <source>Square for the maple</source>
+        <translation>Quadrat für den Ahorn</translation>
+    </message>
+    <message>
+        <source>Dragon of paper</source>
+        <translation>Drache aus Papier</translation>
+    </message>
+    <message>
+        <source>Sheet for the dragon</source>
+        <translation>Bogen Papier für den Drachen</translation>
+    </message>
+    <message>
+        <source>Curve of waves</source>
+        <translation>Kurve aus Wellen</translation>
+    </message>
+    <message>
+        <source>Sheet for the curve</source>
+        <translation>Bogen Papier für die Kurve</translation>
+    </message>
+    <message>
+        <source>Koch curve across a square</source>
+        <translation>Koch-Kurve quer durch ein Quadrat</translation>
+    </message>
+    <message>
+        <source>Square for the curve</source>
+        <translation>Quadrat für die Kurve</translation>
+    </message>
+    <message>
+        <source>Hilbert curve along a coast</source>
+        <translation>Hilbert-Kurve an einer Küste entlang</translation>
+    </message>
+    <message>
+        <source>Curve for the square</source>
+        <translation>Kurve für das Quadrat</translation>
+    </message>
+    <message>
+        <source>Broken picture</source>
+        <translation>Zerbrochenes Bild</translation>
+    </message>
+    <message>
+        <source>Square to break</source>
+        <translation>Quadrat zum Zerbrechen</translation>
+    </message>
+    <message>
+        <source>Gasket of a dragon</source>
+        <translation>Sieb eines Drachen</translation>
+    </message>
+    <message>
+        <source>Terdragon for the gasket</source>
+        <translation>Terdragon für das Sieb</translation>
+    </message>
+    <message>
+        <source>Cantor dust</source>
+        <translation>Cantor-Staub</translation>
+    </message>
+    <message>
+        <source>Cantor comb: a Cantor set times an interval</source>
+        <translation>Cantor-Kamm: eine Cantormenge mal ein Intervall</translation>
+    </message>
+    <message>
+        <source>Dust on a triangle</source>
+        <translation>Staub auf einem Dreieck</translation>
+    </message>
+    <message>
+        <source>Dust on a pentagon</source>
+        <translation>Staub auf einem Fünfeck</translation>
+    </message>
+    <message>
+        <source>Dust of unequal ratios</source>
+        <translation>Staub mit ungleichen Verhältnissen</translation>
+    </message>
+    <message>
+        <source>Dust on an octagon</source>
+        <translation>Staub auf einem Achteck</translation>
+    </message>
+    <message>
+        <source>Rings of dust</source>
+        <translation>Ringe aus Staub</translation>
+    </message>
+    <message>
+        <source>Tartan dust</source>
+        <translation>Schottenkaro aus Staub</translation>
+    </message>
+    <message>
+        <source>Pinwheel dust</source>
+        <translation>Windrad aus Staub</translation>
+    </message>
+    <message>
+        <source>Swirling dust of three</source>
+        <translation>Staubwirbel aus drei Kopien</translation>
+    </message>
+    <message>
+        <source>Hexaflake</source>
+        <translation>Sechseckflocke</translation>
+    </message>
+    <message>
+        <source>Pentaflake</source>
+        <translation>Fünfeckflocke</translation>
+    </message>
+    <message>
+        <source>Stellar snowflake</source>
+        <translation>Sternförmige Schneeflocke</translation>
+    </message>
+    <message>
+        <source>Fern-like snowflake</source>
+        <translation>Farnartige Schneeflocke</translation>
+    </message>
+    <message>
+        <source>Sectored plate</source>
+        <translation>Schneeplättchen mit Sektoren</translation>
+    </message>
+    <message>
+        <source>Needle snowflake</source>
+        <translation>Nadelförmige Schneeflocke</translation>
+    </message>
+    <message>
+        <source>Frost flower</source>
+        <translation>Eisblume</translation>
+    </message>
+    <message>
+        <source>Decaflake</source>
+        <translation>Zehneckflocke</translation>
+    </message>
+    <message>
+        <source>Pentagram flake</source>
+        <translation>Pentagrammflocke</translation>
+    </message>
+    <message>
+        <source>Quartz: four-fold lattice</source>
+        <translation>Quarz: vierzähliges Gitter</translation>
+    </message>
+    <message>
+        <source>Crystal of two maps</source>
+        <translation>Kristall aus zwei Abbildungen</translation>
+    </message>
+    <message>
+        <source>Dendrite snowflake</source>
+        <translation>Dendritische Schneeflocke</translation>
+    </message>
+    <message>
+        <source>Eight-pointed star</source>
+        <translation>Achtzackiger Stern</translation>
+    </message>
+    <message>
+        <source>Frost cross: squares turned by 45 degrees</source>
+        <translation>Frostkreuz: um 45° gedrehte Quadrate</translation>
+    </message>
+    <message>
+        <source>Takagi curve (blancmange)</source>
+        <translation>Takagi-Kurve (Blancmange-Kurve)</translation>
+    </message>
+    <message>
+        <source>Quadratic Bezier arc by de Casteljau</source>
+        <translation>Quadratischer Bézier-Bogen nach de Casteljau</translation>
+    </message>
+    <message>
+        <source>Devil&apos;s staircase</source>
+        <translation>Teufelstreppe</translation>
+    </message>
+    <message>
+        <source>Okamoto function, a = 2/3 (Bourbaki&apos;s)</source>
+        <translation>Okamoto-Funktion, a = 2/3 (die von Bourbaki)</translation>
+    </message>
+    <message>
+        <source>Okamoto function, a = 5/6 (Perkins&apos;s)</source>
+        <translation>Okamoto-Funktion, a = 5/6 (die von Perkins)</translation>
+    </message>
+    <message>
+        <source>Kiesswetter curve</source>
+        <translation>Kiesswetter-Kurve</translation>
+    </message>
+    <message>
+        <source>Bolzano function</source>
+        <translation>Bolzano-Funktion</translation>
+    </message>
+    <message>
+        <source>Fractal interpolation of four points</source>
+        <translation>Fraktale Interpolation von vier Punkten</translation>
+    </message>
+    <message>
+        <source>Mountain skyline</source>
+        <translation>Bergsilhouette</translation>
+    </message>
+    <message>
+        <source>First coordinate of Peano&apos;s curve</source>
+        <translation>Erste Koordinate der Peano-Kurve</translation>
+    </message>
+    <message>
+        <source>Lebesgue&apos;s singular function, a = 0.3</source>
+        <translation>Lebesgues singuläre Funktion, a = 0,3</translation>
+    </message>
+    <message>
+        <source>Takagi curve and its mirror image</source>
+        <translation>Takagi-Kurve und ihr Spiegelbild</translation>
+    </message>
+    <message>
+        <source>Hilbert&apos;s four maps, shrunk so that the seams open</source>
+        <translation>Hilberts vier Abbildungen, verkleinert, bis die Nähte aufgehen</translation>
+    </message>
+    <message>
+        <source>Relative of the Sierpinski triangle</source>
+        <translation>Verwandter des Sierpiński-Dreiecks</translation>
+    </message>
+    <message>
+        <source>Zigzag of two maps</source>
+        <translation>Zickzack aus zwei Abbildungen</translation>
+    </message>
+    <message>
+        <source>Coral</source>
+        <translation>Koralle</translation>
+    </message>
+    <message>
+        <source>Rosette of three</source>
+        <translation>Dreiteilige Rosette</translation>
+    </message>
+    <message>
+        <source>Rosette of five</source>
+        <translation>Fünfteilige Rosette</translation>
+    </message>
+    <message>
+        <source>Rosette of seven</source>
+        <translation>Siebenteilige Rosette</translation>
+    </message>
+    <message>
+        <source>Mandala of twelve</source>
+        <translation>Zwölfteiliges Mandala</translation>
+    </message>
+    <message>
+        <source>Lace</source>
+        <translation>Klöppelspitze</translation>
+    </message>
+    <message>
+        <source>Weave</source>
+        <translation>Geflecht</translation>
+    </message>
+    <message>
+        <source>Twigs: a turn and a mirror</source>
+        <translation>Zweige: eine Drehung und eine Spiegelung</translation>
+    </message>
+    <message>
+        <source>Heather</source>
+        <translation>Heidekraut</translation>
+    </message>
+    <message>
+        <source>Breaking wave</source>
+        <translation>Brechende Welle</translation>
+    </message>
+    <message>
+        <source>City seen from above</source>
+        <translation>Stadt von oben</translation>
+    </message>
+    <message>
+        <source>Flames</source>
+        <translation>Flammen</translation>
+    </message>
+    <message>
+        <source>Hills in haze</source>
+        <translation>Hügel im Dunst</translation>
+    </message>
+    <message>
+        <source>Knotwork: four copies turned by 45 degrees</source>
+        <translation>Knotenmuster: vier um 45° gedrehte Kopien</translation>
+    </message>
+    <message>
+        <source>Sea dragon</source>
+        <translation>Seedrache</translation>
+    </message>
+    <message>
+        <source>Kaleidoscope</source>
+        <translation>Kaleidoskop</translation>
+    </message>
+    <message>
+        <source>Sierpinski tetrahedron</source>
+        <translation>Sierpiński-Tetraeder</translation>
+    </message>
+    <message>
+        <source>Octahedron flake</source>
+        <translation>Oktaederflocke</translation>
+    </message>
+    <message>
+        <source>Sierpinski pyramid</source>
+        <translation>Sierpiński-Pyramide</translation>
+    </message>
+    <message>
+        <source>Icosahedron flake</source>
+        <translation>Ikosaederflocke</translation>
+    </message>
+    <message>
+        <source>Dodecahedron flake</source>
+        <translation>Dodekaederflocke</translation>
+    </message>
+    <message>
+        <source>Cuboctahedron flake</source>
+        <translation>Kuboktaederflocke</translation>
+    </message>
+    <message>
+        <source>Menger sponge</source>
+        <translation>Menger-Schwamm</translation>
+    </message>
+    <message>
+        <source>Mosely snowflake</source>
+        <translation>Mosely-Schneeflocke</translation>
+    </message>
+    <message>
+        <source>Jerusalem cube</source>
+        <translation>Jerusalem-Würfel</translation>
+    </message>
+    <message>
+        <source>Cross in space</source>
+        <translation>Kreuz im Raum</translation>
+    </message>
+    <message>
+        <source>Saltire in space</source>
+        <translation>Andreaskreuz im Raum</translation>
+    </message>
+    <message>
+        <source>Cantor dust in space</source>
+        <translation>Cantor-Staub im Raum</translation>
+    </message>
+    <message>
+        <source>Cube corner: seven of eight cubes</source>
+        <translation>Würfelecke: sieben von acht Würfeln</translation>
+    </message>
+    <message>
+        <source>Cube corners in mirrors</source>
+        <translation>Würfelecken in Spiegeln</translation>
+    </message>
+    <message>
+        <source>Quadratic Koch surface: cubes on squares</source>
+        <translation>Quadratische Koch-Fläche: Würfel auf Quadraten</translation>
+    </message>
+    <message>
+        <source>Fern in space</source>
+        <translation>Farn im Raum</translation>
+    </message>
+    <message>
+        <source>Tree with three boughs</source>
+        <translation>Baum mit drei Ästen</translation>
+    </message>
+    <message>
+        <source>Oak with a leader and four boughs</source>
+        <translation>Eiche mit Leittrieb und vier Ästen</translation>
+    </message>
+    <message>
+        <source>Fir: drooping whorls around a leader</source>
+        <translation>Tanne: hängende Quirle um einen Leittrieb</translation>
+    </message>
+    <message>
+        <source>Poplar: pairs of steep twigs</source>
+        <translation>Pappel: Paare steiler Zweige</translation>
+    </message>
+    <message>
+        <source>Umbel: six rays from the top of a stalk</source>
+        <translation>Dolde: sechs Strahlen von der Spitze eines Stängels</translation>
+    </message>
+    <message>
+        <source>Thuja: flat sprays turned by the golden angle</source>
+        <translation>Lebensbaum: flache Zweige, um den Goldenen Winkel gedreht</translation>
+    </message>
+    <message>
+        <source>Romanesco: cones on a cone, by the golden angle</source>
+        <translation>Romanesco: Kegel auf einem Kegel, im Goldenen Winkel</translation>
+    </message>
+    <message>
+        <source>Cauliflower</source>
+        <translation>Blumenkohl</translation>
+    </message>
+    <message>
+        <source>Turret shell</source>
+        <translation>Turmschnecke</translation>
+    </message>
+    <message>
+        <source>Top shell: whorls of whorls</source>
+        <translation>Kreiselschnecke: Windungen aus Windungen</translation>
+    </message>
+    <message>
+        <source>Nautilus: chambers along a flat spiral</source>
+        <translation>Nautilus: Kammern längs einer ebenen Spirale</translation>
+    </message>
+    <message>
+        <source>Double helix that narrows to a point</source>
+        <translation>Doppelhelix, die spitz zuläuft</translation>
+    </message>
+    <message>
+        <source>Staghorn coral</source>
+        <translation>Geweihkoralle</translation>
+    </message>
+    <message>
+        <source>Bush coral</source>
+        <translation>Buschkoralle</translation>
+    </message>
+    <message>
+        <source>Sea fan: forks almost in one plane</source>
+        <translation>Fächerkoralle: Gabelungen fast in einer Ebene</translation>
+    </message>
+    <message>
+        <source>Allium: a ball of twelve stalks with alliums at their ends</source>
+        <translation>Zierlauch: eine Kugel aus zwölf Stängeln, an deren Enden Zierlauch sitzt</translation>
+    </message>
+    <message>
+        <source>Dragon in space: each fold about another axis</source>
+        <translation>Drache im Raum: jede Faltung um eine andere Achse</translation>
+    </message>
+    <message>
+        <source>C curve in space</source>
+        <translation>C-Kurve im Raum</translation>
+    </message>
+    <message>
+        <source>Terdragon in space</source>
+        <translation>Terdragon im Raum</translation>
+    </message>
+    <message>
+        <source>Tetrahedra, each turned by 60 degrees</source>
+        <translation>Tetraeder, jedes um 60° gedreht</translation>
+    </message>
+    <message>
+        <source>Cubes, each turned by 60 degrees</source>
+        <translation>Würfel, jeder um 60° gedreht</translation>
+    </message>
+    <message>
+        <source>Octahedra, each turned by 45 degrees</source>
+        <translation>Oktaeder, jedes um 45° gedreht</translation>
+    </message>
+</context>
+<context>
     <name>FirstChips</name>
     <message>
         <source>What to try next</source>
@@ -635,7 +1650,7 @@
     </message>
     <message>
         <source>Grow variations</source>
-        <translation>Variationen züchten</translation>
+        <translation>Abwandlungen züchten</translation>
     </message>
     <message>
         <source>Save a poster</source>
@@ -1226,7 +2241,7 @@
     </message>
     <message>
         <source>Watch the attractor being built: in steps of the deterministic algorithm, or by the chaos game</source>
-        <translation>Zusehen, wie der Attraktor entsteht: in Schritten des deterministischen Algorithmus oder durch das Chaos-Spiel</translation>
+        <translation>Zusehen, wie der Attraktor entsteht: in Schritten des deterministischen Algorithmus oder durch das Chaosspiel</translation>
     </message>
     <message>
         <source>&amp;Help</source>
@@ -1774,7 +2789,7 @@
     </message>
     <message>
         <source>Select maps or entries first: in their panels, or on the canvas with the Maps tool.</source>
-        <translation>Erst Abbildungen oder Einträge wählen: in ihren Bereichen, oder Abbildungen auf der Leinwand mit ihrem Werkzeug.</translation>
+        <translation>Erst Abbildungen oder Einträge wählen: in ihren Feldern, oder Abbildungen auf der Zeichenfläche mit ihrem Werkzeug.</translation>
     </message>
     <message>
         <source>&amp;Cut</source>
@@ -1826,7 +2841,7 @@
     </message>
     <message>
         <source>The Chaos Game</source>
-        <translation>Das Chaos-Spiel</translation>
+        <translation>Das Chaosspiel</translation>
     </message>
     <message>
         <source>Why the Maple Fits Its Triangle</source>
@@ -2130,7 +3145,7 @@
     </message>
     <message>
         <source>Snapshots are not saved with the file and will be lost: %1. To keep one, cancel and choose Add as Entry in the Snapshots panel.</source>
-        <translation>Schnappschüsse werden nicht mit der Datei gespeichert und gehen verloren: %1. Um einen zu behalten, brechen Sie ab und wählen Sie im Bereich „Schnappschüsse“ „Als Eintrag hinzufügen“.</translation>
+        <translation>Schnappschüsse werden nicht mit der Datei gespeichert und gehen verloren: %1. Um einen zu behalten, brechen Sie ab und wählen Sie im Feld „Schnappschüsse“ „Als Eintrag hinzufügen“.</translation>
     </message>
     <message>
         <source>The target in the Collage panel is not saved with the file.</source>
@@ -2341,7 +3356,7 @@
     </message>
     <message>
         <source>&amp;Variations…</source>
-        <translation>&amp;Variationen…</translation>
+        <translation>A&amp;bwandlungen…</translation>
     </message>
     <message>
         <source>S&amp;hadow</source>
@@ -5231,11 +6246,11 @@
     </message>
     <message>
         <source>Map %1 is locked. Unlock it in the Maps panel first.</source>
-        <translation>Abbildung %1 ist gesperrt. Geben Sie sie erst im Bereich Abbildungen frei.</translation>
+        <translation>Abbildung %1 ist gesperrt. Geben Sie sie erst im Feld „Abbildungen“ frei.</translation>
     </message>
     <message>
         <source>Maps %1 are locked. Unlock them in the Maps panel first.</source>
-        <translation>Die Abbildungen %1 sind gesperrt. Geben Sie sie erst im Bereich Abbildungen frei.</translation>
+        <translation>Die Abbildungen %1 sind gesperrt. Geben Sie sie erst im Feld „Abbildungen“ frei.</translation>
     </message>
     <message>
         <source>Lock a map</source>
@@ -5587,7 +6602,7 @@
     </message>
     <message>
         <source>A solid has no shadow on the ground. Move its light in the Appearance panel: the solid darkens the side that faces away from it.</source>
-        <translation>Ein Körper wirft keinen Schatten auf den Boden. Verschieben Sie sein Licht im Bereich „Aussehen“: Die abgewandte Seite des Körpers wird dunkel.</translation>
+        <translation>Ein Körper wirft keinen Schatten auf den Boden. Verschieben Sie sein Licht im Feld „Aussehen“: Die abgewandte Seite des Körpers wird dunkel.</translation>
     </message>
     <message>
         <source>This entry could not be read, so there is no picture to cast a shadow.</source>
@@ -8499,7 +9514,7 @@
     </message>
     <message>
         <source>mutate mutation vary breed evolve grow similar</source>
-        <translation>mutieren Mutation variieren züchten entwickeln wachsen ähnlich</translation>
+        <translation>mutieren Mutation variieren Variationen züchten entwickeln wachsen ähnlich</translation>
     </message>
     <message>
         <source>shade silhouette drop cast ground light sun</source>
@@ -8565,7 +9580,7 @@
     </message>
     <message>
         <source>Chaos Game</source>
-        <translation>Chaos-Spiel</translation>
+        <translation>Chaosspiel</translation>
     </message>
     <message>
         <source>One point that jumps by maps chosen at random; the first 14 points are not plotted</source>
@@ -8641,7 +9656,7 @@
     </message>
     <message>
         <source>How many jumps the chaos game makes per second. At up to ten per second, the die shows each map that is rolled.</source>
-        <translation>Wie viele Sprünge das Chaos-Spiel je Sekunde macht. Bis zu zehn je Sekunde zeigt der Würfel jede Abbildung, die fällt.</translation>
+        <translation>Wie viele Sprünge das Chaosspiel je Sekunde macht. Bis zu zehn je Sekunde zeigt der Würfel jede Abbildung, die fällt.</translation>
     </message>
     <message>
         <source>W%1: the start</source>
@@ -8716,7 +9731,7 @@
     </message>
     <message>
         <source>The die of the chaos game. It has a face for each map, as wide as the probability of the map. The face that was rolled is shown in the colour of its map, and so is the point that the map leads to. At more than ten jumps per second, the die rolls too fast to be read.</source>
-        <translation>Der Würfel des Chaos-Spiels. Er hat für jede Abbildung eine Seite, so breit wie deren Wahrscheinlichkeit. Die gefallene Seite erscheint in der Farbe ihrer Abbildung, ebenso der Punkt, zu dem diese geführt hat. Bei mehr als zehn Sprüngen je Sekunde rollt er zu schnell, um abgelesen zu werden.</translation>
+        <translation>Der Würfel des Chaosspiels. Er hat für jede Abbildung eine Seite, so breit wie deren Wahrscheinlichkeit. Die gefallene Seite erscheint in der Farbe ihrer Abbildung, ebenso der Punkt, zu dem diese geführt hat. Bei mehr als zehn Sprüngen je Sekunde rollt er zu schnell, um abgelesen zu werden.</translation>
     </message>
     <message>
         <source>Each map has a face, as wide as its probability.</source>
@@ -9139,7 +10154,7 @@
     </message>
     <message>
         <source>The points of the chaos game as shown, without the first 14.</source>
-        <translation>Die Punkte des Chaos-Spiels, wo sie gezeigt werden, ohne die ersten 14.</translation>
+        <translation>Die Punkte des Chaosspiels, wo sie gezeigt werden, ohne die ersten 14.</translation>
     </message>
     <message>
         <source>Export Data</source>
@@ -9163,7 +10178,7 @@
     </message>
     <message>
         <source>How many points of the chaos game are written.</source>
-        <translation>Wie viele Punkte des Chaos-Spiels geschrieben werden.</translation>
+        <translation>Wie viele Punkte des Chaosspiels geschrieben werden.</translation>
     </message>
     <message>
         <source>In flame programs, y points down. With this option, the flame looks as it does here; without it, the numbers stay the same.</source>
@@ -9306,7 +10321,7 @@
     </message>
     <message>
         <source>One dot for every visible point of the chaos game.</source>
-        <translation>Ein Fleck für jeden Punkt des Chaos-Spiels, der zu sehen ist.</translation>
+        <translation>Ein Fleck für jeden Punkt des Chaosspiels, der zu sehen ist.</translation>
     </message>
     <message>
         <source> The cage bends the picture, which copies cannot reproduce: the affine fit of the cage is written instead. A PNG shows the bend.</source>
@@ -9338,11 +10353,11 @@
     </message>
     <message>
         <source>Copies of copies make a small file that drawing programs can edit; the outline is one path; points are dots of the chaos game.</source>
-        <translation>Kopien von Kopien geben eine kleine Datei, die Zeichenprogramme bearbeiten können; der Umriss ist ein einziger Pfad; Punkte sind Flecken des Chaos-Spiels.</translation>
+        <translation>Kopien von Kopien geben eine kleine Datei, die Zeichenprogramme bearbeiten können; der Umriss ist ein einziger Pfad; Punkte sind Flecken des Chaosspiels.</translation>
     </message>
     <message>
         <source>How many dots of the chaos game are drawn.</source>
-        <translation>Wie viele Flecken des Chaos-Spiels gezeichnet werden.</translation>
+        <translation>Wie viele Flecken des Chaosspiels gezeichnet werden.</translation>
     </message>
     <message>
         <source>The number of levels of copies. More levels hardly enlarge the file, but the picture takes longer to draw.</source>
@@ -9394,7 +10409,7 @@
     </message>
     <message>
         <source>Asks for a file name and adds the picture to the queue in the Exports panel. The queue continues after a restart.</source>
-        <translation>Fragt nach einem Dateinamen und zeichnet das Bild, wenn es an der Reihe ist, nach denen, die in der Leiste „Exporte“ warten. Die Warteschlange läuft nach einem Neustart weiter.</translation>
+        <translation>Fragt nach einem Dateinamen und zeichnet das Bild, wenn es an der Reihe ist, nach denen, die im Feld „Exporte“ warten. Die Warteschlange läuft nach einem Neustart weiter.</translation>
     </message>
     <message>
         <source>The view “%1”</source>
@@ -10938,7 +11953,7 @@ Tasten: Bild auf und Bild ab wählen eine Marke, die Pfeile bewegen sie, Einfg f
     </message>
     <message>
         <source>Puts the maps back in the order of their numbers, which is that of the Maps panel: map 1 is on top. This is one step that you can undo.</source>
-        <translation>Ordnet die Abbildungen wieder nach ihren Nummern, also wie im Bereich „Abbildungen“: Abbildung 1 liegt oben. Das ist ein Schritt, den Sie rückgängig machen können.</translation>
+        <translation>Ordnet die Abbildungen wieder nach ihren Nummern, also wie im Feld „Abbildungen“: Abbildung 1 liegt oben. Das ist ein Schritt, den Sie rückgängig machen können.</translation>
     </message>
 </context>
 <context>
@@ -11182,7 +12197,7 @@ Tasten: Bild auf und Bild ab wählen eine Marke, die Pfeile bewegen sie, Einfg f
     </message>
     <message>
         <source>Weight as entered: how often the chaos game chooses the map. The weights need not sum to 1.</source>
-        <translation>Gewicht wie angegeben: wie oft das Chaos-Spiel die Abbildung nimmt. Die Summe muss nicht 1 sein.</translation>
+        <translation>Gewicht wie angegeben: wie oft das Chaosspiel die Abbildung nimmt. Die Summe muss nicht 1 sein.</translation>
     </message>
     <message>
         <source>Determinant ad − bc: the factor by which areas change; negative if the map reflects.</source>
@@ -11997,7 +13012,7 @@ Tasten: Bild auf und Bild ab wählen eine Marke, die Pfeile bewegen sie, Einfg f
     </message>
     <message>
         <source>Use a variation</source>
-        <translation>Variation übernehmen</translation>
+        <translation>Abwandlung übernehmen</translation>
     </message>
 </context>
 <context>
@@ -12543,7 +13558,7 @@ Tasten: Bild auf und Bild ab wählen eine Marke, die Pfeile bewegen sie, Einfg f
     </message>
     <message>
         <source>Each map also acts rotated or mirrored about the origin, so the fractal is symmetric. You can change the symmetry later in the Maps panel. The tetrahedral, octahedral and icosahedral groups exist in space only.</source>
-        <translation>Jede Abbildung wirkt auch um den Ursprung gedreht oder gespiegelt, sodass das Fraktal symmetrisch ist. Später können Sie die Symmetrie im Bereich „Abbildungen“ ändern. Tetraeder-, Oktaeder- und Ikosaedergruppe gibt es nur im Raum.</translation>
+        <translation>Jede Abbildung wirkt auch um den Ursprung gedreht oder gespiegelt, sodass das Fraktal symmetrisch ist. Später können Sie die Symmetrie im Feld „Abbildungen“ ändern. Tetraeder-, Oktaeder- und Ikosaedergruppe gibt es nur im Raum.</translation>
     </message>
     <message>
         <source>Order of the symmetry</source>
@@ -13125,7 +14140,7 @@ Tasten: Bild auf und Bild ab wählen eine Marke, die Pfeile bewegen sie, Einfg f
     </message>
     <message>
         <source>&amp;Shortcut:</source>
-        <translation>&amp;Kürzel:</translation>
+        <translation>Tasten&amp;kürzel:</translation>
     </message>
     <message>
         <source>Press the keys that the selected command is to have. Tab goes on to the next field.</source>
@@ -13471,7 +14486,7 @@ Tasten: Bild auf und Bild ab wählen eine Marke, die Pfeile bewegen sie, Einfg f
     </message>
     <message>
         <source>&amp;Transparent background</source>
-        <translation>&amp;Transparenter Hintergrund</translation>
+        <translation>&amp;Durchsichtiger Hintergrund</translation>
     </message>
     <message>
         <source>Makes the surroundings of the solid transparent.</source>
@@ -13527,7 +14542,7 @@ Tasten: Bild auf und Bild ab wählen eine Marke, die Pfeile bewegen sie, Einfg f
     </message>
     <message>
         <source>Asks for a file name and adds the file to the queue in the Exports panel. The queue continues after a restart.</source>
-        <translation>Fragt nach einem Dateinamen und erstellt die Datei, wenn sie an der Reihe ist, nach denen, die in der Leiste „Exporte“ warten. Die Warteschlange läuft nach einem Neustart weiter.</translation>
+        <translation>Fragt nach einem Dateinamen und erstellt die Datei, wenn sie an der Reihe ist, nach denen, die im Feld „Exporte“ warten. Die Warteschlange läuft nach einem Neustart weiter.</translation>
     </message>
     <message>
         <source>The view on the canvas</source>
@@ -13748,7 +14763,7 @@ Tasten: Bild auf und Bild ab wählen eine Marke, die Pfeile bewegen sie, Einfg f
     <name>view::SpaceView</name>
     <message>
         <source>Canvas in space</source>
-        <translation>Leinwand im Raum</translation>
+        <translation>Zeichenfläche im Raum</translation>
     </message>
     <message>
         <source>The solid and its tetrahedron. Drag a corner: X, Y or Z keeps it on an axis, with Shift in a plane, and the wheel pushes it away. Drag anywhere else to turn the view; the wheel zooms at the pointer, the middle button pans. Double-click the solid to turn about that point.</source>
@@ -13800,7 +14815,7 @@ Tasten: Bild auf und Bild ab wählen eine Marke, die Pfeile bewegen sie, Einfg f
     </message>
     <message>
         <source>The attractor and its control tetrahedron. Tab moves from corner to corner and to the ball of axes, the arrow keys move the corner in focus or turn the view, F6 leaves the canvas.</source>
-        <translation>Der Attraktor und sein Kontrolltetraeder. Tab wechselt von Ecke zu Ecke und zur Achsenkugel, die Pfeiltasten bewegen die Ecke mit dem Fokus oder drehen die Ansicht, F6 verlässt die Leinwand.</translation>
+        <translation>Der Attraktor und sein Kontrolltetraeder. Tab wechselt von Ecke zu Ecke und zur Achsenkugel, die Pfeiltasten bewegen die Ecke mit dem Fokus oder drehen die Ansicht, F6 verlässt die Zeichenfläche.</translation>
     </message>
     <message>
         <source>Ball of axes, positive end of %1.</source>
@@ -15207,7 +16222,7 @@ Tasten: Bild auf und Bild ab wählen eine Marke, die Pfeile bewegen sie, Einfg f
     <name>view::TransformationView</name>
     <message>
         <source>Canvas of the partner</source>
-        <translation>Leinwand des Partners</translation>
+        <translation>Zeichenfläche des Partners</translation>
     </message>
     <message>
         <source>Choose Partner</source>

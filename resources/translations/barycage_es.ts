@@ -461,7 +461,7 @@
     </message>
     <message>
         <source>Fronds: one large map climbs the rachis, two small ones attach the pinnae, and a flat one draws the stem.</source>
-        <translation>Frondes: una aplicación larga y lenta sube por el raquis, dos cortas cuelgan las pinnas y una plana traza el tallo.</translation>
+        <translation>Frondas: una aplicación grande sube por el raquis, dos pequeñas añaden las pinnas y una plana traza el tallo.</translation>
     </message>
     <message>
         <source>Trees</source>
@@ -477,7 +477,7 @@
     </message>
     <message>
         <source>Paper-folding curves, and fractals of two or three rotating similarities.</source>
-        <translation>Curvas de papel plegado y los fractales de dos o tres semejanzas con giro.</translation>
+        <translation>Curvas de papel plegado y fractales de dos o tres semejanzas con giro.</translation>
     </message>
     <message>
         <source>Sierpiński family</source>
@@ -485,7 +485,7 @@
     </message>
     <message>
         <source>Gaskets and carpets: a polygon made of smaller copies of itself, with holes between them.</source>
-        <translation>Triángulos y alfombras: un polígono contiene copias reducidas de sí mismo y conserva sus agujeros.</translation>
+        <translation>Triángulos y alfombras: un polígono formado por copias más pequeñas de sí mismo, con agujeros entre ellas.</translation>
     </message>
     <message>
         <source>Koch family</source>
@@ -493,7 +493,7 @@
     </message>
     <message>
         <source>Curves built by replacing a segment again and again, and the islands they enclose.</source>
-        <translation>Curvas que nacen de sustituir un segmento, y las islas que delimitan.</translation>
+        <translation>Curvas que nacen de sustituir un segmento una y otra vez, y las islas que encierran.</translation>
     </message>
     <message>
         <source>Spirals</source>
@@ -517,7 +517,7 @@
     </message>
     <message>
         <source>Sets that tile the plane: rep-tiles, which are made of copies of themselves, and the central tiles of number systems.</source>
-        <translation>Conjuntos que teselan el plano: copias de sí mismos, «rep-tiles» y las teselas centrales de los sistemas de numeración.</translation>
+        <translation>Conjuntos que teselan el plano: «rep-tiles», formados por copias de sí mismos, y las teselas centrales de los sistemas de numeración.</translation>
     </message>
     <message>
         <source>Cantor sets and dust</source>
@@ -525,7 +525,7 @@
     </message>
     <message>
         <source>Sets with gaps at every scale: the points crowd together, but hardly any are connected.</source>
-        <translation>Conjuntos llenos de huecos a toda escala: puntos cercanos por doquier, casi ninguno unido a otro.</translation>
+        <translation>Conjuntos con huecos a toda escala: los puntos se apiñan, pero casi ninguno está unido a otro.</translation>
     </message>
     <message>
         <source>Crystals and snowflakes</source>
@@ -533,7 +533,7 @@
     </message>
     <message>
         <source>Sets with the symmetry of snow crystals: five, six and more arms.</source>
-        <translation>Conjuntos con la simetría de la escarcha: cinco, seis y más brazos.</translation>
+        <translation>Conjuntos con la simetría de los cristales de nieve: cinco, seis y más brazos.</translation>
     </message>
     <message>
         <source>Curves and graphs</source>
@@ -541,7 +541,7 @@
     </message>
     <message>
         <source>Graphs of unusual functions, smooth curves as attractors, and coordinates of space-filling curves.</source>
-        <translation>Gráficas de funciones extrañas, curvas suaves como atractores, coordenadas de curvas que llenan el plano.</translation>
+        <translation>Gráficas de funciones poco comunes, curvas suaves como atractores y coordenadas de curvas que llenan el plano.</translation>
     </message>
     <message>
         <source>Abstract</source>
@@ -549,7 +549,7 @@
     </message>
     <message>
         <source>Affine patterns with no counterpart in nature: relatives of the gasket, weaves, rosettes.</source>
-        <translation>Motivos afines sin nombre en la naturaleza: parientes del triángulo de Sierpiński, tejidos, rosetones.</translation>
+        <translation>Motivos afines sin equivalente en la naturaleza: parientes del triángulo de Sierpiński, tejidos, rosetones.</translation>
     </message>
     <message>
         <source>Polyhedra in space</source>
@@ -573,7 +573,7 @@
     </message>
     <message>
         <source>Fronds and trees with branches all around the stem.</source>
-        <translation>Frondas y árboles cuyas ramas rodean todo el tallo.</translation>
+        <translation>Frondas y árboles con ramas todo alrededor del tallo.</translation>
     </message>
     <message>
         <source>Shells and corals in space</source>
@@ -614,6 +614,1021 @@
     <message>
         <source>Fractals coloured by a picture on another fractal; a double click opens both side by side.</source>
         <translation>Fractales con los colores de una imagen sobre otro; un doble clic abre los dos lado a lado.</translation>
+    </message>
+</context>
+<context>
+    <name>CollectionNames</name>
+    <message>
+        <source>Maple</source>
+        <translation>Arce</translation>
+    </message>
+    <message>
+        <source>Flower</source>
+        <translation>Flor</translation>
+    </message>
+    <message>
+        <source>Maple in the wind</source>
+        <translation>Arce al viento</translation>
+    </message>
+    <message>
+        <source>Fern that unrolls</source>
+        <translation>Helecho que se desenrolla</translation>
+    </message>
+    <message>
+        <source>Paper strip that folds to a dragon</source>
+        <translation>Tira de papel que se pliega en dragón</translation>
+    </message>
+    <message>
+        <source>Koch curve that grows spikes</source>
+        <translation>Curva de Koch a la que le crecen púas</translation>
+    </message>
+    <message>
+        <source>Zoom into a flake without end</source>
+        <translation>Acercamiento sin fin a un copo</translation>
+    </message>
+    <message>
+        <source>Walk through a weaving flower</source>
+        <translation>Paseo por una flor que se teje</translation>
+    </message>
+    <message>
+        <source>Tree in a storm</source>
+        <translation>Árbol en la tormenta</translation>
+    </message>
+    <message>
+        <source>Sea fan in the swell</source>
+        <translation>Gorgonia en el oleaje</translation>
+    </message>
+    <message>
+        <source>Bracts that breathe</source>
+        <translation>Brácteas que respiran</translation>
+    </message>
+    <message>
+        <source>Pentagons that turn in place</source>
+        <translation>Pentágonos que giran en su sitio</translation>
+    </message>
+    <message>
+        <source>Menger sponge that turns</source>
+        <translation>Esponja de Menger que gira</translation>
+    </message>
+    <message>
+        <source>Flight into the Menger sponge</source>
+        <translation>Vuelo al interior de la esponja de Menger</translation>
+    </message>
+    <message>
+        <source>Tree in space that sways</source>
+        <translation>Árbol en el espacio que se mece</translation>
+    </message>
+    <message>
+        <source>Snow star that becomes a fern of ice</source>
+        <translation>Estrella de nieve que se vuelve helecho de hielo</translation>
+    </message>
+    <message>
+        <source>Maple that becomes a fern</source>
+        <translation>Arce que se vuelve helecho</translation>
+    </message>
+    <message>
+        <source>Black spleenwort fern</source>
+        <translation>Culantrillo negro</translation>
+    </message>
+    <message>
+        <source>Maiden fern</source>
+        <translation>Helecho de pantano</translation>
+    </message>
+    <message>
+        <source>Culcita fern</source>
+        <translation>Helecho de colchonero</translation>
+    </message>
+    <message>
+        <source>Fishbone fern</source>
+        <translation>Helecho espada</translation>
+    </message>
+    <message>
+        <source>Fiddlehead: a frond still curled</source>
+        <translation>Báculo: una fronda aún enrollada</translation>
+    </message>
+    <message>
+        <source>Bracken: opposite pinnae at the same height</source>
+        <translation>Helecho águila: pinnas opuestas a la misma altura</translation>
+    </message>
+    <message>
+        <source>Lady fern: alternate pinnae, a nodding tip</source>
+        <translation>Helecho hembra: pinnas alternas y punta inclinada</translation>
+    </message>
+    <message>
+        <source>Maidenhair: a fan on a fine stalk</source>
+        <translation>Culantrillo: un abanico sobre un tallo fino</translation>
+    </message>
+    <message>
+        <source>Ostrich fern: a shuttlecock plume</source>
+        <translation>Helecho avestruz: un penacho en forma de volante</translation>
+    </message>
+    <message>
+        <source>Golden fern: pinnae smaller by the golden ratio squared</source>
+        <translation>Helecho áureo: pinnas reducidas según el cuadrado del número áureo</translation>
+    </message>
+    <message>
+        <source>Moss: a frond of frond-like feathers</source>
+        <translation>Musgo: una fronda de plumas que parecen frondas</translation>
+    </message>
+    <message>
+        <source>Fractal tree</source>
+        <translation>Árbol fractal</translation>
+    </message>
+    <message>
+        <source>Golden tree: branches of 1/phi at 60 degrees, just touching</source>
+        <translation>Árbol áureo: ramas de razón 1/φ a 60° que llegan justo a tocarse</translation>
+    </message>
+    <message>
+        <source>Stone pine: an umbrella of three boughs</source>
+        <translation>Pino piñonero: una sombrilla de tres ramas</translation>
+    </message>
+    <message>
+        <source>Spruce: whorls of drooping boughs</source>
+        <translation>Pícea: verticilos de ramas colgantes</translation>
+    </message>
+    <message>
+        <source>Willow: branches that bend down</source>
+        <translation>Sauce: ramas que se inclinan</translation>
+    </message>
+    <message>
+        <source>Tree in the wind</source>
+        <translation>Árbol al viento</translation>
+    </message>
+    <message>
+        <source>Bonsai pine: flat cushions on a leaning trunk</source>
+        <translation>Pino bonsái: cojines planos sobre un tronco inclinado</translation>
+    </message>
+    <message>
+        <source>Cypress</source>
+        <translation>Ciprés</translation>
+    </message>
+    <message>
+        <source>Thorn bush: alternate twigs</source>
+        <translation>Espino: ramitas alternas</translation>
+    </message>
+    <message>
+        <source>Poplar: narrow and steep</source>
+        <translation>Álamo: estrecho y empinado</translation>
+    </message>
+    <message>
+        <source>Ternary tree: three halves, drawn with their branches</source>
+        <translation>Árbol ternario: tres mitades dibujadas con sus ramas</translation>
+    </message>
+    <message>
+        <source>Branching coral</source>
+        <translation>Coral ramificado</translation>
+    </message>
+    <message>
+        <source>H-tree: right angles all the way</source>
+        <translation>Árbol H: todo en ángulos rectos</translation>
+    </message>
+    <message>
+        <source>Heighway dragon</source>
+        <translation>Dragón de Heighway</translation>
+    </message>
+    <message>
+        <source>Twindragon</source>
+        <translation>Dragón gemelo</translation>
+    </message>
+    <message>
+        <source>Levy dragon (C curve)</source>
+        <translation>Dragón de Lévy (curva C)</translation>
+    </message>
+    <message>
+        <source>Terdragon</source>
+        <translation>Terdragón</translation>
+    </message>
+    <message>
+        <source>Golden dragon</source>
+        <translation>Dragón áureo</translation>
+    </message>
+    <message>
+        <source>Tame twindragon</source>
+        <translation>Dragón gemelo manso</translation>
+    </message>
+    <message>
+        <source>Dragon curve unfolded to 100 degrees only</source>
+        <translation>Curva del dragón desplegada solo hasta 100°</translation>
+    </message>
+    <message>
+        <source>Dragon curve unfolded to 115 degrees</source>
+        <translation>Curva del dragón desplegada hasta 115°</translation>
+    </message>
+    <message>
+        <source>C curve on triangles of 100 degrees</source>
+        <translation>Curva C sobre triángulos de 100°</translation>
+    </message>
+    <message>
+        <source>Z dragon: the three strokes of a Z</source>
+        <translation>Dragón Z: los tres trazos de una Z</translation>
+    </message>
+    <message>
+        <source>Sierpinski triangle</source>
+        <translation>Triángulo de Sierpiński</translation>
+    </message>
+    <message>
+        <source>Right-angled Sierpinski triangle</source>
+        <translation>Triángulo rectángulo de Sierpiński</translation>
+    </message>
+    <message>
+        <source>Sierpinski carpet</source>
+        <translation>Alfombra de Sierpiński</translation>
+    </message>
+    <message>
+        <source>Vicsek fractal (saltire)</source>
+        <translation>Fractal de Vicsek (aspa)</translation>
+    </message>
+    <message>
+        <source>Vicsek fractal (cross)</source>
+        <translation>Fractal de Vicsek (cruz)</translation>
+    </message>
+    <message>
+        <source>Sierpinski pentagon</source>
+        <translation>Pentágono de Sierpiński</translation>
+    </message>
+    <message>
+        <source>Sierpinski hexagon</source>
+        <translation>Hexágono de Sierpiński</translation>
+    </message>
+    <message>
+        <source>Sierpinski heptagon</source>
+        <translation>Heptágono de Sierpiński</translation>
+    </message>
+    <message>
+        <source>Sierpinski octagon</source>
+        <translation>Octógono de Sierpiński</translation>
+    </message>
+    <message>
+        <source>Sierpinski dodecagon</source>
+        <translation>Dodecágono de Sierpiński</translation>
+    </message>
+    <message>
+        <source>Pascal&apos;s triangle modulo 3</source>
+        <translation>Triángulo de Pascal módulo 3</translation>
+    </message>
+    <message>
+        <source>Pascal&apos;s triangle modulo 5</source>
+        <translation>Triángulo de Pascal módulo 5</translation>
+    </message>
+    <message>
+        <source>Sierpinski pedal triangle</source>
+        <translation>Triángulo órtico de Sierpiński</translation>
+    </message>
+    <message>
+        <source>Bedford-McMullen carpet</source>
+        <translation>Alfombra de Bedford-McMullen</translation>
+    </message>
+    <message>
+        <source>Bedford-McMullen weave of 3 by 5 cells</source>
+        <translation>Tejido de Bedford-McMullen de 3 por 5 celdas</translation>
+    </message>
+    <message>
+        <source>Carpet of fifths with a cross-shaped hole</source>
+        <translation>Alfombra de quintos con un agujero en cruz</translation>
+    </message>
+    <message>
+        <source>Carpet of quarters with a square hole</source>
+        <translation>Alfombra de cuartos con un agujero cuadrado</translation>
+    </message>
+    <message>
+        <source>Checkered carpet</source>
+        <translation>Alfombra ajedrezada</translation>
+    </message>
+    <message>
+        <source>Koch curve</source>
+        <translation>Curva de Koch</translation>
+    </message>
+    <message>
+        <source>Koch snowflake, filled</source>
+        <translation>Copo de nieve de Koch, relleno</translation>
+    </message>
+    <message>
+        <source>Cesaro curve of 85 degrees</source>
+        <translation>Curva de Cesàro de 85°</translation>
+    </message>
+    <message>
+        <source>Quadratic Koch curve of five edges</source>
+        <translation>Curva de Koch cuadrática de cinco segmentos</translation>
+    </message>
+    <message>
+        <source>Minkowski sausage</source>
+        <translation>Salchicha de Minkowski</translation>
+    </message>
+    <message>
+        <source>Mandelbrot-Given curve</source>
+        <translation>Curva de Mandelbrot-Given</translation>
+    </message>
+    <message>
+        <source>Ice fractal on a square</source>
+        <translation>Fractal de hielo sobre un cuadrado</translation>
+    </message>
+    <message>
+        <source>Ice fractal with a pair of spikes</source>
+        <translation>Fractal de hielo con un par de púas</translation>
+    </message>
+    <message>
+        <source>Koch curve drawn on both sides</source>
+        <translation>Curva de Koch por ambos lados</translation>
+    </message>
+    <message>
+        <source>Koch curve with peaks turned inwards</source>
+        <translation>Curva de Koch con picos hacia dentro</translation>
+    </message>
+    <message>
+        <source>Pentigree</source>
+        <translation>Pentigree</translation>
+    </message>
+    <message>
+        <source>Pentadendrite</source>
+        <translation>Pentadendrita</translation>
+    </message>
+    <message>
+        <source>Edge of the Gosper island</source>
+        <translation>Borde de la isla de Gosper</translation>
+    </message>
+    <message>
+        <source>Spiral of spirals</source>
+        <translation>Espiral de espirales</translation>
+    </message>
+    <message>
+        <source>Swirl</source>
+        <translation>Remolino</translation>
+    </message>
+    <message>
+        <source>Galaxy with two arms</source>
+        <translation>Galaxia de dos brazos</translation>
+    </message>
+    <message>
+        <source>Whorl of three-fold rosettes</source>
+        <translation>Verticilo de rosetones triples</translation>
+    </message>
+    <message>
+        <source>Ram&apos;s horn</source>
+        <translation>Cuerno de carnero</translation>
+    </message>
+    <message>
+        <source>Whirl of pentagons</source>
+        <translation>Torbellino de pentágonos</translation>
+    </message>
+    <message>
+        <source>Double spiral between two eyes</source>
+        <translation>Espiral doble entre dos ojos</translation>
+    </message>
+    <message>
+        <source>Spiral of feathers</source>
+        <translation>Espiral de plumas</translation>
+    </message>
+    <message>
+        <source>Nautilus: chambers along a golden spiral</source>
+        <translation>Nautilo: cámaras a lo largo de una espiral áurea</translation>
+    </message>
+    <message>
+        <source>Sunflower: seeds at the golden angle</source>
+        <translation>Girasol: semillas según el ángulo áureo</translation>
+    </message>
+    <message>
+        <source>Shell: ribs that follow the turn</source>
+        <translation>Concha: costillas que siguen el giro</translation>
+    </message>
+    <message>
+        <source>Three spirals passing into one another</source>
+        <translation>Tres espirales que pasan de una a otra</translation>
+    </message>
+    <message>
+        <source>Maple leaf</source>
+        <translation>Hoja de arce</translation>
+    </message>
+    <message>
+        <source>Pointed leaf</source>
+        <translation>Hoja puntiaguda</translation>
+    </message>
+    <message>
+        <source>Poinsettia: five bracts</source>
+        <translation>Flor de Pascua: cinco brácteas</translation>
+    </message>
+    <message>
+        <source>Edelweiss: eight woolly rays</source>
+        <translation>Edelweiss: ocho radios lanosos</translation>
+    </message>
+    <message>
+        <source>Lily of six petals</source>
+        <translation>Azucena de seis pétalos</translation>
+    </message>
+    <message>
+        <source>Oak leaf</source>
+        <translation>Hoja de roble</translation>
+    </message>
+    <message>
+        <source>Feather</source>
+        <translation>Pluma</translation>
+    </message>
+    <message>
+        <source>Plane-tree leaf: five blades from one root</source>
+        <translation>Hoja de plátano de sombra: cinco lóbulos de una misma base</translation>
+    </message>
+    <message>
+        <source>Dill umbel</source>
+        <translation>Umbela de eneldo</translation>
+    </message>
+    <message>
+        <source>Thistle head</source>
+        <translation>Cabezuela de cardo</translation>
+    </message>
+    <message>
+        <source>Dandelion clock</source>
+        <translation>Vilano de diente de león</translation>
+    </message>
+    <message>
+        <source>Marigold: rings of petals</source>
+        <translation>Caléndula: anillos de pétalos</translation>
+    </message>
+    <message>
+        <source>Ear of wheat</source>
+        <translation>Espiga de trigo</translation>
+    </message>
+    <message>
+        <source>Chair rep-tile (L tromino)</source>
+        <translation>Rep-tile de la silla (tromino en L)</translation>
+    </message>
+    <message>
+        <source>Golden bee (Ammann&apos;s chair)</source>
+        <translation>Abeja áurea (silla de Ammann)</translation>
+    </message>
+    <message>
+        <source>Gosper island</source>
+        <translation>Isla de Gosper</translation>
+    </message>
+    <message>
+        <source>Quintet</source>
+        <translation>Quinteto</translation>
+    </message>
+    <message>
+        <source>Eisenstein fractal</source>
+        <translation>Fractal de Eisenstein</translation>
+    </message>
+    <message>
+        <source>Rauzy fractal (tribonacci)</source>
+        <translation>Fractal de Rauzy (tribonacci)</translation>
+    </message>
+    <message>
+        <source>Hokkaido tile</source>
+        <translation>Tesela de Hokkaido</translation>
+    </message>
+    <message>
+        <source>Tile of Narayana&apos;s cows</source>
+        <translation>Tesela de las vacas de Narayana</translation>
+    </message>
+    <message>
+        <source>Tile of x^2 + x + 3</source>
+        <translation>Tesela de x² + x + 3</translation>
+    </message>
+    <message>
+        <source>Tile of x^2 + 2 x + 3</source>
+        <translation>Tesela de x² + 2x + 3</translation>
+    </message>
+    <message>
+        <source>Tile of x^2 + 3 x + 3</source>
+        <translation>Tesela de x² + 3x + 3</translation>
+    </message>
+    <message>
+        <source>Tile of x^2 + 2 x + 4</source>
+        <translation>Tesela de x² + 2x + 4</translation>
+    </message>
+    <message>
+        <source>Jigsaw square: nine thirds, one pushed out</source>
+        <translation>Cuadrado rompecabezas: nueve tercios, uno de ellos desplazado fuera</translation>
+    </message>
+    <message>
+        <source>Numbers in base -2+i with digits 0 to 4</source>
+        <translation>Números en base −2+i con cifras de 0 a 4</translation>
+    </message>
+    <message>
+        <source>Fudgeflake: three terdragons round a point</source>
+        <translation>Fudgeflake: tres terdragones en torno a un punto</translation>
+    </message>
+    <message>
+        <source>Central tile of x^3 = 2 x^2 + x + 1</source>
+        <translation>Tesela central de x³ = 2x² + x + 1</translation>
+    </message>
+    <message>
+        <source>Penrose tiles</source>
+        <translation>Teselas de Penrose</translation>
+    </message>
+    <message>
+        <source>Penrose tiles, cracked</source>
+        <translation>Teselas de Penrose agrietadas</translation>
+    </message>
+    <message>
+        <source>Parts of the Rauzy fractal</source>
+        <translation>Partes del fractal de Rauzy</translation>
+    </message>
+    <message>
+        <source>Boundary of the dragon</source>
+        <translation>Frontera del dragón</translation>
+    </message>
+    <message>
+        <source>Boundary of the twindragon</source>
+        <translation>Frontera del dragón gemelo</translation>
+    </message>
+    <message>
+        <source>Golden mean carpet</source>
+        <translation>Alfombra del número áureo</translation>
+    </message>
+    <message>
+        <source>Golden mean dragon</source>
+        <translation>Dragón del número áureo</translation>
+    </message>
+    <message>
+        <source>Restless pentagon</source>
+        <translation>Pentágono inquieto</translation>
+    </message>
+    <message>
+        <source>One-way square</source>
+        <translation>Cuadrado de sentido único</translation>
+    </message>
+    <message>
+        <source>Neighbouring corners</source>
+        <translation>Vértices vecinos</translation>
+    </message>
+    <message>
+        <source>Steps around a hexagon</source>
+        <translation>Pasos alrededor de un hexágono</translation>
+    </message>
+    <message>
+        <source>Steps around a pentagon</source>
+        <translation>Pasos alrededor de un pentágono</translation>
+    </message>
+    <message>
+        <source>Old and young</source>
+        <translation>Viejas y jóvenes</translation>
+    </message>
+    <message>
+        <source>Sunset in a triangle</source>
+        <translation>Puesta de sol en un triángulo</translation>
+    </message>
+    <message>
+        <source>Triangle for the sunset</source>
+        <translation>Triángulo para la puesta de sol</translation>
+    </message>
+    <message>
+        <source>Bent window</source>
+        <translation>Vidriera curvada</translation>
+    </message>
+    <message>
+        <source>Triangle for the glass</source>
+        <translation>Triángulo para la vidriera</translation>
+    </message>
+    <message>
+        <source>Tartan in a square</source>
+        <translation>Tartán en un cuadrado</translation>
+    </message>
+    <message>
+        <source>Square for the tartan</source>
+        <translation>Cuadrado para el tartán</translation>
+    </message>
+    <message>
+        <source>Grid of a square</source>
+        <translation>Cuadrícula de un cuadrado</translation>
+    </message>
+    <message>
+        <source>Square for the grid</source>
+        <translation>Cuadrado para la cuadrícula</translation>
+    </message>
+    <message>
+        <source>Rainbow fern</source>
+        <translation>Helecho arcoíris</translation>
+    </message>
+    <message>
+        <source>Maple for the fern</source>
+        <translation>Arce para el helecho</translation>
+    </message>
+    <message>
+        <source>Autumn maple</source>
+        <translation>Arce otoñal</translation>
+    </message>
+    <message>
+        <source>Square for the maple</source>
+        <translation>Cuadrado para el arce</translation>
+    </message>
+    <message>
+        <source>Dragon of paper</source>
+        <translation>Dragón de papel</translation>
+    </message>
+    <message>
+        <source>Sheet for the dragon</source>
+        <translation>Hoja de papel para el dragón</translation>
+    </message>
+    <message>
+        <source>Curve of waves</source>
+        <translation>Curva de olas</translation>
+    </message>
+    <message>
+        <source>Sheet for the curve</source>
+        <translation>Hoja de papel para la curva</translation>
+    </message>
+    <message>
+        <source>Koch curve across a square</source>
+        <translation>Curva de Koch a través de un cuadrado</translation>
+    </message>
+    <message>
+        <source>Square for the curve</source>
+        <translation>Cuadrado para la curva</translation>
+    </message>
+    <message>
+        <source>Hilbert curve along a coast</source>
+        <translation>Curva de Hilbert a lo largo de una costa</translation>
+    </message>
+    <message>
+        <source>Curve for the square</source>
+        <translation>Curva para el cuadrado</translation>
+    </message>
+    <message>
+        <source>Broken picture</source>
+        <translation>Imagen rota</translation>
+    </message>
+    <message>
+        <source>Square to break</source>
+        <translation>Cuadrado para romper</translation>
+    </message>
+    <message>
+        <source>Gasket of a dragon</source>
+        <translation>Triángulo de Sierpiński de un dragón</translation>
+    </message>
+    <message>
+        <source>Terdragon for the gasket</source>
+        <translation>Terdragón para el triángulo de Sierpiński</translation>
+    </message>
+    <message>
+        <source>Cantor dust</source>
+        <translation>Polvo de Cantor</translation>
+    </message>
+    <message>
+        <source>Cantor comb: a Cantor set times an interval</source>
+        <translation>Peine de Cantor: un conjunto de Cantor por un intervalo</translation>
+    </message>
+    <message>
+        <source>Dust on a triangle</source>
+        <translation>Polvo sobre un triángulo</translation>
+    </message>
+    <message>
+        <source>Dust on a pentagon</source>
+        <translation>Polvo sobre un pentágono</translation>
+    </message>
+    <message>
+        <source>Dust of unequal ratios</source>
+        <translation>Polvo de razones desiguales</translation>
+    </message>
+    <message>
+        <source>Dust on an octagon</source>
+        <translation>Polvo sobre un octógono</translation>
+    </message>
+    <message>
+        <source>Rings of dust</source>
+        <translation>Anillos de polvo</translation>
+    </message>
+    <message>
+        <source>Tartan dust</source>
+        <translation>Tartán de polvo</translation>
+    </message>
+    <message>
+        <source>Pinwheel dust</source>
+        <translation>Molinillo de polvo</translation>
+    </message>
+    <message>
+        <source>Swirling dust of three</source>
+        <translation>Polvo arremolinado de tres copias</translation>
+    </message>
+    <message>
+        <source>Hexaflake</source>
+        <translation>Copo hexagonal</translation>
+    </message>
+    <message>
+        <source>Pentaflake</source>
+        <translation>Copo pentagonal</translation>
+    </message>
+    <message>
+        <source>Stellar snowflake</source>
+        <translation>Copo de nieve estrellado</translation>
+    </message>
+    <message>
+        <source>Fern-like snowflake</source>
+        <translation>Copo de nieve en forma de helecho</translation>
+    </message>
+    <message>
+        <source>Sectored plate</source>
+        <translation>Placa de nieve con sectores</translation>
+    </message>
+    <message>
+        <source>Needle snowflake</source>
+        <translation>Copo de nieve de agujas</translation>
+    </message>
+    <message>
+        <source>Frost flower</source>
+        <translation>Flor de escarcha</translation>
+    </message>
+    <message>
+        <source>Decaflake</source>
+        <translation>Copo decagonal</translation>
+    </message>
+    <message>
+        <source>Pentagram flake</source>
+        <translation>Copo de pentagramas</translation>
+    </message>
+    <message>
+        <source>Quartz: four-fold lattice</source>
+        <translation>Cuarzo: red de orden cuatro</translation>
+    </message>
+    <message>
+        <source>Crystal of two maps</source>
+        <translation>Cristal de dos aplicaciones</translation>
+    </message>
+    <message>
+        <source>Dendrite snowflake</source>
+        <translation>Copo de nieve dendrítico</translation>
+    </message>
+    <message>
+        <source>Eight-pointed star</source>
+        <translation>Estrella de ocho puntas</translation>
+    </message>
+    <message>
+        <source>Frost cross: squares turned by 45 degrees</source>
+        <translation>Cruz de escarcha: cuadrados girados 45°</translation>
+    </message>
+    <message>
+        <source>Takagi curve (blancmange)</source>
+        <translation>Curva de Takagi (del manjar blanco)</translation>
+    </message>
+    <message>
+        <source>Quadratic Bezier arc by de Casteljau</source>
+        <translation>Arco de Bézier cuadrático según De Casteljau</translation>
+    </message>
+    <message>
+        <source>Devil&apos;s staircase</source>
+        <translation>Escalera del diablo</translation>
+    </message>
+    <message>
+        <source>Okamoto function, a = 2/3 (Bourbaki&apos;s)</source>
+        <translation>Función de Okamoto, a = 2/3 (la de Bourbaki)</translation>
+    </message>
+    <message>
+        <source>Okamoto function, a = 5/6 (Perkins&apos;s)</source>
+        <translation>Función de Okamoto, a = 5/6 (la de Perkins)</translation>
+    </message>
+    <message>
+        <source>Kiesswetter curve</source>
+        <translation>Curva de Kiesswetter</translation>
+    </message>
+    <message>
+        <source>Bolzano function</source>
+        <translation>Función de Bolzano</translation>
+    </message>
+    <message>
+        <source>Fractal interpolation of four points</source>
+        <translation>Interpolación fractal de cuatro puntos</translation>
+    </message>
+    <message>
+        <source>Mountain skyline</source>
+        <translation>Perfil de montañas</translation>
+    </message>
+    <message>
+        <source>First coordinate of Peano&apos;s curve</source>
+        <translation>Primera coordenada de la curva de Peano</translation>
+    </message>
+    <message>
+        <source>Lebesgue&apos;s singular function, a = 0.3</source>
+        <translation>Función singular de Lebesgue, a = 0,3</translation>
+    </message>
+    <message>
+        <source>Takagi curve and its mirror image</source>
+        <translation>Curva de Takagi y su imagen especular</translation>
+    </message>
+    <message>
+        <source>Hilbert&apos;s four maps, shrunk so that the seams open</source>
+        <translation>Las cuatro aplicaciones de Hilbert, encogidas hasta que se abren las costuras</translation>
+    </message>
+    <message>
+        <source>Relative of the Sierpinski triangle</source>
+        <translation>Pariente del triángulo de Sierpiński</translation>
+    </message>
+    <message>
+        <source>Zigzag of two maps</source>
+        <translation>Zigzag de dos aplicaciones</translation>
+    </message>
+    <message>
+        <source>Coral</source>
+        <translation>Coral</translation>
+    </message>
+    <message>
+        <source>Rosette of three</source>
+        <translation>Rosetón de tres</translation>
+    </message>
+    <message>
+        <source>Rosette of five</source>
+        <translation>Rosetón de cinco</translation>
+    </message>
+    <message>
+        <source>Rosette of seven</source>
+        <translation>Rosetón de siete</translation>
+    </message>
+    <message>
+        <source>Mandala of twelve</source>
+        <translation>Mandala de doce</translation>
+    </message>
+    <message>
+        <source>Lace</source>
+        <translation>Encaje</translation>
+    </message>
+    <message>
+        <source>Weave</source>
+        <translation>Tejido</translation>
+    </message>
+    <message>
+        <source>Twigs: a turn and a mirror</source>
+        <translation>Ramitas: un giro y un reflejo</translation>
+    </message>
+    <message>
+        <source>Heather</source>
+        <translation>Brezo</translation>
+    </message>
+    <message>
+        <source>Breaking wave</source>
+        <translation>Ola rompiente</translation>
+    </message>
+    <message>
+        <source>City seen from above</source>
+        <translation>Ciudad vista desde arriba</translation>
+    </message>
+    <message>
+        <source>Flames</source>
+        <translation>Llamas</translation>
+    </message>
+    <message>
+        <source>Hills in haze</source>
+        <translation>Colinas en la bruma</translation>
+    </message>
+    <message>
+        <source>Knotwork: four copies turned by 45 degrees</source>
+        <translation>Lacería: cuatro copias giradas 45°</translation>
+    </message>
+    <message>
+        <source>Sea dragon</source>
+        <translation>Dragón marino</translation>
+    </message>
+    <message>
+        <source>Kaleidoscope</source>
+        <translation>Caleidoscopio</translation>
+    </message>
+    <message>
+        <source>Sierpinski tetrahedron</source>
+        <translation>Tetraedro de Sierpiński</translation>
+    </message>
+    <message>
+        <source>Octahedron flake</source>
+        <translation>Copo octaédrico</translation>
+    </message>
+    <message>
+        <source>Sierpinski pyramid</source>
+        <translation>Pirámide de Sierpiński</translation>
+    </message>
+    <message>
+        <source>Icosahedron flake</source>
+        <translation>Copo icosaédrico</translation>
+    </message>
+    <message>
+        <source>Dodecahedron flake</source>
+        <translation>Copo dodecaédrico</translation>
+    </message>
+    <message>
+        <source>Cuboctahedron flake</source>
+        <translation>Copo cuboctaédrico</translation>
+    </message>
+    <message>
+        <source>Menger sponge</source>
+        <translation>Esponja de Menger</translation>
+    </message>
+    <message>
+        <source>Mosely snowflake</source>
+        <translation>Copo de nieve de Mosely</translation>
+    </message>
+    <message>
+        <source>Jerusalem cube</source>
+        <translation>Cubo de Jerusalén</translation>
+    </message>
+    <message>
+        <source>Cross in space</source>
+        <translation>Cruz en el espacio</translation>
+    </message>
+    <message>
+        <source>Saltire in space</source>
+        <translation>Aspa en el espacio</translation>
+    </message>
+    <message>
+        <source>Cantor dust in space</source>
+        <translation>Polvo de Cantor en el espacio</translation>
+    </message>
+    <message>
+        <source>Cube corner: seven of eight cubes</source>
+        <translation>Esquina de cubo: siete de ocho cubos</translation>
+    </message>
+    <message>
+        <source>Cube corners in mirrors</source>
+        <translation>Esquinas de cubo en espejos</translation>
+    </message>
+    <message>
+        <source>Quadratic Koch surface: cubes on squares</source>
+        <translation>Superficie de Koch cuadrática: cubos sobre cuadrados</translation>
+    </message>
+    <message>
+        <source>Fern in space</source>
+        <translation>Helecho en el espacio</translation>
+    </message>
+    <message>
+        <source>Tree with three boughs</source>
+        <translation>Árbol de tres ramas</translation>
+    </message>
+    <message>
+        <source>Oak with a leader and four boughs</source>
+        <translation>Roble con una guía y cuatro ramas</translation>
+    </message>
+    <message>
+        <source>Fir: drooping whorls around a leader</source>
+        <translation>Abeto: verticilos colgantes en torno a una guía</translation>
+    </message>
+    <message>
+        <source>Poplar: pairs of steep twigs</source>
+        <translation>Álamo: pares de ramitas empinadas</translation>
+    </message>
+    <message>
+        <source>Umbel: six rays from the top of a stalk</source>
+        <translation>Umbela: seis radios desde lo alto de un tallo</translation>
+    </message>
+    <message>
+        <source>Thuja: flat sprays turned by the golden angle</source>
+        <translation>Tuya: ramas planas giradas según el ángulo áureo</translation>
+    </message>
+    <message>
+        <source>Romanesco: cones on a cone, by the golden angle</source>
+        <translation>Romanesco: conos sobre un cono según el ángulo áureo</translation>
+    </message>
+    <message>
+        <source>Cauliflower</source>
+        <translation>Coliflor</translation>
+    </message>
+    <message>
+        <source>Turret shell</source>
+        <translation>Turritela</translation>
+    </message>
+    <message>
+        <source>Top shell: whorls of whorls</source>
+        <translation>Caracol peonza: espiras de espiras</translation>
+    </message>
+    <message>
+        <source>Nautilus: chambers along a flat spiral</source>
+        <translation>Nautilo: cámaras a lo largo de una espiral plana</translation>
+    </message>
+    <message>
+        <source>Double helix that narrows to a point</source>
+        <translation>Doble hélice que acaba en punta</translation>
+    </message>
+    <message>
+        <source>Staghorn coral</source>
+        <translation>Coral cuerno de ciervo</translation>
+    </message>
+    <message>
+        <source>Bush coral</source>
+        <translation>Coral arbustivo</translation>
+    </message>
+    <message>
+        <source>Sea fan: forks almost in one plane</source>
+        <translation>Gorgonia: bifurcaciones casi en un mismo plano</translation>
+    </message>
+    <message>
+        <source>Allium: a ball of twelve stalks with alliums at their ends</source>
+        <translation>Ajo ornamental: una bola de doce tallos con ajos en las puntas</translation>
+    </message>
+    <message>
+        <source>Dragon in space: each fold about another axis</source>
+        <translation>Dragón en el espacio: cada pliegue en torno a otro eje</translation>
+    </message>
+    <message>
+        <source>C curve in space</source>
+        <translation>Curva C en el espacio</translation>
+    </message>
+    <message>
+        <source>Terdragon in space</source>
+        <translation>Terdragón en el espacio</translation>
+    </message>
+    <message>
+        <source>Tetrahedra, each turned by 60 degrees</source>
+        <translation>Tetraedros, cada uno girado 60°</translation>
+    </message>
+    <message>
+        <source>Cubes, each turned by 60 degrees</source>
+        <translation>Cubos, cada uno girado 60°</translation>
+    </message>
+    <message>
+        <source>Octahedra, each turned by 45 degrees</source>
+        <translation>Octaedros, cada uno girado 45°</translation>
     </message>
 </context>
 <context>
@@ -777,7 +1792,7 @@
     </message>
     <message>
         <source>Replace</source>
-        <translation>Sustituir</translation>
+        <translation>Reemplazar</translation>
     </message>
     <message>
         <source>Save As…</source>
@@ -5055,7 +6070,7 @@
     </message>
     <message>
         <source>The cage is flat, so its placement cannot be baked into the code. Open the cage first.</source>
-        <translation>La jaula es plana, así que su posición no se puede incorporar al código. Abra primero la jaula.</translation>
+        <translation>La jaula es plana, así que su colocación no se puede incorporar al código. Abra primero la jaula.</translation>
     </message>
     <message>
         <source>The cage is at rest.</source>
@@ -5075,7 +6090,7 @@
     </message>
     <message>
         <source>The cage is not at rest: it already holds a placement.</source>
-        <translation>La jaula no está en reposo: ya contiene una posición.</translation>
+        <translation>La jaula no está en reposo: ya contiene una colocación.</translation>
     </message>
     <message>
         <source>Only a cage with three vertices can be unbaked.</source>
@@ -6691,7 +7706,7 @@
     </message>
     <message>
         <source>Supersampling: %1</source>
-        <translation>Sobremuestreo: %1</translation>
+        <translation>Supermuestreo: %1</translation>
     </message>
     <message>
         <source>More Palettes…</source>
@@ -12130,7 +13145,7 @@ Teclas: Re Pág y Av Pág eligen una parada, las flechas la mueven, Ins añade u
     </message>
     <message>
         <source>No matches</source>
-        <translation>Sin coincidencias</translation>
+        <translation>Sin resultados</translation>
     </message>
     <message>
         <source>Rotate all hues by this many degrees; the lightness stays the same</source>
@@ -13455,7 +14470,7 @@ Teclas: Re Pág y Av Pág eligen una parada, las flechas la mueven, Ins añade u
     </message>
     <message>
         <source>S&amp;upersampling:</source>
-        <translation>So&amp;bremuestreo:</translation>
+        <translation>Sup&amp;ermuestreo:</translation>
     </message>
     <message>
         <source>8 bits</source>

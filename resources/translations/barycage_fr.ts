@@ -80,7 +80,7 @@
     </message>
     <message>
         <source>Choose a motion, which needs no keys, or set keys. A change to something that has keys sets a key at the playhead; any other change applies to the whole animation.</source>
-        <translation>Choisissez un mouvement qui n’a pas besoin de clés, ou créez des clés : ce qui a des clés en reçoit une autre partout où vous le modifiez ; ce qui n’en a pas change pour toute l’animation.</translation>
+        <translation>Choisissez un mouvement qui n’a pas besoin de clés, ou créez des clés&#x202f;: ce qui a des clés en reçoit une autre partout où vous le modifiez&#x202f;; ce qui n’en a pas change pour toute l’animation.</translation>
     </message>
     <message>
         <source>If a table does not name its columns, you are asked for their order. In the Maps panel, Paste adds the copied maps, or rows of numbers, to the fractal.</source>
@@ -88,7 +88,7 @@
     </message>
     <message>
         <source>Acts on maps while the table of maps, or the canvas with the Maps tool, has the focus, and on entries while the list of entries has it.</source>
-        <translation>Ce qui a le focus décide : le tableau des applications et le canevas avec l’outil des applications déplacent des applications, la liste des entrées des entrées.</translation>
+        <translation>Ce qui a le focus décide&#x202f;: le tableau des applications et le canevas avec l’outil des applications déplacent des applications, la liste des entrées des entrées.</translation>
     </message>
     <message>
         <source>Maps are copied with their names and as rows of numbers, entries as .ifs text that other programs can read.</source>
@@ -155,7 +155,7 @@
     </message>
     <message>
         <source>The point that each map leaves unchanged; it belongs to the attractor.</source>
-        <translation>Le point que chaque application laisse à sa place ; il est sur l’attracteur.</translation>
+        <translation>Le point que chaque application laisse à sa place&#x202f;; il est sur l’attracteur.</translation>
     </message>
     <message>
         <source>Affinity dimension</source>
@@ -163,7 +163,7 @@
     </message>
     <message>
         <source>Falconer’s dimension, at most 2: the exponent at which the sum of the singular value functions of all words of one length neither grows nor shrinks as the words get longer. It is an upper bound for the box-counting dimension, and equal to it for almost all translations if the maps contract enough.</source>
-        <translation>La dimension de Falconer : là où la somme des fonctions de valeurs singulières de tous les mots d’une même longueur ni ne croît ni ne décroît, au plus 2. Une borne supérieure de la dimension par comptage de boîtes, égale à elle pour presque toutes les translations quand les applications contractent assez.</translation>
+        <translation>La dimension de Falconer&#x202f;: là où la somme des fonctions de valeurs singulières de tous les mots d’une même longueur ni ne croît ni ne décroît, au plus 2. Une borne supérieure de la dimension par comptage de boîtes, égale à elle pour presque toutes les translations quand les applications contractent assez.</translation>
     </message>
     <message>
         <source>Box-counting dimension</source>
@@ -187,7 +187,7 @@
     </message>
     <message>
         <source>The attractor extends at most this far beyond the polygon; certified.</source>
-        <translation>L’attracteur dépasse le polygone d’au plus cette distance ; certifié.</translation>
+        <translation>L’attracteur dépasse le polygone d’au plus cette distance&#x202f;; certifié.</translation>
     </message>
     <message numerus="yes">
         <source>… and %n more</source>
@@ -214,7 +214,7 @@
     </message>
     <message>
         <source>Different words that compose to the same map, neither a prefix of the other: their pieces coincide.</source>
-        <translation>Mots d’applications qui sont une seule et même application, sans que l’un soit le début de l’autre : leurs morceaux coïncident.</translation>
+        <translation>Mots d’applications qui sont une seule et même application, sans que l’un soit le début de l’autre&#x202f;: leurs morceaux coïncident.</translation>
     </message>
     <message>
         <source>Joint spectral radius</source>
@@ -226,7 +226,7 @@
     </message>
     <message>
         <source>−Σ pᵢ ln pᵢ: the uncertainty of one step of the chaos game, in nats.</source>
-        <translation>−Σ pᵢ ln pᵢ : ce qu’un pas du jeu du chaos laisse ouvert, en nats.</translation>
+        <translation>−Σ pᵢ ln pᵢ&#x202f;: ce qu’un pas du jeu du chaos laisse ouvert, en nats.</translation>
     </message>
     <message>
         <source>Lyapunov exponent</source>
@@ -234,7 +234,7 @@
     </message>
     <message>
         <source>Σ pᵢ ln sᵢ: how the logarithm of a distance changes per step of the chaos game, if all maps are similarities in some coordinates.</source>
-        <translation>Σ pᵢ ln sᵢ : la variation du logarithme d’une distance à chaque pas du jeu du chaos, si toutes les applications sont des similitudes dans certaines coordonnées.</translation>
+        <translation>Σ pᵢ ln sᵢ&#x202f;: la variation du logarithme d’une distance à chaque pas du jeu du chaos, si toutes les applications sont des similitudes dans certaines coordonnées.</translation>
     </message>
     <message>
         <source>Dimension of the measure</source>
@@ -242,7 +242,7 @@
     </message>
     <message>
         <source>Entropy divided by minus the Lyapunov exponent, at most 2: the dimension of the invariant measure under the open set condition, and an upper bound for it otherwise.</source>
-        <translation>L’entropie divisée par l’opposé de l’exposant de Liapounov, au plus 2 : la dimension de la mesure invariante sous la condition de l’ensemble ouvert, sinon un majorant.</translation>
+        <translation>L’entropie divisée par l’opposé de l’exposant de Liapounov, au plus 2&#x202f;: la dimension de la mesure invariante sous la condition de l’ensemble ouvert, sinon un majorant.</translation>
     </message>
     <message>
         <source>The number D with Σ sᵢᴰ = 1, where sᵢ are the ratios of the maps, if all maps are similarities in some coordinates. It is the dimension of the attractor under the open set condition, and an upper bound for it otherwise.</source>
@@ -250,23 +250,23 @@
     </message>
     <message>
         <source>Slope of the least-squares line of ln N against ln 1/ε, where N is the number of boxes of side ε that meet the attractor, over the sizes where it is most stable. This is an estimate: the uncertainty is the difference between parts of that range, not a proven bound.</source>
-        <translation>Pente de la droite des moindres carrés de ln N en fonction de ln 1/ε, où N est le nombre de boîtes de côté ε qui rencontrent l’attracteur, sur les tailles où elle est la plus régulière. C’est une estimation ; l’incertitude vient de l’écart entre des parties de cet intervalle et n’est pas une preuve.</translation>
+        <translation>Pente de la droite des moindres carrés de ln N en fonction de ln 1/ε, où N est le nombre de boîtes de côté ε qui rencontrent l’attracteur, sur les tailles où elle est la plus régulière. C’est une estimation&#x202f;; l’incertitude vient de l’écart entre des parties de cet intervalle et n’est pas une preuve.</translation>
     </message>
     <message>
         <source>Mean of the invariant measure, solved without sampling: the centre of mass of the picture.</source>
-        <translation>Moyenne de la mesure invariante, calculée sans échantillonnage : le centre de masse de l’image.</translation>
+        <translation>Moyenne de la mesure invariante, calculée sans échantillonnage&#x202f;: le centre de masse de l’image.</translation>
     </message>
     <message>
         <source>Covariance xx, xy, yy of the invariant measure, solved without sampling: how far the picture spreads. A uniform mass on the ellipse has the same mean and covariance.</source>
-        <translation>Covariance xx, xy, yy de la mesure invariante, calculée sans échantillonnage : l’étendue de l’image. Une masse uniforme qui remplit l’ellipse a la même moyenne et la même covariance.</translation>
+        <translation>Covariance xx, xy, yy de la mesure invariante, calculée sans échantillonnage&#x202f;: l’étendue de l’image. Une masse uniforme qui remplit l’ellipse a la même moyenne et la même covariance.</translation>
     </message>
     <message>
         <source>The smallest box with sides parallel to the axes that contains the attractor; certified. Each side is off by at most the error.</source>
-        <translation>Le plus petit rectangle de côtés parallèles aux axes qui contient l’attracteur ; certifié. Ses côtés s’écartent au plus de l’erreur.</translation>
+        <translation>Le plus petit rectangle de côtés parallèles aux axes qui contient l’attracteur&#x202f;; certifié. Ses côtés s’écartent au plus de l’erreur.</translation>
     </message>
     <message>
         <source>The smallest isosceles right triangle with legs parallel to the axes that contains the attractor; certified. The signs give the directions of its legs. For a single point, the leg is 1.</source>
-        <translation>Le plus petit triangle rectangle isocèle aux côtés parallèles aux axes qui contient l’attracteur ; certifié. Les signes donnent les directions de ses cathètes. Pour un seul point, la cathète vaut 1.</translation>
+        <translation>Le plus petit triangle rectangle isocèle aux côtés parallèles aux axes qui contient l’attracteur&#x202f;; certifié. Les signes donnent les directions de ses cathètes. Pour un seul point, la cathète vaut 1.</translation>
     </message>
     <message>
         <source>Area of the computed hull, whose vertices are points of the attractor. The exact convex hull is larger by at most its perimeter times the error bound e, and πe² for the corners.</source>
@@ -274,11 +274,11 @@
     </message>
     <message>
         <source>Entropy divided by minus the Lyapunov exponent, at most 3: the dimension of the invariant measure under the open set condition, and an upper bound for it otherwise.</source>
-        <translation>Entropie divisée par l’opposé de l’exposant de Liapounov, au plus 3 : la dimension de la mesure invariante sous la condition de l’ensemble ouvert, sinon un majorant.</translation>
+        <translation>Entropie divisée par l’opposé de l’exposant de Liapounov, au plus 3&#x202f;: la dimension de la mesure invariante sous la condition de l’ensemble ouvert, sinon un majorant.</translation>
     </message>
     <message>
         <source>Covariance xx, xy, xz, yy, yz, zz of the invariant measure, solved without sampling: how far the picture spreads.</source>
-        <translation>Covariance xx, xy, xz, yy, yz, zz de la mesure invariante, résolue sans échantillonnage : l’étendue de l’image.</translation>
+        <translation>Covariance xx, xy, xz, yy, yz, zz de la mesure invariante, résolue sans échantillonnage&#x202f;: l’étendue de l’image.</translation>
     </message>
     <message>
         <source>Box</source>
@@ -299,7 +299,7 @@
     </message>
     <message>
         <source>The smallest tetrahedron with three equal legs parallel to the axes that contains the attractor; certified. The signs give the directions of its legs. For a single point, the leg is 1.</source>
-        <translation>Le plus petit tétraèdre à trois côtés égaux parallèles aux axes qui contient l’attracteur ; certifié. Les signes donnent les directions de ses côtés. Pour un seul point, le côté vaut 1.</translation>
+        <translation>Le plus petit tétraèdre à trois côtés égaux parallèles aux axes qui contient l’attracteur&#x202f;; certifié. Les signes donnent les directions de ses côtés. Pour un seul point, le côté vaut 1.</translation>
     </message>
     <message>
         <source>Hull volume</source>
@@ -319,7 +319,7 @@
     </message>
     <message>
         <source>Dimension of the boundary, if all maps are similarities of one ratio whose pieces fill an area and meet in finitely many ways: from the growth of the number of contacts.</source>
-        <translation>Dimension de la frontière si toutes les applications sont des similitudes de même rapport dont les morceaux remplissent une aire et se touchent d’un nombre fini de façons : d’après la croissance du nombre de contacts.</translation>
+        <translation>Dimension de la frontière si toutes les applications sont des similitudes de même rapport dont les morceaux remplissent une aire et se touchent d’un nombre fini de façons&#x202f;: d’après la croissance du nombre de contacts.</translation>
     </message>
     <message>
         <source>Moran equation</source>
@@ -335,11 +335,11 @@
     </message>
     <message>
         <source>An attractor is connected if and only if its pieces are joined by common points (Hata). Common points are looked for among fixed points of short words, and their absence is proved by disjoint covers.</source>
-        <translation>Un attracteur est connexe si et seulement si des points communs relient ses morceaux (Hata). Les points communs sont cherchés parmi les points fixes de mots courts ; leur absence est prouvée par des recouvrements disjoints.</translation>
+        <translation>Un attracteur est connexe si et seulement si des points communs relient ses morceaux (Hata). Les points communs sont cherchés parmi les points fixes de mots courts&#x202f;; leur absence est prouvée par des recouvrements disjoints.</translation>
     </message>
     <message>
         <source>The largest factor per map by which long words stretch. Both ends of the interval are proved; a system contracts in some norm if and only if it is less than 1.</source>
-        <translation>Le plus grand facteur par application dont les longs mots étirent. Les deux bornes de l’intervalle sont prouvées ; un système contracte dans une norme si et seulement s’il est inférieur à 1.</translation>
+        <translation>Le plus grand facteur par application dont les longs mots étirent. Les deux bornes de l’intervalle sont prouvées&#x202f;; un système contracte dans une norme si et seulement s’il est inférieur à 1.</translation>
     </message>
     <message>
         <source>Volume of the computed hull, whose vertices are points of the attractor. The exact convex hull is larger by at most the error.</source>
@@ -434,7 +434,7 @@
     </message>
     <message>
         <source>draw the maple to a PNG file instead; needs no display</source>
-        <translation>dessiner plutôt l’érable dans un fichier PNG ; ne demande pas d’écran</translation>
+        <translation>dessiner plutôt l’érable dans un fichier PNG&#x202f;; ne demande pas d’écran</translation>
     </message>
     <message>
         <source>The system does not let Barycage start another thread. Close other programs, or raise the limit on processes, and try again.</source>
@@ -461,7 +461,7 @@
     </message>
     <message>
         <source>Fronds: one large map climbs the rachis, two small ones attach the pinnae, and a flat one draws the stem.</source>
-        <translation>Frondes&#x202f;: une longue application lente monte le long du rachis, deux courtes y accrochent les pennes, une plate trace la tige.</translation>
+        <translation>Frondes&#x202f;: une grande application monte le long du rachis, deux petites y attachent les pennes, et une plate trace la tige.</translation>
     </message>
     <message>
         <source>Trees</source>
@@ -469,7 +469,7 @@
     </message>
     <message>
         <source>Forking trunks: the branches of the tree are copies of the whole tree.</source>
-        <translation>Des troncs qui fourchent : les branches de l’arbre sont des copies de l’arbre entier.</translation>
+        <translation>Des troncs qui fourchent&#x202f;: les branches de l’arbre sont des copies de l’arbre entier.</translation>
     </message>
     <message>
         <source>Dragons</source>
@@ -485,7 +485,7 @@
     </message>
     <message>
         <source>Gaskets and carpets: a polygon made of smaller copies of itself, with holes between them.</source>
-        <translation>Tamis et tapis&#x202f;: un polygone contient des copies réduites de lui-même et garde ses trous.</translation>
+        <translation>Tamis et tapis&#x202f;: un polygone fait de copies plus petites de lui-même, avec des trous entre elles.</translation>
     </message>
     <message>
         <source>Koch family</source>
@@ -493,7 +493,7 @@
     </message>
     <message>
         <source>Curves built by replacing a segment again and again, and the islands they enclose.</source>
-        <translation>Des courbes construites en remplaçant un segment, et les îles qu’elles délimitent.</translation>
+        <translation>Des courbes construites en remplaçant un segment encore et encore, et les îles qu’elles entourent.</translation>
     </message>
     <message>
         <source>Spirals</source>
@@ -501,7 +501,7 @@
     </message>
     <message>
         <source>One map that turns and shrinks a little, and small maps that set beads along its path.</source>
-        <translation>Une application qui tourne et réduit un peu, et de petites qui s’égrènent le long de son parcours.</translation>
+        <translation>Une application qui tourne et réduit un peu, et de petites qui posent des perles le long de son chemin.</translation>
     </message>
     <message>
         <source>Leaves and flowers</source>
@@ -517,7 +517,7 @@
     </message>
     <message>
         <source>Sets that tile the plane: rep-tiles, which are made of copies of themselves, and the central tiles of number systems.</source>
-        <translation>Des ensembles qui pavent le plan&#x202f;: copies d’eux-mêmes, reptuiles, et tuiles centrales de systèmes de numération.</translation>
+        <translation>Des ensembles qui pavent le plan&#x202f;: reptuiles, faites de copies d’elles-mêmes, et tuiles centrales de systèmes de numération.</translation>
     </message>
     <message>
         <source>Cantor sets and dust</source>
@@ -525,7 +525,7 @@
     </message>
     <message>
         <source>Sets with gaps at every scale: the points crowd together, but hardly any are connected.</source>
-        <translation>Des ensembles pleins de lacunes à toutes les échelles&#x202f;: partout des points proches, presque aucun relié à un autre.</translation>
+        <translation>Des ensembles lacunaires à toutes les échelles&#x202f;: les points se pressent, mais presque aucun n’est relié à un autre.</translation>
     </message>
     <message>
         <source>Crystals and snowflakes</source>
@@ -533,7 +533,7 @@
     </message>
     <message>
         <source>Sets with the symmetry of snow crystals: five, six and more arms.</source>
-        <translation>Des ensembles qui ont la symétrie du givre&#x202f;: cinq, six branches et davantage.</translation>
+        <translation>Des ensembles qui ont la symétrie des cristaux de neige&#x202f;: cinq, six branches et davantage.</translation>
     </message>
     <message>
         <source>Curves and graphs</source>
@@ -541,7 +541,7 @@
     </message>
     <message>
         <source>Graphs of unusual functions, smooth curves as attractors, and coordinates of space-filling curves.</source>
-        <translation>Graphes de fonctions étranges, courbes lisses en attracteurs, coordonnées de courbes remplissant le plan.</translation>
+        <translation>Graphes de fonctions inhabituelles, courbes lisses en attracteurs et coordonnées de courbes remplissant le plan.</translation>
     </message>
     <message>
         <source>Abstract</source>
@@ -549,7 +549,7 @@
     </message>
     <message>
         <source>Affine patterns with no counterpart in nature: relatives of the gasket, weaves, rosettes.</source>
-        <translation>Motifs affines sans nom dans la nature&#x202f;: parents du tamis, entrelacs, rosaces.</translation>
+        <translation>Motifs affines sans équivalent dans la nature&#x202f;: cousins du tamis, tissages, rosaces.</translation>
     </message>
     <message>
         <source>Polyhedra in space</source>
@@ -573,7 +573,7 @@
     </message>
     <message>
         <source>Fronds and trees with branches all around the stem.</source>
-        <translation>Des frondes et des arbres dont les branches entourent la tige.</translation>
+        <translation>Des frondes et des arbres aux branches tout autour de la tige.</translation>
     </message>
     <message>
         <source>Shells and corals in space</source>
@@ -597,7 +597,7 @@
     </message>
     <message>
         <source>Fractals that move: wind, folding, growing, morphs, endless zooms, and flights in space.</source>
-        <translation>Des fractales qui bougent : vent, pliage, croissance, métamorphoses, zooms sans fin et vols dans l’espace.</translation>
+        <translation>Des fractales qui bougent&#x202f;: vent, pliage, croissance, métamorphoses, zooms sans fin et vols dans l’espace.</translation>
     </message>
     <message>
         <source>Linked maps</source>
@@ -605,7 +605,7 @@
     </message>
     <message>
         <source>Maps that may follow only certain maps: Penrose tiles, boundaries, and chaos games with rules.</source>
-        <translation>Des applications qui ne peuvent en suivre que certaines : pavés de Penrose, frontières et jeux du chaos avec des règles.</translation>
+        <translation>Des applications qui ne peuvent en suivre que certaines&#x202f;: pavés de Penrose, frontières et jeux du chaos avec des règles.</translation>
     </message>
     <message>
         <source>Fractal transformations</source>
@@ -613,7 +613,1022 @@
     </message>
     <message>
         <source>Fractals coloured by a picture on another fractal; a double click opens both side by side.</source>
-        <translation>Des fractales aux couleurs d’une image posée sur une autre ; un double clic ouvre les deux côte à côte.</translation>
+        <translation>Des fractales aux couleurs d’une image posée sur une autre&#x202f;; un double clic ouvre les deux côte à côte.</translation>
+    </message>
+</context>
+<context>
+    <name>CollectionNames</name>
+    <message>
+        <source>Maple</source>
+        <translation>Érable</translation>
+    </message>
+    <message>
+        <source>Flower</source>
+        <translation>Fleur</translation>
+    </message>
+    <message>
+        <source>Maple in the wind</source>
+        <translation>Érable au vent</translation>
+    </message>
+    <message>
+        <source>Fern that unrolls</source>
+        <translation>Fougère qui se déroule</translation>
+    </message>
+    <message>
+        <source>Paper strip that folds to a dragon</source>
+        <translation>Bande de papier qui se plie en dragon</translation>
+    </message>
+    <message>
+        <source>Koch curve that grows spikes</source>
+        <translation>Courbe de Koch à qui poussent des épines</translation>
+    </message>
+    <message>
+        <source>Zoom into a flake without end</source>
+        <translation>Zoom sans fin dans un flocon</translation>
+    </message>
+    <message>
+        <source>Walk through a weaving flower</source>
+        <translation>Promenade dans une fleur qui se tisse</translation>
+    </message>
+    <message>
+        <source>Tree in a storm</source>
+        <translation>Arbre dans la tempête</translation>
+    </message>
+    <message>
+        <source>Sea fan in the swell</source>
+        <translation>Gorgone dans la houle</translation>
+    </message>
+    <message>
+        <source>Bracts that breathe</source>
+        <translation>Bractées qui respirent</translation>
+    </message>
+    <message>
+        <source>Pentagons that turn in place</source>
+        <translation>Pentagones qui tournent sur place</translation>
+    </message>
+    <message>
+        <source>Menger sponge that turns</source>
+        <translation>Éponge de Menger qui tourne</translation>
+    </message>
+    <message>
+        <source>Flight into the Menger sponge</source>
+        <translation>Vol dans l’éponge de Menger</translation>
+    </message>
+    <message>
+        <source>Tree in space that sways</source>
+        <translation>Arbre dans l’espace qui se balance</translation>
+    </message>
+    <message>
+        <source>Snow star that becomes a fern of ice</source>
+        <translation>Étoile de neige qui devient fougère de glace</translation>
+    </message>
+    <message>
+        <source>Maple that becomes a fern</source>
+        <translation>Érable qui devient fougère</translation>
+    </message>
+    <message>
+        <source>Black spleenwort fern</source>
+        <translation>Doradille noire</translation>
+    </message>
+    <message>
+        <source>Maiden fern</source>
+        <translation>Fougère des marais</translation>
+    </message>
+    <message>
+        <source>Culcita fern</source>
+        <translation>Fougère Culcita</translation>
+    </message>
+    <message>
+        <source>Fishbone fern</source>
+        <translation>Néphrolépis</translation>
+    </message>
+    <message>
+        <source>Fiddlehead: a frond still curled</source>
+        <translation>Crosse&#x202f;: une fronde encore enroulée</translation>
+    </message>
+    <message>
+        <source>Bracken: opposite pinnae at the same height</source>
+        <translation>Fougère aigle&#x202f;: pennes opposées à la même hauteur</translation>
+    </message>
+    <message>
+        <source>Lady fern: alternate pinnae, a nodding tip</source>
+        <translation>Fougère femelle&#x202f;: pennes alternes, pointe penchée</translation>
+    </message>
+    <message>
+        <source>Maidenhair: a fan on a fine stalk</source>
+        <translation>Capillaire&#x202f;: un éventail sur une tige fine</translation>
+    </message>
+    <message>
+        <source>Ostrich fern: a shuttlecock plume</source>
+        <translation>Fougère à l’autruche&#x202f;: un panache en volant</translation>
+    </message>
+    <message>
+        <source>Golden fern: pinnae smaller by the golden ratio squared</source>
+        <translation>Fougère d’or&#x202f;: pennes réduites selon le carré du nombre d’or</translation>
+    </message>
+    <message>
+        <source>Moss: a frond of frond-like feathers</source>
+        <translation>Mousse&#x202f;: une fronde de plumes semblables à des frondes</translation>
+    </message>
+    <message>
+        <source>Fractal tree</source>
+        <translation>Arbre fractal</translation>
+    </message>
+    <message>
+        <source>Golden tree: branches of 1/phi at 60 degrees, just touching</source>
+        <translation>Arbre d’or&#x202f;: branches de rapport 1/φ à 60°, qui se touchent tout juste</translation>
+    </message>
+    <message>
+        <source>Stone pine: an umbrella of three boughs</source>
+        <translation>Pin parasol&#x202f;: une ombrelle de trois branches</translation>
+    </message>
+    <message>
+        <source>Spruce: whorls of drooping boughs</source>
+        <translation>Épicéa&#x202f;: verticilles de branches tombantes</translation>
+    </message>
+    <message>
+        <source>Willow: branches that bend down</source>
+        <translation>Saule&#x202f;: branches qui retombent</translation>
+    </message>
+    <message>
+        <source>Tree in the wind</source>
+        <translation>Arbre au vent</translation>
+    </message>
+    <message>
+        <source>Bonsai pine: flat cushions on a leaning trunk</source>
+        <translation>Pin bonsaï&#x202f;: coussins plats sur un tronc penché</translation>
+    </message>
+    <message>
+        <source>Cypress</source>
+        <translation>Cyprès</translation>
+    </message>
+    <message>
+        <source>Thorn bush: alternate twigs</source>
+        <translation>Buisson épineux&#x202f;: rameaux alternes</translation>
+    </message>
+    <message>
+        <source>Poplar: narrow and steep</source>
+        <translation>Peuplier&#x202f;: étroit et dressé</translation>
+    </message>
+    <message>
+        <source>Ternary tree: three halves, drawn with their branches</source>
+        <translation>Arbre ternaire&#x202f;: trois moitiés dessinées avec leurs branches</translation>
+    </message>
+    <message>
+        <source>Branching coral</source>
+        <translation>Corail ramifié</translation>
+    </message>
+    <message>
+        <source>H-tree: right angles all the way</source>
+        <translation>Arbre en H&#x202f;: rien que des angles droits</translation>
+    </message>
+    <message>
+        <source>Heighway dragon</source>
+        <translation>Dragon de Heighway</translation>
+    </message>
+    <message>
+        <source>Twindragon</source>
+        <translation>Dragon jumeau</translation>
+    </message>
+    <message>
+        <source>Levy dragon (C curve)</source>
+        <translation>Dragon de Lévy (courbe du C)</translation>
+    </message>
+    <message>
+        <source>Terdragon</source>
+        <translation>Terdragon</translation>
+    </message>
+    <message>
+        <source>Golden dragon</source>
+        <translation>Dragon d’or</translation>
+    </message>
+    <message>
+        <source>Tame twindragon</source>
+        <translation>Dragon jumeau apprivoisé</translation>
+    </message>
+    <message>
+        <source>Dragon curve unfolded to 100 degrees only</source>
+        <translation>Courbe du dragon dépliée à 100° seulement</translation>
+    </message>
+    <message>
+        <source>Dragon curve unfolded to 115 degrees</source>
+        <translation>Courbe du dragon dépliée à 115°</translation>
+    </message>
+    <message>
+        <source>C curve on triangles of 100 degrees</source>
+        <translation>Courbe du C sur des triangles de 100°</translation>
+    </message>
+    <message>
+        <source>Z dragon: the three strokes of a Z</source>
+        <translation>Dragon en Z&#x202f;: les trois traits d’un Z</translation>
+    </message>
+    <message>
+        <source>Sierpinski triangle</source>
+        <translation>Triangle de Sierpiński</translation>
+    </message>
+    <message>
+        <source>Right-angled Sierpinski triangle</source>
+        <translation>Triangle rectangle de Sierpiński</translation>
+    </message>
+    <message>
+        <source>Sierpinski carpet</source>
+        <translation>Tapis de Sierpiński</translation>
+    </message>
+    <message>
+        <source>Vicsek fractal (saltire)</source>
+        <translation>Fractale de Vicsek (sautoir)</translation>
+    </message>
+    <message>
+        <source>Vicsek fractal (cross)</source>
+        <translation>Fractale de Vicsek (croix)</translation>
+    </message>
+    <message>
+        <source>Sierpinski pentagon</source>
+        <translation>Pentagone de Sierpiński</translation>
+    </message>
+    <message>
+        <source>Sierpinski hexagon</source>
+        <translation>Hexagone de Sierpiński</translation>
+    </message>
+    <message>
+        <source>Sierpinski heptagon</source>
+        <translation>Heptagone de Sierpiński</translation>
+    </message>
+    <message>
+        <source>Sierpinski octagon</source>
+        <translation>Octogone de Sierpiński</translation>
+    </message>
+    <message>
+        <source>Sierpinski dodecagon</source>
+        <translation>Dodécagone de Sierpiński</translation>
+    </message>
+    <message>
+        <source>Pascal&apos;s triangle modulo 3</source>
+        <translation>Triangle de Pascal modulo 3</translation>
+    </message>
+    <message>
+        <source>Pascal&apos;s triangle modulo 5</source>
+        <translation>Triangle de Pascal modulo 5</translation>
+    </message>
+    <message>
+        <source>Sierpinski pedal triangle</source>
+        <translation>Triangle orthique de Sierpiński</translation>
+    </message>
+    <message>
+        <source>Bedford-McMullen carpet</source>
+        <translation>Tapis de Bedford-McMullen</translation>
+    </message>
+    <message>
+        <source>Bedford-McMullen weave of 3 by 5 cells</source>
+        <translation>Tissage de Bedford-McMullen de 3 sur 5 cases</translation>
+    </message>
+    <message>
+        <source>Carpet of fifths with a cross-shaped hole</source>
+        <translation>Tapis de cinquièmes percé d’une croix</translation>
+    </message>
+    <message>
+        <source>Carpet of quarters with a square hole</source>
+        <translation>Tapis de quarts percé d’un carré</translation>
+    </message>
+    <message>
+        <source>Checkered carpet</source>
+        <translation>Tapis en damier</translation>
+    </message>
+    <message>
+        <source>Koch curve</source>
+        <translation>Courbe de Koch</translation>
+    </message>
+    <message>
+        <source>Koch snowflake, filled</source>
+        <translation>Flocon de Koch plein</translation>
+    </message>
+    <message>
+        <source>Cesaro curve of 85 degrees</source>
+        <translation>Courbe de Cesàro à 85°</translation>
+    </message>
+    <message>
+        <source>Quadratic Koch curve of five edges</source>
+        <translation>Courbe de Koch quadratique à cinq segments</translation>
+    </message>
+    <message>
+        <source>Minkowski sausage</source>
+        <translation>Saucisse de Minkowski</translation>
+    </message>
+    <message>
+        <source>Mandelbrot-Given curve</source>
+        <translation>Courbe de Mandelbrot-Given</translation>
+    </message>
+    <message>
+        <source>Ice fractal on a square</source>
+        <translation>Fractale de glace sur un carré</translation>
+    </message>
+    <message>
+        <source>Ice fractal with a pair of spikes</source>
+        <translation>Fractale de glace à deux épines</translation>
+    </message>
+    <message>
+        <source>Koch curve drawn on both sides</source>
+        <translation>Courbe de Koch des deux côtés</translation>
+    </message>
+    <message>
+        <source>Koch curve with peaks turned inwards</source>
+        <translation>Courbe de Koch aux pics tournés vers l’intérieur</translation>
+    </message>
+    <message>
+        <source>Pentigree</source>
+        <translation>Pentigree</translation>
+    </message>
+    <message>
+        <source>Pentadendrite</source>
+        <translation>Pentadendrite</translation>
+    </message>
+    <message>
+        <source>Edge of the Gosper island</source>
+        <translation>Bord de l’île de Gosper</translation>
+    </message>
+    <message>
+        <source>Spiral of spirals</source>
+        <translation>Spirale de spirales</translation>
+    </message>
+    <message>
+        <source>Swirl</source>
+        <translation>Tourbillon</translation>
+    </message>
+    <message>
+        <source>Galaxy with two arms</source>
+        <translation>Galaxie à deux bras</translation>
+    </message>
+    <message>
+        <source>Whorl of three-fold rosettes</source>
+        <translation>Verticille de rosaces triples</translation>
+    </message>
+    <message>
+        <source>Ram&apos;s horn</source>
+        <translation>Corne de bélier</translation>
+    </message>
+    <message>
+        <source>Whirl of pentagons</source>
+        <translation>Tourbillon de pentagones</translation>
+    </message>
+    <message>
+        <source>Double spiral between two eyes</source>
+        <translation>Double spirale entre deux yeux</translation>
+    </message>
+    <message>
+        <source>Spiral of feathers</source>
+        <translation>Spirale de plumes</translation>
+    </message>
+    <message>
+        <source>Nautilus: chambers along a golden spiral</source>
+        <translation>Nautile&#x202f;: des loges le long d’une spirale d’or</translation>
+    </message>
+    <message>
+        <source>Sunflower: seeds at the golden angle</source>
+        <translation>Tournesol&#x202f;: des graines à l’angle d’or</translation>
+    </message>
+    <message>
+        <source>Shell: ribs that follow the turn</source>
+        <translation>Coquille&#x202f;: des côtes qui suivent la rotation</translation>
+    </message>
+    <message>
+        <source>Three spirals passing into one another</source>
+        <translation>Trois spirales qui passent l’une dans l’autre</translation>
+    </message>
+    <message>
+        <source>Maple leaf</source>
+        <translation>Feuille d’érable</translation>
+    </message>
+    <message>
+        <source>Pointed leaf</source>
+        <translation>Feuille pointue</translation>
+    </message>
+    <message>
+        <source>Poinsettia: five bracts</source>
+        <translation>Poinsettia&#x202f;: cinq bractées</translation>
+    </message>
+    <message>
+        <source>Edelweiss: eight woolly rays</source>
+        <translation>Edelweiss&#x202f;: huit rayons laineux</translation>
+    </message>
+    <message>
+        <source>Lily of six petals</source>
+        <translation>Lis à six pétales</translation>
+    </message>
+    <message>
+        <source>Oak leaf</source>
+        <translation>Feuille de chêne</translation>
+    </message>
+    <message>
+        <source>Feather</source>
+        <translation>Plume</translation>
+    </message>
+    <message>
+        <source>Plane-tree leaf: five blades from one root</source>
+        <translation>Feuille de platane&#x202f;: cinq lobes d’une même base</translation>
+    </message>
+    <message>
+        <source>Dill umbel</source>
+        <translation>Ombelle d’aneth</translation>
+    </message>
+    <message>
+        <source>Thistle head</source>
+        <translation>Capitule de chardon</translation>
+    </message>
+    <message>
+        <source>Dandelion clock</source>
+        <translation>Aigrette de pissenlit</translation>
+    </message>
+    <message>
+        <source>Marigold: rings of petals</source>
+        <translation>Souci&#x202f;: des couronnes de pétales</translation>
+    </message>
+    <message>
+        <source>Ear of wheat</source>
+        <translation>Épi de blé</translation>
+    </message>
+    <message>
+        <source>Chair rep-tile (L tromino)</source>
+        <translation>Reptuile de la chaise (tromino en L)</translation>
+    </message>
+    <message>
+        <source>Golden bee (Ammann&apos;s chair)</source>
+        <translation>Abeille d’or (chaise d’Ammann)</translation>
+    </message>
+    <message>
+        <source>Gosper island</source>
+        <translation>Île de Gosper</translation>
+    </message>
+    <message>
+        <source>Quintet</source>
+        <translation>Quintette</translation>
+    </message>
+    <message>
+        <source>Eisenstein fractal</source>
+        <translation>Fractale d’Eisenstein</translation>
+    </message>
+    <message>
+        <source>Rauzy fractal (tribonacci)</source>
+        <translation>Fractale de Rauzy (tribonacci)</translation>
+    </message>
+    <message>
+        <source>Hokkaido tile</source>
+        <translation>Tuile de Hokkaido</translation>
+    </message>
+    <message>
+        <source>Tile of Narayana&apos;s cows</source>
+        <translation>Tuile des vaches de Narayana</translation>
+    </message>
+    <message>
+        <source>Tile of x^2 + x + 3</source>
+        <translation>Tuile de x² + x + 3</translation>
+    </message>
+    <message>
+        <source>Tile of x^2 + 2 x + 3</source>
+        <translation>Tuile de x² + 2x + 3</translation>
+    </message>
+    <message>
+        <source>Tile of x^2 + 3 x + 3</source>
+        <translation>Tuile de x² + 3x + 3</translation>
+    </message>
+    <message>
+        <source>Tile of x^2 + 2 x + 4</source>
+        <translation>Tuile de x² + 2x + 4</translation>
+    </message>
+    <message>
+        <source>Jigsaw square: nine thirds, one pushed out</source>
+        <translation>Carré puzzle&#x202f;: neuf tiers, dont un poussé au-dehors</translation>
+    </message>
+    <message>
+        <source>Numbers in base -2+i with digits 0 to 4</source>
+        <translation>Nombres en base −2+i avec les chiffres de 0 à 4</translation>
+    </message>
+    <message>
+        <source>Fudgeflake: three terdragons round a point</source>
+        <translation>Fudgeflake&#x202f;: trois terdragons autour d’un point</translation>
+    </message>
+    <message>
+        <source>Central tile of x^3 = 2 x^2 + x + 1</source>
+        <translation>Tuile centrale de x³ = 2x² + x + 1</translation>
+    </message>
+    <message>
+        <source>Penrose tiles</source>
+        <translation>Pavés de Penrose</translation>
+    </message>
+    <message>
+        <source>Penrose tiles, cracked</source>
+        <translation>Pavés de Penrose fissurés</translation>
+    </message>
+    <message>
+        <source>Parts of the Rauzy fractal</source>
+        <translation>Parties de la fractale de Rauzy</translation>
+    </message>
+    <message>
+        <source>Boundary of the dragon</source>
+        <translation>Frontière du dragon</translation>
+    </message>
+    <message>
+        <source>Boundary of the twindragon</source>
+        <translation>Frontière du dragon jumeau</translation>
+    </message>
+    <message>
+        <source>Golden mean carpet</source>
+        <translation>Tapis du nombre d’or</translation>
+    </message>
+    <message>
+        <source>Golden mean dragon</source>
+        <translation>Dragon du nombre d’or</translation>
+    </message>
+    <message>
+        <source>Restless pentagon</source>
+        <translation>Pentagone sans repos</translation>
+    </message>
+    <message>
+        <source>One-way square</source>
+        <translation>Carré à sens unique</translation>
+    </message>
+    <message>
+        <source>Neighbouring corners</source>
+        <translation>Sommets voisins</translation>
+    </message>
+    <message>
+        <source>Steps around a hexagon</source>
+        <translation>Pas autour d’un hexagone</translation>
+    </message>
+    <message>
+        <source>Steps around a pentagon</source>
+        <translation>Pas autour d’un pentagone</translation>
+    </message>
+    <message>
+        <source>Old and young</source>
+        <translation>Vieilles et jeunes</translation>
+    </message>
+    <message>
+        <source>Sunset in a triangle</source>
+        <translation>Coucher de soleil dans un triangle</translation>
+    </message>
+    <message>
+        <source>Triangle for the sunset</source>
+        <translation>Triangle pour le coucher de soleil</translation>
+    </message>
+    <message>
+        <source>Bent window</source>
+        <translation>Vitrail courbé</translation>
+    </message>
+    <message>
+        <source>Triangle for the glass</source>
+        <translation>Triangle pour le vitrail</translation>
+    </message>
+    <message>
+        <source>Tartan in a square</source>
+        <translation>Tartan dans un carré</translation>
+    </message>
+    <message>
+        <source>Square for the tartan</source>
+        <translation>Carré pour le tartan</translation>
+    </message>
+    <message>
+        <source>Grid of a square</source>
+        <translation>Quadrillage d’un carré</translation>
+    </message>
+    <message>
+        <source>Square for the grid</source>
+        <translation>Carré pour le quadrillage</translation>
+    </message>
+    <message>
+        <source>Rainbow fern</source>
+        <translation>Fougère arc-en-ciel</translation>
+    </message>
+    <message>
+        <source>Maple for the fern</source>
+        <translation>Érable pour la fougère</translation>
+    </message>
+    <message>
+        <source>Autumn maple</source>
+        <translation>Érable d’automne</translation>
+    </message>
+    <message>
+        <source>Square for the maple</source>
+        <translation>Carré pour l’érable</translation>
+    </message>
+    <message>
+        <source>Dragon of paper</source>
+        <translation>Dragon de papier</translation>
+    </message>
+    <message>
+        <source>Sheet for the dragon</source>
+        <translation>Feuille de papier pour le dragon</translation>
+    </message>
+    <message>
+        <source>Curve of waves</source>
+        <translation>Courbe de vagues</translation>
+    </message>
+    <message>
+        <source>Sheet for the curve</source>
+        <translation>Feuille de papier pour la courbe</translation>
+    </message>
+    <message>
+        <source>Koch curve across a square</source>
+        <translation>Courbe de Koch à travers un carré</translation>
+    </message>
+    <message>
+        <source>Square for the curve</source>
+        <translation>Carré pour la courbe</translation>
+    </message>
+    <message>
+        <source>Hilbert curve along a coast</source>
+        <translation>Courbe de Hilbert le long d’une côte</translation>
+    </message>
+    <message>
+        <source>Curve for the square</source>
+        <translation>Courbe pour le carré</translation>
+    </message>
+    <message>
+        <source>Broken picture</source>
+        <translation>Image brisée</translation>
+    </message>
+    <message>
+        <source>Square to break</source>
+        <translation>Carré à briser</translation>
+    </message>
+    <message>
+        <source>Gasket of a dragon</source>
+        <translation>Tamis d’un dragon</translation>
+    </message>
+    <message>
+        <source>Terdragon for the gasket</source>
+        <translation>Terdragon pour le tamis</translation>
+    </message>
+    <message>
+        <source>Cantor dust</source>
+        <translation>Poussière de Cantor</translation>
+    </message>
+    <message>
+        <source>Cantor comb: a Cantor set times an interval</source>
+        <translation>Peigne de Cantor&#x202f;: un ensemble de Cantor fois un intervalle</translation>
+    </message>
+    <message>
+        <source>Dust on a triangle</source>
+        <translation>Poussière sur un triangle</translation>
+    </message>
+    <message>
+        <source>Dust on a pentagon</source>
+        <translation>Poussière sur un pentagone</translation>
+    </message>
+    <message>
+        <source>Dust of unequal ratios</source>
+        <translation>Poussière de rapports inégaux</translation>
+    </message>
+    <message>
+        <source>Dust on an octagon</source>
+        <translation>Poussière sur un octogone</translation>
+    </message>
+    <message>
+        <source>Rings of dust</source>
+        <translation>Anneaux de poussière</translation>
+    </message>
+    <message>
+        <source>Tartan dust</source>
+        <translation>Tartan de poussière</translation>
+    </message>
+    <message>
+        <source>Pinwheel dust</source>
+        <translation>Moulinet de poussière</translation>
+    </message>
+    <message>
+        <source>Swirling dust of three</source>
+        <translation>Poussière de trois copies qui tourbillonne</translation>
+    </message>
+    <message>
+        <source>Hexaflake</source>
+        <translation>Flocon hexagonal</translation>
+    </message>
+    <message>
+        <source>Pentaflake</source>
+        <translation>Flocon pentagonal</translation>
+    </message>
+    <message>
+        <source>Stellar snowflake</source>
+        <translation>Flocon en étoile</translation>
+    </message>
+    <message>
+        <source>Fern-like snowflake</source>
+        <translation>Flocon en fougère</translation>
+    </message>
+    <message>
+        <source>Sectored plate</source>
+        <translation>Plaquette de neige à secteurs</translation>
+    </message>
+    <message>
+        <source>Needle snowflake</source>
+        <translation>Flocon en aiguilles</translation>
+    </message>
+    <message>
+        <source>Frost flower</source>
+        <translation>Fleur de givre</translation>
+    </message>
+    <message>
+        <source>Decaflake</source>
+        <translation>Flocon décagonal</translation>
+    </message>
+    <message>
+        <source>Pentagram flake</source>
+        <translation>Flocon de pentagrammes</translation>
+    </message>
+    <message>
+        <source>Quartz: four-fold lattice</source>
+        <translation>Quartz&#x202f;: réseau d’ordre quatre</translation>
+    </message>
+    <message>
+        <source>Crystal of two maps</source>
+        <translation>Cristal de deux applications</translation>
+    </message>
+    <message>
+        <source>Dendrite snowflake</source>
+        <translation>Flocon dendritique</translation>
+    </message>
+    <message>
+        <source>Eight-pointed star</source>
+        <translation>Étoile à huit branches</translation>
+    </message>
+    <message>
+        <source>Frost cross: squares turned by 45 degrees</source>
+        <translation>Croix de givre&#x202f;: des carrés tournés de 45°</translation>
+    </message>
+    <message>
+        <source>Takagi curve (blancmange)</source>
+        <translation>Courbe de Takagi (du blanc-manger)</translation>
+    </message>
+    <message>
+        <source>Quadratic Bezier arc by de Casteljau</source>
+        <translation>Arc de Bézier quadratique selon de Casteljau</translation>
+    </message>
+    <message>
+        <source>Devil&apos;s staircase</source>
+        <translation>Escalier du diable</translation>
+    </message>
+    <message>
+        <source>Okamoto function, a = 2/3 (Bourbaki&apos;s)</source>
+        <translation>Fonction d’Okamoto, a = 2/3 (celle de Bourbaki)</translation>
+    </message>
+    <message>
+        <source>Okamoto function, a = 5/6 (Perkins&apos;s)</source>
+        <translation>Fonction d’Okamoto, a = 5/6 (celle de Perkins)</translation>
+    </message>
+    <message>
+        <source>Kiesswetter curve</source>
+        <translation>Courbe de Kiesswetter</translation>
+    </message>
+    <message>
+        <source>Bolzano function</source>
+        <translation>Fonction de Bolzano</translation>
+    </message>
+    <message>
+        <source>Fractal interpolation of four points</source>
+        <translation>Interpolation fractale de quatre points</translation>
+    </message>
+    <message>
+        <source>Mountain skyline</source>
+        <translation>Ligne de crête</translation>
+    </message>
+    <message>
+        <source>First coordinate of Peano&apos;s curve</source>
+        <translation>Première coordonnée de la courbe de Peano</translation>
+    </message>
+    <message>
+        <source>Lebesgue&apos;s singular function, a = 0.3</source>
+        <translation>Fonction singulière de Lebesgue, a = 0,3</translation>
+    </message>
+    <message>
+        <source>Takagi curve and its mirror image</source>
+        <translation>Courbe de Takagi et son image dans un miroir</translation>
+    </message>
+    <message>
+        <source>Hilbert&apos;s four maps, shrunk so that the seams open</source>
+        <translation>Les quatre applications de Hilbert, réduites jusqu’à ce que s’ouvrent les coutures</translation>
+    </message>
+    <message>
+        <source>Relative of the Sierpinski triangle</source>
+        <translation>Cousin du triangle de Sierpiński</translation>
+    </message>
+    <message>
+        <source>Zigzag of two maps</source>
+        <translation>Zigzag de deux applications</translation>
+    </message>
+    <message>
+        <source>Coral</source>
+        <translation>Corail</translation>
+    </message>
+    <message>
+        <source>Rosette of three</source>
+        <translation>Rosace de trois</translation>
+    </message>
+    <message>
+        <source>Rosette of five</source>
+        <translation>Rosace de cinq</translation>
+    </message>
+    <message>
+        <source>Rosette of seven</source>
+        <translation>Rosace de sept</translation>
+    </message>
+    <message>
+        <source>Mandala of twelve</source>
+        <translation>Mandala de douze</translation>
+    </message>
+    <message>
+        <source>Lace</source>
+        <translation>Dentelle</translation>
+    </message>
+    <message>
+        <source>Weave</source>
+        <translation>Tissage</translation>
+    </message>
+    <message>
+        <source>Twigs: a turn and a mirror</source>
+        <translation>Brindilles&#x202f;: une rotation et un miroir</translation>
+    </message>
+    <message>
+        <source>Heather</source>
+        <translation>Bruyère</translation>
+    </message>
+    <message>
+        <source>Breaking wave</source>
+        <translation>Vague déferlante</translation>
+    </message>
+    <message>
+        <source>City seen from above</source>
+        <translation>Ville vue d’en haut</translation>
+    </message>
+    <message>
+        <source>Flames</source>
+        <translation>Flammes</translation>
+    </message>
+    <message>
+        <source>Hills in haze</source>
+        <translation>Collines dans la brume</translation>
+    </message>
+    <message>
+        <source>Knotwork: four copies turned by 45 degrees</source>
+        <translation>Entrelacs&#x202f;: quatre copies tournées de 45°</translation>
+    </message>
+    <message>
+        <source>Sea dragon</source>
+        <translation>Dragon de mer</translation>
+    </message>
+    <message>
+        <source>Kaleidoscope</source>
+        <translation>Kaléidoscope</translation>
+    </message>
+    <message>
+        <source>Sierpinski tetrahedron</source>
+        <translation>Tétraèdre de Sierpiński</translation>
+    </message>
+    <message>
+        <source>Octahedron flake</source>
+        <translation>Flocon octaédrique</translation>
+    </message>
+    <message>
+        <source>Sierpinski pyramid</source>
+        <translation>Pyramide de Sierpiński</translation>
+    </message>
+    <message>
+        <source>Icosahedron flake</source>
+        <translation>Flocon icosaédrique</translation>
+    </message>
+    <message>
+        <source>Dodecahedron flake</source>
+        <translation>Flocon dodécaédrique</translation>
+    </message>
+    <message>
+        <source>Cuboctahedron flake</source>
+        <translation>Flocon cuboctaédrique</translation>
+    </message>
+    <message>
+        <source>Menger sponge</source>
+        <translation>Éponge de Menger</translation>
+    </message>
+    <message>
+        <source>Mosely snowflake</source>
+        <translation>Flocon de Mosely</translation>
+    </message>
+    <message>
+        <source>Jerusalem cube</source>
+        <translation>Cube de Jérusalem</translation>
+    </message>
+    <message>
+        <source>Cross in space</source>
+        <translation>Croix dans l’espace</translation>
+    </message>
+    <message>
+        <source>Saltire in space</source>
+        <translation>Sautoir dans l’espace</translation>
+    </message>
+    <message>
+        <source>Cantor dust in space</source>
+        <translation>Poussière de Cantor dans l’espace</translation>
+    </message>
+    <message>
+        <source>Cube corner: seven of eight cubes</source>
+        <translation>Coin de cube&#x202f;: sept cubes sur huit</translation>
+    </message>
+    <message>
+        <source>Cube corners in mirrors</source>
+        <translation>Coins de cube dans des miroirs</translation>
+    </message>
+    <message>
+        <source>Quadratic Koch surface: cubes on squares</source>
+        <translation>Surface de Koch quadratique&#x202f;: des cubes sur des carrés</translation>
+    </message>
+    <message>
+        <source>Fern in space</source>
+        <translation>Fougère dans l’espace</translation>
+    </message>
+    <message>
+        <source>Tree with three boughs</source>
+        <translation>Arbre à trois branches</translation>
+    </message>
+    <message>
+        <source>Oak with a leader and four boughs</source>
+        <translation>Chêne à une flèche et quatre branches</translation>
+    </message>
+    <message>
+        <source>Fir: drooping whorls around a leader</source>
+        <translation>Sapin&#x202f;: verticilles tombants autour d’une flèche</translation>
+    </message>
+    <message>
+        <source>Poplar: pairs of steep twigs</source>
+        <translation>Peuplier&#x202f;: paires de rameaux dressés</translation>
+    </message>
+    <message>
+        <source>Umbel: six rays from the top of a stalk</source>
+        <translation>Ombelle&#x202f;: six rayons au sommet d’une tige</translation>
+    </message>
+    <message>
+        <source>Thuja: flat sprays turned by the golden angle</source>
+        <translation>Thuya&#x202f;: rameaux plats tournés de l’angle d’or</translation>
+    </message>
+    <message>
+        <source>Romanesco: cones on a cone, by the golden angle</source>
+        <translation>Romanesco&#x202f;: des cônes sur un cône, selon l’angle d’or</translation>
+    </message>
+    <message>
+        <source>Cauliflower</source>
+        <translation>Chou-fleur</translation>
+    </message>
+    <message>
+        <source>Turret shell</source>
+        <translation>Turritelle</translation>
+    </message>
+    <message>
+        <source>Top shell: whorls of whorls</source>
+        <translation>Troque&#x202f;: des tours faits de tours</translation>
+    </message>
+    <message>
+        <source>Nautilus: chambers along a flat spiral</source>
+        <translation>Nautile&#x202f;: des loges le long d’une spirale plane</translation>
+    </message>
+    <message>
+        <source>Double helix that narrows to a point</source>
+        <translation>Double hélice qui finit en pointe</translation>
+    </message>
+    <message>
+        <source>Staghorn coral</source>
+        <translation>Corail corne de cerf</translation>
+    </message>
+    <message>
+        <source>Bush coral</source>
+        <translation>Corail buissonnant</translation>
+    </message>
+    <message>
+        <source>Sea fan: forks almost in one plane</source>
+        <translation>Gorgone&#x202f;: des fourches presque dans un même plan</translation>
+    </message>
+    <message>
+        <source>Allium: a ball of twelve stalks with alliums at their ends</source>
+        <translation>Ail d’ornement&#x202f;: une boule de douze tiges portant chacune un ail</translation>
+    </message>
+    <message>
+        <source>Dragon in space: each fold about another axis</source>
+        <translation>Dragon dans l’espace&#x202f;: chaque pli autour d’un autre axe</translation>
+    </message>
+    <message>
+        <source>C curve in space</source>
+        <translation>Courbe du C dans l’espace</translation>
+    </message>
+    <message>
+        <source>Terdragon in space</source>
+        <translation>Terdragon dans l’espace</translation>
+    </message>
+    <message>
+        <source>Tetrahedra, each turned by 60 degrees</source>
+        <translation>Tétraèdres, chacun tourné de 60°</translation>
+    </message>
+    <message>
+        <source>Cubes, each turned by 60 degrees</source>
+        <translation>Cubes, chacun tourné de 60°</translation>
+    </message>
+    <message>
+        <source>Octahedra, each turned by 45 degrees</source>
+        <translation>Octaèdres, chacun tourné de 45°</translation>
     </message>
 </context>
 <context>
@@ -1226,7 +2241,7 @@
     </message>
     <message>
         <source>Watch the attractor being built: in steps of the deterministic algorithm, or by the chaos game</source>
-        <translation>Regarder l’attracteur se construire : par les étapes de l’algorithme déterministe, ou par le jeu du chaos</translation>
+        <translation>Regarder l’attracteur se construire&#x202f;: par les étapes de l’algorithme déterministe, ou par le jeu du chaos</translation>
     </message>
     <message>
         <source>&amp;Help</source>
@@ -1362,7 +2377,7 @@
     </message>
     <message>
         <source>Show only the canvas in full screen, for example on a projector; press Esc to return</source>
-        <translation>Laisser tout l’écran à la zone de dessin, par exemple pour un projecteur&#x202f;; Échap ramène le reste</translation>
+        <translation>Laisser tout l’écran au canevas, par exemple pour un projecteur&#x202f;; Échap ramène le reste</translation>
     </message>
     <message>
         <source>Add Ra&amp;ndom Fractal…</source>
@@ -1586,7 +2601,7 @@
     </message>
     <message>
         <source>Export the picture as PNG, SVG or PDF, framed as on the screen, or a solid as a mesh for 3D printing</source>
-        <translation>Exporte l’image en PNG, SVG ou PDF, cadrée comme à l’écran ; un solide, aussi comme corps à imprimer</translation>
+        <translation>Exporte l’image en PNG, SVG ou PDF, cadrée comme à l’écran&#x202f;; un solide, aussi comme corps à imprimer</translation>
     </message>
     <message>
         <source>&amp;Animation</source>
@@ -1722,11 +2737,11 @@
     </message>
     <message>
         <source>Nothing moves in this entry yet. Choose a motion in the timeline first: Animation, Animate.</source>
-        <translation>Rien ne bouge encore dans cette entrée. Choisissez d’abord un mouvement dans la chronologie : Animation, Animer.</translation>
+        <translation>Rien ne bouge encore dans cette entrée. Choisissez d’abord un mouvement dans la chronologie&#x202f;: Animation, Animer.</translation>
     </message>
     <message>
         <source>Reading “%1”…</source>
-        <translation>Lecture de « %1 »…</translation>
+        <translation>Lecture de «&#x202f;%1&#x202f;»…</translation>
     </message>
     <message>
         <source>Links</source>
@@ -1766,7 +2781,7 @@
     </message>
     <message>
         <source>Point the z axis up, as in CAD programs; the fractal stays as it is</source>
-        <translation>L’axe z pointe vers le haut, comme dans les logiciels de CAO ; la fractale reste telle quelle</translation>
+        <translation>L’axe z pointe vers le haut, comme dans les logiciels de CAO&#x202f;; la fractale reste telle quelle</translation>
     </message>
     <message>
         <source>De&amp;fine Tetrahedron</source>
@@ -1774,7 +2789,7 @@
     </message>
     <message>
         <source>Select maps or entries first: in their panels, or on the canvas with the Maps tool.</source>
-        <translation>Sélectionnez d’abord des applications ou des entrées : dans leurs panneaux, ou sur le canevas avec l’outil des applications.</translation>
+        <translation>Sélectionnez d’abord des applications ou des entrées&#x202f;: dans leurs panneaux, ou sur le canevas avec l’outil des applications.</translation>
     </message>
     <message>
         <source>&amp;Cut</source>
@@ -1790,7 +2805,7 @@
     </message>
     <message>
         <source>Add fractals from the clipboard to the file: entries of an .ifs file, flames or a table of numbers; or maps to the fractal</source>
-        <translation>Ajouter au fichier des fractales du presse-papiers : entrées d’un fichier .ifs, flames ou tableau de nombres ; ou des applications à la fractale</translation>
+        <translation>Ajouter au fichier des fractales du presse-papiers&#x202f;: entrées d’un fichier .ifs, flames ou tableau de nombres&#x202f;; ou des applications à la fractale</translation>
     </message>
     <message>
         <source>Dupl&amp;icate</source>
@@ -1978,7 +2993,7 @@
     </message>
     <message>
         <source>Save the view “%1”</source>
-        <translation>Enregistrer la vue « %1 »</translation>
+        <translation>Enregistrer la vue «&#x202f;%1&#x202f;»</translation>
     </message>
     <message>
         <source>Print &amp;Handout…</source>
@@ -1986,7 +3001,7 @@
     </message>
     <message>
         <source>Print entries for a class: pictures with cage, maps and formulas, or a blank worksheet</source>
-        <translation>Imprimer des entrées pour la classe : images avec cage, applications et formules, ou une feuille d’exercices vierge</translation>
+        <translation>Imprimer des entrées pour la classe&#x202f;: images avec cage, applications et formules, ou une feuille d’exercices vierge</translation>
     </message>
     <message>
         <source>Copy as La&amp;TeX</source>
@@ -2054,7 +3069,7 @@
     </message>
     <message>
         <source>Rotate the view counter-clockwise by 15°</source>
-        <translation>Tourner de 15° dans le sens inverse des aiguilles d’une montre ce que montre la zone de dessin</translation>
+        <translation>Tourner de 15° dans le sens inverse des aiguilles d’une montre ce que montre le canevas</translation>
     </message>
     <message>
         <source>Rotate View &amp;Right</source>
@@ -2066,7 +3081,7 @@
     </message>
     <message>
         <source>Rotate the view clockwise by 15°</source>
-        <translation>Tourner de 15° dans le sens des aiguilles d’une montre ce que montre la zone de dessin</translation>
+        <translation>Tourner de 15° dans le sens des aiguilles d’une montre ce que montre le canevas</translation>
     </message>
     <message>
         <source>Re&amp;set Rotation</source>
@@ -2114,7 +3129,7 @@
     </message>
     <message>
         <source>Add a third dimension to every map; the picture stays flat until you move a map</source>
-        <translation>Ajoute une troisième dimension à chaque application ; l’image reste plane tant que vous ne déplacez pas d’application</translation>
+        <translation>Ajoute une troisième dimension à chaque application&#x202f;; l’image reste plane tant que vous ne déplacez pas d’application</translation>
     </message>
     <message>
         <source>Replace the solid by its projection along the first axis that every map keeps</source>
@@ -2134,7 +3149,7 @@
     </message>
     <message>
         <source>The target in the Collage panel is not saved with the file.</source>
-        <translation>La cible du panneau « Collage » n’est pas enregistrée avec le fichier.</translation>
+        <translation>La cible du panneau «&#x202f;Collage&#x202f;» n’est pas enregistrée avec le fichier.</translation>
     </message>
     <message>
         <source>Play the lesson in full screen, from the beginning or from the step you clicked in the list</source>
@@ -2194,11 +3209,11 @@
     </message>
     <message>
         <source>Revert to “%1” as it is on disk?</source>
-        <translation>Revenir à « %1 » tel qu’il est sur le disque ?</translation>
+        <translation>Revenir à «&#x202f;%1&#x202f;» tel qu’il est sur le disque&#x202f;?</translation>
     </message>
     <message>
         <source>Replace the view “%1”</source>
-        <translation>Remplacer la vue « %1 »</translation>
+        <translation>Remplacer la vue «&#x202f;%1&#x202f;»</translation>
     </message>
     <message>
         <source>Drag the corners of the cage</source>
@@ -2297,7 +3312,7 @@
     </message>
     <message>
         <source>%1 was written. Open it in a browser, or mail it: it needs no network.</source>
-        <translation>%1 est écrite. Ouvrez-la dans un navigateur, ou envoyez-la par courriel : elle n’a pas besoin de réseau.</translation>
+        <translation>%1 est écrite. Ouvrez-la dans un navigateur, ou envoyez-la par courriel&#x202f;: elle n’a pas besoin de réseau.</translation>
     </message>
     <message>
         <source>Stretch Ke&amp;ys…</source>
@@ -2305,7 +3320,7 @@
     </message>
     <message>
         <source>Make a range of frames slower or faster: the keys of all tracks spread</source>
-        <translation>Ralentit ou accélère un intervalle : les clés de toutes les pistes se répartissent</translation>
+        <translation>Ralentit ou accélère un intervalle&#x202f;: les clés de toutes les pistes se répartissent</translation>
     </message>
     <message>
         <source>There are no keys to stretch. Choose Set Key first.</source>
@@ -2325,7 +3340,7 @@
     </message>
     <message>
         <source>Six short steps that you do yourself: drag, squeeze, undo, collection, wind, export</source>
-        <translation>Six courtes étapes que vous faites vous-même : glisser, écraser, annuler, collection, vent, export</translation>
+        <translation>Six courtes étapes que vous faites vous-même&#x202f;: glisser, écraser, annuler, collection, vent, export</translation>
     </message>
     <message>
         <source>Ctrl+G</source>
@@ -2449,7 +3464,7 @@
     </message>
     <message>
         <source>Copy a link that holds the fractal: Barycage opens it when it is pasted</source>
-        <translation>Copier un lien qui contient la fractale : Barycage l’ouvre quand on le colle</translation>
+        <translation>Copier un lien qui contient la fractale&#x202f;: Barycage l’ouvre quand on le colle</translation>
     </message>
     <message>
         <source>The link was copied to the clipboard. It holds the whole fractal.</source>
@@ -2457,7 +3472,7 @@
     </message>
     <message>
         <source>Hidden in this small window: %1 (View › Panels).</source>
-        <translation>Masqués dans cette petite fenêtre&#xa0;: %1 (Affichage › Panneaux).</translation>
+        <translation>Masqués dans cette petite fenêtre&#x202f;: %1 (Affichage › Panneaux).</translation>
     </message>
     <message>
         <source>Pr&amp;int Lesson…</source>
@@ -2796,7 +3811,7 @@
     </message>
     <message>
         <source>Unsaved work cannot be kept for recovery: the folder “%1” is not writable, or the disk is full. Save often.</source>
-        <translation>Le travail non enregistré ne peut pas être gardé pour la récupération : on ne peut pas écrire dans le dossier « %1 », ou le disque est plein. Enregistrez souvent.</translation>
+        <translation>Le travail non enregistré ne peut pas être gardé pour la récupération&#x202f;: on ne peut pas écrire dans le dossier «&#x202f;%1&#x202f;», ou le disque est plein. Enregistrez souvent.</translation>
     </message>
     <message>
         <source>The unsaved work from the last session is damaged and cannot be recovered. What remains of it is in:</source>
@@ -2822,7 +3837,7 @@
     </message>
     <message>
         <source>B: %1</source>
-        <translation>B : %1</translation>
+        <translation>B&#x202f;: %1</translation>
     </message>
     <message>
         <source>Back to the Fractal</source>
@@ -2838,11 +3853,11 @@
     </message>
     <message>
         <source>Restores the fractal to this snapshot, as one step of the history.</source>
-        <translation>Remet la fractale comme elle était dans cet instantané : une étape de l’historique.</translation>
+        <translation>Remet la fractale comme elle était dans cet instantané&#x202f;: une étape de l’historique.</translation>
     </message>
     <message>
         <source>The canvas shows “%1”.</source>
-        <translation>Le canevas montre « %1 ».</translation>
+        <translation>Le canevas montre «&#x202f;%1&#x202f;».</translation>
     </message>
 </context>
 <context>
@@ -2861,7 +3876,7 @@
     </message>
     <message>
         <source>Keep the current state of this fractal in the Snapshots panel</source>
-        <translation>Garder l’état présent de cette fractale dans le panneau « Instantanés »</translation>
+        <translation>Garder l’état présent de cette fractale dans le panneau «&#x202f;Instantanés&#x202f;»</translation>
     </message>
     <message>
         <source>C&amp;ompare with Snapshot</source>
@@ -2873,11 +3888,11 @@
     </message>
     <message>
         <source>Kept as “%1”. To see it, choose View, Panels, Snapshots.</source>
-        <translation>Gardé sous « %1 ». « Affichage », « Panneaux », « Instantanés » le montre.</translation>
+        <translation>Gardé sous «&#x202f;%1&#x202f;». «&#x202f;Affichage&#x202f;», «&#x202f;Panneaux&#x202f;», «&#x202f;Instantanés&#x202f;» le montre.</translation>
     </message>
     <message>
         <source>Show the snapshot selected in the Snapshots panel, or the newest one, in place of the fractal; to return, press the key again, or hold it and release it</source>
-        <translation>Montrer à la place de la fractale l’instantané sélectionné dans le panneau « Instantanés », ou le plus récent ; appuyez encore, ou maintenez la touche et relâchez-la, pour revenir</translation>
+        <translation>Montrer à la place de la fractale l’instantané sélectionné dans le panneau «&#x202f;Instantanés&#x202f;», ou le plus récent&#x202f;; appuyez encore, ou maintenez la touche et relâchez-la, pour revenir</translation>
     </message>
     <message>
         <source>Snapshots can be compared only while the density is shown. Choose Density in the bar under the canvas first.</source>
@@ -2888,7 +3903,7 @@
     <name>SpaceBranch</name>
     <message>
         <source>No branch can be selected here: the address of this point is not known.</source>
-        <translation>Aucune branche ne peut être choisie ici : l’adresse de ce point n’est pas connue.</translation>
+        <translation>Aucune branche ne peut être choisie ici&#x202f;: l’adresse de ce point n’est pas connue.</translation>
     </message>
     <message>
         <source>A branch cannot be dragged while it or the cage is flat.</source>
@@ -2899,7 +3914,7 @@
     <name>SpaceDefinition</name>
     <message>
         <source>Click the first of the four corners. The picture stays where it is; Esc cancels.</source>
-        <translation>Cliquez le premier des quatre sommets. L’image ne bouge pas ; Échap annule.</translation>
+        <translation>Cliquez le premier des quatre sommets. L’image ne bouge pas&#x202f;; Échap annule.</translation>
     </message>
     <message>
         <source>Click the second corner. Backspace removes the last point.</source>
@@ -2980,7 +3995,7 @@
     </message>
     <message>
         <source>Plane and barycentric coordinates of the pointer; the address of the point of the attractor under it, outermost map first, and the fixed point of its branch</source>
-        <translation>Coordonnées cartésiennes et barycentriques du pointeur ; l’adresse du point de l’attracteur qui est dessous, l’application la plus extérieure d’abord, et le point fixe de sa branche</translation>
+        <translation>Coordonnées cartésiennes et barycentriques du pointeur&#x202f;; l’adresse du point de l’attracteur qui est dessous, l’application la plus extérieure d’abord, et le point fixe de sa branche</translation>
     </message>
     <message>
         <source>  address %1</source>
@@ -3000,7 +4015,7 @@
     </message>
     <message>
         <source>A crash would lose your latest changes: keeping them takes longer than two seconds, because the disk is slow or full or the file is very large. Save what you do not want to lose.</source>
-        <translation>Un plantage ferait perdre vos dernières modifications : les garder prend plus de deux secondes, parce que le disque est lent ou plein, ou que le fichier est très volumineux. Enregistrez ce qui ne doit pas être perdu.</translation>
+        <translation>Un plantage ferait perdre vos dernières modifications&#x202f;: les garder prend plus de deux secondes, parce que le disque est lent ou plein, ou que le fichier est très volumineux. Enregistrez ce qui ne doit pas être perdu.</translation>
     </message>
     <message>
         <source>  depth %1</source>
@@ -3028,7 +4043,7 @@
     </message>
     <message>
         <source>How far the view is turned, counter-clockwise; choose View, Rotate View, Reset Rotation to return it to upright</source>
-        <translation>De combien la vue est tournée dans le sens inverse des aiguilles d’une montre ; choisissez Affichage, Faire pivoter la vue, Annuler la rotation pour la redresser</translation>
+        <translation>De combien la vue est tournée dans le sens inverse des aiguilles d’une montre&#x202f;; choisissez Affichage, Faire pivoter la vue, Annuler la rotation pour la redresser</translation>
     </message>
     <message>
         <source>rotated %1°</source>
@@ -3036,7 +4051,7 @@
     </message>
     <message>
         <source>attractor: %1</source>
-        <translation>attracteur : %1</translation>
+        <translation>attracteur&#x202f;: %1</translation>
     </message>
 </context>
 <context>
@@ -3570,7 +4585,7 @@
     </message>
     <message>
         <source>No iterated function system was found, and the file is too large for a table of numbers: the limit is 64 MB.</source>
-        <translation>Aucun système de fonctions itérées n’a été trouvé, et pour un tableau de nombres le fichier est trop grand : la limite est de 64 Mo.</translation>
+        <translation>Aucun système de fonctions itérées n’a été trouvé, et pour un tableau de nombres le fichier est trop grand&#x202f;: la limite est de 64 Mo.</translation>
     </message>
     <message>
         <source>a number is too large for a coefficient (the largest absolute value is 3.4e38)</source>
@@ -3578,7 +4593,7 @@
     </message>
     <message>
         <source>The file has more than %1 flames; the rest are ignored.</source>
-        <translation>Le fichier a plus de %1 flammes ; le reste est omis.</translation>
+        <translation>Le fichier a plus de %1 flammes&#x202f;; le reste est omis.</translation>
     </message>
     <message>
         <source>%1 flames in total are not systems of affine maps.</source>
@@ -3586,7 +4601,7 @@
     </message>
     <message>
         <source>The entry has more than %1 lines, which is the limit; it is kept as text.</source>
-        <translation>L’entrée a plus de %1 lignes, ce qui est la limite ; elle est gardée comme texte.</translation>
+        <translation>L’entrée a plus de %1 lignes, ce qui est la limite&#x202f;; elle est gardée comme texte.</translation>
     </message>
     <message>
         <source>deformation</source>
@@ -3685,7 +4700,7 @@
     </message>
     <message>
         <source>The name “%1” is not valid UTF-8. Rename the file, or open it through a symbolic link.</source>
-        <translation>Le nom « %1 » n’est pas de l’UTF-8 valide. Renommez le fichier, ou ouvrez-le par un lien symbolique.</translation>
+        <translation>Le nom «&#x202f;%1&#x202f;» n’est pas de l’UTF-8 valide. Renommez le fichier, ou ouvrez-le par un lien symbolique.</translation>
     </message>
     <message>
         <source>Map %1 has no weight, so all weights are computed from the determinants and the given ones are ignored.</source>
@@ -3701,27 +4716,27 @@
     </message>
     <message>
         <source>none: ρ(A) ≥ 1 for the word %1</source>
-        <translation>aucun : ρ(A) ≥ 1 pour le mot %1</translation>
+        <translation>aucun&#x202f;: ρ(A) ≥ 1 pour le mot %1</translation>
     </message>
     <message>
         <source>(of the attractor: its pieces are disjoint)</source>
-        <translation>(de l’attracteur : ses morceaux sont disjoints)</translation>
+        <translation>(de l’attracteur&#x202f;: ses morceaux sont disjoints)</translation>
     </message>
     <message>
         <source>(upper bound: pieces coincide)</source>
-        <translation>(majorant : des morceaux coïncident)</translation>
+        <translation>(majorant&#x202f;: des morceaux coïncident)</translation>
     </message>
     <message>
         <source>(if the open set condition holds; else an upper bound)</source>
-        <translation>(si la condition de l’ensemble ouvert est remplie ; sinon, un majorant)</translation>
+        <translation>(si la condition de l’ensemble ouvert est remplie&#x202f;; sinon, un majorant)</translation>
     </message>
     <message>
         <source>strong: no two pieces meet</source>
-        <translation>forte : deux morceaux ne se touchent jamais</translation>
+        <translation>forte&#x202f;: deux morceaux ne se touchent jamais</translation>
     </message>
     <message>
         <source>none: pieces coincide</source>
-        <translation>aucune : des morceaux coïncident</translation>
+        <translation>aucune&#x202f;: des morceaux coïncident</translation>
     </message>
     <message>
         <source>connected</source>
@@ -3773,19 +4788,19 @@
     </message>
     <message>
         <source>The numbers can be read as %1 maps of 6 numbers, line by line, or as %2 maps of 7 numbers, whose weights then sum to 1. They are read line by line; for the other reading, put 7 numbers on each line.</source>
-        <translation>Les nombres peuvent se lire ligne par ligne comme %1 applications de 6 nombres, ou comme %2 applications de 7 nombres, dont les poids ont alors pour somme 1. Ils sont lus ligne par ligne ; pour l’autre lecture, mettez 7 nombres sur chaque ligne.</translation>
+        <translation>Les nombres peuvent se lire ligne par ligne comme %1 applications de 6 nombres, ou comme %2 applications de 7 nombres, dont les poids ont alors pour somme 1. Ils sont lus ligne par ligne&#x202f;; pour l’autre lecture, mettez 7 nombres sur chaque ligne.</translation>
     </message>
     <message>
         <source>The block names no maps: a line such as “A=(f1|f2)*A” is missing.</source>
-        <translation>Le bloc ne nomme aucune application : il manque une ligne comme « A=(f1|f2)*A ».</translation>
+        <translation>Le bloc ne nomme aucune application&#x202f;: il manque une ligne comme «&#x202f;A=(f1|f2)*A&#x202f;».</translation>
     </message>
     <message>
         <source>“%1” is not understood: Barycage reads blocks of affine maps, such as “f1=[e,f]*[a,b,c,d]” and “A=(f1|f2)*A”.</source>
-        <translation>« %1 » n’est pas compris : Barycage lit des blocs d’applications affines, comme « f1=[e,f]*[a,b,c,d] » et « A=(f1|f2)*A ».</translation>
+        <translation>«&#x202f;%1&#x202f;» n’est pas compris&#x202f;: Barycage lit des blocs d’applications affines, comme «&#x202f;f1=[e,f]*[a,b,c,d]&#x202f;» et «&#x202f;A=(f1|f2)*A&#x202f;».</translation>
     </message>
     <message>
         <source>The file has more than %1 blocks, which is the limit; the rest was not read.</source>
-        <translation>Le fichier a plus de %1 blocs, la limite ; le reste n’a pas été lu.</translation>
+        <translation>Le fichier a plus de %1 blocs, la limite&#x202f;; le reste n’a pas été lu.</translation>
     </message>
     <message>
         <source>This IFStile file contains no affine system.</source>
@@ -3793,7 +4808,7 @@
     </message>
     <message>
         <source>The numbers can be read as %1 maps of %2 numbers, line by line, or as %3 maps of 7 numbers, whose weights then sum to 1. They are read line by line, unlike in Fractint; for the other reading, put 7 numbers on each line.</source>
-        <translation>Les nombres peuvent se lire ligne par ligne comme %1 applications de %2 nombres, ou comme %3 applications de 7 nombres, dont les poids ont alors pour somme 1. Ils sont lus ligne par ligne, contrairement à Fractint ; pour l’autre lecture, mettez 7 nombres sur chaque ligne.</translation>
+        <translation>Les nombres peuvent se lire ligne par ligne comme %1 applications de %2 nombres, ou comme %3 applications de 7 nombres, dont les poids ont alors pour somme 1. Ils sont lus ligne par ligne, contrairement à Fractint&#x202f;; pour l’autre lecture, mettez 7 nombres sur chaque ligne.</translation>
     </message>
     <message>
         <source>The numbers are read line by line, as %1 maps of %2 numbers. Fractint ignores line ends and reads %3 maps of 7 numbers.</source>
@@ -3801,15 +4816,15 @@
     </message>
     <message>
         <source>Entries whose names begin with “ifs:” belong in parameter files (.par); in a collection, Fractint takes the prefix as part of the name.</source>
-        <translation>Les entrées dont le nom commence par « ifs: » ont leur place dans les fichiers de paramètres (.par) ; dans une collection, Fractint prend le préfixe pour une partie du nom.</translation>
+        <translation>Les entrées dont le nom commence par «&#x202f;ifs:&#x202f;» ont leur place dans les fichiers de paramètres (.par)&#x202f;; dans une collection, Fractint prend le préfixe pour une partie du nom.</translation>
     </message>
     <message>
         <source>The lines end with CR alone, as on old Macintosh computers; Fractint reads such a file as a single line.</source>
-        <translation>Les lignes se terminent par CR seul, comme sur les anciens Macintosh ; Fractint lit un tel fichier comme une seule ligne.</translation>
+        <translation>Les lignes se terminent par CR seul, comme sur les anciens Macintosh&#x202f;; Fractint lit un tel fichier comme une seule ligne.</translation>
     </message>
     <message>
         <source>The convex hull has an error of up to %1: the tolerance %2 was not reached.</source>
-        <translation>L’enveloppe convexe a une erreur d’au plus %1 : la tolérance %2 n’a pas été atteinte.</translation>
+        <translation>L’enveloppe convexe a une erreur d’au plus %1&#x202f;: la tolérance %2 n’a pas été atteinte.</translation>
     </message>
     <message>
         <source>contractive in an ellipsoidal norm, γ %1</source>
@@ -3881,11 +4896,11 @@
     </message>
     <message>
         <source>“%1” is written without %2: other programs will draw a different picture.</source>
-        <translation>« %1 » est écrit sans %2 : d’autres programmes dessineront une image différente.</translation>
+        <translation>«&#x202f;%1&#x202f;» est écrit sans %2&#x202f;: d’autres programmes dessineront une image différente.</translation>
     </message>
     <message>
         <source>“%1” is written without %2.</source>
-        <translation>« %1 » est écrit sans %2.</translation>
+        <translation>«&#x202f;%1&#x202f;» est écrit sans %2.</translation>
     </message>
     <message>
         <source>The stored animation is not applied, because “%1” is not understood; its lines are kept.</source>
@@ -3921,11 +4936,11 @@
     </message>
     <message>
         <source>it acts in space after its variations (“%1”)</source>
-        <translation>elle agit dans l’espace après ses variations (« %1 »)</translation>
+        <translation>elle agit dans l’espace après ses variations («&#x202f;%1&#x202f;»)</translation>
     </message>
     <message>
         <source>its “%1” is not six numbers</source>
-        <translation>son « %1 » n’est pas formé de six nombres</translation>
+        <translation>son «&#x202f;%1&#x202f;» n’est pas formé de six nombres</translation>
     </message>
     <message>
         <source>The flame names a palette of another program by its number; its colours are not in the file.</source>
@@ -3933,7 +4948,7 @@
     </message>
     <message>
         <source>“%1” could not be read, so it has no points.</source>
-        <translation>« %1 » n’a pas pu être lu et n’a donc pas de points.</translation>
+        <translation>«&#x202f;%1&#x202f;» n’a pas pu être lu et n’a donc pas de points.</translation>
     </message>
     <message>
         <source>This is JSON text (data of another program), not a Fractint collection, and none of its lists are affine maps.</source>
@@ -3945,75 +4960,75 @@
     </message>
     <message>
         <source>“%1” is not a system in space, so it has no solid.</source>
-        <translation>« %1 » n’est pas un système de l’espace et n’a donc pas de solide.</translation>
+        <translation>«&#x202f;%1&#x202f;» n’est pas un système de l’espace et n’a donc pas de solide.</translation>
     </message>
     <message>
         <source>The cage of “%1” bends the picture, so its solid cannot be written.</source>
-        <translation>La cage de « %1 » courbe l’image ; son solide ne peut donc pas être écrit.</translation>
+        <translation>La cage de «&#x202f;%1&#x202f;» courbe l’image&#x202f;; son solide ne peut donc pas être écrit.</translation>
     </message>
     <message>
         <source>“%1” has no certified attractor, so it has no solid.</source>
-        <translation>« %1 » n’a pas d’attracteur certifié et n’a donc pas de solide.</translation>
+        <translation>«&#x202f;%1&#x202f;» n’a pas d’attracteur certifié et n’a donc pas de solide.</translation>
     </message>
     <message>
         <source>“%1” would need more than %2 parts in OpenSCAD. Choose larger voxels.</source>
-        <translation>« %1 » demanderait plus de %2 parties dans OpenSCAD. Choisissez des voxels plus grands.</translation>
+        <translation>«&#x202f;%1&#x202f;» demanderait plus de %2 parties dans OpenSCAD. Choisissez des voxels plus grands.</translation>
     </message>
     <message>
         <source>“%1” is too large for a solid.</source>
-        <translation>« %1 » est trop grand pour un solide.</translation>
+        <translation>«&#x202f;%1&#x202f;» est trop grand pour un solide.</translation>
     </message>
     <message>
         <source>“%1” is a single point: only the size of its voxel can be chosen.</source>
-        <translation>« %1 » est un seul point : seule la taille de son voxel peut être choisie.</translation>
+        <translation>«&#x202f;%1&#x202f;» est un seul point&#x202f;: seule la taille de son voxel peut être choisie.</translation>
     </message>
     <message>
         <source>The surface of “%1” is not closed, so it was not written.</source>
-        <translation>La surface de « %1 » n’est pas fermée et n’a donc pas été écrite.</translation>
+        <translation>La surface de «&#x202f;%1&#x202f;» n’est pas fermée et n’a donc pas été écrite.</translation>
     </message>
     <message>
         <source>Size: %1 × %2 × %3 mm; volume: %4 mm³; triangles: %5.</source>
-        <translation>Taille : %1 × %2 × %3 mm ; volume : %4 mm³ ; triangles : %5.</translation>
+        <translation>Taille&#x202f;: %1 × %2 × %3 mm&#x202f;; volume&#x202f;: %4 mm³&#x202f;; triangles&#x202f;: %5.</translation>
     </message>
     <message>
         <source>Distance from the attractor: at most %1 mm = √3 · %2 mm + %3 mm for the wall.</source>
-        <translation>Distance à l’attracteur : au plus %1 mm = √3 · %2 mm + %3 mm pour la paroi.</translation>
+        <translation>Distance à l’attracteur&#x202f;: au plus %1 mm = √3 · %2 mm + %3 mm pour la paroi.</translation>
     </message>
     <message>
         <source>Cavities filled: %1, with %2 mm³.</source>
-        <translation>Cavités remplies : %1, de %2 mm³.</translation>
+        <translation>Cavités remplies&#x202f;: %1, de %2 mm³.</translation>
     </message>
     <message>
         <source>Closed cavities: %1, with %2 mm³.</source>
-        <translation>Cavités fermées : %1, de %2 mm³.</translation>
+        <translation>Cavités fermées&#x202f;: %1, de %2 mm³.</translation>
     </message>
     <message>
         <source>Separate bodies: %1.</source>
-        <translation>Corps séparés : %1.</translation>
+        <translation>Corps séparés&#x202f;: %1.</translation>
     </message>
     <message>
         <source>“%1”: %2</source>
-        <translation>« %1 » : %2</translation>
+        <translation>«&#x202f;%1&#x202f;»&#x202f;: %2</translation>
     </message>
     <message>
         <source>“%1” belongs to another picture: the entry, the view, the size, the seed or the format differs.</source>
-        <translation>« %1 » vient d’une autre image : l’entrée, la vue, la taille, la graine ou le format diffèrent.</translation>
+        <translation>«&#x202f;%1&#x202f;» vient d’une autre image&#x202f;: l’entrée, la vue, la taille, la graine ou le format diffèrent.</translation>
     </message>
     <message>
         <source>“%1” belongs to a picture with a different number of points, so the sums cannot be combined.</source>
-        <translation>« %1 » vient d’une image avec un autre nombre de points : les sommes ne peuvent pas être ajoutées.</translation>
+        <translation>«&#x202f;%1&#x202f;» vient d’une image avec un autre nombre de points&#x202f;: les sommes ne peuvent pas être ajoutées.</translation>
     </message>
     <message>
         <source>“%1” and “%2” hold the same part of the picture, which would be counted twice.</source>
-        <translation>« %1 » et « %2 » contiennent la même partie de l’image, qui serait comptée deux fois.</translation>
+        <translation>«&#x202f;%1&#x202f;» et «&#x202f;%2&#x202f;» contiennent la même partie de l’image, qui serait comptée deux fois.</translation>
     </message>
     <message>
         <source>“%1” was written by another version of the program, which may draw other pixels.</source>
-        <translation>« %1 » a été écrit par une autre version du programme, qui peut dessiner d’autres pixels.</translation>
+        <translation>«&#x202f;%1&#x202f;» a été écrit par une autre version du programme, qui peut dessiner d’autres pixels.</translation>
     </message>
     <message>
         <source>The picture is incomplete: only %1 % of it is present. Add the files of the other parts, or merge to a .sum file.</source>
-        <translation>L’image n’est pas complète : %1 % sont présents. Ajoutez les fichiers des autres parties, ou écrivez un fichier .sum.</translation>
+        <translation>L’image n’est pas complète&#x202f;: %1 % sont présents. Ajoutez les fichiers des autres parties, ou écrivez un fichier .sum.</translation>
     </message>
     <message>
         <source>This is not a file of sums.</source>
@@ -4049,7 +5064,7 @@
     </message>
     <message>
         <source>The picture has %1 × %2 pixels. At most 32 million pixels can be read; scale it down.</source>
-        <translation>L’image a %1 × %2 pixels. Au plus 32 millions de pixels peuvent être lus ; réduisez-la.</translation>
+        <translation>L’image a %1 × %2 pixels. Au plus 32 millions de pixels peuvent être lus&#x202f;; réduisez-la.</translation>
     </message>
     <message>
         <source>The picture has %1 × %2 pixels. Each side needs at least %3 pixels.</source>
@@ -4077,31 +5092,31 @@
     </message>
     <message>
         <source>“%1” is not a system in the plane.</source>
-        <translation>« %1 » n’est pas un système du plan.</translation>
+        <translation>«&#x202f;%1&#x202f;» n’est pas un système du plan.</translation>
     </message>
     <message>
         <source>The cage of “%1” is flat or bends the picture. Bake or reset it first.</source>
-        <translation>La cage de « %1 » est plate ou courbe l’image. Inscrivez-la d’abord dans le code, ou remettez-la au repos.</translation>
+        <translation>La cage de «&#x202f;%1&#x202f;» est plate ou courbe l’image. Intégrez-la d’abord au code, ou remettez-la au repos.</translation>
     </message>
     <message>
         <source>“%1” has no active map, so there is nothing to draw.</source>
-        <translation>« %1 » n’a aucune application active, il n’y a donc rien à dessiner.</translation>
+        <translation>«&#x202f;%1&#x202f;» n’a aucune application active, il n’y a donc rien à dessiner.</translation>
     </message>
     <message>
         <source>No attractor could be proved for “%1”, so its points have no addresses.</source>
-        <translation>« %1 » n’a pas d’attracteur démontrable, ses points n’ont donc pas d’adresses.</translation>
+        <translation>«&#x202f;%1&#x202f;» n’a pas d’attracteur démontrable, ses points n’ont donc pas d’adresses.</translation>
     </message>
     <message>
         <source>The stored order does not list every active map of “%1” once.</source>
-        <translation>L’ordre enregistré ne cite pas une fois chaque application active de « %1 ».</translation>
+        <translation>L’ordre enregistré ne cite pas une fois chaque application active de «&#x202f;%1&#x202f;».</translation>
     </message>
     <message>
         <source>“%1” has %2 maps; with a symmetry of %3 elements they would be more than %4, which is the limit.</source>
-        <translation>« %1 » a %2 applications ; avec une symétrie de %3 éléments, il y en aurait plus de %4, ce qui est la limite.</translation>
+        <translation>«&#x202f;%1&#x202f;» a %2 applications&#x202f;; avec une symétrie de %3 éléments, il y en aurait plus de %4, ce qui est la limite.</translation>
     </message>
     <message>
         <source>The maps of “%1” move in its animation, and the copies that its symmetry makes would not move with them. Remove the motions and the keys of the maps first.</source>
-        <translation>Les applications de « %1 » bougent dans son animation, et les copies créées par sa symétrie ne bougeraient pas avec elles. Supprimez d’abord les mouvements et les clés des applications.</translation>
+        <translation>Les applications de «&#x202f;%1&#x202f;» bougent dans son animation, et les copies créées par sa symétrie ne bougeraient pas avec elles. Supprimez d’abord les mouvements et les clés des applications.</translation>
     </message>
     <message>
         <source>its “chaos” is not a list of numbers from 0 upwards</source>
@@ -4137,7 +5152,7 @@
     </message>
     <message>
         <source>With its stored symmetry the entry would have more than %1 maps, which is the limit. The symmetry is not applied; its lines are kept.</source>
-        <translation>Avec la symétrie enregistrée, l’entrée aurait plus de %1 applications, ce qui est la limite. La symétrie n’est pas appliquée ; ses lignes sont conservées.</translation>
+        <translation>Avec la symétrie enregistrée, l’entrée aurait plus de %1 applications, ce qui est la limite. La symétrie n’est pas appliquée&#x202f;; ses lignes sont conservées.</translation>
     </message>
     <message>
         <source>The maps are linked, so the picture is not made of copies of itself.</source>
@@ -4153,19 +5168,19 @@
     </message>
     <message>
         <source>%1, area %2; error at most %3; periodic addresses not computed within the budget</source>
-        <translation>%1, aire %2 ; erreur d’au plus %3 ; adresses périodiques non calculées dans le temps imparti</translation>
+        <translation>%1, aire %2&#x202f;; erreur d’au plus %3&#x202f;; adresses périodiques non calculées dans le temps imparti</translation>
     </message>
     <message>
         <source>%1, all of them with periodic addresses, area %2; exact</source>
-        <translation>%1, tous d’adresses périodiques, aire %2 ; exacte</translation>
+        <translation>%1, tous d’adresses périodiques, aire %2&#x202f;; exacte</translation>
     </message>
     <message>
         <source>%1, %2 of them with periodic addresses, area %3; error at most %4</source>
-        <translation>%1, dont %2 d’adresses périodiques, aire %3 ; erreur d’au plus %4</translation>
+        <translation>%1, dont %2 d’adresses périodiques, aire %3&#x202f;; erreur d’au plus %4</translation>
     </message>
     <message>
         <source>%1, %2, volume %3; error at most %4</source>
-        <translation>%1, %2, volume %3 ; erreur d’au plus %4</translation>
+        <translation>%1, %2, volume %3&#x202f;; erreur d’au plus %4</translation>
     </message>
     <message>
         <source>1 facet</source>
@@ -4225,7 +5240,7 @@
     </message>
     <message>
         <source>The symmetry of “%1” is written as the maps that it stands for.</source>
-        <translation>La symétrie de « %1 » est écrite sous la forme des applications qu’elle représente.</translation>
+        <translation>La symétrie de «&#x202f;%1&#x202f;» est écrite sous la forme des applications qu’elle représente.</translation>
     </message>
     <message>
         <source>, in a frame of its own</source>
@@ -4261,7 +5276,7 @@
     </message>
     <message>
         <source>The maps of “%1” are linked, so not every address is one of its points.</source>
-        <translation>Les applications de « %1 » sont liées, donc toute adresse n’est pas l’un de ses points.</translation>
+        <translation>Les applications de «&#x202f;%1&#x202f;» sont liées, donc toute adresse n’est pas l’un de ses points.</translation>
     </message>
     <message>
         <source>A GIMP gradient states its number of segments here, from 1 to %1.</source>
@@ -4289,11 +5304,11 @@
     </message>
     <message>
         <source>Name:</source>
-        <translation>Nom :</translation>
+        <translation>Nom&#x202f;:</translation>
     </message>
     <message>
         <source>Date:</source>
-        <translation>Date :</translation>
+        <translation>Date&#x202f;:</translation>
     </message>
     <message>
         <source>part of map %1</source>
@@ -4353,19 +5368,19 @@
     </message>
     <message>
         <source>Omitted lines of blocks that are not iterated function systems: %1.</source>
-        <translation>Lignes omises de blocs qui ne sont pas des systèmes de fonctions itérées : %1.</translation>
+        <translation>Lignes omises de blocs qui ne sont pas des systèmes de fonctions itérées&#x202f;: %1.</translation>
     </message>
     <message>
         <source>Omitted inactive maps: %1.</source>
-        <translation>Applications inactives omises : %1.</translation>
+        <translation>Applications inactives omises&#x202f;: %1.</translation>
     </message>
     <message>
         <source>a point; exact</source>
-        <translation>un point ; exacte</translation>
+        <translation>un point&#x202f;; exacte</translation>
     </message>
     <message>
         <source>(upper bound: the open set condition fails)</source>
-        <translation>(majorant : la condition de l’ensemble ouvert n’est pas remplie)</translation>
+        <translation>(majorant&#x202f;: la condition de l’ensemble ouvert n’est pas remplie)</translation>
     </message>
     <message>
         <source>%1, and inside itself</source>
@@ -4373,7 +5388,7 @@
     </message>
     <message>
         <source>The picture in “%1” needs more than 4 GB of memory in space.</source>
-        <translation>L’image de « %1 » demande plus de 4 Go de mémoire dans l’espace.</translation>
+        <translation>L’image de «&#x202f;%1&#x202f;» demande plus de 4 Go de mémoire dans l’espace.</translation>
     </message>
     <message>
         <source>The stored symmetry “%1” is not valid for this entry and is not applied; its lines are kept. A rotation repeats each map 2 to %2 times; polyhedra belong to space.</source>
@@ -4381,15 +5396,15 @@
     </message>
     <message>
         <source>“%1” and “%2” must have the same number of active maps; they have %3 and %4.</source>
-        <translation>« %1 » et « %2 » doivent avoir le même nombre d’applications actives ; elles en ont %3 et %4.</translation>
+        <translation>«&#x202f;%1&#x202f;» et «&#x202f;%2&#x202f;» doivent avoir le même nombre d’applications actives&#x202f;; elles en ont %3 et %4.</translation>
     </message>
     <message>
         <source>Other problems in this entry, not listed: %1.</source>
-        <translation>Autres problèmes de cette entrée, non listés : %1.</translation>
+        <translation>Autres problèmes de cette entrée, non listés&#x202f;: %1.</translation>
     </message>
     <message>
         <source>Numbers are missing or left over: this line has %1, the entry has %2, and each map has %3%4.</source>
-        <translation>Des nombres manquent ou sont en trop : cette ligne en a %1, l’entrée en a %2, et chaque application en a %3%4.</translation>
+        <translation>Des nombres manquent ou sont en trop&#x202f;: cette ligne en a %1, l’entrée en a %2, et chaque application en a %3%4.</translation>
     </message>
     <message>
         <source>moved branches</source>
@@ -4401,11 +5416,11 @@
     </message>
     <message>
         <source>The pieces of “%1” overlap or touch too much to find its voxels in reasonable time. Choose a lower resolution, which makes larger voxels.</source>
-        <translation>Les parties de « %1 » se recouvrent ou se touchent trop pour trouver ses voxels en un temps raisonnable. Choisissez une résolution plus basse, donc des voxels plus grands.</translation>
+        <translation>Les parties de «&#x202f;%1&#x202f;» se recouvrent ou se touchent trop pour trouver ses voxels en un temps raisonnable. Choisissez une résolution plus basse, donc des voxels plus grands.</translation>
     </message>
     <message>
         <source>The surface of “%1” would have more than %2 million triangles. Choose a lower resolution, which makes larger voxels.</source>
-        <translation>La surface de « %1 » aurait plus de %2 millions de triangles. Choisissez une résolution plus basse, donc des voxels plus grands.</translation>
+        <translation>La surface de «&#x202f;%1&#x202f;» aurait plus de %2 millions de triangles. Choisissez une résolution plus basse, donc des voxels plus grands.</translation>
     </message>
     <message>
         <source>The count says %1, but the number of maps is %2.</source>
@@ -4417,7 +5432,7 @@
     </message>
     <message>
         <source>A map has 6 numbers, or 7 with its weight; this row has %1.</source>
-        <translation>Une application compte 6 nombres, ou 7 avec son poids ; cette ligne en a %1.</translation>
+        <translation>Une application compte 6 nombres, ou 7 avec son poids&#x202f;; cette ligne en a %1.</translation>
     </message>
     <message>
         <source>its animation</source>
@@ -4425,19 +5440,19 @@
     </message>
     <message>
         <source>tracks: %1</source>
-        <translation>pistes : %1</translation>
+        <translation>pistes&#x202f;: %1</translation>
     </message>
     <message>
         <source>motions: %1</source>
-        <translation>mouvements : %1</translation>
+        <translation>mouvements&#x202f;: %1</translation>
     </message>
     <message>
         <source>frames: %1, %2 per second, %3</source>
-        <translation>images : %1, %2 par seconde, %3</translation>
+        <translation>images&#x202f;: %1, %2 par seconde, %3</translation>
     </message>
     <message>
         <source>The solid of “%1” would need more than %2 million voxels. Choose larger voxels.</source>
-        <translation>Le solide de « %1 » demanderait plus de %2 millions de voxels. Choisissez des voxels plus grands.</translation>
+        <translation>Le solide de «&#x202f;%1&#x202f;» demanderait plus de %2 millions de voxels. Choisissez des voxels plus grands.</translation>
     </message>
     <message>
         <source>The wall is too thick for a solid of this size. Choose a thinner wall.</source>
@@ -4445,7 +5460,7 @@
     </message>
     <message>
         <source>The solid of “%1” would need more than %2 million voxels. Choose a lower resolution: at most %3.</source>
-        <translation>Le solide de « %1 » demanderait plus de %2 millions de voxels. Choisissez une résolution plus basse : %3 au maximum.</translation>
+        <translation>Le solide de «&#x202f;%1&#x202f;» demanderait plus de %2 millions de voxels. Choisissez une résolution plus basse&#x202f;: %3 au maximum.</translation>
     </message>
     <message>
         <source>Transform %1 has opacity %2; its points are drawn in full.</source>
@@ -4473,7 +5488,7 @@
     </message>
     <message>
         <source>The system does not follow the symbolic link “%1”, because another user may have put it there. Choose another name.</source>
-        <translation>Le système ne suit pas le lien symbolique « %1 », car un autre utilisateur l’a peut-être placé là. Choisissez un autre nom.</translation>
+        <translation>Le système ne suit pas le lien symbolique «&#x202f;%1&#x202f;», car un autre utilisateur l’a peut-être placé là. Choisissez un autre nom.</translation>
     </message>
     <message>
         <source>The picture is a JPEG with more than %1 scans. Save it as a PNG picture.</source>
@@ -4481,19 +5496,19 @@
     </message>
     <message>
         <source>This is read as %3 (systems: %1, maps: %2).</source>
-        <translation>Lu comme : %3 (systèmes : %1, applications : %2).</translation>
+        <translation>Lu comme&#x202f;: %3 (systèmes&#x202f;: %1, applications&#x202f;: %2).</translation>
     </message>
     <message>
         <source>Nothing names its columns: their order is taken to be a b c d e f.</source>
-        <translation>Rien ne nomme les colonnes : leur ordre est supposé être a b c d e f.</translation>
+        <translation>Rien ne nomme les colonnes&#x202f;: leur ordre est supposé être a b c d e f.</translation>
     </message>
     <message>
         <source>In %1, row %2: %3</source>
-        <translation>%1, ligne %2 : %3</translation>
+        <translation>%1, ligne %2&#x202f;: %3</translation>
     </message>
     <message>
         <source>The text is encoded in UTF-16; it is saved as UTF-8.</source>
-        <translation>Le texte est codé en UTF-16 ; il est enregistré en UTF-8.</translation>
+        <translation>Le texte est codé en UTF-16&#x202f;; il est enregistré en UTF-8.</translation>
     </message>
     <message>
         <source>This is a program, a page or another document, not a Fractint collection, and none of its numbers are affine maps.</source>
@@ -4501,7 +5516,7 @@
     </message>
     <message>
         <source>final transform: %1</source>
-        <translation>transformation finale : %1</translation>
+        <translation>transformation finale&#x202f;: %1</translation>
     </message>
     <message>
         <source>it has several final transforms</source>
@@ -4521,15 +5536,15 @@
     </message>
     <message>
         <source>The attribute “%1” occurs twice; the first one is read.</source>
-        <translation>L’attribut « %1 » apparaît deux fois ; le premier est lu.</translation>
+        <translation>L’attribut «&#x202f;%1&#x202f;» apparaît deux fois&#x202f;; le premier est lu.</translation>
     </message>
     <message>
         <source>A blank is missing before the attribute “%1”; it is read as if there were one.</source>
-        <translation>Il manque une espace avant l’attribut « %1 » ; il est lu comme s’il y en avait une.</translation>
+        <translation>Il manque une espace avant l’attribut «&#x202f;%1&#x202f;»&#x202f;; il est lu comme s’il y en avait une.</translation>
     </message>
     <message>
         <source>The attribute “%1” contains “%2”, which must be “%3” in XML; it is read as it stands.</source>
-        <translation>L’attribut « %1 » contient « %2 », qui doit s’écrire « %3 » en XML ; il est lu tel quel.</translation>
+        <translation>L’attribut «&#x202f;%1&#x202f;» contient «&#x202f;%2&#x202f;», qui doit s’écrire «&#x202f;%3&#x202f;» en XML&#x202f;; il est lu tel quel.</translation>
     </message>
     <message>
         <source>%1 flames with different times are the keys of this animation, a frame for each unit of time. Its colours are those of the first one.</source>
@@ -4537,11 +5552,11 @@
     </message>
     <message>
         <source>Columns that do not belong to a map are not read: %1.</source>
-        <translation>Les colonnes qui n’appartiennent pas à une application ne sont pas lues : %1.</translation>
+        <translation>Les colonnes qui n’appartiennent pas à une application ne sont pas lues&#x202f;: %1.</translation>
     </message>
     <message>
         <source>The weights rise to %1, so they may be running sums. They are read as weights; to read them as sums, name their column “cumulative” instead of “p”.</source>
-        <translation>Les poids croissent jusqu’à %1 ; ce sont peut-être des sommes cumulées. Ils sont lus comme des poids ; pour les lire comme des sommes, nommez leur colonne « cumulative » au lieu de « p ».</translation>
+        <translation>Les poids croissent jusqu’à %1&#x202f;; ce sont peut-être des sommes cumulées. Ils sont lus comme des poids&#x202f;; pour les lire comme des sommes, nommez leur colonne «&#x202f;cumulative&#x202f;» au lieu de «&#x202f;p&#x202f;».</translation>
     </message>
     <message>
         <source>YAML</source>
@@ -4549,7 +5564,7 @@
     </message>
     <message>
         <source>a text of GIMP’s IFS Fractal</source>
-        <translation>un texte de « Fractale IFS » de GIMP</translation>
+        <translation>un texte de «&#x202f;Fractale IFS&#x202f;» de GIMP</translation>
     </message>
     <message>
         <source>a LaTeX table</source>
@@ -4585,7 +5600,7 @@
     </message>
     <message>
         <source>Reading “%1”…</source>
-        <translation>Lecture de « %1 »…</translation>
+        <translation>Lecture de «&#x202f;%1&#x202f;»…</translation>
     </message>
     <message numerus="yes">
         <source>%n exports from the last session are in the queue.</source>
@@ -4621,8 +5636,8 @@
     <message numerus="yes">
         <source>They will continue the next time you start Barycage. Close it now?</source>
         <translation>
-            <numerusform>Il reprendra au prochain démarrage de Barycage. Fermer maintenant ?</numerusform>
-            <numerusform>Ils reprendront au prochain démarrage de Barycage. Fermer maintenant ?</numerusform>
+            <numerusform>Il reprendra au prochain démarrage de Barycage. Fermer maintenant&#x202f;?</numerusform>
+            <numerusform>Ils reprendront au prochain démarrage de Barycage. Fermer maintenant&#x202f;?</numerusform>
         </translation>
     </message>
     <message>
@@ -4686,11 +5701,11 @@
     </message>
     <message>
         <source>The animation of this fractal: its motions, and the keys of everything that can move.</source>
-        <translation>L’animation de cette fractale : ses mouvements et les clés de tout ce qui peut bouger.</translation>
+        <translation>L’animation de cette fractale&#x202f;: ses mouvements et les clés de tout ce qui peut bouger.</translation>
     </message>
     <message>
         <source>Find a fractal that looks like a picture: the target, how well the fractal agrees with it, and ways to fit it.</source>
-        <translation>Une fractale pour une image : la cible, son accord avec la fractale, et des ajustements.</translation>
+        <translation>Une fractale pour une image&#x202f;: la cible, son accord avec la fractale, et des ajustements.</translation>
     </message>
     <message>
         <source>Pictures drawn one after another in the background, with the progress of each.</source>
@@ -4809,15 +5824,15 @@
     </message>
     <message>
         <source>Drag to move the pivot, the centre of rotation and scaling.</source>
-        <translation>Tirez le pivot : rotation et mise à l’échelle se font autour de lui.</translation>
+        <translation>Tirez le pivot&#x202f;: rotation et mise à l’échelle se font autour de lui.</translation>
     </message>
     <message>
         <source>Drag to rotate about the pivot; hold Shift for steps of 15°.</source>
-        <translation>Tirez pour tourner autour du pivot ; Maj : par pas de 15°.</translation>
+        <translation>Tirez pour tourner autour du pivot&#x202f;; Maj&#x202f;: par pas de 15°.</translation>
     </message>
     <message>
         <source>Drag to scale about the pivot; hold Shift for x or y only.</source>
-        <translation>Tirez pour mettre à l’échelle autour du pivot ; Maj : selon x ou y seulement.</translation>
+        <translation>Tirez pour mettre à l’échelle autour du pivot&#x202f;; Maj&#x202f;: selon x ou y seulement.</translation>
     </message>
     <message>
         <source>pasted</source>
@@ -4826,15 +5841,15 @@
     </message>
     <message>
         <source>The name “%1” does not match the chosen format. Choose another name.</source>
-        <translation>Le nom « %1 » ne correspond pas au format choisi. Choisissez un autre nom.</translation>
+        <translation>Le nom «&#x202f;%1&#x202f;» ne correspond pas au format choisi. Choisissez un autre nom.</translation>
     </message>
     <message>
         <source>Another export in the queue writes “%1”. Choose another name.</source>
-        <translation>Un autre export de la file d’attente écrit « %1 ». Choisissez un autre nom.</translation>
+        <translation>Un autre export de la file d’attente écrit «&#x202f;%1&#x202f;». Choisissez un autre nom.</translation>
     </message>
     <message>
         <source>Added to the queue: %1.</source>
-        <translation>Ajouté à la file d’attente : %1.</translation>
+        <translation>Ajouté à la file d’attente&#x202f;: %1.</translation>
     </message>
     <message>
         <source>%1 × %2 are %3 million pixels. Drawing them may take hours, and the file may need up to %4.</source>
@@ -4965,8 +5980,8 @@
     <message numerus="yes">
         <source>The selected maps were replaced; %n maps pasted.</source>
         <translation>
-            <numerusform>Les applications sélectionnées ont été remplacées ; %n application collée.</numerusform>
-            <numerusform>Les applications sélectionnées ont été remplacées ; %n applications collées.</numerusform>
+            <numerusform>Les applications sélectionnées ont été remplacées&#x202f;; %n application collée.</numerusform>
+            <numerusform>Les applications sélectionnées ont été remplacées&#x202f;; %n applications collées.</numerusform>
         </translation>
     </message>
     <message>
@@ -5055,7 +6070,7 @@
     </message>
     <message>
         <source>The cage is flat, so its placement cannot be baked into the code. Open the cage first.</source>
-        <translation>La cage est plate : son placement ne peut pas être intégré au code. Ouvrez d’abord la cage.</translation>
+        <translation>La cage est plate&#x202f;: son placement ne peut pas être intégré au code. Ouvrez d’abord la cage.</translation>
     </message>
     <message>
         <source>The cage is at rest.</source>
@@ -5075,7 +6090,7 @@
     </message>
     <message>
         <source>The cage is not at rest: it already holds a placement.</source>
-        <translation>La cage n’est pas au repos : elle porte déjà un placement.</translation>
+        <translation>La cage n’est pas au repos&#x202f;: elle porte déjà un placement.</translation>
     </message>
     <message>
         <source>Only a cage with three vertices can be unbaked.</source>
@@ -5127,11 +6142,11 @@
     </message>
     <message>
         <source>The animation of “%1” cannot be taken to another dimension, so it is left out.</source>
-        <translation>L’animation de « %1 » ne peut pas être transposée dans une autre dimension ; elle est omise.</translation>
+        <translation>L’animation de «&#x202f;%1&#x202f;» ne peut pas être transposée dans une autre dimension&#x202f;; elle est omise.</translation>
     </message>
     <message>
         <source>“%1” is not a system in the plane, so it cannot be lifted.</source>
-        <translation>« %1 » n’est pas un système du plan et ne peut donc pas être élevé dans l’espace.</translation>
+        <translation>«&#x202f;%1&#x202f;» n’est pas un système du plan et ne peut donc pas être élevé dans l’espace.</translation>
     </message>
     <message>
         <source>The maps of “%1” are linked, and maps in space cannot be linked.</source>
@@ -5139,11 +6154,11 @@
     </message>
     <message>
         <source>The cage of “%1” has more than three corners, so it cannot become a tetrahedron. Bake or reset it first.</source>
-        <translation>La cage de « %1 » a plus de trois sommets et ne donne pas de tétraèdre. Intégrez-la ou réinitialisez-la d’abord.</translation>
+        <translation>La cage de «&#x202f;%1&#x202f;» a plus de trois sommets et ne donne pas de tétraèdre. Intégrez-la ou réinitialisez-la d’abord.</translation>
     </message>
     <message>
         <source>“%1” is not a system in space, so it cannot be flattened.</source>
-        <translation>« %1 » n’est pas un système de l’espace et ne peut donc pas être aplati.</translation>
+        <translation>«&#x202f;%1&#x202f;» n’est pas un système de l’espace et ne peut donc pas être aplati.</translation>
     </message>
     <message>
         <source>The direction must have a length other than 0.</source>
@@ -5151,15 +6166,15 @@
     </message>
     <message>
         <source>“%1” has moved branches, which cannot be flattened. Reset them first.</source>
-        <translation>« %1 » a des branches déplacées, qui ne peuvent pas être aplaties. Réinitialisez-les d’abord.</translation>
+        <translation>«&#x202f;%1&#x202f;» a des branches déplacées, qui ne peuvent pas être aplaties. Réinitialisez-les d’abord.</translation>
     </message>
     <message>
         <source>The cage of “%1” cannot be baked into its maps, so it cannot be flattened.</source>
-        <translation>La cage de « %1 » ne peut pas être intégrée aux applications ; il ne peut donc pas être aplati.</translation>
+        <translation>La cage de «&#x202f;%1&#x202f;» ne peut pas être intégrée aux applications&#x202f;; il ne peut donc pas être aplati.</translation>
     </message>
     <message>
         <source>Map %1 of “%2” does not keep this direction, so the projection is not an iterated function system. Export a picture seen from that direction instead.</source>
-        <translation>L’application %1 de « %2 » change cette direction ; la projection n’est donc pas un système de fonctions itérées. Exportez plutôt une image vue de ce côté.</translation>
+        <translation>L’application %1 de «&#x202f;%2&#x202f;» change cette direction&#x202f;; la projection n’est donc pas un système de fonctions itérées. Exportez plutôt une image vue de ce côté.</translation>
     </message>
     <message>
         <source>An entry needs a name.</source>
@@ -5167,7 +6182,7 @@
     </message>
     <message>
         <source>Names cannot contain spaces: Fractint reads only the first word.</source>
-        <translation>Les noms ne peuvent pas contenir d’espaces : Fractint ne lit que le premier mot.</translation>
+        <translation>Les noms ne peuvent pas contenir d’espaces&#x202f;: Fractint ne lit que le premier mot.</translation>
     </message>
     <message>
         <source>“%1” cannot be part of a name, because it has a meaning in .ifs files.</source>
@@ -5199,7 +6214,7 @@
     </message>
     <message>
         <source>%1 has keys: it would be rewritten at this frame only, and what has none at every frame. Remove its keys in the timeline first.</source>
-        <translation>%1 a des images clés : la réécriture ne vaudrait que pour cette image, et pour toutes là où il n’y en a pas. Supprimez-les d’abord de la ligne de temps.</translation>
+        <translation>%1 a des images clés&#x202f;: la réécriture ne vaudrait que pour cette image, et pour toutes là où il n’y en a pas. Supprimez-les d’abord de la ligne de temps.</translation>
     </message>
     <message>
         <source>Maps in space cannot be linked.</source>
@@ -5215,7 +6230,7 @@
     </message>
     <message>
         <source>With the links of “%1” every sequence of maps ends, so plain maps would have nothing to draw.</source>
-        <translation>Les liens de « %1 » font finir toute suite d’applications : il n’y a rien que des applications simples pourraient dessiner.</translation>
+        <translation>Les liens de «&#x202f;%1&#x202f;» font finir toute suite d’applications&#x202f;: il n’y a rien que des applications simples pourraient dessiner.</translation>
     </message>
     <message>
         <source>Plain maps of “%1” would be more than %2 words of its maps, which is the limit. Keep the links in an .ifs or .flame file, or remove them.</source>
@@ -5223,11 +6238,11 @@
     </message>
     <message>
         <source>The links of “%1” cannot be written as plain maps: a sequence of maps can go on for ever without reaching one that may follow every map. Keep the links in an .ifs or .flame file, or remove them.</source>
-        <translation>Les liens de « %1 » ne peuvent pas s’écrire comme des applications simples : une suite d’applications peut continuer sans fin sans en atteindre une qui puisse suivre toutes les autres. Gardez les liens dans un fichier .ifs ou .flame, ou retirez-les.</translation>
+        <translation>Les liens de «&#x202f;%1&#x202f;» ne peuvent pas s’écrire comme des applications simples&#x202f;: une suite d’applications peut continuer sans fin sans en atteindre une qui puisse suivre toutes les autres. Gardez les liens dans un fichier .ifs ou .flame, ou retirez-les.</translation>
     </message>
     <message>
         <source>Plain maps of “%1” would be words of its maps, which cannot take part in its animation or in its moved branches. Remove these first.</source>
-        <translation>Les applications simples de « %1 » seraient des mots de ses applications, qui ne peuvent participer ni à son animation ni à ses branches déplacées. Retirez-les d’abord.</translation>
+        <translation>Les applications simples de «&#x202f;%1&#x202f;» seraient des mots de ses applications, qui ne peuvent participer ni à son animation ni à ses branches déplacées. Retirez-les d’abord.</translation>
     </message>
     <message>
         <source>Map %1 is locked. Unlock it in the Maps panel first.</source>
@@ -5259,7 +6274,7 @@
     </message>
     <message>
         <source>Name map %1 “%2”</source>
-        <translation>Nommer « %2 » l’application %1</translation>
+        <translation>Nommer «&#x202f;%2&#x202f;» l’application %1</translation>
     </message>
     <message>
         <source>Only a cage with four vertices can be unbaked.</source>
@@ -5283,11 +6298,11 @@
     </message>
     <message>
         <source>The cage bends the picture, in which no map can be shown alone. Reset the cage first.</source>
-        <translation>La cage courbe l’image : aucune application ne peut y être affichée seule. Réinitialisez d’abord la cage.</translation>
+        <translation>La cage courbe l’image&#x202f;: aucune application ne peut y être affichée seule. Réinitialisez d’abord la cage.</translation>
     </message>
     <message>
         <source>Map %1 takes everything to one point, so there is nothing to show alone.</source>
-        <translation>L’application %1 envoie tout en un point : il n’y a rien à afficher seul.</translation>
+        <translation>L’application %1 envoie tout en un point&#x202f;: il n’y a rien à afficher seul.</translation>
     </message>
     <message>
         <source>This entry is not a system in space.</source>
@@ -5339,7 +6354,7 @@
     </message>
     <message>
         <source>A file “%1” was created after you added this export. Choose Try Again to replace it.</source>
-        <translation>Un fichier « %1 » est apparu depuis que vous avez ajouté cet export. Réessayer le remplace.</translation>
+        <translation>Un fichier «&#x202f;%1&#x202f;» est apparu depuis que vous avez ajouté cet export. Réessayer le remplace.</translation>
     </message>
     <message>
         <source>The fractal in this export cannot be read.</source>
@@ -5583,15 +6598,15 @@
     </message>
     <message>
         <source>This entry has %1 maps; a web page can have at most %2.</source>
-        <translation>Cette entrée a %1 applications ; une page web peut en avoir %2 au plus.</translation>
+        <translation>Cette entrée a %1 applications&#x202f;; une page web peut en avoir %2 au plus.</translation>
     </message>
     <message>
         <source>A solid has no shadow on the ground. Move its light in the Appearance panel: the solid darkens the side that faces away from it.</source>
-        <translation>Un solide ne projette pas d’ombre au sol. Déplacez sa lumière dans le panneau Apparence : le côté opposé s’assombrit.</translation>
+        <translation>Un solide ne projette pas d’ombre au sol. Déplacez sa lumière dans le panneau Apparence&#x202f;: le côté opposé s’assombrit.</translation>
     </message>
     <message>
         <source>This entry could not be read, so there is no picture to cast a shadow.</source>
-        <translation>Cette entrée n’a pas pu être lue : il n’y a donc pas d’image qui projette une ombre.</translation>
+        <translation>Cette entrée n’a pas pu être lue&#x202f;: il n’y a donc pas d’image qui projette une ombre.</translation>
     </message>
     <message>
         <source>its shadow</source>
@@ -5727,27 +6742,27 @@
     </message>
     <message>
         <source>MP4: plays everywhere</source>
-        <translation>MP4 : lisible partout</translation>
+        <translation>MP4&#x202f;: lisible partout</translation>
     </message>
     <message>
         <source>WebM: for web pages, with transparency</source>
-        <translation>WebM : pour les pages web, avec transparence</translation>
+        <translation>WebM&#x202f;: pour les pages web, avec transparence</translation>
     </message>
     <message>
         <source>MKV: lossless, for editing</source>
-        <translation>MKV : sans perte, pour le montage</translation>
+        <translation>MKV&#x202f;: sans perte, pour le montage</translation>
     </message>
     <message>
         <source>GIF: 256 colours</source>
-        <translation>GIF : 256 couleurs</translation>
+        <translation>GIF&#x202f;: 256 couleurs</translation>
     </message>
     <message>
         <source>WebP: a lossless animated image</source>
-        <translation>WebP : image animée sans perte</translation>
+        <translation>WebP&#x202f;: image animée sans perte</translation>
     </message>
     <message>
         <source>APNG: a lossless animated image</source>
-        <translation>APNG : image animée sans perte</translation>
+        <translation>APNG&#x202f;: image animée sans perte</translation>
     </message>
     <message>
         <source>The link holds more than 1 MB of text, which is the limit.</source>
@@ -5759,7 +6774,7 @@
     </message>
     <message>
         <source>This link was cut off: its end is missing. Copy all of it.</source>
-        <translation>Ce lien a été coupé : il manque la fin. Copiez-le en entier.</translation>
+        <translation>Ce lien a été coupé&#x202f;: il manque la fin. Copiez-le en entier.</translation>
     </message>
     <message>
         <source>Drawing the pictures…</source>
@@ -5802,7 +6817,7 @@
     </message>
     <message>
         <source>Drag a corner of the triangle: the whole picture follows.</source>
-        <translation>Faites glisser un coin du triangle : toute l’image suit.</translation>
+        <translation>Faites glisser un coin du triangle&#x202f;: toute l’image suit.</translation>
     </message>
     <message>
         <source>Squeeze</source>
@@ -5858,11 +6873,11 @@
     </message>
     <message>
         <source>Each row is a map that makes one smaller copy of the whole: double-click a number and type another.</source>
-        <translation>Chaque ligne est une application qui fait une copie plus petite du tout : double-cliquez sur un nombre et tapez-en un autre.</translation>
+        <translation>Chaque ligne est une application qui fait une copie plus petite du tout&#x202f;: double-cliquez sur un nombre et tapez-en un autre.</translation>
     </message>
     <message>
         <source>Click a point: the maps that lead there are its address, and you hold the branch that they make.</source>
-        <translation>Cliquez sur un point : les applications qui y mènent sont son adresse, et vous tenez la branche qu’elles forment.</translation>
+        <translation>Cliquez sur un point&#x202f;: les applications qui y mènent sont son adresse, et vous tenez la branche qu’elles forment.</translation>
     </message>
     <message>
         <source>Norm</source>
@@ -5870,7 +6885,7 @@
     </message>
     <message>
         <source>‖A‖ is how far a map stretches at most: change a number, and keep it below 1.</source>
-        <translation>‖A‖ est ce qu’une application étire au plus : changez un nombre et restez au-dessous de 1.</translation>
+        <translation>‖A‖ est ce qu’une application étire au plus&#x202f;: changez un nombre et restez au-dessous de 1.</translation>
     </message>
     <message>
         <source>&amp;Skip</source>
@@ -6171,7 +7186,7 @@
     </message>
     <message>
         <source>On the canvas</source>
-        <translation>Sur la zone de dessin</translation>
+        <translation>Sur le canevas</translation>
     </message>
     <message>
         <source>Box</source>
@@ -6223,7 +7238,7 @@
     </message>
     <message>
         <source>The number of symbols in the addresses of the cylinders; fewer if there would be thousands of cylinders</source>
-        <translation>Combien de symboles ont les adresses des cylindres ; moins là où il y en aurait des milliers</translation>
+        <translation>Combien de symboles ont les adresses des cylindres&#x202f;; moins là où il y en aurait des milliers</translation>
     </message>
     <message>
         <source>Address length</source>
@@ -6231,11 +7246,11 @@
     </message>
     <message>
         <source>The cage bends the picture, and no system produces a bent picture. These are the properties of the code; on the canvas, the outlines bend with the picture.</source>
-        <translation>La cage courbe l’image, et aucun système ne produit une image courbée. Ce sont les propriétés du code ; sur la zone de dessin, les contours se courbent avec l’image.</translation>
+        <translation>La cage courbe l’image, et aucun système ne produit une image courbée. Ce sont les propriétés du code&#x202f;; sur le canevas, les contours se courbent avec l’image.</translation>
     </message>
     <message>
         <source>Outline the hulls of all pieces with addresses of the same length, each in the colour of its first map; click one to see its address</source>
-        <translation>Tracer les enveloppes de tous les morceaux dont l’adresse a la même longueur, dans la couleur de sa première application ; cliquez sur l’une d’elles pour voir son adresse</translation>
+        <translation>Tracer les enveloppes de tous les morceaux dont l’adresse a la même longueur, dans la couleur de sa première application&#x202f;; cliquez sur l’une d’elles pour voir son adresse</translation>
     </message>
     <message>
         <source>This value is still being computed.</source>
@@ -6247,7 +7262,7 @@
     </message>
     <message>
         <source>Branches are moved. Box, simplex, hull, mean and covariance are those of the picture; the other properties are those of the code.</source>
-        <translation>Des branches sont déplacées. La boîte, le simplexe, l’enveloppe, la moyenne et la covariance sont ceux de l’image ; les autres propriétés sont celles du code.</translation>
+        <translation>Des branches sont déplacées. La boîte, le simplexe, l’enveloppe, la moyenne et la covariance sont ceux de l’image&#x202f;; les autres propriétés sont celles du code.</translation>
     </message>
     <message>
         <source>How Pieces Meet…</source>
@@ -6266,7 +7281,7 @@
     <name>view::AnimationExportDialog</name>
     <message>
         <source>Export the Animation “%1”</source>
-        <translation>Exporter l’animation « %1 »</translation>
+        <translation>Exporter l’animation «&#x202f;%1&#x202f;»</translation>
     </message>
     <message>
         <source>Format</source>
@@ -6274,7 +7289,7 @@
     </message>
     <message>
         <source>PNG: one picture for each frame</source>
-        <translation>PNG : une image par trame</translation>
+        <translation>PNG&#x202f;: une image par trame</translation>
     </message>
     <message>
         <source>A video, an animated image for web pages and messages, or one picture for each frame. All of them contain the animation, so Barycage can open them again.</source>
@@ -6298,11 +7313,11 @@
     </message>
     <message>
         <source>What the frames show where the camera has no keys: the view on the canvas, or everything that becomes visible, with a small margin.</source>
-        <translation>Ce que montrent les images quand aucune clé de la caméra ne le fixe : ce que montre le canevas, ou tout ce qui apparaît, avec une petite marge.</translation>
+        <translation>Ce que montrent les images quand aucune clé de la caméra ne le fixe&#x202f;: ce que montre le canevas, ou tout ce qui apparaît, avec une petite marge.</translation>
     </message>
     <message>
         <source>&amp;Size in pixels:</source>
-        <translation>Taille en pixel&amp;s :</translation>
+        <translation>Taille en pixel&amp;s&#x202f;:</translation>
     </message>
     <message>
         <source>First frame</source>
@@ -6322,7 +7337,7 @@
     </message>
     <message>
         <source>F&amp;rames:</source>
-        <translation>Ima&amp;ges :</translation>
+        <translation>Ima&amp;ges&#x202f;:</translation>
     </message>
     <message>
         <source>to</source>
@@ -6334,23 +7349,23 @@
     </message>
     <message>
         <source>The number of points for each pixel of each frame: more points make smoother frames and take longer.</source>
-        <translation>Le nombre de points pour chaque pixel de chaque image : plus il y en a, plus les images sont lisses et longues à dessiner.</translation>
+        <translation>Le nombre de points pour chaque pixel de chaque image&#x202f;: plus il y en a, plus les images sont lisses et longues à dessiner.</translation>
     </message>
     <message>
         <source>Draft: 25 points per pixel</source>
-        <translation>Brouillon : 25 points par pixel</translation>
+        <translation>Brouillon&#x202f;: 25 points par pixel</translation>
     </message>
     <message>
         <source>Good: 100 points per pixel</source>
-        <translation>Bonne : 100 points par pixel</translation>
+        <translation>Bonne&#x202f;: 100 points par pixel</translation>
     </message>
     <message>
         <source>Fine: 400 points per pixel</source>
-        <translation>Fine : 400 points par pixel</translation>
+        <translation>Fine&#x202f;: 400 points par pixel</translation>
     </message>
     <message>
         <source>Finest: 2000 points per pixel</source>
-        <translation>Très fine : 2000 points par pixel</translation>
+        <translation>Très fine&#x202f;: 2000 points par pixel</translation>
     </message>
     <message>
         <source>&amp;Quality:</source>
@@ -6362,7 +7377,7 @@
     </message>
     <message>
         <source>Motion blur: the angle for which the shutter is open around each frame. 180° is half the time of a frame, as in films.</source>
-        <translation>Flou de mouvement : l’angle pendant lequel l’obturateur est ouvert autour de chaque image. 180° valent la moitié du temps d’une image, comme au cinéma.</translation>
+        <translation>Flou de mouvement&#x202f;: l’angle pendant lequel l’obturateur est ouvert autour de chaque image. 180° valent la moitié du temps d’une image, comme au cinéma.</translation>
     </message>
     <message>
         <source>No motion blur</source>
@@ -6370,7 +7385,7 @@
     </message>
     <message>
         <source>S&amp;hutter:</source>
-        <translation>O&amp;bturateur :</translation>
+        <translation>O&amp;bturateur&#x202f;:</translation>
     </message>
     <message>
         <source>Exposure</source>
@@ -6378,23 +7393,23 @@
     </message>
     <message>
         <source>Smooth: no flicker</source>
-        <translation>Lissée : sans scintillement</translation>
+        <translation>Lissée&#x202f;: sans scintillement</translation>
     </message>
     <message>
         <source>Fixed: as in frame 0</source>
-        <translation>Fixe : celle de l’image 0</translation>
+        <translation>Fixe&#x202f;: celle de l’image 0</translation>
     </message>
     <message>
         <source>Each: frame by frame</source>
-        <translation>Chacune : pour elle-même</translation>
+        <translation>Chacune&#x202f;: pour elle-même</translation>
     </message>
     <message>
         <source>How bright the frames are: following the whole animation without flicker, all like frame 0, or each as bright as it is on the canvas.</source>
-        <translation>La luminosité des images : suivant toute l’animation sans scintillement, toutes comme l’image 0, ou chacune comme sur le canevas.</translation>
+        <translation>La luminosité des images&#x202f;: suivant toute l’animation sans scintillement, toutes comme l’image 0, ou chacune comme sur le canevas.</translation>
     </message>
     <message>
         <source>E&amp;xposure:</source>
-        <translation>E&amp;xposition :</translation>
+        <translation>E&amp;xposition&#x202f;:</translation>
     </message>
     <message>
         <source>Tasks on a cluster</source>
@@ -6402,15 +7417,15 @@
     </message>
     <message>
         <source>How many cluster tasks share the frames when you choose On a Cluster.</source>
-        <translation>Entre combien de tâches d’une grappe les images sont réparties avec « Sur une grappe ».</translation>
+        <translation>Entre combien de tâches d’une grappe les images sont réparties avec «&#x202f;Sur une grappe&#x202f;».</translation>
     </message>
     <message>
         <source>&amp;Tasks on a cluster:</source>
-        <translation>&amp;Tâches sur une grappe :</translation>
+        <translation>&amp;Tâches sur une grappe&#x202f;:</translation>
     </message>
     <message>
         <source>Asks for a file name and writes the animation. You can continue editing in the meantime: the animation is exported as it was when this dialog opened.</source>
-        <translation>Demande un nom de fichier et écrit l’animation. Vous pouvez continuer à éditer : l’animation est exportée telle qu’elle était à l’ouverture de ce dialogue.</translation>
+        <translation>Demande un nom de fichier et écrit l’animation. Vous pouvez continuer à éditer&#x202f;: l’animation est exportée telle qu’elle était à l’ouverture de ce dialogue.</translation>
     </message>
     <message>
         <source>On a &amp;Cluster…</source>
@@ -6430,7 +7445,7 @@
     </message>
     <message>
         <source>Export stopped. The pictures written so far are complete; export again to draw the others.</source>
-        <translation>Exportation arrêtée. Les images déjà écrites sont complètes ; exportez de nouveau pour dessiner les autres.</translation>
+        <translation>Exportation arrêtée. Les images déjà écrites sont complètes&#x202f;; exportez de nouveau pour dessiner les autres.</translation>
     </message>
     <message>
         <source>Written to %1 and so on, up to %2.</source>
@@ -6446,15 +7461,15 @@
     </message>
     <message>
         <source>Cancelled; the folder may be incomplete.</source>
-        <translation>Annulé ; le dossier est peut-être incomplet.</translation>
+        <translation>Annulé&#x202f;; le dossier est peut-être incomplet.</translation>
     </message>
     <message>
         <source>The job is in %1. sbatch was not found on this computer: run submit.sh in this folder on the cluster.</source>
-        <translation>Le travail est dans %1. Il n’y a pas de sbatch ici : lancez submit.sh de ce dossier sur la grappe.</translation>
+        <translation>Le travail est dans %1. Il n’y a pas de sbatch ici&#x202f;: lancez submit.sh de ce dossier sur la grappe.</translation>
     </message>
     <message>
         <source>The view “%1”</source>
-        <translation>La vue « %1 »</translation>
+        <translation>La vue «&#x202f;%1&#x202f;»</translation>
     </message>
     <message>
         <source>Frame without an attractor</source>
@@ -6462,11 +7477,11 @@
     </message>
     <message>
         <source>Sect&amp;ion:</source>
-        <translation>Ca&amp;drage :</translation>
+        <translation>Ca&amp;drage&#x202f;:</translation>
     </message>
     <message>
         <source>The animation “%1” is still being exported.</source>
-        <translation>L’animation « %1 » est encore en cours d’export.</translation>
+        <translation>L’animation «&#x202f;%1&#x202f;» est encore en cours d’export.</translation>
     </message>
     <message>
         <source>The pictures written so far are complete and will be kept.</source>
@@ -6489,7 +7504,7 @@
     </message>
     <message>
         <source>Replace Files?</source>
-        <translation>Remplacer les fichiers ?</translation>
+        <translation>Remplacer les fichiers&#x202f;?</translation>
     </message>
     <message numerus="yes">
         <source>%n file(s) with the names of these pictures exist already and hold something else.</source>
@@ -6500,7 +7515,7 @@
     </message>
     <message>
         <source>The first one is “%1”. If you replace them, their contents are lost.</source>
-        <translation>Le premier est « %1 ». Si vous les remplacez, leur contenu est perdu.</translation>
+        <translation>Le premier est «&#x202f;%1&#x202f;». Si vous les remplacez, leur contenu est perdu.</translation>
     </message>
     <message>
         <source>&amp;Replace</source>
@@ -6516,7 +7531,7 @@
     </message>
     <message>
         <source>Choose how many tasks share the frames, then click On a Cluster… again.</source>
-        <translation>Choisissez combien de tâches se partagent les images, puis cliquez de nouveau sur « Sur une grappe… ».</translation>
+        <translation>Choisissez combien de tâches se partagent les images, puis cliquez de nouveau sur «&#x202f;Sur une grappe…&#x202f;».</translation>
     </message>
     <message>
         <source>Supersampling</source>
@@ -6524,19 +7539,19 @@
     </message>
     <message>
         <source>Computes this many cells along each side of a pixel, for smoother edges.</source>
-        <translation>Dessine autant de pixels le long de chaque côté d’un pixel : des bords plus lisses.</translation>
+        <translation>Dessine autant de pixels le long de chaque côté d’un pixel&#x202f;: des bords plus lisses.</translation>
     </message>
     <message>
         <source>S&amp;upersampling:</source>
-        <translation>S&amp;uréchantillonnage :</translation>
+        <translation>S&amp;uréchantillonnage&#x202f;:</translation>
     </message>
     <message>
         <source>%1 needs even sides: the last column or row is shown twice.</source>
-        <translation>%1 exige des côtés pairs : la dernière colonne ou ligne est montrée deux fois.</translation>
+        <translation>%1 exige des côtés pairs&#x202f;: la dernière colonne ou ligne est montrée deux fois.</translation>
     </message>
     <message>
         <source>%1 has no transparency: the background becomes black.</source>
-        <translation>%1 n’a pas de transparence : le fond devient noir.</translation>
+        <translation>%1 n’a pas de transparence&#x202f;: le fond devient noir.</translation>
     </message>
 </context>
 <context>
@@ -6679,19 +7694,19 @@
     </message>
     <message>
         <source>%1: %2</source>
-        <translation>%1 : %2</translation>
+        <translation>%1&#x202f;: %2</translation>
     </message>
     <message>
         <source>Colour by: %1</source>
-        <translation>Colorer selon : %1</translation>
+        <translation>Colorer selon&#x202f;: %1</translation>
     </message>
     <message>
         <source>Palette: %1</source>
-        <translation>Palette : %1</translation>
+        <translation>Palette&#x202f;: %1</translation>
     </message>
     <message>
         <source>Supersampling: %1</source>
-        <translation>Suréchantillonnage : %1</translation>
+        <translation>Suréchantillonnage&#x202f;: %1</translation>
     </message>
     <message>
         <source>More Palettes…</source>
@@ -6727,7 +7742,7 @@
     </message>
     <message>
         <source>What the colour of a point shows: how many points fall there, which map came last, the whole address, or the blend of the colours of all maps applied, as in flames. The position of each map on the palette, and its speed, are in the Maps panel.</source>
-        <translation>Ce que dit la couleur d’un point : combien de points tombent là, quelle application a agi en dernier, l’adresse entière, ou le mélange des couleurs de toutes les applications du chemin, comme dans les flames. Le panneau Applications a la place de chaque application sur la palette, et sa vitesse.</translation>
+        <translation>Ce que dit la couleur d’un point&#x202f;: combien de points tombent là, quelle application a agi en dernier, l’adresse entière, ou le mélange des couleurs de toutes les applications du chemin, comme dans les flames. Le panneau Applications a la place de chaque application sur la palette, et sa vitesse.</translation>
     </message>
     <message>
         <source>Blend of maps</source>
@@ -6735,7 +7750,7 @@
     </message>
     <message>
         <source>As in flames: each map moves colours towards its position on the palette</source>
-        <translation>Comme dans les flames : chaque application attire les couleurs vers sa place sur la palette</translation>
+        <translation>Comme dans les flames&#x202f;: chaque application attire les couleurs vers sa place sur la palette</translation>
     </message>
     <message>
         <source>The colours from the thinnest parts to the densest, along the addresses, or along the positions between which maps blend.</source>
@@ -6747,11 +7762,11 @@
     </message>
     <message>
         <source>Opacity of the shadow on the ground behind the picture; 0: no shadow</source>
-        <translation>Opacité de l’ombre au sol derrière l’image ; 0 : pas d’ombre</translation>
+        <translation>Opacité de l’ombre au sol derrière l’image&#x202f;; 0&#x202f;: pas d’ombre</translation>
     </message>
     <message>
         <source>The shadow is the picture once more: darker, flattened, and laid on the ground on which the picture stands. Drag its tip on the canvas to turn it.</source>
-        <translation>L’ombre est l’image une seconde fois : plus sombre, aplatie et étendue sur le sol où l’image est posée. Faites glisser sa pointe sur le canevas pour la tourner.</translation>
+        <translation>L’ombre est l’image une seconde fois&#x202f;: plus sombre, aplatie et étendue sur le sol où l’image est posée. Faites glisser sa pointe sur le canevas pour la tourner.</translation>
     </message>
     <message>
         <source>Shadow sideways</source>
@@ -6759,7 +7774,7 @@
     </message>
     <message>
         <source>How far to the right the shadow of what is 1 high ends; below 0, to the left</source>
-        <translation>À quelle distance à droite finit l’ombre de ce qui est haut de 1 ; au-dessous de 0, à gauche</translation>
+        <translation>À quelle distance à droite finit l’ombre de ce qui est haut de 1&#x202f;; au-dessous de 0, à gauche</translation>
     </message>
     <message>
         <source>Shadow backwards</source>
@@ -6767,7 +7782,7 @@
     </message>
     <message>
         <source>How far up the shadow of what is 1 high ends; below 0, it falls to the front</source>
-        <translation>À quelle hauteur finit l’ombre de ce qui est haut de 1 ; au-dessous de 0, elle tombe vers l’avant</translation>
+        <translation>À quelle hauteur finit l’ombre de ce qui est haut de 1&#x202f;; au-dessous de 0, elle tombe vers l’avant</translation>
     </message>
 </context>
 <context>
@@ -6793,15 +7808,15 @@
     </message>
     <message>
         <source>Weaken the motions, or change the keys of the maps (frames: %1).</source>
-        <translation>Affaiblissez les mouvements, ou modifiez les clés des applications (images : %1).</translation>
+        <translation>Affaiblissez les mouvements, ou modifiez les clés des applications (images&#x202f;: %1).</translation>
     </message>
     <message>
         <source>Change the keys of the maps (frames: %1).</source>
-        <translation>Modifiez les clés des applications (images : %1).</translation>
+        <translation>Modifiez les clés des applications (images&#x202f;: %1).</translation>
     </message>
     <message>
         <source>Set a key there, or change the keys of the maps (frames: %1).</source>
-        <translation>Posez-y une clé, ou modifiez les clés des applications (images : %1).</translation>
+        <translation>Posez-y une clé, ou modifiez les clés des applications (images&#x202f;: %1).</translation>
     </message>
     <message>
         <source>At frame %1, there is no attractor.</source>
@@ -6816,7 +7831,7 @@
     </message>
     <message>
         <source>The number of boxes that meet the attractor, against their fineness: log₂ N over k for boxes of side L·2⁻ᵏ, where L is the side of the square around the attractor. Hollow points are not used for the line: at those sizes, the size of the whole or of a cell affects the count.</source>
-        <translation>Combien de boîtes rencontrent l’attracteur selon leur finesse : log₂ N en fonction de k pour des boîtes de côté L·2⁻ᵏ, L le côté du carré autour de l’attracteur. Les points évidés ne comptent pas pour la droite : là se voit la taille de l’ensemble ou d’une cellule.</translation>
+        <translation>Combien de boîtes rencontrent l’attracteur selon leur finesse&#x202f;: log₂ N en fonction de k pour des boîtes de côté L·2⁻ᵏ, L le côté du carré autour de l’attracteur. Les points évidés ne comptent pas pour la droite&#x202f;: là se voit la taille de l’ensemble ou d’une cellule.</translation>
     </message>
     <message>
         <source>Slope %1 over %2 sizes</source>
@@ -6855,11 +7870,11 @@
     </message>
     <message>
         <source>The number of maps in the address of the branch (Shift + wheel over the canvas)</source>
-        <translation>Combien d’applications de l’adresse nomment la branche (Maj + molette sur la zone de dessin)</translation>
+        <translation>Combien d’applications de l’adresse nomment la branche (Maj + molette sur le canevas)</translation>
     </message>
     <message>
         <source>The address of the clicked point, outermost map first; the bold part is the address of the branch</source>
-        <translation>L’adresse du point cliqué, l’application la plus extérieure d’abord ; la partie en gras est l’adresse de la branche</translation>
+        <translation>L’adresse du point cliqué, l’application la plus extérieure d’abord&#x202f;; la partie en gras est l’adresse de la branche</translation>
     </message>
     <message>
         <source>New map for this branch</source>
@@ -6887,7 +7902,7 @@
     </message>
     <message>
         <source>Swings the selected maps, each about the image of the lowest point of the fractal; the slider returns to the middle when you release it</source>
-        <translation>Fait osciller les applications choisies, chacune autour de l’image du point le plus bas de la fractale ; relâché, le curseur revient au milieu</translation>
+        <translation>Fait osciller les applications choisies, chacune autour de l’image du point le plus bas de la fractale&#x202f;; relâché, le curseur revient au milieu</translation>
     </message>
     <message>
         <source>no branch selected</source>
@@ -6911,7 +7926,7 @@
     </message>
     <message>
         <source>The code does not change. Only this branch is shown in another position; the same change does not appear at other scales.</source>
-        <translation>Le code ne change pas. Seule cette branche est montrée ailleurs ; le changement ne se répète pas aux autres échelles.</translation>
+        <translation>Le code ne change pas. Seule cette branche est montrée ailleurs&#x202f;; le changement ne se répète pas aux autres échelles.</translation>
     </message>
     <message>
         <source>Put &amp;Back</source>
@@ -7075,7 +8090,7 @@
     </message>
     <message>
         <source>Define the triangle with three clicks on the canvas; the picture stays</source>
-        <translation>Définir le triangle en trois clics dans la zone de dessin&#x202f;; l’image reste</translation>
+        <translation>Définir le triangle en trois clics sur le canevas&#x202f;; l’image reste</translation>
     </message>
     <message>
         <source>Reset</source>
@@ -7303,7 +8318,7 @@
     </message>
     <message>
         <source>The system has very many maps. Computing the cage around it…</source>
-        <translation>Le système a de très nombreuses applications : la cage qui l’entoure est en cours de calcul…</translation>
+        <translation>Le système a de très nombreuses applications&#x202f;: la cage qui l’entoure est en cours de calcul…</translation>
     </message>
     <message>
         <source>%1 vertices: bent by mean value coordinates, cannot be baked.</source>
@@ -7311,7 +8326,7 @@
     </message>
     <message>
         <source>Define the tetrahedron with four clicks on the canvas; the picture stays</source>
-        <translation>Définit le tétraèdre par quatre clics sur le canevas ; l’image reste</translation>
+        <translation>Définit le tétraèdre par quatre clics sur le canevas&#x202f;; l’image reste</translation>
     </message>
 </context>
 <context>
@@ -7389,23 +8404,23 @@
     </message>
     <message>
         <source>Stopped: beyond this, map %1 would not contract (largest singular value %2, spectral radius %3), and there would be no attractor.</source>
-        <translation>Arrêté : plus loin, l’application %1 ne contracterait pas (plus grande valeur singulière %2, rayon spectral %3), et il n’y aurait pas d’attracteur.</translation>
+        <translation>Arrêté&#x202f;: plus loin, l’application %1 ne contracterait pas (plus grande valeur singulière %2, rayon spectral %3), et il n’y aurait pas d’attracteur.</translation>
     </message>
     <message>
         <source>Stopped: beyond this, the maps %1, applied one after the other, would not contract (largest singular value %2, spectral radius %3), and there would be no attractor.</source>
-        <translation>Arrêté : plus loin, les applications %1, l’une après l’autre, ne contracteraient pas (plus grande valeur singulière %2, rayon spectral %3), et il n’y aurait pas d’attracteur.</translation>
+        <translation>Arrêté&#x202f;: plus loin, les applications %1, l’une après l’autre, ne contracteraient pas (plus grande valeur singulière %2, rayon spectral %3), et il n’y aurait pas d’attracteur.</translation>
     </message>
     <message>
         <source>Stopped: beyond this, an attractor is not guaranteed (map %1 has the largest singular value, %2).</source>
-        <translation>Arrêté : au-delà, l’existence d’un attracteur n’est pas garantie (l’application %1 a la plus grande valeur singulière, %2).</translation>
+        <translation>Arrêté&#x202f;: au-delà, l’existence d’un attracteur n’est pas garantie (l’application %1 a la plus grande valeur singulière, %2).</translation>
     </message>
     <message>
         <source>With a single map, only its fixed point is left.</source>
-        <translation>Une seule application : il ne reste que son point fixe.</translation>
+        <translation>Une seule application&#x202f;: il ne reste que son point fixe.</translation>
     </message>
     <message>
         <source>With a single map, only its fixed point (%1, %2) is left.</source>
-        <translation>Une seule application : il ne reste que son point fixe (%1, %2).</translation>
+        <translation>Une seule application&#x202f;: il ne reste que son point fixe (%1, %2).</translation>
     </message>
     <message>
         <source>No map that is switched on has a positive weight, so there is nothing to draw. Give one of them a weight.</source>
@@ -7417,11 +8432,11 @@
     </message>
     <message>
         <source>This system has no attractor, so the picture may be incomplete or empty.</source>
-        <translation>Ce système n’a pas d’attracteur ; l’image peut être incomplète ou vide.</translation>
+        <translation>Ce système n’a pas d’attracteur&#x202f;; l’image peut être incomplète ou vide.</translation>
     </message>
     <message>
         <source>So many pieces overlap that parts of this solid may be missing. The look Cloud shows all of it.</source>
-        <translation>Tant de morceaux se superposent que des parties de ce solide peuvent manquer. L’aspect « Nuage » le montre en entier.</translation>
+        <translation>Tant de morceaux se superposent que des parties de ce solide peuvent manquer. L’aspect «&#x202f;Nuage&#x202f;» le montre en entier.</translation>
     </message>
     <message>
         <source>What lies far behind this small view may be drawn in the wrong order. Zoom out a little for an accurate picture.</source>
@@ -7444,7 +8459,7 @@
     </message>
     <message>
         <source>Corner outside the view: click to fit the picture and its cage</source>
-        <translation>Coin hors de la vue : cliquez pour cadrer l’image et sa cage</translation>
+        <translation>Coin hors de la vue&#x202f;: cliquez pour cadrer l’image et sa cage</translation>
     </message>
 </context>
 <context>
@@ -7722,7 +8737,7 @@
     </message>
     <message>
         <source>The attractor and its control cage. Tab moves from handle to handle, the arrow keys move the handle in focus, F6 leaves the canvas.</source>
-        <translation>L’attracteur et sa cage de contrôle. Tab passe d’une poignée à l’autre, les touches fléchées déplacent celle qui a le focus, F6 quitte la zone de dessin.</translation>
+        <translation>L’attracteur et sa cage de contrôle. Tab passe d’une poignée à l’autre, les touches fléchées déplacent celle qui a le focus, F6 quitte le canevas.</translation>
     </message>
     <message>
         <source>Define triangle</source>
@@ -7769,23 +8784,23 @@
     </message>
     <message>
         <source>Drawing: %1.</source>
-        <translation>Dessin : %1.</translation>
+        <translation>Dessin&#x202f;: %1.</translation>
     </message>
     <message>
         <source>Video: done.</source>
-        <translation>Vidéo : terminée.</translation>
+        <translation>Vidéo&#x202f;: terminée.</translation>
     </message>
     <message>
         <source>Video: failed.</source>
-        <translation>Vidéo : échec.</translation>
+        <translation>Vidéo&#x202f;: échec.</translation>
     </message>
     <message>
         <source>Video: running.</source>
-        <translation>Vidéo : en cours.</translation>
+        <translation>Vidéo&#x202f;: en cours.</translation>
     </message>
     <message>
         <source>Video: waiting.</source>
-        <translation>Vidéo : en attente.</translation>
+        <translation>Vidéo&#x202f;: en attente.</translation>
     </message>
     <message>
         <source>Submitting…</source>
@@ -7805,7 +8820,7 @@
     </message>
     <message>
         <source>Slurm did not accept the job: %1</source>
-        <translation>Slurm n’a pas accepté le travail : %1</translation>
+        <translation>Slurm n’a pas accepté le travail&#x202f;: %1</translation>
     </message>
     <message>
         <source>%1 of %2 done</source>
@@ -7853,7 +8868,7 @@
     </message>
     <message>
         <source>The Hausdorff distance; the mark on the canvas shows where it is</source>
-        <translation>La distance de Hausdorff ; la marque sur le canevas montre où elle se trouve</translation>
+        <translation>La distance de Hausdorff&#x202f;; la marque sur le canevas montre où elle se trouve</translation>
     </message>
     <message>
         <source>%1 (s = %2)</source>
@@ -7861,7 +8876,7 @@
     </message>
     <message>
         <source>none: a map stretches by %1</source>
-        <translation>aucune : une application étire de %1</translation>
+        <translation>aucune&#x202f;: une application étire de %1</translation>
     </message>
     <message>
         <source>No point of the target is farther from the attractor than this, and no point of the attractor from the target. The value is larger during a drag, when a coarser picture is measured</source>
@@ -7889,7 +8904,7 @@
     </message>
     <message>
         <source>How often the images of the maps cover the same places: their areas together, divided by the area that they cover. It is 1 where no two of them overlap</source>
-        <translation>Combien de fois les images des applications couvrent les mêmes endroits : la somme de leurs aires, divisée par l’aire qu’elles couvrent. Il vaut 1 si elles ne se recouvrent pas deux à deux</translation>
+        <translation>Combien de fois les images des applications couvrent les mêmes endroits&#x202f;: la somme de leurs aires, divisée par l’aire qu’elles couvrent. Il vaut 1 si elles ne se recouvrent pas deux à deux</translation>
     </message>
     <message>
         <source>95 % of all points are within this distance of the other shape</source>
@@ -7905,15 +8920,15 @@
     </message>
     <message>
         <source>Mean distance of the collage: %1 → %2.</source>
-        <translation>Distance moyenne du collage : %1 → %2.</translation>
+        <translation>Distance moyenne du collage&#x202f;: %1 → %2.</translation>
     </message>
     <message>
         <source>Mean distance of the attractor: %1 → %2.</source>
-        <translation>Distance moyenne de l’attracteur : %1 → %2.</translation>
+        <translation>Distance moyenne de l’attracteur&#x202f;: %1 → %2.</translation>
     </message>
     <message>
         <source>Guarantee: %1 → %2.</source>
-        <translation>Garantie : %1 → %2.</translation>
+        <translation>Garantie&#x202f;: %1 → %2.</translation>
     </message>
     <message>
         <source>The distance has increased, but the overlap (IoU) has improved.</source>
@@ -7988,7 +9003,7 @@
     </message>
     <message>
         <source>The maps do not contract, so there is no attractor to compare.</source>
-        <translation>Les applications ne sont pas contractantes ; il n’y a pas d’attracteur à comparer.</translation>
+        <translation>Les applications ne sont pas contractantes&#x202f;; il n’y a pas d’attracteur à comparer.</translation>
     </message>
     <message>
         <source>There is not enough memory for this.</source>
@@ -8003,7 +9018,7 @@
     </message>
     <message>
         <source>The fractal has changed meanwhile, so the result was not used.</source>
-        <translation>La fractale a changé entre-temps ; le résultat n’a pas été utilisé.</translation>
+        <translation>La fractale a changé entre-temps&#x202f;; le résultat n’a pas été utilisé.</translation>
     </message>
     <message>
         <source>No better agreement was found.</source>
@@ -8027,7 +9042,7 @@
     </message>
     <message>
         <source>With these weights, the maps do not contract on average, so nothing is guaranteed for the shades.</source>
-        <translation>Avec ces poids, les applications ne sont pas contractantes en moyenne ; rien n’est donc garanti pour les nuances.</translation>
+        <translation>Avec ces poids, les applications ne sont pas contractantes en moyenne&#x202f;; rien n’est donc garanti pour les nuances.</translation>
     </message>
     <message>
         <source>Choose what the canvas compares with the target</source>
@@ -8204,7 +9219,7 @@
     </message>
     <message>
         <source>Stop reading this folder; files that were already read stay in the list</source>
-        <translation>Arrêter la lecture de ce dossier ; ce qui a été lu reste dans la liste</translation>
+        <translation>Arrêter la lecture de ce dossier&#x202f;; ce qui a été lu reste dans la liste</translation>
     </message>
     <message>
         <source>&amp;Browse…</source>
@@ -8380,7 +9395,7 @@
     </message>
     <message>
         <source>Search the guide for “%1”</source>
-        <translation>Chercher « %1 » dans le guide</translation>
+        <translation>Chercher «&#x202f;%1&#x202f;» dans le guide</translation>
     </message>
 </context>
 <context>
@@ -8621,11 +9636,11 @@
     </message>
     <message>
         <source>no points yet: press Play (▶)</source>
-        <translation>pas encore de points : appuyez sur Lancer (▶)</translation>
+        <translation>pas encore de points&#x202f;: appuyez sur Lancer (▶)</translation>
     </message>
     <message>
         <source>How many times all maps are applied: 0 is the starting shape, and with every step the picture gets closer to the attractor. Each image has the colour of its outermost map.</source>
-        <translation>Combien de fois toutes les applications sont appliquées : 0 donne la figure de départ, et à chaque étape l’image se rapproche de l’attracteur. Chaque copie a la couleur de son application la plus externe.</translation>
+        <translation>Combien de fois toutes les applications sont appliquées&#x202f;: 0 donne la figure de départ, et à chaque étape l’image se rapproche de l’attracteur. Chaque copie a la couleur de son application la plus externe.</translation>
     </message>
     <message>
         <source>One Jump</source>
@@ -8645,11 +9660,11 @@
     </message>
     <message>
         <source>W%1: the start</source>
-        <translation>W%1 : la figure de départ</translation>
+        <translation>W%1&#x202f;: la figure de départ</translation>
     </message>
     <message>
         <source>W%1: %2 copies</source>
-        <translation>W%1 : %2 copies</translation>
+        <translation>W%1&#x202f;: %2 copies</translation>
     </message>
     <message>
         <source>The Hausdorff distance from the picture to the attractor A, and its upper bound</source>
@@ -8661,11 +9676,11 @@
     </message>
     <message>
         <source>no bound: a map has the contraction factor %1</source>
-        <translation>pas de borne : une application a le facteur de contraction %1</translation>
+        <translation>pas de borne&#x202f;: une application a le facteur de contraction %1</translation>
     </message>
     <message>
         <source>distance to A at most %1</source>
-        <translation>distance à A : au plus %1</translation>
+        <translation>distance à A&#x202f;: au plus %1</translation>
     </message>
     <message>
         <source>distance to A &lt; %1, at most %2</source>
@@ -8697,7 +9712,7 @@
     <name>view::DefineTool</name>
     <message>
         <source>Click the first of the three vertices. The picture stays where it is; Esc cancels.</source>
-        <translation>Cliquez sur le premier des trois sommets. L’image reste où elle est ; Échap annule.</translation>
+        <translation>Cliquez sur le premier des trois sommets. L’image reste où elle est&#x202f;; Échap annule.</translation>
     </message>
     <message>
         <source>Click the second vertex. Backspace removes the last point.</source>
@@ -8724,7 +9739,7 @@
     </message>
     <message>
         <source>Map %1 was rolled; its probability is %2.</source>
-        <translation>L’application %1 est sortie ; sa probabilité est %2.</translation>
+        <translation>L’application %1 est sortie&#x202f;; sa probabilité est %2.</translation>
     </message>
 </context>
 <context>
@@ -8735,7 +9750,7 @@
     </message>
     <message>
         <source>Curve: time to the right, progress upwards</source>
-        <translation>Courbe : le temps vers la droite, le chemin vers le haut</translation>
+        <translation>Courbe&#x202f;: le temps vers la droite, le chemin vers le haut</translation>
     </message>
     <message>
         <source>How the motion to the next key progresses over time. Drag the two handles.</source>
@@ -8763,11 +9778,11 @@
     </message>
     <message>
         <source>First handle:</source>
-        <translation>Première poignée :</translation>
+        <translation>Première poignée&#x202f;:</translation>
     </message>
     <message>
         <source>Second handle:</source>
-        <translation>Seconde poignée :</translation>
+        <translation>Seconde poignée&#x202f;:</translation>
     </message>
     <message>
         <source>A number from 0 to 1. A curve that would be too steep is flattened.</source>
@@ -8810,7 +9825,7 @@
     </message>
     <message>
         <source>&amp;Title:</source>
-        <translation>&amp;Titre :</translation>
+        <translation>&amp;Titre&#x202f;:</translation>
     </message>
     <message>
         <source>Comment &amp;lines:</source>
@@ -9065,7 +10080,7 @@
     </message>
     <message>
         <source>Nothing was pasted: there is no text on the clipboard.</source>
-        <translation>Rien n’a été collé : il n’y a pas de texte dans le presse-papiers.</translation>
+        <translation>Rien n’a été collé&#x202f;: il n’y a pas de texte dans le presse-papiers.</translation>
     </message>
     <message>
         <source>Reading the pasted text…</source>
@@ -9382,7 +10397,7 @@
     </message>
     <message>
         <source>Sect&amp;ion:</source>
-        <translation>&amp;Cadrage :</translation>
+        <translation>&amp;Cadrage&#x202f;:</translation>
     </message>
     <message>
         <source>SVG and PDF are made of shapes, which stay sharp at every size; the others are made of pixels. If the file name has the ending of another format, that format is written.</source>
@@ -9398,11 +10413,11 @@
     </message>
     <message>
         <source>The view “%1”</source>
-        <translation>La vue « %1 »</translation>
+        <translation>La vue «&#x202f;%1&#x202f;»</translation>
     </message>
     <message>
         <source>What the picture shows: the view on the canvas, or the whole attractor with a small margin. Saved views are listed, too.</source>
-        <translation>Ce que montre l’image : ce que montre le canevas, ou l’attracteur avec une petite marge, où que regarde le canevas. Les vues enregistrées sont aussi dans la liste.</translation>
+        <translation>Ce que montre l’image&#x202f;: ce que montre le canevas, ou l’attracteur avec une petite marge, où que regarde le canevas. Les vues enregistrées sont aussi dans la liste.</translation>
     </message>
     <message>
         <source>%1 mm</source>
@@ -9414,23 +10429,23 @@
     </message>
     <message>
         <source>Guaranteed accuracy: %2. Copies drawn by programs that open the file: %1 (the limit is %3).</source>
-        <translation>Précision garantie : %2. Copies dessinées par les programmes qui ouvrent le fichier : %1 (la limite est %3).</translation>
+        <translation>Précision garantie&#x202f;: %2. Copies dessinées par les programmes qui ouvrent le fichier&#x202f;: %1 (la limite est %3).</translation>
     </message>
     <message>
         <source>Draft: 25 points per pixel</source>
-        <translation>Brouillon : 25 points par pixel</translation>
+        <translation>Brouillon&#x202f;: 25 points par pixel</translation>
     </message>
     <message>
         <source>Good: 100 points per pixel</source>
-        <translation>Bonne : 100 points par pixel</translation>
+        <translation>Bonne&#x202f;: 100 points par pixel</translation>
     </message>
     <message>
         <source>Fine: 400 points per pixel</source>
-        <translation>Fine : 400 points par pixel</translation>
+        <translation>Fine&#x202f;: 400 points par pixel</translation>
     </message>
     <message>
         <source>Finest: 2000 points per pixel</source>
-        <translation>Très fine : 2000 points par pixel</translation>
+        <translation>Très fine&#x202f;: 2000 points par pixel</translation>
     </message>
 </context>
 <context>
@@ -9445,7 +10460,7 @@
     </message>
     <message>
         <source>The picture as it will be exported: its proportions and the section it shows. A chequerboard marks transparent parts. The preview follows every field.</source>
-        <translation>L’image telle qu’elle sera exportée : sa forme et la section qu’elle montre. Là où elle est transparente, un damier apparaît. Elle suit tous les champs.</translation>
+        <translation>L’image telle qu’elle sera exportée&#x202f;: sa forme et la section qu’elle montre. Là où elle est transparente, un damier apparaît. Elle suit tous les champs.</translation>
     </message>
     <message>
         <source>Drawing the preview…</source>
@@ -9496,7 +10511,7 @@
     </message>
     <message>
         <source>The export queue cannot be saved for the next session: its folder is not writable, or the disk is full.</source>
-        <translation>La file d’attente des exports ne peut pas être conservée pour le prochain démarrage : son dossier n’est pas accessible en écriture, ou le disque est plein.</translation>
+        <translation>La file d’attente des exports ne peut pas être conservée pour le prochain démarrage&#x202f;: son dossier n’est pas accessible en écriture, ou le disque est plein.</translation>
     </message>
 </context>
 <context>
@@ -9610,7 +10625,7 @@
     </message>
     <message>
         <source>The size of the picture on the screen or a multiple of it, of a common screen, or of a sheet of paper. Everything that the window shows stays in the picture; if the proportions differ, the picture shows more around it.</source>
-        <translation>La taille de l’image à l’écran ou un multiple de celle-ci, celle d’un écran courant ou d’une feuille de papier. Tout ce que montre la fenêtre reste dans l’image ; si la forme diffère, on en voit davantage autour.</translation>
+        <translation>La taille de l’image à l’écran ou un multiple de celle-ci, celle d’un écran courant ou d’une feuille de papier. Tout ce que montre la fenêtre reste dans l’image&#x202f;; si la forme diffère, on en voit davantage autour.</translation>
     </message>
     <message>
         <source>Keep the proportions of the picture</source>
@@ -9618,19 +10633,19 @@
     </message>
     <message>
         <source>Full HD: 1920 × 1080</source>
-        <translation>Full HD : 1920 × 1080</translation>
+        <translation>Full HD&#x202f;: 1920 × 1080</translation>
     </message>
     <message>
         <source>4K: 3840 × 2160</source>
-        <translation>4K : 3840 × 2160</translation>
+        <translation>4K&#x202f;: 3840 × 2160</translation>
     </message>
     <message>
         <source>8K: 7680 × 4320</source>
-        <translation>8K : 7680 × 4320</translation>
+        <translation>8K&#x202f;: 7680 × 4320</translation>
     </message>
     <message>
         <source>Square: 2048 × 2048</source>
-        <translation>Carré : 2048 × 2048</translation>
+        <translation>Carré&#x202f;: 2048 × 2048</translation>
     </message>
     <message>
         <source>A4 at 300 dpi</source>
@@ -9704,7 +10719,7 @@
     <message>
         <source>%1: %2</source>
         <comment>file, how far it is</comment>
-        <translation>%1 : %2</translation>
+        <translation>%1&#x202f;: %2</translation>
     </message>
 </context>
 <context>
@@ -9763,7 +10778,7 @@
     </message>
     <message>
         <source>Remove all finished exports from the list; their files are kept.</source>
-        <translation>Retirer de la liste tous les exports terminés ; leurs fichiers restent.</translation>
+        <translation>Retirer de la liste tous les exports terminés&#x202f;; leurs fichiers restent.</translation>
     </message>
     <message>
         <source>&amp;Resume</source>
@@ -9779,7 +10794,7 @@
     </message>
     <message>
         <source>Cancel the selected exports and remove them from the list; files already written are kept.</source>
-        <translation>Annuler les exports sélectionnés et les retirer de la liste ; les fichiers déjà écrits sont conservés.</translation>
+        <translation>Annuler les exports sélectionnés et les retirer de la liste&#x202f;; les fichiers déjà écrits sont conservés.</translation>
     </message>
     <message>
         <source>Show in Folder</source>
@@ -9809,7 +10824,7 @@
     </message>
     <message>
         <source>How many maps a suggestion has; in a range, a map is added only if it improves the fit enough</source>
-        <translation>Combien d’applications a une suggestion ; dans un intervalle, chacune doit être rentable</translation>
+        <translation>Combien d’applications a une suggestion&#x202f;; dans un intervalle, chacune doit être rentable</translation>
     </message>
     <message>
         <source>Number of maps</source>
@@ -9817,7 +10832,7 @@
     </message>
     <message>
         <source>Maps:</source>
-        <translation>Applications :</translation>
+        <translation>Applications&#x202f;:</translation>
     </message>
     <message>
         <source>Seconds to search</source>
@@ -9829,7 +10844,7 @@
     </message>
     <message>
         <source>Seconds:</source>
-        <translation>Secondes :</translation>
+        <translation>Secondes&#x202f;:</translation>
     </message>
     <message>
         <source>Seed of the random numbers</source>
@@ -9841,7 +10856,7 @@
     </message>
     <message>
         <source>Seed:</source>
-        <translation>Graine :</translation>
+        <translation>Graine&#x202f;:</translation>
     </message>
     <message>
         <source>Similarities only</source>
@@ -9861,7 +10876,7 @@
     </message>
     <message>
         <source>First map a stem</source>
-        <translation>Première application : une tige</translation>
+        <translation>Première application&#x202f;: une tige</translation>
     </message>
     <message>
         <source>The first map flattens the shape to a line, like the stem of a fern</source>
@@ -9885,7 +10900,7 @@
     </message>
     <message>
         <source>Angles:</source>
-        <translation>Angles :</translation>
+        <translation>Angles&#x202f;:</translation>
     </message>
     <message>
         <source>Suggest</source>
@@ -9957,7 +10972,7 @@
     </message>
     <message>
         <source>Corners of the cage:</source>
-        <translation>Sommets de la cage :</translation>
+        <translation>Sommets de la cage&#x202f;:</translation>
     </message>
     <message>
         <source>Progress</source>
@@ -9973,7 +10988,7 @@
     </message>
     <message>
         <source>Locked: %1</source>
-        <translation>Verrouillées : %1</translation>
+        <translation>Verrouillées&#x202f;: %1</translation>
     </message>
     <message>
         <source>Stop without changing anything</source>
@@ -10039,27 +11054,27 @@
     </message>
     <message>
         <source>Full HD: 1920 × 1080</source>
-        <translation>Full HD : 1920 × 1080</translation>
+        <translation>Full HD&#x202f;: 1920 × 1080</translation>
     </message>
     <message>
         <source>HD: 1280 × 720</source>
-        <translation>HD : 1280 × 720</translation>
+        <translation>HD&#x202f;: 1280 × 720</translation>
     </message>
     <message>
         <source>4K: 3840 × 2160</source>
-        <translation>4K : 3840 × 2160</translation>
+        <translation>4K&#x202f;: 3840 × 2160</translation>
     </message>
     <message>
         <source>Square: 1080 × 1080</source>
-        <translation>Carré : 1080 × 1080</translation>
+        <translation>Carré&#x202f;: 1080 × 1080</translation>
     </message>
     <message>
         <source>Portrait: 1080 × 1920</source>
-        <translation>Portrait : 1080 × 1920</translation>
+        <translation>Portrait&#x202f;: 1080 × 1920</translation>
     </message>
     <message>
         <source>For a message: 640 × 360</source>
-        <translation>Pour un message : 640 × 360</translation>
+        <translation>Pour un message&#x202f;: 640 × 360</translation>
     </message>
     <message>
         <source>Custom</source>
@@ -10130,19 +11145,19 @@
     </message>
     <message>
         <source>&amp;Centre:</source>
-        <translation>&amp;Centre :</translation>
+        <translation>&amp;Centre&#x202f;:</translation>
     </message>
     <message>
         <source>&amp;Height:</source>
-        <translation>&amp;Hauteur :</translation>
+        <translation>&amp;Hauteur&#x202f;:</translation>
     </message>
     <message>
         <source>&amp;Address:</source>
-        <translation>&amp;Adresse :</translation>
+        <translation>&amp;Adresse&#x202f;:</translation>
     </message>
     <message>
         <source>&amp;Fixed point of:</source>
-        <translation>Point &amp;fixe de :</translation>
+        <translation>Point &amp;fixe de&#x202f;:</translation>
     </message>
     <message>
         <source>&amp;Go</source>
@@ -10154,7 +11169,7 @@
     </message>
     <message>
         <source>No point has this address: a map in it is switched off, or does not contract.</source>
-        <translation>Aucun point n’a cette adresse : une de ses applications est désactivée ou n’est pas contractante.</translation>
+        <translation>Aucun point n’a cette adresse&#x202f;: une de ses applications est désactivée ou n’est pas contractante.</translation>
     </message>
     <message>
         <source>An address has the numbers of maps, from 1 to %1.</source>
@@ -10368,7 +11383,7 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
     </message>
     <message>
         <source>&amp;Entries:</source>
-        <translation>&amp;Entrées :</translation>
+        <translation>&amp;Entrées&#x202f;:</translation>
     </message>
     <message>
         <source>Entries to print</source>
@@ -10424,11 +11439,11 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
     </message>
     <message>
         <source>&amp;Sheet:</source>
-        <translation>&amp;Feuille :</translation>
+        <translation>&amp;Feuille&#x202f;:</translation>
     </message>
     <message>
         <source>Entries per &amp;page:</source>
-        <translation>Entrées par p&amp;age :</translation>
+        <translation>Entrées par p&amp;age&#x202f;:</translation>
     </message>
     <message>
         <source>Choose at most %1 entries</source>
@@ -10445,7 +11460,7 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
     </message>
     <message>
         <source>Prints entries of the file for a class: with pictures and formulas, or as blank worksheets.</source>
-        <translation>Imprime des entrées du fichier pour une classe : avec images et formules, ou comme feuilles d’exercices vierges.</translation>
+        <translation>Imprime des entrées du fichier pour une classe&#x202f;: avec images et formules, ou comme feuilles d’exercices vierges.</translation>
     </message>
     <message>
         <source>The entries of the file that could be read. Ticked entries are printed in this order, up to %1 of them.</source>
@@ -10527,7 +11542,7 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
     </message>
     <message>
         <source>A lesson in progress: the text of the current step, and buttons to go to the others.</source>
-        <translation>Une leçon en cours : le texte de l’étape actuelle, et des boutons pour passer aux autres.</translation>
+        <translation>Une leçon en cours&#x202f;: le texte de l’étape actuelle, et des boutons pour passer aux autres.</translation>
     </message>
 </context>
 <context>
@@ -10698,7 +11713,7 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
     </message>
     <message>
         <source>%1. A lesson is a list of steps. Each has a text, and the state of the window that belongs to it: the entry, the view, the tool, colours and outlines.</source>
-        <translation>%1. Une leçon est une liste d’étapes. Chacune a un texte et l’état de la fenêtre qui lui correspond : l’entrée, ce qu’on en voit, l’outil, les couleurs et les contours.</translation>
+        <translation>%1. Une leçon est une liste d’étapes. Chacune a un texte et l’état de la fenêtre qui lui correspond&#x202f;: l’entrée, ce qu’on en voit, l’outil, les couleurs et les contours.</translation>
     </message>
     <message>
         <source>Play the lesson in full screen, from the beginning or from the step you clicked in the list</source>
@@ -10732,7 +11747,7 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
     </message>
     <message>
         <source>Drag a line to take only the colours along it; click to take all</source>
-        <translation>Tracez une ligne pour ne prendre que les couleurs le long de celle-ci ; cliquez pour les prendre toutes</translation>
+        <translation>Tracez une ligne pour ne prendre que les couleurs le long de celle-ci&#x202f;; cliquez pour les prendre toutes</translation>
     </message>
 </context>
 <context>
@@ -10743,11 +11758,11 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
     </message>
     <message>
         <source>Drag from one map to another to link them; click an arrow and press Delete to remove it.</source>
-        <translation>Faites glisser d’une application à une autre pour les lier ; cliquez sur une flèche et appuyez sur Suppr pour la retirer.</translation>
+        <translation>Faites glisser d’une application à une autre pour les lier&#x202f;; cliquez sur une flèche et appuyez sur Suppr pour la retirer.</translation>
     </message>
     <message>
         <source>Each circle is a map, and an arrow leads to each map that may follow it in the chaos game; thicker arrows have more weight. Drag from one map to another to link them, or out of a map and back to link it to itself. Click an arrow and press Delete to remove it, or double-click it to enter its weight. With the keyboard: Left and Right walk through the maps, Up and Down through the arrows of a map; Space begins a new arrow, Left and Right choose its end, Enter adds it. Maps with a dashed ring take no part; the reason is shown beside them.</source>
-        <translation>Chaque cercle est une application, et une flèche mène à chaque application qui peut la suivre dans le jeu du chaos ; les flèches plus épaisses ont plus de poids. Faites glisser d’une application à une autre pour les lier, ou hors d’une application et retour pour la lier à elle-même. Cliquez sur une flèche et appuyez sur Suppr pour la retirer, ou double-cliquez pour saisir son poids. Au clavier : Gauche et Droite parcourent les applications, Haut et Bas les flèches d’une application ; Espace commence une nouvelle flèche, Gauche et Droite en choisissent la fin, Entrée l’ajoute. Les applications à l’anneau pointillé ne participent pas, pour la raison indiquée à côté.</translation>
+        <translation>Chaque cercle est une application, et une flèche mène à chaque application qui peut la suivre dans le jeu du chaos&#x202f;; les flèches plus épaisses ont plus de poids. Faites glisser d’une application à une autre pour les lier, ou hors d’une application et retour pour la lier à elle-même. Cliquez sur une flèche et appuyez sur Suppr pour la retirer, ou double-cliquez pour saisir son poids. Au clavier&#x202f;: Gauche et Droite parcourent les applications, Haut et Bas les flèches d’une application&#x202f;; Espace commence une nouvelle flèche, Gauche et Droite en choisissent la fin, Entrée l’ajoute. Les applications à l’anneau pointillé ne participent pas, pour la raison indiquée à côté.</translation>
     </message>
     <message>
         <source>No map is selected.</source>
@@ -10759,7 +11774,7 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
     </message>
     <message>
         <source>Map %1: %2</source>
-        <translation>Application %1 : %2</translation>
+        <translation>Application %1&#x202f;: %2</translation>
     </message>
 </context>
 <context>
@@ -10817,7 +11832,7 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
     </message>
     <message>
         <source>Ends: every sequence from here stops</source>
-        <translation>S’arrête : toute suite à partir d’ici prend fin</translation>
+        <translation>S’arrête&#x202f;: toute suite à partir d’ici prend fin</translation>
     </message>
     <message>
         <source>Directly after map %1, map %2 has %3 times its weight.</source>
@@ -10864,7 +11879,7 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
     </message>
     <message>
         <source>No map has a choice of what follows it, so only single points are drawn.</source>
-        <translation>Une seule application peut suivre chacune : seuls des points isolés sont dessinés.</translation>
+        <translation>Une seule application peut suivre chacune&#x202f;: seuls des points isolés sont dessinés.</translation>
     </message>
 </context>
 <context>
@@ -10875,11 +11890,11 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
     </message>
     <message>
         <source>The position on the palette to which this map moves colours, from 0 to 1</source>
-        <translation>Vers où sur la palette cette application attire les couleurs : de 0, son début, à 1</translation>
+        <translation>Vers où sur la palette cette application attire les couleurs&#x202f;: de 0, son début, à 1</translation>
     </message>
     <message>
         <source>Whenever this map is applied, the colour of the point moves towards the position of the map on the palette: 0 is the beginning of the palette, 1 its end. Flame programs call it the colour coordinate.</source>
-        <translation>Chaque fois qu’une application agit, la couleur d’un point se rapproche de la place de cette application sur la palette : 0 est le début de la palette, 1 sa fin. Les flames l’appellent la coordonnée de couleur.</translation>
+        <translation>Chaque fois qu’une application agit, la couleur d’un point se rapproche de la place de cette application sur la palette&#x202f;: 0 est le début de la palette, 1 sa fin. Les flames l’appellent la coordonnée de couleur.</translation>
     </message>
     <message>
         <source>Speed</source>
@@ -10887,15 +11902,15 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
     </message>
     <message>
         <source>How far this map moves colours each time, from 0 (not at all) to 1 (all the way)</source>
-        <translation>Jusqu’où cette application attire les couleurs chaque fois : de 0, pas du tout, à 1, tout le chemin</translation>
+        <translation>Jusqu’où cette application attire les couleurs chaque fois&#x202f;: de 0, pas du tout, à 1, tout le chemin</translation>
     </message>
     <message>
         <source>How far the map moves colours towards its position on the palette each time: with 1, its piece has a single colour; with 0, all colours stay as they are. Flame programs call it the colour speed.</source>
-        <translation>Quelle part du chemin vers sa place sur la palette l’application fait parcourir aux couleurs chaque fois : avec 1, sa pièce a une seule couleur, avec 0, elle laisse toutes les couleurs telles quelles. Les flames l’appellent la vitesse de couleur.</translation>
+        <translation>Quelle part du chemin vers sa place sur la palette l’application fait parcourir aux couleurs chaque fois&#x202f;: avec 1, sa pièce a une seule couleur, avec 0, elle laisse toutes les couleurs telles quelles. Les flames l’appellent la vitesse de couleur.</translation>
     </message>
     <message>
         <source>%1: %2 %3</source>
-        <translation>%1 : %2 %3</translation>
+        <translation>%1&#x202f;: %2 %3</translation>
     </message>
     <message>
         <source>Map %1</source>
@@ -10910,7 +11925,7 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
     </message>
     <message>
         <source>Where pieces overlap, the map that is higher in this list is on top; drag a map to move it</source>
-        <translation>Là où des parties se recouvrent, l’application placée plus haut dans cette liste est au-dessus ; faites glisser une application pour la déplacer</translation>
+        <translation>Là où des parties se recouvrent, l’application placée plus haut dans cette liste est au-dessus&#x202f;; faites glisser une application pour la déplacer</translation>
     </message>
     <message>
         <source>Move the map towards the top</source>
@@ -11001,7 +12016,7 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
     </message>
     <message>
         <source>%1: %2 %3</source>
-        <translation>%1 : %2 %3</translation>
+        <translation>%1&#x202f;: %2 %3</translation>
     </message>
     <message>
         <source>Axis of the rotation; only its direction matters</source>
@@ -11084,15 +12099,15 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
     <name>view::MapsClipboard</name>
     <message>
         <source>Nothing was pasted: the copied maps are of a system in space.</source>
-        <translation>Rien n’a été collé : les applications copiées sont celles d’un système dans l’espace.</translation>
+        <translation>Rien n’a été collé&#x202f;: les applications copiées sont celles d’un système dans l’espace.</translation>
     </message>
     <message>
         <source>Nothing was pasted: the copied maps are of a system in the plane.</source>
-        <translation>Rien n’a été collé : les applications copiées sont celles d’un système dans le plan.</translation>
+        <translation>Rien n’a été collé&#x202f;: les applications copiées sont celles d’un système dans le plan.</translation>
     </message>
     <message>
         <source>Nothing was pasted: the clipboard contains no rows of 12 or 13 numbers.</source>
-        <translation>Rien n’a été collé : le presse-papiers ne contient pas de lignes de 12 ou 13 nombres.</translation>
+        <translation>Rien n’a été collé&#x202f;: le presse-papiers ne contient pas de lignes de 12 ou 13 nombres.</translation>
     </message>
 </context>
 <context>
@@ -11262,7 +12277,7 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
     </message>
     <message>
         <source>Colour of map %1: %2</source>
-        <translation>Couleur de l’application %1 : %2</translation>
+        <translation>Couleur de l’application %1&#x202f;: %2</translation>
     </message>
     <message>
         <source>A singular map takes the whole of space to a plane or a line.</source>
@@ -11294,7 +12309,7 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
     </message>
     <message>
         <source>Whether the map is locked: then it cannot be edited, moved or deleted by mistake.</source>
-        <translation>Si l’application est verrouillée : elle ne peut alors être ni modifiée, ni déplacée, ni supprimée par erreur.</translation>
+        <translation>Si l’application est verrouillée&#x202f;: elle ne peut alors être ni modifiée, ni déplacée, ni supprimée par erreur.</translation>
     </message>
     <message>
         <source>Colour of the map, used when the picture is coloured by map, and the part of the attractor that the map makes.</source>
@@ -11338,7 +12353,7 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
     </message>
     <message>
         <source>Name map %1 “%2”</source>
-        <translation>Nommer « %2 » l’application %1</translation>
+        <translation>Nommer «&#x202f;%2&#x202f;» l’application %1</translation>
     </message>
 </context>
 <context>
@@ -11501,7 +12516,7 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
     </message>
     <message>
         <source>Weights: %1</source>
-        <translation>Poids : %1</translation>
+        <translation>Poids&#x202f;: %1</translation>
     </message>
     <message>
         <source>No maps: add one.</source>
@@ -11549,7 +12564,7 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
     </message>
     <message>
         <source>Show the current map alone; the file does not change</source>
-        <translation>Afficher seule l’application courante ; le fichier ne change pas</translation>
+        <translation>Afficher seule l’application courante&#x202f;; le fichier ne change pas</translation>
     </message>
     <message>
         <source>Names</source>
@@ -11611,7 +12626,7 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
     <name>view::MapsTable</name>
     <message>
         <source>Drag the name of a number left or right to change it in the current map: a tenth as fast with Shift, ten times as fast with Ctrl. The wheel does the same while the pointer is over the current cell. Drag the edge of a name to change the width of its column.</source>
-        <translation>Faites glisser le nom d’un nombre vers la gauche ou la droite pour le modifier dans l’application courante : dix fois moins vite avec Maj, dix fois plus vite avec Ctrl. La molette fait de même tant que le pointeur est sur la cellule courante. Faites glisser le bord d’un nom pour changer la largeur de sa colonne.</translation>
+        <translation>Faites glisser le nom d’un nombre vers la gauche ou la droite pour le modifier dans l’application courante&#x202f;: dix fois moins vite avec Maj, dix fois plus vite avec Ctrl. La molette fait de même tant que le pointeur est sur la cellule courante. Faites glisser le bord d’un nom pour changer la largeur de sa colonne.</translation>
     </message>
 </context>
 <context>
@@ -11681,7 +12696,7 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
     </message>
     <message>
         <source>Morph “%1”</source>
-        <translation>Morphing de « %1 »</translation>
+        <translation>Morphing de «&#x202f;%1&#x202f;»</translation>
     </message>
     <message>
         <source>The entry of this file that the fractal becomes.</source>
@@ -11689,7 +12704,7 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
     </message>
     <message>
         <source>&amp;Becomes:</source>
-        <translation>&amp;Devient :</translation>
+        <translation>&amp;Devient&#x202f;:</translation>
     </message>
     <message>
         <source>&amp;Add Morph</source>
@@ -11724,7 +12739,7 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
     </message>
     <message>
         <source>The maps of this fractal are on the left, those of the other one on the right. A line shows what a map becomes, and its thickness shows its share of the weight. Drag from a map to one in the other column to pin the pair, and again to unpin it. With the keyboard: choose a map with the arrow keys, press Space, go to the other map and press Space again. Del removes all pins of a map.</source>
-        <translation>À gauche les applications de cette fractale, à droite celles de l’autre. Une ligne montre ce que devient une application, et son épaisseur la part du poids qui prend ce chemin. Faites glisser d’une application à une autre de l’autre colonne pour fixer la paire, et de nouveau pour la libérer. Au clavier : choisissez une application avec les flèches, appuyez sur Espace, allez à l’autre et appuyez de nouveau sur Espace. Suppr libère toutes les paires fixées d’une application.</translation>
+        <translation>À gauche les applications de cette fractale, à droite celles de l’autre. Une ligne montre ce que devient une application, et son épaisseur la part du poids qui prend ce chemin. Faites glisser d’une application à une autre de l’autre colonne pour fixer la paire, et de nouveau pour la libérer. Au clavier&#x202f;: choisissez une application avec les flèches, appuyez sur Espace, allez à l’autre et appuyez de nouveau sur Espace. Suppr libère toutes les paires fixées d’une application.</translation>
     </message>
     <message>
         <source>Map %1</source>
@@ -11755,11 +12770,11 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
     <name>view::MotionDialog</name>
     <message>
         <source>Change the motion “%1”</source>
-        <translation>Modifier le mouvement « %1 »</translation>
+        <translation>Modifier le mouvement «&#x202f;%1&#x202f;»</translation>
     </message>
     <message>
         <source>Motion: %1</source>
-        <translation>Mouvement : %1</translation>
+        <translation>Mouvement&#x202f;: %1</translation>
     </message>
     <message>
         <source>Strength</source>
@@ -11818,7 +12833,7 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
     </message>
     <message>
         <source>Nothing moves yet. Choose a motion:</source>
-        <translation>Rien ne bouge encore. Choisissez un mouvement :</translation>
+        <translation>Rien ne bouge encore. Choisissez un mouvement&#x202f;:</translation>
     </message>
 </context>
 <context>
@@ -11853,7 +12868,7 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
     </message>
     <message>
         <source>S&amp;trength:</source>
-        <translation>&amp;Intensité :</translation>
+        <translation>&amp;Intensité&#x202f;:</translation>
     </message>
     <message>
         <source>&amp;Seed:</source>
@@ -11893,7 +12908,7 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
     </message>
     <message>
         <source>On the left, the variations stay close to their parent; on the right, they differ greatly.</source>
-        <translation>À gauche, les variations restent proches de leur parent ; à droite, elles s’en éloignent beaucoup.</translation>
+        <translation>À gauche, les variations restent proches de leur parent&#x202f;; à droite, elles s’en éloignent beaucoup.</translation>
     </message>
     <message>
         <source>Sha&amp;pe</source>
@@ -11905,7 +12920,7 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
     </message>
     <message>
         <source>The maps are turned, stretched and moved, and occasionally one is added or removed. Locked maps, and maps that are off, stay as they are.</source>
-        <translation>Les applications sont tournées, étirées et déplacées ; de temps en temps, l’une est ajoutée ou retirée. Celles qui sont verrouillées ou désactivées restent telles quelles.</translation>
+        <translation>Les applications sont tournées, étirées et déplacées&#x202f;; de temps en temps, l’une est ajoutée ou retirée. Celles qui sont verrouillées ou désactivées restent telles quelles.</translation>
     </message>
     <message>
         <source>C&amp;olour</source>
@@ -11929,11 +12944,11 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
     </message>
     <message>
         <source>The weights change at random and follow the sizes of the maps. Otherwise, each map keeps its weight. A solid in space does not depend on weights; a cloud does.</source>
-        <translation>Les poids changent au hasard et suivent la taille des applications. Sinon, chaque application garde le sien. Un solide dans l’espace ne dépend pas des poids ; un nuage, si.</translation>
+        <translation>Les poids changent au hasard et suivent la taille des applications. Sinon, chaque application garde le sien. Un solide dans l’espace ne dépend pas des poids&#x202f;; un nuage, si.</translation>
     </message>
     <message>
         <source>What may change:</source>
-        <translation>Ce qui peut changer :</translation>
+        <translation>Ce qui peut changer&#x202f;:</translation>
     </message>
     <message>
         <source>Nothing</source>
@@ -11953,7 +12968,7 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
     </message>
     <message>
         <source>C&amp;ross with:</source>
-        <translation>C&amp;roiser avec :</translation>
+        <translation>C&amp;roiser avec&#x202f;:</translation>
     </message>
     <message>
         <source>The number from which the variations are generated. With the same parent, the same settings and the same seed you get the same sheet again.</source>
@@ -11973,11 +12988,11 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
     </message>
     <message>
         <source>Parent: the original</source>
-        <translation>Parent : l’original</translation>
+        <translation>Parent&#x202f;: l’original</translation>
     </message>
     <message>
         <source>Parent: generation %1</source>
-        <translation>Parent : génération %1</translation>
+        <translation>Parent&#x202f;: génération %1</translation>
     </message>
     <message>
         <source>Click a picture to make it the new parent.</source>
@@ -11985,11 +13000,11 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
     </message>
     <message>
         <source>Nothing may change, so there are no variations. Tick at least one of the checkboxes.</source>
-        <translation>Rien ne peut changer : il n’y a pas de variations. Cochez au moins une case.</translation>
+        <translation>Rien ne peut changer&#x202f;: il n’y a pas de variations. Cochez au moins une case.</translation>
     </message>
     <message>
         <source>All maps are locked and keep their weights: the variations differ only in colours and, occasionally, in an added map. Many look like their parent.</source>
-        <translation>Toutes les applications sont verrouillées et gardent leurs poids : les variations ne diffèrent que par les couleurs et, de temps en temps, par une application ajoutée. Beaucoup sont semblables à leur parent.</translation>
+        <translation>Toutes les applications sont verrouillées et gardent leurs poids&#x202f;: les variations ne diffèrent que par les couleurs et, de temps en temps, par une application ajoutée. Beaucoup sont semblables à leur parent.</translation>
     </message>
     <message>
         <source>&amp;Use This One</source>
@@ -12004,11 +13019,11 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
     <name>view::NumberField</name>
     <message>
         <source>A number, with a decimal point or comma, or an expression such as 1/2, sqrt(3)/6, cos(36°) or pi. The arrow keys and the wheel change it: ten times as fast with Shift, a tenth as fast with Alt. Esc restores the previous number.</source>
-        <translation>Un nombre, avec un point ou une virgule décimale, ou une expression comme 1/2, sqrt(3)/6, cos(36°) ou pi. Les touches fléchées et la molette le modifient : dix fois plus vite avec Maj, dix fois moins vite avec Alt. Échap rétablit le nombre précédent.</translation>
+        <translation>Un nombre, avec un point ou une virgule décimale, ou une expression comme 1/2, sqrt(3)/6, cos(36°) ou pi. Les touches fléchées et la molette le modifient&#x202f;: dix fois plus vite avec Maj, dix fois moins vite avec Alt. Échap rétablit le nombre précédent.</translation>
     </message>
     <message>
         <source>An angle in degrees, with or without °, or an expression such as 360/7. An expression with pi, or with asin, acos, atan or atan2, is in radians and becomes degrees: pi/2 is 90. The arrow keys and the wheel change it: ten times as fast with Shift, a tenth as fast with Alt. Esc restores the previous number.</source>
-        <translation>Un angle en degrés, avec ou sans °, ou une expression comme 360/7. Une expression avec pi, ou avec asin, acos, atan ou atan2, est en radians et devient des degrés : pi/2 est 90. Les touches fléchées et la molette le modifient : dix fois plus vite avec Maj, dix fois moins vite avec Alt. Échap rétablit le nombre précédent.</translation>
+        <translation>Un angle en degrés, avec ou sans °, ou une expression comme 360/7. Une expression avec pi, ou avec asin, acos, atan ou atan2, est en radians et devient des degrés&#x202f;: pi/2 est 90. Les touches fléchées et la molette le modifient&#x202f;: dix fois plus vite avec Maj, dix fois moins vite avec Alt. Échap rétablit le nombre précédent.</translation>
     </message>
 </context>
 <context>
@@ -12094,7 +13109,7 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
     </message>
     <message>
         <source>Palettes made in Oklab, whose steps look equally large. Select one to see it on the fractal; double-click it to keep it.</source>
-        <translation>Palettes construites dans Oklab, dont les pas paraissent égaux. Sélectionnez-en une pour la voir sur la fractale ; un double-clic la conserve.</translation>
+        <translation>Palettes construites dans Oklab, dont les pas paraissent égaux. Sélectionnez-en une pour la voir sur la fractale&#x202f;; un double-clic la conserve.</translation>
     </message>
     <message>
         <source>The palette as it will be used</source>
@@ -12134,15 +13149,15 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
     </message>
     <message>
         <source>Rotate all hues by this many degrees; the lightness stays the same</source>
-        <translation>Tourner toutes les teintes de ce nombre de degrés ; la clarté reste la même</translation>
+        <translation>Tourner toutes les teintes de ce nombre de degrés&#x202f;; la clarté reste la même</translation>
     </message>
     <message>
         <source>Start farther along the palette; the part before moves to the end</source>
-        <translation>Commencer plus loin dans la palette ; la partie qui précède passe à la fin</translation>
+        <translation>Commencer plus loin dans la palette&#x202f;; la partie qui précède passe à la fin</translation>
     </message>
     <message>
         <source>All palettes: search them, mark favourites, and adjust the one that is selected.</source>
-        <translation>Toutes les palettes : cherchez-les, marquez des favorites et ajustez celle qui est sélectionnée.</translation>
+        <translation>Toutes les palettes&#x202f;: cherchez-les, marquez des favorites et ajustez celle qui est sélectionnée.</translation>
     </message>
 </context>
 <context>
@@ -12224,7 +13239,7 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
     </message>
     <message>
         <source>&amp;Colours:</source>
-        <translation>&amp;Couleurs :</translation>
+        <translation>&amp;Couleurs&#x202f;:</translation>
     </message>
     <message>
         <source>Makes a palette of the colours of a picture, or of those along a line in it.</source>
@@ -12303,7 +13318,7 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
     </message>
     <message>
         <source>Not saved yet: %1.</source>
-        <translation>Pas encore enregistré : %1.</translation>
+        <translation>Pas encore enregistré&#x202f;: %1.</translation>
     </message>
     <message>
         <source>Turntable</source>
@@ -12315,7 +13330,7 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
     </message>
     <message>
         <source>How a drag turns a solid. On a turntable, vertical lines stay vertical. A trackball turns freely about the axes of the screen, even over the poles; to level the view again, look along an axis.</source>
-        <translation>Comment un solide tourne quand on le fait glisser. Sur un plateau tournant, ce qui est vertical le reste. Un trackball tourne librement autour des axes de l’écran, même au-delà des pôles ; pour remettre la vue d’aplomb, regardez le long d’un axe.</translation>
+        <translation>Comment un solide tourne quand on le fait glisser. Sur un plateau tournant, ce qui est vertical le reste. Un trackball tourne librement autour des axes de l’écran, même au-delà des pôles&#x202f;; pour remettre la vue d’aplomb, regardez le long d’un axe.</translation>
     </message>
     <message>
         <source>Restart &amp;Now</source>
@@ -12351,7 +13366,7 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
     </message>
     <message>
         <source>&amp;Motion:</source>
-        <translation>&amp;Mouvement :</translation>
+        <translation>&amp;Mouvement&#x202f;:</translation>
     </message>
     <message>
         <source>&amp;General</source>
@@ -12375,11 +13390,11 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
     </message>
     <message>
         <source>&amp;Picture at rest:</source>
-        <translation>&amp;Image au repos :</translation>
+        <translation>&amp;Image au repos&#x202f;:</translation>
     </message>
     <message>
         <source>&amp;Solids turn like:</source>
-        <translation>Les &amp;solides tournent comme :</translation>
+        <translation>Les &amp;solides tournent comme&#x202f;:</translation>
     </message>
     <message>
         <source>&amp;Names under the symbols of the toolbar</source>
@@ -12476,7 +13491,7 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
     </message>
     <message>
         <source>No problems: every entry was read.</source>
-        <translation>Aucun problème : toutes les entrées ont été lues.</translation>
+        <translation>Aucun problème&#x202f;: toutes les entrées ont été lues.</translation>
     </message>
     <message>
         <source>The problems found while reading the file, with line and column. Double-click a line to go to its entry.</source>
@@ -12503,7 +13518,7 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
     </message>
     <message>
         <source>Select one and confirm, or double-click it: it is added to the file, in one step that you can undo.</source>
-        <translation>Choisissez-en une et confirmez, ou double-cliquez dessus : elle est ajoutée au fichier, en une seule étape que vous pouvez annuler.</translation>
+        <translation>Choisissez-en une et confirmez, ou double-cliquez dessus&#x202f;: elle est ajoutée au fichier, en une seule étape que vous pouvez annuler.</translation>
     </message>
     <message>
         <source>In the plane</source>
@@ -12523,7 +13538,7 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
     </message>
     <message>
         <source>In the plane, the contraction of the maps follows a rule that makes the fractal fill its view. In space there is no such rule: the two larger scale factors of each map follow that of the plane, and the third is smaller.</source>
-        <translation>Dans le plan, la contraction des applications suit une règle selon laquelle la fractale remplit sa vue. Dans l’espace, il n’y a pas de telle règle : les deux plus grands étirements de chaque application suivent celle du plan, et le troisième est plus petit.</translation>
+        <translation>Dans le plan, la contraction des applications suit une règle selon laquelle la fractale remplit sa vue. Dans l’espace, il n’y a pas de telle règle&#x202f;: les deux plus grands étirements de chaque application suivent celle du plan, et le troisième est plus petit.</translation>
     </message>
     <message>
         <source>How many maps the systems have</source>
@@ -12559,11 +13574,11 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
     </message>
     <message>
         <source>&amp;Maps:</source>
-        <translation>A&amp;pplications :</translation>
+        <translation>A&amp;pplications&#x202f;:</translation>
     </message>
     <message>
         <source>S&amp;ymmetry:</source>
-        <translation>S&amp;ymétrie :</translation>
+        <translation>S&amp;ymétrie&#x202f;:</translation>
     </message>
     <message>
         <source>Seed of the random numbers</source>
@@ -12618,11 +13633,11 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
     </message>
     <message>
         <source>The name under which the view is listed in View, Saved Views, beside the zoom and in the export dialogs.</source>
-        <translation>Le nom sous lequel la vue figure dans « Affichage », « Vues enregistrées », à côté du zoom et dans les dialogues d’exportation.</translation>
+        <translation>Le nom sous lequel la vue figure dans «&#x202f;Affichage&#x202f;», «&#x202f;Vues enregistrées&#x202f;», à côté du zoom et dans les dialogues d’exportation.</translation>
     </message>
     <message>
         <source>&amp;Name of the view:</source>
-        <translation>&amp;Nom de la vue :</translation>
+        <translation>&amp;Nom de la vue&#x202f;:</translation>
     </message>
     <message>
         <source>Note</source>
@@ -12646,11 +13661,11 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
     </message>
     <message>
         <source>Saved as “%1”.</source>
-        <translation>Sera enregistrée sous « %1 ».</translation>
+        <translation>Sera enregistrée sous «&#x202f;%1&#x202f;».</translation>
     </message>
     <message>
         <source>Keeps the view with the fractal: one step of the history. A view of the same name is replaced.</source>
-        <translation>Garde la vue avec la fractale : une étape de l’historique. Une vue du même nom est remplacée.</translation>
+        <translation>Garde la vue avec la fractale&#x202f;: une étape de l’historique. Une vue du même nom est remplacée.</translation>
     </message>
     <message>
         <source>&amp;Replace</source>
@@ -12689,7 +13704,7 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
     </message>
     <message>
         <source>Update the view “%1”</source>
-        <translation>Mettre à jour la vue « %1 »</translation>
+        <translation>Mettre à jour la vue «&#x202f;%1&#x202f;»</translation>
     </message>
     <message>
         <source>&amp;Rename</source>
@@ -12705,15 +13720,15 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
     </message>
     <message>
         <source>Deletes the view; the fractal stays as it is.</source>
-        <translation>Supprime la vue ; la fractale reste comme elle est.</translation>
+        <translation>Supprime la vue&#x202f;; la fractale reste comme elle est.</translation>
     </message>
     <message>
         <source>Delete the view “%1”</source>
-        <translation>Supprimer la vue « %1 »</translation>
+        <translation>Supprimer la vue «&#x202f;%1&#x202f;»</translation>
     </message>
     <message>
         <source>Rename the view “%1” to “%2”</source>
-        <translation>Renommer la vue « %1 » en « %2 »</translation>
+        <translation>Renommer la vue «&#x202f;%1&#x202f;» en «&#x202f;%2&#x202f;»</translation>
     </message>
 </context>
 <context>
@@ -12727,14 +13742,14 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
     <name>view::Shortcuts</name>
     <message>
         <source>“%1” is used on the canvas and in fields. Choose other keys.</source>
-        <translation>« %1 » sert sur le canevas et dans les champs. Choisissez d’autres touches.</translation>
+        <translation>«&#x202f;%1&#x202f;» sert sur le canevas et dans les champs. Choisissez d’autres touches.</translation>
     </message>
 </context>
 <context>
     <name>view::ShortcutsDialog</name>
     <message>
         <source>On the canvas</source>
-        <translation>Dans la zone de dessin</translation>
+        <translation>Sur le canevas</translation>
     </message>
     <message>
         <source>Move a vertex, an edge, the whole cage</source>
@@ -12866,7 +13881,7 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
     </message>
     <message>
         <source>drag from the empty canvas; Shift adds</source>
-        <translation>faire glisser depuis la zone de dessin vide&#x202f;; Maj ajoute</translation>
+        <translation>faire glisser depuis le canevas vide&#x202f;; Maj ajoute</translation>
     </message>
     <message>
         <source>Add a map or vertex to the selection, or remove it</source>
@@ -12902,7 +13917,7 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
     </message>
     <message>
         <source>Left, Right; Shift ×10</source>
-        <translation>Gauche, Droite ; Maj ×10</translation>
+        <translation>Gauche, Droite&#x202f;; Maj ×10</translation>
     </message>
     <message>
         <source>Add a stop</source>
@@ -13125,7 +14140,7 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
     </message>
     <message>
         <source>&amp;Shortcut:</source>
-        <translation>Racco&amp;urci :</translation>
+        <translation>Racco&amp;urci&#x202f;:</translation>
     </message>
     <message>
         <source>Press the keys that the selected command is to have. Tab goes on to the next field.</source>
@@ -13145,15 +14160,15 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
     </message>
     <message>
         <source>“%1” belongs to “%2”.</source>
-        <translation>« %1 » appartient à « %2 ».</translation>
+        <translation>«&#x202f;%1&#x202f;» appartient à «&#x202f;%2&#x202f;».</translation>
     </message>
     <message>
         <source>“%1” has no keys now.</source>
-        <translation>« %1 » n’a plus de touches.</translation>
+        <translation>«&#x202f;%1&#x202f;» n’a plus de touches.</translation>
     </message>
     <message>
         <source>“%1” has “%2” now.</source>
-        <translation>« %1 » a maintenant « %2 ».</translation>
+        <translation>«&#x202f;%1&#x202f;» a maintenant «&#x202f;%2&#x202f;».</translation>
     </message>
     <message>
         <source>Cl&amp;ear</source>
@@ -13165,7 +14180,7 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
     </message>
     <message>
         <source>The commands of the menus and their keys; your own are bold. Select one to change its keys.</source>
-        <translation>Les commandes des menus et leurs touches ; les vôtres sont en gras. Choisissez-en une pour changer ses touches.</translation>
+        <translation>Les commandes des menus et leurs touches&#x202f;; les vôtres sont en gras. Choisissez-en une pour changer ses touches.</translation>
     </message>
 </context>
 <context>
@@ -13208,7 +14223,7 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
     </message>
     <message>
         <source>Sets the plane perpendicular to an axis or the diagonal; type any other normal in the fields below.</source>
-        <translation>Place le plan en travers d’un axe ou de la diagonale ; les champs ci-dessous acceptent toute normale.</translation>
+        <translation>Place le plan en travers d’un axe ou de la diagonale&#x202f;; les champs ci-dessous acceptent toute normale.</translation>
     </message>
     <message>
         <source>Across X</source>
@@ -13286,19 +14301,19 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
     <name>view::SnapshotLook</name>
     <message>
         <source>There is no snapshot to compare with yet. Take one first: Edit, Take Snapshot.</source>
-        <translation>Il n’y a pas encore d’instantané avec lequel comparer. Prenez-en d’abord un : « Édition », « Prendre un instantané ».</translation>
+        <translation>Il n’y a pas encore d’instantané avec lequel comparer. Prenez-en d’abord un&#x202f;: «&#x202f;Édition&#x202f;», «&#x202f;Prendre un instantané&#x202f;».</translation>
     </message>
     <message>
         <source>Nothing has changed since “%1”.</source>
-        <translation>Rien n’a changé depuis « %1 ».</translation>
+        <translation>Rien n’a changé depuis «&#x202f;%1&#x202f;».</translation>
     </message>
     <message>
         <source>“%1” cannot be compared: one is in the plane, the other in space. Click the snapshot to restore it.</source>
-        <translation>« %1 » ne peut pas être comparé : l’un est dans le plan, l’autre dans l’espace. Cliquez sur l’instantané pour le rétablir.</translation>
+        <translation>«&#x202f;%1&#x202f;» ne peut pas être comparé&#x202f;: l’un est dans le plan, l’autre dans l’espace. Cliquez sur l’instantané pour le rétablir.</translation>
     </message>
     <message>
         <source>This is “%1”. Esc returns to the fractal.</source>
-        <translation>Ceci est « %1 ». Échap revient à la fractale.</translation>
+        <translation>Ceci est «&#x202f;%1&#x202f;». Échap revient à la fractale.</translation>
     </message>
 </context>
 <context>
@@ -13309,7 +14324,7 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
     </message>
     <message>
         <source>“%1” is the same as the fractal.</source>
-        <translation>« %1 » est déjà identique.</translation>
+        <translation>«&#x202f;%1&#x202f;» est déjà identique.</translation>
     </message>
     <message>
         <source>Snapshot %1</source>
@@ -13317,19 +14332,19 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
     </message>
     <message>
         <source>Restore “%1”</source>
-        <translation>Rétablir « %1 »</translation>
+        <translation>Rétablir «&#x202f;%1&#x202f;»</translation>
     </message>
     <message>
         <source>“%1” was deleted. To bring it back, use the menu of the panel.</source>
-        <translation>« %1 » a été supprimé. Le menu du panneau le fait revenir.</translation>
+        <translation>«&#x202f;%1&#x202f;» a été supprimé. Le menu du panneau le fait revenir.</translation>
     </message>
     <message>
         <source>Add “%1” as an entry</source>
-        <translation>Ajouter « %1 » comme entrée</translation>
+        <translation>Ajouter «&#x202f;%1&#x202f;» comme entrée</translation>
     </message>
     <message>
         <source>Added to the file as the entry “%1”.</source>
-        <translation>Ajouté au fichier sous l’entrée « %1 ».</translation>
+        <translation>Ajouté au fichier sous l’entrée «&#x202f;%1&#x202f;».</translation>
     </message>
     <message>
         <source>%1 of “%2”</source>
@@ -13377,7 +14392,7 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
     </message>
     <message>
         <source>Delete the snapshot; the fractal stays as it is.</source>
-        <translation>Supprimer l’instantané ; la fractale reste comme elle est.</translation>
+        <translation>Supprimer l’instantané&#x202f;; la fractale reste comme elle est.</translation>
     </message>
     <message>
         <source>&amp;Bring Back</source>
@@ -13397,7 +14412,7 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
     </message>
     <message>
         <source>&amp;Bring Back “%1”</source>
-        <translation>Faire re&amp;venir « %1 »</translation>
+        <translation>Faire re&amp;venir «&#x202f;%1&#x202f;»</translation>
     </message>
     <message>
         <source>No snapshots of this fractal yet. Press %1 to keep its state, change it, and press %2 to compare.</source>
@@ -13409,25 +14424,25 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
     </message>
     <message>
         <source>Click a snapshot to restore it; undo goes back. The arrow keys or a right click select the one to compare with. F2 renames it, Del deletes it.</source>
-        <translation>Cliquez sur un instantané pour le rétablir ; annuler revient en arrière. Les touches fléchées ou un clic droit sélectionnent celui avec lequel on compare. F2 le renomme, Suppr le supprime.</translation>
+        <translation>Cliquez sur un instantané pour le rétablir&#x202f;; annuler revient en arrière. Les touches fléchées ou un clic droit sélectionnent celui avec lequel on compare. F2 le renomme, Suppr le supprime.</translation>
     </message>
     <message>
         <source>States of this fractal that you kept. Click one to restore it, as one step of the history. The frame marks the snapshot that the canvas shows. The B marks the selected snapshot, the one to compare with: the newest, until you select another one with the arrow keys or a right click. Snapshots last until the file is closed; Add as Entry keeps one in the file.</source>
-        <translation>États de cette fractale que vous avez gardés. Cliquez sur l’un d’eux pour le rétablir : une étape de l’historique. Celui qui est encadré est ce que montre le canevas. Celui qui porte un B est sélectionné, et c’est avec lui que l’on compare : le plus récent, jusqu’à ce que vous en sélectionniez un autre avec les touches fléchées ou un clic droit. Les instantanés durent jusqu’à la fermeture du fichier ; « Ajouter comme entrée » en garde un dans le fichier.</translation>
+        <translation>États de cette fractale que vous avez gardés. Cliquez sur l’un d’eux pour le rétablir&#x202f;: une étape de l’historique. Celui qui est encadré est ce que montre le canevas. Celui qui porte un B est sélectionné, et c’est avec lui que l’on compare&#x202f;: le plus récent, jusqu’à ce que vous en sélectionniez un autre avec les touches fléchées ou un clic droit. Les instantanés durent jusqu’à la fermeture du fichier&#x202f;; «&#x202f;Ajouter comme entrée&#x202f;» en garde un dans le fichier.</translation>
     </message>
 </context>
 <context>
     <name>view::SoloMap</name>
     <message>
         <source>One map is shown alone. Choose Solo again to show all; the file does not change.</source>
-        <translation>Une application est affichée seule. Choisissez de nouveau Solo pour les voir toutes ; le fichier ne change pas.</translation>
+        <translation>Une application est affichée seule. Choisissez de nouveau Solo pour les voir toutes&#x202f;; le fichier ne change pas.</translation>
     </message>
 </context>
 <context>
     <name>view::SpaceExportDialog</name>
     <message>
         <source>Export “%1”</source>
-        <translation>Exporter « %1 »</translation>
+        <translation>Exporter «&#x202f;%1&#x202f;»</translation>
     </message>
     <message>
         <source>OpenSCAD program (.scad)</source>
@@ -13439,7 +14454,7 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
     </message>
     <message>
         <source>&amp;Format:</source>
-        <translation>&amp;Format :</translation>
+        <translation>&amp;Format&#x202f;:</translation>
     </message>
     <message>
         <source>Asks for a file name and writes the file.</source>
@@ -13447,15 +14462,15 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
     </message>
     <message>
         <source>&amp;Size:</source>
-        <translation>&amp;Taille :</translation>
+        <translation>&amp;Taille&#x202f;:</translation>
     </message>
     <message>
         <source>Computes this many cells along each side of a pixel, for smoother edges.</source>
-        <translation>Dessine autant de pixels le long de chaque côté d’un pixel : des bords plus lisses.</translation>
+        <translation>Dessine autant de pixels le long de chaque côté d’un pixel&#x202f;: des bords plus lisses.</translation>
     </message>
     <message>
         <source>S&amp;upersampling:</source>
-        <translation>S&amp;uréchantillonnage :</translation>
+        <translation>S&amp;uréchantillonnage&#x202f;:</translation>
     </message>
     <message>
         <source>8 bits</source>
@@ -13479,7 +14494,7 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
     </message>
     <message>
         <source>For both eyes: two pictures side by side, or one in red and cyan.</source>
-        <translation>Pour les deux yeux : deux images côte à côte, ou une seule en rouge et cyan.</translation>
+        <translation>Pour les deux yeux&#x202f;: deux images côte à côte, ou une seule en rouge et cyan.</translation>
     </message>
     <message>
         <source> mm</source>
@@ -13491,11 +14506,11 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
     </message>
     <message>
         <source>&amp;Longest side:</source>
-        <translation>Plus &amp;long côté :</translation>
+        <translation>Plus &amp;long côté&#x202f;:</translation>
     </message>
     <message>
         <source>&amp;Resolution:</source>
-        <translation>Résolutio&amp;n :</translation>
+        <translation>Résolutio&amp;n&#x202f;:</translation>
     </message>
     <message>
         <source>Thinner parts are thickened to this, so that they can be printed.</source>
@@ -13503,7 +14518,7 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
     </message>
     <message>
         <source>Smallest &amp;wall:</source>
-        <translation>Pa&amp;roi minimale :</translation>
+        <translation>Pa&amp;roi minimale&#x202f;:</translation>
     </message>
     <message>
         <source>Fill closed ca&amp;vities</source>
@@ -13515,7 +14530,7 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
     </message>
     <message>
         <source>One multmatrix for each map; open it in OpenSCAD to render it.</source>
-        <translation>Un multmatrix par application ; ouvrez-le dans OpenSCAD pour le calculer.</translation>
+        <translation>Un multmatrix par application&#x202f;; ouvrez-le dans OpenSCAD pour le calculer.</translation>
     </message>
     <message>
         <source>Export</source>
@@ -13535,7 +14550,7 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
     </message>
     <message>
         <source>The view “%1”</source>
-        <translation>La vue « %1 »</translation>
+        <translation>La vue «&#x202f;%1&#x202f;»</translation>
     </message>
     <message>
         <source>Section</source>
@@ -13543,11 +14558,11 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
     </message>
     <message>
         <source>What the picture shows: the view on the canvas, or a saved view.</source>
-        <translation>Ce que montre l’image : ce que montre le canevas, ou une vue enregistrée.</translation>
+        <translation>Ce que montre l’image&#x202f;: ce que montre le canevas, ou une vue enregistrée.</translation>
     </message>
     <message>
         <source>Sect&amp;ion:</source>
-        <translation>Ca&amp;drage :</translation>
+        <translation>Ca&amp;drage&#x202f;:</translation>
     </message>
     <message>
         <source>A closed surface around the attractor, for a printer.</source>
@@ -13559,7 +14574,7 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
     </message>
     <message>
         <source>Voxels along the longest side: more voxels make finer steps. A solid has at most %1 million voxels and %2 million triangles.</source>
-        <translation>Voxels le long du plus long côté : des marches plus fines, et plus nombreuses. Un solide a au plus %1 millions de voxels et %2 millions de triangles.</translation>
+        <translation>Voxels le long du plus long côté&#x202f;: des marches plus fines, et plus nombreuses. Un solide a au plus %1 millions de voxels et %2 millions de triangles.</translation>
     </message>
     <message>
         <source>A solid has no shapes: the file contains its picture in pixels.</source>
@@ -13665,7 +14680,7 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
     </message>
     <message>
         <source>Look: %1</source>
-        <translation>Aspect : %1</translation>
+        <translation>Aspect&#x202f;: %1</translation>
     </message>
     <message>
         <source>Colour of the solid by</source>
@@ -13713,7 +14728,7 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
     </message>
     <message>
         <source>Colour by: %1</source>
-        <translation>Colorer selon : %1</translation>
+        <translation>Colorer selon&#x202f;: %1</translation>
     </message>
     <message>
         <source>Colour by</source>
@@ -13721,11 +14736,11 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
     </message>
     <message>
         <source>The direction of the light as seen by the camera; in the middle, it shines from the camera.</source>
-        <translation>Où se trouve la lampe vue de l’œil : au milieu, c’est l’œil lui-même.</translation>
+        <translation>Où se trouve la lampe vue de l’œil&#x202f;: au milieu, c’est l’œil lui-même.</translation>
     </message>
     <message>
         <source>Light: %1°, %2°</source>
-        <translation>Lumière : %1°, %2°</translation>
+        <translation>Lumière&#x202f;: %1°, %2°</translation>
     </message>
     <message>
         <source>Light</source>
@@ -13741,7 +14756,7 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
     </message>
     <message>
         <source>Fog: %1</source>
-        <translation>Brouillard : %1</translation>
+        <translation>Brouillard&#x202f;: %1</translation>
     </message>
 </context>
 <context>
@@ -13752,7 +14767,7 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
     </message>
     <message>
         <source>The solid and its tetrahedron. Drag a corner: X, Y or Z keeps it on an axis, with Shift in a plane, and the wheel pushes it away. Drag anywhere else to turn the view; the wheel zooms at the pointer, the middle button pans. Double-click the solid to turn about that point.</source>
-        <translation>Le solide et son tétraèdre. Faites glisser un coin : X, Y ou Z le garde sur un axe, avec Maj dans un plan, et la molette l’éloigne. Faites glisser ailleurs pour tourner la vue ; la molette zoome au pointeur, le bouton du milieu déplace. Double-cliquez sur le solide pour tourner autour de ce point.</translation>
+        <translation>Le solide et son tétraèdre. Faites glisser un coin&#x202f;: X, Y ou Z le garde sur un axe, avec Maj dans un plan, et la molette l’éloigne. Faites glisser ailleurs pour tourner la vue&#x202f;; la molette zoome au pointeur, le bouton du milieu déplace. Double-cliquez sur le solide pour tourner autour de ce point.</translation>
     </message>
     <message>
         <source>Vertex %1 at %2, %3, %4</source>
@@ -13780,7 +14795,7 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
     </message>
     <message>
         <source>Canvas in space: %1</source>
-        <translation>Zone de dessin dans l’espace : %1</translation>
+        <translation>Zone de dessin dans l’espace&#x202f;: %1</translation>
     </message>
     <message>
         <source>Map %5, corner %1 at %2, %3, %4</source>
@@ -13847,7 +14862,7 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
     </message>
     <message>
         <source>What the steps start from. Whatever you choose, the images get closer to the same attractor: a square, a letter that you type, or the dark shape in a picture, each as large as the attractor.</source>
-        <translation>Ce dont partent les étapes. Quel que soit votre choix, les images se rapprochent du même attracteur : un carré, une lettre que vous tapez ou la forme sombre d’une image, chacun aussi grand que l’attracteur.</translation>
+        <translation>Ce dont partent les étapes. Quel que soit votre choix, les images se rapprochent du même attracteur&#x202f;: un carré, une lettre que vous tapez ou la forme sombre d’une image, chacun aussi grand que l’attracteur.</translation>
     </message>
     <message>
         <source>Letters to start from</source>
@@ -13908,7 +14923,7 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
     </message>
     <message>
         <source>Where the range ends from now on: later for slower, earlier for faster.</source>
-        <translation>Où l’intervalle finit désormais : plus tard pour ralentir, plus tôt pour accélérer.</translation>
+        <translation>Où l’intervalle finit désormais&#x202f;: plus tard pour ralentir, plus tôt pour accélérer.</translation>
     </message>
     <message>
         <source>Stretch Keys</source>
@@ -13928,15 +14943,15 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
     </message>
     <message>
         <source>&amp;From frame:</source>
-        <translation>&amp;De l’image :</translation>
+        <translation>&amp;De l’image&#x202f;:</translation>
     </message>
     <message>
         <source>&amp;To frame:</source>
-        <translation>À &amp;l’image :</translation>
+        <translation>À &amp;l’image&#x202f;:</translation>
     </message>
     <message>
         <source>&amp;Ends at frame:</source>
-        <translation>&amp;Finit à l’image :</translation>
+        <translation>&amp;Finit à l’image&#x202f;:</translation>
     </message>
     <message>
         <source>The range has to end after its first frame.</source>
@@ -13974,7 +14989,7 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
     </message>
     <message>
         <source>Click a suggestion to use it; undo goes back</source>
-        <translation>Cliquez sur une suggestion pour l’utiliser ; annuler revient en arrière</translation>
+        <translation>Cliquez sur une suggestion pour l’utiliser&#x202f;; annuler revient en arrière</translation>
     </message>
     <message>
         <source>Guaranteed within %1 px</source>
@@ -13993,7 +15008,7 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
     </message>
     <message>
         <source>With a symmetry, each map of the list also acts rotated or mirrored about the centre, so the fractal is symmetric. The copies are not listed; Expand lists them. On the canvas, drag the handle of the centre.</source>
-        <translation>Avec une symétrie, chaque application de la liste agit aussi tournée ou réfléchie autour du centre, si bien que la fractale est symétrique. Les copies ne figurent pas dans la liste ; « Développer » les y ajoute. Sur le canevas, faites glisser la poignée du centre.</translation>
+        <translation>Avec une symétrie, chaque application de la liste agit aussi tournée ou réfléchie autour du centre, si bien que la fractale est symétrique. Les copies ne figurent pas dans la liste&#x202f;; «&#x202f;Développer&#x202f;» les y ajoute. Sur le canevas, faites glisser la poignée du centre.</translation>
     </message>
     <message>
         <source>Order of the symmetry</source>
@@ -14135,7 +15150,7 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
     </message>
     <message>
         <source>Shape:</source>
-        <translation>Forme :</translation>
+        <translation>Forme&#x202f;:</translation>
     </message>
     <message>
         <source>Invert</source>
@@ -14155,7 +15170,7 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
     </message>
     <message>
         <source>Threshold:</source>
-        <translation>Seuil :</translation>
+        <translation>Seuil&#x202f;:</translation>
     </message>
     <message>
         <source>Automatic threshold</source>
@@ -14175,7 +15190,7 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
     </message>
     <message>
         <source>Opacity:</source>
-        <translation>Opacité :</translation>
+        <translation>Opacité&#x202f;:</translation>
     </message>
     <message>
         <source>Crop to Shape</source>
@@ -14207,7 +15222,7 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
     </message>
     <message>
         <source>Reading “%1”…</source>
-        <translation>Lecture de « %1 »…</translation>
+        <translation>Lecture de «&#x202f;%1&#x202f;»…</translation>
     </message>
     <message>
         <source>The picture could not be read.</source>
@@ -14262,7 +15277,7 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
     </message>
     <message>
         <source>Drag a rectangle to crop the picture; double-click to use all of it</source>
-        <translation>Tracez un rectangle pour rogner l’image ; double-cliquez pour l’utiliser entière</translation>
+        <translation>Tracez un rectangle pour rogner l’image&#x202f;; double-cliquez pour l’utiliser entière</translation>
     </message>
 </context>
 <context>
@@ -14289,11 +15304,11 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
     </message>
     <message>
         <source>What the picture shows: the view on the canvas, or the whole attractor with a small margin.</source>
-        <translation>Ce que montre l’image : ce que montre le canevas, ou l’attracteur avec une petite marge, où que le canevas regarde.</translation>
+        <translation>Ce que montre l’image&#x202f;: ce que montre le canevas, ou l’attracteur avec une petite marge, où que le canevas regarde.</translation>
     </message>
     <message>
         <source>Sect&amp;ion:</source>
-        <translation>&amp;Cadrage :</translation>
+        <translation>&amp;Cadrage&#x202f;:</translation>
     </message>
     <message>
         <source>Size:</source>
@@ -14309,7 +15324,7 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
     </message>
     <message>
         <source>The name “%1” does not end with .png. Choose another name.</source>
-        <translation>Le nom « %1 » ne se termine pas par .png. Choisissez un autre nom.</translation>
+        <translation>Le nom «&#x202f;%1&#x202f;» ne se termine pas par .png. Choisissez un autre nom.</translation>
     </message>
 </context>
 <context>
@@ -14372,7 +15387,7 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
     </message>
     <message>
         <source>Delete the motion “%1”</source>
-        <translation>Supprimer le mouvement « %1 »</translation>
+        <translation>Supprimer le mouvement «&#x202f;%1&#x202f;»</translation>
     </message>
     <message>
         <source>Copy keys</source>
@@ -14452,8 +15467,8 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
     <message numerus="yes">
         <source>%n key(s) not pasted: beyond the end of the animation, or of a part that this fractal does not have.</source>
         <translation>
-            <numerusform>%n clé non collée : au-delà de la fin de l’animation, ou d’une partie que cette fractale n’a pas.</numerusform>
-            <numerusform>%n clés non collées : au-delà de la fin de l’animation, ou d’une partie que cette fractale n’a pas.</numerusform>
+            <numerusform>%n clé non collée&#x202f;: au-delà de la fin de l’animation, ou d’une partie que cette fractale n’a pas.</numerusform>
+            <numerusform>%n clés non collées&#x202f;: au-delà de la fin de l’animation, ou d’une partie que cette fractale n’a pas.</numerusform>
         </translation>
     </message>
     <message>
@@ -14601,7 +15616,7 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
     </message>
     <message>
         <source>Wind: %1</source>
-        <translation>Vent : %1</translation>
+        <translation>Vent&#x202f;: %1</translation>
     </message>
     <message>
         <source>This file has no other fractal of this dimension</source>
@@ -14703,7 +15718,7 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
     </message>
     <message>
         <source>&amp;Add:</source>
-        <translation>A&amp;jouter :</translation>
+        <translation>A&amp;jouter&#x202f;:</translation>
     </message>
     <message>
         <source>Moves the selected command towards the left end of the toolbar.</source>
@@ -14754,11 +15769,11 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
     </message>
     <message>
         <source>, keys in this row: %1</source>
-        <translation>, clés dans cette ligne : %1</translation>
+        <translation>, clés dans cette ligne&#x202f;: %1</translation>
     </message>
     <message>
         <source>One row for each part that can move. The diamond on the left sets a key at the playhead, or deletes it. Drag keys to move them: Alt moves all later ones too, Ctrl copies. Drag in the ruler to move the playhead, or from an empty area to select keys. Ctrl + wheel zooms. Right-click a key for its ease. Round keys are smooth: the motion runs through them without a corner. Double-click a motion to change its strength or number of turns.</source>
-        <translation>Une ligne pour chaque partie qui peut bouger. Le losange devant crée une clé à la tête de lecture ou la supprime. Faites glisser des clés pour les déplacer : Alt déplace aussi les suivantes, Ctrl les copie. Faites glisser dans la règle pour déplacer la tête de lecture, depuis un endroit vide pour sélectionner des clés. Ctrl + molette agrandit. Clic droit sur une clé pour sa transition. Les clés rondes sont fluides : le mouvement les traverse sans angle. Double-cliquez sur un mouvement pour modifier sa force ou son nombre de tours.</translation>
+        <translation>Une ligne pour chaque partie qui peut bouger. Le losange devant crée une clé à la tête de lecture ou la supprime. Faites glisser des clés pour les déplacer&#x202f;: Alt déplace aussi les suivantes, Ctrl les copie. Faites glisser dans la règle pour déplacer la tête de lecture, depuis un endroit vide pour sélectionner des clés. Ctrl + molette agrandit. Clic droit sur une clé pour sa transition. Les clés rondes sont fluides&#x202f;: le mouvement les traverse sans angle. Double-cliquez sur un mouvement pour modifier sa force ou son nombre de tours.</translation>
     </message>
 </context>
 <context>
@@ -14901,31 +15916,31 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
     </message>
     <message>
         <source>Change:</source>
-        <translation>Effet :</translation>
+        <translation>Effet&#x202f;:</translation>
     </message>
     <message>
         <source>About:</source>
-        <translation>Autour de :</translation>
+        <translation>Autour de&#x202f;:</translation>
     </message>
     <message>
         <source>Reflect:</source>
-        <translation>Symétrie :</translation>
+        <translation>Symétrie&#x202f;:</translation>
     </message>
     <message>
         <source>Shear:</source>
-        <translation>Cisaillement :</translation>
+        <translation>Cisaillement&#x202f;:</translation>
     </message>
     <message>
         <source>Scale:</source>
-        <translation>Échelle :</translation>
+        <translation>Échelle&#x202f;:</translation>
     </message>
     <message>
         <source>Rotate °:</source>
-        <translation>Rotation ° :</translation>
+        <translation>Rotation °&#x202f;:</translation>
     </message>
     <message>
         <source>Translate:</source>
-        <translation>Translation :</translation>
+        <translation>Translation&#x202f;:</translation>
     </message>
     <message>
         <source>the centre of the picture’s box</source>
@@ -15052,11 +16067,11 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
     </message>
     <message>
         <source>Filter: Reduce</source>
-        <translation>Filtre : réduire</translation>
+        <translation>Filtre&#x202f;: réduire</translation>
     </message>
     <message>
         <source>Filter: Posterise</source>
-        <translation>Filtre : postériser</translation>
+        <translation>Filtre&#x202f;: postériser</translation>
     </message>
     <message>
         <source>Export…</source>
@@ -15072,7 +16087,7 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
     </message>
     <message>
         <source>The picture on the partner; you can also drop one there</source>
-        <translation>L’image sur le partenaire ; vous pouvez aussi en déposer une</translation>
+        <translation>L’image sur le partenaire&#x202f;; vous pouvez aussi en déposer une</translation>
     </message>
     <message>
         <source>Choose Picture…</source>
@@ -15116,7 +16131,7 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
     </message>
     <message>
         <source>The picture on the partner: %1</source>
-        <translation>L’image sur le partenaire : %1</translation>
+        <translation>L’image sur le partenaire&#x202f;: %1</translation>
     </message>
     <message>
         <source>Find Picture…</source>
@@ -15231,11 +16246,11 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
     </message>
     <message>
         <source>The partner “%1” is not in this file. Choose another one.</source>
-        <translation>Le partenaire « %1 » n’est pas dans ce fichier. Choisissez-en un autre.</translation>
+        <translation>Le partenaire «&#x202f;%1&#x202f;» n’est pas dans ce fichier. Choisissez-en un autre.</translation>
     </message>
     <message>
         <source>%1: %2</source>
-        <translation>%1 : %2</translation>
+        <translation>%1&#x202f;: %2</translation>
     </message>
     <message>
         <source>Add Family</source>
@@ -15318,19 +16333,19 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
     </message>
     <message>
         <source>Frame:</source>
-        <translation>Image :</translation>
+        <translation>Image&#x202f;:</translation>
     </message>
     <message>
         <source>Length:</source>
-        <translation>Durée :</translation>
+        <translation>Durée&#x202f;:</translation>
     </message>
     <message>
         <source>fps:</source>
-        <translation>i/s :</translation>
+        <translation>i/s&#x202f;:</translation>
     </message>
     <message>
         <source>Loop:</source>
-        <translation>Boucle :</translation>
+        <translation>Boucle&#x202f;:</translation>
     </message>
     <message>
         <source>Loop</source>
@@ -15342,7 +16357,7 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
     </message>
     <message>
         <source>Off: the animation stops at its last frame. Cycle: it starts again from frame 0. There and Back: it runs backwards to the start.</source>
-        <translation>Non : l’animation s’arrête à sa dernière image. Cycle : elle recommence, et l’image de la fin est l’image 0. Aller-retour : elle revient en arrière jusqu’au début.</translation>
+        <translation>Non&#x202f;: l’animation s’arrête à sa dernière image. Cycle&#x202f;: elle recommence, et l’image de la fin est l’image 0. Aller-retour&#x202f;: elle revient en arrière jusqu’au début.</translation>
     </message>
     <message>
         <source>Off</source>
@@ -15367,11 +16382,11 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
     </message>
     <message>
         <source>Frames per second: %1</source>
-        <translation>Images par seconde : %1</translation>
+        <translation>Images par seconde&#x202f;: %1</translation>
     </message>
     <message>
         <source>Loop: %1</source>
-        <translation>Boucle : %1</translation>
+        <translation>Boucle&#x202f;: %1</translation>
     </message>
     <message>
         <source>Pause</source>
@@ -15392,8 +16407,8 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
     <message numerus="yes">
         <source>Length of the animation: %n frame(s)</source>
         <translation>
-            <numerusform>Durée de l’animation : %n image</numerusform>
-            <numerusform>Durée de l’animation : %n images</numerusform>
+            <numerusform>Durée de l’animation&#x202f;: %n image</numerusform>
+            <numerusform>Durée de l’animation&#x202f;: %n images</numerusform>
         </translation>
     </message>
 </context>
@@ -15456,11 +16471,11 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
     </message>
     <message>
         <source>Zoom in percent: 100 % shows a unit of the plane as 100 pixels; type another value, or choose one</source>
-        <translation>Zoom en pour cent : à 100 %, une unité du plan occupe 100 pixels ; saisissez une autre valeur ou choisissez-en une</translation>
+        <translation>Zoom en pour cent&#x202f;: à 100 %, une unité du plan occupe 100 pixels&#x202f;; saisissez une autre valeur ou choisissez-en une</translation>
     </message>
     <message>
         <source>Zoom in percent: at 100 %, one unit of the plane is 100 pixels long. Type a number, or choose a value, a saved view, or Fit, which shows the whole attractor.</source>
-        <translation>Zoom en pour cent : à 100 %, une unité du plan occupe 100 pixels. Saisissez un nombre, ou choisissez une valeur, une vue enregistrée ou « Ajuster », qui montre tout l’attracteur.</translation>
+        <translation>Zoom en pour cent&#x202f;: à 100 %, une unité du plan occupe 100 pixels. Saisissez un nombre, ou choisissez une valeur, une vue enregistrée ou «&#x202f;Ajuster&#x202f;», qui montre tout l’attracteur.</translation>
     </message>
 </context>
 </TS>

@@ -40,7 +40,7 @@
     </message>
     <message>
         <source>The coefficients do not change. To keep the picture as it is and change the coefficients instead, use Bake.</source>
-        <translation>Коефициентите не се менуваат. За сликата да остане иста, а да се сменат коефициентите, користи Впиши во кодот.</translation>
+        <translation>Коефициентите не се менуваат. За сликата да остане иста, а да се сменат коефициентите, користете „Впиши во кодот“.</translation>
     </message>
     <message>
         <source>Each map w becomes T w T⁻¹, where T is the affine map from the cage at rest to the current cage. The cage is at rest afterwards. A cage that is flat or bends the picture cannot be baked.</source>
@@ -68,7 +68,7 @@
     </message>
     <message>
         <source>A bar appears under the canvas: choose the number of steps, or let the chaos game run point by point at any speed.</source>
-        <translation>Под платното се појавува лента: избери број на чекори или пушти ја играта на хаосот да оди точка по точка со која било брзина.</translation>
+        <translation>Под платното се појавува лента: изберете број на чекори или пуштете ја играта на хаосот да оди точка по точка со која било брзина.</translation>
     </message>
     <message>
         <source>As a placement, it leaves the coefficients unchanged; as code, it replaces them by those of the transformed fractal. The canvas shows the result before you accept it.</source>
@@ -84,7 +84,7 @@
     </message>
     <message>
         <source>If a table does not name its columns, you are asked for their order. In the Maps panel, Paste adds the copied maps, or rows of numbers, to the fractal.</source>
-        <translation>Ако табелата не ги именува колоните, ќе бидете прашани за нивниот редослед. Во панелот Пресликувања, Залепи ги додава копираните пресликувања или редиците броеви во фракталот.</translation>
+        <translation>Ако табелата не ги именува колоните, ќе бидете прашани за нивниот редослед. Во панелот „Пресликувања“, „Вметни“ ги додава копираните пресликувања или редиците броеви во фракталот.</translation>
     </message>
     <message>
         <source>Acts on maps while the table of maps, or the canvas with the Maps tool, has the focus, and on entries while the list of entries has it.</source>
@@ -227,7 +227,7 @@
     </message>
     <message>
         <source>−Σ pᵢ ln pᵢ: the uncertainty of one step of the chaos game, in nats.</source>
-        <translation>−Σ pᵢ ln pᵢ: колку остава отворено еден чекор од играта на хаос, во нати.</translation>
+        <translation>−Σ pᵢ ln pᵢ: колку остава отворено еден чекор од играта на хаосот, во нати.</translation>
     </message>
     <message>
         <source>Lyapunov exponent</source>
@@ -235,7 +235,7 @@
     </message>
     <message>
         <source>Σ pᵢ ln sᵢ: how the logarithm of a distance changes per step of the chaos game, if all maps are similarities in some coordinates.</source>
-        <translation>Σ pᵢ ln sᵢ: како се менува логаритмот на растојание по чекор од играта на хаос, ако сите пресликувања се сличности во некои координати.</translation>
+        <translation>Σ pᵢ ln sᵢ: како се менува логаритмот на растојание по чекор од играта на хаосот, ако сите пресликувања се сличности во некои координати.</translation>
     </message>
     <message>
         <source>Dimension of the measure</source>
@@ -462,7 +462,7 @@
     </message>
     <message>
         <source>Fronds: one large map climbs the rachis, two small ones attach the pinnae, and a flat one draws the stem.</source>
-        <translation>Папратови листови: едно долго бавно пресликување се качува по главната оска, две кратки ги додаваат страничните ливчиња, а едно сплескано ја црта дршката.</translation>
+        <translation>Папратови листови: едно големо пресликување се качува по главната оска, две мали ги додаваат страничните ливчиња, а едно сплескано ја црта дршката.</translation>
     </message>
     <message>
         <source>Trees</source>
@@ -486,7 +486,7 @@
     </message>
     <message>
         <source>Gaskets and carpets: a polygon made of smaller copies of itself, with holes between them.</source>
-        <translation>Триаголници и килими: многуаголникот содржи смалени копии од себе и ги задржува дупките.</translation>
+        <translation>Триаголници и килими: многуаголник составен од помали копии на самиот себе, со дупки меѓу нив.</translation>
     </message>
     <message>
         <source>Koch family</source>
@@ -494,7 +494,7 @@
     </message>
     <message>
         <source>Curves built by replacing a segment again and again, and the islands they enclose.</source>
-        <translation>Криви добиени со замена на отсечка и островите што тие ги оградуваат.</translation>
+        <translation>Криви што настануваат кога отсечка постојано се заменува, и островите што тие ги опфаќаат.</translation>
     </message>
     <message>
         <source>Spirals</source>
@@ -518,7 +518,7 @@
     </message>
     <message>
         <source>Sets that tile the plane: rep-tiles, which are made of copies of themselves, and the central tiles of number systems.</source>
-        <translation>Множества што ја поплочуваат рамнината: копии од самите себе, рептајли и централните плочки на бројните системи.</translation>
+        <translation>Множества што ја поплочуваат рамнината: рептајли, составени од копии на самите себе, и централните плочки на бројните системи.</translation>
     </message>
     <message>
         <source>Cantor sets and dust</source>
@@ -526,7 +526,7 @@
     </message>
     <message>
         <source>Sets with gaps at every scale: the points crowd together, but hardly any are connected.</source>
-        <translation>Множества полни со празнини во секој размер: насекаде во близина има точки, а речиси ниедни не се поврзани.</translation>
+        <translation>Множества со празнини во секој размер: точките се збиваат, но речиси ниедна не е поврзана со друга.</translation>
     </message>
     <message>
         <source>Crystals and snowflakes</source>
@@ -534,7 +534,7 @@
     </message>
     <message>
         <source>Sets with the symmetry of snow crystals: five, six and more arms.</source>
-        <translation>Множества со симетрија на мраз: со пет, шест и повеќе краци.</translation>
+        <translation>Множества со симетрија на снежни кристали: со пет, шест и повеќе краци.</translation>
     </message>
     <message>
         <source>Curves and graphs</source>
@@ -542,7 +542,7 @@
     </message>
     <message>
         <source>Graphs of unusual functions, smooth curves as attractors, and coordinates of space-filling curves.</source>
-        <translation>Графици на необични функции, мазни криви како атрактори, координати на криви што го исполнуваат просторот.</translation>
+        <translation>Графици на необични функции, мазни криви како атрактори и координати на криви што ја исполнуваат рамнината.</translation>
     </message>
     <message>
         <source>Abstract</source>
@@ -550,7 +550,7 @@
     </message>
     <message>
         <source>Affine patterns with no counterpart in nature: relatives of the gasket, weaves, rosettes.</source>
-        <translation>Афини шари без име во природата: роднини на триаголникот на Серпињски, плетенки, розети.</translation>
+        <translation>Афини шари што ги нема во природата: роднини на триаголникот на Серпињски, плетенки, розети.</translation>
     </message>
     <message>
         <source>Polyhedra in space</source>
@@ -574,7 +574,7 @@
     </message>
     <message>
         <source>Fronds and trees with branches all around the stem.</source>
-        <translation>Лисја и дрвја чии гранки стојат насекаде околу стеблото.</translation>
+        <translation>Папратови листови и дрвја со гранки насекаде околу стеблото.</translation>
     </message>
     <message>
         <source>Shells and corals in space</source>
@@ -606,7 +606,7 @@
     </message>
     <message>
         <source>Maps that may follow only certain maps: Penrose tiles, boundaries, and chaos games with rules.</source>
-        <translation>Пресликувања што смеат да следат само некои: Пенроузови плочки, граници и игри на хаос со правила.</translation>
+        <translation>Пресликувања што смеат да следат само некои: Пенроузови плочки, граници и игри на хаосот со правила.</translation>
     </message>
     <message>
         <source>Fractal transformations</source>
@@ -615,6 +615,1021 @@
     <message>
         <source>Fractals coloured by a picture on another fractal; a double click opens both side by side.</source>
         <translation>Фрактали во боите на слика врз друг фрактал; двоен клик ги отвора двата еден до друг.</translation>
+    </message>
+</context>
+<context>
+    <name>CollectionNames</name>
+    <message>
+        <source>Maple</source>
+        <translation>Јавор</translation>
+    </message>
+    <message>
+        <source>Flower</source>
+        <translation>Цвет</translation>
+    </message>
+    <message>
+        <source>Maple in the wind</source>
+        <translation>Јавор на ветер</translation>
+    </message>
+    <message>
+        <source>Fern that unrolls</source>
+        <translation>Папрат што се одвиткува</translation>
+    </message>
+    <message>
+        <source>Paper strip that folds to a dragon</source>
+        <translation>Хартиена лента што се превиткува во змеј</translation>
+    </message>
+    <message>
+        <source>Koch curve that grows spikes</source>
+        <translation>Кохова крива на која ѝ растат боцки</translation>
+    </message>
+    <message>
+        <source>Zoom into a flake without end</source>
+        <translation>Бескрајно приближување кон снегулка</translation>
+    </message>
+    <message>
+        <source>Walk through a weaving flower</source>
+        <translation>Прошетка низ цвет што се плете</translation>
+    </message>
+    <message>
+        <source>Tree in a storm</source>
+        <translation>Дрво во бура</translation>
+    </message>
+    <message>
+        <source>Sea fan in the swell</source>
+        <translation>Морска лепеза меѓу брановите</translation>
+    </message>
+    <message>
+        <source>Bracts that breathe</source>
+        <translation>Брактеи што дишат</translation>
+    </message>
+    <message>
+        <source>Pentagons that turn in place</source>
+        <translation>Петаголници што се вртат во место</translation>
+    </message>
+    <message>
+        <source>Menger sponge that turns</source>
+        <translation>Менгеров сунѓер што се врти</translation>
+    </message>
+    <message>
+        <source>Flight into the Menger sponge</source>
+        <translation>Лет во Менгеровиот сунѓер</translation>
+    </message>
+    <message>
+        <source>Tree in space that sways</source>
+        <translation>Дрво во простор што се ниша</translation>
+    </message>
+    <message>
+        <source>Snow star that becomes a fern of ice</source>
+        <translation>Снежна ѕвезда што станува ледена папрат</translation>
+    </message>
+    <message>
+        <source>Maple that becomes a fern</source>
+        <translation>Јавор што станува папрат</translation>
+    </message>
+    <message>
+        <source>Black spleenwort fern</source>
+        <translation>Црн асплениум</translation>
+    </message>
+    <message>
+        <source>Maiden fern</source>
+        <translation>Мочуришна папрат</translation>
+    </message>
+    <message>
+        <source>Culcita fern</source>
+        <translation>Папрат кулцита</translation>
+    </message>
+    <message>
+        <source>Fishbone fern</source>
+        <translation>Папрат рибја коска</translation>
+    </message>
+    <message>
+        <source>Fiddlehead: a frond still curled</source>
+        <translation>Млада папрат: лист што е сѐ уште завиткан</translation>
+    </message>
+    <message>
+        <source>Bracken: opposite pinnae at the same height</source>
+        <translation>Орлова папрат: спротивни ливчиња на иста висина</translation>
+    </message>
+    <message>
+        <source>Lady fern: alternate pinnae, a nodding tip</source>
+        <translation>Женска папрат: наизменични ливчиња, наведнат врв</translation>
+    </message>
+    <message>
+        <source>Maidenhair: a fan on a fine stalk</source>
+        <translation>Венерина коса: лепеза на тенка дршка</translation>
+    </message>
+    <message>
+        <source>Ostrich fern: a shuttlecock plume</source>
+        <translation>Нојова папрат: перјаница налик на инка</translation>
+    </message>
+    <message>
+        <source>Golden fern: pinnae smaller by the golden ratio squared</source>
+        <translation>Златна папрат: ливчиња смалени со квадратот на златниот пресек</translation>
+    </message>
+    <message>
+        <source>Moss: a frond of frond-like feathers</source>
+        <translation>Мов: лист од пердуви налик на листови</translation>
+    </message>
+    <message>
+        <source>Fractal tree</source>
+        <translation>Фрактално дрво</translation>
+    </message>
+    <message>
+        <source>Golden tree: branches of 1/phi at 60 degrees, just touching</source>
+        <translation>Златно дрво: гранки со однос 1/φ под 60°, што едвај се допираат</translation>
+    </message>
+    <message>
+        <source>Stone pine: an umbrella of three boughs</source>
+        <translation>Пинија: чадор од три гранки</translation>
+    </message>
+    <message>
+        <source>Spruce: whorls of drooping boughs</source>
+        <translation>Смрча: венци од обесени гранки</translation>
+    </message>
+    <message>
+        <source>Willow: branches that bend down</source>
+        <translation>Врба: гранки што се свиваат надолу</translation>
+    </message>
+    <message>
+        <source>Tree in the wind</source>
+        <translation>Дрво на ветер</translation>
+    </message>
+    <message>
+        <source>Bonsai pine: flat cushions on a leaning trunk</source>
+        <translation>Бонсаи бор: рамни перничиња на накривено стебло</translation>
+    </message>
+    <message>
+        <source>Cypress</source>
+        <translation>Чемпрес</translation>
+    </message>
+    <message>
+        <source>Thorn bush: alternate twigs</source>
+        <translation>Трнлива грмушка: наизменични гранчиња</translation>
+    </message>
+    <message>
+        <source>Poplar: narrow and steep</source>
+        <translation>Топола: тесна и исправена</translation>
+    </message>
+    <message>
+        <source>Ternary tree: three halves, drawn with their branches</source>
+        <translation>Тројно дрво: три половини, нацртани со своите гранки</translation>
+    </message>
+    <message>
+        <source>Branching coral</source>
+        <translation>Разгранет корал</translation>
+    </message>
+    <message>
+        <source>H-tree: right angles all the way</source>
+        <translation>H-дрво: само прави агли</translation>
+    </message>
+    <message>
+        <source>Heighway dragon</source>
+        <translation>Змеј на Хајвеј</translation>
+    </message>
+    <message>
+        <source>Twindragon</source>
+        <translation>Змеј близнак</translation>
+    </message>
+    <message>
+        <source>Levy dragon (C curve)</source>
+        <translation>Змеј на Леви (C-крива)</translation>
+    </message>
+    <message>
+        <source>Terdragon</source>
+        <translation>Троен змеј</translation>
+    </message>
+    <message>
+        <source>Golden dragon</source>
+        <translation>Златен змеј</translation>
+    </message>
+    <message>
+        <source>Tame twindragon</source>
+        <translation>Питом змеј близнак</translation>
+    </message>
+    <message>
+        <source>Dragon curve unfolded to 100 degrees only</source>
+        <translation>Змејова крива одвиткана само до 100°</translation>
+    </message>
+    <message>
+        <source>Dragon curve unfolded to 115 degrees</source>
+        <translation>Змејова крива одвиткана до 115°</translation>
+    </message>
+    <message>
+        <source>C curve on triangles of 100 degrees</source>
+        <translation>C-крива врз триаголници од 100°</translation>
+    </message>
+    <message>
+        <source>Z dragon: the three strokes of a Z</source>
+        <translation>Z-змеј: трите потези на буквата Z</translation>
+    </message>
+    <message>
+        <source>Sierpinski triangle</source>
+        <translation>Триаголник на Серпињски</translation>
+    </message>
+    <message>
+        <source>Right-angled Sierpinski triangle</source>
+        <translation>Правоаголен триаголник на Серпињски</translation>
+    </message>
+    <message>
+        <source>Sierpinski carpet</source>
+        <translation>Килим на Серпињски</translation>
+    </message>
+    <message>
+        <source>Vicsek fractal (saltire)</source>
+        <translation>Фрактал на Вичек (кос крст)</translation>
+    </message>
+    <message>
+        <source>Vicsek fractal (cross)</source>
+        <translation>Фрактал на Вичек (крст)</translation>
+    </message>
+    <message>
+        <source>Sierpinski pentagon</source>
+        <translation>Петаголник на Серпињски</translation>
+    </message>
+    <message>
+        <source>Sierpinski hexagon</source>
+        <translation>Шестаголник на Серпињски</translation>
+    </message>
+    <message>
+        <source>Sierpinski heptagon</source>
+        <translation>Седумаголник на Серпињски</translation>
+    </message>
+    <message>
+        <source>Sierpinski octagon</source>
+        <translation>Осумаголник на Серпињски</translation>
+    </message>
+    <message>
+        <source>Sierpinski dodecagon</source>
+        <translation>Дванаесетаголник на Серпињски</translation>
+    </message>
+    <message>
+        <source>Pascal&apos;s triangle modulo 3</source>
+        <translation>Паскалов триаголник по модул 3</translation>
+    </message>
+    <message>
+        <source>Pascal&apos;s triangle modulo 5</source>
+        <translation>Паскалов триаголник по модул 5</translation>
+    </message>
+    <message>
+        <source>Sierpinski pedal triangle</source>
+        <translation>Ортички триаголник на Серпињски</translation>
+    </message>
+    <message>
+        <source>Bedford-McMullen carpet</source>
+        <translation>Килим на Бедфорд и Макмален</translation>
+    </message>
+    <message>
+        <source>Bedford-McMullen weave of 3 by 5 cells</source>
+        <translation>Плетенка на Бедфорд и Макмален од 3 по 5 полиња</translation>
+    </message>
+    <message>
+        <source>Carpet of fifths with a cross-shaped hole</source>
+        <translation>Килим од петтини со дупка во облик на крст</translation>
+    </message>
+    <message>
+        <source>Carpet of quarters with a square hole</source>
+        <translation>Килим од четвртини со квадратна дупка</translation>
+    </message>
+    <message>
+        <source>Checkered carpet</source>
+        <translation>Шаховски килим</translation>
+    </message>
+    <message>
+        <source>Koch curve</source>
+        <translation>Кохова крива</translation>
+    </message>
+    <message>
+        <source>Koch snowflake, filled</source>
+        <translation>Кохова снегулка, исполнета</translation>
+    </message>
+    <message>
+        <source>Cesaro curve of 85 degrees</source>
+        <translation>Крива на Чезаро од 85°</translation>
+    </message>
+    <message>
+        <source>Quadratic Koch curve of five edges</source>
+        <translation>Квадратна Кохова крива од пет отсечки</translation>
+    </message>
+    <message>
+        <source>Minkowski sausage</source>
+        <translation>Колбас на Минковски</translation>
+    </message>
+    <message>
+        <source>Mandelbrot-Given curve</source>
+        <translation>Крива на Манделброт и Гивен</translation>
+    </message>
+    <message>
+        <source>Ice fractal on a square</source>
+        <translation>Леден фрактал врз квадрат</translation>
+    </message>
+    <message>
+        <source>Ice fractal with a pair of spikes</source>
+        <translation>Леден фрактал со пар боцки</translation>
+    </message>
+    <message>
+        <source>Koch curve drawn on both sides</source>
+        <translation>Кохова крива од двете страни</translation>
+    </message>
+    <message>
+        <source>Koch curve with peaks turned inwards</source>
+        <translation>Кохова крива со врвови навнатре</translation>
+    </message>
+    <message>
+        <source>Pentigree</source>
+        <translation>Пентигри</translation>
+    </message>
+    <message>
+        <source>Pentadendrite</source>
+        <translation>Пентадендрит</translation>
+    </message>
+    <message>
+        <source>Edge of the Gosper island</source>
+        <translation>Раб на островот на Госпер</translation>
+    </message>
+    <message>
+        <source>Spiral of spirals</source>
+        <translation>Спирала од спирали</translation>
+    </message>
+    <message>
+        <source>Swirl</source>
+        <translation>Вртлог</translation>
+    </message>
+    <message>
+        <source>Galaxy with two arms</source>
+        <translation>Галаксија со два крака</translation>
+    </message>
+    <message>
+        <source>Whorl of three-fold rosettes</source>
+        <translation>Венец од тројни розети</translation>
+    </message>
+    <message>
+        <source>Ram&apos;s horn</source>
+        <translation>Овнов рог</translation>
+    </message>
+    <message>
+        <source>Whirl of pentagons</source>
+        <translation>Вртлог од петаголници</translation>
+    </message>
+    <message>
+        <source>Double spiral between two eyes</source>
+        <translation>Двојна спирала меѓу две очи</translation>
+    </message>
+    <message>
+        <source>Spiral of feathers</source>
+        <translation>Спирала од пердуви</translation>
+    </message>
+    <message>
+        <source>Nautilus: chambers along a golden spiral</source>
+        <translation>Наутилус: комори долж златна спирала</translation>
+    </message>
+    <message>
+        <source>Sunflower: seeds at the golden angle</source>
+        <translation>Сончоглед: семки под златниот агол</translation>
+    </message>
+    <message>
+        <source>Shell: ribs that follow the turn</source>
+        <translation>Школка: ребра што го следат вртењето</translation>
+    </message>
+    <message>
+        <source>Three spirals passing into one another</source>
+        <translation>Три спирали што преминуваат една во друга</translation>
+    </message>
+    <message>
+        <source>Maple leaf</source>
+        <translation>Јаворов лист</translation>
+    </message>
+    <message>
+        <source>Pointed leaf</source>
+        <translation>Зашилен лист</translation>
+    </message>
+    <message>
+        <source>Poinsettia: five bracts</source>
+        <translation>Божиќна ѕвезда: пет брактеи</translation>
+    </message>
+    <message>
+        <source>Edelweiss: eight woolly rays</source>
+        <translation>Еделвајс: осум волнести зраци</translation>
+    </message>
+    <message>
+        <source>Lily of six petals</source>
+        <translation>Крин со шест ливчиња</translation>
+    </message>
+    <message>
+        <source>Oak leaf</source>
+        <translation>Дабов лист</translation>
+    </message>
+    <message>
+        <source>Feather</source>
+        <translation>Пердув</translation>
+    </message>
+    <message>
+        <source>Plane-tree leaf: five blades from one root</source>
+        <translation>Лист од чинар: пет делови од ист корен</translation>
+    </message>
+    <message>
+        <source>Dill umbel</source>
+        <translation>Соцвет на копар</translation>
+    </message>
+    <message>
+        <source>Thistle head</source>
+        <translation>Главичка од магарешки трн</translation>
+    </message>
+    <message>
+        <source>Dandelion clock</source>
+        <translation>Прецутено глуварче</translation>
+    </message>
+    <message>
+        <source>Marigold: rings of petals</source>
+        <translation>Невен: венци од ливчиња</translation>
+    </message>
+    <message>
+        <source>Ear of wheat</source>
+        <translation>Пченичен клас</translation>
+    </message>
+    <message>
+        <source>Chair rep-tile (L tromino)</source>
+        <translation>Рептајл „столче“ (L-тромино)</translation>
+    </message>
+    <message>
+        <source>Golden bee (Ammann&apos;s chair)</source>
+        <translation>Златна пчела (столче на Аман)</translation>
+    </message>
+    <message>
+        <source>Gosper island</source>
+        <translation>Остров на Госпер</translation>
+    </message>
+    <message>
+        <source>Quintet</source>
+        <translation>Квинтет</translation>
+    </message>
+    <message>
+        <source>Eisenstein fractal</source>
+        <translation>Фрактал на Ајзенштајн</translation>
+    </message>
+    <message>
+        <source>Rauzy fractal (tribonacci)</source>
+        <translation>Фрактал на Рози (трибоначи)</translation>
+    </message>
+    <message>
+        <source>Hokkaido tile</source>
+        <translation>Плочка на Хокаидо</translation>
+    </message>
+    <message>
+        <source>Tile of Narayana&apos;s cows</source>
+        <translation>Плочка на кравите на Нарајана</translation>
+    </message>
+    <message>
+        <source>Tile of x^2 + x + 3</source>
+        <translation>Плочка на x² + x + 3</translation>
+    </message>
+    <message>
+        <source>Tile of x^2 + 2 x + 3</source>
+        <translation>Плочка на x² + 2x + 3</translation>
+    </message>
+    <message>
+        <source>Tile of x^2 + 3 x + 3</source>
+        <translation>Плочка на x² + 3x + 3</translation>
+    </message>
+    <message>
+        <source>Tile of x^2 + 2 x + 4</source>
+        <translation>Плочка на x² + 2x + 4</translation>
+    </message>
+    <message>
+        <source>Jigsaw square: nine thirds, one pushed out</source>
+        <translation>Квадрат-сложувалка: девет третини, една истуркана надвор</translation>
+    </message>
+    <message>
+        <source>Numbers in base -2+i with digits 0 to 4</source>
+        <translation>Броеви со основа −2+i и цифри од 0 до 4</translation>
+    </message>
+    <message>
+        <source>Fudgeflake: three terdragons round a point</source>
+        <translation>Фаџфлејк: три тројни змеја околу една точка</translation>
+    </message>
+    <message>
+        <source>Central tile of x^3 = 2 x^2 + x + 1</source>
+        <translation>Централна плочка на x³ = 2x² + x + 1</translation>
+    </message>
+    <message>
+        <source>Penrose tiles</source>
+        <translation>Пенроузови плочки</translation>
+    </message>
+    <message>
+        <source>Penrose tiles, cracked</source>
+        <translation>Пенроузови плочки, напукнати</translation>
+    </message>
+    <message>
+        <source>Parts of the Rauzy fractal</source>
+        <translation>Делови на фракталот на Рози</translation>
+    </message>
+    <message>
+        <source>Boundary of the dragon</source>
+        <translation>Граница на змејот</translation>
+    </message>
+    <message>
+        <source>Boundary of the twindragon</source>
+        <translation>Граница на змејот близнак</translation>
+    </message>
+    <message>
+        <source>Golden mean carpet</source>
+        <translation>Килим на златниот пресек</translation>
+    </message>
+    <message>
+        <source>Golden mean dragon</source>
+        <translation>Змеј на златниот пресек</translation>
+    </message>
+    <message>
+        <source>Restless pentagon</source>
+        <translation>Немирен петаголник</translation>
+    </message>
+    <message>
+        <source>One-way square</source>
+        <translation>Еднонасочен квадрат</translation>
+    </message>
+    <message>
+        <source>Neighbouring corners</source>
+        <translation>Соседни темиња</translation>
+    </message>
+    <message>
+        <source>Steps around a hexagon</source>
+        <translation>Чекори околу шестаголник</translation>
+    </message>
+    <message>
+        <source>Steps around a pentagon</source>
+        <translation>Чекори околу петаголник</translation>
+    </message>
+    <message>
+        <source>Old and young</source>
+        <translation>Стари и млади</translation>
+    </message>
+    <message>
+        <source>Sunset in a triangle</source>
+        <translation>Зајдисонце во триаголник</translation>
+    </message>
+    <message>
+        <source>Triangle for the sunset</source>
+        <translation>Триаголник за зајдисонцето</translation>
+    </message>
+    <message>
+        <source>Bent window</source>
+        <translation>Искривен витраж</translation>
+    </message>
+    <message>
+        <source>Triangle for the glass</source>
+        <translation>Триаголник за витражот</translation>
+    </message>
+    <message>
+        <source>Tartan in a square</source>
+        <translation>Тартан во квадрат</translation>
+    </message>
+    <message>
+        <source>Square for the tartan</source>
+        <translation>Квадрат за тартанот</translation>
+    </message>
+    <message>
+        <source>Grid of a square</source>
+        <translation>Мрежа на квадрат</translation>
+    </message>
+    <message>
+        <source>Square for the grid</source>
+        <translation>Квадрат за мрежата</translation>
+    </message>
+    <message>
+        <source>Rainbow fern</source>
+        <translation>Папрат со бои на виножито</translation>
+    </message>
+    <message>
+        <source>Maple for the fern</source>
+        <translation>Јавор за папратта</translation>
+    </message>
+    <message>
+        <source>Autumn maple</source>
+        <translation>Есенски јавор</translation>
+    </message>
+    <message>
+        <source>Square for the maple</source>
+        <translation>Квадрат за јаворот</translation>
+    </message>
+    <message>
+        <source>Dragon of paper</source>
+        <translation>Змеј од хартија</translation>
+    </message>
+    <message>
+        <source>Sheet for the dragon</source>
+        <translation>Лист хартија за змејот</translation>
+    </message>
+    <message>
+        <source>Curve of waves</source>
+        <translation>Крива од бранови</translation>
+    </message>
+    <message>
+        <source>Sheet for the curve</source>
+        <translation>Лист хартија за кривата</translation>
+    </message>
+    <message>
+        <source>Koch curve across a square</source>
+        <translation>Кохова крива низ квадрат</translation>
+    </message>
+    <message>
+        <source>Square for the curve</source>
+        <translation>Квадрат за кривата</translation>
+    </message>
+    <message>
+        <source>Hilbert curve along a coast</source>
+        <translation>Хилбертова крива долж брегот</translation>
+    </message>
+    <message>
+        <source>Curve for the square</source>
+        <translation>Крива за квадратот</translation>
+    </message>
+    <message>
+        <source>Broken picture</source>
+        <translation>Скршена слика</translation>
+    </message>
+    <message>
+        <source>Square to break</source>
+        <translation>Квадрат за кршење</translation>
+    </message>
+    <message>
+        <source>Gasket of a dragon</source>
+        <translation>Триаголник на Серпињски од змеј</translation>
+    </message>
+    <message>
+        <source>Terdragon for the gasket</source>
+        <translation>Троен змеј за триаголникот</translation>
+    </message>
+    <message>
+        <source>Cantor dust</source>
+        <translation>Канторова прав</translation>
+    </message>
+    <message>
+        <source>Cantor comb: a Cantor set times an interval</source>
+        <translation>Канторов чешел: Канторово множество помножено со интервал</translation>
+    </message>
+    <message>
+        <source>Dust on a triangle</source>
+        <translation>Прав врз триаголник</translation>
+    </message>
+    <message>
+        <source>Dust on a pentagon</source>
+        <translation>Прав врз петаголник</translation>
+    </message>
+    <message>
+        <source>Dust of unequal ratios</source>
+        <translation>Прав со нееднакви односи</translation>
+    </message>
+    <message>
+        <source>Dust on an octagon</source>
+        <translation>Прав врз осумаголник</translation>
+    </message>
+    <message>
+        <source>Rings of dust</source>
+        <translation>Прстени од прав</translation>
+    </message>
+    <message>
+        <source>Tartan dust</source>
+        <translation>Тартан од прав</translation>
+    </message>
+    <message>
+        <source>Pinwheel dust</source>
+        <translation>Ветерница од прав</translation>
+    </message>
+    <message>
+        <source>Swirling dust of three</source>
+        <translation>Прав од три копии што се вртложат</translation>
+    </message>
+    <message>
+        <source>Hexaflake</source>
+        <translation>Шестаголна снегулка</translation>
+    </message>
+    <message>
+        <source>Pentaflake</source>
+        <translation>Петаголна снегулка</translation>
+    </message>
+    <message>
+        <source>Stellar snowflake</source>
+        <translation>Ѕвездеста снегулка</translation>
+    </message>
+    <message>
+        <source>Fern-like snowflake</source>
+        <translation>Снегулка налик на папрат</translation>
+    </message>
+    <message>
+        <source>Sectored plate</source>
+        <translation>Снежна плочка со сектори</translation>
+    </message>
+    <message>
+        <source>Needle snowflake</source>
+        <translation>Игличеста снегулка</translation>
+    </message>
+    <message>
+        <source>Frost flower</source>
+        <translation>Цвет од слана</translation>
+    </message>
+    <message>
+        <source>Decaflake</source>
+        <translation>Десетаголна снегулка</translation>
+    </message>
+    <message>
+        <source>Pentagram flake</source>
+        <translation>Снегулка од пентаграми</translation>
+    </message>
+    <message>
+        <source>Quartz: four-fold lattice</source>
+        <translation>Кварц: решетка од четврти ред</translation>
+    </message>
+    <message>
+        <source>Crystal of two maps</source>
+        <translation>Кристал од две пресликувања</translation>
+    </message>
+    <message>
+        <source>Dendrite snowflake</source>
+        <translation>Дендритна снегулка</translation>
+    </message>
+    <message>
+        <source>Eight-pointed star</source>
+        <translation>Осмокрака ѕвезда</translation>
+    </message>
+    <message>
+        <source>Frost cross: squares turned by 45 degrees</source>
+        <translation>Крст од слана: квадрати завртени за 45°</translation>
+    </message>
+    <message>
+        <source>Takagi curve (blancmange)</source>
+        <translation>Крива на Такаги (бланманже)</translation>
+    </message>
+    <message>
+        <source>Quadratic Bezier arc by de Casteljau</source>
+        <translation>Квадратен лак на Безје според Де Кастелжо</translation>
+    </message>
+    <message>
+        <source>Devil&apos;s staircase</source>
+        <translation>Ѓаволски скали</translation>
+    </message>
+    <message>
+        <source>Okamoto function, a = 2/3 (Bourbaki&apos;s)</source>
+        <translation>Функција на Окамото, a = 2/3 (на Бурбаки)</translation>
+    </message>
+    <message>
+        <source>Okamoto function, a = 5/6 (Perkins&apos;s)</source>
+        <translation>Функција на Окамото, a = 5/6 (на Перкинс)</translation>
+    </message>
+    <message>
+        <source>Kiesswetter curve</source>
+        <translation>Крива на Кисветер</translation>
+    </message>
+    <message>
+        <source>Bolzano function</source>
+        <translation>Болцанова функција</translation>
+    </message>
+    <message>
+        <source>Fractal interpolation of four points</source>
+        <translation>Фрактална интерполација на четири точки</translation>
+    </message>
+    <message>
+        <source>Mountain skyline</source>
+        <translation>Силуета на планини</translation>
+    </message>
+    <message>
+        <source>First coordinate of Peano&apos;s curve</source>
+        <translation>Прва координата на Пеановата крива</translation>
+    </message>
+    <message>
+        <source>Lebesgue&apos;s singular function, a = 0.3</source>
+        <translation>Лебегова сингуларна функција, a = 0,3</translation>
+    </message>
+    <message>
+        <source>Takagi curve and its mirror image</source>
+        <translation>Крива на Такаги и нејзиниот одраз</translation>
+    </message>
+    <message>
+        <source>Hilbert&apos;s four maps, shrunk so that the seams open</source>
+        <translation>Четирите пресликувања на Хилберт, смалени за да се отворат шевовите</translation>
+    </message>
+    <message>
+        <source>Relative of the Sierpinski triangle</source>
+        <translation>Роднина на триаголникот на Серпињски</translation>
+    </message>
+    <message>
+        <source>Zigzag of two maps</source>
+        <translation>Цик-цак од две пресликувања</translation>
+    </message>
+    <message>
+        <source>Coral</source>
+        <translation>Корал</translation>
+    </message>
+    <message>
+        <source>Rosette of three</source>
+        <translation>Розета од три</translation>
+    </message>
+    <message>
+        <source>Rosette of five</source>
+        <translation>Розета од пет</translation>
+    </message>
+    <message>
+        <source>Rosette of seven</source>
+        <translation>Розета од седум</translation>
+    </message>
+    <message>
+        <source>Mandala of twelve</source>
+        <translation>Мандала од дванаесет</translation>
+    </message>
+    <message>
+        <source>Lace</source>
+        <translation>Тантела</translation>
+    </message>
+    <message>
+        <source>Weave</source>
+        <translation>Плетенка</translation>
+    </message>
+    <message>
+        <source>Twigs: a turn and a mirror</source>
+        <translation>Гранчиња: вртење и огледало</translation>
+    </message>
+    <message>
+        <source>Heather</source>
+        <translation>Врес</translation>
+    </message>
+    <message>
+        <source>Breaking wave</source>
+        <translation>Бран што се крши</translation>
+    </message>
+    <message>
+        <source>City seen from above</source>
+        <translation>Град гледан одозгора</translation>
+    </message>
+    <message>
+        <source>Flames</source>
+        <translation>Пламени</translation>
+    </message>
+    <message>
+        <source>Hills in haze</source>
+        <translation>Ридови во магла</translation>
+    </message>
+    <message>
+        <source>Knotwork: four copies turned by 45 degrees</source>
+        <translation>Преплет: четири копии завртени за 45°</translation>
+    </message>
+    <message>
+        <source>Sea dragon</source>
+        <translation>Морски змеј</translation>
+    </message>
+    <message>
+        <source>Kaleidoscope</source>
+        <translation>Калеидоскоп</translation>
+    </message>
+    <message>
+        <source>Sierpinski tetrahedron</source>
+        <translation>Тетраедар на Серпињски</translation>
+    </message>
+    <message>
+        <source>Octahedron flake</source>
+        <translation>Октаедарска снегулка</translation>
+    </message>
+    <message>
+        <source>Sierpinski pyramid</source>
+        <translation>Пирамида на Серпињски</translation>
+    </message>
+    <message>
+        <source>Icosahedron flake</source>
+        <translation>Икосаедарска снегулка</translation>
+    </message>
+    <message>
+        <source>Dodecahedron flake</source>
+        <translation>Додекаедарска снегулка</translation>
+    </message>
+    <message>
+        <source>Cuboctahedron flake</source>
+        <translation>Кубоктаедарска снегулка</translation>
+    </message>
+    <message>
+        <source>Menger sponge</source>
+        <translation>Менгеров сунѓер</translation>
+    </message>
+    <message>
+        <source>Mosely snowflake</source>
+        <translation>Снегулка на Моузли</translation>
+    </message>
+    <message>
+        <source>Jerusalem cube</source>
+        <translation>Ерусалимска коцка</translation>
+    </message>
+    <message>
+        <source>Cross in space</source>
+        <translation>Крст во простор</translation>
+    </message>
+    <message>
+        <source>Saltire in space</source>
+        <translation>Кос крст во простор</translation>
+    </message>
+    <message>
+        <source>Cantor dust in space</source>
+        <translation>Канторова прав во простор</translation>
+    </message>
+    <message>
+        <source>Cube corner: seven of eight cubes</source>
+        <translation>Агол на коцка: седум од осум коцки</translation>
+    </message>
+    <message>
+        <source>Cube corners in mirrors</source>
+        <translation>Агли на коцки во огледала</translation>
+    </message>
+    <message>
+        <source>Quadratic Koch surface: cubes on squares</source>
+        <translation>Квадратна Кохова површина: коцки врз квадрати</translation>
+    </message>
+    <message>
+        <source>Fern in space</source>
+        <translation>Папрат во простор</translation>
+    </message>
+    <message>
+        <source>Tree with three boughs</source>
+        <translation>Дрво со три гранки</translation>
+    </message>
+    <message>
+        <source>Oak with a leader and four boughs</source>
+        <translation>Даб со водечка гранка и уште четири</translation>
+    </message>
+    <message>
+        <source>Fir: drooping whorls around a leader</source>
+        <translation>Ела: обесени венци околу водечка гранка</translation>
+    </message>
+    <message>
+        <source>Poplar: pairs of steep twigs</source>
+        <translation>Топола: парови исправени гранчиња</translation>
+    </message>
+    <message>
+        <source>Umbel: six rays from the top of a stalk</source>
+        <translation>Штитест соцвет: шест зраци од врвот на една дршка</translation>
+    </message>
+    <message>
+        <source>Thuja: flat sprays turned by the golden angle</source>
+        <translation>Туја: рамни гранчиња завртени за златниот агол</translation>
+    </message>
+    <message>
+        <source>Romanesco: cones on a cone, by the golden angle</source>
+        <translation>Романеско: конуси врз конус, според златниот агол</translation>
+    </message>
+    <message>
+        <source>Cauliflower</source>
+        <translation>Карфиол</translation>
+    </message>
+    <message>
+        <source>Turret shell</source>
+        <translation>Кулест полжав</translation>
+    </message>
+    <message>
+        <source>Top shell: whorls of whorls</source>
+        <translation>Полжав чигра: навои од навои</translation>
+    </message>
+    <message>
+        <source>Nautilus: chambers along a flat spiral</source>
+        <translation>Наутилус: комори долж рамна спирала</translation>
+    </message>
+    <message>
+        <source>Double helix that narrows to a point</source>
+        <translation>Двојна завојница што се стеснува во врв</translation>
+    </message>
+    <message>
+        <source>Staghorn coral</source>
+        <translation>Корал еленски рог</translation>
+    </message>
+    <message>
+        <source>Bush coral</source>
+        <translation>Грмушест корал</translation>
+    </message>
+    <message>
+        <source>Sea fan: forks almost in one plane</source>
+        <translation>Морска лепеза: разгранувања речиси во една рамнина</translation>
+    </message>
+    <message>
+        <source>Allium: a ball of twelve stalks with alliums at their ends</source>
+        <translation>Украсен лук: топка од дванаесет дршки со лук на крајот</translation>
+    </message>
+    <message>
+        <source>Dragon in space: each fold about another axis</source>
+        <translation>Змеј во простор: секое превиткување околу друга оска</translation>
+    </message>
+    <message>
+        <source>C curve in space</source>
+        <translation>C-крива во простор</translation>
+    </message>
+    <message>
+        <source>Terdragon in space</source>
+        <translation>Троен змеј во простор</translation>
+    </message>
+    <message>
+        <source>Tetrahedra, each turned by 60 degrees</source>
+        <translation>Тетраедри, секој завртен за 60°</translation>
+    </message>
+    <message>
+        <source>Cubes, each turned by 60 degrees</source>
+        <translation>Коцки, секоја завртена за 60°</translation>
+    </message>
+    <message>
+        <source>Octahedra, each turned by 45 degrees</source>
+        <translation>Октаедри, секој завртен за 45°</translation>
     </message>
 </context>
 <context>
@@ -636,7 +1651,7 @@
     </message>
     <message>
         <source>Grow variations</source>
-        <translation>Одгледајте варијации</translation>
+        <translation>Одгледајте варијанти</translation>
     </message>
     <message>
         <source>Save a poster</source>
@@ -1231,7 +2246,7 @@
     </message>
     <message>
         <source>Watch the attractor being built: in steps of the deterministic algorithm, or by the chaos game</source>
-        <translation>Гледај како се гради атракторот: по чекори на детерминистичкиот алгоритам или со игра на хаос</translation>
+        <translation>Гледај како се гради атракторот: по чекори на детерминистичкиот алгоритам или со игра на хаосот</translation>
     </message>
     <message>
         <source>&amp;Help</source>
@@ -1343,7 +2358,7 @@
     </message>
     <message>
         <source>P&amp;aste</source>
-        <translation>&amp;Залепи</translation>
+        <translation>В&amp;метни</translation>
     </message>
     <message>
         <source>Your unsaved work was recovered nevertheless.</source>
@@ -1531,11 +2546,11 @@
     </message>
     <message>
         <source>Select a map first.</source>
-        <translation>Прво избери пресликување.</translation>
+        <translation>Прво изберете пресликување.</translation>
     </message>
     <message>
         <source>Duplicate the selected maps</source>
-        <translation>Дуплирај ги избраните пресликувања</translation>
+        <translation>Удвои ги избраните пресликувања</translation>
     </message>
     <message>
         <source>Delete the selected maps</source>
@@ -1619,7 +2634,7 @@
     </message>
     <message>
         <source>P&amp;revious Frame</source>
-        <translation>П&amp;ретходна слика</translation>
+        <translation>П&amp;ретходен кадар</translation>
     </message>
     <message>
         <source>,</source>
@@ -1627,11 +2642,11 @@
     </message>
     <message>
         <source>Move the playhead back one frame</source>
-        <translation>Врати ја главата за пуштање една слика назад</translation>
+        <translation>Врати ја главата за пуштање еден кадар назад</translation>
     </message>
     <message>
         <source>Ne&amp;xt Frame</source>
-        <translation>&amp;Следна слика</translation>
+        <translation>&amp;Следен кадар</translation>
     </message>
     <message>
         <source>.</source>
@@ -1639,7 +2654,7 @@
     </message>
     <message>
         <source>Move the playhead forward one frame</source>
-        <translation>Помести ја главата за пуштање една слика напред</translation>
+        <translation>Помести ја главата за пуштање еден кадар напред</translation>
     </message>
     <message>
         <source>Pre&amp;vious Key</source>
@@ -1779,7 +2794,7 @@
     </message>
     <message>
         <source>Select maps or entries first: in their panels, or on the canvas with the Maps tool.</source>
-        <translation>Прво избери пресликувања или записи: во нивните панели, или на платното со алатката за пресликувања.</translation>
+        <translation>Прво изберете пресликувања или записи: во нивните панели, или на платното со алатката за пресликувања.</translation>
     </message>
     <message>
         <source>&amp;Cut</source>
@@ -1799,11 +2814,11 @@
     </message>
     <message>
         <source>Dupl&amp;icate</source>
-        <translation>&amp;Дуплирај</translation>
+        <translation>&amp;Удвои</translation>
     </message>
     <message>
         <source>Duplicate the selected maps or entries</source>
-        <translation>Дуплирај ги избраните пресликувања или записи</translation>
+        <translation>Удвои ги избраните пресликувања или записи</translation>
     </message>
     <message>
         <source>&amp;Delete</source>
@@ -1831,11 +2846,11 @@
     </message>
     <message>
         <source>The Chaos Game</source>
-        <translation>Играта на хаос</translation>
+        <translation>Играта на хаосот</translation>
     </message>
     <message>
         <source>Why the Maple Fits Its Triangle</source>
-        <translation>Зошто јаворот го собира неговиот триаголник</translation>
+        <translation>Зошто јаворот се собира во својот триаголник</translation>
     </message>
     <message>
         <source>&amp;Lesson</source>
@@ -2347,7 +3362,7 @@
     </message>
     <message>
         <source>&amp;Variations…</source>
-        <translation>&amp;Варијации…</translation>
+        <translation>&amp;Варијанти…</translation>
     </message>
     <message>
         <source>S&amp;hadow</source>
@@ -2455,7 +3470,7 @@
     </message>
     <message>
         <source>Copy a link that holds the fractal: Barycage opens it when it is pasted</source>
-        <translation>Копирај врска што го содржи фракталот: Barycage ја отвора кога ќе се залепи</translation>
+        <translation>Копирај врска што го содржи фракталот: Barycage ја отвора кога ќе се вметне</translation>
     </message>
     <message>
         <source>The link was copied to the clipboard. It holds the whole fractal.</source>
@@ -4674,7 +5689,7 @@
     </message>
     <message>
         <source>Which map may follow which in the chaos game, as a graph and as a matrix.</source>
-        <translation>Кои пресликувања играта на хаос смее да ги примени по кои, како граф и како матрица.</translation>
+        <translation>Кои пресликувања играта на хаосот смее да ги примени по кои, како граф и како матрица.</translation>
     </message>
     <message>
         <source>The control cage in numbers: its vertices, their positions at rest, what moving them does, and other cages to choose from.</source>
@@ -5214,7 +6229,7 @@
     </message>
     <message>
         <source>%1 has keys: it would be rewritten at this frame only, and what has none at every frame. Remove its keys in the timeline first.</source>
-        <translation>%1 има клучеви: би се препишало само во оваа слика, а она што нема клучеви во сите. Прво отстранете ги од временската линија.</translation>
+        <translation>%1 има клучеви: би се препишало само во овој кадар, а она што нема клучеви во сите. Прво отстранете ги од временската линија.</translation>
     </message>
     <message>
         <source>Maps in space cannot be linked.</source>
@@ -5290,7 +6305,7 @@
     </message>
     <message>
         <source>Select a map first.</source>
-        <translation>Прво избери пресликување.</translation>
+        <translation>Прво изберете пресликување.</translation>
     </message>
     <message>
         <source>The maps are linked. Only maps that may all follow each other can be shown alone.</source>
@@ -5506,11 +6521,11 @@
     </message>
     <message>
         <source>Select at least two maps first.</source>
-        <translation>Прво избери барем две пресликувања.</translation>
+        <translation>Прво изберете барем две пресликувања.</translation>
     </message>
     <message>
         <source>Select at least three maps first.</source>
-        <translation>Прво избери барем три пресликувања.</translation>
+        <translation>Прво изберете барем три пресликувања.</translation>
     </message>
     <message>
         <source>The cage is flat, so maps cannot be moved in it. Reset the cage first.</source>
@@ -6116,7 +7131,7 @@
     <message>
         <source>%1 (frame %2)</source>
         <comment>what is done, at which frame</comment>
-        <translation>%1 (слика %2)</translation>
+        <translation>%1 (кадар %2)</translation>
     </message>
 </context>
 <context>
@@ -6473,7 +7488,7 @@
     </message>
     <message>
         <source>Frame without an attractor</source>
-        <translation>Слика без атрактор</translation>
+        <translation>Кадар без атрактор</translation>
     </message>
     <message>
         <source>Sect&amp;ion:</source>
@@ -6545,7 +7560,7 @@
     </message>
     <message>
         <source>S&amp;upersampling:</source>
-        <translation>&amp;Натсемплирање:</translation>
+        <translation>&amp;Суперсемплирање:</translation>
     </message>
     <message>
         <source>%1 needs even sides: the last column or row is shown twice.</source>
@@ -6798,7 +7813,7 @@
     <name>view::AttractorWatch</name>
     <message>
         <source>At frame %1, it could not be decided whether there is an attractor.</source>
-        <translation>Кај слика %1 не можеше да се утврди дали постои атрактор.</translation>
+        <translation>Кај кадар %1 не можеше да се утврди дали постои атрактор.</translation>
     </message>
     <message>
         <source>Weaken the motions.</source>
@@ -6810,19 +7825,19 @@
     </message>
     <message>
         <source>Weaken the motions, or change the keys of the maps (frames: %1).</source>
-        <translation>Ослабете ги движењата или сменете ги клучевите на пресликувањата (слики: %1).</translation>
+        <translation>Ослабете ги движењата или сменете ги клучевите на пресликувањата (кадри: %1).</translation>
     </message>
     <message>
         <source>Change the keys of the maps (frames: %1).</source>
-        <translation>Сменете ги клучевите на пресликувањата (слики: %1).</translation>
+        <translation>Сменете ги клучевите на пресликувањата (кадри: %1).</translation>
     </message>
     <message>
         <source>Set a key there, or change the keys of the maps (frames: %1).</source>
-        <translation>Поставете клуч таму или сменете ги клучевите на пресликувањата (слики: %1).</translation>
+        <translation>Поставете клуч таму или сменете ги клучевите на пресликувањата (кадри: %1).</translation>
     </message>
     <message>
         <source>At frame %1, there is no attractor.</source>
-        <translation>Кај слика %1 нема атрактор.</translation>
+        <translation>Кај кадар %1 нема атрактор.</translation>
     </message>
 </context>
 <context>
@@ -7359,11 +8374,11 @@
     </message>
     <message>
         <source>Select a vertex first.</source>
-        <translation>Прво избери теме.</translation>
+        <translation>Прво изберете теме.</translation>
     </message>
     <message>
         <source>To insert a vertex, point to an edge or select a vertex.</source>
-        <translation>За да вметнеш теме, покажи на страна или избери теме.</translation>
+        <translation>За да вметнете теме, покажете на страна или изберете теме.</translation>
     </message>
 </context>
 <context>
@@ -7838,7 +8853,7 @@
     <message>
         <source>%1 px</source>
         <comment>pixels</comment>
-        <translation>%1 пкс</translation>
+        <translation>%1 px</translation>
     </message>
     <message>
         <source>Coverage</source>
@@ -8041,7 +9056,7 @@
     </message>
     <message>
         <source>On average, the shades of the attractor are guaranteed to lie within %1 px of those of the picture.</source>
-        <translation>Гарантирано е дека нијансите на атракторот во просек се на најмногу %1 пкс од оние на сликата.</translation>
+        <translation>Гарантирано е дека нијансите на атракторот во просек се на најмногу %1 px од оние на сликата.</translation>
     </message>
     <message>
         <source>With these weights, the maps do not contract on average, so nothing is guaranteed for the shades.</source>
@@ -8583,7 +9598,7 @@
     </message>
     <message>
         <source>Chaos Game</source>
-        <translation>Игра на хаос</translation>
+        <translation>Игра на хаосот</translation>
     </message>
     <message>
         <source>One point that jumps by maps chosen at random; the first 14 points are not plotted</source>
@@ -8659,7 +9674,7 @@
     </message>
     <message>
         <source>How many jumps the chaos game makes per second. At up to ten per second, the die shows each map that is rolled.</source>
-        <translation>Колку скокови прави играта на хаос во секунда. До десет во секунда, коцката го покажува секое пресликување што паѓа.</translation>
+        <translation>Колку скокови прави играта на хаосот во секунда. До десет во секунда, коцката го покажува секое пресликување што паѓа.</translation>
     </message>
     <message>
         <source>W%1: the start</source>
@@ -8704,7 +9719,7 @@
     </message>
     <message>
         <source>Step by Step</source>
-        <translation>По чекори</translation>
+        <translation>Чекори</translation>
     </message>
     <message>
         <source>All maps at once, applied n times to the cage or another shape (Wⁿ)</source>
@@ -8734,7 +9749,7 @@
     </message>
     <message>
         <source>The die of the chaos game. It has a face for each map, as wide as the probability of the map. The face that was rolled is shown in the colour of its map, and so is the point that the map leads to. At more than ten jumps per second, the die rolls too fast to be read.</source>
-        <translation>Коцката на играта на хаос. Има по една страна за секое пресликување, широка колку неговата веројатност. Страната што паднала се прикажува во бојата на своето пресликување, исто како и точката до која тоа довело. При повеќе од десет скокови во секунда се тркала пребрзо за да се чита.</translation>
+        <translation>Коцката на играта на хаосот. Има по една страна за секое пресликување, широка колку неговата веројатност. Страната што паднала се прикажува во бојата на своето пресликување, исто како и точката до која тоа довело. При повеќе од десет скокови во секунда се тркала пребрзо за да се чита.</translation>
     </message>
     <message>
         <source>Each map has a face, as wide as its probability.</source>
@@ -9164,7 +10179,7 @@
     </message>
     <message>
         <source>The points of the chaos game as shown, without the first 14.</source>
-        <translation>Точките од играта на хаос таму каде што се прикажани, без првите 14.</translation>
+        <translation>Точките од играта на хаосот таму каде што се прикажани, без првите 14.</translation>
     </message>
     <message>
         <source>Export Data</source>
@@ -9188,7 +10203,7 @@
     </message>
     <message>
         <source>How many points of the chaos game are written.</source>
-        <translation>Колку точки од играта на хаос се запишуваат.</translation>
+        <translation>Колку точки од играта на хаосот се запишуваат.</translation>
     </message>
     <message>
         <source>In flame programs, y points down. With this option, the flame looks as it does here; without it, the numbers stay the same.</source>
@@ -9331,7 +10346,7 @@
     </message>
     <message>
         <source>One dot for every visible point of the chaos game.</source>
-        <translation>По една точка за секоја видлива точка од играта на хаос.</translation>
+        <translation>По една точка за секоја видлива точка од играта на хаосот.</translation>
     </message>
     <message>
         <source> The cage bends the picture, which copies cannot reproduce: the affine fit of the cage is written instead. A PNG shows the bend.</source>
@@ -9363,11 +10378,11 @@
     </message>
     <message>
         <source>Copies of copies make a small file that drawing programs can edit; the outline is one path; points are dots of the chaos game.</source>
-        <translation>Копиите од копии даваат мала датотека што програмите за цртање можат да ја уредуваат; контурата е една патека; точките се точки од играта на хаос.</translation>
+        <translation>Копиите од копии даваат мала датотека што програмите за цртање можат да ја уредуваат; контурата е една патека; точките се точки од играта на хаосот.</translation>
     </message>
     <message>
         <source>How many dots of the chaos game are drawn.</source>
-        <translation>Колку точки од играта на хаос се цртаат.</translation>
+        <translation>Колку точки од играта на хаосот се цртаат.</translation>
     </message>
     <message>
         <source>The number of levels of copies. More levels hardly enlarge the file, but the picture takes longer to draw.</source>
@@ -9864,7 +10879,7 @@
     </message>
     <message>
         <source>Seed of the random numbers</source>
-        <translation>Почетна вредност на случајните броеви</translation>
+        <translation>Семе на случајните броеви</translation>
     </message>
     <message>
         <source>Another seed gives another search</source>
@@ -9872,7 +10887,7 @@
     </message>
     <message>
         <source>Seed:</source>
-        <translation>Почеток:</translation>
+        <translation>Семе:</translation>
     </message>
     <message>
         <source>Similarities only</source>
@@ -10778,7 +11793,7 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
     </message>
     <message>
         <source>Each circle is a map, and an arrow leads to each map that may follow it in the chaos game; thicker arrows have more weight. Drag from one map to another to link them, or out of a map and back to link it to itself. Click an arrow and press Delete to remove it, or double-click it to enter its weight. With the keyboard: Left and Right walk through the maps, Up and Down through the arrows of a map; Space begins a new arrow, Left and Right choose its end, Enter adds it. Maps with a dashed ring take no part; the reason is shown beside them.</source>
-        <translation>Секој круг е пресликување, а стрелка води до секое пресликување што смее да го следи во играта на хаос; подебелите стрелки имаат поголема тежина. Влечете од едно пресликување до друго за да ги поврзете, или надвор од пресликување и назад за да го поврзете со самото себе. Кликнете на стрелка и притиснете Delete за да ја отстраните, или двоен клик за да ја внесете нејзината тежина. Со тастатурата: лево и десно минуваат низ пресликувањата, горе и долу низ стрелките на едно пресликување; празно место почнува нова стрелка, лево и десно го избираат нејзиниот крај, Enter ја додава. Пресликувањата со испрекинат прстен не учествуваат, од причината што стои до нив.</translation>
+        <translation>Секој круг е пресликување, а стрелка води до секое пресликување што смее да го следи во играта на хаосот; подебелите стрелки имаат поголема тежина. Влечете од едно пресликување до друго за да ги поврзете, или надвор од пресликување и назад за да го поврзете со самото себе. Кликнете на стрелка и притиснете Delete за да ја отстраните, или двоен клик за да ја внесете нејзината тежина. Со тастатурата: лево и десно минуваат низ пресликувањата, горе и долу низ стрелките на едно пресликување; празно место почнува нова стрелка, лево и десно го избираат нејзиниот крај, Enter ја додава. Пресликувањата со испрекинат прстен не учествуваат, од причината што стои до нив.</translation>
     </message>
     <message>
         <source>No map is selected.</source>
@@ -11214,7 +12229,7 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
     </message>
     <message>
         <source>Weight as entered: how often the chaos game chooses the map. The weights need not sum to 1.</source>
-        <translation>Тежината како што е зададена: колку често играта на хаос го зема пресликувањето. Збирот на тежините не мора да биде 1.</translation>
+        <translation>Тежината како што е зададена: колку често играта на хаосот го зема пресликувањето. Збирот на тежините не мора да биде 1.</translation>
     </message>
     <message>
         <source>Determinant ad − bc: the factor by which areas change; negative if the map reflects.</source>
@@ -11489,7 +12504,7 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
     </message>
     <message>
         <source>Table of maps</source>
-        <translation>Табела со пресликувања</translation>
+        <translation>Табела на пресликувањата</translation>
     </message>
     <message>
         <source>No maps: add one, or paste rows of 6 or 7 numbers.</source>
@@ -11682,7 +12697,7 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
     </message>
     <message>
         <source>Select a map first.</source>
-        <translation>Прво избери пресликување.</translation>
+        <translation>Прво изберете пресликување.</translation>
     </message>
     <message>
         <source>There are too many maps to show them all. Zoom in to see the others.</source>
@@ -12029,7 +13044,7 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
     </message>
     <message>
         <source>Use a variation</source>
-        <translation>Користи варијација</translation>
+        <translation>Користи варијанта</translation>
     </message>
 </context>
 <context>
@@ -12162,7 +13177,7 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
     </message>
     <message>
         <source>No matches</source>
-        <translation>Нема совпаѓања</translation>
+        <translation>Нема резултати</translation>
     </message>
     <message>
         <source>Rotate all hues by this many degrees; the lightness stays the same</source>
@@ -12911,7 +13926,7 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
     </message>
     <message>
         <source>Insert a vertex on an edge, duplicate the selected maps</source>
-        <translation>Вметни теме на страна, удвој ги избраните пресликувања</translation>
+        <translation>Вметни теме на страна, удвои ги избраните пресликувања</translation>
     </message>
     <message>
         <source>Remove the last vertex while defining a triangle</source>
@@ -13003,7 +14018,7 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
     </message>
     <message>
         <source>First or last frame</source>
-        <translation>Прва или последна слика</translation>
+        <translation>Прв или последен кадар</translation>
     </message>
     <message>
         <source>Home, End</source>
@@ -13488,7 +14503,7 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
     </message>
     <message>
         <source>S&amp;upersampling:</source>
-        <translation>&amp;Натсемплирање:</translation>
+        <translation>&amp;Суперсемплирање:</translation>
     </message>
     <message>
         <source>8 bits</source>
@@ -13996,7 +15011,7 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
     </message>
     <message>
         <source>Mean distance %1 px</source>
-        <translation>Средно растојание %1 пкс</translation>
+        <translation>Средно растојание %1 px</translation>
     </message>
     <message>
         <source>Overlap %1 %</source>
@@ -14012,7 +15027,7 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
     </message>
     <message>
         <source>Guaranteed within %1 px</source>
-        <translation>Загарантирано до %1 пкс</translation>
+        <translation>Загарантирано до %1 px</translation>
     </message>
 </context>
 <context>
@@ -14394,11 +15409,11 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
     </message>
     <message>
         <source>Key of %1 (frame %2)</source>
-        <translation>Клуч на %1 (слика %2)</translation>
+        <translation>Клуч на %1 (кадар %2)</translation>
     </message>
     <message>
         <source>Keys of all tracks (frame %1)</source>
-        <translation>Клучеви на сите патеки (слика %1)</translation>
+        <translation>Клучеви на сите патеки (кадар %1)</translation>
     </message>
     <message>
         <source>Delete keys</source>
@@ -14498,11 +15513,11 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
     </message>
     <message>
         <source>Ease of keys (frame %1)</source>
-        <translation>Премин на клучеви (слика %1)</translation>
+        <translation>Премин на клучеви (кадар %1)</translation>
     </message>
     <message>
         <source>Ease of keys (frames %1–%2)</source>
-        <translation>Премин на клучеви (слики %1–%2)</translation>
+        <translation>Премин на клучеви (кадри %1–%2)</translation>
     </message>
     <message>
         <source>Edit the Motion…</source>
@@ -14617,7 +15632,7 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
     </message>
     <message>
         <source>The view moves into a small copy of the whole; the last frame matches the first.</source>
-        <translation>Погледот навлегува во мала копија на целината, каде што последната слика е првата.</translation>
+        <translation>Погледот навлегува во мала копија на целината, каде што последниот кадар е првиот.</translation>
     </message>
     <message>
         <source>Zoom in endlessly</source>
@@ -14665,7 +15680,7 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
     </message>
     <message>
         <source>Frame without an attractor</source>
-        <translation>Слика без атрактор</translation>
+        <translation>Кадар без атрактор</translation>
     </message>
     <message>
         <source>Steady Sway</source>
@@ -14680,7 +15695,7 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
     </message>
     <message>
         <source>Drag a corner, an edge or the inside of the cage.  Ctrl rotates  ·  Alt scales  ·  Shift keeps directions  ·  double-click an edge for a new vertex</source>
-        <translation>Влечи теме, раб или внатрешност на кафезот.  Ctrl врти  ·  Alt менува големина  ·  Shift ги задржува правците  ·  двоен клик на раб: ново теме</translation>
+        <translation>Влечете теме, раб или внатрешност на кафезот.  Ctrl врти  ·  Alt менува големина  ·  Shift ги задржува правците  ·  двоен клик на раб: ново теме</translation>
     </message>
     <message>
         <source>Click the three corners of the new triangle.  Backspace removes the last point  ·  Esc cancels</source>
@@ -14692,11 +15707,11 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
     </message>
     <message>
         <source>Drag a corner or a face of the cage.  X, Y, Z keep an axis  ·  Ctrl rotates  ·  Alt scales  ·  drag anywhere else to turn the view</source>
-        <translation>Влечи теме или страна на кафезот.  X, Y, Z задржуваат оска  ·  Ctrl врти  ·  Alt менува големина  ·  влечи на друго место за да го завртиш приказот</translation>
+        <translation>Влечете теме или страна на кафезот.  X, Y, Z задржуваат оска  ·  Ctrl врти  ·  Alt менува големина  ·  влечете на друго место за да го завртите приказот</translation>
     </message>
     <message>
         <source>Click a corner of a map to select it, Shift+click for more.  Drag its corners or its middle  ·  X, Y, Z keep an axis  ·  Ctrl rotates  ·  Alt scales  ·  drag anywhere else to turn the view</source>
-        <translation>Кликни на теме од пресликување за да го избереш, Shift+клик за уште.  Влечи ги неговите темиња или средината  ·  X, Y, Z задржуваат оска  ·  Ctrl врти  ·  Alt менува големина  ·  влечи на друго место за да го завртиш приказот</translation>
+        <translation>Кликнете на теме од пресликување за да го изберете, Shift+клик за уште.  Влечете ги неговите темиња или средината  ·  X, Y, Z задржуваат оска  ·  Ctrl врти  ·  Alt менува големина  ·  влечете на друго место за да го завртите приказот</translation>
     </message>
     <message>
         <source>Side by side, the fractal can be turned and zoomed.  To change it, switch stereo off.</source>
@@ -14770,7 +15785,7 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
     </message>
     <message>
         <source>Switch the ruler between frames and seconds</source>
-        <translation>Префрли го линијарот меѓу слики и секунди</translation>
+        <translation>Префрли го линијарот меѓу кадри и секунди</translation>
     </message>
     <message>
         <source>Seconds</source>
@@ -14778,11 +15793,11 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
     </message>
     <message>
         <source>Frames</source>
-        <translation>Слики</translation>
+        <translation>Кадри</translation>
     </message>
     <message>
         <source>%1, frame %2</source>
-        <translation>%1, слика %2</translation>
+        <translation>%1, кадар %2</translation>
     </message>
     <message>
         <source>, key</source>
@@ -15314,11 +16329,11 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
     </message>
     <message>
         <source>Frame</source>
-        <translation>Слика</translation>
+        <translation>Кадар</translation>
     </message>
     <message>
         <source>The frame that is shown and edited</source>
-        <translation>Сликата што се прикажува и се уредува</translation>
+        <translation>Кадарот што се прикажува и се уредува</translation>
     </message>
     <message>
         <source>Length</source>
@@ -15326,15 +16341,15 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
     </message>
     <message>
         <source>The length of the animation in frames</source>
-        <translation>Колку слики е долга анимацијата</translation>
+        <translation>Колку кадри е долга анимацијата</translation>
     </message>
     <message>
         <source>Frames per second</source>
-        <translation>Слики во секунда</translation>
+        <translation>Кадри во секунда</translation>
     </message>
     <message>
         <source>The number of frames played per second</source>
-        <translation>Колку слики се пуштаат во секунда</translation>
+        <translation>Колку кадри се пуштаат во секунда</translation>
     </message>
     <message>
         <source>Previous Key</source>
@@ -15354,7 +16369,7 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
     </message>
     <message>
         <source>Frame:</source>
-        <translation>Слика:</translation>
+        <translation>Кадар:</translation>
     </message>
     <message>
         <source>Length:</source>
@@ -15374,11 +16389,11 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
     </message>
     <message>
         <source>What happens after the last frame</source>
-        <translation>Што доаѓа по последната слика</translation>
+        <translation>Што доаѓа по последниот кадар</translation>
     </message>
     <message>
         <source>Off: the animation stops at its last frame. Cycle: it starts again from frame 0. There and Back: it runs backwards to the start.</source>
-        <translation>Исклучено: анимацијата запира на последната слика. Круг: почнува одново, а сликата на крајот е слика 0. Напред и назад: се враќа наназад до почетокот.</translation>
+        <translation>Исклучено: анимацијата запира на последниот кадар. Круг: почнува одново, а кадарот на крајот е кадар 0. Напред и назад: се враќа наназад до почетокот.</translation>
     </message>
     <message>
         <source>Off</source>
@@ -15399,11 +16414,11 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
     </message>
     <message>
         <source>The number of frames drawn per second during playback</source>
-        <translation>Колку слики во секунда се цртаат при пуштањето</translation>
+        <translation>Колку кадри во секунда се цртаат при пуштањето</translation>
     </message>
     <message>
         <source>Frames per second: %1</source>
-        <translation>Слики во секунда: %1</translation>
+        <translation>Кадри во секунда: %1</translation>
     </message>
     <message>
         <source>Loop: %1</source>
@@ -15415,22 +16430,22 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
     </message>
     <message>
         <source>Stop at this frame</source>
-        <translation>Запри на оваа слика</translation>
+        <translation>Запри на овој кадар</translation>
     </message>
     <message>
         <source>The number of frames played per second: a number or a fraction, such as 24, 12.5 or 30000/1001. 29.97 stands for the latter, the rate of television.</source>
-        <translation>Колку слики се пуштаат во секунда: број или дропка, на пример 24, 12.5 или 30000/1001. 29.97 ја означува последната, брзината на телевизијата.</translation>
+        <translation>Колку кадри се пуштаат во секунда: број или дропка, на пример 24, 12.5 или 30000/1001. 29.97 ја означува последната, брзината на телевизијата.</translation>
     </message>
     <message>
         <source>“%1” is not a frame rate. Enter frames per second, above 0 and at most %2, such as 24, 29.97 or 30000/1001.</source>
-        <translation>„%1“ не е брзина на слики. Внесете слики во секунда, над 0 и најмногу %2, на пример 24, 29.97 или 30000/1001.</translation>
+        <translation>„%1“ не е брзина на кадри. Внесете кадри во секунда, над 0 и најмногу %2, на пример 24, 29.97 или 30000/1001.</translation>
     </message>
     <message numerus="yes">
         <source>Length of the animation: %n frame(s)</source>
         <translation>
-            <numerusform>Должина на анимацијата: %n слика</numerusform>
-            <numerusform>Должина на анимацијата: %n слики</numerusform>
-            <numerusform>Должина на анимацијата: %n слики</numerusform>
+            <numerusform>Должина на анимацијата: %n кадар</numerusform>
+            <numerusform>Должина на анимацијата: %n кадри</numerusform>
+            <numerusform>Должина на анимацијата: %n кадри</numerusform>
         </translation>
     </message>
 </context>

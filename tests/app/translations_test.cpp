@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "attractor/colour/palette.h"
 #include "attractor/colour/palette_library.h"
+#include "io/collection_source.h"
+#include "support/languages.h"
 #include "support/named_test.h"
 #include "support/paths.h"
 
@@ -89,6 +91,9 @@ QSet<QString> textsOfTheCollection() {
         for (const char* text : {"title", "description"})
             texts << QStringLiteral("Collection|") + theme.toObject().value(QLatin1String(text)).toString() +
                          u'|';
+    for (const QString& path : io::bundledCollection())
+        for (const document::Entry& entry : io::readTheme(path).entries)
+            texts << QStringLiteral("CollectionNames|") + entry.fractal->headerComment.trimmed() + u'|';
     return texts;
 }
 
@@ -127,6 +132,7 @@ private slots:
     void nothingIsMissing();
     void everyTextOfTheProgramIsInTheCatalogues();
     void namesOfDataAreInTheCatalogues();
+    void entriesHaveNamesInEveryLanguage();
     void qtSpeaksTheOtherLanguages_data();
     void qtSpeaksTheOtherLanguages();
     void oneIsSingular();
@@ -234,7 +240,7 @@ void TranslationsTest::everyTextOfTheProgramIsInTheCatalogues() {
         if (message.counts) counting.insert(message.key());
     }
     QVERIFY(texts.size() > 800);
-    QVERIFY(textsOfTheCollection().size() > 20);
+    QVERIFY(textsOfTheCollection().size() > 250);
     QVERIFY(texts.contains(textsOfTheCollection()));
     const QStringList overlooked = textsFoundNowhere(texts);
     QVERIFY2(overlooked.isEmpty(),
@@ -266,6 +272,31 @@ void TranslationsTest::namesOfDataAreInTheCatalogues() {
     for (const Message& message : messagesOf(catalogue(QStringLiteral("de"))))
         names.remove(message.key());
     QVERIFY2(names.isEmpty(), qPrintable(QStringList(names.values()).join(u'\n')));
+}
+
+// Names that begin with a name of their own, as “Terdragon”, may be the same; most are not.
+void TranslationsTest::entriesHaveNamesInEveryLanguage() {
+    QStringList titles;
+    for (const QString& path : io::bundledCollection())
+        for (const document::Entry& entry : io::readTheme(path).entries)
+            titles << entry.fractal->headerComment.trimmed();
+    titles.removeDuplicates();
+    QVERIFY(titles.size() > 200);
+    for (const char* language : {"de", "es", "fr", "mk"}) {
+        const support::Spoken spoken(QString::fromLatin1(language));
+        QVERIFY(spoken.isInstalled());
+        QSet<QString> translated;
+        qsizetype same = 0;
+        for (const QString& title : titles) {
+            const QString name = io::bundledTitle(title);
+            QVERIFY2(name.contains(u':') == title.contains(u':'), qPrintable(name)); // where it is shortened
+            translated << name;
+            if (name == title) ++same;
+        }
+        QVERIFY2(same < 10, language);
+        QCOMPARE(translated.size(), titles.size()); // as many names as in English
+    }
+    QCOMPARE(io::bundledTitle(QStringLiteral("Koch curve")), QStringLiteral("Koch curve"));
 }
 
 void TranslationsTest::qtSpeaksTheOtherLanguages_data() {

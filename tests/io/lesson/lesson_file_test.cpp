@@ -2,14 +2,17 @@
 #include "io/fractint/fractint_reader.h"
 #include "io/lesson/lesson_reader.h"
 #include "io/lesson/lesson_writer.h"
+#include "support/languages.h"
 #include "support/named_test.h"
 
 #include <QDirIterator>
 #include <QElapsedTimer>
 #include <QFile>
+#include <QRegularExpression>
 #include <QTest>
 
 #include <algorithm>
+#include <utility>
 
 using document::Lesson;
 using document::LessonState;
@@ -32,6 +35,8 @@ private slots:
     void textsArePlain();
     void areasFitWindowsOfAnyShape();
     void ourLessonsAreWhole();
+    void everyLanguageSaysTheSame_data() { support::addLanguages(); }
+    void everyLanguageSaysTheSame();
 };
 
 namespace {
@@ -295,6 +300,34 @@ void LessonFileTest::ourLessonsAreWhole() {
         ++lessons;
     }
     QVERIFY(lessons >= 2);
+}
+
+// As many paragraphs as in English, as long, and lessons, panels and entries by the names that the window has
+// for them.
+void LessonFileTest::everyLanguageSaysTheSame() {
+    QFETCH(const QString, language);
+    const support::Spoken spoken(language);
+    QVERIFY(spoken.isInstalled());
+    for (const auto& [name, menu] : {std::pair("chaos_game", "The Chaos Game"),
+                                     std::pair("maple_triangle", "Why the Maple Fits Its Triangle")}) {
+        const QString path = u":/lessons/"_s + QLatin1String(name);
+        const Lesson english = io::readLesson(contents(path + u".lesson"_s)).lesson;
+        const QString suffix = language == u"en"_s ? QString() : u'.' + language;
+        const Lesson lesson = io::readLesson(contents(path + suffix + u".lesson"_s)).lesson;
+        QCOMPARE(lesson.title.toLower(), QCoreApplication::translate("MainWindow", menu).toLower());
+        QCOMPARE(lesson.steps.size(), english.steps.size());
+        for (qsizetype i = 0; i < english.steps.size(); ++i) {
+            const QString &text = lesson.steps[i].text, &original = english.steps[i].text;
+            QCOMPARE(text.count(u"\n\n"_s), original.count(u"\n\n"_s));
+            const double share = double(text.size()) / double(original.size());
+            QVERIFY2(share > 0.7 && share < 1.5, qPrintable(text));
+            static const QRegularExpression quoted(u"“(.+?)”"_s);
+            for (auto it = quoted.globalMatch(original); it.hasNext();) {
+                const QByteArray called = it.next().captured(1).toUtf8();
+                QVERIFY2(text.contains(QCoreApplication::translate("MainWindow", called)), qPrintable(text));
+            }
+        }
+    }
 }
 
 BARYCAGE_TEST(LessonFileTest, QCoreApplication);

@@ -26,20 +26,21 @@ bool isReadable(const document::Entry& entry) {
 
 // The title without the part behind a colon: there is room for a few words below a picture.
 QString shortTitle(const QString& title) {
-    return title.section(QLatin1String(": "), 0, 0);
+    return title.section(QLatin1String(": "), 0, 0).trimmed(); // French has a blank before it
 }
 
-QString titleOf(const document::Fractal& fractal) {
+// In the user's language for the bundled files, which lie in no folder.
+QString titleOf(const document::Fractal& fractal, const QString& folder) {
     const QString title = fractal.headerComment.trimmed();
-    return title.isEmpty() ? fractal.name : title;
+    if (title.isEmpty()) return fractal.name;
+    return folder.isEmpty() ? io::bundledTitle(title) : title;
 }
 
-QString toolTip(const document::Fractal& fractal, const QString& theme) {
+QString toolTip(const document::Fractal& fractal, const QString& title, const QString& theme) {
     QStringList comments;
     for (const QString& comment : document::userComments(fractal.comments))
         comments.append(comment.trimmed());
-    QString text =
-        QStringLiteral("<b>%1</b> (%2)").arg(titleOf(fractal).toHtmlEscaped(), fractal.name.toHtmlEscaped());
+    QString text = QStringLiteral("<b>%1</b> (%2)").arg(title.toHtmlEscaped(), fractal.name.toHtmlEscaped());
     if (!comments.isEmpty()) text += QStringLiteral("<br>") + comments.join(QLatin1Char(' ')).toHtmlEscaped();
     return text + QStringLiteral("<br><i>%1</i>").arg(theme.toHtmlEscaped());
 }
@@ -190,15 +191,16 @@ QVariant CollectionModel::headingData(const Row& row, int role) const {
 
 QVariant CollectionModel::entryData(const Row& row, int role) const {
     const document::Fractal& fractal = *row.entry.fractal;
+    const auto title = [&] { return titleOf(fractal, row.folder); };
     switch (role) {
     case Qt::DisplayRole:
-        return shortTitle(titleOf(fractal));
+        return shortTitle(title());
     case Qt::ToolTipRole:
-        return toolTip(fractal, row.theme);
+        return toolTip(fractal, title(), row.theme);
     case Qt::AccessibleTextRole:
         return m_favourites.contains(favouriteKey(row))
-                   ? tr("%1, from %2, a favourite").arg(titleOf(fractal), row.theme)
-                   : tr("%1, from %2").arg(titleOf(fractal), row.theme);
+                   ? tr("%1, from %2, a favourite").arg(title(), row.theme)
+                   : tr("%1, from %2").arg(title(), row.theme);
     case Qt::AccessibleDescriptionRole:
         return fractal.comments.join(QLatin1Char(' ')).simplified();
     case Qt::DecorationRole:
@@ -214,7 +216,7 @@ QVariant CollectionModel::entryData(const Row& row, int role) const {
     case MovesRole:
         return row.moves;
     case SearchRole:
-        return (QStringList{fractal.name, fractal.headerComment, row.theme} + fractal.comments)
+        return (QStringList{fractal.name, fractal.headerComment, title(), row.theme} + fractal.comments)
             .join(QLatin1Char('\n'));
     default:
         return {};

@@ -9,6 +9,7 @@
 #include "support/background_rest.h"
 #include "support/events.h"
 #include "support/forget_settings.h"
+#include "support/languages.h"
 #include "support/named.h"
 #include "support/named_test.h"
 #include "support/own_settings.h"
@@ -87,6 +88,7 @@ private slots:
     void dragsAsText();
     void favouritesAreKept();
     void partnersComeAlong();
+    void bundledNamesAreTranslated();
 };
 
 void CollectionPanelTest::initTestCase() {
@@ -396,6 +398,33 @@ void CollectionPanelTest::partnersComeAlong() {
     QVERIFY(model.withPartnerAt(model.index(0)).isEmpty()); // a title
     const std::unique_ptr<QMimeData> dragged(model.mimeData({model.index(1)}));
     QVERIFY(dragged->text().contains(u"f {"_s) && dragged->text().contains(u"g {"_s));
+}
+
+// What is shown, said and searched; what is opened, dragged or saved stays as it is.
+void CollectionPanelTest::bundledNamesAreTranslated() {
+    const support::Spoken german(u"de"_s);
+    QVERIFY(german.isInstalled());
+    io::CollectionTheme ferns = io::readTheme(u":/ifs_library/ferns.ifs"_s);
+    ferns.entries.removeIf(
+        [](const document::Entry& entry) { return entry.fractal->name != u"lady_fern"_s; });
+    QCOMPARE(ferns.entries.size(), 1);
+    view::Thumbnails thumbnails;
+    CollectionModel model(&thumbnails);
+    model.append(ferns);
+    model.append(ferns, u"/home/me"_s);
+    const QModelIndex bundled = model.index(1);
+    QCOMPARE(bundled.data().toString(), u"Frauenfarn"_s);
+    for (const int role :
+         {int(Qt::ToolTipRole), int(Qt::AccessibleTextRole), int(CollectionModel::SearchRole)})
+        QVERIFY(bundled.data(role).toString().contains(u"Frauenfarn: wechsel"_s));
+    QVERIFY(bundled.data(CollectionModel::SearchRole).toString().contains(u"Lady fern"_s));
+    QCOMPARE(model.index(3).data().toString(), u"Lady fern"_s);
+    QVERIFY(model.fractalAt(bundled)->headerComment.contains(u"Lady fern: "_s));
+    const std::unique_ptr<QMimeData> dragged(model.mimeData({bundled}));
+    QVERIFY(dragged->text().contains(u"Lady fern"_s) && !dragged->text().contains(u"Frauenfarn"_s));
+    const support::Spoken french(u"fr"_s);
+    QVERIFY(french.isInstalled());
+    QCOMPARE(bundled.data().toString(), u"Fougère femelle"_s); // has a blank before the colon
 }
 
 BARYCAGE_TEST(CollectionPanelTest, QApplication);
