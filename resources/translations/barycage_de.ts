@@ -648,7 +648,7 @@
     </message>
     <message>
         <source>Walk through a weaving flower</source>
-        <translation>Gang durch eine webende Blüte</translation>
+        <translation>Gang durch eine wogende Blüte</translation>
     </message>
     <message>
         <source>Tree in a storm</source>

@@ -648,7 +648,7 @@
     </message>
     <message>
         <source>Walk through a weaving flower</source>
-        <translation>Paseo por una flor que se teje</translation>
+        <translation>Paseo por una flor que se mece</translation>
     </message>
     <message>
         <source>Tree in a storm</source>

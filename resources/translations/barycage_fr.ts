@@ -648,7 +648,7 @@
     </message>
     <message>
         <source>Walk through a weaving flower</source>
-        <translation>Promenade dans une fleur qui se tisse</translation>
+        <translation>Promenade dans une fleur qui ondule</translation>
     </message>
     <message>
         <source>Tree in a storm</source>

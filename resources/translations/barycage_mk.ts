@@ -649,7 +649,7 @@
     </message>
     <message>
         <source>Walk through a weaving flower</source>
-        <translation>Прошетка низ цвет што се плете</translation>
+        <translation>Прошетка низ цвет што се ниша</translation>
     </message>
     <message>
         <source>Tree in a storm</source>
@@ -1029,7 +1029,7 @@
     </message>
     <message>
         <source>Dill umbel</source>
-        <translation>Соцвет на копар</translation>
+        <translation>Соцветие на копар</translation>
     </message>
     <message>
         <source>Thistle head</source>
@@ -1297,7 +1297,7 @@
     </message>
     <message>
         <source>Swirling dust of three</source>
-        <translation>Прав од три копии што се вртложат</translation>
+        <translation>Прав од три копии во вртлог</translation>
     </message>
     <message>
         <source>Hexaflake</source>
@@ -1561,7 +1561,7 @@
     </message>
     <message>
         <source>Umbel: six rays from the top of a stalk</source>
-        <translation>Штитест соцвет: шест зраци од врвот на една дршка</translation>
+        <translation>Штитовидно соцветие: шест зраци од врвот на една дршка</translation>
     </message>
     <message>
         <source>Thuja: flat sprays turned by the golden angle</source>
