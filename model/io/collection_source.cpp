@@ -61,6 +61,7 @@ QStringList collectionIn(const QString& folder) {
 CollectionTheme readTheme(const QString& path) {
     const QFileInfo info(path);
     CollectionTheme theme;
+    theme.file = info.fileName();
     theme.title = info.completeBaseName();
     for (const QJsonValue& value : themesIn(info.path())) {
         const QJsonObject entry = value.toObject();

@@ -67,10 +67,11 @@ int CollectionModel::placeFor(const QString& folder) const {
 }
 
 void CollectionModel::append(const io::CollectionTheme& theme, const QString& folder) {
-    QList<Row> rows{{0, theme.title, theme.description, folder, {}, false}};
+    QList<Row> rows{{0, theme.file, theme.title, theme.description, folder, {}, false}};
     for (const document::Entry& entry : theme.entries)
         if (isReadable(entry))
             rows.append({++m_lastKey,
+                         theme.file,
                          theme.title,
                          {},
                          folder,
@@ -138,8 +139,18 @@ QVariant CollectionModel::data(const QModelIndex& index, int role) const {
     return row.entry.fractal ? entryData(row, role) : headingData(row, role);
 }
 
-QString CollectionModel::favouriteKey(const Row& row) {
+bool CollectionModel::isFavourite(const Row& row) const {
+    if (m_favourites.contains(favouriteKey(row))) return true;
+    return m_favourites.contains(formerKey(row));
+}
+
+// By the title of the theme, which is another one in another language.
+QString CollectionModel::formerKey(const Row& row) {
     return QStringList{row.folder, row.theme, row.entry.fractal->name}.join(QLatin1Char('|'));
+}
+
+QString CollectionModel::favouriteKey(const Row& row) {
+    return QStringList{row.folder, row.file, row.entry.fractal->name}.join(QLatin1Char('|'));
 }
 
 void CollectionModel::setFavourites(const QStringList& favourites) {
@@ -149,11 +160,12 @@ void CollectionModel::setFavourites(const QStringList& favourites) {
 
 bool CollectionModel::setData(const QModelIndex& index, const QVariant& value, int role) {
     if (role != FavouriteRole || !fractalAt(index)) return false;
-    const QString key = favouriteKey(m_rows[index.row()]);
+    const Row& row = m_rows[index.row()];
+    m_favourites.remove(formerKey(row));
     if (value.toBool())
-        m_favourites.insert(key);
+        m_favourites.insert(favouriteKey(row));
     else
-        m_favourites.remove(key);
+        m_favourites.remove(favouriteKey(row));
     emit dataChanged(index, index, {FavouriteRole});
     return true;
 }
@@ -198,9 +210,8 @@ QVariant CollectionModel::entryData(const Row& row, int role) const {
     case Qt::ToolTipRole:
         return toolTip(fractal, title(), row.theme);
     case Qt::AccessibleTextRole:
-        return m_favourites.contains(favouriteKey(row))
-                   ? tr("%1, from %2, a favourite").arg(title(), row.theme)
-                   : tr("%1, from %2").arg(title(), row.theme);
+        return isFavourite(row) ? tr("%1, from %2, a favourite").arg(title(), row.theme)
+                                : tr("%1, from %2").arg(title(), row.theme);
     case Qt::AccessibleDescriptionRole:
         return fractal.comments.join(QLatin1Char(' ')).simplified();
     case Qt::DecorationRole:
@@ -210,7 +221,7 @@ QVariant CollectionModel::entryData(const Row& row, int role) const {
     case HeadingRole:
         return false;
     case FavouriteRole:
-        return m_favourites.contains(favouriteKey(row));
+        return isFavourite(row);
     case RecentRole:
         return int(m_recent.indexOf(favouriteKey(row)));
     case MovesRole:

@@ -59,6 +59,7 @@ public:
 private:
     struct Row {
         Thumbnails::Key key = 0;
+        QString file; // of the theme
         QString theme;
         QString description; // of the theme; for its title only
         QString folder;
@@ -68,6 +69,8 @@ private:
 
     int placeFor(const QString& folder) const; // behind what is there
     static QString favouriteKey(const Row& row);
+    static QString formerKey(const Row& row); // of earlier versions
+    bool isFavourite(const Row& row) const;
     QVariant headingData(const Row& row, int role) const;
     QVariant entryData(const Row& row, int role) const;
 

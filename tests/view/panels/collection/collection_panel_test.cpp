@@ -87,6 +87,7 @@ private slots:
     void whatDoesNotAnswerCanBeStopped();
     void dragsAsText();
     void favouritesAreKept();
+    void favouritesAreKeptInEveryLanguage();
     void partnersComeAlong();
     void bundledNamesAreTranslated();
 };
@@ -372,6 +373,32 @@ void CollectionPanelTest::favouritesAreKept() {
     support::action(again, "favourites-only")->setChecked(false);
     again.findChild<QLineEdit*>()->clear();
     QTRY_VERIFY(!why->isVisible());
+}
+
+// They are named by the file of their theme. Earlier versions named them by its title.
+void CollectionPanelTest::favouritesAreKeptInEveryLanguage() {
+    io::CollectionTheme ferns = theme(u"Ferns"_s, {u"a"_s, u"b"_s});
+    ferns.file = u"ferns.ifs"_s;
+    const auto isFavourite = [](const io::CollectionTheme& shown, const QStringList& kept, int row) {
+        view::Thumbnails thumbnails;
+        CollectionModel model(&thumbnails);
+        model.append(shown);
+        model.setFavourites(kept);
+        return model.index(row).data(CollectionModel::FavouriteRole).toBool();
+    };
+    view::Thumbnails thumbnails;
+    CollectionModel model(&thumbnails);
+    model.append(ferns);
+    model.setFavourites({u"|Ferns|a"_s});
+    QVERIFY(model.setData(model.index(1), true, CollectionModel::FavouriteRole));
+    QVERIFY(model.setData(model.index(2), true, CollectionModel::FavouriteRole));
+    QCOMPARE(model.favourites().size(), 2);
+    io::CollectionTheme farne = ferns;
+    farne.title = u"Farne"_s;
+    QVERIFY(isFavourite(farne, model.favourites(), 1) && isFavourite(farne, model.favourites(), 2));
+    QVERIFY(isFavourite(ferns, {u"|Ferns|b"_s}, 2) && !isFavourite(ferns, {u"|Ferns|b"_s}, 1));
+    QVERIFY(model.setData(model.index(1), false, CollectionModel::FavouriteRole));
+    QVERIFY(!isFavourite(ferns, model.favourites(), 1));
 }
 
 // Of the same theme, with the picture by its full path where the folder is the user's own.
