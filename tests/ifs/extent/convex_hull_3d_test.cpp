@@ -4,8 +4,8 @@
 #include "ifs/extent/convex_hull.h"
 #include "ifs/extent/convex_hull_3d.h"
 #include "support/named_test.h"
+#include "support/processor_timer.h"
 
-#include <QElapsedTimer>
 #include <QtTest>
 
 #include <Eigen/Geometry>
@@ -199,8 +199,7 @@ private slots:
     void aHullIsStoppedWhileItIsMade() {
         const auto support = *SupportFunction<3>::of(fern3());
         const Deadline deadline(Deadline::Time(0.02));
-        QElapsedTimer timer;
-        timer.start();
+        const support::ProcessorTimer timer;
         QVERIFY(!convexHull(support, 1e-9 * support.radius(), deadline.token()));
         QVERIFY2(timer.elapsed() < 20'000, qPrintable(QString::number(timer.elapsed())));
     }

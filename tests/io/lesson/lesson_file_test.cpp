@@ -4,9 +4,9 @@
 #include "io/lesson/lesson_writer.h"
 #include "support/languages.h"
 #include "support/named_test.h"
+#include "support/processor_timer.h"
 
 #include <QDirIterator>
-#include <QElapsedTimer>
 #include <QFile>
 #include <QRegularExpression>
 #include <QTest>
@@ -234,8 +234,7 @@ void LessonFileTest::hostileFiles_data() {
 void LessonFileTest::hostileFiles() {
     QFETCH(QByteArray, bytes);
     QFETCH(QString, says);
-    QElapsedTimer timer;
-    timer.start();
+    const support::ProcessorTimer timer;
     const io::LessonFile file = io::readLesson(bytes);
     QVERIFY2(timer.elapsed() < 5000, qPrintable(QString::number(timer.elapsed())));
     QVERIFY(!file.problems.isEmpty() && file.problems.size() < 50);

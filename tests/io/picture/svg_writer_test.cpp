@@ -10,8 +10,8 @@
 #include "io/picture/vector/svg_writer.h"
 #include "support/fractals.h"
 #include "support/named_test.h"
+#include "support/processor_timer.h"
 
-#include <QElapsedTimer>
 #include <QImage>
 #include <QProcess>
 #include <QStandardPaths>
@@ -267,8 +267,7 @@ void SvgWriterTest::singularMapsCostNothingBelowThem() {
     const document::Fractal fractal = written(
         {ifs::affineMap(-.169, .104, 0, 0, 1.35, -.963), ifs::affineMap(-.401, .217, 0, 0, 1.44, -1.07)});
     const attractor::Camera camera = cameraFor(fractal);
-    QElapsedTimer clock;
-    clock.start();
+    const support::ProcessorTimer clock;
     const SvgPicture picture = svgPicture(fractal, camera, {150, CageVisibility::Hidden});
     QCOMPARE(picture.plan.depth, 150);
     QCOMPARE(picture.plan.references, 2u);

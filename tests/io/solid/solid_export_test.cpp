@@ -5,10 +5,10 @@
 #include "io/solid/solid_export.h"
 #include "support/fractals.h"
 #include "support/named_test.h"
+#include "support/processor_timer.h"
 #include "support/thorough.h"
 
 #include <QBuffer>
-#include <QElapsedTimer>
 #include <QFile>
 #include <QJsonArray>
 #include <QJsonDocument>
@@ -526,8 +526,7 @@ void SolidExportTest::hardSystemsEnd_data() {
 // A surface, or a sentence, in bounded time.
 void SolidExportTest::hardSystemsEnd() {
     QFETCH(systems::System3, system);
-    QElapsedTimer clock;
-    clock.start();
+    const support::ProcessorTimer clock;
     const io::PrintableSolid solid =
         io::printableSolid(solidOf(system), resolution(support::isThorough() ? 100 : 20));
     QVERIFY2(clock.elapsed() < 240'000, qPrintable(QString::number(clock.elapsed())));

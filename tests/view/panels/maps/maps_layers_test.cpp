@@ -6,12 +6,12 @@
 #include "panels/maps/maps_panel.h"
 #include "support/named_test.h"
 #include "support/patient_tries.h"
+#include "support/processor_timer.h"
 #include "view/panels/maps_support.h"
 #include "widgets/numbers/number_field.h"
 
 #include <QApplication>
 #include <QClipboard>
-#include <QElapsedTimer>
 #include <QHeaderView>
 #include <QImage>
 #include <QLineEdit>
@@ -324,8 +324,7 @@ private slots:
         for (int k = 0; k < 10'000; ++k)
             rows.push_back({0.01, 0, 0, 0.01, double(k % 100) / 100, double(k / 100) / 100, 1});
         open(fractalOf(rows));
-        QElapsedTimer time;
-        time.start();
+        const support::ProcessorTimer time;
         table().selectAll();
         m_panel->toggleLock();
         document::renameMap(*m_document, 5000, QStringLiteral("middle"));
