@@ -94,6 +94,12 @@ test("a click leads to the figure, and Back to the gallery where it was", async 
   assert.deepEqual(await browser.complaints(), []);
 });
 
+test("a damaged link is named where it can be read", async () => {
+  const browser = await shown(`file://${gallery}#!!!!`);
+  assert.equal(await view(browser), "gallery");
+  assert.match(await browser.value("document.querySelector('main').innerText"), /link is damaged/);
+});
+
 test("the keyboard alone finds, opens and returns", async () => {
   const browser = await shown(gallery);
   await browser.keys(tab, ..."maple", tab, "\uE007");

@@ -33,7 +33,8 @@ export class Gallery {
     this.found = element("p", { id: "found", role: "status" });
     this.tiles = entries.map((entry, index) => this.tile(entry, index, choose));
     byId("gallery").replaceChildren(
-      element("header", {}, [element("h1", {}, [title]), this.search]), element("p", { class: "caption" }, [caption].filter(Boolean)),
+      element("header", {}, [element("h1", {}, [title]), this.search]),
+      element("p", { class: "notice" }, [byId("notice").textContent ?? ""]), element("p", { class: "caption" }, [caption].filter(Boolean)),
       this.found, element("ul", { id: "tiles" }, this.tiles));
     this.search.addEventListener("input", () => this.filter());
     this.filter();

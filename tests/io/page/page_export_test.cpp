@@ -161,7 +161,7 @@ void PageExportTest::optionsAreWritten() {
     const QByteArray page = io::pageOf(what);
     const QJsonObject content = contentOf(page);
     QCOMPARE(content[u"show"].toString(), QStringLiteral("figure"));
-    QCOMPARE(content[u"allow"].toArray(), QJsonArray{QStringLiteral("cage")});
+    QCOMPARE(content[u"allow"].toArray(), (QJsonArray{QStringLiteral("cage"), QStringLiteral("maps")}));
     QCOMPARE(content[u"language"].toString(), QStringLiteral("mk"));
     QCOMPARE(content[u"points"].toInt(), 5'000'000);
     const QJsonArray current{QJsonArray{0, 0}, QJsonArray{2, 1}, QJsonArray{0, 2}};
