@@ -140,8 +140,8 @@ py::object moments(const entry::Entry& entry) {
 }
 
 template <int Dim>
-py::object supportIn(const ifs::IteratedFunctionSystem<Dim>& system, const Numbers& direction,
-                     double tolerance) {
+py::object supportOfEntry(const ifs::IteratedFunctionSystem<Dim>& system, const Numbers& direction,
+                          double tolerance) {
     const ifs::Vector<Dim> u = vectorFrom<Dim>(direction, "direction");
     std::optional<ifs::SupportValue<Dim>> found;
     interruptibly([&](const std::stop_token&) { found = supportOf(system)(u, tolerance); });
@@ -149,7 +149,8 @@ py::object supportIn(const ifs::IteratedFunctionSystem<Dim>& system, const Numbe
 }
 
 py::object support(const entry::Entry& entry, const Numbers& direction, double tolerance) {
-    return inItsDimension(entry, [&](const auto& system) { return supportIn(system, direction, tolerance); });
+    return inItsDimension(entry,
+                          [&](const auto& system) { return supportOfEntry(system, direction, tolerance); });
 }
 
 template <int Dim>
