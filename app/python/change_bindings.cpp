@@ -23,8 +23,8 @@ namespace {
 
 namespace py = pybind11;
 
-template <int Dim> entry::Entry conjugatedIn(entry::Entry entry, const Numbers& map) {
-    auto& figure = std::get<entry::Figure<Dim>>(entry.figure);
+template <int Dim> notation::Entry conjugatedIn(notation::Entry entry, const Numbers& map) {
+    auto& figure = std::get<notation::Figure<Dim>>(entry.figure);
     const ifs::AffineMap<Dim> transformation = mapFrom<Dim>(map);
     auto moved = ifs::conjugate(transformation, figure.system);
     if (!moved) throw std::invalid_argument("the transformation cannot be inverted, or hardly so");
@@ -34,31 +34,31 @@ template <int Dim> entry::Entry conjugatedIn(entry::Entry entry, const Numbers& 
     return entry;
 }
 
-entry::Entry conjugated(const entry::Entry& entry, const Numbers& map) {
-    return std::holds_alternative<entry::Figure<3>>(entry.figure) ? conjugatedIn<3>(entry, map)
-                                                                  : conjugatedIn<2>(entry, map);
+notation::Entry conjugated(const notation::Entry& entry, const Numbers& map) {
+    return std::holds_alternative<notation::Figure<3>>(entry.figure) ? conjugatedIn<3>(entry, map)
+                                                                     : conjugatedIn<2>(entry, map);
 }
 
 template <int Dim>
-entry::Entry cagedIn(entry::Entry entry, const Numbers& rest, const Numbers& current, bool bend) {
+notation::Entry cagedIn(notation::Entry entry, const Numbers& rest, const Numbers& current, bool bend) {
     ifs::ControlCage<Dim> cage{pointsFrom<Dim>(rest, "rest"), pointsFrom<Dim>(current, "current"),
                                bend ? ifs::Deformation::Bend : ifs::Deformation::AffineFit};
     if (!ifs::isValid(cage))
         throw std::invalid_argument(
             "no cage: both lists need as many vertices, and those at rest must hold coordinates: no flat "
             "simplex and, in the plane, a simple polygon of at most 64 corners");
-    std::get<entry::Figure<Dim>>(entry.figure).cage = std::move(cage);
+    std::get<notation::Figure<Dim>>(entry.figure).cage = std::move(cage);
     return entry;
 }
 
-entry::Entry caged(const entry::Entry& entry, const Numbers& rest, const Numbers& current, bool bend) {
-    return std::holds_alternative<entry::Figure<3>>(entry.figure) ? cagedIn<3>(entry, rest, current, bend)
-                                                                  : cagedIn<2>(entry, rest, current, bend);
+notation::Entry caged(const notation::Entry& entry, const Numbers& rest, const Numbers& current, bool bend) {
+    return std::holds_alternative<notation::Figure<3>>(entry.figure) ? cagedIn<3>(entry, rest, current, bend)
+                                                                     : cagedIn<2>(entry, rest, current, bend);
 }
 
 template <int Dim>
-entry::Entry withBranchIn(entry::Entry entry, const std::vector<int>& word, const Numbers& map) {
-    auto& figure = std::get<entry::Figure<Dim>>(entry.figure);
+notation::Entry withBranchIn(notation::Entry entry, const std::vector<int>& word, const Numbers& map) {
+    auto& figure = std::get<notation::Figure<Dim>>(entry.figure);
     animation::BranchPose<Dim> moved{{}, mapFrom<Dim>(map)};
     for (const int symbol : word) {
         if (symbol < 1 || std::size_t(symbol) > figure.system.maps.size())
@@ -72,9 +72,9 @@ entry::Entry withBranchIn(entry::Entry entry, const std::vector<int>& word, cons
     return entry;
 }
 
-entry::Entry withBranch(const entry::Entry& entry, const std::vector<int>& word, const Numbers& map) {
-    return std::holds_alternative<entry::Figure<3>>(entry.figure) ? withBranchIn<3>(entry, word, map)
-                                                                  : withBranchIn<2>(entry, word, map);
+notation::Entry withBranch(const notation::Entry& entry, const std::vector<int>& word, const Numbers& map) {
+    return std::holds_alternative<notation::Figure<3>>(entry.figure) ? withBranchIn<3>(entry, word, map)
+                                                                     : withBranchIn<2>(entry, word, map);
 }
 
 template <int Dim>
@@ -96,24 +96,24 @@ ifs::IteratedFunctionSystem<Dim> morphedIn(const ifs::IteratedFunctionSystem<Dim
     return morph.animation.at(animation::moment(frame), animation::Pose<Dim>{morph.system}).system;
 }
 
-entry::Entry morphed(const entry::Entry& from, const entry::Entry& to, double share) {
+notation::Entry morphed(const notation::Entry& from, const notation::Entry& to, double share) {
     if (!(share >= 0 && share <= 1)) throw std::invalid_argument("share: from 0 to 1");
-    entry::Entry result;
+    notation::Entry result;
     result.name = from.name;
     result.appearance = from.appearance;
     result.appearance.mapColours = {};
     result.appearance.mapBlends = {};
-    if (std::holds_alternative<entry::Figure<3>>(from.figure))
+    if (std::holds_alternative<notation::Figure<3>>(from.figure))
         result.figure =
-            entry::Figure<3>{morphedIn<3>(figureIn<3>(from).system, figureIn<3>(to).system, share)};
+            notation::Figure<3>{morphedIn<3>(figureIn<3>(from).system, figureIn<3>(to).system, share)};
     else
         result.figure =
-            entry::Figure<2>{morphedIn<2>(figureIn<2>(from).system, figureIn<2>(to).system, share)};
+            notation::Figure<2>{morphedIn<2>(figureIn<2>(from).system, figureIn<2>(to).system, share)};
     return result;
 }
 
 // Images of points of one attractor in the other; NaN for what lies on no attractor.
-py::array tops(const entry::Entry& from, const entry::Entry& to, const Numbers& points) {
+py::array tops(const notation::Entry& from, const notation::Entry& to, const Numbers& points) {
     const auto given = pointsFrom<2>(points, "points");
     std::vector<double> images(2 * given.size(), NAN);
     interruptibly([&](const std::stop_token& stop) {

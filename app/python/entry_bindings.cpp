@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "python/bindings.h"
 
-#include "entry/entry_reader.h"
-#include "entry/entry_writer.h"
-#include "entry/text/symmetry_name.h"
 #include "ifs/system/links.h"
+#include "notation/entry_reader.h"
+#include "notation/entry_writer.h"
+#include "notation/text/symmetry_name.h"
 #include "python/arrays.h"
 
 #include <pybind11/stl.h>
@@ -27,14 +27,14 @@ struct TextFlaw {
 
 // The entries of a text; where one cannot be read, its flaw stands in its place.
 py::list parsed(const std::string& text, const std::string& bareName) {
-    entry::File file;
+    notation::File file;
     {
         const py::gil_scoped_release release;
-        file = entry::readFile(text, bareName);
+        file = notation::readFile(text, bareName);
     }
     py::list list;
     if (file.flaw) list.append(TextFlaw{file.flaw->line, file.flaw->column, file.flaw->sentence});
-    for (entry::Entry& each : file.entries) {
+    for (notation::Entry& each : file.entries) {
         if (each.flaw)
             list.append(
                 py::make_tuple(each.name, TextFlaw{each.flaw->line, each.flaw->column, each.flaw->sentence}));
@@ -45,11 +45,11 @@ py::list parsed(const std::string& text, const std::string& bareName) {
 }
 
 template <int Dim>
-entry::Entry made(const Numbers& maps, const std::optional<Numbers>& weights, const std::string& name,
-                  const std::string& symmetry, const std::optional<Numbers>& links) {
-    entry::Entry result;
+notation::Entry made(const Numbers& maps, const std::optional<Numbers>& weights, const std::string& name,
+                     const std::string& symmetry, const std::optional<Numbers>& links) {
+    notation::Entry result;
     result.name = name;
-    entry::Figure<Dim>& figure = result.figure.emplace<entry::Figure<Dim>>();
+    notation::Figure<Dim>& figure = result.figure.emplace<notation::Figure<Dim>>();
     const auto given = mapsFrom<Dim>(maps);
     if (weights && (weights->ndim() != 1 || std::size_t(weights->size()) != given.size()))
         throw std::invalid_argument("weights: one number for each map");
@@ -57,8 +57,8 @@ entry::Entry made(const Numbers& maps, const std::optional<Numbers>& weights, co
         const double weight = weights ? weights->data()[k] : NAN;
         ifs::append(figure.system, given[k], std::isfinite(weight) ? std::optional(weight) : std::nullopt);
     }
-    const auto named = entry::symmetryNamed(symmetry);
-    const auto group = named ? entry::symmetryIn<Dim>(*named) : std::nullopt;
+    const auto named = notation::symmetryNamed(symmetry);
+    const auto group = named ? notation::symmetryIn<Dim>(*named) : std::nullopt;
     if (!group) throw std::invalid_argument("symmetry: “" + symmetry + "” is none in this dimension");
     figure.system.symmetry = *group;
     if (links) {
@@ -70,26 +70,26 @@ entry::Entry made(const Numbers& maps, const std::optional<Numbers>& weights, co
     return result;
 }
 
-entry::Entry madeOf(const Numbers& maps, const std::optional<Numbers>& weights, const std::string& name,
-                    const std::string& symmetry, const std::optional<Numbers>& links) {
+notation::Entry madeOf(const Numbers& maps, const std::optional<Numbers>& weights, const std::string& name,
+                       const std::string& symmetry, const std::optional<Numbers>& links) {
     if (maps.ndim() == 3 && maps.shape(1) == 3) return made<3>(maps, weights, name, symmetry, links);
     return made<2>(maps, weights, name, symmetry, links);
 }
 
 // Work on the figure, whose dimension the compiler knows.
-template <class Work> py::object withFigure(const entry::Entry& entry, const Work& work) {
-    if (const auto* plane = std::get_if<entry::Figure<2>>(&entry.figure)) return work(*plane);
-    return work(std::get<entry::Figure<3>>(entry.figure));
+template <class Work> py::object withFigure(const notation::Entry& entry, const Work& work) {
+    if (const auto* plane = std::get_if<notation::Figure<2>>(&entry.figure)) return work(*plane);
+    return work(std::get<notation::Figure<3>>(entry.figure));
 }
 
-py::object mapsOf(const entry::Entry& entry) {
+py::object mapsOf(const notation::Entry& entry) {
     return withFigure(entry, [](const auto& figure) -> py::object {
         const auto maps = ifs::mapsOf(figure.system);
         return arrayOf(std::span(maps));
     });
 }
 
-py::object weightsOf(const entry::Entry& entry) {
+py::object weightsOf(const notation::Entry& entry) {
     return withFigure(entry, [](const auto& figure) -> py::object {
         std::vector<double> weights;
         for (const auto& map : figure.system.maps)
@@ -99,7 +99,7 @@ py::object weightsOf(const entry::Entry& entry) {
     });
 }
 
-py::object probabilitiesOf(const entry::Entry& entry) {
+py::object probabilitiesOf(const notation::Entry& entry) {
     return withFigure(entry, [](const auto& figure) -> py::object {
         std::vector<double> probabilities = ifs::probabilities(figure.system);
         const auto count = py::ssize_t(probabilities.size());
@@ -107,7 +107,7 @@ py::object probabilitiesOf(const entry::Entry& entry) {
     });
 }
 
-py::object cageOf(const entry::Entry& entry) {
+py::object cageOf(const notation::Entry& entry) {
     return withFigure(entry, [](const auto& figure) -> py::object {
         if (!figure.cage) return py::none();
         return py::make_tuple(arrayOf(std::span(figure.cage->rest)),
@@ -115,7 +115,7 @@ py::object cageOf(const entry::Entry& entry) {
     });
 }
 
-py::object linksOf(const entry::Entry& entry) {
+py::object linksOf(const notation::Entry& entry) {
     return withFigure(entry, [](const auto& figure) -> py::object {
         if (figure.system.links.empty()) return py::none();
         const auto n = py::ssize_t(figure.system.maps.size());
@@ -123,10 +123,10 @@ py::object linksOf(const entry::Entry& entry) {
     });
 }
 
-py::object symmetryOf(const entry::Entry& entry) {
+py::object symmetryOf(const notation::Entry& entry) {
     return withFigure(entry, [](const auto& figure) -> py::object {
         const auto& symmetry = figure.system.symmetry;
-        return py::str(entry::symmetryName(symmetry.group, symmetry.order));
+        return py::str(notation::symmetryName(symmetry.group, symmetry.order));
     });
 }
 
@@ -137,19 +137,19 @@ void bindEntries(py::module_& core) {
         .def_readonly("line", &TextFlaw::line)
         .def_readonly("column", &TextFlaw::column)
         .def_readonly("sentence", &TextFlaw::sentence);
-    py::class_<entry::Entry>(core, "Entry")
+    py::class_<notation::Entry>(core, "Entry")
         .def(py::init(&madeOf))
-        .def_readonly("name", &entry::Entry::name)
-        .def_readonly("comments", &entry::Entry::comments)
-        .def_property_readonly("dimension", [](const entry::Entry& e) { return e.figure.index() + 1; })
+        .def_readonly("name", &notation::Entry::name)
+        .def_readonly("comments", &notation::Entry::comments)
+        .def_property_readonly("dimension", [](const notation::Entry& e) { return e.figure.index() + 1; })
         .def_property_readonly("maps", &mapsOf)
         .def_property_readonly("weights", &weightsOf)
         .def_property_readonly("probabilities", &probabilitiesOf)
         .def_property_readonly("cage", &cageOf)
         .def_property_readonly("links", &linksOf)
         .def_property_readonly("symmetry", &symmetryOf)
-        .def("text", &entry::written)
-        .def("__eq__", [](const entry::Entry& a, const entry::Entry& b) { return a == b; });
+        .def("text", &notation::written)
+        .def("__eq__", [](const notation::Entry& a, const notation::Entry& b) { return a == b; });
     core.def("parse", &parsed);
 }
 

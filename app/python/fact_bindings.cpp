@@ -27,8 +27,8 @@ namespace {
 
 namespace py = pybind11;
 
-template <class Work> py::object inItsDimension(const entry::Entry& entry, const Work& work) {
-    if (const auto* plane = std::get_if<entry::Figure<2>>(&entry.figure)) return work(plane->system);
+template <class Work> py::object inItsDimension(const notation::Entry& entry, const Work& work) {
+    if (const auto* plane = std::get_if<notation::Figure<2>>(&entry.figure)) return work(plane->system);
     return work(figureIn<3>(entry).system);
 }
 
@@ -43,7 +43,7 @@ std::vector<int> counted(const ifs::IteratedFunctionSystem<Dim>& system, const s
     return result;
 }
 
-py::object box(const entry::Entry& entry) {
+py::object box(const notation::Entry& entry) {
     return inItsDimension(entry, [](const auto& system) -> py::object {
         std::optional<std::decay_t<decltype(boxOfAttractor(system))>> box;
         interruptibly([&](const std::stop_token&) { box = boxOfAttractor(system); });
@@ -61,9 +61,9 @@ std::optional<ifs::ConvexHull> hullOf(const ifs::IteratedFunctionSystem<2>& syst
     throw std::invalid_argument("it is not known whether the system has an attractor");
 }
 
-py::object hull(const entry::Entry& entry, double tolerance) {
+py::object hull(const notation::Entry& entry, double tolerance) {
     if (!(tolerance > 0)) throw std::invalid_argument("tolerance: must be above 0");
-    if (const auto* plane = std::get_if<entry::Figure<2>>(&entry.figure)) {
+    if (const auto* plane = std::get_if<notation::Figure<2>>(&entry.figure)) {
         std::optional<ifs::ConvexHull> found;
         interruptibly([&](const std::stop_token& stop) { found = hullOf(plane->system, tolerance, stop); });
         return py::make_tuple(arrayOf(std::span<const ifs::Vector<2>>(found->vertices)), py::none(),
@@ -107,11 +107,11 @@ template <int Dim> py::object dimensionOf(const ifs::IteratedFunctionSystem<Dim>
     return py::make_tuple(shown.value, shown.error, kind);
 }
 
-py::object dimension(const entry::Entry& entry) {
+py::object dimension(const notation::Entry& entry) {
     return inItsDimension(entry, [](const auto& system) { return dimensionOf(system); });
 }
 
-py::object classify(const entry::Entry& entry) {
+py::object classify(const notation::Entry& entry) {
     return inItsDimension(entry, [](const auto& system) -> py::object {
         ifs::Existence existence;
         interruptibly([&](const std::stop_token&) {
@@ -125,7 +125,7 @@ py::object classify(const entry::Entry& entry) {
     });
 }
 
-py::object moments(const entry::Entry& entry) {
+py::object moments(const notation::Entry& entry) {
     return inItsDimension(entry, [](const auto& system) -> py::object {
         const auto active = ifs::activeMaps(system);
         const auto found = ifs::moments(active);
@@ -148,7 +148,7 @@ py::object supportOfEntry(const ifs::IteratedFunctionSystem<Dim>& system, const 
     return py::make_tuple(found->value, found->error, arrayOf(found->point), counted(system, found->address));
 }
 
-py::object support(const entry::Entry& entry, const Numbers& direction, double tolerance) {
+py::object support(const notation::Entry& entry, const Numbers& direction, double tolerance) {
     return inItsDimension(entry,
                           [&](const auto& system) { return supportOfEntry(system, direction, tolerance); });
 }
@@ -167,7 +167,7 @@ py::object addressIn(const ifs::IteratedFunctionSystem<Dim>& system, const Numbe
     return py::make_tuple(counted(system, found->address), found->distance);
 }
 
-py::object address(const entry::Entry& entry, const Numbers& point, double reach, double width) {
+py::object address(const notation::Entry& entry, const Numbers& point, double reach, double width) {
     return inItsDimension(entry, [&](const auto& system) { return addressIn(system, point, reach, width); });
 }
 

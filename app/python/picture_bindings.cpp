@@ -68,9 +68,9 @@ void follow(Orbit& orbit, const Place& place, std::vector<double>& points, std::
     }
 }
 
-py::tuple points(const entry::Entry& entry, std::uint64_t count, std::uint64_t seed) {
+py::tuple points(const notation::Entry& entry, std::uint64_t count, std::uint64_t seed) {
     checkCount(count, "count");
-    const bool isSpace = std::holds_alternative<entry::Figure<3>>(entry.figure);
+    const bool isSpace = std::holds_alternative<notation::Figure<3>>(entry.figure);
     const int dimension = isSpace ? 3 : 2;
     std::vector<double> result, addresses;
     interruptibly([&](const std::stop_token& stop) {
@@ -88,7 +88,7 @@ py::tuple points(const entry::Entry& entry, std::uint64_t count, std::uint64_t s
             const auto& figure = figureIn<2>(entry);
             requireDrawable(ifs::activeMaps(figure.system));
             const auto system =
-                attractor::prepared(figure.system, entry::movedBranches(figure.system, figure.moved));
+                attractor::prepared(figure.system, notation::movedBranches(figure.system, figure.moved));
             attractor::Orbit orbit(system, seed);
             follow<2>(orbit, placementOf(figure), result, addresses, stop);
         }
@@ -104,7 +104,7 @@ struct View {
     std::optional<double> scale;
 };
 
-attractor::RenderRequest framed(const entry::Entry& entry, const View& view) {
+attractor::RenderRequest framed(const notation::Entry& entry, const View& view) {
     attractor::RenderRequest request = requestOf(entry, view.shape[1], view.shape[0]);
     requireDrawable(ifs::activeMaps(request.system));
     if (!view.centre || !view.scale) request.camera = cameraAround(entry, request.camera);
@@ -115,7 +115,7 @@ attractor::RenderRequest framed(const entry::Entry& entry, const View& view) {
     return request;
 }
 
-py::array density(const entry::Entry& entry, const View& view, std::uint64_t samples, std::uint64_t seed,
+py::array density(const notation::Entry& entry, const View& view, std::uint64_t samples, std::uint64_t seed,
                   int threads) {
     checkRaster(view.shape);
     const int height = view.shape[0], width = view.shape[1];
@@ -166,7 +166,7 @@ std::uint64_t hashOf(std::span<const std::uint32_t> pixels) {
 }
 
 // The picture, and FNV-1a of its premultiplied pixels, as in tests/data/hashes.txt.
-py::tuple picture(const entry::Entry& entry, const View& view, std::uint64_t samples, std::uint64_t seed,
+py::tuple picture(const notation::Entry& entry, const View& view, std::uint64_t samples, std::uint64_t seed,
                   int threads) {
     checkRaster(view.shape);
     const int height = view.shape[0], width = view.shape[1];
@@ -184,7 +184,7 @@ py::tuple picture(const entry::Entry& entry, const View& view, std::uint64_t sam
 }
 
 // The angles: azimuth, elevation and field of view.
-py::tuple solid(const entry::Entry& entry, const Sides& shape, const std::array<double, 3>& angles,
+py::tuple solid(const notation::Entry& entry, const Sides& shape, const std::array<double, 3>& angles,
                 const std::string& look, int threads) {
     checkRaster(shape);
     const int height = shape[0], width = shape[1];
@@ -196,11 +196,11 @@ py::tuple solid(const entry::Entry& entry, const Sides& shape, const std::array<
         throw std::invalid_argument("azimuth and elevation must be finite, and the field of view below 180");
     std::vector<std::uint32_t> pixels;
     interruptibly([&](const std::stop_token& stop) {
-        const entry::Figure<3>& figure = figureIn<3>(entry);
+        const notation::Figure<3>& figure = figureIn<3>(entry);
         attractor::SpaceRequest request;
         request.system = figure.system;
         request.cage = figure.cage;
-        request.moved = entry::movedBranches(figure.system, figure.moved);
+        request.moved = notation::movedBranches(figure.system, figure.moved);
         request.threads = threadsOf(threads);
         request.camera.size = {width, height};
         request.camera.orientation = attractor::orbit(azimuth, elevation);
@@ -229,7 +229,7 @@ py::tuple solid(const entry::Entry& entry, const Sides& shape, const std::array<
 }
 
 // How many points lie in each cell of the certified box: (z, y, x), and the box.
-py::tuple volume(const entry::Entry& entry, const std::array<int, 3>& shape, std::uint64_t samples,
+py::tuple volume(const notation::Entry& entry, const std::array<int, 3>& shape, std::uint64_t samples,
                  std::uint64_t seed) {
     const int depth = shape[0], height = shape[1], width = shape[2];
     constexpr int most = 2048;
@@ -396,10 +396,10 @@ py::array_t<std::uint32_t> densityBatch(const Numbers& systems, const std::optio
 }
 
 // The same entry in other colours.
-entry::Entry coloured(entry::Entry entry, const std::optional<std::string>& colourBy,
-                      const std::optional<std::string>& palette, const std::optional<double>& brightness,
-                      const std::optional<double>& gamma,
-                      const std::optional<std::array<int, 4>>& background) {
+notation::Entry coloured(notation::Entry entry, const std::optional<std::string>& colourBy,
+                         const std::optional<std::string>& palette, const std::optional<double>& brightness,
+                         const std::optional<double>& gamma,
+                         const std::optional<std::array<int, 4>>& background) {
     attractor::Appearance& appearance = entry.appearance;
     if (colourBy) {
         const auto named = ifs::named<attractor::ColourBy>(*colourBy);

@@ -38,14 +38,14 @@ template <int Dim> ifs::Existence existenceOf(const ifs::ActiveMaps<Dim>& active
 
 } // namespace
 
-template <int Dim> const entry::Figure<Dim>& figureIn(const entry::Entry& entry) {
-    if (const auto* figure = std::get_if<entry::Figure<Dim>>(&entry.figure)) return *figure;
+template <int Dim> const notation::Figure<Dim>& figureIn(const notation::Entry& entry) {
+    if (const auto* figure = std::get_if<notation::Figure<Dim>>(&entry.figure)) return *figure;
     throw std::invalid_argument(
         Dim == 2 ? "this needs an entry in the plane, and “" + entry.name + "” is one in space"
                  : "this needs an entry in space, and “" + entry.name + "” is one in the plane");
 }
-template const entry::Figure<2>& figureIn(const entry::Entry&);
-template const entry::Figure<3>& figureIn(const entry::Entry&);
+template const notation::Figure<2>& figureIn(const notation::Entry&);
+template const notation::Figure<3>& figureIn(const notation::Entry&);
 
 template <int Dim> void requireDrawable(const ifs::ActiveMaps<Dim>& active) {
     const ifs::Existence existence = existenceOf(active);
@@ -89,19 +89,19 @@ ifs::BoundingBox<3> boxOfAttractor(const ifs::IteratedFunctionSystem<3>& system)
     return ifs::boundingBox(supportOf(system));
 }
 
-ifs::Placement placementOf(const entry::Figure<2>& figure) {
+ifs::Placement placementOf(const notation::Figure<2>& figure) {
     if (!figure.cage || !ifs::isValid(*figure.cage)) return {};
     if (!ifs::bends(*figure.cage)) return ifs::displayMap(*figure.cage);
     const auto support = ifs::SupportFunction<2>::of(ifs::activeMaps(figure.system).maps);
     return {*figure.cage, ifs::suitableCoordinates(figure.cage->rest, support ? &*support : nullptr)};
 }
 
-attractor::RenderRequest requestOf(const entry::Entry& entry, int width, int height) {
-    const entry::Figure<2>& figure = figureIn<2>(entry);
+attractor::RenderRequest requestOf(const notation::Entry& entry, int width, int height) {
+    const notation::Figure<2>& figure = figureIn<2>(entry);
     attractor::RenderRequest request;
     request.system = figure.system;
     request.cage = figure.cage;
-    request.moved = entry::movedBranches(figure.system, figure.moved);
+    request.moved = notation::movedBranches(figure.system, figure.moved);
     request.appearance = entry.appearance;
     request.appearance.shadow = 0; // its ground is the lowest line of the picture, which takes a window
     request.camera.width = width;
@@ -109,14 +109,15 @@ attractor::RenderRequest requestOf(const entry::Entry& entry, int width, int hei
     return request;
 }
 
-attractor::Camera cameraAround(const entry::Entry& entry, attractor::Camera camera) {
-    const entry::Figure<2>& figure = figureIn<2>(entry);
+attractor::Camera cameraAround(const notation::Entry& entry, attractor::Camera camera) {
+    const notation::Figure<2>& figure = figureIn<2>(entry);
     const ifs::Placement placement = placementOf(figure);
     const ifs::ActiveMaps<2> active = ifs::activeMaps(figure.system);
     if (placement.bend() == nullptr && !active.isLinked()) {
         const ifs::SupportFunction<2> support = supportOf(figure.system);
         std::vector<ifs::AffineMap<2>> images(1);
-        const auto moved = ifs::overMaps<2>(entry::movedBranches(figure.system, figure.moved), active.index);
+        const auto moved =
+            ifs::overMaps<2>(notation::movedBranches(figure.system, figure.moved), active.index);
         if (!moved.empty())
             images = ifs::pieceMaps<2>(ifs::pieces<2>(moved, active.maps.size()), active.maps);
         for (ifs::AffineMap<2>& image : images)
@@ -130,7 +131,7 @@ attractor::Camera cameraAround(const entry::Entry& entry, attractor::Camera came
         return attractor::fitted(camera, plain.min, plain.max);
     constexpr int looks = 100'000;
     const attractor::PreparedSystem system =
-        attractor::prepared(figure.system, entry::movedBranches(figure.system, figure.moved));
+        attractor::prepared(figure.system, notation::movedBranches(figure.system, figure.moved));
     attractor::Orbit orbit(system, 1);
     ifs::Vector<2> low = placement(orbit.next().x), high = low;
     for (int i = 1; i < looks; ++i) {

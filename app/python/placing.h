@@ -3,8 +3,8 @@
 
 #include "attractor/request/camera.h"
 #include "attractor/request/render_request.h"
-#include "entry/value/entry.h"
 #include "ifs/extent/extent.h"
+#include "notation/value/entry.h"
 
 #include <optional>
 
@@ -12,7 +12,7 @@
 namespace python {
 
 // The figure of an entry of that dimension; throws where it has the other one.
-template <int Dim> const entry::Figure<Dim>& figureIn(const entry::Entry& entry);
+template <int Dim> const notation::Figure<Dim>& figureIn(const notation::Entry& entry);
 
 // Of an attractor in the plane, linked or not; throws std::invalid_argument, which names the witness, where
 // the maps have none.
@@ -20,14 +20,14 @@ ifs::BoundingBox<2> boxOfAttractor(const ifs::IteratedFunctionSystem<2>& system)
 ifs::BoundingBox<3> boxOfAttractor(const ifs::IteratedFunctionSystem<3>& system);
 
 // As the window shows it.
-attractor::RenderRequest requestOf(const entry::Entry& entry, int width, int height);
+attractor::RenderRequest requestOf(const notation::Entry& entry, int width, int height);
 
 // All of what is shown, with a margin of a twentieth. Certified, except under a cage that bends: there it
 // holds many points.
-attractor::Camera cameraAround(const entry::Entry& entry, attractor::Camera camera);
+attractor::Camera cameraAround(const notation::Entry& entry, attractor::Camera camera);
 
 // Rest coordinates → displayed coordinates.
-ifs::Placement placementOf(const entry::Figure<2>& figure);
+ifs::Placement placementOf(const notation::Figure<2>& figure);
 
 // Of maps that are not linked; throws std::invalid_argument where there is no attractor.
 template <int Dim> ifs::SupportFunction<Dim> supportOf(const ifs::IteratedFunctionSystem<Dim>& system);

@@ -167,8 +167,8 @@ void LayeringTest::includesPointDownwards_data() {
     const QStringList attractor = ifs + QStringList{QStringLiteral("attractor")};
     const QStringList animation = attractor + QStringList{QStringLiteral("animation")};
     const QStringList collage = animation + QStringList{QStringLiteral("collage")};
-    const QStringList entry = collage + QStringList{QStringLiteral("entry")};
-    const QStringList document = entry + QStringList{QStringLiteral("document")};
+    const QStringList notation = collage + QStringList{QStringLiteral("notation")};
+    const QStringList document = notation + QStringList{QStringLiteral("document")};
     const QStringList io = document + QStringList{QStringLiteral("io")};
     const QStringList view = io + QStringList{QStringLiteral("transformation"), QStringLiteral("bars"),
                                               QStringLiteral("bridges"),        QStringLiteral("canvas"),
@@ -180,11 +180,11 @@ void LayeringTest::includesPointDownwards_data() {
     QTest::newRow("model/attractor") << "model/attractor" << attractor << qt;
     QTest::newRow("model/animation") << "model/animation" << animation << qt;
     QTest::newRow("model/collage") << "model/collage" << collage << qt;
-    QTest::newRow("model/entry") << "model/entry" << entry << qt;
+    QTest::newRow("model/notation") << "model/notation" << notation << qt;
     QTest::newRow("model/document") << "model/document" << document << widgets;
     QTest::newRow("model/io") << "model/io" << io << widgets;
     QTest::newRow("app/web") << "app/web" << attractor + QStringList{QStringLiteral("web")} << qt;
-    QTest::newRow("app/python") << "app/python" << entry + QStringList{QStringLiteral("python")} << qt;
+    QTest::newRow("app/python") << "app/python" << notation + QStringList{QStringLiteral("python")} << qt;
     QTest::newRow("view") << "view" << view << QStringLiteral("^$");
 }
 
@@ -295,7 +295,7 @@ void LayeringTest::coreCompilesWithoutQt() {
             !path.contains(QLatin1String("/model/attractor/")) &&
             !path.contains(QLatin1String("/model/animation/")) &&
             !path.contains(QLatin1String("/model/collage/")) &&
-            !path.contains(QLatin1String("/model/entry/")))
+            !path.contains(QLatin1String("/model/notation/")))
             continue;
         // Of the library itself, or of several of its sources together.
         if (!path.startsWith(support::sourcePath(QStringLiteral("model/"))) &&

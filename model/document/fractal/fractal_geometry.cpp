@@ -3,9 +3,9 @@
 
 #include "attractor/cut/address_cut.h"
 #include "attractor/request/shadow.h"
-#include "entry/value/entry.h"
 #include "ifs/extent/extent.h"
 #include "ifs/links/linked_existence.h"
+#include "notation/value/entry.h"
 
 #include <algorithm>
 #include <cmath>
@@ -77,7 +77,7 @@ ifs::Placement placement(const Fractal& fractal) {
 }
 
 template <int Dim> std::vector<ifs::MovedBranch<Dim>> movedBranches(const Shape<Dim>& shape) {
-    return entry::movedBranches(shape.system, shape.moved);
+    return notation::movedBranches(shape.system, shape.moved);
 }
 template std::vector<ifs::MovedBranch<2>> movedBranches(const Shape<2>&);
 template std::vector<ifs::MovedBranch<3>> movedBranches(const Shape<3>&);

@@ -14,11 +14,11 @@ namespace io::fractint {
 namespace {
 
 using document::Problem;
-using entry::Number;
-using entry::RowFlaw;
-using entry::RowReading;
-using entry::Rows;
-using entry::RowToken;
+using notation::Number;
+using notation::RowFlaw;
+using notation::RowReading;
+using notation::Rows;
+using notation::RowToken;
 
 constexpr std::size_t maxMapsElsewhere = 63;
 constexpr qsizetype maxName = 18;
@@ -70,7 +70,7 @@ private:
 };
 
 ParsedEntry EntryParser::parse() && {
-    m_rows = entry::readRows(m_text, m_entry.layout.block, m_lineEnd);
+    m_rows = notation::readRows(m_text, m_entry.layout.block, m_lineEnd);
     readName();
     readHeader();
     readComments();
@@ -173,7 +173,7 @@ void EntryParser::readNumbers() {
     layout.numbers.reserve(chosen.tokens.size());
     for (const RowToken& token : chosen.tokens)
         layout.numbers.push_back(
-            {token.span, entry::valueOf(entry::textOf(m_text, token.span).view(), chosen.decimalComma),
+            {token.span, notation::valueOf(notation::textOf(m_text, token.span).view(), chosen.decimalComma),
              token.line});
     if (m_rows.ignoresHeader())
         warn(m_rows.headerTokens.front().span.begin,
@@ -258,7 +258,7 @@ void EntryParser::explainShape() {
 
 void EntryParser::explainTokens(const std::vector<RowToken>& tokens) {
     for (const RowToken& token : tokens) {
-        const Number number = entry::readNumber(entry::textOf(m_text, token.span).view());
+        const Number number = notation::readNumber(notation::textOf(m_text, token.span).view());
         if (number.kind != Number::Kind::Good) explain(token, number);
     }
 }

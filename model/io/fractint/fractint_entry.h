@@ -3,8 +3,8 @@
 
 #include "document/fractal/fractal.h"
 #include "document/problem.h"
-#include "entry/rows/row_reader.h"
 #include "io/fractint/fractint_scanner.h"
+#include "notation/rows/row_reader.h"
 
 #include <QByteArrayView>
 
@@ -14,8 +14,8 @@
 // "Reading one entry".
 namespace io::fractint {
 
-using entry::maxLines;
-using entry::maxMaps;
+using notation::maxLines;
+using notation::maxMaps;
 
 struct Token {
     Span span;

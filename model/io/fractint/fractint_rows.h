@@ -2,7 +2,7 @@
 #pragma once
 
 #include "document/fractal/fractal.h"
-#include "entry/rows/row_reader.h"
+#include "notation/rows/row_reader.h"
 
 #include <QByteArray>
 #include <QByteArrayList>
@@ -13,7 +13,7 @@
 // A system as rows of numbers, whatever its dimension, and texts that an entry can hold.
 namespace io::fractint {
 
-using entry::maxLine;
+using notation::maxLine;
 
 struct Row {
     ifs::MapId id = ifs::MapId::None;

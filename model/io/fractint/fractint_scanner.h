@@ -1,22 +1,22 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "entry/rows/scanner.h"
+#include "notation/rows/scanner.h"
 
 // Where the entries of a Fractint collection are, which needs no Qt.
 namespace io::fractint {
 
-using entry::Block;
-using entry::BlockKind;
-using entry::holdsOnlyRows;
-using entry::isAssignment;
-using entry::isBlank;
-using entry::lineEnd;
-using entry::lineEndByte;
-using entry::relative;
-using entry::Scanner;
-using entry::Span;
-using entry::withoutBlanks;
-using entry::withoutSpaceMarker;
+using notation::Block;
+using notation::BlockKind;
+using notation::holdsOnlyRows;
+using notation::isAssignment;
+using notation::isBlank;
+using notation::lineEnd;
+using notation::lineEndByte;
+using notation::relative;
+using notation::Scanner;
+using notation::Span;
+using notation::withoutBlanks;
+using notation::withoutSpaceMarker;
 
 } // namespace io::fractint

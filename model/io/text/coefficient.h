@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "entry/text/number.h"
 #include "ifs/system/affine_map.h"
+#include "notation/text/number.h"
 
 namespace io {
 
-using entry::isCoefficient;
-using entry::maxCoefficient;
+using notation::isCoefficient;
+using notation::maxCoefficient;
 
 inline bool isCoefficient(const ifs::AffineMap<2>& map) {
     return (map.linear.array().abs() <= maxCoefficient).all() &&

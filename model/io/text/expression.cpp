@@ -13,19 +13,19 @@ std::optional<double> evaluate(QStringView text) {
 
 std::optional<double> evaluate(QStringView text, NumberUnit unit) {
     if (const auto number = parseNumber(text)) return number;
-    return entry::evaluate(text.toUtf8().toStdString(), unit);
+    return notation::evaluate(text.toUtf8().toStdString(), unit);
 }
 
 std::optional<ifs::Surd> evaluateExactly(QStringView text) {
-    return parseNumber(text) ? std::nullopt : entry::evaluateExactly(text.toUtf8().toStdString());
+    return parseNumber(text) ? std::nullopt : notation::evaluateExactly(text.toUtf8().toStdString());
 }
 
 bool isAngle(QStringView text) {
-    return entry::isAngle(text.toUtf8().toStdString());
+    return notation::isAngle(text.toUtf8().toStdString());
 }
 
 bool isWithoutValue(QStringView text) {
-    return entry::isWithoutValue(text.toUtf8().toStdString());
+    return notation::isWithoutValue(text.toUtf8().toStdString());
 }
 
 } // namespace io

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "entry/text/expression.h"
+#include "notation/text/expression.h"
 
 #include <QStringView>
 
@@ -10,8 +10,8 @@
 // Those of entry/text/expression.h, of Qt's texts.
 namespace io {
 
-using entry::maxExpression;
-using entry::NumberUnit;
+using notation::maxExpression;
+using notation::NumberUnit;
 
 std::optional<double> evaluate(QStringView text);
 std::optional<double> evaluate(QStringView text, NumberUnit unit);

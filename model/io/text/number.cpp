@@ -5,11 +5,11 @@ namespace io {
 
 std::optional<double> parseNumber(QStringView text) {
     const QByteArray digits = text.trimmed().toLatin1();
-    return entry::parseNumber({digits.constData(), std::size_t(digits.size())});
+    return notation::parseNumber({digits.constData(), std::size_t(digits.size())});
 }
 
 QByteArray formatNumber(double value) {
-    return QByteArray::fromStdString(entry::formatNumber(value));
+    return QByteArray::fromStdString(notation::formatNumber(value));
 }
 
 } // namespace io

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "entry/text/number.h"
+#include "notation/text/number.h"
 
 #include <QByteArray>
 #include <QString>
@@ -12,7 +12,7 @@
 // Numbers as text: always the C locale, whatever the user's.
 namespace io {
 
-using entry::fromChars;
+using notation::fromChars;
 
 // A finite decimal number and nothing else (surrounding blanks allowed); nullopt for 1/3, 0,5, inf, nan, hex,
 // "".

@@ -21,11 +21,11 @@ template <int Dim> QString pointText(const ifs::Vector<Dim>& point) {
 } // namespace
 
 std::optional<NamedSymmetry> symmetryNamed(QStringView text) {
-    return entry::symmetryNamed(text.trimmed().toUtf8().toStdString());
+    return notation::symmetryNamed(text.trimmed().toUtf8().toStdString());
 }
 
 QString symmetryName(ifs::SymmetryGroup group, int order) {
-    return QString::fromStdString(entry::symmetryName(group, order));
+    return QString::fromStdString(notation::symmetryName(group, order));
 }
 
 template <int Dim> QString symmetrySentence(const ifs::Symmetry<Dim>& symmetry) {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "entry/text/symmetry_name.h"
 #include "ifs/system/symmetry.h"
+#include "notation/text/symmetry_name.h"
 
 #include <QString>
 #include <QStringView>
@@ -13,8 +13,8 @@
 // icosahedral. docs/formats.md, "Barycage's comment lines".
 namespace io {
 
-using entry::NamedSymmetry;
-using entry::symmetryIn;
+using notation::NamedSymmetry;
+using notation::symmetryIn;
 
 std::optional<NamedSymmetry> symmetryNamed(QStringView text);
 

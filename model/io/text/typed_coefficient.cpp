@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "io/text/typed_coefficient.h"
 
-#include "entry/text/typed_coefficient.h"
+#include "notation/text/typed_coefficient.h"
 
 #include <QByteArray>
 #include <QString>
@@ -9,7 +9,7 @@
 namespace io {
 
 std::optional<ifs::TypedCoefficient> typedCoefficient(int which, QStringView text) {
-    return entry::typedCoefficient(which, text.toString().simplified().toUtf8().toStdString());
+    return notation::typedCoefficient(which, text.toString().simplified().toUtf8().toStdString());
 }
 
 } // namespace io
