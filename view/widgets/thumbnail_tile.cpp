@@ -4,8 +4,6 @@
 #include <QPainter>
 #include <QPainterPath>
 
-#include <utility>
-
 namespace view {
 namespace {
 
@@ -50,21 +48,6 @@ QPainterPath sign(Thumbnail::State state, const QRectF& box) {
 }
 
 } // namespace
-
-QPixmap roundedPixmap(const QImage& picture, qreal devicePixelRatio) {
-    QImage rounded(picture.size(), QImage::Format_ARGB32_Premultiplied);
-    rounded.fill(Qt::transparent);
-    QPainter painter(&rounded);
-    painter.setRenderHint(QPainter::Antialiasing);
-    painter.setPen(Qt::NoPen);
-    painter.setBrush(picture);
-    const double radius = Thumbnails::cornerRadius * devicePixelRatio;
-    painter.drawRoundedRect(rounded.rect(), radius, radius);
-    painter.end();
-    QPixmap pixmap = QPixmap::fromImage(std::move(rounded));
-    pixmap.setDevicePixelRatio(devicePixelRatio);
-    return pixmap;
-}
 
 void paintThumbnail(QPainter& painter, const QRect& area, const Thumbnail& thumbnail,
                     const QPalette& palette) {

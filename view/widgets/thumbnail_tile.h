@@ -10,9 +10,6 @@ class QPainter;
 
 namespace view {
 
-// With rounded corners, as thumbnails are shown.
-QPixmap roundedPixmap(const QImage& picture, qreal devicePixelRatio);
-
 // Draws the picture, or a quiet sign that says why there is none: an empty tile while it is being drawn, ∅
 // without an attractor, a warning triangle for an unreadable entry.
 void paintThumbnail(QPainter& painter, const QRect& area, const Thumbnail& thumbnail,

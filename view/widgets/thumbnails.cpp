@@ -7,7 +7,8 @@
 #include "document/fractal/fractal_geometry.h"
 #include "document/fractal/space_geometry.h"
 #include "io/picture/thumbnail_cache.h"
-#include "widgets/thumbnail_tile.h"
+
+#include <QPainter>
 
 #include <algorithm>
 #include <optional>
@@ -211,6 +212,21 @@ void Thumbnails::take(std::uint64_t job, const QImage& picture) {
 Thumbnail Thumbnails::toThumbnail(const QImage& picture) const {
     if (picture.width() <= 1) return {Thumbnail::State::NoAttractor, {}};
     return {Thumbnail::State::Ready, roundedPixmap(picture, m_ratio)};
+}
+
+QPixmap roundedPixmap(const QImage& picture, qreal devicePixelRatio) {
+    QImage rounded(picture.size(), QImage::Format_ARGB32_Premultiplied);
+    rounded.fill(Qt::transparent);
+    QPainter painter(&rounded);
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(picture);
+    const double radius = Thumbnails::cornerRadius * devicePixelRatio;
+    painter.drawRoundedRect(rounded.rect(), radius, radius);
+    painter.end();
+    QPixmap pixmap = QPixmap::fromImage(std::move(rounded));
+    pixmap.setDevicePixelRatio(devicePixelRatio);
+    return pixmap;
 }
 
 } // namespace view

@@ -98,4 +98,7 @@ private:
     std::unique_ptr<attractor::RenderQueue> m_queue; // last: stops before the rest goes
 };
 
+// The picture with rounded corners, as thumbnails are shown.
+QPixmap roundedPixmap(const QImage& picture, qreal devicePixelRatio);
+
 } // namespace view

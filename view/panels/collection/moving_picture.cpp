@@ -3,7 +3,7 @@
 
 #include "document/moments/animated_fractal.h"
 #include "io/animation/animation_export.h"
-#include "widgets/thumbnail_tile.h"
+#include "widgets/thumbnails.h"
 
 #include <algorithm>
 #include <cstdint>
