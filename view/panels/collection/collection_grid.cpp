@@ -41,6 +41,7 @@ CollectionGrid::CollectionGrid(QAbstractItemModel* collection, int pictureSide, 
     cover->addWidget(m_whyEmpty);
     connect(m_filtered, &QAbstractItemModel::rowsInserted, this, &CollectionGrid::sayWhyEmpty);
     connect(m_filtered, &QAbstractItemModel::rowsRemoved, this, &CollectionGrid::sayWhyEmpty);
+    connect(m_filtered, &QAbstractItemModel::layoutChanged, this, &CollectionGrid::sayWhyEmpty);
 }
 
 QModelIndex CollectionGrid::current() const {

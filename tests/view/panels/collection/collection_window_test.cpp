@@ -14,6 +14,7 @@
 #include "widgets/thumbnails.h"
 
 #include <QAction>
+#include <QLabel>
 #include <QLineEdit>
 #include <QListWidget>
 #include <QMouseEvent>
@@ -132,6 +133,8 @@ private slots:
         QVERIFY(star->isChecked());
         star->click();
         QCOMPARE(grid().model()->rowCount(), 0);
+        const auto* why = grid().viewport()->findChild<QLabel*>();
+        QVERIFY(why->isVisible() && why->text().contains(QStringLiteral("Ctrl+D")));
 
         m_model.addRecent(m_model.index(5));
         m_model.addRecent(m_model.index(2));
