@@ -102,15 +102,15 @@ private slots:
     void aPreviewIsShown() {
         QWidget window;
         window.show();
-        document::Lesson printed = lesson(3, QStringLiteral("Text"));
+        document::Lesson printed = lesson(4, QStringLiteral("Text"));
         printed.title = QStringLiteral("a/b");
-        printed.steps[2].state.entry = QStringLiteral("gone");
+        printed.steps[3].state.entry = QStringLiteral("gone");
         view::printLesson(printed, document::fileOf(document::sierpinskiTriangle()), &window,
                           [](const QString&) {});
         auto* preview = window.findChild<QPrintPreviewDialog*>();
         QVERIFY(preview && preview->isVisible());
         QVERIFY(preview->windowTitle().contains(printed.title));
-        QTRY_COMPARE(preview->findChild<QPrintPreviewWidget*>()->pageCount(), 2);
+        QTRY_COMPARE(preview->findChild<QPrintPreviewWidget*>()->pageCount(), 2); // two pictures, then one
         preview->reject();
     }
 };
