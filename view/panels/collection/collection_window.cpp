@@ -185,7 +185,7 @@ void CollectionWindow::fillThemes() {
     if (m_themes->currentRow() < 0) m_themes->setCurrentRow(0);
     const int room = m_themes->sizeHintForColumn(0) + 2 * (m_themes->frameWidth() + m_themes->spacing()) +
                      m_themes->verticalScrollBar()->sizeHint().width() + 8;
-    m_themes->setFixedWidth(std::min(room, 30 * fontMetrics().averageCharWidth()));
+    m_themes->setFixedWidth(std::min(room, 40 * fontMetrics().averageCharWidth()));
     showPart();
 }
 
