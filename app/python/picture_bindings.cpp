@@ -12,6 +12,7 @@
 #include "attractor/samples/space_orbit.h"
 #include "attractor/threads/hardware_threads.h"
 #include "python/arrays.h"
+#include "python/batch_painter.h"
 #include "python/interruptible.h"
 #include "python/placing.h"
 
@@ -259,99 +260,6 @@ py::tuple volume(const notation::Entry& entry, const std::array<int, 3>& shape, 
                           arrayOf<3>(box.max));
 }
 
-// A training set needs no certified box: the points themselves say where they lie.
-class BatchPainter {
-public:
-    BatchPainter(int height, int width, std::uint64_t samples)
-        : m_height(height),
-          m_width(width),
-          m_sets((samples + attractor::SampleSet::size - 1) / attractor::SampleSet::size),
-          m_samples(samples),
-          m_drawn(m_sets),
-          m_counts(std::size_t(height) * std::size_t(width)) {}
-
-    void paint(const std::vector<ifs::AffineMap<2>>& maps, std::vector<double> probabilities,
-               std::uint64_t seed, std::uint32_t* counts) {
-        attractor::PreparedSystem system;
-        system.maps = maps;
-        system.probabilities = std::move(probabilities);
-        for (std::size_t i = 0; i < maps.size(); ++i) {
-            system.index.push_back(i);
-            const double norm = ifs::spectralNorm<2>(maps[i].linear);
-            if (norm > 0) system.meanLogarithm += system.probabilities[i] * std::log(norm);
-        }
-        boxAround(system, seed);
-        float lowX = HUGE_VALF, lowY = HUGE_VALF, highX = -HUGE_VALF, highY = -HUGE_VALF;
-        for (std::uint64_t pass = 0; pass < m_sets; ++pass) {
-            attractor::SampleSet& set = m_drawn[pass];
-            attractor::drawSamples(system, seed, pass, set);
-            lowX = std::min(lowX, set.lowX);
-            highX = std::max(highX, set.highX);
-            lowY = std::min(lowY, set.lowY);
-            highY = std::max(highY, set.highY);
-        }
-        count(system, lowX, highX, lowY, highY, counts);
-    }
-
-private:
-    // Where a few points lie is enough for the coordinates in which the others are drawn.
-    static void boxAround(attractor::PreparedSystem& system, std::uint64_t seed) {
-        constexpr int looks = 64;
-        attractor::Orbit orbit(system, seed);
-        ifs::Vector<2> low = orbit.next().x, high = low;
-        for (int i = 1; i < looks; ++i) {
-            const ifs::Vector<2> x = orbit.next().x;
-            low = low.cwiseMin(x);
-            high = high.cwiseMax(x);
-        }
-        const double least = std::max((high - low).maxCoeff() * 1e-3, 1e-12);
-        system.centre = (low + high) / 2;
-        system.halfExtent = ((high - low) / 2).cwiseMax(least);
-    }
-
-    void count(const attractor::PreparedSystem& system, float lowX, float highX, float lowY, float highY,
-               std::uint32_t* counts) {
-        constexpr double margin = 0.05; // as of other pictures
-        const double extentX = (double(highX) - double(lowX)) * system.halfExtent.x();
-        const double extentY = (double(highY) - double(lowY)) * system.halfExtent.y();
-        const double least = 1e-9 * system.halfExtent.minCoeff(); // of a point
-        const double scale = (1 - 2 * margin) * std::min(m_width / std::max(extentX, least),
-                                                         m_height / std::max(extentY, least));
-        const auto scaleX = float(scale * system.halfExtent.x()),
-                   scaleY = float(-scale * system.halfExtent.y());
-        const float shiftX = float(m_width) / 2 - scaleX * ((lowX + highX) / 2);
-        const float shiftY = float(m_height) / 2 - scaleY * ((lowY + highY) / 2);
-        const auto lastColumn = float(m_width - 1), lastRow = float(m_height - 1);
-        std::uint64_t left = m_samples;
-        std::ranges::fill(m_counts, 0U);
-        std::array<std::uint32_t, 1024> cells; // a block at a time, which compilers make vectors of
-        for (const attractor::SampleSet& set : m_drawn) {
-            const auto part = std::size_t(std::min<std::uint64_t>(left, attractor::SampleSet::size));
-            left -= part;
-            for (std::size_t begin = 0; begin < part; begin += cells.size()) {
-                const std::size_t size = std::min(cells.size(), part - begin);
-                const float* const x = set.x.data() + begin;
-                const float* const y = set.y.data() + begin;
-                for (std::size_t i = 0; i < cells.size(); ++i) { // a set repeats its beginning
-                    const float column = std::min(std::max(shiftX + scaleX * x[i], 0.0F), lastColumn);
-                    const float row = std::min(std::max(shiftY + scaleY * y[i], 0.0F), lastRow);
-                    cells[i] = std::uint32_t(std::int32_t(row) * m_width + std::int32_t(column));
-                }
-                for (std::size_t i = 0; i < size; ++i)
-                    ++m_counts[cells[i]];
-            }
-        }
-        std::ranges::copy(m_counts, counts);
-    }
-
-    int m_height;
-    int m_width;
-    std::uint64_t m_sets;
-    std::uint64_t m_samples;
-    std::vector<attractor::SampleSet> m_drawn;
-    std::vector<std::uint32_t> m_counts; // of one picture, which stays in the cache
-};
-
 py::array_t<std::uint32_t> densityBatch(const Numbers& systems, const std::optional<Numbers>& weights,
                                         const Sides& shape, std::uint64_t samples, std::uint64_t seed,
                                         int threads) {
@@ -364,7 +272,9 @@ py::array_t<std::uint32_t> densityBatch(const Numbers& systems, const std::optio
     if (weights && (weights->ndim() != 2 || weights->shape(0) != count || weights->shape(1) != maps))
         throw std::invalid_argument("weights: the shape must be (systems, maps)");
     const auto cells = std::size_t(height) * std::size_t(width);
-    py::array_t<std::uint32_t> counts({count, py::ssize_t(height), py::ssize_t(width)});
+    // Zeros that the system hands out where they are needed.
+    py::array_t<std::uint32_t> counts =
+        py::module_::import("numpy").attr("zeros")(py::make_tuple(count, height, width), "uint32");
     std::uint32_t* const pictures = counts.mutable_data();
     const double* const numbers = systems.data();
     if (!std::all_of(numbers, numbers + systems.size(), [](double number) { return std::isfinite(number); }))
@@ -384,7 +294,7 @@ py::array_t<std::uint32_t> densityBatch(const Numbers& systems, const std::optio
                 painter.paint(list,
                               shares ? ifs::shares({shares + k * maps, shares + (k + 1) * maps})
                                      : ifs::determinantWeights<2>(list),
-                              seed + std::uint64_t(k), pictures + std::size_t(k) * cells);
+                              seed + std::uint64_t(k), stop, pictures + std::size_t(k) * cells);
             }
         };
         std::vector<std::jthread> team;

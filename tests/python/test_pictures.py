@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: MIT
 import os
 import signal
+import subprocess
+import sys
 import threading
 import zlib
 
@@ -100,6 +102,38 @@ def test_batches(triangle):
         assert abs(ours[0] - others[0]) <= 2 and abs(ours[-1] - others[-1]) <= 2
     blocks = (plain.astype(float) - shown).reshape(10, 10, 10, 10).sum(axis=(1, 3))
     assert abs(blocks).sum() < .25 * 100_000
+
+
+def test_batches_of_many_points_in_parts():
+    system = bc.random(maps=3, seed=4)
+    counts = bc.density_batch([system], (40, 60), samples=300_001)[0]
+    assert counts.sum() == 300_001
+    rows, columns = np.flatnonzero(counts.sum(axis=1)), np.flatnonzero(counts.sum(axis=0))
+    assert min(rows[0] + 39 - rows[-1], columns[0] + 59 - columns[-1]) in (3, 4, 5, 6)  # a margin of a twentieth
+    first = bc.density_batch([system], (40, 60), samples=1 << 17)[0]
+    assert not (counts == first).all() and abs(counts / 300_001 - first / (1 << 17)).sum() < .1
+
+
+def test_batches_of_a_point_and_of_a_line():
+    point = [[[.5, 0, 1e6], [0, .5, -3]], [[.5, 0, 1e6], [0, .5, -3]]]
+    line = [[[.5, 0, 0], [0, 0, 7]], [[.5, 0, 1], [0, 0, 7]]]
+    counts = bc.density_batch([point, line], (50, 50), samples=1000)
+    assert (counts.sum(axis=(1, 2)) == 1000).all()
+    rows, columns = np.nonzero(counts[0])
+    assert abs(rows - 25).max() <= 1 and abs(columns - 25).max() <= 1
+    rows, columns = np.nonzero(counts[1])
+    assert len(set(rows)) == 1 and columns[0] <= 3 and columns[-1] >= 46
+
+
+@pytest.mark.parametrize("vectors", ["scalar", "sse4", "avx2", "avx512"])
+def test_batches_have_the_same_bits_with_all_vectors(vectors):
+    script = ("import barycage as bc, hashlib\n"
+              "systems = [bc.random(maps=maps, seed=seed) for maps, seed in ((2, 1), (4, 2))]\n"
+              "print(*(hashlib.md5(bc.density_batch([each], (64, 96), samples=20_000).tobytes()).hexdigest()\n"
+              "        for each in systems))")
+    of = [subprocess.run([sys.executable, "-c", script], env={**os.environ, **chosen}, check=True, capture_output=True,
+                         text=True).stdout for chosen in ({}, {"BARYCAGE_SIMD": vectors})]
+    assert of[0] == of[1] and len(of[0].split()) == 2
 
 
 @pytest.mark.parametrize("call", [

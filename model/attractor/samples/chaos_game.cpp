@@ -9,6 +9,7 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <span>
 #include <utility>
 
 namespace attractor {
@@ -60,15 +61,15 @@ struct Range {
     bool near = true; // within the escape radius
 };
 
-Range range(const std::vector<float>& values) {
-    constexpr std::size_t width = 16; // as many extremes side by side as the longest vector holds
+Range range(std::span<const float> values) { // a multiple of 64 of them
+    constexpr std::size_t width = 16;        // as many extremes side by side as the longest vector holds
     std::array<float, width> low{};
     std::array<float, width> high{};
     std::array<std::uint32_t, width> near{};
     near.fill(1);
     std::copy_n(values.begin(), width, low.begin());
     high = low;
-    for (std::size_t i = 0; i < SampleSet::size; i += width)
+    for (std::size_t i = 0; i < values.size(); i += width)
         for (std::size_t k = 0; k < width; ++k) {
             const float value = values[i + k];
             low[k] = value < low[k] ? value : low[k];
@@ -77,6 +78,32 @@ Range range(const std::vector<float>& values) {
         }
     return {*std::min_element(low.begin(), low.end()), *std::max_element(high.begin(), high.end()),
             *std::min_element(near.begin(), near.end()) == 1};
+}
+
+// The orbits of one (seed, pass); `arrange` may exchange their points before their extremes are taken.
+PointExtremes drawOrbits(const PreparedSystem& system, std::uint64_t seed, std::uint64_t pass,
+                         std::span<float> x, std::span<float> y, const auto& arrange) {
+    const AliasTable table(system.probabilities);
+    const auto coefficients = boxCoefficients(system, table.size());
+    kernels::ChaosTables tables;
+    tables.size = table.size();
+    tables.threshold = table.thresholds().data();
+    tables.alias = table.aliases().data();
+    for (std::size_t k = 0; k < coefficients.size(); ++k)
+        tables.coefficients[k] = coefficients[k].data();
+    tables.escapeRadius = escapeRadius;
+    Range inX, inY;
+    // Hardly any system needs the guard.
+    for (const kernels::Guard guard : {kernels::Guard::Off, kernels::Guard::On}) {
+        kernels::Lanes lanes = freshLanes(seed, pass);
+        kernels::iterate(lanes, tables, guard, burnIn(system), nullptr, nullptr);
+        kernels::iterate(lanes, tables, guard, x.size() / kernels::Lanes::count, x.data(), y.data());
+        arrange();
+        inX = range(x);
+        inY = range(y);
+        if (inX.near && inY.near) break;
+    }
+    return {inX.low, inX.high, inY.low, inY.high};
 }
 
 } // namespace
@@ -134,34 +161,24 @@ std::vector<AliasTable> nextMaps(const PreparedSystem& system) {
     return tables;
 }
 
+PointExtremes drawPoints(const PreparedSystem& system, std::uint64_t seed, std::uint64_t pass,
+                         std::span<float> x, std::span<float> y) {
+    return drawOrbits(system, seed, pass, x, y, [] {});
+}
+
 void drawSamples(const PreparedSystem& system, std::uint64_t seed, std::uint64_t pass, SampleSet& samples,
                  const AddressStrata* strata) {
     samples.x.resize(2 * SampleSet::size + kernels::chunk);
     samples.y.resize(2 * SampleSet::size + kernels::chunk);
-    const AliasTable table(system.probabilities);
-    const auto coefficients = boxCoefficients(system, table.size());
-    kernels::ChaosTables tables;
-    tables.size = table.size();
-    tables.threshold = table.thresholds().data();
-    tables.alias = table.aliases().data();
-    for (std::size_t k = 0; k < coefficients.size(); ++k)
-        tables.coefficients[k] = coefficients[k].data();
-    tables.escapeRadius = escapeRadius;
-    // Hardly any system needs the guard.
-    for (const kernels::Guard guard : {kernels::Guard::Off, kernels::Guard::On}) {
-        kernels::Lanes lanes = freshLanes(seed, pass);
-        kernels::iterate(lanes, tables, guard, burnIn(system), nullptr, nullptr);
-        kernels::iterate(lanes, tables, guard, SampleSet::size / SampleSet::lanes, samples.x.data(),
-                         samples.y.data());
-        if (strata != nullptr) strata->spread(mixed(seed) + mixed(pass), samples);
-        const Range x = range(samples.x);
-        const Range y = range(samples.y);
-        samples.lowX = x.low;
-        samples.highX = x.high;
-        samples.lowY = y.low;
-        samples.highY = y.high;
-        if (x.near && y.near) break;
-    }
+    const PointExtremes extremes = drawOrbits(system, seed, pass, std::span(samples.x).first(SampleSet::size),
+                                              std::span(samples.y).first(SampleSet::size), [&] {
+                                                  if (strata != nullptr)
+                                                      strata->spread(mixed(seed) + mixed(pass), samples);
+                                              });
+    samples.lowX = extremes.lowX;
+    samples.highX = extremes.highX;
+    samples.lowY = extremes.lowY;
+    samples.highY = extremes.highY;
     repeatBeginning(samples.x);
     repeatBeginning(samples.y);
 }

@@ -8,6 +8,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 namespace attractor {
@@ -49,6 +50,15 @@ void repeatBeginning(std::vector<float>& values);
 // in the middle of the box. Neighbours along an orbit are correlated; strata of the same system undo that.
 void drawSamples(const PreparedSystem& system, std::uint64_t seed, std::uint64_t pass, SampleSet& samples,
                  const AddressStrata* strata = nullptr);
+
+struct PointExtremes {
+    float lowX = 0, highX = 0, lowY = 0, highY = 0;
+};
+
+// Fills both arrays, whose size is a multiple of 64, with points that are drawn in the same way, in box
+// coordinates: as many as are wanted, without the strata and the copies that pictures need.
+PointExtremes drawPoints(const PreparedSystem& system, std::uint64_t seed, std::uint64_t pass,
+                         std::span<float> x, std::span<float> y);
 
 // The seed paper's chaos game: one orbit from a fixed point of the first map (or the origin) of which the
 // first `skipped` points are not plotted. An orbit that escapes begins anew. Of linked maps, the orbit begins
