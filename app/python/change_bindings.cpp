@@ -4,6 +4,7 @@
 #include "animation/morph.h"
 #include "collage/suggestions.h"
 #include "ifs/tops/fractal_transformation.h"
+#include "notation/moments/entry_moment.h"
 #include "python/arrays.h"
 #include "python/interruptible.h"
 #include "python/placing.h"
@@ -12,6 +13,7 @@
 
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -158,6 +160,22 @@ py::list fit(const pybind11::array_t<std::uint8_t, pybind11::array::c_style>& ma
     return list;
 }
 
+// (frames to draw, the last frame, frames, seconds, loop); None where nothing moves.
+py::object animationFacts(const notation::Entry& entry) {
+    const auto facts = notation::animationFacts(entry);
+    if (!facts && notation::isAnimated(entry))
+        throw std::invalid_argument("the animation of this entry is not understood, or does not fit its maps "
+                                    "and its cage");
+    if (!facts) return py::none();
+    return py::make_tuple(animation::frameCount(facts->loop, facts->length),
+                          animation::lastFrame(facts->loop, facts->length), facts->rate.frames,
+                          facts->rate.seconds, ifs::nameOf(facts->loop));
+}
+
+notation::Entry at(const notation::Entry& entry, std::int64_t numerator, std::int64_t denominator) {
+    return notation::atMoment(entry, animation::moment(numerator, denominator));
+}
+
 } // namespace
 
 void bindChanges(py::module_& core) {
@@ -165,6 +183,8 @@ void bindChanges(py::module_& core) {
     core.def("caged", &caged);
     core.def("with_branch", &withBranch);
     core.def("morphed", &morphed);
+    core.def("animation_facts", &animationFacts);
+    core.def("at", &at);
     core.def("tops", &tops);
     core.def("fit", &fit);
 }

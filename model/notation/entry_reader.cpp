@@ -145,10 +145,7 @@ template <int Dim> Figure<Dim> figureOf(Bytes text, const RowReading& rows) {
 class OwnLines {
 public:
     void read(const std::string& comment) {
-        const std::string text = simplified(comment.substr(linePrefix.size()));
-        std::vector<std::string> values = words(text);
-        const std::string key = values.front();
-        values.erase(values.begin());
+        const auto [key, values] = ownWords(comment);
         if (key != "version" && !m_look.read(key, values) && !m_placement.read(key, values) &&
             !m_maps.read(key, values))
             m_others.push_back(comment);

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
+#include "document/moments/animated_fractal.h"
 #include "io/fractint/entry_writer.h"
 #include "io/fractint/fractint_reader.h"
 #include "notation/entry_reader.h"
 #include "notation/entry_writer.h"
+#include "notation/moments/entry_moment.h"
 #include "support/named_test.h"
 #include "support/paths.h"
 
@@ -11,6 +13,8 @@
 #include <QTest>
 
 #include <algorithm>
+#include <cstdint>
+#include <memory>
 #include <random>
 #include <string>
 #include <string_view>
@@ -29,6 +33,7 @@ private slots:
     void flawsSayWhere_data();
     void flawsSayWhere();
     void everythingThatIsStoredIsRead();
+    void momentsAreThoseOfTheWindow();
 
 private:
     QList<QPair<QString, QByteArray>> m_files;
@@ -40,13 +45,14 @@ std::string_view viewOf(const QByteArray& bytes) {
     return {bytes.constData(), std::size_t(bytes.size())};
 }
 
-template <int Dim>
-QByteArray difference(const document::Shape<Dim>& shape, const notation::Figure<Dim>& figure) {
+template <int Dim> QByteArray difference(const document::Shape<Dim>& shape, const notation::Entry& ours) {
+    const auto& figure = std::get<notation::Figure<Dim>>(ours.figure);
     if (!(shape.system.maps == figure.system.maps)) return "maps";
     if (!(shape.system.symmetry == figure.system.symmetry)) return "symmetry";
     if (!(shape.system.links == figure.system.links)) return "links";
     if (!(shape.cage == figure.cage)) return "cage";
     if (!(shape.moved == figure.moved)) return "moved branches";
+    if (!(shape.animation == notation::animationOf<Dim>(ours))) return "animation";
     return {};
 }
 
@@ -61,11 +67,9 @@ QByteArray difference(const document::Entry& window, const notation::Entry& ours
     if (fractal.comments != comments) return "comments";
     if (fractal.shape.index() != ours.figure.index()) return "dimension";
     if (const auto* plane = document::plane(fractal))
-        if (const QByteArray what = difference<2>(*plane, std::get<1>(ours.figure)); !what.isEmpty())
-            return what;
+        if (const QByteArray what = difference<2>(*plane, ours); !what.isEmpty()) return what;
     if (const auto* space = document::space(fractal))
-        if (const QByteArray what = difference<3>(*space, std::get<2>(ours.figure)); !what.isEmpty())
-            return what;
+        if (const QByteArray what = difference<3>(*space, ours); !what.isEmpty()) return what;
     if (document::dimension(fractal) != 0)
         return fractal.appearance == ours.appearance ? QByteArray() : QByteArray("appearance");
     const auto error =
@@ -249,6 +253,29 @@ void EntryReaderTest::everythingThatIsStoredIsRead() {
     QCOMPARE(read.appearance.palette.stops.size(), 2U);
     QCOMPARE(read.otherLines, std::vector<std::string>{"barycage: map-name 1 stem"});
     QCOMPARE(notation::readFile(notation::written(read)).entries[0], read);
+}
+
+// Maps, cages, branches and colours, to the last bit.
+void EntryReaderTest::momentsAreThoseOfTheWindow() {
+    int moments = 0;
+    for (const auto& [name, text] : m_files) {
+        const document::FractalFile window = io::readFractint(text);
+        const notation::File ours = notation::readFile(viewOf(text));
+        for (qsizetype i = 0; i < window.entries.size(); ++i) {
+            const notation::Entry& entry = ours.entries[std::size_t(i)];
+            const document::Fractal& fractal = *window.entries[i].fractal;
+            const auto facts = document::animationFacts(fractal);
+            for (int k = 0; facts && k <= 8; ++k, ++moments) {
+                const animation::Moment moment = animation::moment(std::int64_t(k) * facts->length, 8);
+                document::Entry shown = window.entries[i];
+                shown.fractal =
+                    std::make_shared<document::Fractal>(document::frameAt(fractal, moment).fractal);
+                const QByteArray said = difference(shown, notation::atMoment(entry, moment));
+                QVERIFY2(said.isEmpty(), name.toUtf8() + ", " + fractal.name.toUtf8() + ": " + said);
+            }
+        }
+    }
+    QVERIFY(moments >= 9 * 15);
 }
 
 BARYCAGE_TEST(EntryReaderTest);

@@ -1,7 +1,11 @@
 # SPDX-License-Identifier: MIT
+from fractions import Fraction
+
 import barycage as bc
 import numpy as np
 import pytest
+
+from conftest import ROOT
 
 
 def test_conjugation_moves_the_attractor(triangle):
@@ -49,6 +53,39 @@ def test_morphs(triangle):
     assert middle.classify().verdict == "hyperbolic" and middle.hull().size == pytest.approx(.5, abs=.5)
     with pytest.raises(ValueError, match="share"):
         triangle.morph(other, 1.5)
+
+
+def test_moments_between_keys():
+    fern = bc.open(ROOT / "ifs_library" / "motion.ifs")["fern_unfolding"]
+    assert fern.animation == (192, Fraction(24), "there-and-back", 192)
+    first, last = fern.at(0), fern.at(96)
+    assert first.maps[1].tolist() == [[.63, .42, 0], [-.42, .63, 1.6]] and last.maps[1].tolist() == fern.maps[1].tolist()
+    assert (fern.at(192).maps == first.maps).all() and fern.at(16).maps[3] == pytest.approx(first.maps[3])
+    assert (fern.at(48.5).maps == fern.at(Fraction(97, 2)).maps).all()
+    assert not (fern.at(48.5).maps == fern.at(48).maps).all()
+    assert first.animation is None and first.at(1000) is first and "animation" not in str(first)
+    assert bc.parse(str(first))[0] == first
+    for frame in (-1, 192.5, float("nan"), float("inf")):
+        with pytest.raises(ValueError, match="from 0 to 192"):
+            fern.at(frame)
+
+
+def test_every_motion_of_the_collection():
+    moving = [entry for entry in bc.open(ROOT / "ifs_library" / "motion.ifs") if entry.animation]
+    assert len(moving) == 15
+    for entry in moving:
+        middle = entry.at(entry.animation.frames // 3)
+        assert middle.animation is None and middle != entry.at(0), entry.name
+        assert len(middle.maps) == len(entry.maps)
+
+
+def test_an_animation_that_does_not_fit():
+    entry = bc.parse("a {\n; barycage: animation 10 24/1 off\n; barycage: track map 2\n; barycage: key 0 linear\n"
+                     "; barycage: value 1 0 0 1 0 0\n .5 0 0 .5 0 0 1\n}")[0]
+    with pytest.raises(ValueError, match="not understood"):
+        entry.at(1)
+    with pytest.raises(ValueError, match="not understood"):
+        entry.animation
 
 
 def test_tops(triangle):

@@ -13,7 +13,6 @@
 #include "attractor/samples/prepared_space.h"
 #include "document/edits/cage/space_cage_edits.h"
 #include "document/fractal/space_geometry.h"
-#include "io/fractint/space_comments.h"
 #include "io/overlay/map_legend.h"
 #include "io/overlay/space_overlay.h"
 #include "io/picture/picture_writers.h"

@@ -20,11 +20,11 @@ long release the interpreter's lock, and Ctrl+C stops them.
 """
 from ._core import pixel_version
 from .collection import Collection, ParseError, open, parse
-from .entry import Address, Box, Certified, Classification, Entry, Hull, Moments, Support, Volume
+from .entry import Address, Animation, Box, Certified, Classification, Entry, Hull, Moments, Support, Volume
 from .making import density_batch, fit, random
 from ._core import palettes
 
 __all__ = [
-    "Address", "Box", "Certified", "Classification", "Collection", "Entry", "Hull", "Moments", "ParseError", "Support",
-    "Volume", "density_batch", "fit", "open", "palettes", "parse", "pixel_version", "random",
+    "Address", "Animation", "Box", "Certified", "Classification", "Collection", "Entry", "Hull", "Moments", "ParseError",
+    "Support", "Volume", "density_batch", "fit", "open", "palettes", "parse", "pixel_version", "random",
 ]

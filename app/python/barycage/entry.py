@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import struct
 import zlib
+from fractions import Fraction
 from typing import Any, Callable, NamedTuple, Optional, Union
 
 import numpy as np
@@ -104,6 +105,19 @@ class Volume(NamedTuple):
     counts: np.ndarray
     min: np.ndarray
     max: np.ndarray
+
+
+class Animation(NamedTuple):
+    """How an entry moves: `frames` to draw, from frame 0, so many of which pass in a second (`rate`).
+
+    loop  'off', 'cycle' (the frame after the last one looks like frame 0) or 'there-and-back'
+    last  the last frame that at() knows
+    """
+
+    frames: int
+    rate: Fraction
+    loop: str
+    last: int
 
 
 def _map(matrix: Any, translation: Any) -> np.ndarray:
@@ -226,6 +240,15 @@ class Entry:
     def cage(self) -> Optional[tuple[np.ndarray, np.ndarray]]:
         """(rest, current), each (corners, d) float64; None without a cage."""
         return self._entry.cage
+
+    @property
+    def animation(self) -> Optional[Animation]:
+        """None where nothing moves. Raises ValueError where the lines of an animation are not understood."""
+        found = _core.animation_facts(self._entry)
+        if found is None:
+            return None
+        frames, last, rate, seconds, loop = found
+        return Animation(frames, Fraction(rate, seconds), loop, last)
 
     def __str__(self) -> str:
         return self._entry.text()
@@ -396,6 +419,38 @@ class Entry:
 
     def top(self, other: Entry) -> Callable[[Any], np.ndarray]:
         """The fractal transformation to another entry with as many maps: a function of points (n, 2) of this attractor.
+
+    def at(self, frame: Union[int, float, Fraction]) -> Entry:
+        """As the animation of the entry shows it at a frame, which may be a fraction: with maps, cage, branches and
+        colours where keys and motions have brought them, and without an animation.
+
+        Keys of the camera, and motions of it in space, are left out: an entry has no camera. One that does not move is
+        the same at every frame. Like weights and colours, keys belong to the maps of the file: they do not follow
+        conjugated().
+
+        >>> from barycage import parse
+        >>> turning = parse('''dust {
+        ... ; barycage: animation 48 24/1 cycle
+        ... ; barycage: motion orbit
+        ... ; barycage: count 1
+        ... ; barycage: pivot 0 0
+        ...  .4 0 0 .4 0 0 1
+        ...  .4 0 0 .4 1 0 1
+        ... }''')[0]
+        >>> turning.animation
+        Animation(frames=48, rate=Fraction(24, 1), loop='cycle', last=48)
+        >>> x, _ = turning.at(24).points(1000)
+        >>> x.round(6).min() < -1
+        True
+        """
+        animation = self.animation
+        if animation is None:
+            return self
+        if not 0 <= frame <= animation.last:
+            raise ValueError(f"frame: from 0 to {animation.last}")
+        exact = frame if isinstance(frame, Fraction) else Fraction(float(frame))
+        moment = exact.limit_denominator(10 ** 9)
+        return Entry._of(_core.at(self._entry, moment.numerator, moment.denominator))
 
         It gives the points with the same top address in the other attractor, and NaN for what is on no attractor. Of
         the addresses of a point, the top one comes first in the order of the maps.

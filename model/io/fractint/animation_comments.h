@@ -2,7 +2,7 @@
 #pragma once
 
 #include "document/fractal/fractal.h"
-#include "io/fractint/animation_lines.h"
+#include "notation/moments/animation_lines.h"
 
 #include <QByteArrayList>
 #include <QStringList>
@@ -39,7 +39,7 @@ public:
 
 private:
     struct Block {
-        AnimationLines lines;
+        notation::AnimationLines lines;
         std::vector<std::size_t> numbers;
     };
     std::vector<Block> m_blocks;

@@ -2,10 +2,10 @@
 #include "io/fractint/appearance_comments.h"
 
 #include "attractor/request/appearance_fields.h"
-#include "io/fractint/space_comments.h"
 #include "io/palette/palette_stops.h"
 #include "io/text/metadata_line.h"
 #include "io/text/number.h"
+#include "notation/lines/space_lines.h"
 
 #include <span>
 
@@ -59,7 +59,7 @@ QByteArrayList lookComments(const animation::Look& look) {
     if (!look.inSpace) return lines;
     if (look.inSpace->look == attractor::SpaceAppearance().look) // one line at least
         lines << metadataLine("look space-look", ifs::nameOf(look.inSpace->look));
-    return lines << spaceComments(*look.inSpace, beforeLook);
+    return lines << byteLines(notation::spaceLines(*look.inSpace, beforeLook));
 }
 
 bool AppearanceComments::read(const QByteArray& key, const QByteArrayList& values) {

@@ -145,7 +145,8 @@ template <int Dim> void renumber(document::Shape<Dim>& shape, document::Fractal&
 } // namespace
 
 QByteArrayList metadataComments(const document::Fractal& fractal) {
-    const QByteArrayList appearance = appearanceComments(fractal.appearance) + spaceComments(fractal.inSpace);
+    const QByteArrayList appearance =
+        appearanceComments(fractal.appearance) + byteLines(notation::spaceLines(fractal.inSpace));
     const auto linesOf = [&](const auto& shape) {
         return placementLines(shape) + appearance + mapLines(shape.system, fractal.appearance) +
                blendComments(fractal) + labelComments(fractal) + linkComments(shape.system) +
@@ -190,7 +191,8 @@ bool MetadataComments::read(QByteArrayView comment) {
     return key == "version" || readSetting(key, values) || readMapSetting(key, values) ||
            m_colouring.read(key, values) || readBranch(key, values) ||
            m_links.read(key, values, m_ownComments - 1) || m_labels.read(key, values) ||
-           m_blends.read(key, values) || m_typed.read(key, values) || m_inSpace.read(key, values) ||
+           m_blends.read(key, values) || m_typed.read(key, values) ||
+           m_inSpace.read(key.toStdString(), plainWords(values)) ||
            m_symmetry.read(key, values, m_ownComments - 1) ||
            m_animations.read(key, values, m_ownComments - 1);
 }

@@ -7,9 +7,9 @@
 #include "io/fractint/blend_comments.h"
 #include "io/fractint/label_comments.h"
 #include "io/fractint/link_comments.h"
-#include "io/fractint/space_comments.h"
 #include "io/fractint/symmetry_comments.h"
 #include "io/fractint/typed_comments.h"
+#include "notation/lines/space_lines.h"
 
 #include <QByteArrayList>
 #include <QByteArrayView>
@@ -92,7 +92,7 @@ private:
     LinkComments m_links;
     TypedComments m_typed;
     AppearanceComments m_colouring;
-    SpaceComments m_inSpace;
+    notation::SpaceReader m_inSpace;
     std::vector<MapSetting> m_colours;
     std::vector<MapSetting> m_off;
     std::vector<MapSetting> m_unweighted;

@@ -5,6 +5,8 @@
 
 #include <QString>
 
+#include <cstddef>
+
 namespace io {
 
 QByteArray metadataLine(const char* key, const QByteArray& values) {
@@ -23,6 +25,21 @@ QByteArrayList metadataLines(const char* key, const QByteArrayList& values) {
         lines.back() += value;
     }
     return lines;
+}
+
+std::vector<std::string> plainWords(const QByteArrayList& values) {
+    std::vector<std::string> words;
+    words.reserve(std::size_t(values.size()));
+    for (const QByteArray& value : values)
+        words.push_back(value.toStdString());
+    return words;
+}
+
+QByteArrayList byteLines(const std::vector<std::string>& lines) {
+    QByteArrayList list;
+    for (const std::string& line : lines)
+        list << QByteArray::fromStdString(line);
+    return list;
 }
 
 std::optional<double> metadataNumber(const QByteArray& value) {

@@ -8,6 +8,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 // The form of the lines "; barycage: key values". docs/formats.md, "Barycage's comment lines".
 namespace io {
@@ -18,6 +19,10 @@ inline constexpr qsizetype maxMetadataLine = 69; // bytes
 QByteArray metadataLine(const char* key, const QByteArray& values);
 // The values on as many lines with this key as they need; at least one.
 QByteArrayList metadataLines(const char* key, const QByteArrayList& values);
+
+// Values and lines as model/notation has them.
+std::vector<std::string> plainWords(const QByteArrayList& values);
+QByteArrayList byteLines(const std::vector<std::string>& lines);
 
 // A value of such a line.
 std::optional<double> metadataNumber(const QByteArray& value);

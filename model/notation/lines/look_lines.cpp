@@ -154,13 +154,16 @@ bool LookReader::readMapBlend(const std::vector<std::string>& values) {
     return true;
 }
 
+std::optional<attractor::Palette> LookReader::palette() const {
+    const std::string name = m_paletteName.value_or(std::string());
+    if (isWholeGradient(m_stops)) return attractor::Palette{name, m_stops};
+    const auto* builtIn = m_stops.empty() ? attractor::findPalette(name) : nullptr;
+    return builtIn ? std::optional(*builtIn) : std::nullopt;
+}
+
 attractor::Appearance LookReader::appearance(std::size_t maps) const {
     attractor::Appearance result = m_appearance;
-    const std::string name = m_paletteName.value_or(std::string());
-    if (isWholeGradient(m_stops))
-        result.palette = {name, m_stops};
-    else if (const auto* builtIn = m_stops.empty() ? attractor::findPalette(name) : nullptr)
-        result.palette = *builtIn;
+    result.palette = palette().value_or(result.palette);
     auto colours = m_colours;
     std::ranges::stable_sort(colours, {}, &std::pair<int, attractor::Rgba>::first); // the last one counts
     for (const auto& [map, colour] : colours)

@@ -26,6 +26,8 @@ public:
     bool read(const std::string& key, const std::vector<std::string>& values);
     // Of an entry with so many maps, whose ids are 1, 2, …
     attractor::Appearance appearance(std::size_t maps) const;
+    // That of the lines, with its stops or built in; nullopt if it is neither.
+    std::optional<attractor::Palette> palette() const;
 
 private:
     bool readNumber(const std::string& key, const std::string& value);

@@ -23,10 +23,10 @@ std::string simplified(std::string_view text) {
     return result;
 }
 
-std::vector<std::string> words(std::string_view text) {
+std::vector<std::string> words(std::string_view text, char separator) {
     std::vector<std::string> result;
     for (std::size_t begin = 0; begin <= text.size();) {
-        const std::size_t end = std::min(text.find(' ', begin), text.size());
+        const std::size_t end = std::min(text.find(separator, begin), text.size());
         result.emplace_back(text.substr(begin, end - begin));
         begin = end + 1;
     }
@@ -70,6 +70,13 @@ bool isOwnComment(std::string_view comment) {
     if (!text.starts_with(linePrefix)) return false;
     const std::string_view key = trimmed(text.substr(linePrefix.size()));
     return !key.starts_with("partner") && !key.starts_with("view");
+}
+
+std::pair<std::string, std::vector<std::string>> ownWords(std::string_view comment) {
+    std::vector<std::string> values = words(simplified(trimmed(comment).substr(linePrefix.size())));
+    std::string key = std::move(values.front());
+    values.erase(values.begin());
+    return {std::move(key), std::move(values)};
 }
 
 void append(std::vector<std::string>& lines, std::vector<std::string> more) {

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 // The form of the lines "; barycage: key values". docs/formats.md, "Barycage's comment lines".
@@ -15,8 +16,8 @@ inline constexpr std::size_t maxOwnLine = 69; // bytes
 // Without white space at its ends, and with one blank for each other stretch of it.
 std::string simplified(std::string_view text);
 
-// What single blanks separate; one empty word of an empty text.
-std::vector<std::string> words(std::string_view text);
+// What single blanks, or other characters, separate; one empty word of an empty text.
+std::vector<std::string> words(std::string_view text, char separator = ' ');
 std::string joined(const std::vector<std::string>& words, std::size_t first = 0);
 
 // 0 where it is no whole number.
@@ -29,6 +30,9 @@ std::vector<std::string> ownLines(std::string_view key, const std::vector<std::s
 // Whether a comment (what follows the semicolon) is one of Barycage's that the entry itself consists of.
 // Lines of a fractal transformation and of saved views are not.
 bool isOwnComment(std::string_view comment);
+
+// Key and values of such a comment.
+std::pair<std::string, std::vector<std::string>> ownWords(std::string_view comment);
 
 void append(std::vector<std::string>& lines, std::vector<std::string> more);
 

@@ -40,7 +40,7 @@ struct Entry {
     std::vector<std::string> comments; // the entry's own comment lines, without the semicolon
     std::variant<std::monostate, Figure<2>, Figure<3>> figure;
     attractor::Appearance appearance;
-    std::vector<std::string> otherLines; // Barycage's that mean nothing here, such as those of an animation
+    std::vector<std::string> otherLines; // Barycage's that mean nothing here; those of an animation: moments
     std::optional<Flaw> flaw;            // of an entry without a figure
 
     friend bool operator==(const Entry&, const Entry&) = default;
