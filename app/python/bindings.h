@@ -11,5 +11,6 @@ void bindEntries(pybind11::module_& core);
 void bindPictures(pybind11::module_& core);
 void bindFacts(pybind11::module_& core);
 void bindChanges(pybind11::module_& core);
+void bindPages(pybind11::module_& core);
 
 } // namespace python

@@ -9,4 +9,5 @@ PYBIND11_MODULE(_core, core) {
     python::bindPictures(core);
     python::bindFacts(core);
     python::bindChanges(core);
+    python::bindPages(core);
 }

@@ -9,7 +9,7 @@ from typing import Any, Callable, NamedTuple, Optional, Union
 
 import numpy as np
 
-from . import _core
+from . import _core, page
 
 Shape = tuple[int, int]
 Word = Union[str, "tuple[int, ...]", "list[int]"]
@@ -333,6 +333,13 @@ class Entry:
         picture = self.picture if self.space_dimension == 2 else self.solid
         return _png(picture((300, 400)))
 
+    def _repr_html_(self) -> Optional[str]:
+        """The attractor in its cage, to be dragged, in a frame of its own; None for what only the window can show."""
+        text = str(self)
+        if len(self.maps) > page.MOST_MAPS or "; barycage: branch 0 " in text:
+            return None
+        return page.frame(text, self.name, self.space_dimension, self._repr_png_())
+
     # What is certain of the attractor of the maps, without the cage
 
     def classify(self) -> Classification:
@@ -413,13 +420,6 @@ class Entry:
         """
         return Entry._of(_core.with_branch(self._entry, _word(word), _map(matrix, translation)))
 
-    def morph(self, other: Entry, share: float) -> Entry:
-        """Between this one (share 0) and another (1): the maps correspond by optimal transport of their weights."""
-        return Entry._of(_core.morphed(self._entry, other._entry, share))
-
-    def top(self, other: Entry) -> Callable[[Any], np.ndarray]:
-        """The fractal transformation to another entry with as many maps: a function of points (n, 2) of this attractor.
-
     def at(self, frame: Union[int, float, Fraction]) -> Entry:
         """As the animation of the entry shows it at a frame, which may be a fraction: with maps, cage, branches and
         colours where keys and motions have brought them, and without an animation.
@@ -451,6 +451,13 @@ class Entry:
         exact = frame if isinstance(frame, Fraction) else Fraction(float(frame))
         moment = exact.limit_denominator(10 ** 9)
         return Entry._of(_core.at(self._entry, moment.numerator, moment.denominator))
+
+    def morph(self, other: Entry, share: float) -> Entry:
+        """Between this one (share 0) and another (1): the maps correspond by optimal transport of their weights."""
+        return Entry._of(_core.morphed(self._entry, other._entry, share))
+
+    def top(self, other: Entry) -> Callable[[Any], np.ndarray]:
+        """The fractal transformation to another entry with as many maps: a function of points (n, 2) of this attractor.
 
         It gives the points with the same top address in the other attractor, and NaN for what is on no attractor. Of
         the addresses of a point, the top one comes first in the order of the maps.

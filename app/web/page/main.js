@@ -16,8 +16,8 @@ import { filled, spokenLanguage, textsOf } from "./texts.js";
 /** @typedef {import("./engine.js").Palette} Palette */
 /** @typedef {(number | null)[]} Row of a map */
 /** What the program has written into the page.
- * @typedef {{entry: Entry, entries?: Entry[], steps?: import("./lesson.js").Step[], title?: string, caption?: string, show: string, allow: string[], language: string,
- *   points: number}} Content */
+ * @typedef {{entry: Entry, text?: string, entries?: Entry[], steps?: import("./lesson.js").Step[], title?: string, caption?: string, show: string, allow: string[], language: string,
+ *   points: number}} Content  whose text, in a notebook, is that of the entry */
 
 const content = /** @type {Content} */ (JSON.parse(byId("content").textContent ?? ""));
 const language = content.language || spokenLanguage(navigator.languages);
@@ -65,11 +65,12 @@ function failed() {
   byId("plain").textContent = texts.failed;
 }
 
-/** The entry of the link by which the page was opened, if there is one that can be shown.
+/** The entry of the text in the page, or of the link by which it was opened, if there is one that can be shown.
  * @param {Palette[]} palettes @param {boolean} knowsSpace whether the engine draws solids @returns {Promise<Entry | null>} */
 async function linkedEntry(palettes, knowsSpace) {
-  if (location.hash.length < 2) return null;
-  const found = await unpacked(location.hash.slice(1)).catch(() => ({ flaw: /** @type {const} */ ("linkForeign") }));
+  if (location.hash.length < 2 && content.text === undefined) return null;
+  const found = content.text !== undefined ? { text: content.text }
+    : await unpacked(location.hash.slice(1)).catch(() => ({ flaw: /** @type {const} */ ("linkForeign") }));
   const read = "text" in found ? readEntry(found.text, palettes) : found;
   if ("entry" in read && (read.entry.dimension === 2 || knowsSpace)) return read.entry;
   byId("notice").textContent = texts["flaw" in read ? read.flaw : "linkForeign"];

@@ -10,19 +10,23 @@
 #include "io/picture/space_export.h"
 #include "io/raster/jpeg_writer.h"
 #include "io/report/json_writer.h"
+#include "notation/page/page_text.h"
 
 #include <QBuffer>
 #include <QCryptographicHash>
 #include <QImage>
 #include <QJsonDocument>
 #include <QJsonObject>
-#include <QMap>
 #include <QPainter>
 
 #include <algorithm>
 #include <cstdint>
+#include <functional>
+#include <map>
 #include <new>
 #include <span>
+#include <string>
+#include <utility>
 
 namespace io {
 
@@ -133,9 +137,8 @@ void writeGallery(JsonWriter& json, const PageExport& page) {
     json.endArray();
 }
 
-// JSON within a page, which nothing in it can end: no “<” stands in it.
-QByteArray embedded(QByteArray json) {
-    return json.replace('<', "\\u003c");
+QByteArray embedded(const QByteArray& json) {
+    return QByteArray::fromStdString(notation::embedded(json.toStdString()));
 }
 
 QByteArray contentOf(const PageExport& page) {
@@ -169,7 +172,9 @@ QByteArray backgroundOf(const document::Fractal& fractal) {
 }
 
 QByteArray styleOf(const PageExport& page) {
-    QByteArray style = pageStyle().replace("{{background}}", backgroundOf(page.fractal));
+    QByteArray style = QByteArray::fromStdString(
+        notation::filled(notation::plainStyle(pagePart("page.css").toStdString()),
+                         {{"background", backgroundOf(page.fractal).toStdString()}}));
     if (page.size) {
         const QByteArray width = QByteArray::number(page.size->width()),
                          height = QByteArray::number(page.size->height());
@@ -190,19 +195,6 @@ QByteArray textsIn(const QString& language, const QJsonObject& all) {
     return embedded(QJsonDocument(texts).toJson(QJsonDocument::Compact));
 }
 
-// The template with its {{fields}} filled in; the inserted texts are not searched again.
-QByteArray filled(const QByteArray& pattern, const QMap<QByteArray, QByteArray>& fields) {
-    QByteArray text;
-    for (qsizetype at = 0; at < pattern.size();) {
-        const qsizetype begin = pattern.indexOf("{{", at);
-        const qsizetype end = begin < 0 ? -1 : pattern.indexOf("}}", begin);
-        if (end < 0) return text + pattern.sliced(at);
-        text += pattern.sliced(at, begin - at) + fields.value(pattern.sliced(begin + 2, end - begin - 2));
-        at = end + 2;
-    }
-    return text;
-}
-
 } // namespace
 
 QString pageObstacle(const document::Fractal& fractal) {
@@ -217,15 +209,15 @@ QString pageObstacle(const document::Fractal& fractal) {
 }
 
 QByteArray pageOf(const PageExport& page) {
-    const char* extra = !page.steps.isEmpty() ? "lesson.js" : page.entries.isEmpty() ? nullptr : "gallery.js";
-    const QByteArray script = joinedScript(pageModules(extra)), style = styleOf(page);
+    const char* extra = !page.steps.isEmpty() ? "lesson.js" : page.entries.isEmpty() ? "" : "gallery.js";
+    const QByteArray script = joinedScript(notation::pageModules(extra)), style = styleOf(page);
     const auto isSolid = [](const auto& fractal) { return document::space(*fractal) != nullptr; };
     const bool knowsSpace = document::space(page.fractal) || std::ranges::any_of(page.entries, isSolid);
     const char* engine = knowsSpace ? "engine.wasm.gz" : "engine_plane.wasm.gz";
     const QString& title = page.entries.isEmpty() ? page.fractal.name : page.title;
     const QString language = page.language.isEmpty() ? QStringLiteral("en") : page.language;
     const QJsonObject texts = QJsonDocument::fromJson(pagePart("texts.json")).object();
-    const QMap<QByteArray, QByteArray> fields{
+    const std::pair<const char*, QByteArray> parts[]{
         {"language", language.toLatin1()},
         {"title", title.toHtmlEscaped().toUtf8()},
         {"caption", page.caption.toHtmlEscaped().toUtf8()},
@@ -237,11 +229,14 @@ QByteArray pageOf(const PageExport& page) {
         {"still", stillAddress(page.fractal)},
         {"content", contentOf(page)},
         {"engine", pagePart(engine).toBase64()},
-        {"worker", joinedScript(workerModules())},
+        {"worker", joinedScript(notation::workerModules())},
         {"script", script},
         {"script-hash", hashOf(script)},
     };
-    return filled(pagePart("page.html"), fields);
+    std::map<std::string, std::string, std::less<>> fields;
+    for (const auto& [name, text] : parts)
+        fields.emplace(name, text.toStdString());
+    return QByteArray::fromStdString(notation::filled(pagePart("page.html").toStdString(), fields));
 }
 
 } // namespace io

@@ -3,21 +3,16 @@
 
 #include <QByteArray>
 
+#include <string>
 #include <vector>
 
 // The parts of a web page that are the same in all of them, from app/web.
 namespace io {
 
 // The file of this name, such as page.css or engine.wasm.gz.
-QByteArray pagePart(const char* name);
+QByteArray pagePart(const std::string& name);
 
-// The modules of the page, and those of its worker: each list becomes one script, without what belongs to
-// modules and to people, in one scope, so that no two of them may declare the same name. The extra one, if it
-// is given, is for a gallery or a lesson.
-std::vector<const char*> pageModules(const char* extra);
-std::vector<const char*> workerModules();
-QByteArray joinedScript(const std::vector<const char*>& modules);
-
-QByteArray pageStyle(); // without indents
+// notation::joinedScript() of the files of these names.
+QByteArray joinedScript(const std::vector<std::string>& modules);
 
 } // namespace io

@@ -5,6 +5,7 @@
 #include "document/edits/cage/cage_edits.h"
 #include "io/collection_reader.h"
 #include "io/page/page_script.h"
+#include "notation/page/page_text.h"
 #include "support/named_test.h"
 #include "support/paths.h"
 
@@ -214,14 +215,14 @@ void PageExportTest::scriptsAreInOnePiece() {
     static const QRegularExpression declared(
         QStringLiteral("^(?:export )?(?:async )?(?:const|let|class|function) (\\w+)"),
         QRegularExpression::MultilineOption);
-    for (const auto& modules :
-         {io::pageModules("gallery.js"), io::pageModules("lesson.js"), io::workerModules()}) {
+    for (const auto& modules : {notation::pageModules("gallery.js"), notation::pageModules("lesson.js"),
+                                notation::workerModules()}) {
         const QByteArray script = io::joinedScript(modules);
         QVERIFY(!script.contains("\nimport ") && !script.contains("\nexport "));
         QVERIFY(!script.contains("/**\n") && !script.contains("SPDX"));
         QVERIFY(!script.contains("</") && !script.contains("<!--"));
         QSet<QString> names;
-        for (const char* module : modules) {
+        for (const std::string& module : modules) {
             auto matches = declared.globalMatch(QString::fromUtf8(io::pagePart(module)));
             while (matches.hasNext()) {
                 const QString name = matches.next().captured(1);
