@@ -1642,7 +1642,7 @@
     <name>FirstMinute</name>
     <message>
         <source>Take a corner.</source>
-        <translation>Fassen Sie eine Ecke.</translation>
+        <translation>Fassen Sie eine Ecke an.</translation>
     </message>
     <message>
         <source>Make it sway</source>

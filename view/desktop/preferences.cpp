@@ -31,6 +31,8 @@ template <class Value> struct PreferenceRow {
     const char* key; // never changes
     Value Preferences::*member;
 };
+template <class Value>
+PreferenceRow(const char*, Value Preferences::*) -> PreferenceRow<Value>; // for clang 14
 
 constexpr std::tuple preferenceRows{
     PreferenceRow{"preferences/language", &Preferences::language},

@@ -16,6 +16,7 @@
 #include <QTimer>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <iterator>
 #include <optional>
@@ -317,8 +318,9 @@ QPoint Tour::freeCorner() const {
         return std::ranges::count_if(handles, [&](const QPoint& handle) { return card.contains(handle); }) +
                (place.y() < top ? std::ssize(handles) + 1 : 0); // it would not fit in there
     };
-    return std::ranges::min(
-        {QPoint(right, top), QPoint(left, bottom), QPoint(left, top), QPoint(right, bottom)}, {}, covered);
+    const std::array places{QPoint(right, top), QPoint(left, bottom), QPoint(left, top),
+                            QPoint(right, bottom)};
+    return std::ranges::min(places, {}, covered);
 }
 
 // Keeps one place and one height for all steps, so that the buttons stay under the pointer.

@@ -445,7 +445,7 @@ QList<ListedMaps> markedUp(const QString& text) {
         }
         const Table table = readTable(listed.table, std::nullopt, TableMaps::PlaneOrSpace);
         const bool isBad = hasErrors(table) && !isOrderOpen(listed.table);
-        listed.maps = qsizetype(table.rows.size() + table.spaceRows.size());
+        listed.maps = std::ssize(table.rows) + std::ssize(table.spaceRows);
         if (table.isTable && good.size() < maxSystems) (isBad ? bad : good) << listed;
     }
     return good.isEmpty() ? bad.first(std::min<qsizetype>(bad.size(), 1)) : good;
@@ -520,7 +520,7 @@ QList<ListedMaps> oneBelowTheOther(const QString& text) {
     for (const TitledTable& titled : severalTables(text)) {
         const Table table = readTable(titled.table, std::nullopt, TableMaps::PlaneOrSpace);
         if (hasErrors(table) || !table.isTable) return {};
-        const auto maps = qsizetype(table.rows.size() + table.spaceRows.size());
+        const qsizetype maps = std::ssize(table.rows) + std::ssize(table.spaceRows);
         found << ListedMaps{titled.title, titled.table, maps, Notation::Lists, {}};
     }
     return found;

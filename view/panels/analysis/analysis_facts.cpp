@@ -58,9 +58,13 @@ QString absenceOf(const ifs::Existence& existence, const QString& reason) {
 
 // Data that the rows refer to, for as long as a line is shown.
 template <int Dim> struct Shown {
+    Shown(std::shared_ptr<const Analysis> given, const io::FactSource<Dim>& known)
+        : analysis(std::move(given)), source(known), rows(io::facts(source)) {}
+    Q_DISABLE_COPY_MOVE(Shown)
+
     std::shared_ptr<const Analysis> analysis;
     io::FactSource<Dim> source;
-    std::vector<io::Fact> rows = io::facts(source);
+    std::vector<io::Fact> rows; // these refer to `source`
 };
 
 template <int Dim>
