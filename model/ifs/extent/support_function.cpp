@@ -19,11 +19,11 @@ namespace ifs {
 
 namespace {
 
-// The Frobenius norm, also where squares underflow.
+// The Frobenius norm, also where squares underflow. (Eigen 3.4 asserts in stableNorm() of a matrix.)
 template <class Figure> double lengthOf(const Figure& figure) {
     constexpr double tiny = 0x1p-400;
     const double length = figure.norm();
-    return length > tiny ? length : figure.stableNorm();
+    return length > tiny ? length : figure.reshaped().stableNorm();
 }
 
 } // namespace

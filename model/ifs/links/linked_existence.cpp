@@ -119,10 +119,10 @@ private:
         const Matrix<Dim>& factor = m_active.maps[map].linear;
         word.symbols.push_back(int(map));
         const double terms = (word.linear.cwiseAbs() * factor.cwiseAbs()).maxCoeff();
-        word.error = word.error * factor.stableNorm() + Dim * Dim * roundingUnit * terms;
+        word.error = word.error * factor.reshaped().stableNorm() + Dim * Dim * roundingUnit * terms;
         word.error = word.error * (1 + 0x1p-48) + underflow;
         word.linear = word.linear * factor;
-        const bool isKnown = word.error <= std::max(tiny, negligible * word.linear.stableNorm());
+        const bool isKnown = word.error <= std::max(tiny, negligible * word.linear.reshaped().stableNorm());
         const int work = word.exact ? 1 : int(word.symbols.size());
         if ((isKnown && !word.exact) || m_exactLeft < work) return word.exact.reset();
         m_exactLeft -= work;
