@@ -16,16 +16,16 @@ namespace io {
 struct JsonSchema {
     struct Member;
 
-    QString name{};        // of a definition that is referred to; empty: described where it occurs
-    QString description{}; // of all values of this type
-    QString remark{};      // on the value in this place
+    QString name{};        // name of a definition; empty: described in place
+    QString description{}; // description of all values of this type
+    QString remark{};      // remark on the value in this place
     const char* type = nullptr;
     QString pattern{};
     std::optional<double> minimum{}, maximum{};
     std::optional<int> minItems{}, maxItems{};
-    QList<QByteArray> choices{};     // as they are written; nothing else is allowed
-    std::vector<JsonSchema> items{}; // one, of an array
-    std::vector<Member> members{};   // of an object, which has no others
+    QList<QByteArray> choices{};     // complete list of allowed JSON texts
+    std::vector<JsonSchema> items{}; // type of the elements of an array; at most one
+    std::vector<Member> members{};   // complete list of an object's members
     std::vector<JsonSchema> alternatives{};
     bool isNullable = false;
 
