@@ -23,7 +23,7 @@ public:
     Merging(const CopyHierarchy& hierarchy, int depth)
         : m_hierarchy(hierarchy), m_depth(depth), m_corners(hierarchy.outline(depth).size()) {}
 
-    // Empty for too much to write.
+    // Empty if there would be too much to write.
     Levels levels(const std::vector<Copy>& picture, const Style& style) {
         std::set<int> needed;
         const auto need = [&needed](const std::vector<Copy>& copies) {
