@@ -114,7 +114,7 @@ template <int Dim> JsonSchema entrySchema() {
     const document::Shape<Dim> empty;
     const ifs::Facts<Dim> none;
     listFacts<Dim>(out, {.facts = none, .shape = &empty});
-    for (std::size_t k = head; k < schema.members.size(); ++k) // of an entry that could not be read
+    for (std::size_t k = head; k < schema.members.size(); ++k) // absent for an unreadable entry
         schema.members[k].schema.isNullable |= schema.members[k].isRequired;
     out("moved_branches", reportedBranches(empty));
     out("animation", document::animationFacts({}), "Of the entry, also with --frame.");
