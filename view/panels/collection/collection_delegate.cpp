@@ -15,7 +15,7 @@ namespace view {
 namespace {
 
 constexpr int padding = 4;
-constexpr int smallSide = 100; // pixels: below, names are written smaller
+constexpr int smallSide = 100; // pixels; smaller pictures have smaller names
 
 QFont headingFont(const QFont& font) {
     QFont bold = font;
@@ -92,7 +92,7 @@ QSize CollectionDelegate::sizeHint(const QStyleOptionViewItem& option, const QMo
     const int height = heights(option.font).heading + 4 * padding;
     const auto* list = qobject_cast<const QListView*>(option.widget);
     const int width = list ? list->viewport()->width() - 2 * list->spacing() - 1 : 200;
-    return {qMax(width, m_side), height}; // alone in its row
+    return {qMax(width, m_side), height}; // single item of its row
 }
 
 const CollectionDelegate::Heights& CollectionDelegate::heights(const QFont& font) const {
@@ -114,7 +114,7 @@ void CollectionDelegate::paintHeading(QPainter* painter, const QStyleOptionViewI
 
 void CollectionDelegate::paintEntry(QPainter* painter, QStyleOptionViewItem option,
                                     const QModelIndex& index) const {
-    option.showDecorationSelected = true; // behind picture and name alike
+    option.showDecorationSelected = true; // behind both picture and name
     const QStyle* style = option.widget ? option.widget->style() : QApplication::style();
     style->drawPrimitive(QStyle::PE_PanelItemViewItem, &option, painter, option.widget);
 
