@@ -542,8 +542,7 @@ void TrackView::paintKeys(QPainter& painter, int row) const {
     };
     for (std::size_t i = 0; i + 1 < one.keys.size(); ++i)
         lead(one.keys[i].ease, one.keys[i].frame, one.keys[i + 1].frame);
-    // Segment to the first key.
-    if (one.keys.size() > 1 && m_timeline->timing().loop == animation::Loop::Cycle) {
+    if (one.keys.size() > 1 && m_timeline->timing().loop == animation::Loop::Cycle) { // up to the first key
         lead(one.keys.back().ease, one.keys.back().frame, m_timeline->timing().length);
         lead(one.keys.back().ease, 0, one.keys.front().frame);
     }
