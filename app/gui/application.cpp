@@ -58,12 +58,12 @@ Application::Application(int& argc, char** argv) : QApplication(argc, argv) {
 }
 
 Application::~Application() {
-    view::finishStoring(std::chrono::seconds(2)); // what is late goes on for a while
+    view::finishStoring(std::chrono::seconds(2)); // later writes go on for a while
 }
 
 void Application::speak(const QString& language) {
     const QLocale locale = language.isEmpty() ? QLocale::system() : QLocale(language);
-    // Numbers are written in every language as in the files, with a decimal point.
+    // Sets numbers in all languages to the format of the files, with a decimal point.
     QLocale::setDefault(QLocale::c());
     const QString folder = QStringLiteral(":/translations");
     auto* own = new QTranslator(this);
@@ -71,7 +71,7 @@ void Application::speak(const QString& language) {
         !own->load(QStringLiteral("barycage_en"), folder))
         return;
     installTranslator(own);
-    // The buttons of the toolkit speak the language of the rest.
+    // Translates the buttons of the toolkit.
     auto* toolkit = new QTranslator(this);
     const QLocale spoken(own->language());
     if (toolkit->load(spoken, QStringLiteral("qtbase"), QStringLiteral("_"),
@@ -168,7 +168,7 @@ bool Application::event(QEvent* event) {
 
 bool Application::openWindows(const QStringList& files, Start start) {
     constexpr auto soon = std::chrono::seconds(1);
-    const auto resume = [] { exports::queue()->resume(); }; // in windows that tell of it
+    const auto resume = [] { exports::queue()->resume(); }; // shown in windows that report the queue
     const auto inTheEnd = qScopeGuard(resume);
     QList<WantedFile> wantedFiles;
     for (const document::Abandoned& abandoned : Recovery::ask())
@@ -184,7 +184,7 @@ bool Application::openWindows(const QStringList& files, Start start) {
     }
     const bool again = files.isEmpty() && start == Start::AsLastTime && view::Preferences::stored().reopen;
     wantedFiles += wanted(again ? session::files() : askWhichToOpen(files, nullptr));
-    QTimer::singleShot(soon, exports::queue(), resume); // also while a file does not answer
+    QTimer::singleShot(soon, exports::queue(), resume); // also runs if a file does not answer
     MainWindow::openEach(wantedFiles);
     if (start == Start::AsLastTime && !session::windows().isEmpty()) return !session::allAreClosed();
     auto* window = new MainWindow;

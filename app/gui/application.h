@@ -23,5 +23,5 @@ protected:
     bool event(QEvent* event) override;
 
 private:
-    void speak(const QString& language); // empty: that of the desktop
+    void speak(const QString& language); // empty: the language of the desktop
 };

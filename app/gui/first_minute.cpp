@@ -23,7 +23,7 @@ namespace {
 
 constexpr int breeze = 2000; // milliseconds
 constexpr int breezeTick = 16;
-constexpr int steps = 1000; // in which the breeze is divided
+constexpr int steps = 1000; // number of steps of the breeze
 
 QString seenKey() {
     return QStringLiteral("hints/firstDrag");
@@ -62,7 +62,7 @@ void FirstMinute::sway() {
     if (view::reducesMotion() || !windy || !document::plane(*windy)) return invite();
     m_windy = std::make_shared<const document::Fractal>(*windy);
     m_parts.canvas->setHint({});
-    qApp->installEventFilter(this); // whatever the user does ends the breeze
+    qApp->installEventFilter(this); // any action by the user ends the breeze
     m_clock.start();
     m_tick.start();
 }
@@ -109,7 +109,8 @@ void FirstMinute::follow(const document::Change& change) {
         m_isDragging = true;
         if (m_chips) m_chips->close();
     } else if (std::exchange(m_isDragging, false)) {
-        QMetaObject::invokeMethod(this, &FirstMinute::showChips, Qt::QueuedConnection); // once it is a step
+        // Queued until the drag is a step of the history.
+        QMetaObject::invokeMethod(this, &FirstMinute::showChips, Qt::QueuedConnection);
     }
 }
 

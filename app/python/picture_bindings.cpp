@@ -58,7 +58,7 @@ int threadsOf(int threads) {
 template <int Dim, class Orbit, class Place>
 void follow(Orbit& orbit, const Place& place, std::vector<double>& points, std::vector<double>& addresses,
             const std::stop_token& stop) {
-    constexpr std::size_t between = 1U << 14; // looks for a stop
+    constexpr std::size_t between = 1U << 14; // samples between two checks for a stop
     for (std::size_t i = 0; i < addresses.size(); ++i) {
         if (i % between == 0 && stop.stop_requested()) return;
         const auto point = orbit.next();
@@ -294,7 +294,7 @@ public:
     }
 
 private:
-    // Where a few points lie is enough for the coordinates in which the others are drawn.
+    // Few points suffice to determine the coordinates in which the others are drawn.
     static void boxAround(attractor::PreparedSystem& system, std::uint64_t seed) {
         constexpr int looks = 64;
         attractor::Orbit orbit(system, seed);
@@ -311,10 +311,10 @@ private:
 
     void count(const attractor::PreparedSystem& system, float lowX, float highX, float lowY, float highY,
                std::uint32_t* counts) {
-        constexpr double margin = 0.05; // as of other pictures
+        constexpr double margin = 0.05; // same as in other pictures
         const double extentX = (double(highX) - double(lowX)) * system.halfExtent.x();
         const double extentY = (double(highY) - double(lowY)) * system.halfExtent.y();
-        const double least = 1e-9 * system.halfExtent.minCoeff(); // of a point
+        const double least = 1e-9 * system.halfExtent.minCoeff(); // least extent, for single points
         const double scale = (1 - 2 * margin) * std::min(m_width / std::max(extentX, least),
                                                          m_height / std::max(extentY, least));
         const auto scaleX = float(scale * system.halfExtent.x()),
@@ -324,7 +324,7 @@ private:
         const auto lastColumn = float(m_width - 1), lastRow = float(m_height - 1);
         std::uint64_t left = m_samples;
         std::ranges::fill(m_counts, 0U);
-        std::array<std::uint32_t, 1024> cells; // a block at a time, which compilers make vectors of
+        std::array<std::uint32_t, 1024> cells; // fixed size, for vectorization
         for (const attractor::SampleSet& set : m_drawn) {
             const auto part = std::size_t(std::min<std::uint64_t>(left, attractor::SampleSet::size));
             left -= part;
@@ -332,7 +332,7 @@ private:
                 const std::size_t size = std::min(cells.size(), part - begin);
                 const float* const x = set.x.data() + begin;
                 const float* const y = set.y.data() + begin;
-                for (std::size_t i = 0; i < cells.size(); ++i) { // a set repeats its beginning
+                for (std::size_t i = 0; i < cells.size(); ++i) { // sets repeat their beginning
                     const float column = std::min(std::max(shiftX + scaleX * x[i], 0.0F), lastColumn);
                     const float row = std::min(std::max(shiftY + scaleY * y[i], 0.0F), lastRow);
                     cells[i] = std::uint32_t(std::int32_t(row) * m_width + std::int32_t(column));
@@ -349,7 +349,7 @@ private:
     std::uint64_t m_sets;
     std::uint64_t m_samples;
     std::vector<attractor::SampleSet> m_drawn;
-    std::vector<std::uint32_t> m_counts; // of one picture, which stays in the cache
+    std::vector<std::uint32_t> m_counts; // counters of one picture, which stay in the cache
 };
 
 py::array_t<std::uint32_t> densityBatch(const Numbers& systems, const std::optional<Numbers>& weights,

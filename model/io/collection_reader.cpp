@@ -31,7 +31,7 @@ namespace io {
 
 namespace {
 
-constexpr qsizetype maxRemarks = 10; // on the weights of a table
+constexpr qsizetype maxRemarks = 10; // remarks on the weights of a table
 
 document::Problem errorOf(const QString& sentence) {
     return {document::Problem::Severity::Error, {}, 0, 0, sentence};
@@ -85,7 +85,7 @@ void remarkOnWeights(document::Entry& entry, const Table& table, const std::vect
 
 // Rows of six numbers that would fill rows of seven, with weights that sum to 1.
 std::optional<QString> otherReading(const Table& table) {
-    constexpr double tolerance = 0.02; // weights are often given to two digits
+    constexpr double tolerance = 0.02; // accepts weights with two digits
     const auto hasWeight = [](const auto& row) { return row.weight.has_value(); };
     if (table.isOrdered || table.rows.empty() || table.rows.size() % 7 != 0 ||
         std::ranges::any_of(table.rows, hasWeight))
@@ -255,7 +255,7 @@ bool isOfAnotherKind(const QByteArray& bytes) {
     static const std::array marks{
         "\\begin{", "\\documentclass", "){", ") {", "();", "};", "</", "\n@", "[{", "[[", "=> {"};
     QByteArray head = bytes.left(sample).toLower();
-    head.replace("(3d)", ""); // an entry in space
+    head.replace("(3d)", ""); // mark of an entry in space
     if (std::ranges::none_of(marks, [&](const char* mark) { return head.contains(mark); })) return false;
     for (const QByteArray& line : head.split('\n')) {
         int numbers = 0;
@@ -326,7 +326,7 @@ Collection readCollection(const QByteArray& bytes, const QString& path, const Re
         if (table && (file.entries.isEmpty() || !table->file.entries.isEmpty())) return *std::move(table);
     }
     if (isTable) file = readFractint(bytes, QFileInfo(path).completeBaseName());
-    if (file.entries.size() == 1 && !bytes.contains('{')) // rows alone: another program may have written them
+    if (file.entries.size() == 1 && !bytes.contains('{')) // bare rows, possibly of another program
         if (const auto* system = document::system2(*file.entries.first().fractal))
             warnOfSums(file.entries.first(), system->maps, 0);
     if (std::ranges::none_of(file.entries, isLoaded) && isOfAnotherKind(bytes)) {

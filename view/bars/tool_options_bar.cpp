@@ -75,7 +75,7 @@ void ToolOptionsBar::follow() {
     if (m_isSpace && isSideBySide) page = m_stereo;
     if (page == currentWidget()) return;
     const QWidget* focused = QApplication::focusWidget();
-    if (focused && isAncestorOf(focused)) m_canvas->setFocus(); // else any other field gets it
+    if (focused && isAncestorOf(focused)) m_canvas->setFocus(); // otherwise any field would get the focus
     setCurrentWidget(page);
 }
 

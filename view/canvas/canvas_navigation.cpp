@@ -16,10 +16,12 @@ namespace view {
 
 namespace {
 
-constexpr double unitPixels = 100; // of one unit of the plane at 100 %
+constexpr double unitPixels = 100; // pixels per unit of the plane at 100 %
 constexpr double fitMargin = 0.09;
-constexpr double minShare = 0.5;  // of the size that the attractor has alone, with all of the cage
-constexpr double minCorner = 0.8; // the same with one corner, where all of the cage would take too much
+// Least size of the attractor in a fit with the cage, as a share of its size alone.
+constexpr double minShare = 0.5;
+// The same share for a fit with a single corner, if the cage would take too much.
+constexpr double minCorner = 0.8;
 constexpr std::chrono::milliseconds fitPatience{12};
 
 document::Box with(const document::Box& box, const ifs::Vector<2>& point) {
@@ -87,7 +89,7 @@ void CanvasNavigation::fitAgain() {
                                           *fractal, [&] { return promise.isCanceled(); }, yAxis)
                                     : Extent{document::boxWithShadow(*fractal, yAxis), {}});
         });
-    if (io::finishesWithin(fitPatience, extent) && extent.resultCount() > 0) // most often it is known
+    if (io::finishesWithin(fitPatience, extent) && extent.resultCount() > 0) // usually known already
         takeExtent(extent.result());
     else
         m_extent.setFuture(extent);
@@ -103,7 +105,7 @@ void CanvasNavigation::takeExtent(document::MotionExtent extent) {
 
 void CanvasNavigation::fitTo(const document::MotionExtent& extent) {
     std::vector<ifs::Vector<2>> corners = extent.corners;
-    // The corners of an entry at rest, or of one that stores none, are the same at every moment.
+    // No further corners: those of an entry at rest, or of one that stores no cage, never move.
     if (const auto& cage = m_scene.handles().cage(); corners.empty() && cage) corners = cage->current;
     std::optional<document::Box> attractor = extent.picture;
     if (m_fittedToo) attractor = attractor ? document::united(*attractor, *m_fittedToo) : m_fittedToo;

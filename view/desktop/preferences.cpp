@@ -28,7 +28,7 @@ namespace view {
 namespace {
 
 template <class Value> struct PreferenceRow {
-    const char* key; // never changes
+    const char* key; // permanent
     Value Preferences::*member;
 };
 template <class Value>
@@ -65,7 +65,7 @@ template <class Value> Value fromSettings(const QVariant& found, const Value& ot
         return found.value<Value>();
 }
 
-constexpr char spoken[] = "spokenLanguage"; // a property of the application
+constexpr char spoken[] = "spokenLanguage"; // property of the application
 
 } // namespace
 

@@ -33,7 +33,7 @@ namespace view {
 namespace {
 
 constexpr int actionRole = Qt::UserRole;
-constexpr int guideRow = -1; // in place of the index of an action
+constexpr int guideRow = -1; // replacement for the index of an action
 
 // The text of the action, unless the name of the command is another: that of Undo is not the step's.
 QString nameOf(const QAction* action) {
@@ -108,7 +108,7 @@ QAction* entryOf(const QLabel& label) {
         const auto first = std::ranges::find_if(parts, [](const QWidget* part) {
             return part->isVisible() && part->focusPolicy() & Qt::TabFocus;
         });
-        if (first != parts.end()) (*first)->setFocus(Qt::TabFocusReason); // and its text is selected
+        if (first != parts.end()) (*first)->setFocus(Qt::TabFocusReason); // also selects its text
     });
 }
 
@@ -116,7 +116,7 @@ QAction* entryOf(const QLabel& label) {
 QList<NamedAction> actionsIn(QWidget* panel) {
     QList<NamedAction> found;
     for (QWidget* widget : panel->findChildren<QWidget*>()) {
-        if (widget->window() != panel->window()) continue; // menus come by their buttons
+        if (widget->window() != panel->window()) continue; // menus are represented by their buttons
         const QString path = pathOf(widget, panel);
         const QWidget* content = contentOf(panel, widget);
         const bool isThere = widget != content && widget->isVisibleTo(content);
@@ -291,7 +291,7 @@ void CommandPalette::add(const QString& text, SearchIn in, bool enabled) {
         item->setData(name, CommandDelegate::NameRole);
         item->setData(keys, CommandDelegate::KeysRole);
         item->setData(int(i), actionRole);
-        item->setToolTip(tooltipText(action->statusTip())); // perhaps the path of a file
+        item->setToolTip(tooltipText(action->statusTip())); // may be the path of a file
         item->setEnabled(enabled);
         m_model->appendRow(item);
     }
@@ -311,11 +311,11 @@ void CommandPalette::run() {
     auto* dock = qobject_cast<QDockWidget*>(action->parent());
     const bool isPanel = dock && dock->toggleViewAction() == action;
     accept();
-    if (QWidget* shown = isPanel ? dock : panel) { // what it does is seen there
+    if (QWidget* shown = isPanel ? dock : panel) { // shows the effect of the command
         shown->show();
         shown->raise();
     }
-    if (!isPanel || !action->isChecked()) action->trigger(); // nobody asks for a panel to close it
+    if (!isPanel || !action->isChecked()) action->trigger(); // never closes a panel
 }
 
 // The frame is that of a menu, because the colour is that of the window behind.

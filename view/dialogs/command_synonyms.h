@@ -9,7 +9,7 @@ namespace view {
 
 // Other words for a command: those of other programs, of the result, and everyday ones.
 struct CommandSynonyms {
-    const char* context; // the command's text in the source and its context, as translations have them
+    const char* context; // context and source text of the command, as in the translations
     const char* text;
     const char* words;
 };

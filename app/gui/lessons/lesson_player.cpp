@@ -17,7 +17,7 @@
 
 namespace {
 
-constexpr double cardShare = 0.3; // of the width of the window
+constexpr double cardShare = 0.3; // share of the window's width
 constexpr int minCardWidth = 300;
 constexpr int maxCardWidth = 760;
 
@@ -29,7 +29,7 @@ LessonPlayer::LessonPlayer(const LessonParts& parts, QAction* presentation)
         if (!on) stop();
     });
     connect(parts.document, &document::Document::changed, this, [this](const document::Change& change) {
-        if (m_isPlaying && change.parts & document::Change::File) { // another one, which has no such steps
+        if (m_isPlaying && change.parts & document::Change::File) { // another file, without these steps
             m_base = 0;
             stop();
         }
@@ -59,10 +59,10 @@ void LessonPlayer::createCard() {
 void LessonPlayer::play(const document::Lesson& lesson, int from) {
     if (lesson.steps.isEmpty()) return;
     stop();
-    m_parts.stage->cancelGesture(); // which would be a step of the history
+    m_parts.stage->cancelGesture(); // a gesture would add a step to the history
     m_lesson = lesson;
     m_before = lessonState(m_parts);
-    m_before.cage = {}; // the history brings back what belongs to the fractal
+    m_before.cage = {}; // the history restores what belongs to the fractal
     m_before.colourBy.reset();
     m_before.entry.clear();
     m_beforeEntry = m_parts.document->currentId();

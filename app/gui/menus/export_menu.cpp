@@ -96,7 +96,7 @@ void ExportMenu::showWithQueue(view::ExportShell* dialog) {
 
 void ExportMenu::exportPicture() {
     if (auto* transformation = context().stage->transformation(); transformation->isPainted())
-        return transformation->chooseExport(); // what is shown
+        return transformation->chooseExport(); // transformation on the canvas
     closeIdle<view::SpaceExportDialog>(*context().window);
     closeIdle<view::ExportDialog>(*context().window);
     if (context().stage->showsSpace())
@@ -115,7 +115,7 @@ void ExportMenu::exportAnimation() {
     const attractor::Camera& canvas = context().canvas->camera();
     const bool isSpace = context().stage->showsSpace();
     view::AnimationExportDialog::Camera camera = attractor::viewOf(canvas);
-    if (isSpace) { // as it would be at frame 0
+    if (isSpace) { // camera at frame 0
         const auto& document = *context().document;
         const auto turns = document::frameAt(document.entryFractal(), document.moment()).orbit;
         camera = animation::orbitedBack(context().stage->space()->navigation().camera(), turns);
@@ -148,7 +148,7 @@ void ExportMenu::copyPicture() {
     }
     const attractor::Camera camera = context().canvas->camera();
     const auto picture = context().stage->picture();
-    const QPointer<ExportMenu> self(this); // the window may be closed while the lines are written
+    const QPointer<ExportMenu> self(this); // the window may close meanwhile
     view::copyPicture(context().document, camera, picture, context().window);
     if (self) context().messages->say(tr("The picture was copied to the clipboard."));
 }

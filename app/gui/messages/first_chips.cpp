@@ -28,7 +28,7 @@ FirstChips::FirstChips(QMainWindow* host, const QList<Chip>& chips, int patience
         });
     }
     auto* layout = new QVBoxLayout(this);
-    layout->setContentsMargins(margin, 0, margin, 0); // as wide as a row of buttons wants its frame
+    layout->setContentsMargins(margin, 0, margin, 0); // same width as the frame of a row of buttons
     layout->addLayout(row);
     m_away.setSingleShot(true);
     m_away.setInterval(patience);

@@ -12,7 +12,7 @@ class FirstChips : public MessageBanner {
 
 public:
     struct Chip {
-        QAction* action; // of the button, with its icon
+        QAction* action; // command of the button, with its icon
         QString text;
     };
     static constexpr int usualPatience = 20'000; // milliseconds
@@ -23,7 +23,7 @@ protected:
     QPoint topLeft() override;
     void enterEvent(QEnterEvent* event) override;
     void leaveEvent(QEvent* event) override;
-    void paintEvent(QPaintEvent*) override {} // only the buttons are seen
+    void paintEvent(QPaintEvent*) override {} // paints nothing but the buttons
 
 private:
     QTimer m_away;

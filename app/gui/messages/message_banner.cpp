@@ -26,7 +26,7 @@ QLabel* MessageBanner::createTitle(const QString& text) {
     bold.setBold(true);
     bold.setPointSizeF(bold.pointSizeF() * 1.15);
     title->setFont(bold);
-    title->setTextFormat(Qt::PlainText); // it quotes names
+    title->setTextFormat(Qt::PlainText); // the title quotes names
     title->setText(text);
     return title;
 }
@@ -47,7 +47,7 @@ void MessageBanner::lay(QLabel* title, const QString& text, QWidget* first, QWid
     layout->addWidget(title);
     if (!text.isEmpty()) {
         auto* label = new QLabel(this);
-        label->setTextFormat(Qt::PlainText); // it quotes names
+        label->setTextFormat(Qt::PlainText); // the text quotes names
         label->setText(text);
         label->setWordWrap(true);
         layout->addWidget(label);

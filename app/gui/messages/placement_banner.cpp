@@ -30,7 +30,7 @@ PlacementBanner::PlacementBanner(QMainWindow* host, document::Document& document
                  nullptr, int(names.size()));
     auto* bakeNow = new QPushButton(tr("&Bake"), this);
     bakeNow->setWhatsThis(tr("Writes the placements into the code, as one step of the history."));
-    // The picture of a bent or flat cage has no code.
+    // Disabled if entries would be left: the picture of a bent or flat cage has no code.
     bakeNow->setEnabled(document::withPlacementsBaked(document.file()).left.size() < names.size());
     auto* closeNow = new QPushButton(tr("Close"), this);
     lay(createTitle(accessibleName()), text, bakeNow, closeNow);

@@ -25,17 +25,17 @@
 
 namespace {
 
-constexpr int gap = 3; // between the frame and its target
+constexpr int gap = 3; // pixels between the frame and its target
 
 // Action that completes a step.
 enum class Deed { Drag, Squeeze, Undo, Open, Move, Export, GoOn, EditMap, ChooseBranch };
 
 struct Step {
     Deed deed;
-    std::optional<Panel> target; // none: the canvas
+    std::optional<Panel> target; // nullopt: canvas
     const char* title;
     const char* text;
-    int column = -1; // of the table of maps, that is spoken of
+    int column = -1; // column of the table of maps that the step describes; −1: none
 };
 
 constexpr Step steps[] = {
@@ -216,7 +216,7 @@ void Tour::done(int step) {
 }
 
 bool Tour::isFlat() const {
-    constexpr double flat = 0.04; // of the area of a square over the longest side
+    constexpr double flat = 0.04; // share of the area of a square over the longest side
     const auto* canvas = host()->findChild<view::CanvasView*>();
     const auto& cage = canvas->canvas().handles().cage();
     if (!cage || cage->current.size() < 3) return false;
@@ -298,11 +298,12 @@ void Tour::showStep(int step) {
     m_mark->setVisible(m_target != nullptr && !asks);
     appear(m_text->text());
     host()->activateWindow();
-    if (m_target == host()->findChild<view::CanvasView*>()) m_target->setFocus(); // the hand is needed there
+    // The user's hand is needed there.
+    if (m_target == host()->findChild<view::CanvasView*>()) m_target->setFocus();
 }
 
 QPoint Tour::freeCorner() const {
-    constexpr int reach = 40; // of a corner, with the round handle beside it
+    constexpr int reach = 40; // pixels around a corner, including the round handle beside it
     const QRect room = canvasRect();
     std::vector<QPoint> handles;
     if (const auto* canvas = host()->findChild<view::CanvasView*>(); canvas && canvas->isVisible())
@@ -316,7 +317,7 @@ QPoint Tour::freeCorner() const {
     const auto covered = [&](const QPoint& place) {
         const QRect card = QRect(place, size()).adjusted(-reach, -reach, reach, reach);
         return std::ranges::count_if(handles, [&](const QPoint& handle) { return card.contains(handle); }) +
-               (place.y() < top ? std::ssize(handles) + 1 : 0); // it would not fit in there
+               (place.y() < top ? std::ssize(handles) + 1 : 0); // no room for the banner in there
     };
     const std::array places{QPoint(right, top), QPoint(left, bottom), QPoint(left, top),
                             QPoint(right, bottom)};
@@ -329,7 +330,7 @@ QPoint Tour::topLeft() {
     const QRect pointed(m_target->mapTo(host(), QPoint()), m_target->size());
     m_mark->setGeometry(pointed.adjusted(-gap, -gap, gap, gap).intersected(host()->rect()));
     m_mark->raise();
-    // The room without regard to bars, which may take some of its height.
+    // Room without the bars, which may take some of its height.
     const std::array room{canvasRect().left(), canvasRect().width(), host()->height(), height()};
     if (std::exchange(m_room, room) != room) m_place = freeCorner();
     return m_place;

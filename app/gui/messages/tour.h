@@ -21,8 +21,8 @@ public:
     // The newest tour of the window, from its first step.
     static void start(QMainWindow* window, document::Document* document, const Panels& panels);
 
-    static constexpr int handSteps = 6;    // by the hand; after them the tour asks whether to go on
-    static constexpr int rest = handSteps; // the step that asks
+    static constexpr int handSteps = 6;    // steps that the user does; the tour then asks whether to go on
+    static constexpr int rest = handSteps; // step that asks
     int step() const { return m_step; }
     QWidget* target() const { return m_target; }
 
@@ -35,23 +35,24 @@ private:
 
     void connectDeeds();
     void followDocument(const document::Change& change);
-    void done(int step); // the user has done what this step says
+    void done(int step); // called when the user has done it
     void showStep(int step);
-    void point(int step);      // shows what the step speaks of, and frames it
-    QPoint freeCorner() const; // of the canvas, with no handle of the cage below the banner where possible
+    void point(int step); // shows the target of the step and frames it
+    // Corner of the canvas, if possible one where the banner covers no handle of the cage.
+    QPoint freeCorner() const;
     void keepSize();
     void leaveStep();
-    bool isFlat() const; // the cage
+    bool isFlat() const; // true if the cage is flat
 
     document::Document* m_document;
     Panels m_panels;
-    QPointer<QWidget> m_mark; // the frame around the target
+    QPointer<QWidget> m_mark; // frame around the target
     QPointer<QWidget> m_target;
     int m_step = -1;
     bool m_isDragging = false;
     bool m_wasFlat = false;
-    int m_index = 0;             // in the history
-    std::array<int, 4> m_room{}; // for which the place was chosen
+    int m_index = 0;             // index in the history
+    std::array<int, 4> m_room{}; // room for which the place was chosen
     QPoint m_place;
     QLabel* m_progress;
     QLabel* m_title;

@@ -28,7 +28,7 @@ FittedViews::Seen FittedViews::now() const {
 
 void FittedViews::follow(int index) {
     const QUndoStack& history = *m_document->undoStack();
-    if (history.count() == 0) { // another file
+    if (history.count() == 0) { // different file
         m_places.assign(1, {});
         m_index = 0;
         return;

@@ -27,7 +27,7 @@ private:
     };
     // A place in the history, and the view when it was left.
     struct Place {
-        const QUndoCommand* step = nullptr; // that leads there
+        const QUndoCommand* step = nullptr; // step that leads to this place
         std::optional<Seen> view;
     };
 
@@ -41,5 +41,5 @@ private:
     view::SpaceNavigation& m_space;
     std::vector<Place> m_places{1};
     int m_index = 0;
-    bool m_isKeyed = false; // the view in the plane
+    bool m_isKeyed = false; // true if the view in the plane has keys
 };

@@ -24,10 +24,10 @@ public:
     void showSpacePointer(const view::SpacePosition& position);
     void clearPointer();
     void showVerdict(const document::Fractal& fractal);
-    void showTime(double milliseconds); // of a picture without points
+    void showTime(double milliseconds); // for pictures without points
     void showFrame(const attractor::Frame& frame);
-    void showRotation(double degrees); // of the view in the plane; nothing for 0
-    void showRecovery(bool isLate);    // nothing while it is in time
+    void showRotation(double degrees); // rotation of the view in the plane; hidden for 0
+    void showRecovery(bool isLate);    // hidden unless late
 
 protected:
     bool event(QEvent* event) override;
@@ -37,12 +37,12 @@ protected:
 
 private:
     QRect messageRoom() const;
-    QString shownMessage() const; // as much as there is room for
+    QString shownMessage() const; // message shortened to the available room
 
     QLabel* m_pointer;
     QLabel* m_recovery;
     QLabel* m_rotation;
     QLabel* m_verdict;
     QLabel* m_frame;
-    QDeadlineTimer m_toRead; // for reading the last message
+    QDeadlineTimer m_toRead; // time left to read the last message
 };

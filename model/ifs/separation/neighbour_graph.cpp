@@ -20,7 +20,7 @@ namespace ifs {
 
 namespace {
 
-constexpr double tolerance = 1e-9; // of the size of things that may be taken for larger
+constexpr double tolerance = 1e-9; // relative size of errors that enlarge a set
 constexpr std::size_t maxNeighbourMaps = 64;
 constexpr std::size_t maxEdges = 60'000;
 
@@ -56,7 +56,7 @@ bool areShort(std::span<const AffineMap<Dim>> maps, const std::vector<AffineMap<
 // A map with its error, which arises because the maps it is made of are stored as doubles.
 template <int Dim> struct Rounded {
     AffineMap<Dim> map;
-    double linear = 0, shift = 0; // in the norms of a frame
+    double linear = 0, shift = 0; // error bounds in the norms of a frame
 };
 
 // Coordinates x ↦ U x in which maps are similarities, so that errors do not grow with the condition of each.
@@ -76,7 +76,7 @@ public:
         return {map, m_condition * rounding.linear.norm(), m_size * rounding.translation.norm()};
     }
 
-    // A change δ of A changes A⁻¹ by A⁻¹δA⁻¹.
+    // A⁻¹ changes by A⁻¹δA⁻¹ if A changes by δ.
     Rounded<Dim> inverse(const AffineMap<Dim>& map, const AffineMap<Dim>& inverse) const {
         const Rounded<Dim> known = stored(map);
         const double stretch = norm(inverse.linear);
@@ -101,7 +101,7 @@ public:
                norm(a.map.linear - b.map.linear) <= a.linear + b.linear;
     }
 
-    // Returns true if so little is lost to rounding that maps that agree to rounding error are the same.
+    // Returns true if rounding is small enough to identify maps that agree up to rounding error.
     bool isTelling(const Rounded<Dim>& h, const Vector<Dim>& size) const {
         constexpr double most = 0x1p-36;
         return h.linear <= most && h.shift <= most * length(size);
@@ -131,7 +131,8 @@ std::optional<Matrix<Dim>> rootOfOneRatio(std::span<const AffineMap<Dim>> maps, 
     }
     const auto form = invariantForm<Dim>(maps);
     if (!form) return std::nullopt;
-    const double least = singularValues<Dim>(*form)[Dim - 1]; // the largest is 1, but for a factor
+    // Lower bound, since the largest is 1 up to a factor.
+    const double least = singularValues<Dim>(*form)[Dim - 1];
     constexpr double few = 64 * roundingUnit, flat = 1e-12;
     if (!(least > flat)) return std::nullopt;
     for (const auto& map : maps) {
@@ -150,7 +151,7 @@ std::optional<std::vector<AffineMap<Dim>>> spanning(std::span<const AffineMap<Di
     const auto hull = affineHull<Dim>(maps);
     if (!hull || hull->dimension == 0) return std::nullopt;
     if (hull->dimension == Dim) {
-        // Points of the attractor, far apart: far from a plane or line, too, if their spread is.
+        // Widely spaced points of the attractor: far from a plane or line, too, if the attractor is.
         constexpr double flat = 1e-6;
         Matrix<Dim> spread = Matrix<Dim>::Zero();
         for (const auto& outer : maps)
@@ -202,7 +203,7 @@ public:
         m_ways.emplace_back();
     }
 
-    // nullopt where there is no end of them.
+    // Returns nullopt if the graph is infinite.
     std::optional<NeighbourGraph> graph(double ratio, std::vector<int> axes) {
         NeighbourGraph result;
         result.m_axes = std::move(axes);
@@ -234,7 +235,7 @@ private:
         std::size_t from = 0, i = 0, j = 0;
     };
 
-    // Leaves the maps with h(A) ∩ A ≠ ∅: those from which a walk goes on for ever.
+    // Keeps the maps with h(A) ∩ A ≠ ∅: those from which an infinite walk starts.
     void keepMeeting(NeighbourGraph& result) const {
         ContactGraph contacts(m_found.size());
         for (const auto& edge : result.m_edges)
@@ -268,8 +269,7 @@ private:
         return m_isExact ? a.map == b.map : m_frame.isSame(a, b);
     }
 
-    // The number of a map; `none` where the pieces are too far from each other. nullopt where there are too
-    // many.
+    // Index of a map; `none` if the pieces are too far apart. Returns nullopt if there are too many maps.
     std::optional<std::size_t> place(const Rounded<Dim>& h) {
         const Vector<Dim> reach = (m_size + h.map.linear.cwiseAbs() * m_size) / 2;
         const Vector<Dim> apart = (h.map(m_centre) - m_centre).cwiseAbs();
@@ -288,8 +288,8 @@ private:
     std::vector<Rounded<Dim>> m_maps, m_inverses;
     Vector<Dim> m_centre, m_size;
     bool m_isExact = false;
-    std::vector<Rounded<Dim>> m_found; // the identity first
-    std::vector<Way> m_ways;           // how each was found
+    std::vector<Rounded<Dim>> m_found; // identity first
+    std::vector<Way> m_ways;           // origin of each map
 };
 
 ContactGraph NeighbourGraph::contacts() const {

@@ -108,7 +108,7 @@ private:
                                   sentence};
     }
 
-    // The flame with its tags mended, one by one.
+    // Flame with repaired tags.
     QString mended(const QString& flame) {
         static const QRegularExpression tag(QStringLiteral(
             "<([A-Za-z][\\w:.-]*)((?:\\s*[A-Za-z_][\\w:.-]*\\s*=\\s*(?:\"[^\"]*\"|'[^']*'))*)(\\s*/?>)"));

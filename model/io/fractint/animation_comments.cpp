@@ -97,7 +97,7 @@ QByteArrayList numbersOf(const std::vector<ifs::MapId>& ids, const document::Sha
     QByteArrayList numbers;
     const auto& maps = shape.system.maps;
     for (const ifs::MapId id : ids) {
-        if (id == ifs::MapId::None) numbers << "0"; // before the address of a branch: document::recurs()
+        if (id == ifs::MapId::None) numbers << "0"; // mark before the address of a branch: document::recurs()
         const auto found = std::ranges::find(maps, id, &ifs::WeightedMap<Dim>::id);
         if (found != maps.end()) numbers << QByteArray::number(qlonglong(found - maps.begin()) + 1);
     }
@@ -138,7 +138,7 @@ public:
     AnimationBuilder(const Stored& stored, const document::Shape<Dim>& shape)
         : m_stored(stored), m_shape(shape) {}
 
-    // nullopt when something does not fit.
+    // Returns nullopt if something does not fit.
     std::optional<Animation<Dim>> animation() && {
         m_animation.rate = m_stored.rate;
         m_animation.length = m_stored.length;
@@ -224,7 +224,7 @@ private:
     CameraPose<Dim> camera(const Stored::Key& key) {
         const std::vector<double>& n = key.values;
         if constexpr (Dim == 2) {
-            const bool isTurned = n.size() == 5; // else there is no rotation
+            const bool isTurned = n.size() == 5; // false: no rotation
             if (!fits((n.size() == 4 || isTurned) && (n[3] == 1 || n[3] == -1))) return {};
             return {{n[0], n[1]},
                     n[2],
@@ -285,7 +285,7 @@ private:
         }
     }
 
-    // Takes stored fields into a motion; no other field may be stored.
+    // Stores fields in a motion; further fields are an error.
     struct MotionFields {
         AnimationBuilder& builder;
         Stored::Motion left;
@@ -301,8 +301,7 @@ private:
         }
         void pivot(ifs::Vector<Dim>& point) { point = builder.point(std::exchange(left.pivot, {})); }
         void axis(ifs::Vector<3>& direction) { direction = builder.axis(left.axis); }
-        // An orbit in space without an axis goes about the target, as all of them did before axes were
-        // stored.
+        // Default for files without an axis: orbits in space used to go around the target.
         void axis(ifs::Vector<3>& direction, animation::OrbitPivot& pivot) {
             if (Dim == 3 && left.axis.empty())
                 pivot = animation::OrbitPivot::Target;

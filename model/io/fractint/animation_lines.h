@@ -25,12 +25,12 @@ public:
             std::vector<double> handles;
             std::vector<double> values;
             AppearanceComments look;
-            std::optional<SpaceComments> inSpace; // of a look
+            std::optional<SpaceComments> inSpace; // appearance keys only
         };
         struct Track {
             enum class Of { Cage, Map, Branch, Look, Camera };
             Of of = Of::Cage;
-            std::vector<int> maps; // counted from 1: the map, or the address of the branch
+            std::vector<int> maps; // 1-based: the map, or the address of the branch
             std::vector<Key> keys;
         };
         struct Wave {
@@ -41,7 +41,7 @@ public:
             QByteArray kind;
             std::optional<int> count; // turns or cycles
             std::optional<double> strength;
-            std::vector<int> maps; // counted from 1
+            std::vector<int> maps; // 1-based
             std::vector<double> pivot, axis;
             std::vector<Wave> waves;
         };
@@ -53,8 +53,8 @@ public:
         std::vector<Motion> motions;
     };
 
-    static bool isKnown(const QByteArray& key); // a line of an animation
-    static bool begins(const QByteArray& key);  // its first one
+    static bool isKnown(const QByteArray& key); // true for keys of an animation's lines
+    static bool begins(const QByteArray& key);  // true for the key of its first line
 
     void read(const QByteArray& key, const QByteArrayList& values);
 
@@ -74,7 +74,7 @@ private:
 
     Stored m_stored;
     enum class Within { Header, Track, Motion } m_within = Within::Header;
-    std::size_t m_numbers = 0; // read so far
+    std::size_t m_numbers = 0; // number read so far
     std::optional<QByteArray> m_mistake;
 };
 

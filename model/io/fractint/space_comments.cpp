@@ -14,7 +14,7 @@ namespace {
 using attractor::LookInSpace;
 using attractor::SolidColour;
 
-constexpr const char* open = "-"; // a side of the clip without a plane
+constexpr const char* open = "-"; // mark of an open side of the clip
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
 QByteArray bound(double value) {
@@ -73,7 +73,8 @@ bool SpaceComments::read(const QByteArray& key, const QByteArrayList& values) {
     }
     const bool isRange = key == "clip-range";
     if (!isRange && key != "clip-normal") return false;
-    std::vector<double> into = isRange ? m_range : m_normal; // all of the line, or nothing
+    // Copy, so that a line counts as a whole or not at all.
+    std::vector<double> into = isRange ? m_range : m_normal;
     const std::size_t most = isRange ? 2 : 3;
     for (const QByteArray& value : values) {
         const bool isOpen = isRange && value == open;

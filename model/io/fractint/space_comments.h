@@ -27,7 +27,7 @@ public:
 private:
     attractor::SpaceAppearance m_appearance;
     std::vector<double> m_normal;
-    std::vector<double> m_range; // infinite where a side is open
+    std::vector<double> m_range; // infinite on open sides
 };
 
 } // namespace io

@@ -17,7 +17,7 @@ using document::LessonConstruction;
 using document::LessonState;
 
 constexpr std::uint64_t samplesOfPixel = 40;
-constexpr double margin = 0.05; // of the picture
+constexpr double margin = 0.05; // share of the picture
 
 PictureOverlay overlayOf(const LessonState& state) {
     PictureOverlay overlay;

@@ -28,8 +28,8 @@ namespace io {
 
 namespace {
 
-constexpr int stillWidth = 640, stillHeight = 480;     // of the picture for readers without JavaScript
-constexpr int stillQualities[] = {72, 60, 48, 36, 24}; // the first by which it is small enough
+constexpr int stillWidth = 640, stillHeight = 480;     // pixels of the picture for readers without JavaScript
+constexpr int stillQualities[] = {72, 60, 48, 36, 24}; // qualities to try until it is small enough
 constexpr qsizetype stillBytes = 26'000;
 constexpr std::uint64_t stillSamples = 4'000'000;
 
@@ -229,7 +229,7 @@ QByteArray pageOf(const PageExport& page) {
         {"language", language.toLatin1()},
         {"title", title.toHtmlEscaped().toUtf8()},
         {"caption", page.caption.toHtmlEscaped().toUtf8()},
-        {"plain", texts[language][u"plain"].toString().toUtf8()}, // where no script runs
+        {"plain", texts[language][u"plain"].toString().toUtf8()}, // text shown without JavaScript
         {"texts", textsIn(page.language, texts)},
         {"show", ifs::nameOf(page.parts)},
         {"style", style},

@@ -18,6 +18,6 @@ std::vector<const char*> pageModules(const char* extra);
 std::vector<const char*> workerModules();
 QByteArray joinedScript(const std::vector<const char*>& modules);
 
-QByteArray pageStyle(); // without indents
+QByteArray pageStyle(); // CSS without indents
 
 } // namespace io

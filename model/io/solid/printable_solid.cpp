@@ -31,7 +31,7 @@ struct Box {
 
 Box boxOf(const ifs::SupportFunction<3>& support, const ifs::AffineMap<3>& placement,
           const std::vector<ifs::AffineMap<3>>& pieces) {
-    constexpr double fine = 1e-7; // of the size
+    constexpr double fine = 1e-7; // relative to the size
     const auto reach = [&](const ifs::Vector<3>& u) {
         double farthest = -HUGE_VAL;
         for (const ifs::AffineMap<3>& piece : pieces) {
@@ -118,8 +118,8 @@ private:
         m_box = boxOf(*support, m_placement, document::shownPieces(*shape));
         const double longest = (m_box.max - m_box.min).maxCoeff();
         if (!(longest < HUGE_VAL)) return Text::tr("“%1” is too large for a solid.").arg(m_fractal.name);
-        // A common fixed point of all maps is found up to rounding, which grows with the distance from the
-        // origin.
+        // True up to rounding, which grows with the distance from the origin: a common fixed point of all
+        // maps.
         const double farthest = m_box.max.cwiseAbs().cwiseMax(m_box.min.cwiseAbs()).maxCoeff();
         if (!(longest > 1e-13 * farthest) && (m_options.voxel == 0 || m_options.longest > 0))
             return Text::tr("“%1” is a single point: only the size of its voxel can be chosen.")
@@ -150,7 +150,7 @@ private:
         if (m_options.voxel > 0)
             return Text::tr("The solid of “%1” would need more than %2 million voxels. Choose larger voxels.")
                 .arg(m_fractal.name, millions);
-        int most = 0; // that fits; 0: none does
+        int most = 0; // largest that fits; 0: none
         for (int excessive = std::max(1, m_options.resolution); excessive - most > 1;) {
             const int middle = std::midpoint(most, excessive);
             if (fits(voxelAt(middle)))
@@ -214,10 +214,10 @@ private:
     const SolidOptions& m_options;
     PrintableSolid m_solid;
     attractor::PreparedSpace m_system;
-    ifs::AffineMap<3> m_placement; // the code's coordinates → mm
+    ifs::AffineMap<3> m_placement; // coordinates of the code → mm
     Box m_box;
-    double m_longest = 0; // of the sides of the box, mm
-    double m_side = 1;    // of a voxel, mm
+    double m_longest = 0; // mm; longest side of the box
+    double m_side = 1;    // mm; side of a voxel
     int m_dilation = 0;   // voxels
 };
 

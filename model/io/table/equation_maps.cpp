@@ -36,7 +36,7 @@ struct Equation {
     int index = 0;
     AffineExpression value;
     qsizetype begin = 0, end = 0;
-    bool isMarked = false; // x', xn+1 or new_x rather than x alone
+    bool isMarked = false; // true for x', xn+1 and new_x
 };
 
 // A point at once: (…, …).
@@ -50,7 +50,7 @@ bool endsThere(QStringView text, qsizetype at) {
         ++at;
     if (at >= text.size()) return true;
     const QChar c = text[at];
-    // A sign that would continue the expression was not understood.
+    // False if a sign follows that would continue the expression.
     return !QStringView(u"*/^=<>?·×").contains(c) || text.sliced(at).startsWith(u"//") ||
            text.sliced(at).startsWith(u"=>");
 }

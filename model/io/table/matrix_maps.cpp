@@ -23,7 +23,7 @@ struct Matrix {
 
     double at(std::size_t row, std::size_t column) const { return numbers[row * columns + column]; }
     bool isVector() const { return columns == 1 && (rows == 2 || rows == 3); }
-    // 0 … 0 1 below.
+    // True for a last row 0 … 0 1.
     bool isHomogeneous() const {
         if (rows != columns || rows < 3) return false;
         for (std::size_t column = 0; column < columns; ++column)

@@ -12,14 +12,14 @@
 // The cells of a table that people paste or a spreadsheet writes, and the numbers in them.
 namespace io {
 
-inline constexpr qsizetype maxTableRows = 250'000; // of one table
+inline constexpr qsizetype maxTableRows = 250'000; // rows of one table
 
 struct Cell {
-    QString text; // without the quotation marks around it
+    QString text; // text without surrounding quotation marks
     int line = 0;
-    int column = 0; // both from 1; the column in bytes of the UTF-8 text
+    int column = 0; // 1-based like `line`; counts bytes of the UTF-8 text
     bool isContinued =
-        false; // no more than blanks part it from the cell before, in a table that has separators
+        false; // true: only blanks separate it from the previous cell, although the table has separators
 };
 using Row = QList<Cell>;
 
@@ -28,7 +28,7 @@ enum class Separator { Semicolon, Tab, Comma, Blank };
 struct Dialect {
     Separator separator = Separator::Blank;
     bool decimalComma = false;
-    bool isMixed = false; // blanks part other numbers: nothing more is to be guessed
+    bool isMixed = false; // true: blanks separate other numbers, so that nothing more is guessed
 };
 
 // The ways in which the text can be understood: one, or two when some numbers are parted by commas and others

@@ -22,7 +22,7 @@ std::optional<Picks> picked(const QStringList& names, qsizetype first) {
     QStringList known;
     constexpr qsizetype most = 1000;
     if (names.size() > most || names.contains(QStringLiteral("|")) || names.contains(QStringLiteral("&")))
-        return std::nullopt; // of a table in another notation, or of none
+        return std::nullopt; // table in another notation, or no table
     const bool hasWeight = std::any_of(names.begin() + first, names.end(), [](const QString& name) {
         return tableColumn(name) == TableColumn::Weight;
     });
@@ -34,7 +34,7 @@ std::optional<Picks> picked(const QStringList& names, qsizetype first) {
     }
     if (const auto columns = tableColumns(known)) {
         picks.columns = *columns;
-        picks.columns.resize(picks.fields.size()); // without a weight that is not there
+        picks.columns.resize(picks.fields.size()); // drops a missing weight
         return picks;
     }
     picks.fields.clear();
@@ -141,7 +141,7 @@ bool nameAllColumns(const QStringList& names) {
 
 std::optional<Picks> pickedByName(const QStringList& names) {
     if (auto picks = picked(names, 0)) return picks;
-    return names.isEmpty() ? std::nullopt : picked(names, 1); // "f" over the labels is no coefficient
+    return names.isEmpty() ? std::nullopt : picked(names, 1); // "f" above the labels is no coefficient
 }
 
 Picks pickedByOrder(const TableColumns& columns) {
@@ -153,7 +153,7 @@ Picks pickedByOrder(const TableColumns& columns) {
         picks.columns.push_back(column);
         picks.fields.push_back(i);
     }
-    // A weight that nobody named comes last, and is not there.
+    // Drops the weight, which nobody named, from the end.
     if (std::ranges::count_if(picks.columns, isWeight) == 0) picks.columns.push_back(TableColumn::Weight);
     return picks;
 }

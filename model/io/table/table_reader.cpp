@@ -21,7 +21,7 @@ namespace {
 using document::Problem;
 
 constexpr qsizetype maxRow =
-    maxTableRows + 1; // cells: a label, and of a table that has a column for every map
+    maxTableRows + 1; // label and one cell for each map, in a table with a column for each
 constexpr qsizetype maxProblems = 10;
 
 QString withLineFeeds(QString text) {
@@ -53,7 +53,7 @@ public:
                 readRow(row);
         } else {
             startOver();
-            qsizetype words = 0; // rows of them before the first map
+            qsizetype words = 0; // rows of words before the first map
             for (QList<Row> row = rows(1); !row.isEmpty() && m_table.problems.size() < maxProblems;
                  row = rows(1)) {
                 readRow(row.first());
@@ -70,20 +70,20 @@ public:
     }
 
 private:
-    static constexpr qsizetype maxTransposed = 12; // rows of a table that has a column for every map
-    static constexpr qsizetype maxWords = 100'000; // rows: a table begins before
-    static constexpr qsizetype planeNumbers = 6;   // of a map without its weight
+    static constexpr qsizetype maxTransposed = 12; // rows of a table with a column for each map
+    static constexpr qsizetype maxWords = 100'000; // rows before the beginning of a table
+    static constexpr qsizetype planeNumbers = 6;   // numbers of a map without its weight
     static constexpr qsizetype spaceNumbers = 12;
 
     std::optional<double> value(const Cell& cell) const { return numberIn(cell, m_dialect); }
-    // The unit of a number in a row with that many.
+    // Unit of a number in a row of `count` numbers.
     NumberUnit unitOf(std::size_t number, std::size_t count) const {
         return count < std::size_t(spaceNumbers) ? unitOfNumber(m_columns, number, count) : NumberUnit::None;
     }
 
     void startOver() { m_next = m_line = 0; }
 
-    // The next rows that are not empty, at most so many.
+    // Next rows that are not empty, at most `most`.
     QList<Row> rows(qsizetype most) {
         QList<Row> found;
         while (m_next < m_text.size() && found.size() < most) {
@@ -98,7 +98,7 @@ private:
         return found;
     }
 
-    // "# …" is a comment, unless it names the columns; and so are "% …" and "// …".
+    // True for "# …", unless it names the columns, and for "% …" and "// …".
     static bool isRemark(Row& cells) {
         const QString& first = cells.first().text;
         const qsizetype mark = first.startsWith(u'#') || first.startsWith(u'%') ? 1
@@ -113,7 +113,7 @@ private:
         return false;
     }
 
-    // "#1" as a label.
+    // True for a label such as "#1".
     static bool looksLikeNumberSign(const QString& text) { return text.size() > 1 && text[1].isDigit(); }
 
     bool isHeader(const Row& cells) const {
@@ -121,10 +121,10 @@ private:
                             [this](const Cell& cell) { return value(cell).has_value(); });
     }
 
-    // The rows of a table with a column per map: every row begins with the name of its values. A row above
-    // may name the maps, and rows of words may follow.
+    // Rows of a table with a column for each map: every row begins with the name of its values. A row of map
+    // names may precede them, and rows of words may follow.
     std::optional<QList<Row>> transposed(QList<Row> table) const {
-        if (!table.isEmpty() && pickedByName(textsOf(table.first()))) return std::nullopt; // names columns
+        if (!table.isEmpty() && pickedByName(textsOf(table.first()))) return std::nullopt; // names of columns
         for (Row& row : table)
             if (row.size() > 1 && row[1].text == u"=") row.remove(1);
         if (!table.isEmpty() && !tableColumn(nameOfRow(table.first()))) table.removeFirst();
@@ -152,8 +152,8 @@ private:
         return name;
     }
 
-    // "3", then for every map a line with its weight and three lines of a matrix that ends in 0 0 1; or all
-    // ten on a line.
+    // True for "3" followed by a line with the weight of each map and three lines of a matrix that ends in 0
+    // 0 1, or by all ten numbers on a line.
     bool beginsWithACount(const QList<Row>& table) const {
         if (table.size() < 2 || table[0].size() != 1 || !value(table[0][0])) return false;
         return table[1].size() == 10 || (table.size() >= 5 && table[1].size() == 1 && table[2].size() == 3);
@@ -194,7 +194,7 @@ private:
         m_isOrderKnown = takeNames(names);
         const auto first = tableColumn(names.first());
         const bool isOverLabels = !first || !isWeight(*first);
-        if (!m_isOrderKnown && isOverLabels && names.size() > planeNumbers) { // perhaps in words
+        if (!m_isOrderKnown && isOverLabels && names.size() > planeNumbers) { // possibly named in words
             names.remove(0, wordsOfField(cells));
             m_isOrderKnown = takeNames(names);
             m_labels = m_isOrderKnown ? Labels::Named : Labels::Unknown;
@@ -216,8 +216,8 @@ private:
         m_picks = std::move(picks);
     }
 
-    // Picks columns if there are more than the chosen order has: those with its names, or else those that
-    // hold numbers in the first row.
+    // Picks columns if there are more than the chosen order has: those with its names, or else those with
+    // numbers in the first row.
     void pickForOrder() {
         const QStringList names = namesOf(m_header);
         if (m_picks || names.size() <= qsizetype(m_columns.size()) + 1) return;
@@ -243,7 +243,7 @@ private:
         if (fits(picks)) take(std::move(picks));
     }
 
-    // The numbers of the columns that are meant, in a row that has others.
+    // Reads the chosen columns of a row with others.
     void readPicked(const Row& cells) {
         const Picks& picks = *m_picks;
         const QList<Row> fields = fieldsOf(cells);
@@ -271,8 +271,8 @@ private:
         addRow(chosen);
     }
 
-    // Number of cells by which the label of a row is longer than the header's, between blanks; negative if it
-    // is shorter.
+    // Number of cells by which the label of a row is longer than the header's, if blanks separate cells;
+    // negative if it is shorter.
     qsizetype shiftOf(const Row& cells, bool mayEndEarly) const {
         const qsizetype first = m_picks->fields.front();
         const qsizetype needed = qsizetype(m_picks->fields.size()) - (mayEndEarly ? 1 : 0);
@@ -287,7 +287,7 @@ private:
         return 0;
     }
 
-    // Columns of numbers that are no label, once.
+    // Reports columns of numbers that are neither read nor labels, once.
     void sayWhatIsNotRead(const QList<Row>& fields, qsizetype shift) {
         if (m_table.rows.size() + m_table.spaceRows.size() > 0 || m_header.isEmpty()) return;
         const QList<Row> names = fieldsOf(m_header);
@@ -305,7 +305,7 @@ private:
                                          .arg(unread.join(QStringLiteral(", ")))});
     }
 
-    // Returns true if the names say which column is which.
+    // Returns true if the names determine the columns.
     bool takeNames(const QStringList& names) {
         if (const SpaceHeader space = spaceHeader(names); space != SpaceHeader::None) {
             if (m_wanted == TableMaps::Plane) return false;
@@ -340,7 +340,7 @@ private:
             const qsizetype names = isParted ? fieldsOf(m_header).size() : m_header.size();
             const bool isOverIt = isParted ? fieldsOf(cells).size() >= names : cells.size() == names;
             if (isOverIt && names >= planeNumbers) return failOrder();
-            m_header.clear(); // a title
+            m_header.clear(); // title
         }
         const auto start = beginOfNumbers(cells);
         const qsizetype count = cells.size() - start.value_or(0);
@@ -351,7 +351,7 @@ private:
         addRow(cells.sliced(*start));
     }
 
-    // The row without the words behind as many numbers as a row has.
+    // Row without the words behind its numbers.
     Row withoutWords(const Row& cells) const {
         const auto isNumber = [this](const Cell& cell) { return weightOf(cell).has_value(); };
         const auto first = std::find_if(cells.begin(), cells.end(), isNumber);
@@ -362,7 +362,7 @@ private:
         return isExpected(count) || isExpected(count - 1) ? cells.first(end - cells.begin()) : cells;
     }
 
-    // "85 %" is 0.85.
+    // Accepts "85 %" for 0.85.
     std::optional<double> weightOf(const Cell& cell) const {
         if (!cell.text.endsWith(u'%')) return value(cell);
         Cell share = cell;
@@ -378,14 +378,14 @@ private:
                 (count == spaceNumbers || count == spaceNumbers + 1));
     }
 
-    // ".5,0,0,.5,0,0," under a header: separators show that it is the last cell that is empty.
+    // True for ".5,0,0,.5,0,0," under a header: separators show that the last cell is empty.
     bool isWithoutItsWeight(qsizetype count) const {
         return m_dialect.separator != Separator::Blank && m_columns.back() == TableColumn::Weight &&
                m_most > 0 && count == m_most - 1;
     }
 
-    // The index of the first number. Text before it is a label only where it cannot be a number gone wrong,
-    // and where as many numbers are left as a row has. nullopt: it could be both.
+    // Index of the first number. Text before it is a label only if it cannot be a mistyped number, and if as
+    // many numbers remain as a row has. nullopt: both are possible.
     std::optional<qsizetype> beginOfNumbers(const Row& cells) const {
         if (m_labels == Labels::None) return 0;
         if (m_labels == Labels::Named) return wordsOfField(cells);
@@ -403,7 +403,7 @@ private:
         return next - cells.begin();
     }
 
-    // Words of the label: two in "map 1,0.5,0 …", one in "w1 0.5,0 …"; 0 in what could be both.
+    // Number of words of the label: two in "map 1,0.5,0 …", one in "w1 0.5,0 …"; 0 if both are possible.
     qsizetype wordsOfLabel(const Row& cells) const {
         const qsizetype words = wordsOfField(cells);
         if (words == 1) return 1;
@@ -412,7 +412,7 @@ private:
         return one && all ? 0 : all ? words : 1;
     }
 
-    // Labels that are numbers count the maps.
+    // True for labels that count the maps.
     bool isNextLabel(const Cell& cell) {
         const auto number = value(cell);
         if (!number) return true;
@@ -469,7 +469,7 @@ private:
             m_table.isOrdered = true;
     }
 
-    // Fractions and roots, where the cell is the coefficient itself.
+    // Keeps fractions and roots if the cell is the coefficient itself.
     template <int Dim> void keepTyped(ifs::WeightedMap<Dim>& map, const Row& cells) const {
         const auto count = std::size_t(cells.size());
         for (std::size_t i = 0; i < count; ++i) {
@@ -507,22 +507,22 @@ private:
         m_table.problems.append({Problem::Severity::Error, {}, where.line, where.column, message});
     }
 
-    // Named: the header has a column for them. Found: the first row had one, so every row has.
+    // Named: header with a column of labels. Found: label in the first row, and so in every row.
     enum class Labels { Unknown, None, Found, Named };
 
-    const QString& m_text; // lines end in LF
+    const QString& m_text; // line ends are LF
     Dialect m_dialect;
     bool m_chosen;
     TableMaps m_wanted;
     TableColumns m_columns;
     SpaceHeader m_space = SpaceHeader::None;
-    qsizetype m_next = 0; // where the next line begins
-    int m_line = 0;       // lines before it
+    qsizetype m_next = 0; // beginning of the next line
+    int m_line = 0;       // number of lines before it
     Row m_header;
-    bool m_isOrderKnown = false;        // from the header
-    std::optional<Picks> m_picks;       // there are other columns as well
-    bool m_isToPick = false;            // by the numbers of the first row
-    qsizetype m_fewest = 0, m_most = 0; // numbers of a row that the header allows; 0: nothing is known
+    bool m_isOrderKnown = false;        // true if the header determined it
+    std::optional<Picks> m_picks;       // set if there are other columns as well
+    bool m_isToPick = false;            // true: the first row determines the columns
+    qsizetype m_fewest = 0, m_most = 0; // numbers of a row that the header allows; 0: unknown
     Labels m_labels = Labels::Unknown;
     std::optional<double> m_lastLabel;
     Table m_table;

@@ -84,7 +84,7 @@ private:
             if (hasSign) ++m_at;
             const bool isApart = m_at > before && !isDivided && !isTimed;
             auto factor = !isDivided && !isTimed && at().isDigit() ? std::nullopt : readFactor(depth);
-            if (!factor || (isApart && factor->isConstant())) { // the number of an equation: "x (2)"
+            if (!factor || (isApart && factor->isConstant())) { // number of an equation: "x (2)"
                 m_at = before;
                 break;
             }
@@ -195,11 +195,11 @@ private:
         const auto value = parseNumber(m_text.sliced(m_at, end - m_at));
         if (!value) return std::nullopt;
         m_at = end;
-        if (at() == u'f' && !at(1).isLetterOrNumber()) ++m_at; // 0.85f
+        if (at() == u'f' && !at(1).isLetterOrNumber()) ++m_at; // suffix of a float: 0.85f
         return constant(*value);
     }
 
-    std::optional<Value> readFraction() { // ½
+    std::optional<Value> readFraction() { // character such as ½
         const auto value = at().isNull() ? std::nullopt : fractionOf(at());
         if (!value) return std::nullopt;
         ++m_at;
@@ -225,7 +225,7 @@ private:
         return std::nullopt;
     }
 
-    // A letter with its index, or a function of a number.
+    // Reads a letter with its index, or a function of a number.
     std::optional<Value> readWord(int depth) {
         const qsizetype begin = m_at;
         const qsizetype dot =
@@ -236,7 +236,7 @@ private:
         while (end < m_text.size() && (m_text[end].isLetterOrNumber() || m_text[end] == u'_'))
             ++end;
         const QString word = m_text.sliced(begin + dot, end - begin - dot).toString().toLower();
-        // "xy" would be a product of two.
+        // Reads a single variable; "xy" would be a product of two.
         for (const auto& [letter, index] : {std::pair{u'x', 0}, {u'y', 1}, {u'z', 2}})
             if (isLetterWithIndex(word, letter)) {
                 m_at = end;
@@ -269,7 +269,7 @@ private:
                index == u"0" || index == u"_0" || index == u"_t";
     }
 
-    // x_{n}, x[n], xₙ, x(n) and x_{n-1}.
+    // Skips the index of x_{n}, x[n], xₙ, x(n) and x_{n-1}.
     void skipIndex() {
         if (at() == u'ₙ' || at() == u'ₖ') {
             ++m_at;

@@ -32,7 +32,7 @@ public:
         Literals literals;
         while (!isAtEnd()) {
             readItems(literals.root, QChar(), 0);
-            ++m_at; // a bracket that closes nothing
+            ++m_at; // unmatched closing bracket
         }
         literals.isCut = m_isCut;
         return literals;
@@ -44,10 +44,10 @@ private:
         return m_at + offset < m_text.size() ? m_text[m_at + offset] : QChar();
     }
 
-    // Up to what closes the list, or any bracket that closes none.
+    // Reads up to the end of the list, or to an unmatched closing bracket.
     void readItems(Literal& list, QChar end, int depth) {
         QString key;
-        QString word; // the last one, which may name a list or be a key
+        QString word; // last word, which may name a list or be a key
         const auto flush = [&] {
             if (!word.isEmpty() && depth > 0) add(list, {Literal::Kind::Other, 0, key, word, {}});
             if (!word.isEmpty()) key.clear();
@@ -57,7 +57,8 @@ private:
             const QChar c = at();
             if (c == u')' || c == u']' || c == u'}') break;
             if (c.isSpace() || c == u',' || c == u';') {
-                if (c == u',' || c == u';' || c == u'\n') flush(); // "k :" and "f (…)" have a blank
+                // Blanks in "k :" and "f (…)" do not end an item.
+                if (c == u',' || c == u';' || c == u'\n') flush();
                 ++m_at;
             } else if (c == u':' || c == u'=' || (c == u'<' && at(1) == u'-')) {
                 key = word.isEmpty() ? nameOfDimensions(list) : std::exchange(word, {});
@@ -87,7 +88,7 @@ private:
         if (at() == end && !end.isNull()) ++m_at;
     }
 
-    // "a[4] = …" and "a[] = …" name the following list, and hold nothing.
+    // Name in "a[4] = …" and "a[] = …" of the following list; the brackets have no contents.
     static QString nameOfDimensions(Literal& list) {
         QString name;
         while (!list.items.isEmpty()) {
@@ -125,14 +126,14 @@ private:
         add(list, std::move(item));
     }
 
-    // A key if a colon follows; else the text itself, where the line ends it.
+    // Reads a key if a colon follows, else a text, which ends with the line.
     void readText(Literal& list, QString& key, QString& word) {
         const QChar mark = at();
         qsizetype end = m_at + 1;
         while (m_at >= m_openUntil && end < m_text.size() && m_text[end] != mark && m_text[end] != u'\n')
             end += m_text[end] == u'\\' ? 2 : 1;
         if (m_at < m_openUntil || end >= m_text.size() || m_text[end] != mark) {
-            m_openUntil = std::max(m_openUntil, end); // an apostrophe: this line is not looked through again
+            m_openUntil = std::max(m_openUntil, end); // apostrophe: avoids another search of this line
             ++m_at;
             return;
         }
@@ -160,7 +161,7 @@ private:
         m_at = end < 0 ? m_text.size() : end + (isBlock ? 2 : 0);
     }
 
-    // Digits with a sign, a point and an exponent, perhaps over others, with the f of a float behind.
+    // Reads digits with sign, point and exponent, possibly a fraction, and the suffix f of a float.
     std::optional<double> readNumber() {
         const auto first = digitsAt(m_at);
         if (!first) return std::nullopt;
@@ -174,7 +175,7 @@ private:
         if (end < m_text.size() && (m_text[end] == u'f' || m_text[end] == u'F') &&
             (end + 1 >= m_text.size() || !isWordLetter(m_text[end + 1])))
             ++end;
-        if (end < m_text.size() && isWordLetter(m_text[end])) return std::nullopt; // 2x
+        if (end < m_text.size() && isWordLetter(m_text[end])) return std::nullopt; // such as 2x
         m_at = end;
         return value;
     }
@@ -209,7 +210,7 @@ private:
     QStringView m_text;
     qsizetype m_at = 0;
     qsizetype m_items = 0;
-    qsizetype m_openUntil = 0; // quotation marks before are no more than signs
+    qsizetype m_openUntil = 0; // end of the text in which quotation marks are ordinary signs
     bool m_isCut = false;
 };
 

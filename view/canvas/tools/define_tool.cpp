@@ -23,7 +23,7 @@ void DefineTool::stop() {
 }
 
 void DefineTool::press(const Pointer& pointer) {
-    constexpr double apart = 4; // pixels; a double click is not two vertices
+    constexpr double apart = 4; // pixels; prevents a double click from setting two vertices
     const Snapped point = snapped(m_scene.snapTargets(), worldAt(m_scene.camera(), pointer.position));
     for (const ifs::Vector<2>& other : m_points)
         if ((point.point - other).norm() * m_scene.camera().pixelsPerUnit < apart) return;

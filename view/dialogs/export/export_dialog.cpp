@@ -31,12 +31,12 @@ namespace view {
 
 namespace {
 
-constexpr int maxFirstWidth = 780; // of the dialog: it fits the smallest screens
+constexpr int maxFirstWidth = 780; // pixels of the dialog; fits the smallest screens
 
 struct Kind {
     ExportDialog::File file;
     const char* title;    // for Text::tr()
-    QStringList suffixes; // the usual one first
+    QStringList suffixes; // default first
 };
 
 QList<Kind> kinds() {
@@ -99,7 +99,7 @@ void ExportDialog::createFormat() {
     m_format->setWhatsThis(
         tr("SVG and PDF are made of shapes, which stay sharp at every size; the others are made of pixels. "
            "If the file name has the ending of another format, that format is written."));
-    const double ratio = devicePixelRatioF(); // as many pixels as the screen shows
+    const double ratio = devicePixelRatioF(); // resolution of the screen
     m_size = new ExportSizeEditor({std::max(1, int(std::lround(m_camera.width * ratio))),
                                    std::max(1, int(std::lround(m_camera.height * ratio)))},
                                   m_options);
@@ -123,7 +123,7 @@ void ExportDialog::createFormat() {
     m_form->addRow(tr("&Format:"), m_format);
     m_form->addRow(tr("Sect&ion:"), m_section);
     m_form->addRow(tr("Size:"), m_size);
-    setTabOrder(m_format, m_section); // as they stand
+    setTabOrder(m_format, m_section); // order of their positions
     m_form->addRow(QString(), m_transparent);
     m_form->addRow(QString(), m_triangle);
     createPngOptions();
@@ -199,7 +199,7 @@ void ExportDialog::createSvgOptions() {
 
 void ExportDialog::connectOptions() {
     connect(m_format, &QComboBox::currentIndexChanged, this, [this] {
-        say({}); // what it says is of another file
+        say({}); // message about another file
         update();
     });
     connect(m_section, &QComboBox::currentIndexChanged, this, &ExportDialog::update);
@@ -210,7 +210,7 @@ void ExportDialog::connectOptions() {
     connect(m_style, &QComboBox::currentIndexChanged, this, &ExportDialog::update);
     connect(m_autoDepth, &QCheckBox::toggled, this, &ExportDialog::update);
     connect(m_transparent, &QCheckBox::toggled, this, &ExportDialog::showPreview);
-    connect(m_triangle, &QCheckBox::toggled, this, &ExportDialog::update); // it may take a larger section
+    connect(m_triangle, &QCheckBox::toggled, this, &ExportDialog::update); // may enlarge the section
     connect(m_quality, &QComboBox::currentIndexChanged, this, &ExportDialog::showPreview);
 }
 
@@ -247,7 +247,7 @@ attractor::Camera ExportDialog::camera() const {
     if (const int saved = chosenValue<int>(m_section); saved >= 0)
         return attractor::cameraOf(std::get<attractor::View>(m_views[std::size_t(saved)].camera),
                                    {camera.width, camera.height});
-    std::optional<document::Box> box = m_extent.result(); // waits
+    std::optional<document::Box> box = m_extent.result(); // blocks until found
     if (!box) return camera;
     if (m_triangle->isChecked())
         for (const ifs::Vector<2>& corner : document::effectiveCage(m_fractal).current) {
@@ -306,7 +306,7 @@ void ExportDialog::update() {
     const auto takes = [this](io::PictureFormat::Depth depth) {
         return pixels() && io::takes(*pixels(), depth);
     };
-    m_form->setRowVisible(m_depthOfColour, // where there is a choice
+    m_form->setRowVisible(m_depthOfColour, // visible if there is a choice
                           takes(io::PictureFormat::Depth::Bits8) && takes(io::PictureFormat::Depth::Bits16));
     for (QWidget* field : std::initializer_list<QWidget*>{m_style, m_plan})
         m_form->setRowVisible(field, isSvg());
@@ -379,7 +379,7 @@ void ExportDialog::showPlan(const QString& text) {
 
 // The window grows with it.
 void ExportDialog::makeRoomForPlan() {
-    const int usual = 3 * m_plan->fontMetrics().lineSpacing(); // so that it seldom does
+    const int usual = 3 * m_plan->fontMetrics().lineSpacing(); // rarely exceeded
     m_plan->setMinimumHeight(std::max(usual, m_plan->heightForWidth(m_plan->width())));
 }
 

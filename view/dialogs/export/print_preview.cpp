@@ -39,7 +39,7 @@ void showPrintPreview(const PrintedPages& pages, QWidget* parent,
     QObject::connect(preview, &QPrintPreviewDialog::paintRequested, preview,
                      [paint = pages.paint, printer](QPrinter* device) {
                          QPainter painter(device);
-                         if (!painter.isActive()) return; // a file that cannot be written
+                         if (!painter.isActive()) return; // file that cannot be written
                          const QSizeF size = device->pageRect(QPrinter::DevicePixel).size();
                          paint(painter, QRectF(QPointF(0, 0), size), [device] { device->newPage(); });
                      });

@@ -29,12 +29,12 @@ namespace view {
 
 namespace {
 
-constexpr int theCanvas = -1; // among the saved views
+constexpr int theCanvas = -1; // replacement for the index of a saved view
 
 struct BodyKind {
     SpaceExportDialog::Format format;
     QString title;
-    QString suffix; // the usual one
+    QString suffix; // default suffix
 };
 
 QList<BodyKind> bodyKinds() {
@@ -59,7 +59,7 @@ QString endings() {
 }
 
 std::optional<SpaceExportDialog::Format> formatOf(const QString& ending) {
-    if (const auto file = io::pictureFileOf(ending)) return *file; // of several endings
+    if (const auto file = io::pictureFileOf(ending)) return *file; // one of several suffixes
     for (const BodyKind& kind : bodyKinds())
         if (kind.suffix == ending) return kind.format;
     return std::nullopt;

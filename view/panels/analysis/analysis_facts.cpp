@@ -26,7 +26,7 @@ constexpr int shownDigits = 5, allDigits = 15;
 
 // A figure with more digits than usual if things of that size lie far from 0.
 QString shortFigure(double value, double error, double size) {
-    constexpr double far = 1e4; // sizes
+    constexpr double far = 1e4; // multiples of the size
     const bool isFar = size > 0 && std::abs(value) > far * size;
     return isFar ? io::figure(value, error, size, shownDigits) : shortNumber(value);
 }

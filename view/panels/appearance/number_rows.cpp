@@ -22,12 +22,12 @@ struct NumberText {
     double Appearance::*member;
     const char* title;
     const char* tip;
-    const char* explanation;               // null: the tip says it all
-    double lowest, highest;                // of the slider
-    std::optional<NumberRange> typed = {}; // nullopt: what the appearance accepts
+    const char* explanation;               // null: the tip suffices
+    double lowest, highest;                // range of the slider
+    std::optional<NumberRange> typed = {}; // nullopt: range that the appearance accepts
 };
 
-constexpr double leastContrast = 0.01; // beyond, all tones are the middle, or black and white
+constexpr double leastContrast = 0.01; // limit beyond which all tones are the middle one, or black and white
 constexpr double mostContrast = 100;
 
 const std::array numberTexts{

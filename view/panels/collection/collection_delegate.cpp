@@ -15,7 +15,7 @@ namespace view {
 namespace {
 
 constexpr int padding = 4;
-constexpr int smallSide = 100; // pixels: below, names are written smaller
+constexpr int smallSide = 100; // pixels; smaller pictures have smaller names
 
 QFont headingFont(const QFont& font) {
     QFont bold = font;
@@ -117,7 +117,7 @@ void CollectionDelegate::paintHeading(QPainter* painter, const QStyleOptionViewI
 
 void CollectionDelegate::paintEntry(QPainter* painter, QStyleOptionViewItem option,
                                     const QModelIndex& index) const {
-    option.showDecorationSelected = true; // behind picture and name alike
+    option.showDecorationSelected = true; // behind both picture and name
     const QStyle* style = option.widget ? option.widget->style() : QApplication::style();
     style->drawPrimitive(QStyle::PE_PanelItemViewItem, &option, painter, option.widget);
 

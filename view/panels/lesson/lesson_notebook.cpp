@@ -8,7 +8,7 @@ namespace view {
 
 class LessonCommand : public QUndoCommand {
 public:
-    // Commands of the same kind in a row become one; −1: never.
+    // Consecutive commands of the same kind merge; −1: never.
     LessonCommand(LessonNotebook& notebook, const QString& text, LessonNotebook::Page before,
                   LessonNotebook::Page after, int kind)
         : QUndoCommand(text),
@@ -39,7 +39,7 @@ LessonNotebook::LessonNotebook(QObject* parent) : QObject(parent) {
 }
 
 LessonNotebook::~LessonNotebook() {
-    m_history.disconnect(this); // it is cleared when nobody may hear of it any more
+    m_history.disconnect(this); // cleared only after its listeners have gone
 }
 
 const document::LessonStep* LessonNotebook::currentStep() const {

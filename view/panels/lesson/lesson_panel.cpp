@@ -88,7 +88,7 @@ void LessonPanel::createFields() {
     m_hint->setWordWrap(true);
     m_hint->setForegroundRole(QPalette::PlaceholderText);
     QSizePolicy kept = m_hint->sizePolicy();
-    kept.setRetainSizeWhenHidden(true); // nothing moves at the first step
+    kept.setRetainSizeWhenHidden(true); // keeps the layout at the first step
     m_hint->setSizePolicy(kept);
     m_stepTitle->setPlaceholderText(tr("Title of the step"));
     m_stepTitle->setAccessibleName(m_stepTitle->placeholderText());
@@ -105,7 +105,7 @@ void LessonPanel::createFields() {
     connect(m_stepTitle, &QLineEdit::textEdited, m_notebook, &LessonNotebook::setStepTitle);
     connect(m_text, &QPlainTextEdit::textChanged, this, &LessonPanel::takeText);
     connect(m_steps, &QListWidget::currentRowChanged, m_notebook, &LessonNotebook::setCurrent);
-    connect(m_steps, &QListWidget::itemClicked, m_notebook, // also the step that is current already
+    connect(m_steps, &QListWidget::itemClicked, m_notebook, // also for the current step
             [this](const QListWidgetItem* item) { m_notebook->setCurrent(m_steps->row(item)); });
     connect(m_steps, &QListWidget::itemActivated, this, &LessonPanel::showRequested);
     connect(m_play, &QPushButton::clicked, this, &LessonPanel::playRequested);

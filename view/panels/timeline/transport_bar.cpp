@@ -120,7 +120,7 @@ void TransportBar::makeRate() {
            "or 30000/1001. 29.97 stands for the latter, the rate of television."));
     m_rate->setEditable(true);
     m_rate->setInsertPolicy(QComboBox::NoInsert);
-    m_rate->setCompleter(nullptr); // 2 is a rate, and not the beginning of one
+    m_rate->setCompleter(nullptr); // 2 is a rate, not the beginning of another one
     m_rate->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
     m_rate->setMinimumContentsLength(6);
     for (const char* rate : usualRates)
@@ -134,7 +134,7 @@ void TransportBar::takeRate() {
     document::Timing timing = m_timeline->timing();
     const QString typed = m_rate->currentText().trimmed();
     if (typed == shownRate(timing.rate)) return;
-    const QString text = QString(typed).replace(u',', u'.'); // as many keyboards have it
+    const QString text = QString(typed).replace(u',', u'.'); // decimal comma of many keyboards
     const auto rate = animation::parseRate(text.toStdString());
     if (rate) {
         timing.rate = *rate;

@@ -42,7 +42,7 @@ private:
     void showFrame();
     void showPlaying(bool playing);
     void showRate();
-    void takeRate(); // typed or chosen
+    void takeRate(); // adopts the typed or chosen rate
 
     Timeline* m_timeline;
     QToolButton* m_play;
@@ -50,8 +50,8 @@ private:
     QSpinBox* m_length;
     QComboBox* m_rate;
     QComboBox* m_loop;
-    QLabel* m_pictures;            // how many a second
-    QList<QWidget*> m_dispensable; // the first ones first
+    QLabel* m_pictures;            // number of pictures per second
+    QList<QWidget*> m_dispensable; // widgets that can be hidden, first ones first
     QTimer m_count;
 };
 
