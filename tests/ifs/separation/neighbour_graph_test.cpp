@@ -241,6 +241,12 @@ private slots:
         const Maps2 half = sierpinskiRight();
         QCOMPARE(jointSpectralRadius<2>(half, classify<2>(half)).least, .5);
         QCOMPARE(jointSpectralRadius<2>(half, classify<2>(half)).most, .5);
+        for (const double tiny : {1e-160, 1e-200, 1e-310}) { // squares underflow
+            const Maps2 maps{affineMap(tiny, 0, 0, tiny, 0, 0), affineMap(tiny, 0, 0, tiny, 1, 0)};
+            const auto radius = jointSpectralRadius<2>(maps, classify<2>(maps));
+            QVERIFY(radius.least <= tiny && radius.most >= tiny);
+            QVERIFY(radius.least > .999 * tiny && radius.most < 1.001 * tiny);
+        }
     }
 };
 
