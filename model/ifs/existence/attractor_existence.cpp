@@ -74,11 +74,11 @@ template <int Dim> double maxError(const WordLevel<Dim>& level) {
     return result;
 }
 
-// A norm with what rounding may have cost the product. Where that is next to nothing, the margin of
-// contractionLimit makes up for it, and the number is as it was found.
+// A norm with what rounding may have cost the product. Where that is next to nothing, also beside the
+// distance from 1, the number is as it was found.
 double withError(double norm, double error) {
     constexpr double negligible = 0x1p-40;
-    return error <= negligible * norm ? norm : norm + error;
+    return error <= negligible * std::min(norm, std::abs(1 - norm)) ? norm : norm + error;
 }
 
 template <int Dim> bool allFinite(const Matrices<Dim>& products) {
@@ -445,11 +445,15 @@ namespace {
 JointSpectralRadius radiusOfSimilarities(const std::vector<Dyadic>& squares) {
     const Dyadic largest = *std::ranges::max_element(
         squares, [](const Dyadic& a, const Dyadic& b) { return (a - b).sign() < 0; });
-    const double root = std::sqrt(largest.rounded());
+    constexpr double small = 0x1p-900, scale = 0x1p600; // of squares that may be too small for a double
+    const bool isSmall = largest.rounded() < small;
+    const double root = isSmall ? std::sqrt((Dyadic(scale) * Dyadic(scale) * largest).rounded()) / scale
+                                : std::sqrt(largest.rounded());
     if (!std::isfinite(root)) return {0, root};
     if (Dyadic(root) * Dyadic(root) == largest) return {root, root};
     constexpr double few = 0x1p-51;
-    return {root * (1 - few), root * (1 + few)};
+    const double lost = isSmall ? underflow : 0;
+    return {std::max(root * (1 - few) - lost, 0.0), root * (1 + few) + lost};
 }
 
 } // namespace
