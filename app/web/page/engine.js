@@ -1,40 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The engine of app/web/engine.h, and entries as a page holds them.
 
-/** @typedef {import("./geometry.js").Point} Point */
-/** An entry of a collection. A map is a row of its matrix, its translation and its weight, null where none is given.
- * @typedef {object} Entry
- * @property {string} name
- * @property {number} dimension 2 or 3
- * @property {(number | null)[][]} maps
- * @property {number[][]} [links]
- * @property {{group: number, order: number, angle: number, centre: Point, frame: number[]}} [symmetry]
- * @property {{word: number[], change: number[]}[]} [branches]
- * @property {{rest: Point[], current: Point[], bends: boolean}} [cage]
- * @property {Appearance} [appearance]
- * @property {Solid} [solid]
- * @property {number[]} [view]
- * @property {number[]} [box] of what is shown in the plane: least and greatest coordinates
- * @property {string} [palette] of those of the program, chosen on the page
- * @property {{begin: string, lines: string[], rows: string[]}} [text] the entry as a collection has it
- */
-/** In space: attractor::LookInSpace and SolidColour; clip is a normal and two heights, null without end.
- * @typedef {{look: number, colour: number, light: number[], fog: number, clip?: (number | null)[]}} Solid */
-/** @typedef {object} Appearance
- * @property {number} [colourBy]
- * @property {number} [brightness]
- * @property {number} [gamma]
- * @property {number} [contrast]
- * @property {number} [vibrancy]
- * @property {number} [supersample]
- * @property {number[]} [plain]
- * @property {number[]} [background]
- * @property {number[][]} [stops]
- * @property {[number, number[]][]} [mapColours]
- * @property {[number, number, number][]} [mapBlends]
- */
-/** @typedef {{box: number[], simplex: Point[]}} Extent */
-/** @typedef {{name: string, stops: number[][]}} Palette */
 /** @typedef {Record<string, any>} Exports */
 
 const standardPlain = [235, 235, 235, 255];
