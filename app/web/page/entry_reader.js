@@ -45,11 +45,6 @@ class Remarks {
     return numberIn(this.last(key)[0]);
   }
 
-  /** On all lines, “-” being null. @param {string} key */
-  numbers(key) {
-    return this.all(key).flat().map((word) => (word === "-" ? null : numberIn(word)));
-  }
-
   /** Lists of numbers that belong to maps, each of which may be on several lines. @param {string} key */
   byMap(key) {
     /** @type {Map<number, number[]>} */
@@ -126,7 +121,8 @@ function appearanceIn(remarks, count, palettes) {
 /** @param {Remarks} remarks @param {number} [colourBy] @returns {Solid} */
 function solidIn(remarks, colourBy) {
   const light = remarks.last("light").map(numberIn), fog = remarks.number("fog");
-  const normal = remarks.numbers("clip-normal"), range = remarks.numbers("clip-range");
+  const normal = remarks.all("clip-normal").flat().map(numberIn);
+  const range = remarks.all("clip-range").flat().map((word) => (word === "-" ? null : numberIn(word)));
   const isClipped = normal.length === 3 && range.length === 2 && normal.every(Number.isFinite)
     && range.every((x) => x === null || Number.isFinite(x));
   const ownColour = solidColours.indexOf(remarks.last("solid-colour")[0]);

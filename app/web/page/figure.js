@@ -62,12 +62,9 @@ export class Figure {
     this.extent = null;
     this.rest = this.current = this.groups = [];
     const [x, y, z, azimuth, elevation, height, field] = entry.view ?? [0, 0, 0, 30, 20, 2, 0];
-    this.camera = this.home = this.isSpace ? new Camera([x, y, z], height, azimuth, elevation, field) : new Camera([0, 0], 6);
-    this.stage.setAttribute("aria-label", filled(this.isSpace ? texts.orbit : texts.figure, entry.name));
-  }
-
-  get isSpace() {
-    return this.entry.dimension === 3;
+    const isSpace = entry.dimension === 3;
+    this.camera = this.home = isSpace ? new Camera([x, y, z], height, azimuth, elevation, field) : new Camera([0, 0], 6);
+    this.stage.setAttribute("aria-label", filled(isSpace ? texts.orbit : texts.figure, entry.name));
   }
 
   listen() {
@@ -104,7 +101,7 @@ export class Figure {
     }
     this.holdsMaps &&= this.hasMaps;
     if (this.groups.length !== this.held().length || !this.holdsMaps) this.makeHandles();
-    if (this.isSpace && !this.entry.view && extent && before.rest.length === 0)
+    if (this.camera.isSpace && !this.entry.view && extent && before.rest.length === 0)
       this.home = this.home.fitted([...this.current, extent.box.slice(0, 3), extent.box.slice(3, 6)], { width: 1, height: 1 }, margin);
     if (before.rest.length === 0) this.fit();
     else this.change();
@@ -133,7 +130,7 @@ export class Figure {
   }
 
   makeHandles() {
-    const edge = (/** @type {Point[]} */ points) => !this.isSpace ? [shape("polygon", { class: "edge" })]
+    const edge = (/** @type {Point[]} */ points) => !this.camera.isSpace ? [shape("polygon", { class: "edge" })]
       : points.length === 4 ? Array.from({ length: 6 }, () => shape("line", { class: "edge" })) : [];
     this.groups = (this.isHeld || this.holdsMaps ? this.held() : []).map(({ map, points }) => {
       const group = shape("g");
@@ -143,7 +140,7 @@ export class Figure {
       group.append(...edge(points), ...handles);
       return group;
     });
-    const around = this.isSpace ? [] : [shape("polygon", { class: "rest" })];
+    const around = this.camera.isSpace ? [] : [shape("polygon", { class: "rest" })];
     this.svg.replaceChildren(...(this.groups.length > 0 ? around : []), ...this.groups);
   }
 
@@ -227,7 +224,7 @@ export class Figure {
     const box = this.extent ? [[left, bottom], [right, bottom], [left, top], [right, top]] : [];
     const cage = this.isHeld || !this.extent ? current : [];
     const points = [...cage, ...(current.length === 3 ? carried(rest, current, box) : box)];
-    this.look(this.isSpace || points.length === 0 ? this.home : this.home.fitted(points, this.size, margin), true);
+    this.look(this.camera.isSpace || points.length === 0 ? this.home : this.home.fitted(points, this.size, margin), true);
     this.isFitted = true;
   }
 
@@ -272,7 +269,7 @@ export class Figure {
     const distances = handles.map(({ point }) => Math.hypot(...minus(this.pixel(point), pixel)));
     const least = Math.min(...distances);
     if (least <= reach) return handles[distances.lastIndexOf(least)];
-    if (this.isSpace) return null;
+    if (this.camera.isSpace) return null;
     for (const shown of [...held.filter(isChosen), ...held]) {
       const corners = shown.points.map((p) => this.pixel(p)), edge = edgeAt(corners, pixel, reach / 2);
       if (edge >= 0 && shown.map === null) return { ...shown, moving: [edge, (edge + 1) % corners.length] };
@@ -287,16 +284,12 @@ export class Figure {
     const pixel = this.place(event);
     this.pointers.set(event.pointerId, pixel);
     this.stage.setPointerCapture(event.pointerId);
-    if (this.pointers.size > 1) this.press = null; // fingers that zoom
-    else this.begin(pixel, event.pointerType === "mouse" ? reachOfMouse : reachOfFinger);
     this.drawing.setLive(true);
-  }
-
-  /** @param {Point} pixel @param {number} reach */
-  begin(pixel, reach) {
-    const grip = this.gripUnder(pixel, reach) ?? { map: null, row: [], points: this.current, moving: [] };
-    const { map, moving } = grip;
-    this.press = { ...grip, pixel, camera: this.camera };
+    this.press = null;
+    if (this.pointers.size > 1) return; // fingers that zoom
+    const grip = this.gripUnder(pixel, event.pointerType === "mouse" ? reachOfMouse : reachOfFinger)
+      ?? { map: null, row: [], points: this.current, moving: [] };
+    const { map, moving } = this.press = { ...grip, pixel, camera: this.camera };
     if (map !== null) this.choose(map);
     if (moving.length === 1) this.groups[map ?? 0].querySelector(`[data-corner="${moving[0]}"]`)?.classList.add("held");
   }
@@ -338,8 +331,8 @@ export class Figure {
   drag(press, pixel, keys) {
     const { camera, points, moving } = press, shift = minus(pixel, press.pixel);
     if (moving.length === 0) {
-      this.look(this.isSpace ? camera.turned(times(shift, 0.4)) : camera.panned(this.size, shift));
-    } else if (this.isSpace) {
+      this.look(this.camera.isSpace ? camera.turned(times(shift, 0.4)) : camera.panned(this.size, shift));
+    } else if (this.camera.isSpace) {
       this.shift(press, shift);
     } else {
       const isWhole = moving.length === points.length;
@@ -390,7 +383,7 @@ export class Figure {
     if (Object.hasOwn(arrows, event.key)) {
       const step = times(arrows[event.key], event.shiftKey ? 40 : 8);
       if (handle) this.moveBy(handle.map ? Number(handle.map) : null, Number(handle.corner), step);
-      else if (this.isSpace) this.look(this.camera.turned(times(step, 1 / 2)));
+      else if (this.camera.isSpace) this.look(this.camera.turned(times(step, 1 / 2)));
       else if (this.isHeld && !this.holdsMaps && this.current.length > 0) this.moveBy(null, this.current.length, step);
       else this.look(this.camera.panned(this.size, times(step, -1)));
     } else if (event.key === "+" || event.key === "=") this.zoom(centre, 1.25);

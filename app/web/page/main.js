@@ -13,7 +13,10 @@ import { fillTable } from "./table.js";
 import { filled, language, texts } from "./texts.js";
 
 const content = /** @type {Content} */ (JSON.parse(byId("content").textContent ?? ""));
-let entry = content.entries?.[0] ?? content.entry; // or that of a link, or one that is chosen
+/** @type {Article | undefined} the one that shows the page by a script: embed.js */
+const article = Reflect.get(frameElement ?? {}, "barycage");
+const entries = article && !content.steps ? undefined : content.entries; // of a gallery or of a lesson
+let entry = content.entries?.find(({ name }) => name === article?.entry) ?? content.entries?.[0] ?? content.entry; // or that of a link, or one that is chosen
 let first = structuredClone(entry); // as it was shown first
 const [isHeld, isDragged, isTyped] = ["cage", "maps", "code"].map((edit) => content.allow.includes(edit));
 let isEdited = false;
@@ -24,10 +27,7 @@ function speak() {
   for (const place of /** @type {NodeListOf<HTMLElement>} */ (document.querySelectorAll("[data-text], [data-label]"))) {
     const { text, label } = place.dataset;
     if (text) place.textContent = textOf(text);
-    else {
-      place.title = textOf(label);
-      place.setAttribute("aria-label", place.title);
-    }
+    else place.title = place.ariaLabel = textOf(label);
   }
 }
 
@@ -227,15 +227,14 @@ function openGallery(entries, drawing, showEntry, isLinked) {
   };
   byId("back").hidden = false;
   byId("back").addEventListener("click", () => (history.state?.entry === undefined ? close() : history.back()));
-  addEventListener("popstate", () => {
+  const showStated = () => { // also of a page that is opened again
     const index = history.state?.entry;
     if (entries[index]) open(index);
     else close();
-  });
-  const index = history.state?.entry; // of a page that is opened again
+  };
+  addEventListener("popstate", showStated);
   if (isLinked) gallery.hide();
-  else if (entries[index]) open(index);
-  else close();
+  else showStated();
 }
 
 /** The lesson of a collection. Each step begins with the entry as it was.
@@ -256,15 +255,29 @@ function openLesson(entries, steps, figure, showEntry) {
   }).go(0);
 }
 
-async function start() {
-  speak();
-  listenForLinks();
+/** Fits the page into an article, which shows all of its height. @param {Article} article */
+function settleIn(article) {
+  document.body.dataset.place = "article";
+  new ResizeObserver(() => article.resized(Math.ceil(document.body.getBoundingClientRect().height))).observe(document.body);
+  if (!content.entries || content.steps) return;
+  byId("still").remove(); // of another entry
+  takeEntry(entry);
+}
+
+function ownWorker() {
   const source = new Blob([byId("worker").textContent ?? ""], { type: "text/javascript" });
   const worker = new Worker(URL.createObjectURL(source));
   worker.onerror = failed;
+  return worker;
+}
+
+async function start() {
+  speak();
+  listenForLinks();
+  if (article) settleIn(article);
   /** @type {Figure} */
   let figure;
-  const drawing = new Drawing(worker, () => ({ ...figure.size, ratio: Math.min(devicePixelRatio, 2),
+  const drawing = new Drawing(article?.worker() ?? ownWorker(), () => ({ ...figure.size, ratio: Math.min(devicePixelRatio, 2),
     view: figure.camera.numbers(figure.size), rest: figure.rest, current: figure.current, bends: entry.cage?.bends ?? true }),
     showPicture, failed, content.points);
   const { palettes = [], versions, knowsSpace = false } =
@@ -279,10 +292,10 @@ async function start() {
   const { showEntry, changeMap } = connect(drawing, figure, palettes);
   // For tests, and for the curious.
   Object.assign(window, { barycage: { drawing, figure, versions, get entry() { return entry; } } });
-  if (content.entries) document.body.dataset.state = "live";
-  if (content.steps && content.entries && !linked) openLesson(content.entries, content.steps, figure, showEntry);
-  else if (content.entries && !content.steps) openGallery(content.entries, drawing, showEntry, linked !== null);
-  if (!content.entries || linked) await showEntry();
+  if (entries) document.body.dataset.state = "live";
+  if (content.steps && entries && !linked) openLesson(entries, content.steps, figure, showEntry);
+  else if (entries && !content.steps) openGallery(entries, drawing, showEntry, linked !== null);
+  if (!entries || linked) await showEntry();
 }
 
 start().catch(failed);

@@ -57,6 +57,15 @@ interface Content {
   points: number;
 }
 
+/** What a script for articles holds: the page of its figures, and what draws them. */
+type Figures = { title: string; page: string; engine: string; worker: string };
+/** What a figure in an article knows of it: the entry that it is to show, if there are several. */
+interface Article {
+  entry?: string;
+  worker(): MessagePort;
+  resized(height: number): void;
+}
+
 /** A map that is dragged: its row as it is shown, and where the hand is. */
 type Change = { map: number; from: Row; to: Row };
 /** What the page asks of the worker; cage and camera are those of the moment. */

@@ -47,8 +47,7 @@ function loadChanged(loading, entry, { map, from, to }) {
   return { ...at(share), isStopped: true };
 }
 
-/** What the page is told.
- * @param {Engine} engine @param {Question} request @returns {Answer} */
+/** @param {Engine} engine @param {Question} request @returns {Answer} */
 function answerTo(engine, request) {
   if (request.kind === "start")
     return { palettes: engine.palettes(), versions: engine.versions(), knowsSpace: engine.knows({ name: "", dimension: 3, maps: [] }) };
@@ -84,7 +83,7 @@ function serve(figure) {
   figure.onmessage = (/** @type {MessageEvent<Question>} */ { data, ports: [other] }) => {
     if (other) serve(other);
     else last = last.then(async () => {
-      if (data.kind === "start") engine = new Engine((await (started ??= startedEngine(await unpacked(data.wasm)))).calls);
+      if (data.kind === "start") engine = new Engine((await (started ??= unpacked(data.wasm).then(startedEngine))).calls);
       if (!engine) throw new Error("the engine has not started");
       const answer = answerTo(engine, data);
       figure.postMessage(answer, { transfer: answer.pixels ? [answer.pixels.buffer] : [] });

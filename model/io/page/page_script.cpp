@@ -39,11 +39,11 @@ QByteArray pagePart(const char* name) {
     return file.readAll();
 }
 
-QByteArray joinedScript(const std::vector<const char*>& modules) {
+QByteArray joinedScript(const std::vector<const char*>& modules, const QByteArray& end) {
     QByteArray script = "\"use strict\";\n(() => {\n";
     for (const char* module : modules)
         script += plainScript(pagePart(module));
-    return script + "})();\n";
+    return script + end + "})();\n";
 }
 
 std::vector<const char*> pageModules(const char* extra) {
