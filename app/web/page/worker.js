@@ -7,7 +7,7 @@ import { Engine, startedEngine } from "./engine.js";
  * @param {string} base64 */
 async function unpacked(base64) {
   const bytes = Uint8Array.from(atob(base64), (c) => c.charCodeAt(0));
-  const stream = new Blob([bytes]).stream().pipeThrough(new DecompressionStream("gzip"));
+  const stream = new Response(bytes).body?.pipeThrough(new DecompressionStream("gzip")); // WebKitGTK cannot read a Blob here
   return new Response(stream).arrayBuffer();
 }
 
