@@ -209,6 +209,20 @@ test("a solid turns, and its corners bend it", async () => {
   assert.deepEqual(await browser.complaints(), []);
 });
 
+test("what has no attractor is shown around the origin, and a single point, too", async () => {
+  for (const [rows, isCertain] of [[" 1.2 0 0 .5 0 0 .5\n .5 0 0 .5 .2 .2 .5\n", false], [" .5 0 0 .5 0 0 1\n", true]]) {
+    const browser = await shown(page(collection(`odd {\n${rows}}\n`), "-q", "--points", "10k"));
+    await rested(browser);
+    assert.equal(await browser.value("barycage.figure.extent !== null"), isCertain);
+    assert.equal(await browser.value("document.getElementById('problem').textContent === ''"), isCertain);
+    const ends = await browser.value("[[-1, -1], [1, 1]].map((p) => barycage.figure.pixel(p))");
+    const { width, height } = await browser.value("barycage.figure.size");
+    if (!isCertain) assert.ok(ends.flat().every((x, i) => x > 0 && x < (i % 2 === 0 ? width : height)) && ends[1][0] - ends[0][0] > height / 2);
+    assert.ok(ends.flat().every(Number.isFinite));
+    assert.deepEqual(await browser.complaints(), []);
+  }
+});
+
 test("hostile names and captions are text", async () => {
   const name = "x</script><img src=x onerror=\"window.pwned=1\">";
   const file = collection(`${name} { ; </script><script>window.pwned=1</script>\n .5 0 0 .5 0 0\n .5 0 0 .5 .5 0\n .5 0 0 .5 0 .5\n}\n`);

@@ -36,7 +36,7 @@ export class Figure {
     this.rest = [];
     /** @type {Point[]} */
     this.current = [];
-    this.camera = this.home = new Camera([0, 0], 6);
+    this.camera = this.home = new Camera([0, 0], 1);
     this.isFitted = true; // the camera shows all
     this.size = { width: 1, height: 1 };
     /** @type {Press | null} */
@@ -63,7 +63,8 @@ export class Figure {
     this.rest = this.current = this.groups = [];
     const [x, y, z, azimuth, elevation, height, field] = entry.view ?? [0, 0, 0, 30, 20, 2, 0];
     const isSpace = entry.dimension === 3;
-    this.camera = this.home = isSpace ? new Camera([x, y, z], height, azimuth, elevation, field) : new Camera([0, 0], 6);
+    const flat = new Camera([0, 0], 2 / (1 - 2 * margin)); // of what has neither an attractor nor a cage
+    this.camera = this.home = isSpace ? new Camera([x, y, z], height, azimuth, elevation, field) : flat;
     this.stage.setAttribute("aria-label", filled(isSpace ? texts.orbit : texts.figure, entry.name));
   }
 
