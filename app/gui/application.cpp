@@ -8,6 +8,7 @@
 #include "files/open_each.h"
 #include "files/recovery.h"
 #include "identity.h"
+#include "io/exchange/entry_link.h"
 #include "io/fractint/fractint_reader.h"
 #include "main_window.h"
 #include "portal/desktop_motion.h"
@@ -21,6 +22,7 @@
 #include <QDialog>
 #include <QDropEvent>
 #include <QEvent>
+#include <QFile>
 #include <QFontMetrics>
 #include <QIcon>
 #include <QKeyEvent>
@@ -33,6 +35,7 @@
 #include <QTextEdit>
 #include <QTimer>
 #include <QTranslator>
+#include <QUrl>
 
 #include <algorithm>
 #include <chrono>
@@ -129,6 +132,27 @@ void makeRoomForTitle(QDialog& dialog) {
     dialog.setMinimumWidth(std::max(dialog.minimumWidth(), title + buttons));
 }
 
+struct LinksAndFiles {
+    QList<QByteArray> links;
+    QStringList files;
+};
+
+// Desktops pass the addresses of files and links alike. A file of that name goes before both.
+LinksAndFiles linksAndFiles(const QStringList& arguments) {
+    LinksAndFiles found;
+    for (const QString& argument : arguments) {
+        const QByteArray link = argument.toUtf8();
+        const bool isAddress = argument.startsWith(u"file:/"), isLink = io::looksLikeLink(link);
+        if ((!isAddress && !isLink) || QFile::exists(argument))
+            found.files << argument;
+        else if (isLink)
+            found.links << link;
+        else
+            found.files << QUrl(argument).toLocalFile();
+    }
+    return found;
+}
+
 } // namespace
 
 // Whatever the event began is left undone: a window is not opened, but those there are go on.
@@ -166,7 +190,7 @@ bool Application::event(QEvent* event) {
     return done;
 }
 
-bool Application::openWindows(const QStringList& files, Start start) {
+bool Application::openWindows(const QStringList& arguments, Start start) {
     constexpr auto soon = std::chrono::seconds(1);
     const auto resume = [] { exports::queue()->resume(); }; // shown in windows that report the queue
     const auto inTheEnd = qScopeGuard(resume);
@@ -182,10 +206,17 @@ bool Application::openWindows(const QStringList& files, Start start) {
         }
         return !session::allAreClosed();
     }
-    const bool again = files.isEmpty() && start == Start::AsLastTime && view::Preferences::stored().reopen;
+    const auto [links, files] = linksAndFiles(arguments);
+    const bool again =
+        arguments.isEmpty() && start == Start::AsLastTime && view::Preferences::stored().reopen;
     wantedFiles += wanted(again ? session::files() : askWhichToOpen(files, nullptr));
     QTimer::singleShot(soon, exports::queue(), resume); // also runs if a file does not answer
     MainWindow::openEach(wantedFiles);
+    for (const QByteArray& link : links) {
+        auto* window = new MainWindow;
+        window->show();
+        window->openLink(link);
+    }
     if (start == Start::AsLastTime && !session::windows().isEmpty()) return !session::allAreClosed();
     auto* window = new MainWindow;
     window->openFirstPicture();

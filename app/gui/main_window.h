@@ -50,9 +50,10 @@ public:
     // Files and unsaved work, in windows of this kind as files/open_each.h says.
     static void openEach(const QList<WantedFile>& files, MainWindow* first = nullptr);
     static void openEach(const QStringList& paths, MainWindow* first = nullptr);
-    void openRecent(const QString& path); // asks about unsaved changes first
-    void chooseAndOpen();                 // asks about unsaved changes first
-    void openFirstPicture();              // the maple of the collection, without a path
+    void openRecent(const QString& path);  // asks about unsaved changes first
+    void chooseAndOpen();                  // asks about unsaved changes first
+    void openFirstPicture();               // the maple of the collection, without a path
+    void openLink(const QByteArray& link); // without a path; says what went wrong, beside the first picture
     bool beginFirstMinute(); // starts with that picture; false if the user has dragged a corner before
     void openRecovered(const document::Abandoned& abandoned);
     void openRecovered(const document::Abandoned& abandoned, const FileReading& reading) override;

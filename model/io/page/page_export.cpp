@@ -203,6 +203,48 @@ QByteArray filled(const QByteArray& pattern, const QMap<QByteArray, QByteArray>&
     return text;
 }
 
+// JSON that is the same in every encoding of a script: that of the article that loads it.
+QByteArray inAscii(const QJsonObject& object) {
+    QByteArray text;
+    for (const QChar character : QString::fromUtf8(QJsonDocument(object).toJson(QJsonDocument::Compact))) {
+        const ushort code = character.unicode();
+        text += code < 128 ? QByteArray(1, char(code))
+                           : "\\u" + QByteArray::number(code, 16).rightJustified(4, '0');
+    }
+    return text;
+}
+
+const QString& titleOf(const PageExport& page) {
+    return page.entries.isEmpty() ? page.fractal.name : page.title;
+}
+
+// What stands in the template.
+QMap<QByteArray, QByteArray> fieldsOf(const PageExport& page) {
+    const char* extra = !page.steps.isEmpty() ? "lesson.js" : page.entries.isEmpty() ? nullptr : "gallery.js";
+    const QByteArray script = joinedScript(pageModules(extra)), style = styleOf(page);
+    const auto isSolid = [](const auto& fractal) { return document::space(*fractal) != nullptr; };
+    const bool knowsSpace = document::space(page.fractal) || std::ranges::any_of(page.entries, isSolid);
+    const char* engine = knowsSpace ? "engine.wasm.gz" : "engine_plane.wasm.gz";
+    const QString language = page.language.isEmpty() ? QStringLiteral("en") : page.language;
+    const QJsonObject texts = QJsonDocument::fromJson(pagePart("texts.json")).object();
+    return {
+        {"language", language.toLatin1()},
+        {"title", titleOf(page).toHtmlEscaped().toUtf8()},
+        {"caption", page.caption.toHtmlEscaped().toUtf8()},
+        {"plain", texts[language][u"plain"].toString().toUtf8()}, // where no script runs
+        {"texts", textsIn(page.language, texts)},
+        {"show", ifs::nameOf(page.parts)},
+        {"style", style},
+        {"style-hash", hashOf(style)},
+        {"still", stillAddress(page.fractal)},
+        {"content", contentOf(page)},
+        {"engine", pagePart(engine).toBase64()},
+        {"worker", joinedScript(workerModules())},
+        {"script", script},
+        {"script-hash", hashOf(script)},
+    };
+}
+
 } // namespace
 
 QString pageObstacle(const document::Fractal& fractal) {
@@ -217,31 +259,16 @@ QString pageObstacle(const document::Fractal& fractal) {
 }
 
 QByteArray pageOf(const PageExport& page) {
-    const char* extra = !page.steps.isEmpty() ? "lesson.js" : page.entries.isEmpty() ? nullptr : "gallery.js";
-    const QByteArray script = joinedScript(pageModules(extra)), style = styleOf(page);
-    const auto isSolid = [](const auto& fractal) { return document::space(*fractal) != nullptr; };
-    const bool knowsSpace = document::space(page.fractal) || std::ranges::any_of(page.entries, isSolid);
-    const char* engine = knowsSpace ? "engine.wasm.gz" : "engine_plane.wasm.gz";
-    const QString& title = page.entries.isEmpty() ? page.fractal.name : page.title;
-    const QString language = page.language.isEmpty() ? QStringLiteral("en") : page.language;
-    const QJsonObject texts = QJsonDocument::fromJson(pagePart("texts.json")).object();
-    const QMap<QByteArray, QByteArray> fields{
-        {"language", language.toLatin1()},
-        {"title", title.toHtmlEscaped().toUtf8()},
-        {"caption", page.caption.toHtmlEscaped().toUtf8()},
-        {"plain", texts[language][u"plain"].toString().toUtf8()}, // text shown without JavaScript
-        {"texts", textsIn(page.language, texts)},
-        {"show", ifs::nameOf(page.parts)},
-        {"style", style},
-        {"style-hash", hashOf(style)},
-        {"still", stillAddress(page.fractal)},
-        {"content", contentOf(page)},
-        {"engine", pagePart(engine).toBase64()},
-        {"worker", joinedScript(workerModules())},
-        {"script", script},
-        {"script-hash", hashOf(script)},
-    };
-    return filled(pagePart("page.html"), fields);
+    return filled(pagePart("page.html"), fieldsOf(page));
+}
+
+QByteArray scriptOf(const PageExport& page) {
+    QMap<QByteArray, QByteArray> fields = fieldsOf(page);
+    QJsonObject figures{{QStringLiteral("title"), titleOf(page)}};
+    for (const char* shared : {"engine", "worker"}) // by all figures
+        figures[QLatin1String(shared)] = QString::fromUtf8(fields.take(shared));
+    figures[QStringLiteral("page")] = QString::fromUtf8(filled(pagePart("page.html"), fields));
+    return joinedScript({"embed.js"}, "embed(" + inAscii(figures) + ");\n");
 }
 
 } // namespace io

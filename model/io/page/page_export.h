@@ -53,6 +53,9 @@ struct PageExport {
 QString pageObstacle(const document::Fractal& fractal);
 
 QByteArray pageOf(const PageExport& page);
+// The same as a script for articles: where it is loaded, it puts a frame with the figure behind itself. Of a
+// collection, each place of the article names its entry. All figures of an article share one engine.
+QByteArray scriptOf(const PageExport& page);
 
 inline constexpr std::array pageLanguages{"en", "de", "es", "fr", "mk"};
 

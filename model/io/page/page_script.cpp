@@ -39,16 +39,16 @@ QByteArray pagePart(const char* name) {
     return file.readAll();
 }
 
-QByteArray joinedScript(const std::vector<const char*>& modules) {
+QByteArray joinedScript(const std::vector<const char*>& modules, const QByteArray& end) {
     QByteArray script = "\"use strict\";\n(() => {\n";
     for (const char* module : modules)
         script += plainScript(pagePart(module));
-    return script + "})();\n";
+    return script + end + "})();\n";
 }
 
 std::vector<const char*> pageModules(const char* extra) {
-    std::vector modules{"numbers.js", "geometry.js", "texts.js",        "dom.js",  "drawing.js",
-                        "table.js",   "ifs_text.js", "entry_reader.js", "link.js", "figure.js"};
+    std::vector modules{"numbers.js", "geometry.js", "dom.js",          "texts.js", "camera.js", "drawing.js",
+                        "table.js",   "ifs_text.js", "entry_reader.js", "link.js",  "figure.js"};
     if (extra != nullptr) modules.push_back(extra);
     modules.push_back("main.js");
     return modules;
