@@ -3482,6 +3482,14 @@
         <source>Print the steps of the lesson, with their pictures and texts</source>
         <translation>Die Schritte der Lektion mit Bildern und Texten drucken</translation>
     </message>
+    <message>
+        <source>Copy as &amp;Python</source>
+        <translation>Als &amp;Python kopieren</translation>
+    </message>
+    <message>
+        <source>Copy lines for a notebook that make the fractal with the Python package “barycage”</source>
+        <translation>Zeilen für ein Notebook kopieren, die das Fraktal mit dem Python-Paket „barycage“ erzeugen</translation>
+    </message>
 </context>
 <context>
     <name>NumberField</name>

@@ -3482,6 +3482,14 @@
         <source>Print the steps of the lesson, with their pictures and texts</source>
         <translation>Imprimir los pasos de la lección, con sus imágenes y textos</translation>
     </message>
+    <message>
+        <source>Copy as &amp;Python</source>
+        <translation>Copiar como &amp;Python</translation>
+    </message>
+    <message>
+        <source>Copy lines for a notebook that make the fractal with the Python package “barycage”</source>
+        <translation>Copiar líneas para un cuaderno que crean el fractal con el paquete de Python «barycage»</translation>
+    </message>
 </context>
 <context>
     <name>NumberField</name>

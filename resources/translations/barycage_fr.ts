@@ -3482,6 +3482,14 @@
         <source>Print the steps of the lesson, with their pictures and texts</source>
         <translation>Imprimer les étapes de la leçon, avec leurs images et leurs textes</translation>
     </message>
+    <message>
+        <source>Copy as &amp;Python</source>
+        <translation>Copier en P&amp;ython</translation>
+    </message>
+    <message>
+        <source>Copy lines for a notebook that make the fractal with the Python package “barycage”</source>
+        <translation>Copier des lignes pour un notebook, qui créent la fractale avec le paquet Python «&#xa0;barycage&#xa0;»</translation>
+    </message>
 </context>
 <context>
     <name>NumberField</name>

@@ -3488,6 +3488,14 @@
         <source>Print the steps of the lesson, with their pictures and texts</source>
         <translation>Печати ги чекорите на лекцијата, со нивните слики и текстови</translation>
     </message>
+    <message>
+        <source>Copy as &amp;Python</source>
+        <translation>Копирај како &amp;Python</translation>
+    </message>
+    <message>
+        <source>Copy lines for a notebook that make the fractal with the Python package “barycage”</source>
+        <translation>Копирај редови за тетратка што го создаваат фракталот со пакетот за Python „barycage“</translation>
+    </message>
 </context>
 <context>
     <name>NumberField</name>

@@ -15,6 +15,7 @@
 #include "files/open_file.h"
 #include "files/web_page.h"
 #include "io/exchange/entry_link.h"
+#include "io/exchange/python_text.h"
 #include "io/file/background.h"
 #include "io/page/page_export.h"
 #include "menus/latex_menu.h"
@@ -59,6 +60,12 @@ ExportMenu::ExportMenu(const MenuContext& context, FileCommands* commands, const
                          tr("Copy a link that holds the fractal: Barycage opens it when it is pasted")},
                         [this] { copyLink(); });
     addMenu(new LatexMenu(context));
+    QAction* python = add({"copy-as-python",
+                           tr("Copy as &Python"),
+                           {},
+                           tr("Copy lines for a notebook that make the fractal with the Python package "
+                              "“barycage”")},
+                          [this] { copyAsPython(); });
     addSeparator();
     add({"save-for-other-programs",
          tr("Save a Copy &for Other Programs…"),
@@ -69,7 +76,8 @@ ExportMenu::ExportMenu(const MenuContext& context, FileCommands* commands, const
     disableWhen(m_picture, &document::cageObstacle);
     disableWhen(page, &io::pageObstacle);
     disableWhen(copy, &document::cageObstacle);
-    disableWhen(link, &io::linkObstacle);
+    for (QAction* whole : {link, python})
+        disableWhen(whole, &io::linkObstacle);
 }
 
 namespace {
@@ -138,6 +146,16 @@ void ExportMenu::copyLink() {
         if (written.failure) return messages->say(*written.failure);
         QGuiApplication::clipboard()->setText(QString::fromLatin1(written.link));
         messages->say(tr("The link was copied to the clipboard. It holds the whole fractal."));
+    });
+}
+
+// As above.
+void ExportMenu::copyAsPython() {
+    io::inBackground<QString>([fractal = context().document->sharedFractal()](auto& promise) {
+        promise.addResult(QString::fromUtf8(io::pythonText(*fractal)));
+    }).then(context().window, [messages = context().messages](const QString& text) {
+        QGuiApplication::clipboard()->setText(text);
+        messages->say(tr("Copied."));
     });
 }
 

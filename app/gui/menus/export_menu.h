@@ -24,6 +24,7 @@ private:
     void exportAnimation();
     void exportData();
     void copyLink();
+    void copyAsPython();
     void copyPicture();
 
     FileCommands* m_commands;

@@ -34,6 +34,7 @@ private slots:
     void longNamesAreShortened();
     void theNextEditClosesTheBanner();
     void aLinkIsCopiedAndPasted();
+    void linesOfPythonAreCopiedAndTheirEntryIsPasted();
     void aLinkThatWasCutOffSaysSo();
 
 private:
@@ -100,6 +101,27 @@ void WebPageTest::aLinkIsCopiedAndPasted() {
     m_window->findChild<view::EntriesPanel*>()->paste();
     QTRY_COMPARE(document.file().entries.size(), count + 1);
     QVERIFY(document.fractal().name.startsWith(u"linked"));
+    QCOMPARE(document.fractal().appearance.gamma, 3.0);
+    QVERIFY(*document::system2(document.fractal()) == *document::system2(fractal));
+}
+
+// The text of the entry stands in the lines as it is.
+void WebPageTest::linesOfPythonAreCopiedAndTheirEntryIsPasted() {
+    document::Document& document = m_window->document();
+    document::Fractal fractal = document.fractal();
+    fractal.name = u"for a notebook"_s;
+    fractal.appearance.gamma = 3;
+    document.edit(u"Change"_s, fractal);
+    QGuiApplication::clipboard()->clear();
+    m_window->findChild<QAction*>(u"copy-as-python"_s)->trigger();
+    QTRY_VERIFY(QGuiApplication::clipboard()->text().startsWith(u"import barycage"));
+    const QStringList parts = QGuiApplication::clipboard()->text().split(u"\"\"\""_s);
+    QCOMPARE(parts.size(), 3);
+    QGuiApplication::clipboard()->setText(parts[1]);
+    const auto count = document.file().entries.size();
+    m_window->findChild<view::EntriesPanel*>()->paste();
+    QTRY_COMPARE(document.file().entries.size(), count + 1);
+    QVERIFY(document.fractal().name.startsWith(u"for a notebook"));
     QCOMPARE(document.fractal().appearance.gamma, 3.0);
     QVERIFY(*document::system2(document.fractal()) == *document::system2(fractal));
 }
