@@ -159,6 +159,8 @@ QString withoutOrnaments(QString text) {
                        "(?:\\d+[ \\t]+)?DATA[ \\t]+(?=[-+.\\d])|(?:\\d+[ \\t]+)?REM\\b[^\\n]*|"
                        "\\d+[x×]\\d+ [A-Z][^\\n:]{0,80}:$)"),
         QRegularExpression::MultilineOption);
+    const auto mayBeOne = [](QChar c) { return QStringView(u"[*•‣▪◦●·Dx×R").contains(c); };
+    if (std::ranges::none_of(text, mayBeOne)) return text;
     const QString source = text;
     for (auto found = ornament.globalMatch(source); found.hasNext();) {
         const auto match = found.next();

@@ -41,7 +41,6 @@ public:
     }
 
     bool beginsWithMatrices() && { return beginsWithACount(rows(5)); }
-    // Returns true if every row has a number of its own before the numbers of a map without its weight.
     bool countsItsMaps() && { return countMaps(rows(maxTransposed + 1), m_dialect); }
 
     Table read() && {
@@ -101,13 +100,13 @@ private:
         return found;
     }
 
-    // "# …" is a comment, unless it names the columns; and so are "% …" and "// …".
+    // "# …" is a comment, unless it names the columns or is a label, "#1"; and so are "% …" and "// …".
     static bool isRemark(Row& cells) {
         const QString& first = cells.first().text;
         const bool isDouble = first.startsWith(QStringLiteral("//")) || first == u"--";
         const qsizetype mark = first.startsWith(u'#') || first.startsWith(u'%') ? 1 : isDouble ? 2 : 0;
-        const bool isLabel = first.size() > 1 && first[1].isDigit(); // "#1"
-        if (mark == 0 || isLabel || (first == u"%" && cells.size() == 7)) return false;
+        if (mark == 0 || (first.size() > 1 && first[1].isDigit()) || (first == u"%" && cells.size() == 7))
+            return false;
         Row named = cells;
         named.first().text.remove(0, mark);
         if (named.first().text.isEmpty()) named.removeFirst();
@@ -354,8 +353,9 @@ private:
         const auto start = beginOfNumbers(cells);
         const qsizetype count = cells.size() - start.value_or(0);
         if (!start || (!isExpected(count) && !isWithoutItsWeight(count))) return failCount(cells, count);
+        const bool isUnnamed = m_header.isEmpty() || (m_isOrderKnown && m_labels != Labels::Named);
         if (*start > 0 && !isNextLabel(cells.first()))
-            return m_header.isEmpty() || m_isOrderKnown ? failCount(cells, cells.size()) : failOrder();
+            return isUnnamed ? failCount(cells, cells.size()) : failOrder();
         if (m_labels == Labels::Unknown) m_labels = *start > 0 ? Labels::Found : Labels::None;
         addRow(cells.sliced(*start));
     }
