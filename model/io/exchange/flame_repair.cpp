@@ -169,7 +169,10 @@ private:
 } // namespace
 
 RepairedFlames repairedFlames(const QString& source) {
-    const QString text = withoutSingleLayers(source);
+    // Quotation marks as a word processor or a page sets them.
+    static const QRegularExpression quoted(QStringLiteral("=\\s*[“”„″]([^“”„″\"<>]*)[“”″]"));
+    QString text = withoutSingleLayers(source);
+    if (text.contains(quoted) && flawOf(text)) text.replace(quoted, QStringLiteral("=\"\\1\""));
     if (text.contains(QStringLiteral("<!DOCTYPE"), Qt::CaseInsensitive) || !flawOf(text) ||
         !text.contains(QStringLiteral("<flame")))
         return {text, {}};

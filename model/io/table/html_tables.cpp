@@ -3,8 +3,11 @@
 
 #include "io/text/latex_text.h"
 
+#include <QRegularExpression>
+
 #include <algorithm>
 #include <array>
+#include <utility>
 
 namespace io {
 
@@ -179,6 +182,28 @@ QString textOfHtml(QStringView text) {
     }
     if (result.contains(QStringLiteral("\\(")) || result.contains(u'$')) result = plainLatex(result);
     return result.simplified();
+}
+
+QString preformattedText(const QString& page) {
+    static const QRegularExpression block(QStringLiteral("<(pre|code|textarea)\\b[^>]*>(.*?)</\\1\\s*>"),
+                                          QRegularExpression::DotMatchesEverythingOption |
+                                              QRegularExpression::CaseInsensitiveOption);
+    QString text;
+    for (auto found = block.globalMatch(page); found.hasNext();) {
+        for (const QStringView line : found.next().capturedView(2).split(u'\n')) {
+            QString plain;
+            for (qsizetype i = 0; i < line.size();) {
+                const Tag tag = line[i] == u'<' ? tagAt(line.sliced(i)) : Tag();
+                const auto [sign, length] = line[i] == u'&'       ? entityAt(line.sliced(i))
+                                            : !tag.name.isEmpty() ? std::pair(QString(), tag.end)
+                                                                  : std::pair(QString(line[i]), qsizetype(1));
+                plain += sign;
+                i += length;
+            }
+            text += plain + u'\n';
+        }
+    }
+    return text;
 }
 
 } // namespace io

@@ -14,6 +14,7 @@
 #include "io/text/export_weights.h"
 #include "io/text/literal_lists.h"
 #include "io/text/number.h"
+#include "io/text/shaped_lists.h"
 #include "io/text/yaml_lists.h"
 
 #include <QRegularExpression>
@@ -148,6 +149,21 @@ bool isOfWeights(const QString& key) {
 
 std::optional<Map> mapOf(const Literal& literal, int nesting = 0);
 
+// matrix(a, b, c, d, e, f) of SVG and CSS, and the like of other graphics, whose matrix is column by column.
+bool isByColumns(const QString& name) {
+    static const QRegularExpression names(
+        QStringLiteral("^(matrix|(\\w+\\.)?(setTransform|AffineTransform|CGAffineTransform(Make)?))$"));
+    return name.contains(names);
+}
+
+// bezierCurveTo(…) of a picture takes six numbers, too.
+bool isCallThatDraws(const QString& name) {
+    static const QRegularExpression names(
+        QStringLiteral("curve|bezier|arc|line|rect|triangle|quad|ellipse|colou?r|rgb|print|plot"),
+        QRegularExpression::CaseInsensitiveOption);
+    return name.contains(names);
+}
+
 // The numbers a … l of a map in space, brought into this order.
 std::optional<Map> inSpace(const QStringList& names, const Numbers& numbers) {
     Map map{letters(12), {}, false, true};
@@ -203,6 +219,8 @@ std::optional<Map> mapOf(const Literal& literal, int nesting) {
     if (auto flat = fewNumbersOf(list)) {
         const std::size_t count = flat->size();
         if (count != 6 && count != 7 && count != 12 && count != 13) return std::nullopt;
+        if (isCallThatDraws(list.text)) return std::nullopt;
+        if (count == 6 && isByColumns(list.text)) std::swap((*flat)[1], (*flat)[2]);
         return Map{{}, *std::move(flat), count % 6 == 1, false};
     }
     if (const auto rows = rowsOf(list); rows && rows->front().size() > 2) return ofAugmented(*rows);
@@ -478,12 +496,13 @@ QList<ListedMaps> sequenceIn(const Literals& literals) {
 // Rows between semicolons or ends of lines, as Matlab and Julia write them, as lists: [1 2; 3 4] is
 // [[1,2],[3,4]], and a column [1; 2] is [1,2]. Empty where there are none.
 QString rowsAsLists(QString text) {
+    static const QRegularExpression continued(QStringLiteral("\\.\\.\\.[^\n]*\n"));
     static const QRegularExpression comment(QStringLiteral("%[^\n]*"));
     static const QRegularExpression rows(
         QStringLiteral(R"(\[([^\[\](){};\n]*+(?:[;\n][^\[\](){};\n]*+)++)\])"));
     static const QRegularExpression blanks(QStringLiteral(R"([\s,]+)"));
     static const QRegularExpression rowEnd(QStringLiteral("[;\n]"));
-    text.remove(comment);
+    text.replace(continued, QStringLiteral(" ")).remove(comment);
     QString lists;
     qsizetype before = 0;
     auto found = rows.globalMatch(text);
@@ -534,7 +553,8 @@ QList<ListedMaps> listedMaps(const QString& text) {
     const bool isGood = !nearly.isEmpty() && nearly.first().maps > 0;
     if (isGood) return nearly;
     if (auto found = written(matrixMaps(text), Notation::LatexMatrices); !found.isEmpty()) return found;
-    const Literals literals = literalsIn(text);
+    Literals literals = literalsIn(text);
+    shapeMatrices(literals.root);
     const QString semicolons = rowsAsLists(text);
     const Literals lists = semicolons.isEmpty() ? Literals() : literalsIn(semicolons);
     if (auto found = listsIn(literals, Notation::Lists); !found.isEmpty()) return found;

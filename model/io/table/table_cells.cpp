@@ -4,6 +4,8 @@
 #include "io/text/number.h"
 #include "io/text/plain_signs.h"
 
+#include <QRegularExpression>
+
 #include <algorithm>
 #include <cmath>
 
@@ -82,12 +84,13 @@ private:
     bool atComment() const {
         constexpr qsizetype fewest = 6;
         const QChar c = m_text[m_at];
-        if (c != u'#' && c != u'%' && c != u'/') return false;
+        if (c != u'#' && c != u'%' && c != u'/' && c != u'-') return false;
         const bool isParted =
             m_at > 0 && (m_text[m_at - 1].isSpace() || isSeparator(m_text[m_at - 1], m_dialect.separator));
         if (m_cells.size() + (isParted ? 0 : 1) < fewest) return false;
         if (c == u'/') return m_at + 1 < m_text.size() && m_text[m_at + 1] == u'/';
         if (c == u'#') return true;
+        if (c == u'-') return isParted && m_text.sliced(m_at).startsWith(u"-- ");
         const QStringView rest = m_text.sliced(m_at + 1);
         return isParted && !rest.trimmed().isEmpty() && !isSeparator(rest.front(), m_dialect.separator);
     }
@@ -150,6 +153,23 @@ bool isName(QStringView text) {
 }
 
 } // namespace
+
+QString withoutOrnaments(QString text) {
+    static const QRegularExpression ornament(
+        QStringLiteral("^[ \\t]*(?:\\[\\d+,\\]|(?:\\[,\\d+\\][ \\t]*)+$|[*•‣▪◦●·][ \\t]+(?=[-+−.\\d])|"
+                       "(?:\\d+[ \\t]+)?DATA[ \\t]+(?=[-+.\\d])|(?:\\d+[ \\t]+)?REM\\b[^\\n]*|"
+                       "\\d+[x×]\\d+ [A-Z][^\\n:]{0,80}:$)"),
+        QRegularExpression::MultilineOption);
+    const auto mayBeOne = [](QChar c) { return QStringView(u"[*•‣▪◦●·Dx×R").contains(c); };
+    if (std::ranges::none_of(text, mayBeOne)) return text;
+    const QString source = text;
+    for (auto found = ornament.globalMatch(source); found.hasNext();) {
+        const auto match = found.next();
+        for (qsizetype i = match.capturedStart(); i < match.capturedEnd(); ++i)
+            text[i] = u' ';
+    }
+    return text;
+}
 
 QList<Dialect> dialectsOf(QStringView text) {
     constexpr qsizetype minSeparators = 5;

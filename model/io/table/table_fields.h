@@ -48,6 +48,11 @@ struct Picks {
 // Picks by name: every column once, and any others. Beside weights, their running sum is another. nullopt if
 // the names do not say it.
 std::optional<Picks> pickedByName(const QStringList& names);
+// "Sum: 1.00" below a table.
+bool isSum(const Row& cells);
+// Returns true if all rows begin with a number that counts them, before six numbers or twelve:
+// "1 .5 0 0 .5 0 0". As a coefficient, it would expand. Two rows are enough under a header of six names.
+bool countMaps(const QList<Row>& table, const Dialect& dialect);
 // Picks by the chosen order, which may hold TableColumn::Other.
 Picks pickedByOrder(const TableColumns& columns);
 

@@ -9,8 +9,6 @@
 #include "io/text/plain_signs.h"
 #include "io/text/typed_coefficient.h"
 
-#include <QStringList>
-
 #include <algorithm>
 #include <cmath>
 
@@ -24,8 +22,9 @@ constexpr qsizetype maxRow =
     maxTableRows + 1; // label and one cell for each map, in a table with a column for each
 constexpr qsizetype maxProblems = 10;
 
-QString withLineFeeds(QString text) {
-    return text.replace(QStringLiteral("\r\n"), QStringLiteral("\n")).replace(u'\r', u'\n');
+QString plainLinesOf(QString text) {
+    text.replace(QStringLiteral("\r\n"), QStringLiteral("\n")).replace(u'\r', u'\n');
+    return withoutOrnaments(std::move(text));
 }
 
 class TableParser {
@@ -42,6 +41,7 @@ public:
     }
 
     bool beginsWithMatrices() && { return beginsWithACount(rows(5)); }
+    bool countsItsMaps() && { return countMaps(rows(maxTransposed + 1), m_dialect); }
 
     Table read() && {
         const QList<Row> beginning = rows(maxTransposed + 1);
@@ -52,6 +52,7 @@ public:
             for (const Row& row : *turned)
                 readRow(row);
         } else {
+            m_isCounted = !m_chosen && countMaps(beginning, m_dialect);
             startOver();
             qsizetype words = 0; // rows of words before the first map
             for (QList<Row> row = rows(1); !row.isEmpty() && m_table.problems.size() < maxProblems;
@@ -70,9 +71,9 @@ public:
     }
 
 private:
-    static constexpr qsizetype maxTransposed = 12; // rows of a table with a column for each map
-    static constexpr qsizetype maxWords = 100'000; // rows before the beginning of a table
-    static constexpr qsizetype planeNumbers = 6;   // numbers of a map without its weight
+    static constexpr qsizetype maxTransposed = 14; // rows of a table that has a column for every map
+    static constexpr qsizetype maxWords = 100'000; // rows: a table begins before
+    static constexpr qsizetype planeNumbers = 6;   // of a map without its weight
     static constexpr qsizetype spaceNumbers = 12;
 
     std::optional<double> value(const Cell& cell) const { return numberIn(cell, m_dialect); }
@@ -92,19 +93,20 @@ private:
             Row cells =
                 cellsOf(QStringView(m_text).sliced(m_next, end - m_next), ++m_line, m_dialect, maxRow);
             cells = withSignsJoined(std::move(cells), m_dialect);
-            if (!cells.isEmpty() && !isRemark(cells) && !isRule(cells)) found << std::move(cells);
+            if (!cells.isEmpty() && !isRemark(cells) && !isRule(cells) && !isSum(cells))
+                found << std::move(cells);
             m_next = end + 1;
         }
         return found;
     }
 
-    // True for "# …", unless it names the columns, and for "% …" and "// …".
+    // "# …" is a comment, unless it names the columns or is a label, "#1"; and so are "% …" and "// …".
     static bool isRemark(Row& cells) {
         const QString& first = cells.first().text;
-        const qsizetype mark = first.startsWith(u'#') || first.startsWith(u'%') ? 1
-                               : first.startsWith(QStringLiteral("//"))         ? 2
-                                                                                : 0;
-        if (mark == 0 || looksLikeNumberSign(first) || (first == u"%" && cells.size() == 7)) return false;
+        const bool isDouble = first.startsWith(QStringLiteral("//")) || first == u"--";
+        const qsizetype mark = first.startsWith(u'#') || first.startsWith(u'%') ? 1 : isDouble ? 2 : 0;
+        if (mark == 0 || (first.size() > 1 && first[1].isDigit()) || (first == u"%" && cells.size() == 7))
+            return false;
         Row named = cells;
         named.first().text.remove(0, mark);
         if (named.first().text.isEmpty()) named.removeFirst();
@@ -112,9 +114,6 @@ private:
         cells = named;
         return false;
     }
-
-    // True for a label such as "#1".
-    static bool looksLikeNumberSign(const QString& text) { return text.size() > 1 && text[1].isDigit(); }
 
     bool isHeader(const Row& cells) const {
         return std::none_of(cells.begin(), cells.end(),
@@ -128,8 +127,10 @@ private:
         for (Row& row : table)
             if (row.size() > 1 && row[1].text == u"=") row.remove(1);
         if (!table.isEmpty() && !tableColumn(nameOfRow(table.first()))) table.removeFirst();
-        table.removeIf([](const Row& row) { return !tableColumn(nameOfRow(row)); });
-        if (table.size() < planeNumbers || table.size() > planeNumbers + 1 || table.first().size() < 2)
+        const bool isSpace = isInSpace(table);
+        if (!isSpace) table.removeIf([](const Row& row) { return !tableColumn(nameOfRow(row)); });
+        const qsizetype fewest = isSpace ? spaceNumbers : planeNumbers;
+        if (table.size() < fewest || table.size() > fewest + 1 || table.first().size() < 2)
             return std::nullopt;
         QStringList names;
         for (Row& row : table) {
@@ -137,12 +138,19 @@ private:
             names << nameOfRow(row);
             row.first().text = names.last();
         }
-        if (!tableColumns(names)) return std::nullopt;
+        if (!nameAllColumns(names)) return std::nullopt;
         QList<Row> turned(table.first().size());
         for (const Row& row : table)
             for (qsizetype i = 0; i < row.size(); ++i)
                 turned[i] << row[i];
         return turned;
+    }
+
+    static bool isInSpace(const QList<Row>& table) {
+        QStringList names;
+        for (const Row& row : table)
+            names << nameOfRow(row);
+        return spaceHeader(names) != SpaceHeader::None;
     }
 
     static QString nameOfRow(const Row& row) {
@@ -294,7 +302,7 @@ private:
         QStringList unread;
         for (qsizetype i = 1; i < std::min(names.size(), fields.size() - shift); ++i)
             if (std::ranges::count(m_picks->fields, i) == 0 && i + shift >= 0 &&
-                value(fields[i + shift].first()) && names[i].first().text != u"")
+                weightOf(fields[i + shift].first()) && names[i].first().text != u"")
                 unread << textsOf(names[i]).join(u' ');
         if (!unread.isEmpty())
             m_table.problems.append({Problem::Severity::Warning,
@@ -334,7 +342,7 @@ private:
         if (isHeader(all)) return readHeader(all);
         if (m_isToPick) pickNumbers(all);
         if (m_picks) return readPicked(all);
-        const Row cells = withoutWords(all);
+        const Row cells = withLoneSignsJoined(withoutWords(all));
         if (!m_chosen && !m_isOrderKnown && !m_header.isEmpty()) {
             const bool isParted = m_dialect.separator != Separator::Blank;
             const qsizetype names = isParted ? fieldsOf(m_header).size() : m_header.size();
@@ -345,8 +353,9 @@ private:
         const auto start = beginOfNumbers(cells);
         const qsizetype count = cells.size() - start.value_or(0);
         if (!start || (!isExpected(count) && !isWithoutItsWeight(count))) return failCount(cells, count);
+        const bool isUnnamed = m_header.isEmpty() || (m_isOrderKnown && m_labels != Labels::Named);
         if (*start > 0 && !isNextLabel(cells.first()))
-            return m_header.isEmpty() ? failCount(cells, cells.size()) : failOrder();
+            return isUnnamed ? failCount(cells, cells.size()) : failOrder();
         if (m_labels == Labels::Unknown) m_labels = *start > 0 ? Labels::Found : Labels::None;
         addRow(cells.sliced(*start));
     }
@@ -362,7 +371,19 @@ private:
         return isExpected(count) || isExpected(count - 1) ? cells.first(end - cells.begin()) : cells;
     }
 
-    // Accepts "85 %" for 0.85.
+    // "- 0.04" between blanks, where the row has too many cells otherwise.
+    Row withLoneSignsJoined(Row cells) const {
+        if (m_dialect.separator != Separator::Blank || isExpected(cells.size())) return cells;
+        Row joined = cells;
+        for (qsizetype i = 0; i + 1 < joined.size(); ++i)
+            if (joined[i].text.size() == 1 && isDash(joined[i].text[0]) && value(joined[i + 1])) {
+                joined[i].text += joined[i + 1].text;
+                joined.removeAt(i + 1);
+            }
+        return isExpected(joined.size()) || isExpected(joined.size() - 1) ? joined : cells;
+    }
+
+    // "85 %" is 0.85.
     std::optional<double> weightOf(const Cell& cell) const {
         if (!cell.text.endsWith(u'%')) return value(cell);
         Cell share = cell;
@@ -390,8 +411,10 @@ private:
         if (m_labels == Labels::None) return 0;
         if (m_labels == Labels::Named) return wordsOfField(cells);
         if (value(cells.first())) {
+            if (m_isCounted) return 1;
             if (isExpected(cells.size())) return m_labels == Labels::Found ? std::nullopt : std::optional(0);
-            return m_header.isEmpty() && !m_dialect.isMixed ? 1 : 0;
+            const bool isUnderNames = m_isOrderKnown && isExpected(cells.size() - 1); // as R prints tables
+            return (m_header.isEmpty() || isUnderNames) && !m_dialect.isMixed ? 1 : 0;
         }
         const qsizetype words = wordsOfLabel(cells);
         return looksLikeLabel(cells.first().text) && isExpected(cells.size() - words) ? words : 0;
@@ -406,7 +429,7 @@ private:
     // Number of words of the label: two in "map 1,0.5,0 …", one in "w1 0.5,0 …"; 0 if both are possible.
     qsizetype wordsOfLabel(const Row& cells) const {
         const qsizetype words = wordsOfField(cells);
-        if (words == 1) return 1;
+        if (words == 1 || QStringView(u"):=").contains(cells.first().text.back())) return 1;
         const bool one = isExpected(cells.size() - 1);
         const bool all = isExpected(cells.size() - words);
         return one && all ? 0 : all ? words : 1;
@@ -519,10 +542,11 @@ private:
     qsizetype m_next = 0; // beginning of the next line
     int m_line = 0;       // number of lines before it
     Row m_header;
-    bool m_isOrderKnown = false;        // true if the header determined it
-    std::optional<Picks> m_picks;       // set if there are other columns as well
-    bool m_isToPick = false;            // true: the first row determines the columns
-    qsizetype m_fewest = 0, m_most = 0; // numbers of a row that the header allows; 0: unknown
+    bool m_isOrderKnown = false;        // from the header
+    std::optional<Picks> m_picks;       // there are other columns as well
+    bool m_isToPick = false;            // by the numbers of the first row
+    bool m_isCounted = false;           // every row begins with its number
+    qsizetype m_fewest = 0, m_most = 0; // numbers of a row that the header allows; 0: nothing is known
     Labels m_labels = Labels::Unknown;
     std::optional<double> m_lastLabel;
     Table m_table;
@@ -541,7 +565,7 @@ Table readTable(const QString& text, const std::optional<TableColumns>& columns,
              Text::tr("The text is larger than 64 MB, which is the limit for a table of numbers.")});
         return table;
     }
-    const QString lines = withLineFeeds(text);
+    const QString lines = plainLinesOf(text);
     const QList<Dialect> dialects = dialectsOf(lines);
     Table table = TableParser(lines, dialects.first(), columns, wanted).read();
     if (dialects.size() == 1) return table;
@@ -557,42 +581,18 @@ Table readTable(const QString& text, const std::optional<TableColumns>& columns,
     return other;
 }
 
-bool hasErrors(const Table& table) {
-    return std::any_of(table.problems.begin(), table.problems.end(),
-                       [](const Problem& problem) { return problem.severity == Problem::Severity::Error; });
-}
-
-namespace {
-
-template <int Dim> ifs::IteratedFunctionSystem<Dim> numbered(const std::vector<ifs::WeightedMap<Dim>>& rows) {
-    ifs::IteratedFunctionSystem<Dim> system{rows};
-    std::uint32_t number = 0;
-    for (auto& map : system.maps)
-        map.id = static_cast<ifs::MapId>(++number);
-    return system;
-}
-
-} // namespace
-
 bool isOrderOpen(const QString& text) {
     const Table table = readTable(text);
     return table.isTable && !table.isOrdered && !hasErrors(readTable(text, fractintColumns()));
 }
 
-ifs::IteratedFunctionSystem<2> systemOf(const Table& table) {
-    return numbered(table.rows);
-}
-
-ifs::IteratedFunctionSystem<3> spaceSystemOf(const Table& table) {
-    return numbered(table.spaceRows);
-}
-
 bool isTableToFractintUnknown(const QString& beginning) {
     if (beginning.contains(u'{')) return false;
-    const QString lines = withLineFeeds(beginning);
+    const QString lines = plainLinesOf(beginning);
     const Dialect dialect = dialectsOf(lines).first();
     if (TableParser(lines, dialect, std::nullopt, TableMaps::PlaneOrSpace).beginsWithMatrices()) return true;
     const QString whole = lines.left(lines.lastIndexOf(u'\n') < 0 ? lines.size() : lines.lastIndexOf(u'\n'));
+    if (TableParser(whole, dialect, std::nullopt, TableMaps::PlaneOrSpace).countsItsMaps()) return true;
     return dialect.separator == Separator::Semicolon &&
            !hasErrors(TableParser(whole, dialect, std::nullopt, TableMaps::PlaneOrSpace).read());
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "io/text/latex_text.h"
 
+#include <QRegularExpression>
 #include <QStringList>
 
 #include <algorithm>
@@ -272,7 +273,12 @@ private:
 } // namespace
 
 QString plainLatex(QStringView source) {
-    return Converter(source, 0).convert();
+    // 2.75 · 10⁻⁵ at once: the product is rounded.
+    static const QRegularExpression power(
+        QStringLiteral(R"((?<![\w.^/])(\d+\.?\d*|\.\d+)\s?\*\s?10\^(?:\((-?\d{1,3})\)|(\d)))"));
+    QString text = Converter(source, 0).convert();
+    if (text.contains(QStringLiteral("10^"))) text.replace(power, QStringLiteral("\\1e\\2\\3"));
+    return text;
 }
 
 QString withoutLatexComments(QString source) {

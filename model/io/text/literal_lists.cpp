@@ -4,6 +4,8 @@
 #include "io/text/number.h"
 #include "io/text/plain_signs.h"
 
+#include <QRegularExpression>
+
 #include <algorithm>
 #include <optional>
 #include <utility>
@@ -64,7 +66,7 @@ private:
                 key = word.isEmpty() ? nameOfDimensions(list) : std::exchange(word, {});
                 while (QStringView(u":=<>").contains(at()) || (at() == u'-' && m_text[m_at - 1] == u'<'))
                     ++m_at;
-            } else if (c == u'#' || (c == u'/' && (at(1) == u'/' || at(1) == u'*'))) {
+            } else if (beginsComment()) {
                 skipComment();
             } else if (c == u'"' || c == u'\'') {
                 flush();
@@ -144,6 +146,8 @@ private:
             ++next;
         if (next < m_text.size() && (m_text[next] == u':' || m_text[next] == u'='))
             word = text;
+        else if (const auto number = parseNumber(text)) // "0.5" of a form
+            add(list, {Literal::Kind::Number, *number, std::exchange(key, {}), text, {}});
         else
             add(list, {Literal::Kind::Text, 0, std::exchange(key, {}), text, {}});
     }
@@ -155,9 +159,17 @@ private:
         return m_text.sliced(begin, m_at - begin).left(maxKey).toString();
     }
 
+    bool beginsComment() const {
+        const QChar c = at();
+        const QChar next = at(1);
+        return c == u'#' || (c == u'/' && (next == u'/' || next == u'*')) || (c == u'(' && next == u'*') ||
+               (c == u'-' && next == u'-' && at(2).isSpace()); // "--" of Lua
+    }
+
     void skipComment() {
-        const bool isBlock = at() == u'/' && at(1) == u'*';
-        const qsizetype end = isBlock ? m_text.indexOf(u"*/", m_at + 2) : m_text.indexOf(u'\n', m_at);
+        const bool isBlock = at(1) == u'*';
+        const QStringView close = at() == u'(' ? u"*)" : u"*/";
+        const qsizetype end = isBlock ? m_text.indexOf(close, m_at + 2) : m_text.indexOf(u'\n', m_at);
         m_at = end < 0 ? m_text.size() : end + (isBlock ? 2 : 0);
     }
 
@@ -217,7 +229,12 @@ private:
 } // namespace
 
 Literals literalsIn(const QString& text) {
-    return ListParser(text).read();
+    if (!text.contains(u'`') && !text.contains(u"*^")) return ListParser(text).read();
+    // Mathematica writes the digits it vouches for behind a number, 0.16`15, and *^ for an exponent.
+    static const QRegularExpression precision(QStringLiteral("(?<=[\\d.])`+[\\d.]*"));
+    static const QRegularExpression power(QStringLiteral("(?<=[\\d.])\\*\\^(?=-?\\d)"));
+    const QString plain = QString(text).remove(precision).replace(power, QStringLiteral("e"));
+    return ListParser(plain).read();
 }
 
 } // namespace io
