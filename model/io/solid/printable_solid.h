@@ -17,8 +17,8 @@ struct SolidOptions {
     static constexpr int maxResolution = 4096;
     static constexpr int leastOffered = 8; // resolution: with less, nothing can be made out
 
-    double longest = 0;   // of the sides of the attractor's box; 0: one unit of the system is a millimetre
-    double voxel = 0;     // h; 0: by the resolution
+    double longest = 0;   // of the sides of the mesh; 0: one unit of the system is a millimetre
+    double voxel = 0;     // h, or a little less with a longest side; 0: by the resolution
     int resolution = 128; // h is the longest side divided by this
     double wall = 0;      // every point of the body lies in a ball of this diameter within it
     bool fillsCavities = false;
