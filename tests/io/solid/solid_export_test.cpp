@@ -278,7 +278,7 @@ void SolidExportTest::lengthsAreMillimetres() {
 
 void SolidExportTest::theLongestSideIsThatOfTheFile_data() {
     QTest::addColumn<double>("wall");
-    for (const double wall : {0.0, 1.0, 12.0, 40.0})
+    for (const double wall : {0.0, 1.0, 12.0})
         QTest::addRow("wall %g", wall) << wall;
 }
 
