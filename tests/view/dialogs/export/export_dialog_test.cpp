@@ -325,8 +325,7 @@ void ExportDialogTest::saysHowLargeAnOutlineIs() {
     document::Document document;
     const auto box = *document::displayedBox(document.fractal());
     attractor::Camera view;
-    view.width = 300;
-    view.height = 300;
+    view.width = view.height = 300;
     view = fitted(view, box.min, box.max, 0.1);
     ExportDialog dialog(&document, view);
     dialog.show();
@@ -340,7 +339,6 @@ void ExportDialogTest::saysHowLargeAnOutlineIs() {
     QVERIFY(!plan->text().contains(QStringLiteral("Copies drawn by"))); // nothing draws copies of one path
     support::choose(named<QComboBox>(dialog, "Kind of shapes"), io::ShapeStyle::Structured);
     QTRY_VERIFY(plan->text().contains(QStringLiteral("Copies drawn by")));
-    QVERIFY(!plan->text().contains(width));
 }
 
 void ExportDialogTest::saysThatShadesNeedPixels() {
