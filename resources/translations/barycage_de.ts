@@ -2740,6 +2740,10 @@
         <translation>In diesem Eintrag bewegt sich noch nichts. Wählen Sie zuerst eine Bewegung in der Zeitleiste: Animation, Animieren.</translation>
     </message>
     <message>
+        <source>A mesh needs a solid, and this entry lies in a plane: lift it to space first.</source>
+        <translation>Ein Körper zum Drucken braucht den Raum, und dieser Eintrag liegt in der Ebene: Heben Sie ihn zuerst in den Raum.</translation>
+    </message>
+    <message>
         <source>Reading “%1”…</source>
         <translation>„%1“ wird gelesen…</translation>
     </message>
@@ -5624,6 +5628,14 @@
     <message>
         <source>A file is still being exported.</source>
         <translation>Eine Datei wird noch exportiert.</translation>
+    </message>
+    <message>
+        <source>&amp;Animation…</source>
+        <translation>&amp;Animation…</translation>
+    </message>
+    <message>
+        <source>Exports the motion instead, as GIF, MP4 and others.</source>
+        <translation>Exportiert stattdessen die Bewegung, als GIF, MP4 und in anderen Formaten.</translation>
     </message>
     <message>
         <source>If you stop now, no file is written.</source>
@@ -10330,6 +10342,18 @@
     <message>
         <source>One dot for every visible point of the chaos game.</source>
         <translation>Ein Fleck für jeden Punkt des Chaosspiels, der zu sehen ist.</translation>
+    </message>
+    <message>
+        <source>Guaranteed accuracy: %1.</source>
+        <translation>Garantierte Genauigkeit: %1.</translation>
+    </message>
+    <message>
+        <source> The shape itself measures %1 × %2.</source>
+        <translation> Die Form selbst misst %1 × %2.</translation>
+    </message>
+    <message>
+        <source> Shades of density need pixels: the shapes have one colour.</source>
+        <translation> Abstufungen der Dichte brauchen Pixel: Die Formen haben eine einzige Farbe.</translation>
     </message>
     <message>
         <source> The cage bends the picture, which copies cannot reproduce: the affine fit of the cage is written instead. A PNG shows the bend.</source>

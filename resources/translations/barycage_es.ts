@@ -2740,6 +2740,10 @@
         <translation>En esta entrada aún no se mueve nada. Elija primero un movimiento en la línea de tiempo: Animación, Animar.</translation>
     </message>
     <message>
+        <source>A mesh needs a solid, and this entry lies in a plane: lift it to space first.</source>
+        <translation>Una malla necesita un sólido, y esta entrada está en el plano: llévela primero al espacio.</translation>
+    </message>
+    <message>
         <source>Reading “%1”…</source>
         <translation>Leyendo «%1»…</translation>
     </message>
@@ -5624,6 +5628,14 @@
     <message>
         <source>A file is still being exported.</source>
         <translation>Todavía se está exportando un archivo.</translation>
+    </message>
+    <message>
+        <source>&amp;Animation…</source>
+        <translation>&amp;Animación…</translation>
+    </message>
+    <message>
+        <source>Exports the motion instead, as GIF, MP4 and others.</source>
+        <translation>Exporta en su lugar el movimiento, como GIF, MP4 y otros.</translation>
     </message>
     <message>
         <source>If you stop now, no file is written.</source>
@@ -10330,6 +10342,18 @@
     <message>
         <source>One dot for every visible point of the chaos game.</source>
         <translation>Una marca por cada punto del juego del caos que está a la vista.</translation>
+    </message>
+    <message>
+        <source>Guaranteed accuracy: %1.</source>
+        <translation>Exactitud garantizada: %1.</translation>
+    </message>
+    <message>
+        <source> The shape itself measures %1 × %2.</source>
+        <translation> La figura misma mide %1 × %2.</translation>
+    </message>
+    <message>
+        <source> Shades of density need pixels: the shapes have one colour.</source>
+        <translation> Los tonos de la densidad necesitan píxeles: las formas tienen un solo color.</translation>
     </message>
     <message>
         <source> The cage bends the picture, which copies cannot reproduce: the affine fit of the cage is written instead. A PNG shows the bend.</source>

@@ -2740,6 +2740,10 @@
         <translation>Rien ne bouge encore dans cette entrée. Choisissez d’abord un mouvement dans la chronologie&#x202f;: Animation, Animer.</translation>
     </message>
     <message>
+        <source>A mesh needs a solid, and this entry lies in a plane: lift it to space first.</source>
+        <translation>Un maillage demande un solide, et cette entrée est plane : élevez-la d’abord dans l’espace.</translation>
+    </message>
+    <message>
         <source>Reading “%1”…</source>
         <translation>Lecture de «&#x202f;%1&#x202f;»…</translation>
     </message>
@@ -5624,6 +5628,14 @@
     <message>
         <source>A file is still being exported.</source>
         <translation>Un fichier est encore en cours d’exportation.</translation>
+    </message>
+    <message>
+        <source>&amp;Animation…</source>
+        <translation>&amp;Animation…</translation>
+    </message>
+    <message>
+        <source>Exports the motion instead, as GIF, MP4 and others.</source>
+        <translation>Exporte plutôt le mouvement, en GIF, MP4 et autres.</translation>
     </message>
     <message>
         <source>If you stop now, no file is written.</source>
@@ -10330,6 +10342,18 @@
     <message>
         <source>One dot for every visible point of the chaos game.</source>
         <translation>Un point dessiné pour chaque point visible du jeu du chaos.</translation>
+    </message>
+    <message>
+        <source>Guaranteed accuracy: %1.</source>
+        <translation>Précision garantie : %1.</translation>
+    </message>
+    <message>
+        <source> The shape itself measures %1 × %2.</source>
+        <translation> La forme elle-même mesure %1 × %2.</translation>
+    </message>
+    <message>
+        <source> Shades of density need pixels: the shapes have one colour.</source>
+        <translation> Les nuances de densité demandent des pixels : les formes ont une seule couleur.</translation>
     </message>
     <message>
         <source> The cage bends the picture, which copies cannot reproduce: the affine fit of the cage is written instead. A PNG shows the bend.</source>

@@ -2745,6 +2745,10 @@
         <translation>Во овој запис сè уште ништо не се движи. Прво изберете движење во временската лента: Анимација, Анимирај.</translation>
     </message>
     <message>
+        <source>A mesh needs a solid, and this entry lies in a plane: lift it to space first.</source>
+        <translation>Тело за печатење постои само во просторот, а овој запис лежи во рамнина: прво подигнете го во просторот.</translation>
+    </message>
+    <message>
         <source>Reading “%1”…</source>
         <translation>Се чита „%1“…</translation>
     </message>
@@ -5634,6 +5638,14 @@
     <message>
         <source>A file is still being exported.</source>
         <translation>Датотека сè уште се извезува.</translation>
+    </message>
+    <message>
+        <source>&amp;Animation…</source>
+        <translation>&amp;Анимација…</translation>
+    </message>
+    <message>
+        <source>Exports the motion instead, as GIF, MP4 and others.</source>
+        <translation>Наместо тоа го извезува движењето, како GIF, MP4 и други.</translation>
     </message>
     <message>
         <source>If you stop now, no file is written.</source>
@@ -10355,6 +10367,18 @@
     <message>
         <source>One dot for every visible point of the chaos game.</source>
         <translation>По една точка за секоја видлива точка од играта на хаосот.</translation>
+    </message>
+    <message>
+        <source>Guaranteed accuracy: %1.</source>
+        <translation>Гарантирана точност: %1.</translation>
+    </message>
+    <message>
+        <source> The shape itself measures %1 × %2.</source>
+        <translation> Самата форма мери %1 × %2.</translation>
+    </message>
+    <message>
+        <source> Shades of density need pixels: the shapes have one colour.</source>
+        <translation> Нијансите на густината бараат пиксели: формите имаат само една боја.</translation>
     </message>
     <message>
         <source> The cage bends the picture, which copies cannot reproduce: the affine fit of the cage is written instead. A PNG shows the bend.</source>

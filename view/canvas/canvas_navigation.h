@@ -32,11 +32,13 @@ public:
     void adoptViewport() override;
     QPointF middle() const override;
 
-    // The attractor into the view, and the cage where that leaves the attractor at least half as large, else
-    // those of its corners that lie just outside. Of an animation, whatever it shows from its first moment to
-    // its last. That of many maps may come into view a little later.
+    // The attractor into the view, and the cage where that leaves the attractor at least half as large, or
+    // did before the cage was dragged; else those of its corners that lie just outside. Of an animation,
+    // whatever it shows from its first moment to its last. That of many maps may come into view a little
+    // later.
     void fit() override;
-    void fitCorners(); // includes all corners of the cage, however small that makes the attractor
+    // The same with all corners of the cage and of what is held, however small that makes the attractor.
+    void fitCorners();
     // A box to fit into the view together with the attractor, such as the target of a collage.
     void setFittedToo(const std::optional<document::Box>& box) { m_fittedToo = box; }
     bool isFitted() const override { return m_isFitted; }

@@ -172,7 +172,7 @@ void CanvasView::followDocument(const document::Change& change) {
 }
 
 bool CanvasView::areCornersInView() const {
-    return m_scene->marks().borderArrows().arrows().empty();
+    return borderArrows(m_scene->cagePolygon(), m_scene->sceneRect()).empty();
 }
 
 // A command that takes corners out of a view that showed them all fits the view. A drag may leave it: the

@@ -18,6 +18,7 @@
 #include <QMenuBar>
 #include <QPainter>
 #include <QPixmap>
+#include <QPointer>
 #include <QRegularExpression>
 #include <QSet>
 #include <QStandardItemModel>
@@ -315,7 +316,10 @@ void CommandPalette::run() {
         shown->show();
         shown->raise();
     }
-    if (!isPanel || !action->isChecked()) action->trigger(); // never closes a panel
+    const QPointer<QAction> alive(action);
+    action->setProperty(searchedWords, m_search->text().simplified());
+    if (!isPanel || !action->isChecked()) action->trigger(); // nobody asks for a panel to close it
+    if (alive) action->setProperty(searchedWords, {});
 }
 
 // The frame is that of a menu, because the colour is that of the window behind.

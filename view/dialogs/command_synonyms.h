@@ -19,4 +19,7 @@ std::span<const CommandSynonyms> commandSynonyms();
 // where there are none.
 QString synonymsOf(const QString& name);
 
+// A property of an action while the command palette triggers it: the words that were typed.
+inline constexpr char searchedWords[] = "searchedWords";
+
 } // namespace view

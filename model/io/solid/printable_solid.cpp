@@ -139,10 +139,33 @@ private:
 
     bool fits(double voxel) {
         m_side = gridShare * voxel;
-        const double thicker = std::ceil((m_options.wall / m_side - 1) / 2);
+        const double thicker = std::ceil((m_options.wall * mostGrowth() / m_side - 1) / 2);
         if (!(thicker < double(SolidOptions::maxResolution))) return false;
         m_dilation = std::max(0, int(thicker));
         return attractor::fitsGrid(request());
+    }
+
+    // Bound of the longest side of the mesh relative to that of the attractor, which takes the wall's room
+    // and that of the voxels at both ends. The mesh shrinks by so much at most, and its walls with it.
+    double mostGrowth() const {
+        if (!(m_options.longest > 0)) return 1;
+        const double room = 1 - m_options.wall / m_longest;
+        return room > 0 ? (1 + 4 * m_side / m_longest) / room : HUGE_VAL;
+    }
+
+    // The longest side is what was asked, though the mesh is larger than the attractor.
+    void shrink() {
+        SolidFacts& facts = m_solid.facts;
+        const double longest = facts.size.maxCoeff();
+        if (!(m_options.longest > 0) || !(longest > 0)) return;
+        const double factor = m_options.longest / longest;
+        m_solid.origin *= factor;
+        m_solid.unit *= factor;
+        facts.size *= factor;
+        for (double* length : {&facts.voxel, &facts.dilation, &facts.bound})
+            *length *= factor;
+        for (double* volume : {&facts.volume, &facts.cavityVolume})
+            *volume *= factor * factor * factor;
     }
 
     QString excess() {
@@ -188,6 +211,7 @@ private:
         facts.triangles = m_solid.mesh.triangles.size();
         facts.volume = enclosedVolume(m_solid.mesh) * std::pow(m_solid.unit, 3);
         facts.size = sizeOf();
+        shrink();
         if (m_solid.mesh.triangles.empty() || flawOf(m_solid.mesh) != attractor::SurfaceFlaw::None)
             m_solid.failure =
                 Text::tr("The surface of “%1” is not closed, so it was not written.").arg(m_fractal.name);

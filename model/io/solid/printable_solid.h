@@ -17,10 +17,10 @@ struct SolidOptions {
     static constexpr int maxResolution = 4096;
     static constexpr int leastOffered = 8; // least resolution at which anything is recognisable
 
-    double longest = 0;   // longest side of the attractor's box; 0: one unit of the system is a millimetre
-    double voxel = 0;     // h; 0: from `resolution`
-    int resolution = 128; // longest side divided by h
-    double wall = 0;      // diameter of a ball inside the body around every point of it
+    double longest = 0;   // of the sides of the mesh; 0: one unit of the system is a millimetre
+    double voxel = 0;     // h, or a little less with a longest side; 0: by the resolution
+    int resolution = 128; // h is the longest side divided by this
+    double wall = 0;      // every point of the body lies in a ball of this diameter within it
     bool fillsCavities = false;
 };
 

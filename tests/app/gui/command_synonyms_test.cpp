@@ -2,11 +2,16 @@
 #include "dialogs/command_synonyms.h"
 
 #include "app/gui/window_fixture.h"
+#include "attractor/space_systems.h"
 #include "dialogs/command_palette.h"
+#include "dialogs/export/space_export_dialog.h"
 #include "dialogs/guide.h"
+#include "io/solid/mesh_writer.h"
 #include "support/languages.h"
 #include "support/named_test.h"
+#include "widgets/choices.h"
 
+#include <QComboBox>
 #include <QLineEdit>
 #include <QListView>
 #include <QTest>
@@ -21,7 +26,15 @@ private slots:
     void eachIsOfACommand();
     void wordsOfOthersFindTheirCommand_data();
     void wordsOfOthersFindTheirCommand();
+    void aMeshIsExportedWhereThereIsASolid();
     void theGuideOpensWithTheWords();
+
+private:
+    void run(const QString& words) const {
+        view::CommandPalette palette(view::actionsOf(*m_window));
+        palette.findChild<QLineEdit*>()->setText(words);
+        QTest::keyClick(palette.findChild<QLineEdit*>(), Qt::Key_Return);
+    }
 };
 
 void CommandSynonymsTest::eachIsOfACommand_data() {
@@ -83,6 +96,21 @@ void CommandSynonymsTest::wordsOfOthersFindTheirCommand() {
                      .section(QStringLiteral(" › "), -1)
                      .section(QStringLiteral("    "), 0, 0);
     QVERIFY2(found.contains(command), qPrintable(found.join(u'|')));
+}
+
+// Whatever was exported last.
+void CommandSynonymsTest::aMeshIsExportedWhereThereIsASolid() {
+    run(QStringLiteral("stl"));
+    QVERIFY(!m_window->findChild<view::ExportShell*>()); // of a picture in the plane
+    document::Fractal solid;
+    solid.name = QStringLiteral("menger");
+    solid.shape = document::Shape<3>{systems::menger()};
+    m_window->document().setFile(document::fileOf(solid));
+    run(QStringLiteral("obj"));
+    const auto* dialog = m_window->findChild<view::SpaceExportDialog*>();
+    QVERIFY(dialog);
+    QVERIFY(view::chosenValue<view::SpaceExportDialog::Format>(dialog->findChild<QComboBox*>()) ==
+            view::SpaceExportDialog::Format(io::MeshFormat::Obj));
 }
 
 void CommandSynonymsTest::theGuideOpensWithTheWords() {

@@ -209,7 +209,11 @@ void CanvasScene::requestLayout() {
 void CanvasScene::layoutItems() {
     m_isLayoutStale = false;
     m_cageItem->setPolygon(cagePolygon());
-    m_marks.borderArrows().setArrows(borderArrows(cagePolygon(), sceneRect()));
+    // Corners of several maps have the numbers of those of the cage.
+    std::vector<BorderArrow> arrows = borderArrows(pixelsOf(m_camera, m_handles.heldPoints()), sceneRect());
+    for (BorderArrow& arrow : arrows)
+        arrow.vertex %= int(m_handles.vertexCount());
+    m_marks.borderArrows().setArrows(std::move(arrows));
     layoutFrames();
     layoutPaths();
     layoutKnobs();
@@ -357,7 +361,7 @@ void CanvasScene::updateVisibility() {
         item->setVisible(m_overlaysVisible);
     const bool cage = m_overlaysVisible && m_cageVisible && m_handles.cage();
     m_cageItem->setVisible(cage);
-    m_marks.borderArrows().setVisible(cage && m_handles.target() == HandleTarget::Cage);
+    m_marks.borderArrows().setVisible(cage);
     m_mapFrames->setVisible(cage);
     m_pathItem->setVisible(cage);
     m_symmetryItem->setVisible(cage);

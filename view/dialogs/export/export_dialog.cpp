@@ -6,6 +6,7 @@
 #include "dialogs/export/export_size_editor.h"
 #include "dialogs/export/large_export.h"
 #include "document/fractal/fractal_geometry.h"
+#include "document/moments/animated_fractal.h"
 #include "document/text/text.h"
 #include "ifs/copies/copy_hierarchy.h"
 #include "io/file/background.h"
@@ -21,6 +22,7 @@
 #include <QFormLayout>
 #include <QLabel>
 #include <QLocale>
+#include <QPushButton>
 #include <QSpinBox>
 
 #include <algorithm>
@@ -60,6 +62,26 @@ std::optional<Kind> kindOf(const QString& path) {
     return std::nullopt;
 }
 
+// Pixels as they are, or in millimetres on paper.
+QString lengthOf(double pixels, const ExportSizeEditor& size) {
+    return size.isOnPaper() ? ExportDialog::tr("%1 mm").arg(25.4 * pixels / size.dotsPerInch(), 0, 'f', 3)
+                            : ExportDialog::tr("%1 px").arg(pixels, 0, 'f', 2);
+}
+
+// A maker measures the shape, not the page around it. Empty where its box is not known or not all of it is
+// on the page.
+QString sizeOfShape(const document::Fractal& fractal, const attractor::Camera& camera,
+                    const ExportSizeEditor& size) {
+    const auto box = camera.rotation == 0 ? document::displayedBox(fractal) : std::nullopt;
+    if (!box) return {};
+    const ifs::Vector<2> page = ifs::Vector<2>(camera.width, camera.height) / camera.pixelsPerUnit;
+    const ifs::Vector<2> low = camera.centre - page / 2, high = camera.centre + page / 2;
+    if ((box->min.array() < low.array()).any() || (box->max.array() > high.array()).any()) return {};
+    const ifs::Vector<2> pixels = camera.pixelsPerUnit * (box->max - box->min);
+    return ExportDialog::tr(" The shape itself measures %1 × %2.")
+        .arg(lengthOf(pixels.x(), size), lengthOf(pixels.y(), size));
+}
+
 } // namespace
 
 ExportDialog::ExportDialog(document::Document* document, const attractor::Camera& camera, QWidget* parent)
@@ -73,6 +95,9 @@ ExportDialog::ExportDialog(document::Document* document, const attractor::Camera
     createFormat();
     lay(m_options, m_preview, Qt::Horizontal);
     setStartHelp(tr("Asks for a file name and writes the file. You can keep working in the meantime."));
+    if (document::animationFacts(document->entryFractal()))
+        addButton(Text::tr("&Animation…"), Text::tr("Exports the motion instead, as GIF, MP4 and others."))
+            ->setObjectName(QStringLiteral("animation"));
     addQueueButton(tr("Asks for a file name and adds the picture to the queue in the Exports panel. "
                       "The queue continues after a restart."));
     m_planTimer.setSingleShot(true);
@@ -190,6 +215,8 @@ void ExportDialog::createSvgOptions() {
     m_plan->setWordWrap(true);
     m_plan->setAlignment(Qt::AlignTop | Qt::AlignLeft);
     m_plan->setAccessibleName(tr("Description of the picture"));
+    if (const auto style = ifs::named<io::ShapeStyle>(last().more.toStdString()))
+        chooseValue(m_style, *style);
     m_form->addRow(tr("S&hapes:"), m_style);
     m_form->addRow(tr("&Points:"), m_points);
     m_form->addRow(tr("&Depth:"), m_depth);
@@ -353,16 +380,21 @@ void ExportDialog::showSvgPlan() {
         const QSignalBlocker quiet(m_depth);
         m_depth->setValue(plan.depth);
     }
+    const bool isOneColour = m_fractal.appearance.colourBy == attractor::ColourBy::Density;
+    const QString colours =
+        isOneColour ? tr(" Shades of density need pixels: the shapes have one colour.") : QString();
     if (style() == io::ShapeStyle::Points) {
-        showPlan(tr("One dot for every visible point of the chaos game."));
+        showPlan(tr("One dot for every visible point of the chaos game.") + colours);
         return;
     }
-    const QString accuracy =
-        m_size->isOnPaper() ? tr("%1 mm").arg(25.4 * plan.errorInPixels / m_size->dotsPerInch(), 0, 'f', 3)
-                            : tr("%1 px").arg(plan.errorInPixels, 0, 'f', 2);
-    showPlan(tr("Guaranteed accuracy: %2. Copies drawn by programs that open the file: %1 (the limit is %3).")
-                 .arg(groupedNumber(double(plan.references)), accuracy,
-                      groupedNumber(double(ifs::CopyHierarchy::maxReferences))) +
+    const bool isOutline = style() == io::ShapeStyle::Outline;
+    const QString accuracy = lengthOf(plan.errorInPixels, *m_size);
+    const QString text = isOutline ? tr("Guaranteed accuracy: %1.").arg(accuracy)
+                                   : tr("Guaranteed accuracy: %2. Copies drawn by programs that open the "
+                                        "file: %1 (the limit is %3).")
+                                         .arg(groupedNumber(double(plan.references)), accuracy,
+                                              groupedNumber(double(ifs::CopyHierarchy::maxReferences)));
+    showPlan(text + (isOutline ? sizeOfShape(m_fractal, camera(), *m_size) : colours) +
              (plan.isCutShort
                   ? tr(" More levels would be more accurate, but programs would take long to draw them.")
                   : QString()) +
@@ -405,7 +437,8 @@ QString ExportDialog::chosenFile() {
     const QString filter =
         QStringLiteral("%1 (*.%2)").arg(suffix.toUpper(), suffixes.join(QStringLiteral(" *.")));
     const QString path = chooseFile({.title = tr("Export Picture"), .suffix = suffix, .filter = filter});
-    if (const auto kind = kindOf(path)) remember({kind->suffixes.first(), m_size->choice()}, path);
+    const QString shapes = isSvg() ? QString::fromLatin1(ifs::nameOf(style())) : QString();
+    if (const auto kind = kindOf(path)) remember({kind->suffixes.first(), m_size->choice(), shapes}, path);
     return path;
 }
 
