@@ -9401,8 +9401,8 @@
 <context>
     <name>view::CommandSynonyms</name>
     <message>
-        <source>render save image picture png svg pdf jpeg tiff webp exr poster wallpaper stl obj ply glb mesh print 3d</source>
-        <translation>rendern speichern Bild png svg pdf jpeg tiff Poster Plakat Hintergrundbild stl obj ply Netz 3d-Druck</translation>
+        <source>render save image picture png svg pdf jpeg tiff webp exr poster wallpaper stl obj ply glb mesh print 3d laser plotter cutter engrave dxf outline vector transparent millimetres</source>
+        <translation>rendern speichern Bild png svg pdf jpeg tiff Poster Plakat Hintergrundbild stl obj ply Netz 3d-Druck Laser Plotter Schneideplotter gravieren dxf Umriss Vektor transparent durchsichtig Millimeter</translation>
     </message>
     <message>
         <source>render video movie film mp4 webm gif apng frames cluster slurm</source>
@@ -9437,8 +9437,8 @@
         <translation>spiegeln umdrehen auf den Kopf kippen</translation>
     </message>
     <message>
-        <source>rotate scale shear move shift turn size</source>
-        <translation>drehen skalieren scheren verschieben Größe</translation>
+        <source>flip mirror reflect | rotate scale shear move shift turn size</source>
+        <translation>spiegeln Spiegelung umklappen | drehen skalieren scheren verschieben Größe</translation>
     </message>
     <message>
         <source>undo original restore straighten</source>
@@ -9519,6 +9519,26 @@
     <message>
         <source>shade silhouette drop cast ground light sun</source>
         <translation>Schattenwurf Silhouette Boden Licht Sonne dunkel</translation>
+    </message>
+    <message>
+        <source>share send browser html embed publish interactive</source>
+        <translation>teilen senden Browser html einbetten veröffentlichen interaktiv</translation>
+    </message>
+    <message>
+        <source>share send email mail post message url</source>
+        <translation>teilen senden verschicken E-Mail Mail Nachricht url</translation>
+    </message>
+    <message>
+        <source>dimension proof certificate | prove certified Hausdorff area measure overlap connected</source>
+        <translation>Dimension Beweis Zertifikat | beweisen bewiesen Hausdorff Fläche Maß Überlappung zusammenhängend</translation>
+    </message>
+    <message>
+        <source>colours palette gradient hue background transparent brightness</source>
+        <translation>Farben Palette Verlauf Farbton Hintergrund durchsichtig Helligkeit</translation>
+    </message>
+    <message>
+        <source>reorder rearrange order sort</source>
+        <translation>umordnen anordnen Reihenfolge sortieren</translation>
     </message>
 </context>
 <context>

@@ -9401,8 +9401,8 @@
 <context>
     <name>view::CommandSynonyms</name>
     <message>
-        <source>render save image picture png svg pdf jpeg tiff webp exr poster wallpaper stl obj ply glb mesh print 3d</source>
-        <translation>renderizar guardar imagen png svg pdf jpeg tiff póster cartel fondo stl obj ply malla impresión 3d</translation>
+        <source>render save image picture png svg pdf jpeg tiff webp exr poster wallpaper stl obj ply glb mesh print 3d laser plotter cutter engrave dxf outline vector transparent millimetres</source>
+        <translation>renderizar guardar imagen png svg pdf jpeg tiff póster cartel fondo stl obj ply malla impresión 3d láser plóter trazador cortadora grabar dxf contorno vectorial transparente milímetros</translation>
     </message>
     <message>
         <source>render video movie film mp4 webm gif apng frames cluster slurm</source>
@@ -9437,8 +9437,8 @@
         <translation>espejo reflejar invertir boca abajo</translation>
     </message>
     <message>
-        <source>rotate scale shear move shift turn size</source>
-        <translation>rotar girar escalar cizallar mover tamaño</translation>
+        <source>flip mirror reflect | rotate scale shear move shift turn size</source>
+        <translation>voltear reflejar espejo | rotar girar escalar cizallar mover tamaño</translation>
     </message>
     <message>
         <source>undo original restore straighten</source>
@@ -9519,6 +9519,26 @@
     <message>
         <source>shade silhouette drop cast ground light sun</source>
         <translation>silueta suelo luz sol proyectar oscuro</translation>
+    </message>
+    <message>
+        <source>share send browser html embed publish interactive</source>
+        <translation>compartir enviar navegador html insertar publicar interactivo</translation>
+    </message>
+    <message>
+        <source>share send email mail post message url</source>
+        <translation>compartir enviar correo email mensaje url</translation>
+    </message>
+    <message>
+        <source>dimension proof certificate | prove certified Hausdorff area measure overlap connected</source>
+        <translation>dimensión demostración certificado | demostrar Hausdorff área medida solapamiento conexo</translation>
+    </message>
+    <message>
+        <source>colours palette gradient hue background transparent brightness</source>
+        <translation>colores paleta degradado tono fondo transparente brillo</translation>
+    </message>
+    <message>
+        <source>reorder rearrange order sort</source>
+        <translation>reordenar ordenar orden</translation>
     </message>
 </context>
 <context>

@@ -9401,8 +9401,8 @@
 <context>
     <name>view::CommandSynonyms</name>
     <message>
-        <source>render save image picture png svg pdf jpeg tiff webp exr poster wallpaper stl obj ply glb mesh print 3d</source>
-        <translation>rendu rendre enregistrer image png svg pdf jpeg tiff poster affiche fond stl obj ply maillage impression 3d</translation>
+        <source>render save image picture png svg pdf jpeg tiff webp exr poster wallpaper stl obj ply glb mesh print 3d laser plotter cutter engrave dxf outline vector transparent millimetres</source>
+        <translation>rendu rendre enregistrer image png svg pdf jpeg tiff poster affiche fond stl obj ply maillage impression 3d laser traceur découpe graver dxf contour vectoriel transparent millimètres</translation>
     </message>
     <message>
         <source>render video movie film mp4 webm gif apng frames cluster slurm</source>
@@ -9437,8 +9437,8 @@
         <translation>miroir refléter retourner à l’envers</translation>
     </message>
     <message>
-        <source>rotate scale shear move shift turn size</source>
-        <translation>tourner pivoter agrandir cisailler déplacer taille</translation>
+        <source>flip mirror reflect | rotate scale shear move shift turn size</source>
+        <translation>retourner miroir refléter symétrie | tourner pivoter agrandir cisailler déplacer taille</translation>
     </message>
     <message>
         <source>undo original restore straighten</source>
@@ -9519,6 +9519,26 @@
     <message>
         <source>shade silhouette drop cast ground light sun</source>
         <translation>silhouette sol lumière soleil projeter sombre</translation>
+    </message>
+    <message>
+        <source>share send browser html embed publish interactive</source>
+        <translation>partager envoyer navigateur html intégrer publier interactif</translation>
+    </message>
+    <message>
+        <source>share send email mail post message url</source>
+        <translation>partager envoyer courriel e-mail mail message url</translation>
+    </message>
+    <message>
+        <source>dimension proof certificate | prove certified Hausdorff area measure overlap connected</source>
+        <translation>dimension preuve certificat | prouver démontrer Hausdorff aire mesure recouvrement connexe</translation>
+    </message>
+    <message>
+        <source>colours palette gradient hue background transparent brightness</source>
+        <translation>couleurs palette dégradé teinte fond transparent luminosité</translation>
+    </message>
+    <message>
+        <source>reorder rearrange order sort</source>
+        <translation>réordonner réorganiser ordre trier</translation>
     </message>
 </context>
 <context>

@@ -9419,8 +9419,8 @@
 <context>
     <name>view::CommandSynonyms</name>
     <message>
-        <source>render save image picture png svg pdf jpeg tiff webp exr poster wallpaper stl obj ply glb mesh print 3d</source>
-        <translation>рендер зачувај слика png svg pdf jpeg tiff постер плакат позадина stl obj ply мрежа 3d печатење</translation>
+        <source>render save image picture png svg pdf jpeg tiff webp exr poster wallpaper stl obj ply glb mesh print 3d laser plotter cutter engrave dxf outline vector transparent millimetres</source>
+        <translation>рендер зачувај слика png svg pdf jpeg tiff постер плакат позадина stl obj ply мрежа 3d печатење ласер плотер секач гравирај dxf контура вектор проѕирно милиметри</translation>
     </message>
     <message>
         <source>render video movie film mp4 webm gif apng frames cluster slurm</source>
@@ -9455,8 +9455,8 @@
         <translation>огледало пресликај преврти наопаку</translation>
     </message>
     <message>
-        <source>rotate scale shear move shift turn size</source>
-        <translation>ротирај заврти размер искоси помести големина</translation>
+        <source>flip mirror reflect | rotate scale shear move shift turn size</source>
+        <translation>преврти огледало пресликај | ротирај заврти размер искоси помести големина</translation>
     </message>
     <message>
         <source>undo original restore straighten</source>
@@ -9537,6 +9537,26 @@
     <message>
         <source>shade silhouette drop cast ground light sun</source>
         <translation>силуета под светлина сонце темно</translation>
+    </message>
+    <message>
+        <source>share send browser html embed publish interactive</source>
+        <translation>сподели испрати прелистувач html вгради објави интерактивно</translation>
+    </message>
+    <message>
+        <source>share send email mail post message url</source>
+        <translation>сподели испрати пошта имејл порака url</translation>
+    </message>
+    <message>
+        <source>dimension proof certificate | prove certified Hausdorff area measure overlap connected</source>
+        <translation>димензија доказ сертификат | докажи Хаусдорф плоштина мера преклопување поврзано</translation>
+    </message>
+    <message>
+        <source>colours palette gradient hue background transparent brightness</source>
+        <translation>бои палета прелив нијанса позадина проѕирно осветленост</translation>
+    </message>
+    <message>
+        <source>reorder rearrange order sort</source>
+        <translation>прередување редослед подреди сортирај</translation>
     </message>
 </context>
 <context>

@@ -19,4 +19,7 @@ std::span<const CommandSynonyms> commandSynonyms();
 // where there are none.
 QString synonymsOf(const QString& name);
 
+// Those of them by which it comes first, even if others have them in their names.
+QString firstSynonymsOf(const QString& name);
+
 } // namespace view
