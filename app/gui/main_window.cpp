@@ -112,6 +112,7 @@ MainWindow::MainWindow(QWidget* parent)
     setTabPosition(Qt::RightDockWidgetArea, QTabWidget::East);
     setCentralWidget(m_stage);
     setStatusBar(m_status);
+    m_status->follow(m_document);
 
     adopt(view::Preferences::stored());
     createMenus();
