@@ -3753,19 +3753,19 @@
 <context>
     <name>PlacementBanner</name>
     <message>
-        <source>Saved with a placement</source>
-        <translation>Зачувано со поставеност</translation>
+        <source>Saved with dragged corners</source>
+        <translation>Зачувано со поместени темиња</translation>
     </message>
     <message>
-        <source>Other programs will draw “%1” where its code puts it, without your placement, which is stored in comments. Bake writes it into the code.</source>
-        <translation>Другите програми ќе го нацртаат „%1“ онаму каде што го става неговиот код, без вашата поставеност, која е запишана во коментари. „Впиши во кодот“ ја внесува таму.</translation>
+        <source>Other programs will show “%1” without your dragged corners, which are saved as comments. Bake puts them into the numbers that every program reads.</source>
+        <translation>Другите програми ќе го покажат „%1“ без темињата што ги поместивте, кои се запишани во коментари. „Впиши во кодот“ ги внесува во броевите што ги чита секоја програма.</translation>
     </message>
     <message numerus="yes">
-        <source>Other programs will draw %n entries where their code puts them, without your placements, which are stored in comments. Bake writes them into the code.</source>
+        <source>Other programs will show %n entries without your dragged corners, which are saved as comments. Bake puts them into the numbers that every program reads.</source>
         <translation>
-            <numerusform>Другите програми ќе нацртаат %n запис онаму каде што го става неговиот код, без вашата поставеност, која е запишана во коментари. „Впиши во кодот“ ја внесува таму.</numerusform>
-            <numerusform>Другите програми ќе нацртаат %n записи онаму каде што ги става нивниот код, без вашите поставености, кои се запишани во коментари. „Впиши во кодот“ ги внесува таму.</numerusform>
-            <numerusform>Другите програми ќе нацртаат %n записи онаму каде што ги става нивниот код, без вашите поставености, кои се запишани во коментари. „Впиши во кодот“ ги внесува таму.</numerusform>
+            <numerusform>Другите програми ќе покажат %n запис без темињата што ги поместивте, кои се запишани во коментари. „Впиши во кодот“ ги внесува во броевите што ги чита секоја програма.</numerusform>
+            <numerusform>Другите програми ќе покажат %n записи без темињата што ги поместивте, кои се запишани во коментари. „Впиши во кодот“ ги внесува во броевите што ги чита секоја програма.</numerusform>
+            <numerusform>Другите програми ќе покажат %n записи без темињата што ги поместивте, кои се запишани во коментари. „Впиши во кодот“ ги внесува во броевите што ги чита секоја програма.</numerusform>
         </translation>
     </message>
     <message>
@@ -3787,6 +3787,10 @@
     <message>
         <source>Not baked, because no code has this picture or keys move it: %1.</source>
         <translation>Не е впишано, бидејќи ниеден код не ја дава оваа слика или ја движат клучеви: %1.</translation>
+    </message>
+    <message>
+        <source>This cage cannot be baked: it bends or flattens the picture, or keys move it.</source>
+        <translation>Овој кафез не може да се впише во кодот: ја криви или ја сплескува сликата, или го движат клучеви.</translation>
     </message>
 </context>
 <context>
@@ -7038,7 +7042,7 @@
         <translation>Овој запис не е систем во рамнината, па нема контролен кафез.</translation>
     </message>
     <message>
-        <source>The cage is too flat to be inverted. Open it by dragging a vertex, or reset it, and try again.</source>
+        <source>The cage is too flat to be inverted. Open it by dragging a corner, or reset it, and try again.</source>
         <translation>Кафезот е премногу сплескан за да може да се врати. Раширете го со влечење на некое теме или вратете го во мирување, па обидете се повторно.</translation>
     </message>
     <message>
@@ -7192,10 +7196,6 @@
         <translation>Копирај со сите цифри</translation>
     </message>
     <message>
-        <source>Copy All Properties</source>
-        <translation>Копирај ги сите својства</translation>
-    </message>
-    <message>
         <source>Copies the name and the value of every line, at full precision.</source>
         <translation>Го копира секој ред како име и вредност со сите цифри.</translation>
     </message>
@@ -7290,6 +7290,10 @@
     <message>
         <source>Opens the user guide where it explains how the pieces of an attractor meet.</source>
         <translation>Го отвора упатството таму каде што објаснува како се допираат деловите на атракторот.</translation>
+    </message>
+    <message>
+        <source>Copied.</source>
+        <translation>Копирано.</translation>
     </message>
 </context>
 <context>
@@ -8373,11 +8377,11 @@
         <translation>Поместување на %1 темиња</translation>
     </message>
     <message>
-        <source>Select a vertex first.</source>
+        <source>Select a corner first.</source>
         <translation>Прво изберете теме.</translation>
     </message>
     <message>
-        <source>To insert a vertex, point to an edge or select a vertex.</source>
+        <source>To insert a corner, point to an edge or select a corner.</source>
         <translation>За да вметнете теме, покажете на страна или изберете теме.</translation>
     </message>
 </context>
@@ -8416,7 +8420,7 @@
         <translation>Нацртано со помалку итерации од бараните: за повеќе би требало повеќе меморија од дозволената.</translation>
     </message>
     <message>
-        <source>The cage is flat, and so is the picture. Drag a vertex to open it: nothing is lost.</source>
+        <source>The cage is flat, and so is the picture. Drag a corner to open it: nothing is lost.</source>
         <translation>Кафезот е сплескан, па и сликата. Повлечете некое теме за да го раширите: ништо не се губи.</translation>
     </message>
     <message>
@@ -9749,15 +9753,15 @@
 <context>
     <name>view::DefineTool</name>
     <message>
-        <source>Click the first of the three vertices. The picture stays where it is; Esc cancels.</source>
+        <source>Click the first of the three corners. The picture stays where it is; Esc cancels.</source>
         <translation>Кликнете на првото од трите темиња. Сликата останува каде што е; Esc откажува.</translation>
     </message>
     <message>
-        <source>Click the second vertex. Backspace removes the last point.</source>
+        <source>Click the second corner. Backspace removes the last point.</source>
         <translation>Кликнете на второто теме. Backspace ја брише последната точка.</translation>
     </message>
     <message>
-        <source>Click the third vertex. Backspace removes the last point.</source>
+        <source>Click the third corner. Backspace removes the last point.</source>
         <translation>Кликнете на третото теме. Backspace ја брише последната точка.</translation>
     </message>
 </context>
@@ -10261,8 +10265,8 @@
         <translation>&amp;Проѕирна позадина</translation>
     </message>
     <message>
-        <source>Include the control t&amp;riangle</source>
-        <translation>Вклучи го &amp;контролниот триаголник</translation>
+        <source>Include the ca&amp;ge</source>
+        <translation>Вклучи го &amp;кафезот</translation>
     </message>
     <message>
         <source>&amp;Format:</source>
@@ -11933,6 +11937,10 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
         <source>No map has a choice of what follows it, so only single points are drawn.</source>
         <translation>По секое пресликување може да следи само едно, па се цртаат само поединечни точки.</translation>
     </message>
+    <message>
+        <source>Row: the map before. Column: the map after.</source>
+        <translation>Ред: пресликувањето претходно. Колона: следното.</translation>
+    </message>
 </context>
 <context>
     <name>view::MapBlendRow</name>
@@ -12876,8 +12884,8 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
         <translation>Постави клучеви</translation>
     </message>
     <message>
-        <source>Show the tracks, to make keys of your own</source>
-        <translation>Прикажи ги патеките за да поставите свои клучеви</translation>
+        <source>Make a first key, and show the tracks</source>
+        <translation>Постави прв клуч и прикажи ги патеките</translation>
     </message>
     <message>
         <source>Or set a key, move the playhead, and change the fractal.</source>
@@ -15571,8 +15579,8 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
         <translation>Под вода</translation>
     </message>
     <message>
-        <source>Breathing</source>
-        <translation>Здив</translation>
+        <source>Calm</source>
+        <translation>Мирно</translation>
     </message>
     <message>
         <source>Add Motion</source>
@@ -15714,7 +15722,7 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
         <translation>Опции на алатката</translation>
     </message>
     <message>
-        <source>Drag a corner, an edge or the inside of the cage.  Ctrl rotates  ·  Alt scales  ·  Shift keeps directions  ·  double-click an edge for a new vertex</source>
+        <source>Drag a corner, an edge or the inside of the cage.  Ctrl rotates  ·  Alt scales  ·  Shift keeps directions  ·  double-click an edge for a new corner</source>
         <translation>Влечете теме, раб или внатрешност на кафезот.  Ctrl врти  ·  Alt менува големина  ·  Shift ги задржува правците  ·  двоен клик на раб: ново теме</translation>
     </message>
     <message>
