@@ -52,6 +52,7 @@ private:
     QComboBox* m_loop;
     QLabel* m_pictures;            // how many a second
     QList<QWidget*> m_dispensable; // the first ones first
+    bool m_hasComplained = false;  // of the rate that was typed last
     QTimer m_count;
 };
 
