@@ -23,6 +23,7 @@
 #include <QPainter>
 #include <QScrollBar>
 #include <QSet>
+#include <QSignalSpy>
 #include <QTimer>
 
 #include <algorithm>
