@@ -112,6 +112,7 @@ MainWindow::MainWindow(QWidget* parent)
     setTabPosition(Qt::RightDockWidgetArea, QTabWidget::East);
     setCentralWidget(m_stage);
     setStatusBar(m_status);
+    m_status->follow(m_document);
 
     adopt(view::Preferences::stored());
     createMenus();
@@ -245,6 +246,7 @@ void MainWindow::createPanels() {
             [this](const QList<document::EntryId>& ids) { FlameBanner::offer(this, m_document, ids); });
     connect(links, &view::LinksPanel::message, m_messages, &WindowMessages::say);
     connect(cage, &view::CagePanel::message, m_messages, &WindowMessages::say);
+    connect(analysis, &view::AnalysisPanel::message, m_messages, &WindowMessages::say);
     connect(appearance, &view::AppearancePanel::message, m_messages, &WindowMessages::say);
     connect(cage, &view::CagePanel::defineRequested, m_canvas,
             [this] { m_canvas->setTool(view::CanvasView::Tool::DefineTriangle); });

@@ -28,6 +28,7 @@
 #include <QVBoxLayout>
 
 #include <algorithm>
+#include <utility>
 
 namespace view {
 
@@ -142,10 +143,31 @@ QStringList wordsOf(const QString& text) {
     return text.split(separators, Qt::SkipEmptyParts);
 }
 
+// The names of commands have British spelling.
+QString british(QString word) {
+    constexpr std::pair<const char*, const char*> spellings[] = {
+        {"color", "colour"},      {"center", "centre"},         {"gray", "grey"},
+        {"analyz", "analys"},     {"maximiz", "maximis"},       {"minimiz", "minimis"},
+        {"normaliz", "normalis"}, {"millimeter", "millimetre"},
+    };
+    for (const auto& [american, here] : spellings)
+        if (word.startsWith(QLatin1String(american), Qt::CaseInsensitive))
+            word.replace(0, qsizetype(qstrlen(american)), QLatin1String(here));
+    return word;
+}
+
 template <typename Fits> bool hasEach(const QStringList& words, const QStringList& wanted, Fits fits) {
     return std::all_of(wanted.begin(), wanted.end(), [&](const QString& want) {
-        return std::any_of(words.begin(), words.end(), [&](const QString& word) { return fits(word, want); });
+        return std::any_of(words.begin(), words.end(), [&, other = british(want)](const QString& word) {
+            return fits(word, want) || fits(word, other);
+        });
     });
+}
+
+// Returns true if the words mean this command before those that have them in their names.
+bool meansFirst(const QString& title, const QString& text) {
+    const QString first = firstSynonymsOf(title.section(QStringLiteral(" › "), -1));
+    return !first.isEmpty() && !text.trimmed().isEmpty() && namesCommand(first, text);
 }
 
 } // namespace
@@ -276,11 +298,11 @@ void CommandPalette::add(const QString& text, SearchIn in, bool enabled) {
     for (qsizetype i = 0; i < m_actions.size(); ++i) {
         const auto& [action, title, panel] = m_actions[i];
         if (action->isEnabled() != enabled) continue;
-        const SearchIn found = isCommand(title, text)        ? SearchIn::Whole
-                               : namesCommand(title, text)   ? SearchIn::Words
-                               : matchesCommand(title, text) ? SearchIn::Names
-                               : meansCommand(title, text)   ? SearchIn::Synonyms
-                                                             : SearchIn::Descriptions;
+        const SearchIn found = isCommand(title, text) || meansFirst(title, text) ? SearchIn::Whole
+                               : namesCommand(title, text)                       ? SearchIn::Words
+                               : matchesCommand(title, text)                     ? SearchIn::Names
+                               : meansCommand(title, text)                       ? SearchIn::Synonyms
+                                                                                 : SearchIn::Descriptions;
         if (found != in) continue;
         if (in == SearchIn::Descriptions && !matchesCommand(title + u' ' + action->statusTip(), text))
             continue;

@@ -19,6 +19,9 @@ std::span<const CommandSynonyms> commandSynonyms();
 // where there are none.
 QString synonymsOf(const QString& name);
 
+// Those of them by which it comes first, even if others have them in their names.
+QString firstSynonymsOf(const QString& name);
+
 // A property of an action while the command palette triggers it: the words that were typed.
 inline constexpr char searchedWords[] = "searchedWords";
 

@@ -19,10 +19,12 @@
 #include <QPainter>
 #include <QStyleOption>
 #include <QToolTip>
+#include <QUndoStack>
 
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <utility>
 
 namespace {
 
@@ -93,8 +95,27 @@ StatusLine::StatusLine(QWidget* parent)
     addPermanentWidget(m_rotation);
     addPermanentWidget(m_verdict);
     addPermanentWidget(m_frame);
-    connect(this, &QStatusBar::messageChanged, this, [this] { m_toRead.setRemainingTime(toRead); });
+    connect(this, &QStatusBar::messageChanged, this, &StatusLine::noteMessage);
     QCoreApplication::instance()->installEventFilter(this);
+}
+
+void StatusLine::follow(document::Document& document) {
+    connect(&document, &document::Document::changed, this,
+            [this](const document::Change& change) { m_isLive = change.live; });
+    connect(document.undoStack(), &QUndoStack::indexChanged, this, &StatusLine::takeStep);
+}
+
+void StatusLine::noteMessage() {
+    m_toRead.setRemainingTime(toRead);
+    m_isOfDrag = m_isLive;
+    m_isNew = true;
+    QMetaObject::invokeMethod(
+        this, [this] { m_isNew = false; }, Qt::QueuedConnection);
+}
+
+// A step may be made before its message or after it.
+void StatusLine::takeStep() {
+    if (!m_isNew && !std::exchange(m_isOfDrag, false)) clearMessage();
 }
 
 // Sees keys before their receivers, so that messages about a key stay. Of a shortcut only the question

@@ -161,7 +161,7 @@ QString noteOn(const document::Fractal& fractal, attractor::RenderNote note) {
         return Notes::tr("Drawn with fewer iterations than requested: more would exceed the memory limit.");
     case attractor::RenderNote::Degenerate:
         return Notes::tr(
-            "The cage is flat, and so is the picture. Drag a vertex to open it: nothing is lost.");
+            "The cage is flat, and so is the picture. Drag a corner to open it: nothing is lost.");
     }
     return {};
 }
@@ -197,7 +197,7 @@ QString noteInSpace(const document::Fractal& fractal, attractor::RenderNote note
                          "little for an accurate picture.");
     case attractor::RenderNote::Degenerate:
         return Notes::tr(
-            "The cage is flat, and so is the picture. Drag a vertex to open it: nothing is lost.");
+            "The cage is flat, and so is the picture. Drag a corner to open it: nothing is lost.");
     }
     return {};
 }

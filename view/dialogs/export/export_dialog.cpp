@@ -133,7 +133,7 @@ void ExportDialog::createFormat() {
     m_transparent = new QCheckBox(tr("&Transparent background"), m_options);
     m_transparent->setChecked(m_fractal.appearance.background.alpha == 0);
     m_transparent->setWhatsThis(tr("The picture has no background and can be placed over another."));
-    m_triangle = new QCheckBox(tr("Include the control t&riangle"), m_options);
+    m_triangle = new QCheckBox(tr("Include the ca&ge"), m_options);
     m_triangle->setWhatsThis(tr("Draws the cage over the picture."));
     m_form = new QFormLayout(m_options);
     m_form->setContentsMargins({});

@@ -277,7 +277,7 @@ void AnalysisPanel::makeLines(qsizetype count) {
             QMenu menu(value);
             menu.addAction(tr("Copy at Full Precision"),
                            [this, i] { QGuiApplication::clipboard()->setText(m_facts.at(i).exact()); });
-            menu.addAction(tr("Copy All Properties"), this, &AnalysisPanel::copyAll);
+            menu.addAction(tr("Copy All"), this, &AnalysisPanel::copyAll);
             menu.exec(value->mapToGlobal(position));
         });
         m_lines << Line{name, value};
@@ -346,11 +346,12 @@ void AnalysisPanel::arrangeLines() {
     }
 }
 
-void AnalysisPanel::copyAll() const {
+void AnalysisPanel::copyAll() {
     QStringList lines;
     for (const Fact& fact : m_facts)
         if (!fact.value.isEmpty()) lines << fact.name + u'\t' + fact.exact();
     QGuiApplication::clipboard()->setText(lines.join(u'\n'));
+    emit message(tr("Copied."));
 }
 
 } // namespace view

@@ -34,7 +34,10 @@ public:
     // Adds a box that switches the action, and is switched by it.
     void addOutlineAction(QAction* action, const QString& text);
     const BoxCountingPlot& plot() const { return *m_plot; }
-    void copyAll() const; // lines "name<tab>value" with all digits
+    void copyAll(); // one "name<tab>value" a line, all digits
+
+signals:
+    void message(const QString& text);
 
 protected:
     void showEvent(QShowEvent* event) override;

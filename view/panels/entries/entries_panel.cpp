@@ -189,7 +189,9 @@ void EntriesPanel::showContextMenu(const QPoint& position) {
 void EntriesPanel::addEntry() {
     Entry entry;
     entry.fractal = std::make_shared<const document::Fractal>(document::sierpinskiTriangle());
-    insertEntries({entry}, m_document->currentId(), tr("Add an entry"));
+    if (insertEntries({entry}, m_document->currentId(), tr("Add an entry")).isEmpty()) return;
+    m_list->setFocus();
+    renameCurrent(); // at once: letters typed now are its name
 }
 
 void EntriesPanel::removeSelected() {

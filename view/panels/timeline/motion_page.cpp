@@ -46,7 +46,7 @@ MotionPage::MotionPage(const QList<QAction*>& actions, QWidget* parent) : QWidge
     }
     tiles->addStretch(1);
     auto* keys = new QPushButton(tr("Make Keys"));
-    keys->setToolTip(tr("Show the tracks, to make keys of your own"));
+    keys->setToolTip(tr("Make a first key, and show the tracks"));
     keys->setAutoDefault(false);
     auto* how = new QLabel(tr("Or set a key, move the playhead, and change the fractal."));
     auto* below = new QHBoxLayout; // left-aligned, to be visible in a narrow window

@@ -41,7 +41,7 @@ constexpr const char* windNames[] = {
     QT_TRANSLATE_NOOP("view::TimelinePanel", "Gusts"),
     QT_TRANSLATE_NOOP("view::TimelinePanel", "Storm"),
     QT_TRANSLATE_NOOP("view::TimelinePanel", "Under Water"),
-    QT_TRANSLATE_NOOP("view::TimelinePanel", "Breathing"),
+    QT_TRANSLATE_NOOP("view::TimelinePanel", "Calm"),
     QT_TRANSLATE_NOOP("view::TimelinePanel", "Steady Sway"),
 };
 
@@ -134,6 +134,8 @@ TimelinePanel::TimelinePanel(document::Document* document, QWidget* parent)
     connect(m_page, &MotionPage::tableWanted, this, [this] {
         showTracks();
         m_tracks->setFocus();
+        if (m_timeline.isTrack(m_timeline.row())) m_timeline.keys().set();
+        m_tracks->reveal();
     });
     connect(&m_timeline, &Timeline::changed, this, &TimelinePanel::follow);
     connect(&m_timeline, &Timeline::message, this, &TimelinePanel::message);
@@ -143,6 +145,7 @@ TimelinePanel::TimelinePanel(document::Document* document, QWidget* parent)
         if (change.parts & ~Change::Parts(Change::Time)) m_page->renew();
         if (!(change.parts & (Change::Current | Change::File))) return;
         m_wantsTracks = false;
+        m_tracks->verticalScrollBar()->setValue(0); // rows of another entry
         follow();
     });
     connect(&m_watch, &AttractorWatch::changed, this, &TimelinePanel::showLost);

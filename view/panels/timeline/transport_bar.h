@@ -50,8 +50,9 @@ private:
     QSpinBox* m_length;
     QComboBox* m_rate;
     QComboBox* m_loop;
-    QLabel* m_pictures;            // number of pictures per second
-    QList<QWidget*> m_dispensable; // widgets that can be hidden, first ones first
+    QLabel* m_pictures;            // how many a second
+    QList<QWidget*> m_dispensable; // the first ones first
+    bool m_hasComplained = false;  // of the rate that was typed last
     QTimer m_count;
 };
 
