@@ -38,6 +38,7 @@ public:
     using File = std::variant<io::PictureFile, io::ShapeFile>; // the format
     enum class Section { View = -2, Attractor = -1 };          // saved views have the numbers from 0
     void setSection(Section section);                          // the part shown; the view at first
+    void beginAsPoster();                                      // as pixels for the largest sheet
     void exportTo(const QString& path) override;               // the ending of the name decides the format
     const ExportPreview& preview() const { return *m_preview; }
 
