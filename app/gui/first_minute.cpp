@@ -6,6 +6,7 @@
 #include "canvas/canvas_view.h"
 #include "desktop/reduced_motion.h"
 #include "desktop/settings.h"
+#include "dialogs/export/export_dialog.h"
 #include "document/edits/timeline/motion_edits.h"
 #include "document/moments/animated_fractal.h"
 #include "messages/first_chips.h"
@@ -122,7 +123,11 @@ void FirstMinute::showChips() {
     view::store(shown, true);
     view::store(seenKey(), true);
     m_parts.canvas->dismissHint();
-    m_chips = new FirstChips(m_parts.window, {{m_parts.sway, tr("Make it sway")},
-                                              {m_parts.variations, tr("Grow variations")},
-                                              {m_parts.poster, tr("Save a poster")}});
+    m_chips =
+        new FirstChips(m_parts.window, {{m_parts.sway, tr("Make it sway")},
+                                        {m_parts.variations, tr("Grow variations")},
+                                        {m_parts.poster, tr("Save a poster"), [window = m_parts.window] {
+                                             for (auto* dialog : window->findChildren<view::ExportDialog*>())
+                                                 if (!dialog->isBusy()) dialog->beginAsPoster();
+                                         }}});
 }

@@ -80,9 +80,21 @@ namespace {
 constexpr double usualLetter = 6;   // pixels; width of a letter in the font of the first sizes
 constexpr int problemsHeight = 150; // a few lines, so that the picture stays the largest part of the window
 
-// A setting: whether the list of entries has appeared by itself. It is stored with every layout, so that a
-// layout without it is that of an earlier version, which showed the list until the user closed it.
-const QString entriesAppeared = QStringLiteral("window/entriesAppeared");
+// Layouts, lessons and small windows hide a panel; its button and its menu close it.
+class ClosingWatch : public QObject {
+public:
+    explicit ClosingWatch(QWidget* panel) : QObject(panel) { panel->installEventFilter(this); }
+    bool wasClosed() const { return m_wasClosed; }
+
+protected:
+    bool eventFilter(QObject*, QEvent* event) override {
+        m_wasClosed = m_wasClosed || event->type() == QEvent::Close;
+        return false;
+    }
+
+private:
+    bool m_wasClosed = false;
+};
 
 } // namespace
 
@@ -259,20 +271,19 @@ void MainWindow::createPanels() {
         collection, {&m_document, &m_file, m_fileCommands, [this] { m_discoverMenu->showTransformation(); }});
 }
 
-// The list of entries appears with the first file of several, but not with the first picture, whose other
-// entries nobody asked for. From then on the layout is the user's.
+// The list of entries appears with every file of several, but not with the first picture, whose other entries
+// nobody asked for; nor in a window in which the user has closed it.
 void MainWindow::showEntriesWithSeveral() {
     QDockWidget* entries = m_panels.dock(Panel::Entries);
     entries->hide();
+    const auto* watch = new ClosingWatch(entries);
     connect(&m_document, &document::Document::changed, entries,
-            [this, entries](const document::Change& change) {
+            [this, entries, watch](const document::Change& change) {
                 using document::Change;
                 const bool isNews = change.parts & (Change::File | Change::Entries) && !m_opensFirstPicture;
                 if (!isNews || m_document.file().entries.size() < 2 || m_room->isSmall() ||
-                    menuBar()->isHidden() || view::stored(entriesAppeared).toBool())
+                    menuBar()->isHidden() || !entries->isHidden() || watch->wasClosed())
                     return;
-                view::store(entriesAppeared, true);
-                if (!entries->isHidden()) return;
                 entries->show();
                 resizeDocks({entries, m_panels.dock(Panel::Collection)}, {1, 1}, Qt::Vertical);
             });
@@ -486,7 +497,6 @@ void MainWindow::closeEvent(QCloseEvent* event) {
     if (!presents) m_room->showHiddenPanels();
     view::store(QStringLiteral("window/geometry"), presents ? m_before.geometry : saveGeometry());
     view::store(QStringLiteral("window/state"), presents ? m_before.layout : saveState());
-    view::store(entriesAppeared, view::stored(entriesAppeared).toBool());
     session::remember();
     m_recovery.giveUp();
     if (isReading) {
@@ -502,8 +512,7 @@ void MainWindow::restoreLayout() {
                 {int(260 * larger), int(430 * larger)}, Qt::Horizontal);
     placeWindow(this, view::stored(QStringLiteral("window/geometry")).toByteArray());
     m_isAsItWasLeft = restoreStoredLayout(this, view::stored(QStringLiteral("window/state")).toByteArray());
-    if (m_isAsItWasLeft && !view::stored(entriesAppeared).isValid()) view::store(entriesAppeared, true);
-    if (!toolBarBreak(m_optionsBar)) insertToolBarBreak(m_optionsBar); // layout of earlier versions
+    if (!toolBarBreak(m_optionsBar)) insertToolBarBreak(m_optionsBar); // as earlier versions left it
 }
 
 // The desktop, too, may fill the screen with the window.

@@ -6912,6 +6912,10 @@
         <translation>‖A‖ sagt, wie stark eine Abbildung höchstens streckt: ändern Sie eine Zahl, und bleiben Sie unter 1.</translation>
     </message>
     <message>
+        <source>In the timeline, choose Wind under Add Motion and watch the picture sway as well.</source>
+        <translation>Wählen Sie in der Zeitleiste unter „Bewegung hinzufügen“ Wind und sehen Sie zu, wie sich das Bild außerdem wiegt.</translation>
+    </message>
+    <message>
         <source>&amp;Skip</source>
         <translation>Über&amp;springen</translation>
     </message>

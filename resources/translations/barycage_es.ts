@@ -6912,6 +6912,10 @@
         <translation>‖A‖ es lo que una aplicación estira como máximo: cambie un número y manténgala por debajo de 1.</translation>
     </message>
     <message>
+        <source>In the timeline, choose Wind under Add Motion and watch the picture sway as well.</source>
+        <translation>En la línea de tiempo, elija Viento en «Añadir movimiento» y vea cómo se mece también la imagen.</translation>
+    </message>
+    <message>
         <source>&amp;Skip</source>
         <translation>&amp;Omitir</translation>
     </message>

@@ -6912,6 +6912,10 @@
         <translation>‖A‖ est ce qu’une application étire au plus&#x202f;: changez un nombre et restez au-dessous de 1.</translation>
     </message>
     <message>
+        <source>In the timeline, choose Wind under Add Motion and watch the picture sway as well.</source>
+        <translation>Dans la ligne de temps, choisissez Vent sous «&#x202f;Ajouter un mouvement&#x202f;» et regardez l’image se balancer aussi.</translation>
+    </message>
+    <message>
         <source>&amp;Skip</source>
         <translation>Pa&amp;sser</translation>
     </message>

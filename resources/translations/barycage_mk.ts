@@ -6927,6 +6927,10 @@
         <translation>‖A‖ кажува колку најмногу растегнува пресликувањето: сменете број и останете под 1.</translation>
     </message>
     <message>
+        <source>In the timeline, choose Wind under Add Motion and watch the picture sway as well.</source>
+        <translation>На временската линија изберете Ветер под „Додај движење“ и гледајте како и сликата се ниша.</translation>
+    </message>
+    <message>
         <source>&amp;Skip</source>
         <translation>&amp;Прескокни</translation>
     </message>

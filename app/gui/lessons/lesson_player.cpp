@@ -21,6 +21,10 @@ constexpr double cardShare = 0.3; // share of the window's width
 constexpr int minCardWidth = 300;
 constexpr int maxCardWidth = 760;
 
+bool isConstruction(const document::LessonStep& step) {
+    return step.state.construction.mode != document::LessonConstruction::Mode::Density;
+}
+
 } // namespace
 
 LessonPlayer::LessonPlayer(const LessonParts& parts, QAction* presentation)
@@ -72,6 +76,7 @@ void LessonPlayer::play(const document::Lesson& lesson, int from) {
     m_wasConstructionShown = bar && !bar->isHidden();
     if (!m_dock) createCard();
     m_presentation->setChecked(true);
+    showConstructionBar(std::ranges::any_of(lesson.steps, isConstruction)); // all the time: it moves the card
     m_isPlaying = true;
     m_hasOwnSteps = m_hasOthersEdit = false;
     showStep(std::clamp(from, 0, int(lesson.steps.size()) - 1));
@@ -109,7 +114,6 @@ void LessonPlayer::showStep(int step) {
     takeBack();
     const document::LessonState& state = m_lesson.steps[step].state;
     showPanels(state.panels);
-    showConstructionBar(state.construction.mode != document::LessonConstruction::Mode::Density);
     m_card->showStep(m_lesson, step);
     m_parts.stage->plane()->setHint({});
     const QString sentence = showLessonState(m_parts, state);

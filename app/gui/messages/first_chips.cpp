@@ -22,9 +22,10 @@ FirstChips::FirstChips(QMainWindow* host, const QList<Chip>& chips, int patience
         button->setEnabled(chip.action->isEnabled());
         button->setToolTip(chip.action->statusTip());
         row->addWidget(button);
-        connect(button, &QPushButton::clicked, this, [this, action = chip.action] {
+        connect(button, &QPushButton::clicked, this, [this, action = chip.action, then = chip.then] {
             close();
             action->trigger();
+            if (then) then();
         });
     }
     auto* layout = new QVBoxLayout(this);

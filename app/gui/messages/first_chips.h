@@ -3,6 +3,8 @@
 
 #include "messages/message_banner.h"
 
+#include <functional>
+
 class QAction;
 
 // Suggestions of what to try next, as a row of buttons at the bottom of the canvas. They go away by
@@ -14,6 +16,7 @@ public:
     struct Chip {
         QAction* action; // command of the button, with its icon
         QString text;
+        std::function<void()> then = {}; // once the action has been triggered
     };
     static constexpr int usualPatience = 20'000; // milliseconds
     FirstChips(QMainWindow* host, const QList<Chip>& chips, int patience = usualPatience);

@@ -5,11 +5,14 @@
 #include <QMainWindow>
 #include <QTimer>
 
+#include <optional>
+
 class QBoxLayout;
 class QLabel;
 
 // A message over the canvas, by default in its lower left corner, which blocks nothing; what the canvas says
-// itself stays beside it. Esc closes it; it deletes itself when closed.
+// itself stays beside it. It can be dragged away from what it covers. Esc closes it; it deletes itself when
+// closed.
 class MessageBanner : public QFrame {
     Q_OBJECT
 
@@ -24,6 +27,8 @@ protected:
     bool eventFilter(QObject* watched, QEvent* event) override;
     void changeEvent(QEvent* event) override;
     void hideEvent(QHideEvent* event) override;
+    void mousePressEvent(QMouseEvent* event) override;
+    void mouseMoveEvent(QMouseEvent* event) override;
     void keyPressEvent(QKeyEvent* event) override;
     void paintEvent(QPaintEvent* event) override;
 
@@ -33,6 +38,7 @@ protected:
     void lay(QLabel* title, const QString& text, QWidget* first, QWidget* last);
     void follow(QWidget* widget); // updates the geometry when the widget moves or is resized
     void unfollow(QWidget* widget);
+    void placeSoon(); // once panels and bars are laid out
     // Shows the banner, once panels and bars are laid out, and has screen readers announce it.
     void appear(const QString& announcement);
     QMainWindow* host() const { return m_host; }
@@ -46,9 +52,12 @@ protected:
 
 private:
     void layOut();
-    void tellCanvas(); // reports the part that the banner covers
+    void moveInside(const QPoint& corner); // the window
+    void tellCanvas();                     // the part that the banner covers
 
     QMainWindow* m_host;
     QBoxLayout* m_buttons = nullptr;
     QTimer m_geometryTimer;
+    QPoint m_grip;                  // the part of the banner that the pointer holds
+    std::optional<QPoint> m_chosen; // the place to which the user has dragged it
 };

@@ -424,6 +424,11 @@ void ExportDialog::setSection(Section section) {
     chooseValue(m_section, section);
 }
 
+void ExportDialog::beginAsPoster() {
+    chooseValue(m_format, File(io::PictureFile::Png));
+    m_size->chooseLargestSheet();
+}
+
 bool ExportDialog::isPossible() const {
     return document::system2(m_fractal) != nullptr;
 }

@@ -37,8 +37,9 @@ public:
 
     using File = std::variant<io::PictureFile, io::ShapeFile>; // chosen format
     enum class Section { View = -2, Attractor = -1 };          // saved views have the numbers from 0
-    void setSection(Section section);                          // part to export; the default is the view
-    void exportTo(const QString& path) override;               // format from the suffix of the name
+    void setSection(Section section);                          // the part shown; the view at first
+    void beginAsPoster();                                      // as pixels for the largest sheet
+    void exportTo(const QString& path) override;               // the ending of the name decides the format
     const ExportPreview& preview() const { return *m_preview; }
 
 protected:

@@ -201,6 +201,19 @@ void ExportSizeEditor::choose(const QString& choice) {
     setPixels(size);
 }
 
+void ExportSizeEditor::chooseLargestSheet() {
+    int largest = -1;
+    const auto area = [this](int row) {
+        const QSize size = m_named->itemData(row, Size).toSize();
+        return size.width() * size.height();
+    };
+    for (int row = 0; row < m_named->count(); ++row)
+        if (m_named->itemData(row, IsPaper).toBool() && (largest < 0 || area(row) > area(largest)))
+            largest = row;
+    m_named->setCurrentIndex(largest);
+    takeNamedSize();
+}
+
 void ExportSizeEditor::setResolutionVisible(bool visible) {
     m_resolution->setVisible(visible);
 }

@@ -28,6 +28,7 @@ public:
     // The choice as a text for choose(): a size by the screen is that of another screen then.
     QString choice() const;
     void choose(const QString& choice); // ignores texts that are no choice
+    void chooseLargestSheet();          // of paper
     void setResolutionVisible(bool visible);
 
 signals:

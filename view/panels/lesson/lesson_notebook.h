@@ -34,7 +34,8 @@ public:
     QUndoStack* history() { return &m_history; }
     // Edits of one undo step each; typing in one field is one step.
     void setTitle(const QString& title);
-    void addStep(const document::LessonState& state); // inserted after the current step; becomes current
+    // After the current one or, while none of an opened lesson was chosen, at the end; it becomes current.
+    void addStep(const document::LessonState& state);
     void setState(const document::LessonState& state);
     void setStepTitle(const QString& title);
     void setText(const QString& text);
@@ -58,7 +59,8 @@ private:
 
     document::Lesson m_lesson;
     int m_current = -1;
-    bool m_isChosen = false; // false if the current step is merely the one added last
+    bool m_isChosen = false;   // it is not only where the last step was added
+    bool m_isAsOpened = false; // the lesson: nobody has said which step is current
     QString m_path;
     QUndoStack m_history;
 };

@@ -300,6 +300,7 @@ void MapsPanel::hideColumns(Columns group, bool hidden) {
 }
 
 void MapsPanel::showColumns(Columns group, bool shown) {
+    m_columnToggles[group]->setChecked(shown);
     hideColumns(group, !shown);
     const auto [first, last] = columnsOf(group);
     // Scrolls to the shown columns, above all to the first of them.
