@@ -4,6 +4,8 @@
 #include "app/gui/window_fixture.h"
 #include "canvas/canvas_view.h"
 #include "desktop/preferences.h"
+#include "dialogs/export/animation_export_dialog.h"
+#include "dialogs/export/export_dialog.h"
 #include "document/edits/entries_edits.h"
 #include "document/edits/timeline/motion_edits.h"
 #include "document/moments/animated_fractal.h"
@@ -11,7 +13,9 @@
 #include "support/events.h"
 #include "support/named_test.h"
 
+#include <QAction>
 #include <QDockWidget>
+#include <QPushButton>
 #include <QTest>
 
 // An entry that moves plays when it is opened.
@@ -23,6 +27,7 @@ private slots:
     void reducedMotionShowsAStillFrame();
     void undoBringsItBackAtRest();
     void itIsFittedToItsWholeMotion();
+    void itsPictureLeadsToItsAnimation();
 
 private:
     document::Document& document() const { return m_window->document(); }
@@ -109,6 +114,21 @@ void OpenedMotionTest::itIsFittedToItsWholeMotion() {
         return true;
     };
     QTRY_VERIFY(isSeen());
+}
+
+void OpenedMotionTest::itsPictureLeadsToItsAnimation() {
+    const auto button = [this] {
+        m_window->findChild<QAction*>(QStringLiteral("export-picture"))->trigger();
+        const auto* dialog = m_window->findChild<view::ExportDialog*>();
+        return dialog ? dialog->findChild<QPushButton*>(QStringLiteral("animation")) : nullptr;
+    };
+    document().setFile(twoEntries());
+    QVERIFY(!button());
+    document().setCurrent(document().file().entries.back().id);
+    QTRY_VERIFY(button());
+    button()->click();
+    QTRY_VERIFY(m_window->findChild<view::AnimationExportDialog*>());
+    QTRY_VERIFY(!m_window->findChild<view::ExportDialog*>());
 }
 
 BARYCAGE_TEST(OpenedMotionTest, QApplication);
