@@ -13,6 +13,7 @@
 #include "io/table/html_tables.h"
 #include "io/table/listed_maps.h"
 #include "io/table/table_reader.h"
+#include "io/table/table_systems.h"
 #include "io/text/cumulative_weights.h"
 #include "io/text/encoding.h"
 #include "io/text/export_weights.h"
@@ -253,7 +254,8 @@ bool isLikeNumber(const QByteArray& word) {
     return !word.isEmpty() && QByteArrayView("0123456789.-+").contains(word[0]);
 }
 
-// Braces of a program, a document or a page; no line has numbers as an entry does, not even damaged ones.
+// Text with braces of a program, a document or a page; no line has numbers as an entry does, not even damaged
+// ones.
 bool isOfAnotherKind(const QByteArray& bytes) {
     constexpr qsizetype sample = 64 * 1024;
     constexpr int fewest = 3;
@@ -261,7 +263,8 @@ bool isOfAnotherKind(const QByteArray& bytes) {
         "\\begin{", "\\documentclass", "){", ") {", "();", "};", "</", "\n@", "[{", "[[", "=> {"};
     QByteArray head = bytes.left(sample).toLower();
     head.replace("(3d)", ""); // mark of an entry in space
-    if (std::ranges::none_of(marks, [&](const char* mark) { return head.contains(mark); })) return false;
+    const auto isIn = [&](const char* mark) { return head.contains(mark); };
+    if (head.contains('\0') || std::ranges::none_of(marks, isIn)) return false;
     for (const QByteArray& line : head.split('\n')) {
         int numbers = 0;
         const QByteArrayList words = line.simplified().split(' ');

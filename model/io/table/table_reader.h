@@ -6,6 +6,7 @@
 
 #include <QString>
 
+#include <algorithm>
 #include <optional>
 #include <vector>
 
@@ -28,14 +29,14 @@ struct Table {
 enum class TableMaps { Plane, PlaneOrSpace }; // accepted maps; others are an error
 Table readTable(const QString& text, const std::optional<TableColumns>& columns = std::nullopt,
                 TableMaps wanted = TableMaps::Plane);
-bool hasErrors(const Table& table);
+inline bool hasErrors(const Table& table) {
+    return std::ranges::any_of(table.problems, [](const document::Problem& problem) {
+        return problem.severity == document::Problem::Severity::Error;
+    });
+}
 // Returns true if the text is a table that does not say what its columns are, and can be read once they are
 // given.
 bool isOrderOpen(const QString& text);
-
-// The rows as a system, numbered from 1.
-ifs::IteratedFunctionSystem<2> systemOf(const Table& table);
-ifs::IteratedFunctionSystem<3> spaceSystemOf(const Table& table);
 
 constexpr qsizetype maxTable = 64 * 1024 * 1024; // characters
 

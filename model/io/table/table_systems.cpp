@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include "io/table/table_reader.h"
+#include "io/table/table_systems.h"
 
-#include <algorithm>
 #include <cstdint>
 
 namespace io {
@@ -24,12 +23,6 @@ ifs::IteratedFunctionSystem<2> systemOf(const Table& table) {
 
 ifs::IteratedFunctionSystem<3> spaceSystemOf(const Table& table) {
     return numbered(table.spaceRows);
-}
-
-bool hasErrors(const Table& table) {
-    return std::any_of(table.problems.begin(), table.problems.end(), [](const document::Problem& problem) {
-        return problem.severity == document::Problem::Severity::Error;
-    });
 }
 
 } // namespace io

@@ -7,6 +7,7 @@
 #include "panels/collection/collection_panel.h"
 #include "support/languages.h"
 #include "support/named_test.h"
+#include "support/paths.h"
 #include "window_fixture.h"
 
 #include <QDockWidget>
@@ -118,8 +119,8 @@ void FirstSightTest::theListOfEntriesComesInEveryWindow() {
     m_window->setAttribute(Qt::WA_DeleteOnClose, false);
     for (const char* file : {"ferns", "dragons"}) {
         m_window->findChild<QDockWidget*>(QStringLiteral("entries"))->hide(); // by the program
-        QVERIFY(m_window->openPath(QFINDTESTDATA("../../../ifs_library/") + QLatin1String(file) +
-                                   QStringLiteral(".ifs")));
+        QVERIFY(m_window->openPath(
+            support::sourcePath(QStringLiteral("ifs_library/%1.ifs").arg(QLatin1String(file)))));
         QVERIFY(m_window->document().file().entries.size() > 1);
         QVERIFY2(isThere("entries"), file);
     }

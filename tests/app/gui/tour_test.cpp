@@ -292,6 +292,7 @@ void TourTest::afterItAllIsAsBefore() {
         QStringList panels;
         for (const auto* panel : m_window->findChildren<QDockWidget*>())
             if (!panel->isHidden()) panels << panel->objectName();
+        panels.sort();
         return panels;
     };
     const auto* table = m_window->findChild<view::MapsPanel*>()->table();
