@@ -31,7 +31,7 @@ struct GalleryArguments {
     QSize tile{240, 240};
     io::ContactSheet::Paper paper = io::ContactSheet::Paper::Dark;
     std::string title;
-    int columns = 0; // as many as fit
+    int columns = 0; // 0: as many as fit
     std::optional<attractor::Palette> palette;
     std::optional<attractor::ColourBy> colour;
     std::optional<QPageSize> page;

@@ -94,7 +94,7 @@ private:
 
 // A file with many systems, each of which takes long, ends as well.
 void limit(io::InfoSubject& subject, std::chrono::duration<double> perFact) {
-    constexpr int perEntry = 3, perCall = 30; // of what a single fact may take
+    constexpr int perEntry = 3, perCall = 30; // multiples of the budget of one fact
     subject.limits.perFact = perFact;
     subject.limits.together = perEntry * perFact;
     subject.end = ifs::ProcessorClock::now() + perCall * perFact;

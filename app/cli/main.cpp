@@ -18,7 +18,7 @@ namespace {
 // Keeps the lines of libraries off standard error: whatever fails is reported by the program.
 void silenceLibraries() {
     qInstallMessageHandler([](QtMsgType type, const QMessageLogContext&, const QString& text) {
-        // Qt goes on, and waits without end for the work of the thread that the system did not start.
+        // Qt would continue, and wait for ever for the work of a thread that the system did not start.
         if (text.startsWith(u"QThread::start: Thread creation error")) std::_Exit(cli::memoryIsShort());
         if (type != QtFatalMsg) return;
         std::fprintf(stderr, "barycage-cli: error: %s\n", qPrintable(text));
@@ -28,9 +28,10 @@ void silenceLibraries() {
 } // namespace
 
 int main(int argc, char** argv) try {
-    qputenv("QT_NO_GLIB", "1"); // whose loop of events is never used
+    qputenv("QT_NO_GLIB", "1"); // avoids GLib's event loop, which is never used
     silenceLibraries();
-    std::signal(SIGXFSZ, SIG_IGN); // a limit on the size of files is an error of writing, not the end
+    // Turns a limit on file sizes into a write error instead of the end of the program.
+    std::signal(SIGXFSZ, SIG_IGN);
     const std::vector<std::string> words(argv + std::min(argc, 1), argv + argc);
     std::unique_ptr<QCoreApplication> application;
     if (cli::paintsLetters(words)) {
@@ -40,6 +41,6 @@ int main(int argc, char** argv) try {
         application = std::make_unique<QCoreApplication>(argc, argv);
     }
     return int(cli::run(words));
-} catch (const std::bad_alloc&) { // before anything could be read
+} catch (const std::bad_alloc&) { // raised before any file was read
     return cli::memoryIsShort();
 }

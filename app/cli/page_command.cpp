@@ -70,6 +70,13 @@ io::PageExport pageWith(const PageArguments& arguments, const document::Fractal&
     return page;
 }
 
+// A page, or a script where the name of the output says so.
+ExitStatus writeAsNamed(const PageArguments& arguments, const io::PageExport& page) {
+    const QString output = fileNameOf(arguments.output);
+    const bool isScript = output.endsWith(QLatin1String(".js"), Qt::CaseInsensitive);
+    return writeOutput(output, isScript ? io::scriptOf(page) : io::pageOf(page));
+}
+
 // Leaves out entries that cannot be shown, which is no failure of the gallery.
 ExitStatus writeGallery(const PageArguments& arguments, const Input& input) {
     constexpr qsizetype most = 2000;
@@ -100,14 +107,14 @@ ExitStatus writeGallery(const PageArguments& arguments, const Input& input) {
     io::PageExport page = pageWith(arguments, *shown.front());
     page.entries = shown;
     page.title = input.name == u"-" ? tr("Fractals") : headingOf(input.name);
-    return std::max(read, writeOutput(fileNameOf(arguments.output), io::pageOf(page)));
+    return std::max(read, writeAsNamed(arguments, page));
 }
 
 ExitStatus writeLesson(const PageArguments& arguments, const Input& input) {
     io::PageExport page = pageWith(arguments, {});
     const ExitStatus read = addLesson(page, arguments.lesson, input);
     if (page.steps.isEmpty()) return read;
-    return std::max(read, writeOutput(fileNameOf(arguments.output), io::pageOf(page)));
+    return std::max(read, writeAsNamed(arguments, page));
 }
 
 ExitStatus writePage(const PageArguments& arguments) {
@@ -127,9 +134,7 @@ ExitStatus writePage(const PageArguments& arguments) {
         reportError(input->name, obstacle);
         return ExitStatus::InputProblems;
     }
-    const ExitStatus written =
-        writeOutput(fileNameOf(arguments.output), io::pageOf(pageWith(arguments, fractal)));
-    return std::max(found.status, written);
+    return std::max(found.status, writeAsNamed(arguments, pageWith(arguments, fractal)));
 }
 
 } // namespace
@@ -144,8 +149,10 @@ Command pageCommand() {
                   "Collection, or picture with an embedded system; - for standard input")
         .fileName()
         .required();
-    files.add("-o,--output", "PAGE", &arguments->output, "Page to write: .html; - for standard output")
-        .completedBy(Completion::Kind::Files, {"html"})
+    files
+        .add("-o,--output", "PAGE", &arguments->output,
+             "Page to write: .html, or .js for a script that shows it in an article; - for standard output")
+        .completedBy(Completion::Kind::Files, {"html", "js"})
         .fileName()
         .required();
     files

@@ -50,7 +50,7 @@ ExitStatus addLesson(io::PageExport& page, const std::string& file, const Input&
     ExitStatus status = reportAll(read.problems, name);
     page.title = read.lesson.title;
     QStringList incomplete;
-    QList<LessonState> states; // of the entries of the page
+    QList<LessonState> states; // states of the entries of the page
     const document::Entry* entry = entryToShow(collection, {});
     for (const document::LessonStep& step : read.lesson.steps) {
         const QString number = QString::number(page.steps.size() + 1);

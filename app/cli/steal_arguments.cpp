@@ -18,7 +18,7 @@ namespace {
 StealTask taskOf(const StealArguments& arguments) {
     const int tasks =
         int(arguments.picture.has_value()) + int(arguments.map.has_value()) + int(arguments.tear.has_value());
-    if (tasks == 0 && arguments.output && !arguments.from) return StealTask::Picture; // that is kept
+    if (tasks == 0 && arguments.output && !arguments.from) return StealTask::Picture; // kept transformation
     if (tasks != 1)
         throw UsageError{tr("Give one of --picture PICTURE with -o OUT.png, --map \"x,y …\" or --tear EPS.")};
     return arguments.picture ? StealTask::Picture : arguments.map ? StealTask::Map : StealTask::Tear;
@@ -88,7 +88,7 @@ document::KeptTheft theftOf(const StealArguments& arguments, const document::Fra
         theft.picture.clear();
         theft.embedded.clear();
     }
-    if (arguments.picture && !arguments.from) theft.view.reset(); // it was of the picture that is kept
+    if (arguments.picture && !arguments.from) theft.view.reset(); // view of the kept picture
     return theft;
 }
 

@@ -19,7 +19,7 @@ struct StealArguments {
 
     std::string file;
     Text fromFile;
-    Text entry, from; // without `from`: what the entry keeps
+    Text entry, from; // no `from`: the transformation kept in the entry
     Text output, picture;
     std::optional<std::vector<ifs::Vector<2>>> map; // points
     std::optional<double> tear;                     // the resolution

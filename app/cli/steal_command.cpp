@@ -186,7 +186,7 @@ public:
     ExitStatus status() const { return m_status; }
 
 private:
-    // Digits where there are at most nine maps, else numbers with spaces between them.
+    // Digits for at most nine maps, else numbers separated by spaces.
     QString addressOf(const ifs::TopAddress& top) const {
         constexpr std::size_t minSymbols = 40;
         const std::size_t known = top.word.size();
@@ -327,7 +327,7 @@ std::optional<document::LaidPicture> laidPicture(const document::CoupledEntries&
             picture, attractor::worldToPixel(attractor::cameraOf(*arguments.pictureView, {width, height}))};
     if (!theft.view && theft.mode == document::TheftMode::StealColours) {
         document::Fractal to = entries.to;
-        to.appearance.shadow = 0; // has no colours to steal
+        to.appearance.shadow = 0; // a shadow has no colours to steal
         const ViewBox box = boxOfAttractor(to);
         return document::LaidPicture{
             picture, attractor::worldToPixel(io::pictureCamera(width, height, box.min, box.max))};

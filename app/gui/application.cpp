@@ -8,6 +8,7 @@
 #include "files/open_each.h"
 #include "files/recovery.h"
 #include "identity.h"
+#include "io/exchange/entry_link.h"
 #include "io/fractint/fractint_reader.h"
 #include "main_window.h"
 #include "portal/desktop_motion.h"
@@ -21,6 +22,7 @@
 #include <QDialog>
 #include <QDropEvent>
 #include <QEvent>
+#include <QFile>
 #include <QFontMetrics>
 #include <QIcon>
 #include <QKeyEvent>
@@ -33,6 +35,7 @@
 #include <QTextEdit>
 #include <QTimer>
 #include <QTranslator>
+#include <QUrl>
 
 #include <algorithm>
 #include <chrono>
@@ -58,12 +61,12 @@ Application::Application(int& argc, char** argv) : QApplication(argc, argv) {
 }
 
 Application::~Application() {
-    view::finishStoring(std::chrono::seconds(2)); // what is late goes on for a while
+    view::finishStoring(std::chrono::seconds(2)); // later writes go on for a while
 }
 
 void Application::speak(const QString& language) {
     const QLocale locale = language.isEmpty() ? QLocale::system() : QLocale(language);
-    // Numbers are written in every language as in the files, with a decimal point.
+    // Sets numbers in all languages to the format of the files, with a decimal point.
     QLocale::setDefault(QLocale::c());
     const QString folder = QStringLiteral(":/translations");
     auto* own = new QTranslator(this);
@@ -71,7 +74,7 @@ void Application::speak(const QString& language) {
         !own->load(QStringLiteral("barycage_en"), folder))
         return;
     installTranslator(own);
-    // The buttons of the toolkit speak the language of the rest.
+    // Translates the buttons of the toolkit.
     auto* toolkit = new QTranslator(this);
     const QLocale spoken(own->language());
     if (toolkit->load(spoken, QStringLiteral("qtbase"), QStringLiteral("_"),
@@ -129,6 +132,27 @@ void makeRoomForTitle(QDialog& dialog) {
     dialog.setMinimumWidth(std::max(dialog.minimumWidth(), title + buttons));
 }
 
+struct LinksAndFiles {
+    QList<QByteArray> links;
+    QStringList files;
+};
+
+// Desktops pass the addresses of files and links alike. A file of that name goes before both.
+LinksAndFiles linksAndFiles(const QStringList& arguments) {
+    LinksAndFiles found;
+    for (const QString& argument : arguments) {
+        const QByteArray link = argument.toUtf8();
+        const bool isAddress = argument.startsWith(u"file:/"), isLink = io::looksLikeLink(link);
+        if ((!isAddress && !isLink) || QFile::exists(argument))
+            found.files << argument;
+        else if (isLink)
+            found.links << link;
+        else
+            found.files << QUrl(argument).toLocalFile();
+    }
+    return found;
+}
+
 } // namespace
 
 // Whatever the event began is left undone: a window is not opened, but those there are go on.
@@ -166,9 +190,9 @@ bool Application::event(QEvent* event) {
     return done;
 }
 
-bool Application::openWindows(const QStringList& files, Start start) {
+bool Application::openWindows(const QStringList& arguments, Start start) {
     constexpr auto soon = std::chrono::seconds(1);
-    const auto resume = [] { exports::queue()->resume(); }; // in windows that tell of it
+    const auto resume = [] { exports::queue()->resume(); }; // shown in windows that report the queue
     const auto inTheEnd = qScopeGuard(resume);
     QList<WantedFile> wantedFiles;
     for (const document::Abandoned& abandoned : Recovery::ask())
@@ -182,10 +206,17 @@ bool Application::openWindows(const QStringList& files, Start start) {
         }
         return !session::allAreClosed();
     }
-    const bool again = files.isEmpty() && start == Start::AsLastTime && view::Preferences::stored().reopen;
+    const auto [links, files] = linksAndFiles(arguments);
+    const bool again =
+        arguments.isEmpty() && start == Start::AsLastTime && view::Preferences::stored().reopen;
     wantedFiles += wanted(again ? session::files() : askWhichToOpen(files, nullptr));
-    QTimer::singleShot(soon, exports::queue(), resume); // also while a file does not answer
+    QTimer::singleShot(soon, exports::queue(), resume); // also runs if a file does not answer
     MainWindow::openEach(wantedFiles);
+    for (const QByteArray& link : links) {
+        auto* window = new MainWindow;
+        window->show();
+        window->openLink(link);
+    }
     if (start == Start::AsLastTime && !session::windows().isEmpty()) return !session::allAreClosed();
     auto* window = new MainWindow;
     window->openFirstPicture();

@@ -13,9 +13,9 @@ public:
 
     // First content of a window without files.
     enum class Start { AsLastTime, New, Collection, Random };
-    // Opens a window per file; without files one window with the maple, or those of the last run if that is
-    // wished. Returns whether there is any: all may have been closed while a file was read.
-    bool openWindows(const QStringList& files, Start start = Start::AsLastTime);
+    // Opens a window per file or link; without them one window with the maple, or those of the last run if
+    // that is wished. Returns whether there is any: all may have been closed while a file was read.
+    bool openWindows(const QStringList& arguments, Start start = Start::AsLastTime);
 
     bool notify(QObject* receiver, QEvent* event) override;
 
@@ -23,5 +23,5 @@ protected:
     bool event(QEvent* event) override;
 
 private:
-    void speak(const QString& language); // empty: that of the desktop
+    void speak(const QString& language); // empty: the language of the desktop
 };

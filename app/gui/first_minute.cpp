@@ -6,6 +6,7 @@
 #include "canvas/canvas_view.h"
 #include "desktop/reduced_motion.h"
 #include "desktop/settings.h"
+#include "dialogs/export/export_dialog.h"
 #include "document/edits/timeline/motion_edits.h"
 #include "document/moments/animated_fractal.h"
 #include "messages/first_chips.h"
@@ -23,7 +24,7 @@ namespace {
 
 constexpr int breeze = 2000; // milliseconds
 constexpr int breezeTick = 16;
-constexpr int steps = 1000; // in which the breeze is divided
+constexpr int steps = 1000; // number of steps of the breeze
 
 QString seenKey() {
     return QStringLiteral("hints/firstDrag");
@@ -62,7 +63,7 @@ void FirstMinute::sway() {
     if (view::reducesMotion() || !windy || !document::plane(*windy)) return invite();
     m_windy = std::make_shared<const document::Fractal>(*windy);
     m_parts.canvas->setHint({});
-    qApp->installEventFilter(this); // whatever the user does ends the breeze
+    qApp->installEventFilter(this); // any action by the user ends the breeze
     m_clock.start();
     m_tick.start();
 }
@@ -109,7 +110,8 @@ void FirstMinute::follow(const document::Change& change) {
         m_isDragging = true;
         if (m_chips) m_chips->close();
     } else if (std::exchange(m_isDragging, false)) {
-        QMetaObject::invokeMethod(this, &FirstMinute::showChips, Qt::QueuedConnection); // once it is a step
+        // Queued until the drag is a step of the history.
+        QMetaObject::invokeMethod(this, &FirstMinute::showChips, Qt::QueuedConnection);
     }
 }
 
@@ -121,7 +123,11 @@ void FirstMinute::showChips() {
     view::store(shown, true);
     view::store(seenKey(), true);
     m_parts.canvas->dismissHint();
-    m_chips = new FirstChips(m_parts.window, {{m_parts.sway, tr("Make it sway")},
-                                              {m_parts.variations, tr("Grow variations")},
-                                              {m_parts.poster, tr("Save a poster")}});
+    m_chips =
+        new FirstChips(m_parts.window, {{m_parts.sway, tr("Make it sway")},
+                                        {m_parts.variations, tr("Grow variations")},
+                                        {m_parts.poster, tr("Save a poster"), [window = m_parts.window] {
+                                             for (auto* dialog : window->findChildren<view::ExportDialog*>())
+                                                 if (!dialog->isBusy()) dialog->beginAsPoster();
+                                         }}});
 }

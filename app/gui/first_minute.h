@@ -37,10 +37,10 @@ public:
     };
     FirstMinute(const Parts& parts, QObject* parent);
 
-    static bool isOver(); // a drag was seen, in this run or another
+    static bool isOver(); // true once the user has dragged a corner, in any run
 
-    void invite(); // says what to do
-    void sway();   // and then invites; with reduced motion, it invites at once
+    void invite(); // shows what to do
+    void sway();   // sways the picture, then invites; with reduced motion, invites at once
     bool isSwaying() const { return m_tick.isActive(); }
 
 protected:
@@ -55,7 +55,7 @@ private:
     Parts m_parts;
     QTimer m_tick;
     QElapsedTimer m_clock;
-    std::shared_ptr<const document::Fractal> m_windy; // the picture with the wind in it
+    std::shared_ptr<const document::Fractal> m_windy; // picture as the sway shows it
     bool m_isDragging = false;
     QPointer<FirstChips> m_chips;
 };

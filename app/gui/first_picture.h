@@ -11,7 +11,7 @@ struct FirstPicture {
     document::FractalFile file;
     document::EntryId maple = document::EntryId::None;
 };
-FirstPicture firstPicture(); ///< without entries where the program has lost its resources
+FirstPicture firstPicture(); // /< no entries if the program's resources are missing
 
 /// Draws the maple to a PNG file. Needs no display.
 io::Failure drawFirstPicture(const QString& path);

@@ -62,6 +62,6 @@ void walkFocus(QMainWindow& window, int step) {
         (*current)->setProperty(lastFocus, QVariant::fromValue(QPointer<QWidget>(focused)));
         next = (current - all.begin() + step + all.size()) % all.size();
     }
-    window.setAttribute(Qt::WA_KeyboardFocusChange); // as Tab does: now styles show the focus
+    window.setAttribute(Qt::WA_KeyboardFocusChange); // set as by Tab, so that styles show the focus
     firstIn(all[next])->setFocus(step > 0 ? Qt::TabFocusReason : Qt::BacktabFocusReason);
 }

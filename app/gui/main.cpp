@@ -52,7 +52,7 @@ int run(Application& application, const QCommandLineParser& parser) try {
     const bool isOpen = application.openWindows(parser.positionalArguments(), startAskedFor(parser));
     shortage::everythingHasStarted();
     if (isOpen) return Application::exec();
-    Application::sendPostedEvents(nullptr, QEvent::DeferredDelete); // as exec() does at its end
+    Application::sendPostedEvents(nullptr, QEvent::DeferredDelete); // same as at the end of exec()
     return EXIT_SUCCESS;
 } catch (const std::system_error& error) {
     if (!shortage::isOfThread(error)) throw;
@@ -68,12 +68,12 @@ bool isAnsweredWithoutWindow(std::string_view argument) {
 
 int main(int argc, char** argv) {
     QCommandLineParser parser;
-    if (std::any_of(argv + 1, argv + argc, isAnsweredWithoutWindow)) { // and without a display
+    if (std::any_of(argv + 1, argv + argc, isAnsweredWithoutWindow)) { // needs no display
         const QCoreApplication application(argc, argv);
         QCoreApplication::setApplicationName(resources::applicationName());
         QCoreApplication::setApplicationVersion(resources::version());
         describe(parser);
-        parser.process(application); // does not return but to draw
+        parser.process(application); // returns only for options that draw
         const io::Failure failure = drawFirstPicture(parser.value(QStringLiteral("picture")));
         if (failure) std::fprintf(stderr, "barycage: %s\n", qPrintable(*failure));
         return failure ? EXIT_FAILURE : EXIT_SUCCESS;
@@ -90,8 +90,8 @@ int main(int argc, char** argv) {
         program = Application::applicationFilePath();
         filesToReopen = session::filesToReopen();
     }
-    if (filesToReopen) QProcess::startDetached(program, *filesToReopen); // now that its settings are stored
-    // A thread that waits for a drive that does not answer cannot be told to end.
+    if (filesToReopen) QProcess::startDetached(program, *filesToReopen); // after the settings are stored
+    // Ends the process: a thread that waits for a drive that does not answer cannot be stopped.
     if (!document::backgroundFinishes(std::chrono::milliseconds(0))) document::quickExit(code);
     return code;
 }

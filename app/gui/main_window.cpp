@@ -77,12 +77,24 @@
 
 namespace {
 
-constexpr double usualLetter = 6;   // wide, in pixels: the font that first sizes are for
-constexpr int problemsHeight = 150; // a few lines: the picture stays the largest thing in the window
+constexpr double usualLetter = 6;   // pixels; width of a letter in the font of the first sizes
+constexpr int problemsHeight = 150; // a few lines, so that the picture stays the largest part of the window
 
-// A setting: whether the list of entries has appeared by itself. It is stored with every layout, so that a
-// layout without it is that of an earlier version, which showed the list until the user closed it.
-const QString entriesAppeared = QStringLiteral("window/entriesAppeared");
+// Layouts, lessons and small windows hide a panel; its button and its menu close it.
+class ClosingWatch : public QObject {
+public:
+    explicit ClosingWatch(QWidget* panel) : QObject(panel) { panel->installEventFilter(this); }
+    bool wasClosed() const { return m_wasClosed; }
+
+protected:
+    bool eventFilter(QObject*, QEvent* event) override {
+        m_wasClosed = m_wasClosed || event->type() == QEvent::Close;
+        return false;
+    }
+
+private:
+    bool m_wasClosed = false;
+};
 
 } // namespace
 
@@ -108,10 +120,11 @@ MainWindow::MainWindow(QWidget* parent)
     setAttribute(Qt::WA_DeleteOnClose);
     setAcceptDrops(true);
     setDockNestingEnabled(true);
-    setTabPosition(Qt::LeftDockWidgetArea, QTabWidget::West); // in any language there is room for the names
+    setTabPosition(Qt::LeftDockWidgetArea, QTabWidget::West); // leaves room for the names in any language
     setTabPosition(Qt::RightDockWidgetArea, QTabWidget::East);
     setCentralWidget(m_stage);
     setStatusBar(m_status);
+    m_status->follow(m_document);
 
     adopt(view::Preferences::stored());
     createMenus();
@@ -134,10 +147,10 @@ MainWindow::MainWindow(QWidget* parent)
 }
 
 MainWindow::~MainWindow() {
-    hide(); // fields being edited hand over what was typed, while there is a document to take it
-    m_document.undoStack()->disconnect(this); // it is cleared when the file that the title names has gone
+    hide();                                   // commits fields being edited while there is still a document
+    m_document.undoStack()->disconnect(this); // before the stack is cleared, because the title needs the file
     connect(this, &QObject::destroyed, qApp,
-            [file = m_document.file()]() mutable { // the panels are gone, too
+            [file = m_document.file()]() mutable { // runs after the panels have been destroyed
                 io::freeInBackground(std::move(file));
             });
 }
@@ -185,13 +198,13 @@ QDockWidget* MainWindow::dock(Panel panel, QWidget* content) {
     addDockWidget(facts.area, made);
     made->toggleViewAction()->setObjectName(QStringLiteral("panel-") + made->objectName());
     view::adoptShortcuts(*made->toggleViewAction());
-    addAction(made->toggleViewAction()); // so that its keys count while the menu bar is hidden
+    addAction(made->toggleViewAction()); // keeps the shortcut active while the menu bar is hidden
     m_viewMenu->panels()->addAction(made->toggleViewAction());
     made->toggleViewAction()->setStatusTip(tr("Show or hide the “%1” panel").arg(facts.title));
     made->toggleViewAction()->setToolTip(made->toggleViewAction()->statusTip());
     made->toggleViewAction()->setWhatsThis(made->toggleViewAction()->statusTip() + QStringLiteral(". ") +
                                            facts.whatsThis);
-    // Behind another tab it is not hidden but shown. Queued: as it was before the action.
+    // A panel behind another tab is shown, not hidden. Queued, so that the action sees the state before it.
     connect(
         made, &QDockWidget::visibilityChanged, made,
         [made](bool isSeen) { made->setProperty("isSeen", isSeen); }, Qt::QueuedConnection);
@@ -200,7 +213,7 @@ QDockWidget* MainWindow::dock(Panel panel, QWidget* content) {
         made->show();
         made->raise();
     });
-    // Behind another panel it would go on taking keys that nobody sees arrive.
+    // A panel behind another one would continue to receive keys unseen.
     connect(made, &QDockWidget::visibilityChanged, this, [this, made](bool visible) {
         if (!visible) takeFocusFrom(made);
     });
@@ -227,7 +240,7 @@ void MainWindow::createPanels() {
         previous = next;
     }
     createCollage();
-    for (const Panel late : {Panel::Analysis, Panel::History}) // they come with View, Panels
+    for (const Panel late : {Panel::Analysis, Panel::History}) // created by View, Panels
         m_panels.dock(late)->hide();
     auto* links = new view::LinksPanel(&m_document);
     QDockWidget* linksDock = dock(Panel::Links, links);
@@ -245,6 +258,7 @@ void MainWindow::createPanels() {
             [this](const QList<document::EntryId>& ids) { FlameBanner::offer(this, m_document, ids); });
     connect(links, &view::LinksPanel::message, m_messages, &WindowMessages::say);
     connect(cage, &view::CagePanel::message, m_messages, &WindowMessages::say);
+    connect(analysis, &view::AnalysisPanel::message, m_messages, &WindowMessages::say);
     connect(appearance, &view::AppearancePanel::message, m_messages, &WindowMessages::say);
     connect(cage, &view::CagePanel::defineRequested, m_canvas,
             [this] { m_canvas->setTool(view::CanvasView::Tool::DefineTriangle); });
@@ -257,20 +271,19 @@ void MainWindow::createPanels() {
         collection, {&m_document, &m_file, m_fileCommands, [this] { m_discoverMenu->showTransformation(); }});
 }
 
-// The list of entries appears with the first file of several, but not with the first picture, whose other
-// entries nobody asked for. From then on the layout is the user's.
+// The list of entries appears with every file of several, but not with the first picture, whose other entries
+// nobody asked for; nor in a window in which the user has closed it.
 void MainWindow::showEntriesWithSeveral() {
     QDockWidget* entries = m_panels.dock(Panel::Entries);
     entries->hide();
+    const auto* watch = new ClosingWatch(entries);
     connect(&m_document, &document::Document::changed, entries,
-            [this, entries](const document::Change& change) {
+            [this, entries, watch](const document::Change& change) {
                 using document::Change;
                 const bool isNews = change.parts & (Change::File | Change::Entries) && !m_opensFirstPicture;
                 if (!isNews || m_document.file().entries.size() < 2 || m_room->isSmall() ||
-                    menuBar()->isHidden() || view::stored(entriesAppeared).toBool())
+                    menuBar()->isHidden() || !entries->isHidden() || watch->wasClosed())
                     return;
-                view::store(entriesAppeared, true);
-                if (!entries->isHidden()) return;
                 entries->show();
                 resizeDocks({entries, m_panels.dock(Panel::Collection)}, {1, 1}, Qt::Vertical);
             });
@@ -316,7 +329,7 @@ void MainWindow::createLesson() {
     QDockWidget* lesson = dock(Panel::Lesson, m_lessons->panel());
     tabifyDockWidget(m_panels.dock(Panel::History), lesson);
     lesson->hide();
-    m_panels.dock(Panel::Maps)->raise(); // what becomes a tab takes the front
+    m_panels.dock(Panel::Maps)->raise(); // front of the new tabs
     m_lessons->setPanels(m_panels);
     m_lessons->setFiles(m_fileCommands, &m_file);
     m_recovery.follow(&m_lessons->notebook());
@@ -375,7 +388,7 @@ void MainWindow::createOptionsBar() {
     addToolBar(Qt::BottomToolBarArea, m_optionsBar);
     connect(m_stage, &Stage::switched, options, [this, options] {
         if (m_stage->showsSpace())
-            m_canvas->setTool(view::CanvasView::Tool::Cage); // most others are of the plane
+            m_canvas->setTool(view::CanvasView::Tool::Cage); // most other tools need the plane
         options->setSpace(m_stage->showsSpace());
     });
     QAction* shown = m_optionsBar->toggleViewAction();
@@ -401,7 +414,7 @@ void MainWindow::connectDocument() {
         using document::Change;
         const bool isAnother = change.parts & (Change::System | Change::Current | Change::File);
         if (isAnother || (!change.live && change.parts & Change::Cage))
-            QMetaObject::invokeMethod( // nobody waits for it
+            QMetaObject::invokeMethod( // queued, since nothing depends on it
                 m_status, [this] { m_status->showVerdict(m_document.fractal()); }, Qt::QueuedConnection);
         if (!change.live && change.parts & (Change::Name | Change::Current | Change::File)) updateTitle();
     });
@@ -449,7 +462,7 @@ void MainWindow::adopt(const view::Preferences& preferences) {
     m_bridge->setQuality(preferences.quality);
     m_stage->space()->navigation().setTrackball(preferences.trackball);
     m_stage->compare()->setTrackball(preferences.trackball);
-    if (m_toolBar) m_toolBar->adopt(preferences); // which is made later, with those that are stored
+    if (m_toolBar) m_toolBar->adopt(preferences); // created later otherwise, with the stored preferences
 }
 
 void MainWindow::showCollection() {
@@ -477,14 +490,13 @@ bool MainWindow::mayClose(Leaving leaving) {
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {
-    const bool isReading = m_file.isReading(); // whoever waits for that still uses the window
+    const bool isReading = m_file.isReading(); // such a reading still uses the window
     if (!std::exchange(m_mayClose, false) && !mayClose(Leaving::Window)) return event->ignore();
     m_mayClose = false;
     const bool presents = m_teachMenu->presentation()->isChecked();
     if (!presents) m_room->showHiddenPanels();
     view::store(QStringLiteral("window/geometry"), presents ? m_before.geometry : saveGeometry());
     view::store(QStringLiteral("window/state"), presents ? m_before.layout : saveState());
-    view::store(entriesAppeared, view::stored(entriesAppeared).toBool());
     session::remember();
     m_recovery.giveUp();
     if (isReading) {
@@ -500,7 +512,6 @@ void MainWindow::restoreLayout() {
                 {int(260 * larger), int(430 * larger)}, Qt::Horizontal);
     placeWindow(this, view::stored(QStringLiteral("window/geometry")).toByteArray());
     m_isAsItWasLeft = restoreStoredLayout(this, view::stored(QStringLiteral("window/state")).toByteArray());
-    if (m_isAsItWasLeft && !view::stored(entriesAppeared).isValid()) view::store(entriesAppeared, true);
     if (!toolBarBreak(m_optionsBar)) insertToolBarBreak(m_optionsBar); // as earlier versions left it
 }
 
@@ -563,7 +574,7 @@ void MainWindow::dropEvent(QDropEvent* event) {
         if (url.isLocalFile()) paths << url.toLocalFile();
     if (paths.isEmpty()) return event->ignore();
     view::acceptAsCopy(*event);
-    // Runs after the drop: questions may follow, and the program that it came from waits.
+    // Runs after the drop: questions may follow, and the source of the drag waits.
     QMetaObject::invokeMethod(
         this,
         [this, paths, self = QPointer(this)] {

@@ -44,20 +44,21 @@ public:
     explicit MainWindow(QWidget* parent = nullptr);
     ~MainWindow() override;
 
-    bool openPath(const QString& path); // says what went wrong
+    bool openPath(const QString& path); // reports failures
     bool openPath(const QString& path, const FileReading& reading) override;
     OpenFile& file() override { return m_file; }
     // Files and unsaved work, in windows of this kind as files/open_each.h says.
     static void openEach(const QList<WantedFile>& files, MainWindow* first = nullptr);
     static void openEach(const QStringList& paths, MainWindow* first = nullptr);
-    void openRecent(const QString& path); // asks about unsaved changes first
-    void chooseAndOpen();                 // likewise
-    void openFirstPicture();              // the maple of the collection, without a path
-    bool beginFirstMinute();              // with that picture; false when the user has dragged one before
+    void openRecent(const QString& path);  // asks about unsaved changes first
+    void chooseAndOpen();                  // asks about unsaved changes first
+    void openFirstPicture();               // the maple of the collection, without a path
+    void openLink(const QByteArray& link); // without a path; says what went wrong, beside the first picture
+    bool beginFirstMinute(); // starts with that picture; false if the user has dragged a corner before
     void openRecovered(const document::Abandoned& abandoned);
     void openRecovered(const document::Abandoned& abandoned, const FileReading& reading) override;
-    void showCollection(); // ready for a search
-    void addRandom();      // picked out of many
+    void showCollection(); // opens it with the focus in the search field
+    void addRandom();      // adds one chosen by the user among many
 
     document::Document& document() { return m_document; }
     const Panels& panels() const { return m_panels; }
@@ -95,8 +96,8 @@ private:
 
     void updateTitle();
     void restoreLayout();
-    void takeFocusFrom(const QWidget* hidden); // so that it does not go to any other field
-    void present(bool on);                     // the canvas alone on the screen
+    void takeFocusFrom(const QWidget* hidden); // prevents the focus from moving to another field
+    void present(bool on);                     // full screen with the canvas alone
 
     document::Document m_document;
     OpenFile m_file;
@@ -109,9 +110,9 @@ private:
     Panels m_panels;
     RoomForPicture* m_room;
     bool m_opensFirstPicture = false;
-    bool m_isAsItWasLeft = false; // the layout of the panels
-    bool m_mayClose = false;      // the user has been asked
-    view::CanvasView* m_canvas;   // of the plane
+    bool m_isAsItWasLeft = false; // true if the panels have the layout of the last run
+    bool m_mayClose = false;      // true once the user has agreed
+    view::CanvasView* m_canvas;   // canvas of the plane
     view::TimelinePanel* m_timeline;
     view::CollagePanel* m_collage;
     StatusLine* m_status;
@@ -128,9 +129,9 @@ private:
     FirstMinute* m_firstMinute = nullptr;
     struct {
         QByteArray geometry;
-        QByteArray layout; // of panels and bars
+        QByteArray layout; // layout of panels and bars
         bool fullScreen = false;
-    } m_before; // the presentation
+    } m_before; // state before the presentation
     ToolBar* m_toolBar = nullptr;
-    QToolBar* m_optionsBar = nullptr; // under the canvas
+    QToolBar* m_optionsBar = nullptr; // bar under the canvas
 };

@@ -5,6 +5,7 @@
 #include "files/open_each.h"
 #include "first_minute.h"
 #include "first_picture.h"
+#include "io/collection_reader.h"
 #include "lessons/lesson_commands.h"
 #include "messages/window_messages.h"
 #include "panels/timeline/timeline_panel.h"
@@ -33,6 +34,14 @@ void MainWindow::openFirstPicture() {
                                         this);
     }
     m_firstMinute->invite();
+}
+
+void MainWindow::openLink(const QByteArray& link) {
+    document::FractalFile file = io::readCollection(link).file;
+    if (!file.entries.isEmpty()) return m_file.startFrom(std::move(file), document::EntryId::None);
+    openFirstPicture();
+    m_messages->fail(tr("%1 could not be opened").arg(QStringLiteral("barycage:…")),
+                     file.problems.isEmpty() ? QString() : file.problems.front().message);
 }
 
 bool MainWindow::beginFirstMinute() {

@@ -11,8 +11,8 @@
 
 namespace {
 
-constexpr char gaveWay[] = "gaveWay"; // a property of panels that were hidden for the picture
-constexpr double least = 0.4;         // of the window, that a layout the user made leaves to the picture
+constexpr char gaveWay[] = "gaveWay"; // property of panels that were hidden for the picture
+constexpr double least = 0.4; // share of the window that a layout made by the user leaves to the picture
 
 // The width of a panel with the names of those that share its place: the window divides its room among both.
 int widthOf(const QDockWidget* panel) {
@@ -44,7 +44,7 @@ QList<QDockWidget*> RoomForPicture::columns() const {
     for (const Qt::DockWidgetArea area : {Qt::LeftDockWidgetArea, Qt::RightDockWidgetArea})
         for (QDockWidget* panel : panels())
             if (m_window->dockWidgetArea(panel) == area && !panel->isFloating() &&
-                panel->features() != QDockWidget::NoDockWidgetFeatures && // as the text of a lesson
+                panel->features() != QDockWidget::NoDockWidgetFeatures && // not fixed, like a lesson's text
                 !panel->visibleRegion().isEmpty()) {
                 found << panel;
                 break;
@@ -94,14 +94,14 @@ bool RoomForPicture::eventFilter(QObject* watched, QEvent* event) {
 void RoomForPicture::windowShown(bool isAsItWasLeft) {
     for (QDockWidget* panel : panels())
         panel->installEventFilter(this);
-    if (!m_hasYielded) rememberWidths(); // it may be shown again
+    if (!m_hasYielded) rememberWidths(); // remembered for the next time
     if (isSmall()) hideLeftPanels();
     if (!isAsItWasLeft || m_picture->width() < least * m_window->width()) divide();
     m_size = m_window->size();
 }
 
 void RoomForPicture::windowResized(const QSize& before) {
-    m_size = {}; // until the panels have their places
+    m_size = {}; // unset until the panels have their places
     const bool isNarrower = m_window->width() < before.width();
     if (isNarrower && isSmall()) hideLeftPanels();
     const bool appear = !isNarrower && !isSmall() && showHiddenPanels();
@@ -109,7 +109,7 @@ void RoomForPicture::windowResized(const QSize& before) {
         if (mayYield || m_hasYielded) divide();
         m_size = m_window->size();
     };
-    if (appear) // first they are laid out
+    if (appear) // appearing panels are laid out first
         QMetaObject::invokeMethod(this, settle, Qt::QueuedConnection);
     else
         settle();

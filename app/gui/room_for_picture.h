@@ -19,11 +19,11 @@ class RoomForPicture : public QObject {
 public:
     RoomForPicture(QMainWindow* window, const QWidget* picture);
 
-    void windowShown(bool isAsItWasLeft); // with the layout that the user left
+    void windowShown(bool isAsItWasLeft); // true if the user's own layout was restored
     void windowResized(const QSize& before);
     // However small the window is, before its layout is stored; false: none was hidden.
     bool showHiddenPanels();
-    bool isSmall() const; // too small for panels on the left
+    bool isSmall() const; // true if the window is too small for panels on the left
 
 signals:
     void hidden(const QStringList& titles);
@@ -33,14 +33,14 @@ protected:
 
 private:
     QList<QDockWidget*> panels() const;
-    QList<QDockWidget*> columns() const; // one panel of each side
+    QList<QDockWidget*> columns() const; // one panel from each side
     void hideLeftPanels();
     void rememberWidths();
     void divide();
 
     QMainWindow* m_window;
     const QWidget* m_picture;
-    QSize m_size;              // of the window, once its panels are laid out for it
-    bool m_hasYielded = false; // the panels are not as wide as they were
-    QHash<int, int> m_widths;  // by Qt::DockWidgetArea, as the user left them
+    QSize m_size;              // size of the window after the layout of its panels
+    bool m_hasYielded = false; // true if panels have been narrowed
+    QHash<int, int> m_widths;  // widths chosen by the user, by Qt::DockWidgetArea
 };

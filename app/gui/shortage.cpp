@@ -106,7 +106,7 @@ void sayNoThread() {
 void sayNoMemory() try {
     say(QCoreApplication::translate("Application", "There is not enough memory for this."));
 } catch (const std::bad_alloc&) {
-    // The message itself found no memory.
+    // No memory even for the message.
 }
 
 void endAtStart() {

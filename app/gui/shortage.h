@@ -27,6 +27,6 @@ void sayNoMemory();
 // nothing is unsaved.
 [[noreturn]] void endAtStart();
 
-constexpr int exitStatus = 3; // that of barycage-cli
+constexpr int exitStatus = 3; // same as in barycage-cli
 
 } // namespace shortage

@@ -60,9 +60,9 @@ SuddenEnd::SuddenEnd() {
 namespace {
 
 constexpr std::array caught{SIGHUP, SIGINT, SIGTERM};
-constexpr unsigned longest = 10; // seconds; also where the thread of the windows is busy
+constexpr unsigned longest = 10; // seconds, even if the GUI thread is busy
 
-std::array<int, 2> pipeEnds{-1, -1}; // what a handler of signals may do is to write into it
+std::array<int, 2> pipeEnds{-1, -1}; // a signal handler may do no more than write into the pipe
 volatile std::sig_atomic_t first = 0;
 volatile std::int64_t firstMoment = 0;
 
@@ -112,7 +112,7 @@ bool isIgnored(int signal) {
 } // namespace
 
 void SuddenEnd::watchSignals() {
-    if (::pipe(pipeEnds.data()) != 0) return; // they end the program as they did
+    if (::pipe(pipeEnds.data()) != 0) return; // signals keep their default action
     for (const int end : pipeEnds) {
         ::fcntl(end, F_SETFD, FD_CLOEXEC);
         ::fcntl(end, F_SETFL, O_NONBLOCK);
@@ -128,7 +128,7 @@ void SuddenEnd::endBySignal() {
     storeAndLetGo();
     std::fflush(nullptr);
     endAsUsual(first);
-    document::quickExit(128 + first); // somebody blocks it
+    document::quickExit(128 + first); // fallback if the signal is blocked
 }
 
 SuddenEnd::~SuddenEnd() {

@@ -11,7 +11,7 @@ class SuddenEnd : public QObject {
 
 public:
     SuddenEnd();
-    ~SuddenEnd() override; // signals end the program at once again
+    ~SuddenEnd() override; // restores the default: signals end the program at once
 
 private:
     void watchSignals();

@@ -54,7 +54,7 @@ Welcome::Welcome(MainWindow* host) : MessageBanner(host) {
                                             folder, this);
         file->setIcon(view::icon(QStringLiteral("open")));
         file->setToolTip(view::tooltipText(QDir::toNativeSeparators(path)));
-        file->setAccessibleDescription(QDir::toNativeSeparators(path)); // which is the tool tip otherwise
+        file->setAccessibleDescription(QDir::toNativeSeparators(path)); // in place of the tool tip
         connect(file, &QPushButton::clicked, host, [host, path] { host->openRecent(path); });
         layout->addWidget(file);
     }

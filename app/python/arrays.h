@@ -29,7 +29,7 @@ pybind11::array_t<Number> arrayOf(std::vector<Number>&& numbers, std::vector<pyb
 template <int Dim> Numbers arrayOf(const ifs::Vector<Dim>& vector) {
     return Numbers(Dim, vector.data());
 }
-template <int Dim> Numbers arrayOf(std::span<const ifs::Vector<Dim>> points) { // (n, Dim)
+template <int Dim> Numbers arrayOf(std::span<const ifs::Vector<Dim>> points) { // shape (n, Dim)
     std::vector<double> numbers;
     numbers.reserve(points.size() * Dim);
     for (const auto& point : points)

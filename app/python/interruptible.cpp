@@ -12,7 +12,7 @@
 namespace python {
 
 void interruptibly(const std::function<void(const std::stop_token&)>& work) {
-    constexpr std::chrono::milliseconds between{50}; // looks for a signal
+    constexpr std::chrono::milliseconds between{50}; // interval between two checks for signals
     std::packaged_task<void(std::stop_token)> task([&](const std::stop_token& stop) { work(stop); });
     std::future<void> done = task.get_future();
     std::optional<pybind11::error_already_set> interrupted;

@@ -59,7 +59,7 @@ int threadsOf(int threads) {
 template <int Dim, class Orbit, class Place>
 void follow(Orbit& orbit, const Place& place, std::vector<double>& points, std::vector<double>& addresses,
             const std::stop_token& stop) {
-    constexpr std::size_t between = 1U << 14; // looks for a stop
+    constexpr std::size_t between = 1U << 14; // samples between two checks for a stop
     for (std::size_t i = 0; i < addresses.size(); ++i) {
         if (i % between == 0 && stop.stop_requested()) return;
         const auto point = orbit.next();

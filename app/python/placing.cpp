@@ -103,7 +103,8 @@ attractor::RenderRequest requestOf(const notation::Entry& entry, int width, int 
     request.cage = figure.cage;
     request.moved = notation::movedBranches(figure.system, figure.moved);
     request.appearance = entry.appearance;
-    request.appearance.shadow = 0; // its ground is the lowest line of the picture, which takes a window
+    // No shadow: its ground is the lowest line of the picture, which is known only with a window.
+    request.appearance.shadow = 0;
     request.camera.width = width;
     request.camera.height = height;
     return request;

@@ -27,7 +27,7 @@ BARYCAGE_WEB void barycage_free(web::Engine* engine);
 // The system. A row is the linear part by rows, the translation, and a weight: NaN where none is given. What
 // was loaded before is forgotten. Dimension 2, or 3 in an engine that knows space; 0 is returned for others.
 BARYCAGE_WEB int barycage_load(web::Engine* engine, int dimension, const double* rows, int maps);
-BARYCAGE_WEB void barycage_links(web::Engine* engine, const double* matrix); // maps × maps, by rows
+BARYCAGE_WEB void barycage_links(web::Engine* engine, const double* matrix); // maps × maps, row by row
 // The group as in ifs::SymmetryGroup; the centre, then the frame by rows. 0 where there is no such symmetry.
 BARYCAGE_WEB int barycage_symmetry(web::Engine* engine, int group, int order, double angle,
                                    const double* place);

@@ -49,7 +49,7 @@ struct Engine {
     attractor::Workers alone{1};
     attractor::Frame frame;
     std::optional<attractor::Exposure> exposure;
-    std::vector<std::uint32_t> pixels; // in space
+    std::vector<std::uint32_t> pixels; // picture of an entry in space
     std::vector<std::uint8_t> straight;
 
     bool isSpace() const { return knowsSpace && dimension == 3; }

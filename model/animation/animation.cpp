@@ -57,7 +57,7 @@ public:
           m_reference(referenceOf(animation, m_pose)) {}
 
     Pose<Dim> pose() && {
-        moveBranches(); // about the places of the code at rest
+        moveBranches(); // relative to the code at rest
         moveMaps();
         moveCage();
         if (!m_animation.look.empty()) moveLook();
@@ -230,7 +230,8 @@ template <int Dim> bool isValid(const Animation<Dim>& animation) {
 template <int Dim>
 std::optional<CommonNorm<Dim>> commonNorm(const Animation<Dim>& animation,
                                           const ifs::IteratedFunctionSystem<Dim>& still) {
-    // Mostly all contract as they are, and there may be thousands of keys: they are looked at where they lie.
+    // Most common case: all maps contract at all keys. Maps are read in place, because there may be thousands
+    // of keys.
     const std::vector<double> probabilities = ifs::probabilities(still);
     const auto allOf = [&](auto&& holds) {
         for (std::size_t i = 0; i < still.maps.size(); ++i)
@@ -243,8 +244,8 @@ std::optional<CommonNorm<Dim>> commonNorm(const Animation<Dim>& animation,
         return true;
     };
     if (allOf(contracts<Dim>)) return CommonNorm<Dim>{};
-    // The norm takes long to find, and one moment of an animation comes after another: the last one is
-    // remembered.
+    // Cache of the last norm, which takes long to find: the next moment of an animation often has the same
+    // one.
     struct Found {
         std::vector<ifs::AffineMap<Dim>> maps;
         std::optional<CommonNorm<Dim>> norm;

@@ -29,8 +29,8 @@ template <int Dim> struct Pose {
     std::optional<ifs::ControlCage<Dim>> cage{};
     std::vector<BranchPose<Dim>> moved{};
     attractor::Appearance appearance{};
-    std::optional<CameraPose<Dim>> camera{}; // nullopt: no key says
-    std::vector<CameraTurn> orbit{};         // how a camera in space has gone round: orbited()
+    std::optional<CameraPose<Dim>> camera{}; // nullopt: the keys set no camera
+    std::vector<CameraTurn> orbit{};         // turns of a camera in space, from orbited()
     attractor::SpaceAppearance inSpace{};
 };
 
@@ -71,12 +71,12 @@ template <int Dim> struct Animation {
     // without a cage that of the fixed points.
     std::optional<ifs::Vector<Dim>> reference{};
     // The tracks. One without keys is still, and not listed.
-    Keys<CagePose<Dim>> cage{}; // positions of as many vertices as the cage has
+    Keys<CagePose<Dim>> cage{}; // positions, one for each vertex of the cage
     std::vector<MapTrack<Dim>> maps{};
     std::vector<BranchTrack<Dim>> branches{};
     Keys<Look> look{};
     Keys<CameraPose<Dim>> camera{};
-    std::vector<Motion<Dim>> motions{}; // after the keys, in their order
+    std::vector<Motion<Dim>> motions{}; // applied after the keys, in this order
 
     // The pose at a moment: first the keys are applied, then the motions; values that nothing moves come from
     // `still`. Keys of maps that the system lacks, and cage keys with another number of vertices, have no

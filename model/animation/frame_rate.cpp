@@ -9,7 +9,7 @@ namespace animation {
 namespace {
 
 constexpr std::int64_t maxTerm = 1'000'000;
-constexpr int televised[] = {24, 30, 48, 60, 120, 240}; // each is slowed down by 1000/1001
+constexpr int televised[] = {24, 30, 48, 60, 120, 240}; // also offered slowed down by 1000/1001
 
 // The broadcast rate from which a decimal with two or more digits behind the point was rounded.
 std::optional<FrameRate> televisedRate(const Moment& decimal) {
@@ -26,7 +26,7 @@ std::optional<FrameRate> televisedRate(const Moment& decimal) {
 } // namespace
 
 std::optional<FrameRate> parseRate(std::string_view text) {
-    const auto rate = parseMoment(text); // the same form
+    const auto rate = parseMoment(text); // same notation
     if (!rate || rate->numerator <= 0 || rate->numerator > maxTerm || rate->denominator > maxTerm ||
         rate->numerator > maxRate * rate->denominator)
         return std::nullopt;

@@ -40,7 +40,8 @@ std::optional<Correspondence<Dim>> correspondence(const ifs::ActiveMaps<Dim>& fr
             result.cost(i, k) =
                 costOf<Dim>(from.maps[std::size_t(i)], to.maps[std::size_t(k)], result.reference, covariance);
     Eigen::MatrixXd pinned = result.cost;
-    const double more = 2 * double(rows + columns) * (1 + result.cost.maxCoeff()); // than any detour saves
+    // Exceeds the saving of any detour.
+    const double more = 2 * double(rows + columns) * (1 + result.cost.maxCoeff());
     for (const Pin& pin : pins)
         pinned(Eigen::Index(pin.from), Eigen::Index(pin.to)) -= more;
     result.pairs = transport(from.probabilities, to.probabilities, pinned);

@@ -10,13 +10,13 @@
 
 namespace animation {
 
-constexpr std::size_t maxMorphMaps = 256; // of each code
+constexpr std::size_t maxMorphMaps = 256; // largest number of maps of each code
 
 // The pairing by which the maps of one code become those of another. docs/mathematics.md, "Morphs".
 template <int Dim> struct Correspondence {
-    ifs::Vector<Dim> reference;  // the mean of both measures together
-    Eigen::MatrixXd cost;        // of a unit of weight from map i of the one to map k of the other
-    std::vector<Shipment> pairs; // of active maps
+    ifs::Vector<Dim> reference; // mean of both measures together
+    Eigen::MatrixXd cost;       // cost per unit of weight from map i of the first code to map k of the second
+    std::vector<Shipment> pairs; // active maps only
     double total = 0;            // cost of all pairs
 };
 

@@ -33,7 +33,7 @@ public:
     }
 
 private:
-    // The north-west corner rule: it leaves a source or a sink at each step, and so a tree.
+    // North-west corner rule. Each step exhausts one source or sink, so that the result is a tree.
     void begin(std::vector<double> supply, std::vector<double> demand) {
         std::size_t i = 0, k = 0;
         for (;;) {
@@ -79,7 +79,7 @@ private:
         return place < m_sources ? m_sources + m_ways[way].to : m_ways[way].from;
     }
 
-    // Brings in the way that saves most; false when none does.
+    // Adds the way that saves most; false if none saves anything.
     bool improve() {
         label();
         double least = -m_tolerance;
@@ -99,14 +99,14 @@ private:
         return true;
     }
 
-    // Around the circle that the new way closes in the tree, amounts change by turns.
+    // Alternately adds and subtracts along the circle that the new way closes in the tree.
     void enterBasis(std::size_t from, std::size_t to) {
-        std::vector<std::size_t> less, more; // ways whose amounts shrink, and grow
+        std::vector<std::size_t> less, more; // ways whose amounts decrease, and increase
         std::size_t a = from, b = m_sources + to;
         const auto climb = [&](std::size_t& place) {
             const std::size_t way = m_parent[place];
-            // The new way adds to its two ends: the next ones shrink, those after them grow, and so on. What
-            // shrinks is what leaves a source towards the root on its side.
+            // The new way adds to its two ends: the next ways decrease, those after them increase, and so on.
+            // A way decreases if it leaves a source towards the root on the side of the source.
             const bool isSource = place < m_sources;
             (isSource == (&place == &a) ? less : more).push_back(way);
             place = other(way, place);
@@ -129,7 +129,7 @@ private:
     double m_tolerance;
     std::vector<Way> m_ways;
     std::vector<double> m_potential;
-    std::vector<std::size_t> m_parent; // the way towards the root, the first source
+    std::vector<std::size_t> m_parent; // way towards the root, the first source
     std::vector<std::size_t> m_depth;
 };
 
@@ -165,8 +165,8 @@ void settle(std::vector<Way>& ways, std::vector<double> supply, std::vector<doub
 std::vector<Shipment> transport(const std::vector<double>& supply, const std::vector<double>& demand,
                                 const Eigen::MatrixXd& cost, const std::stop_token& stop) {
     if (supply.empty() || demand.empty()) return {};
-    // Amounts that differ a little in every source keep the simplex from going round in circles; the tree
-    // that it ends with is the best one for the amounts themselves, which settle() puts back.
+    // Perturbs the amounts a little, differently for every source, which prevents cycling. The final tree is
+    // also optimal for the original amounts, which settle() restores.
     constexpr double nudge = 1e-11;
     std::vector<double> nudged = supply, sink = demand;
     for (std::size_t i = 0; i < nudged.size(); ++i) {

@@ -12,7 +12,7 @@ namespace animation {
 struct Shipment {
     std::size_t from = 0;
     std::size_t to = 0;
-    double amount = 0; // above 0
+    double amount = 0; // > 0
 
     friend bool operator==(const Shipment&, const Shipment&) = default;
 };

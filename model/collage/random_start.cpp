@@ -20,7 +20,7 @@ public:
     std::size_t below(std::size_t count) { return std::min(count - 1, std::size_t(unit() * double(count))); }
 
 private:
-    // The finaliser of SplitMix64 (Steele, Lea and Flood 2014).
+    // Finaliser of SplitMix64 (Steele, Lea and Flood 2014).
     static std::uint64_t mixed(std::uint64_t x) {
         x += 0x9E3779B97F4A7C15;
         x = (x ^ (x >> 30)) * 0xBF58476D1CE4E5B9;
@@ -29,7 +29,7 @@ private:
     }
     double unit() { return double(m_engine() >> 11) * 0x1p-53; }
 
-    std::mt19937_64 m_engine; // the same everywhere, unlike the distributions of the library
+    std::mt19937_64 m_engine; // portable, unlike the distributions of the library
 };
 
 // The farthest from the others of a few cells.
@@ -90,7 +90,7 @@ private:
         return {m_target.columns[k], m_target.rows[k]};
     }
     bool mirrors() { return m_random.below(3) == 0 && m_constraints.mirrors == Mirrors::Allowed; }
-    // Mean distance of the image of the target from the target.
+    // Mean distance of the target's image from the target.
     double excess(const ifs::AffineMap<2>& map) const {
         double sum = 0;
         for (const ifs::Vector<2>& point : m_samples)
@@ -103,7 +103,7 @@ private:
         double least = HUGE_VAL;
         for (int attempt = 0; attempt < leaders; ++attempt) {
             const double scale = m_random.between(0.7, 0.9);
-            // Plants hardly turn, spirals do.
+            // Small turns as in plants, or large ones as in spirals.
             const double turn = attempt % 2 == 0 ? 0.2 : std::numbers::pi;
             const bool isMirror = attempt % 8 == 7 && mirrors();
             ifs::AffineMap<2> map = similarity(scale, m_random.between(-turn, turn), isMirror);
@@ -117,7 +117,7 @@ private:
         }
         return best;
     }
-    // The farthest from the images so far of a few cells.
+    // The farthest of a few cells from the images so far.
     ifs::Vector<2> uncovered() {
         ifs::Vector<2> best = m_target.mean;
         double farthest = -1;
@@ -153,9 +153,9 @@ private:
     const Target& m_target;
     const Constraints& m_constraints;
     Random m_random;
-    std::vector<ifs::Vector<2>> m_samples; // of the target
+    std::vector<ifs::Vector<2>> m_samples; // samples of the target
     ifs::AffineMap<2> m_leader;
-    ifs::Matrix<2> m_back; // its linear part, inverted
+    ifs::Matrix<2> m_back; // inverse of its linear part
     std::vector<ifs::Vector<2>> m_taken;
 };
 

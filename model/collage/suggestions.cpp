@@ -24,19 +24,19 @@ using Maps = std::vector<ifs::AffineMap<2>>;
 // The longer side of the target, in cells, at the three stages, and how many cells the last one may have:
 // thin shapes are fitted at a finer scale.
 constexpr int coarseSide = 64, mediumSide = 128, fineSide = 512, fineCells = 16'000;
-constexpr double levelMargin = 0.25, pictureMargin = 0.25; // shares of that side around it
+constexpr double levelMargin = 0.25, pictureMargin = 0.25; // margins as shares of the side
 // Share of the starts that go on from the coarse level: one in so many.
 constexpr std::size_t goingOn = 4;
-constexpr std::size_t trialBatches = 3; // in which every number of maps is tried,
-constexpr std::size_t finalCounts = 3;  // before so many of them go on
-constexpr std::size_t poolSize = 24;    // of each number of maps
-constexpr double searchShare = 0.5;     // of the time; the rest makes the best fit better
-constexpr double pricePerMap = 0.0004;  // of the size of the target
-constexpr double maxNorm = 0.9;         // of a map in a result
-constexpr double alike = 0.05;          // of the size: what systems that count as one differ by
+constexpr std::size_t trialBatches = 3; // batches in which all numbers of maps are tried
+constexpr std::size_t finalCounts = 3;  // numbers of maps that are pursued after these batches
+constexpr std::size_t poolSize = 24;    // candidates for each number of maps
+constexpr double searchShare = 0.5;     // share of the time; the rest refines the best fit
+constexpr double pricePerMap = 0.0004;  // share of the target's size
+constexpr double maxNorm = 0.9;         // norm of a map in a result
+constexpr double alike = 0.05;          // share of the size by which equivalent systems differ at most
 
 struct Candidate {
-    Maps maps; // of the plane
+    Maps maps; // maps of the plane
     double score = 0;
     std::uint64_t start = 0;
     std::vector<double> weights;
@@ -138,9 +138,9 @@ private:
     Clock::time_point m_begin = Clock::now();
     Target m_picture, m_coarse, m_medium, m_fine;
     attractor::Workers m_workers;
-    std::vector<std::unique_ptr<CollageFit>> m_coarseFits, m_mediumFits; // one per thread
-    std::vector<int> m_counts;                                           // the numbers of maps still tried
-    std::map<std::size_t, std::vector<Candidate>> m_pools;               // by the number of maps, best first
+    std::vector<std::unique_ptr<CollageFit>> m_coarseFits, m_mediumFits; // one for each thread
+    std::vector<int> m_counts;                                           // numbers of maps still being tried
+    std::map<std::size_t, std::vector<Candidate>> m_pools; // candidates by number of maps, best first
 };
 
 // Returns true for every other of the starts of each number of maps, whatever the batches.

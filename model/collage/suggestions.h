@@ -20,7 +20,7 @@ struct SearchOptions {
     int maxMaps = 8;
     Constraints constraints;
     std::uint64_t seed = 0;
-    std::size_t starts = 0; // 0: as many as fit into the time
+    std::size_t starts = 0; // number of starts; 0: as many as fit into the time
     std::chrono::duration<double> time{2};
     int threads = 1;
     std::size_t maxResults = 6;
@@ -28,14 +28,14 @@ struct SearchOptions {
 
 struct Suggestion {
     std::vector<ifs::AffineMap<2>> maps;
-    std::vector<double> weights; // which share of the target each map covers, none below 1 %; sum 1
+    std::vector<double> weights; // share of the target that each map covers, at least 1 %; sum 1
     CollageMeasure collage;      // in pixels of the mask
-    Agreement attractor;         // likewise
+    Agreement attractor;         // lengths in pixels of the mask
 };
 
 struct Suggestions {
     std::vector<Suggestion> list; // best first; empty when stopped
-    std::size_t starts = 0;       // how many were made
+    std::size_t starts = 0;       // number of starts made
 };
 
 // Fits collages from many random starts, makes the attractors of the best distinct ones fit better, and lists

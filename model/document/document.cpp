@@ -24,7 +24,7 @@ public:
           m_after(std::move(after)),
           m_kind(kind) {}
 
-    ~EditCommand() override { // two files may be all there is of a hundred thousand entries
+    ~EditCommand() override { // may hold the last references to a hundred thousand entries
         for (Document::State* state : {&m_before, &m_after})
             if (state->file) freeInBackground(std::move(*state->file));
     }
@@ -49,7 +49,7 @@ private:
     using Clock = std::chrono::steady_clock;
     static constexpr std::chrono::seconds toJoin{1};
 
-    Document* m_document; // owns the stack that owns this
+    Document* m_document; // owner of the stack that owns this command
     Document::State m_before;
     Document::State m_after;
     int m_kind;
@@ -247,7 +247,7 @@ void Document::editFile(const QString& text, FractalFile after, EntryId current)
     commitGesture();
     settle(after);
     if (indexOf(after, current) < 0) current = m_current;
-    if (indexOf(after, current) < 0) { // the current entry was removed: a neighbour takes over
+    if (indexOf(after, current) < 0) { // removed entry: a neighbour becomes current
         const qsizetype last = after.entries.size() - 1;
         current = last < 0 ? EntryId::None : after.entries.at(std::clamp<qsizetype>(m_index, 0, last)).id;
     }
@@ -322,7 +322,7 @@ void Document::commitGesture() {
     if (!m_gesture) return;
     const auto before = m_gesture->entry, after = settled(currentEntry().fractal);
     if (*after == *before) return cancelGesture();
-    // The step's own announcement ends the live state; the gesture stays until then so that nothing is
+    // The announcement of the step ends the live state; the gesture stays open until then, so that nothing is
     // missed.
     push(textOf(m_gesture->text, m_gesture->keyedFrame), {m_current, before, {}}, {m_current, after, {}},
          m_gesture->kind);

@@ -23,17 +23,17 @@ struct Change {
         System = 0x01, // maps, weights, order, on/off
         Cage = 0x02,
         Appearance = 0x04,
-        Name = 0x08,       // and comments
+        Name = 0x08,       // includes comments
         Entries = 0x10,    // added, removed, reordered
-        Current = 0x20,    // another entry is shown
-        File = 0x40,       // another file altogether
-        Time = 0x80,       // another moment of the animation is shown
-        Animation = 0x100, // its keys, motions, length, …
+        Current = 0x20,    // different entry shown
+        File = 0x40,       // different file
+        Time = 0x80,       // different moment of the animation shown
+        Animation = 0x100, // keys, motions, length, …
         Everything = 0x1ff,
     };
     Q_DECLARE_FLAGS(Parts, Part)
     Parts parts;
-    bool live = false; // in the middle of a gesture, or while time runs: more of the same is to come
+    bool live = false; // true within a gesture or while time runs: more such changes follow
 };
 
 // The parts in which two fractals differ, as they are shown: all but Animation.
@@ -41,8 +41,8 @@ Change::Parts difference(const Fractal& a, const Fractal& b);
 
 // Effect on the code when the cage is moved.
 enum class CageMode {
-    Place,   // nothing: the code is drawn elsewhere
-    Rewrite, // it becomes that of the moved picture, and the cage rests where it is
+    Place,   // leaves the code; the picture is drawn elsewhere
+    Rewrite, // replaces the code by that of the moved picture; the cage stays at rest
 };
 
 // The open file, the entry being edited, and the history. Lives in the GUI thread.
@@ -53,11 +53,11 @@ class Document : public QObject, private GestureHost {
     Q_OBJECT
 
 public:
-    explicit Document(QObject* parent = nullptr); // a new file with a Sierpiński triangle
-    ~Document() override;                         // an open gesture ends with it
+    explicit Document(QObject* parent = nullptr); // starts with a Sierpiński triangle
+    ~Document() override;                         // ends an open gesture
 
     const FractalFile& file() const { return m_file; }
-    const Entry& currentEntry() const; // of a file without entries: an entry without id and system
+    const Entry& currentEntry() const; // entry without id and system if the file has none
     // The fractal that is seen and edited: the entry at the moment, as an ordinary fractal without an
     // animation. For an entry without animation, its fractal itself. A cage that is not stored lasts: that of
     // the entry at rest through all moments, and that from before a gesture until its end.
@@ -66,13 +66,13 @@ public:
     // The entry with its animation, if it has one.
     const Fractal& entryFractal() const { return *currentEntry().fractal; }
     EntryId currentId() const { return m_current; }
-    std::uint64_t revision() const { return m_revision; } // grows with every change
+    std::uint64_t revision() const { return m_revision; } // increases with every change
     QUndoStack* undoStack() { return &m_undoStack; }
-    bool isModified() const; // not as it was when opened or saved, an open gesture included
+    bool isModified() const; // true if changed since it was opened or saved, even by an open gesture
 
     void setFile(FractalFile file,
                  EntryId current = EntryId::None); // clears the history; None: the first loadable entry
-    void setCurrent(EntryId id); // not a step of the history; an id that is not in the file is ignored
+    void setCurrent(EntryId id);                   // no step of the history; ignores unknown ids
     // An entry that is shown beside the current one: undoing and redoing its edits leaves the current one.
     void setBeside(EntryId id) { m_beside = id; }
     // Declares the present state clean after saving, and takes over the problems of `saved`, the file read
@@ -87,7 +87,7 @@ public:
     const std::optional<attractor::OrbitCamera>& camera() const { return m_shown.camera; }
     // Turns that the camera in space has made: animation::orbited().
     const std::vector<animation::CameraTurn>& orbit() const { return m_shown.orbit; }
-    enum class Pace { Rest, Running }; // Running: more moments are to come at once
+    enum class Pace { Rest, Running }; // Running: more moments follow at once
     void setMoment(const animation::Moment& moment, Pace pace = Pace::Rest);
 
     // Edits of one undo step each, described by `text` in the imperative; nothing happens when nothing would
@@ -95,7 +95,7 @@ public:
     // `after` is derived from fractal(); in an animation, values with keys get a key at the moment
     // (withFrameEdited()), and the description then names the frame.
     void edit(const QString& text, Fractal after);
-    void editEntry(const QString& text, Fractal after); // derived from entryFractal()
+    void editEntry(const QString& text, Fractal after); // `after` must be derived from entryFractal()
     void editFile(const QString& text, FractalFile after, EntryId current = EntryId::None);
 
     // A gesture on the current entry, whose step will be described by `text`.
@@ -106,7 +106,7 @@ public:
     // tells everybody that the cage has changed. No step of the history.
     void announceExtent() { announce(Change::Cage); }
 
-    TypedNumbers& typedNumbers() { return m_typedNumbers; } // of this session; no part of the file
+    TypedNumbers& typedNumbers() { return m_typedNumbers; } // texts of this session; not stored in the file
     const TypedNumbers& typedNumbers() const { return m_typedNumbers; }
 
     // The current mode of editing; no part of the file, no step of the history.
@@ -136,7 +136,7 @@ private:
 
     void apply(const State& state);
     void refresh();
-    Change::Parts replace(const std::shared_ptr<const Fractal>& entry); // the parts that differ
+    Change::Parts replace(const std::shared_ptr<const Fractal>& entry); // returns the parts that differ
     static QString textOf(const QString& text, std::optional<int> keyedFrame);
     void announce(Change::Parts parts, Live live = Live::No);
     void push(const QString& text, State before, State after, int kind = -1);
@@ -151,29 +151,29 @@ private:
     struct Gesture {
         std::shared_ptr<EditGesture::Link> link;
         QString text;
-        std::shared_ptr<const Fractal> entry; // when it began, as the moment
+        std::shared_ptr<const Fractal> entry; // state at its beginning, as is `moment`
         animation::Moment moment;
-        std::optional<int> keyedFrame; // at which the preview has keys
+        std::optional<int> keyedFrame; // frame at which the preview has keys
         Change::Parts previewed;       // parts announced as live
-        LastingCage lasting;           // once it is needed
-        int kind = -1;                 // of steps that become one
+        LastingCage lasting;           // set on demand
+        int kind = -1;                 // kind of steps to merge; −1: none
     };
     std::optional<Gesture> endGesture();
 
     FractalFile m_file;
     EntryId m_current = EntryId::None;
     EntryId m_beside = EntryId::None;
-    qsizetype m_index = -1; // of the current entry
+    qsizetype m_index = -1; // index of the current entry
     std::uint64_t m_revision = 0;
     animation::Moment m_moment;
     Change::Parts m_run; // parts announced since time began to run
     Shown m_shown;
-    std::shared_ptr<const Fractal> m_held; // the entry that m_lasting is of
+    std::shared_ptr<const Fractal> m_held; // entry of m_lasting
     LastingCage m_lasting;
     QUndoStack m_undoStack;
     TypedNumbers m_typedNumbers;
     CageMode m_cageMode = CageMode::Place;
-    std::optional<Gesture> m_gesture; // the open one
+    std::optional<Gesture> m_gesture; // open gesture, if any
 };
 
 Q_DECLARE_OPERATORS_FOR_FLAGS(Change::Parts)

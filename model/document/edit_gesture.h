@@ -26,29 +26,30 @@ class EditGesture {
 public:
     // State shared by the host and its gesture.
     struct Link {
-        GestureHost* host = nullptr; // null once the gesture has ended
+        GestureHost* host = nullptr; // null after the end of the gesture
         std::shared_ptr<const Fractal> before;
     };
     explicit EditGesture(std::shared_ptr<const Link> link);
-    ~EditGesture(); // cancels unless committed
+    ~EditGesture(); // cancels an open gesture
 
-    EditGesture(EditGesture&&) noexcept = default; // the other is not open afterwards
+    EditGesture(EditGesture&&) noexcept = default; // leaves the other gesture closed
     EditGesture(const EditGesture&) = delete;
     EditGesture& operator=(const EditGesture&) = delete;
 
-    bool isOpen() const; // until commit, cancel, undo, or another edit ends it
+    bool isOpen() const; // true until commit, cancel, undo or another edit
     // The fractal when the gesture began; compute every step from it.
     const Fractal& before() const { return *m_link->before; }
     // The text of the step, now that its values are known. Steps of one `kind` that follow each other within
     // a second become one step; −1: none of them.
     void describe(const QString& text, int kind = -1);
-    void preview(Fractal fractal);    // shown at once, not in the history; ignored once the gesture has ended
-    void previewEntry(Fractal entry); // the same, of Document::entryFractal() with its animation
-    void commit();                    // one step; none when the fractal is as it was
-    void cancel();                    // back to the beginning, exactly
+    // Shown at once without a step of the history; ignored after the end of the gesture.
+    void preview(Fractal fractal);
+    void previewEntry(Fractal entry); // preview of Document::entryFractal() including its animation
+    void commit();                    // adds one step to the history; none if the fractal is unchanged
+    void cancel();                    // restores the state before the gesture exactly
 
 private:
-    std::shared_ptr<const Link> m_link; // null in a gesture that was moved away
+    std::shared_ptr<const Link> m_link; // null after a move
 };
 
 } // namespace document

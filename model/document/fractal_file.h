@@ -17,19 +17,19 @@ enum class EntryId : std::uint32_t { None = 0 };
 // The bytes from which an entry was read, and their meaning. Never changes: while the entry's fractal still
 // equals `fractal`, it is written back byte for byte.
 struct EntrySource {
-    QByteArray before; // everything between the previous entry and this one
+    QByteArray before; // bytes between the previous entry and this one
     QByteArray
         text; // from the name to the closing brace and the rest of that line where it belongs to the entry
     Fractal fractal;
-    int line = 1;              // of the name, 1-based
-    QByteArray lineEnd = "\n"; // that its new lines get
+    int line = 1;              // line of the name, 1-based
+    QByteArray lineEnd = "\n"; // end of new lines
 };
 
 struct Entry {
     EntryId id = EntryId::None;
-    std::shared_ptr<const Fractal> fractal;    // never null; shared between the steps of the history
-    std::shared_ptr<const EntrySource> source; // null for an entry made here
-    Problems problems;                         // found when it was read
+    std::shared_ptr<const Fractal> fractal;    // never null; shared by the steps of the history
+    std::shared_ptr<const EntrySource> source; // null for new entries
+    Problems problems;                         // problems of reading
 
     friend bool operator==(const Entry& a, const Entry& b);
 };
@@ -37,21 +37,23 @@ struct Entry {
 // An ordered file of entries: a plain value, cheap to copy.
 struct FractalFile {
     QByteArray
-        head; // before the first entry's own comments: byte order mark, title; stays first whatever is moved
+        // Head of the file before the comments of the first entry: byte order mark, title; always stays
+        // first.
+        head;
     QList<Entry> entries;
-    QByteArray tail; // after the last entry: comments, ^Z
+    QByteArray tail; // bytes after the last entry: comments, ^Z
     QByteArray lineEnd = "\n";
-    Problems problems; // of the file as a whole
+    Problems problems; // problems of the file as a whole
 
     friend bool operator==(const FractalFile&, const FractalFile&);
 };
 
 EntryId freshId(const FractalFile& file);
-qsizetype indexOf(const FractalFile& file, EntryId id); // −1 when absent
+qsizetype indexOf(const FractalFile& file, EntryId id); // −1 if absent
 // `name` made legal and unique in the file, ignoring case: at most 18 bytes, no blanks, parentheses, braces,
 // ; or :. The entry `except` (the one being renamed) does not count as a holder of the name.
 QString uniqueName(const FractalFile& file, const QString& name, EntryId except = EntryId::None);
 
-FractalFile fileOf(Fractal fractal); // a new file of one entry
+FractalFile fileOf(Fractal fractal); // new file of one entry
 
 } // namespace document

@@ -21,7 +21,7 @@ QString toText(const Problem& problem, const QString& fileName) {
     const QString entry = isNamed ? QString() : name + QStringLiteral(": ");
     if (problem.line == 0)
         return QStringLiteral("%1: %2: %3%4").arg(fileName, severity, entry, problem.message);
-    // Filled in by a single call, because a file may be called “%4”.
+    // Single call of arg(), because the name of a file may contain “%4”.
     return QStringLiteral("%1:%2:%3: %4: %5%6")
         .arg(fileName, QString::number(problem.line), QString::number(problem.column), severity, entry,
              problem.message);

@@ -12,8 +12,8 @@ struct Problem {
     enum class Severity { Remark, Warning, Error };
 
     Severity severity = Severity::Warning;
-    QString entry;  // name of the entry, empty for the file as a whole
-    int line = 0;   // 1-based; 0 when it concerns no single place
+    QString entry;  // name of the entry; empty: the whole file
+    int line = 0;   // 1-based; 0: no single place
     int column = 0; // 1-based, in bytes
     QString message;
 
@@ -21,8 +21,8 @@ struct Problem {
 };
 using Problems = QList<Problem>;
 
-bool callsForAttention(const Problem& problem);   // as all but remarks do
-bool callsForAttention(const Problems& problems); // as one of them does
+bool callsForAttention(const Problem& problem);   // false for remarks only
+bool callsForAttention(const Problems& problems); // true if one of them does
 
 // "file:line:column: error: sentence"
 QString toText(const Problem& problem, const QString& fileName);

@@ -17,15 +17,15 @@ const QString nameKey = QStringLiteral("barycage: view ");
 const QString cameraKey = QStringLiteral("barycage: view-camera ");
 constexpr qsizetype maxLine = 69;       // bytes
 constexpr qsizetype maxViewName = 48;   // bytes
-constexpr std::size_t planeNumbers = 4; // and the rotation, where there is one
+constexpr std::size_t planeNumbers = 4; // numbers without the optional rotation
 constexpr std::size_t spaceNumbers = 10;
-constexpr double maxDistance = 1e30; // of positions and heights, as far as the canvas zooms
+constexpr double maxDistance = 1e30; // limit of positions and heights, as of the zoom
 
 // The lines of one view.
 struct Block {
     QString name;
     QList<qsizetype> lines;
-    std::vector<double> numbers; // empty: something is wrong with them
+    std::vector<double> numbers; // empty: invalid
     bool isWrong = false;
 };
 
@@ -72,7 +72,7 @@ std::optional<attractor::OrbitCamera> spaceView(const std::vector<double>& n) {
     attractor::OrbitCamera camera;
     camera.target = {n[0], n[1], n[2]};
     camera.orientation = orientation;
-    // An orientation as it was written keeps its bits.
+    // Keeps the bits of a stored orientation.
     if (std::abs(orientation.norm() - 1) > 1e-12) camera.orientation.normalize();
     camera.height = n[7];
     camera.fieldOfView = n[8];
@@ -169,7 +169,8 @@ Fractal withSavedView(Fractal fractal, const SavedView& view) {
 }
 
 Fractal withoutSavedView(Fractal fractal, const QString& name) {
-    while (const std::optional<Block> block = blockNamed(fractal, name)) // another one would come to light
+    // A removed block may reveal another one.
+    while (const std::optional<Block> block = blockNamed(fractal, name))
         removeLines(fractal.comments, block->lines);
     return fractal;
 }

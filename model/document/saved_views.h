@@ -15,15 +15,15 @@
 namespace document {
 
 struct SavedView {
-    using Camera = std::variant<attractor::View, attractor::OrbitCamera>; // its size means nothing
+    using Camera = std::variant<attractor::View, attractor::OrbitCamera>; // size is meaningless
 
-    QString name; // storableViewName() of itself
+    QString name; // must equal storableViewName(name)
     Camera camera;
 
     friend bool operator==(const SavedView&, const SavedView&) = default;
 };
 
-inline constexpr std::size_t maxSavedViews = 100; // of an entry; further lines are kept and passed over
+inline constexpr std::size_t maxSavedViews = 100; // views per entry; further lines are kept and ignored
 
 // Views of the entry's dimension in their order, each name once: the first one counts. Lines that make no
 // sense are passed over.
@@ -34,7 +34,8 @@ std::optional<SavedView> savedView(const Fractal& fractal, const QString& name);
 // already, or if the camera belongs to the other dimension.
 Fractal withSavedView(Fractal fractal, const SavedView& view);
 Fractal withoutSavedView(Fractal fractal, const QString& name);
-Fractal withViewRenamed(Fractal fractal, const QString& name, const QString& to); // `to` is of no other one
+// `to` must not be the name of another view.
+Fractal withViewRenamed(Fractal fractal, const QString& name, const QString& to);
 
 // The name as one line without blanks at its ends, short enough to be kept; empty for a name without letters.
 QString storableViewName(const QString& name);

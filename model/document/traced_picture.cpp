@@ -12,9 +12,9 @@ namespace {
 
 using TracedShape = TraceOptions::Shape;
 
-constexpr double margin = 0.25;       // around the shape, a share of its longer side
-constexpr int opaqueLevel = 127;      // up to which 255 − opacity is opaque
-constexpr int coarseSide = 256;       // cells along the longer side of a shape at most, where it is coarse
+constexpr double margin = 0.25;       // margin around the shape, as a share of its longer side
+constexpr int opaqueLevel = 127;      // largest 255 − opacity that counts as opaque
+constexpr int coarseSide = 256;       // most cells along the longer side of the coarse shape
 constexpr double outlineError = 0.75; // pixels
 
 // Cropped, and seen as the options want it.
@@ -69,7 +69,7 @@ Outline simplified(const Outline& outline, double error) {
     Outline result;
     for (std::size_t k = 0; k < outline.size(); ++k)
         if (stays[k] != 0) result.push_back(outline[k]);
-    return result.size() < 3 ? outline : result; // a speck
+    return result.size() < 3 ? outline : result; // speck
 }
 
 // The edges between set and other pixels, with the shape on the left seen with y up; corners are (x, y) of
@@ -125,7 +125,7 @@ private:
 void place(TracedPicture& traced, const Box& onto) {
     const collage::PixelBox shape = collage::boxOf(traced.mask);
     const ifs::Vector<2> size = onto.max - onto.min;
-    // Only one side of a line counts.
+    // The smaller one of both sides of a line counts.
     const double pixel = std::min(size.x() > 0 ? size.x() / shape.width() : HUGE_VAL,
                                   size.y() > 0 ? size.y() / shape.height() : HUGE_VAL);
     if (!std::isfinite(pixel)) return;
@@ -181,7 +181,7 @@ std::optional<TracedPicture> tracedPicture(const collage::GreyPicture& picture, 
                                            const std::optional<Box>& onto) {
     TracedPicture traced;
     traced.picture = prepared(picture, options);
-    // Without transparency everything is opaque, and there is no shape.
+    // No transparency: everything is opaque, and there is no shape.
     if (options.shape == TracedShape::Opaque && !collage::isShapedByOpacity(traced.picture))
         return std::nullopt;
     traced.mask = collage::targetMask(traced.picture, levelOf(traced.picture, options), options.polarity);

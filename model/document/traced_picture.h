@@ -11,11 +11,11 @@ namespace document {
 
 // Selection of the pixels of a picture that are the target of a collage.
 struct TraceOptions {
-    enum class Shape { Automatic, Dark, Opaque }; // Automatic: opaque where there is transparency
+    enum class Shape { Automatic, Dark, Opaque }; // Automatic: opaque if there is transparency
     Shape shape = Shape::Automatic;
     std::optional<int> threshold; // 0 to 255; nullopt: Otsu's, or 127 for opacity
     collage::Polarity polarity = collage::Polarity::Shape;
-    std::optional<collage::PixelBox> crop; // of the picture as it is handed over
+    std::optional<collage::PixelBox> crop; // part of the original picture
 
     friend bool operator==(const TraceOptions&, const TraceOptions&) = default;
 };
@@ -32,8 +32,8 @@ struct PicturePlace {
 // A picture as the target of a collage. Lengths in pixels are of `mask`.
 struct TracedPicture {
     PicturePlace place;
-    collage::GreyPicture picture; // cropped
-    collage::Mask mask;           // of the same size
+    collage::GreyPicture picture; // cropped picture
+    collage::Mask mask;           // same size
     collage::Target target;       // one cell for each pixel of the mask
     // Large shapes also have cells of coarseFactor² pixels, for numbers that keep up with a hand.
     std::optional<collage::Target> coarse;
@@ -43,7 +43,7 @@ struct TracedPicture {
     std::vector<std::vector<ifs::Vector<2>>> outlines;
 };
 
-constexpr int maxTracedPixels = 512; // of the longer side
+constexpr int maxTracedPixels = 512; // pixels of the longer side
 
 // The picture, reduced to at most maxTracedPixels by the mean of blocks.
 collage::GreyPicture reducedForTracing(const collage::GreyPicture& picture);

@@ -7,7 +7,7 @@ namespace document {
 
 namespace {
 
-constexpr std::size_t maxKept = 100; // values of one place
+constexpr std::size_t maxKept = 100; // values kept for one place
 
 } // namespace
 

@@ -23,7 +23,7 @@ public:
 
 private:
     using Key = std::pair<EntryId, QString>;
-    std::map<Key, std::deque<std::pair<double, QString>>> m_texts; // the newest first
+    std::map<Key, std::deque<std::pair<double, QString>>> m_texts; // newest first
 };
 
 } // namespace document

@@ -38,7 +38,7 @@ public:
         if (limits.together) m_end = ProcessorClock::now() + *limits.together;
     }
 
-    // `find` gets a stop token and returns whether it has finished. What finds no time left is not begun.
+    // `find` gets a stop token and returns true if it has finished. It is not called if no time is left.
     template <class Find> bool spend(LongFact fact, Find find) {
         const FactLimits::Time time = available();
         bool isFound = !time || *time > Time::zero();
@@ -318,7 +318,7 @@ Facts<Dim> factsOf(const IteratedFunctionSystem<Dim>& system, std::optional<doub
     if (!isExistenceKnown) budget.leaveOut({LongFact::Extents, LongFact::Contacts, LongFact::Hull});
     if (!isExistenceKnown && Dim == 3) budget.leaveOut({LongFact::AffinityDimension});
     if (facts.support) findExtents(facts, budget);
-    findInvariants(facts, facts.invariants, budget); // in less time than what follows
+    findInvariants(facts, facts.invariants, budget); // within less time than what follows
     if (facts.support) findHull(facts, hullTolerance, budget);
     facts.affinityDimension = facts.similarityDimension;
     if (const auto& dimension = facts.similarityDimension)
@@ -442,7 +442,7 @@ template <int Dim> Facts<Dim> moved(const AffineMap<Dim>& transformation, const 
     for (auto& map : result.active.maps)
         map = *conjugate(transformation, map);
     if (facts.active.isLinked()) return linkedImage(std::move(result));
-    // An attractor has an image, whether or not words of the image's maps are seen to contract.
+    // An attractor has an image, even if no word of the image's maps is known to contract.
     if (const auto seen = classify<Dim>(result.active.maps);
         seen.verdict != Verdict::Undecided || facts.existence.verdict == Verdict::Undecided)
         result.existence = seen;

@@ -25,20 +25,21 @@ template <int Dim> using HullIn = std::conditional_t<Dim == 2, ConvexHull, Conve
 
 // Quantities that an invertible affine map of the attractor leaves as they are, areas apart.
 struct Invariants {
-    std::optional<double> entropy;          // of the probabilities, in nats
-    std::optional<double> lyapunovExponent; // of similarities
-    std::optional<double> measureDimension; // of similarities; an upper bound where pieces overlap
-    bool isMeasureDimensionCapped = false;  // the dimension of the affine hull stands for more than that
-    std::optional<JointSpectralRadius> jointSpectralRadius; // of finite maps
-    std::optional<PieceContacts> contacts;                  // where there is an attractor
-    std::optional<OpenSetFacts> openSet;                    // with them
-    std::optional<DimensionSpectrum> spectrum;              // of similarities under the open set condition
-    std::optional<Tile> tile;                               // in the plane
+    std::optional<double> entropy;          // nats, for the probabilities
+    std::optional<double> lyapunovExponent; // similarities only
+    std::optional<double> measureDimension; // similarities only; an upper bound if pieces overlap
+    // True if the dimension of the affine hull replaces a greater value.
+    bool isMeasureDimensionCapped = false;
+    std::optional<JointSpectralRadius> jointSpectralRadius; // finite maps only
+    std::optional<PieceContacts> contacts;                  // systems with an attractor only
+    std::optional<OpenSetFacts> openSet;                    // present together with `contacts`
+    std::optional<DimensionSpectrum> spectrum;              // similarities under the open set condition only
+    std::optional<Tile> tile;                               // plane only
 };
 
 // Facts that can take long.
 enum class LongFact {
-    Existence, // and with it everything else but the moments
+    Existence, // all other facts but the moments depend on it
     Extents,   // box and simplex
     JointSpectralRadius,
     Contacts,
@@ -53,7 +54,7 @@ struct FactLimits {
 
     bool withAffinityDimension = true;
     Time perFact = {};
-    Time together = {}; // facts not begun by then are left out
+    Time together = {}; // processor time after which no further fact is begun
 };
 
 // Certified facts about a system; nullopt where nothing is certain. Facts of linked maps are those of the
@@ -62,23 +63,23 @@ struct FactLimits {
 template <int Dim> struct Facts {
     std::vector<double> probabilities; // one for each map, 0 for a map that takes no part
     ActiveMaps<Dim> active;
-    std::vector<SurdMap> typed;    // these without rounding; empty where nothing is typed
-    Existence existence;           // of the active maps
-    std::optional<Mean<Dim>> mean; // can exist without the covariance
+    std::vector<SurdMap> typed;    // active maps without rounding; empty if nothing is typed
+    Existence existence;           // existence for the active maps
+    std::optional<Mean<Dim>> mean; // possible without the covariance
     std::optional<Moments<Dim>> moments;
     std::optional<SupportFunction<Dim>> support;
     std::optional<BoundingBox<Dim>> box;
-    std::optional<CanonicalSimplex<Dim>> simplex; // the minimal one
+    std::optional<CanonicalSimplex<Dim>> simplex; // minimal simplex
     std::optional<HullIn<Dim>> hull;
     // Addresses of the vertices of the hull, in the plane: each where it is eventually periodic and proved.
     // Empty until requested.
     std::vector<std::optional<PeriodicPoint>> extremePoints;
-    bool isHullExact = false; // proved with them, but for the rounding of the vertices
+    bool isHullExact = false; // proved by `extremePoints`, up to the rounding of the vertices
     std::optional<double> similarityDimension;
-    std::optional<double> affinityDimension; // not above Dim; in space, of similarities only
-    double affinityDimensionError = 0;       // how far it is off, at most
-    bool isAffinityDimensionCapped = false;  // Dim stands for more than that
-    Invariants invariants;                   // empty until they are asked for
+    std::optional<double> affinityDimension; // at most Dim; in space, for similarities only
+    double affinityDimensionError = 0;       // error bound
+    bool isAffinityDimensionCapped = false;  // true if Dim replaces a greater value
+    Invariants invariants;                   // empty until requested
     std::vector<LongFact> late; // missing because they would take more time than FactLimits allow
 
     bool isLate(LongFact fact) const { return std::ranges::find(late, fact) != late.end(); }

@@ -47,7 +47,7 @@ Moments<Dim> mixed(const Moments<Dim>& moments, std::span<const AffineMap<Dim>> 
                    std::span<const double> shares) {
     Moments<Dim> result{Vector<Dim>::Zero(), Matrix<Dim>::Zero(), Matrix<Dim>::Zero()};
     double reach = 0;
-    double stretch = 0; // of the mean square
+    double stretch = 0; // factor of the mean square
     for (std::size_t k = 0; k < images.size(); ++k) {
         const double norm = spectralNorm<Dim>(images[k].linear);
         result.mean += shares[k] * images[k](moments.mean);

@@ -10,8 +10,10 @@
 #include "io/picture/png/png_system.h"
 #include "io/picture/vector/svg_system.h"
 #include "io/raster/raster_system.h"
+#include "io/table/html_tables.h"
 #include "io/table/listed_maps.h"
 #include "io/table/table_reader.h"
+#include "io/table/table_systems.h"
 #include "io/text/cumulative_weights.h"
 #include "io/text/encoding.h"
 #include "io/text/export_weights.h"
@@ -31,7 +33,7 @@ namespace io {
 
 namespace {
 
-constexpr qsizetype maxRemarks = 10; // on the weights of a table
+constexpr qsizetype maxRemarks = 10; // remarks on the weights of a table
 
 document::Problem errorOf(const QString& sentence) {
     return {document::Problem::Severity::Error, {}, 0, 0, sentence};
@@ -85,7 +87,7 @@ void remarkOnWeights(document::Entry& entry, const Table& table, const std::vect
 
 // Rows of six numbers that would fill rows of seven, with weights that sum to 1.
 std::optional<QString> otherReading(const Table& table) {
-    constexpr double tolerance = 0.02; // weights are often given to two digits
+    constexpr double tolerance = 0.02; // accepts weights with two digits
     const auto hasWeight = [](const auto& row) { return row.weight.has_value(); };
     if (table.isOrdered || table.rows.empty() || table.rows.size() % 7 != 0 ||
         std::ranges::any_of(table.rows, hasWeight))
@@ -248,20 +250,27 @@ bool holdsFlame(const QByteArray& bytes) {
     return bytes.contains("<flame") && bytes.contains("<xform") && !bytes.contains('\0');
 }
 
-// Braces of a program, a document or a page; no line has numbers as an entry does, not even damaged ones.
+bool isLikeNumber(const QByteArray& word) {
+    return !word.isEmpty() && QByteArrayView("0123456789.-+").contains(word[0]);
+}
+
+// Text with braces of a program, a document or a page; no line has numbers as an entry does, not even damaged
+// ones.
 bool isOfAnotherKind(const QByteArray& bytes) {
     constexpr qsizetype sample = 64 * 1024;
     constexpr int fewest = 3;
     static const std::array marks{
         "\\begin{", "\\documentclass", "){", ") {", "();", "};", "</", "\n@", "[{", "[[", "=> {"};
     QByteArray head = bytes.left(sample).toLower();
-    head.replace("(3d)", ""); // an entry in space
-    if (std::ranges::none_of(marks, [&](const char* mark) { return head.contains(mark); })) return false;
+    head.replace("(3d)", ""); // mark of an entry in space
+    const auto isIn = [&](const char* mark) { return head.contains(mark); };
+    if (head.contains('\0') || std::ranges::none_of(marks, isIn)) return false;
     for (const QByteArray& line : head.split('\n')) {
         int numbers = 0;
-        for (const QByteArray& word : line.simplified().split(' '))
-            numbers += !word.isEmpty() && QByteArrayView("0123456789.-+").contains(word[0]) ? 1 : 0;
-        if (numbers >= fewest) return false;
+        const QByteArrayList words = line.simplified().split(' ');
+        for (const QByteArray& word : words)
+            numbers += isLikeNumber(word) ? 1 : 0;
+        if (numbers >= fewest && (isLikeNumber(words.first()) || !line.contains('('))) return false;
     }
     return head.contains('{');
 }
@@ -288,6 +297,24 @@ Collection collectionOfUtf16(QByteArray text, const QString& path, const ReadOpt
                                           0,
                                           Text::tr("The text is encoded in UTF-16; it is saved as UTF-8.")});
     return collection;
+}
+
+} // namespace
+
+namespace {
+
+// What a page shows as it was typed: a flame, an entry or a table.
+std::optional<Collection> collectionInPage(const QByteArray& bytes, const QString& path,
+                                           const ReadOptions& options) {
+    constexpr qsizetype longest = 16 * 1024 * 1024;
+    if (bytes.size() > longest || !bytes.contains("</") || bytes.contains('\0')) return std::nullopt;
+    const QByteArray text = preformattedText(QString::fromUtf8(bytes)).toUtf8();
+    if (text.isEmpty() || text.size() >= bytes.size()) return std::nullopt;
+    Collection inner = readCollection(text, path, options);
+    const bool isRead = std::ranges::any_of(inner.file.entries, [](const document::Entry& entry) {
+        return document::dimension(*entry.fractal) != 0;
+    });
+    return isRead ? std::optional(std::move(inner)) : std::nullopt;
 }
 
 } // namespace
@@ -324,9 +351,10 @@ Collection readCollection(const QByteArray& bytes, const QString& path, const Re
         if (!table || table->file.entries.isEmpty())
             if (auto lists = collectionOfLists(bytes, path, options.columns)) return *std::move(lists);
         if (table && (file.entries.isEmpty() || !table->file.entries.isEmpty())) return *std::move(table);
+        if (auto inner = collectionInPage(bytes, path, options)) return *std::move(inner);
     }
     if (isTable) file = readFractint(bytes, QFileInfo(path).completeBaseName());
-    if (file.entries.size() == 1 && !bytes.contains('{')) // rows alone: another program may have written them
+    if (file.entries.size() == 1 && !bytes.contains('{')) // bare rows, possibly of another program
         if (const auto* system = document::system2(*file.entries.first().fractal))
             warnOfSums(file.entries.first(), system->maps, 0);
     if (std::ranges::none_of(file.entries, isLoaded) && isOfAnotherKind(bytes)) {

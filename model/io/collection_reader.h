@@ -15,7 +15,7 @@ namespace io {
 struct Collection {
     QString format; // one of collectionFormats()
     document::FractalFile file;
-    bool isOrderAssumed = false; // of the columns of a table that does not say it
+    bool isOrderAssumed = false; // true for a table that does not name its columns
 };
 
 // The names of the formats that are told apart, and "unknown".
@@ -24,7 +24,8 @@ QStringList collectionFormats();
 // Choices for what a format leaves open.
 struct ReadOptions {
     FlameAxis axis = FlameAxis::Flipped;
-    std::optional<TableColumns> columns; // of a table; nullopt: as its header says, else Fractint's
+    // Columns of a table; nullopt: by its header, else in Fractint's order.
+    std::optional<TableColumns> columns;
 };
 
 // Tells the format from the content: a Fractint collection, flames, IFStile's blocks, a table of numbers,

@@ -12,7 +12,7 @@ namespace io {
 
 // A file of a collection: its topic and its entries.
 struct CollectionTheme {
-    QString file; // name without the folder, such as ferns.ifs; the title depends on the language
+    QString file; // name without the folder, such as ferns.ifs; independent of the language
     QString title;
     QString description;
     QList<document::Entry> entries;

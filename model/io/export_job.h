@@ -23,7 +23,7 @@ struct SvgExport {
     SvgFormat format;
     ShapeFile file = ShapeFile::Svg;
 };
-using PictureStrip = std::vector<PlaneExport>; // side by side in one PNG
+using PictureStrip = std::vector<PlaneExport>; // pictures side by side in one PNG
 using Export =
     std::variant<PlaneExport, SvgExport, PointCloud, PictureStrip, SolidExport, SpaceExport, AnimationExport>;
 

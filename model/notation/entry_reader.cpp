@@ -45,7 +45,7 @@ std::string quoted(Bytes text, Span span) {
 }
 
 struct Found {
-    Offset at = 0; // in the text of the entry
+    Offset at = 0; // position in the text of the entry
     std::string sentence;
 };
 

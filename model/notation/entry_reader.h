@@ -11,8 +11,8 @@
 namespace notation {
 
 struct File {
-    std::vector<Entry> entries; // those that cannot be read have no figure, and say why
-    std::optional<Flaw> flaw;   // of a text without entries, or with too many of them
+    std::vector<Entry> entries; // unreadable entries have no figure and a flaw
+    std::optional<Flaw> flaw;   // set for a text without entries or with too many
 };
 
 // Reads a Fractint .ifs collection (docs/formats.md) as the window does: by the same scanner, rows and

@@ -66,7 +66,7 @@ std::string cellOf(double value) {
 
 // The probabilities where a map that takes part has no weight, so that every program draws the same.
 template <int Dim> std::vector<double> rowWeights(ifs::IteratedFunctionSystem<Dim> system) {
-    system.links.clear(); // a map to which no link leads has a weight all the same
+    system.links.clear(); // keeps weights of maps to which no link leads
     const std::vector<double> probabilities = ifs::probabilities(system);
     bool allGiven = true;
     for (std::size_t i = 0; i < system.maps.size(); ++i)

@@ -1642,7 +1642,7 @@
     <name>FirstMinute</name>
     <message>
         <source>Take a corner.</source>
-        <translation>Fassen Sie eine Ecke.</translation>
+        <translation>Fassen Sie eine Ecke an.</translation>
     </message>
     <message>
         <source>Make it sway</source>
@@ -2740,6 +2740,10 @@
         <translation>In diesem Eintrag bewegt sich noch nichts. Wählen Sie zuerst eine Bewegung in der Zeitleiste: Animation, Animieren.</translation>
     </message>
     <message>
+        <source>A mesh needs a solid, and this entry lies in a plane: lift it to space first.</source>
+        <translation>Ein Körper zum Drucken braucht den Raum, und dieser Eintrag liegt in der Ebene: Heben Sie ihn zuerst in den Raum.</translation>
+    </message>
+    <message>
         <source>Reading “%1”…</source>
         <translation>„%1“ wird gelesen…</translation>
     </message>
@@ -3755,18 +3759,18 @@
 <context>
     <name>PlacementBanner</name>
     <message>
-        <source>Saved with a placement</source>
-        <translation>Mit einer Lage gespeichert</translation>
+        <source>Saved with dragged corners</source>
+        <translation>Mit gezogenen Ecken gespeichert</translation>
     </message>
     <message>
-        <source>Other programs will draw “%1” where its code puts it, without your placement, which is stored in comments. Bake writes it into the code.</source>
-        <translation>Andere Programme zeichnen „%1“ dort, wo der Code es hinlegt, ohne Ihre Lage: Sie steht nur in Kommentaren. Einrechnen schreibt sie in den Code.</translation>
+        <source>Other programs will show “%1” without your dragged corners, which are saved as comments. Bake puts them into the numbers that every program reads.</source>
+        <translation>Andere Programme zeigen „%1“ ohne Ihre gezogenen Ecken: Sie stehen nur in Kommentaren. Einrechnen schreibt sie in die Zahlen, die jedes Programm liest.</translation>
     </message>
     <message numerus="yes">
-        <source>Other programs will draw %n entries where their code puts them, without your placements, which are stored in comments. Bake writes them into the code.</source>
+        <source>Other programs will show %n entries without your dragged corners, which are saved as comments. Bake puts them into the numbers that every program reads.</source>
         <translation>
-            <numerusform>Andere Programme zeichnen %n Eintrag dort, wo der Code ihn hinlegt, ohne Ihre Lage: Sie steht nur in Kommentaren. Einrechnen schreibt sie in den Code.</numerusform>
-            <numerusform>Andere Programme zeichnen %n Einträge dort, wo der Code sie hinlegt, ohne Ihre Lagen: Sie stehen nur in Kommentaren. Einrechnen schreibt sie in den Code.</numerusform>
+            <numerusform>Andere Programme zeigen %n Eintrag ohne Ihre gezogenen Ecken: Sie stehen nur in Kommentaren. Einrechnen schreibt sie in die Zahlen, die jedes Programm liest.</numerusform>
+            <numerusform>Andere Programme zeigen %n Einträge ohne Ihre gezogenen Ecken: Sie stehen nur in Kommentaren. Einrechnen schreibt sie in die Zahlen, die jedes Programm liest.</numerusform>
         </translation>
     </message>
     <message>
@@ -3788,6 +3792,10 @@
     <message>
         <source>Not baked, because no code has this picture or keys move it: %1.</source>
         <translation>Nicht eingerechnet, weil kein Code dieses Bild hat oder Schlüsselbilder es bewegen: %1.</translation>
+    </message>
+    <message>
+        <source>This cage cannot be baked: it bends or flattens the picture, or keys move it.</source>
+        <translation>Dieser Käfig lässt sich nicht einrechnen: Er verbiegt das Bild oder drückt es flach, oder Schlüssel bewegen ihn.</translation>
     </message>
 </context>
 <context>
@@ -5626,6 +5634,14 @@
         <translation>Eine Datei wird noch exportiert.</translation>
     </message>
     <message>
+        <source>&amp;Animation…</source>
+        <translation>&amp;Animation…</translation>
+    </message>
+    <message>
+        <source>Exports the motion instead, as GIF, MP4 and others.</source>
+        <translation>Exportiert stattdessen die Bewegung, als GIF, MP4 und in anderen Formaten.</translation>
+    </message>
+    <message>
         <source>If you stop now, no file is written.</source>
         <translation>Wenn Sie jetzt anhalten, wird keine Datei geschrieben.</translation>
     </message>
@@ -6896,6 +6912,10 @@
         <translation>‖A‖ sagt, wie stark eine Abbildung höchstens streckt: ändern Sie eine Zahl, und bleiben Sie unter 1.</translation>
     </message>
     <message>
+        <source>In the timeline, choose Wind under Add Motion and watch the picture sway as well.</source>
+        <translation>Wählen Sie in der Zeitleiste unter „Bewegung hinzufügen“ Wind und sehen Sie zu, wie sich das Bild außerdem wiegt.</translation>
+    </message>
+    <message>
         <source>&amp;Skip</source>
         <translation>Über&amp;springen</translation>
     </message>
@@ -7031,7 +7051,7 @@
         <translation>Dieser Eintrag ist kein System der Ebene und hat daher keinen Kontrollkäfig.</translation>
     </message>
     <message>
-        <source>The cage is too flat to be inverted. Open it by dragging a vertex, or reset it, and try again.</source>
+        <source>The cage is too flat to be inverted. Open it by dragging a corner, or reset it, and try again.</source>
         <translation>Der Käfig ist zu flach, um ihn rückgängig zu machen. Öffnen Sie ihn durch Ziehen einer Ecke oder setzen Sie ihn zurück und versuchen Sie es noch einmal.</translation>
     </message>
     <message>
@@ -7185,10 +7205,6 @@
         <translation>Mit allen Stellen kopieren</translation>
     </message>
     <message>
-        <source>Copy All Properties</source>
-        <translation>Alle Kennwerte kopieren</translation>
-    </message>
-    <message>
         <source>Copies the name and the value of every line, at full precision.</source>
         <translation>Kopiert jede Zeile als Namen und Wert mit allen Stellen.</translation>
     </message>
@@ -7283,6 +7299,10 @@
     <message>
         <source>Opens the user guide where it explains how the pieces of an attractor meet.</source>
         <translation>Öffnet das Handbuch an der Stelle, die erklärt, wie die Teile eines Attraktors sich berühren.</translation>
+    </message>
+    <message>
+        <source>Copied.</source>
+        <translation>Kopiert.</translation>
     </message>
 </context>
 <context>
@@ -8364,11 +8384,11 @@
         <translation>%1 Ecken bewegen</translation>
     </message>
     <message>
-        <source>Select a vertex first.</source>
+        <source>Select a corner first.</source>
         <translation>Erst eine Ecke wählen.</translation>
     </message>
     <message>
-        <source>To insert a vertex, point to an edge or select a vertex.</source>
+        <source>To insert a corner, point to an edge or select a corner.</source>
         <translation>Zum Einfügen einer Ecke auf eine Kante zeigen oder eine Ecke wählen.</translation>
     </message>
 </context>
@@ -8407,7 +8427,7 @@
         <translation>Mit weniger Iterationen gezeichnet als verlangt: Mehr bräuchten mehr Speicher als erlaubt.</translation>
     </message>
     <message>
-        <source>The cage is flat, and so is the picture. Drag a vertex to open it: nothing is lost.</source>
+        <source>The cage is flat, and so is the picture. Drag a corner to open it: nothing is lost.</source>
         <translation>Der Käfig ist flach und das Bild auch. Ziehen Sie eine Ecke, um ihn zu öffnen: Nichts geht verloren.</translation>
     </message>
     <message>
@@ -9409,8 +9429,8 @@
 <context>
     <name>view::CommandSynonyms</name>
     <message>
-        <source>render save image picture png svg pdf jpeg tiff webp exr poster wallpaper stl obj ply glb mesh print 3d</source>
-        <translation>rendern speichern Bild png svg pdf jpeg tiff Poster Plakat Hintergrundbild stl obj ply Netz 3d-Druck</translation>
+        <source>render save image picture png svg pdf jpeg tiff webp exr poster wallpaper stl obj ply glb mesh print 3d laser plotter cutter engrave dxf outline vector transparent millimetres</source>
+        <translation>rendern speichern Bild png svg pdf jpeg tiff Poster Plakat Hintergrundbild stl obj ply Netz 3d-Druck Laser Plotter Schneideplotter gravieren dxf Umriss Vektor transparent durchsichtig Millimeter</translation>
     </message>
     <message>
         <source>render video movie film mp4 webm gif apng frames cluster slurm</source>
@@ -9445,8 +9465,8 @@
         <translation>spiegeln umdrehen auf den Kopf kippen</translation>
     </message>
     <message>
-        <source>rotate scale shear move shift turn size</source>
-        <translation>drehen skalieren scheren verschieben Größe</translation>
+        <source>flip mirror reflect | rotate scale shear move shift turn size</source>
+        <translation>spiegeln Spiegelung umklappen | drehen skalieren scheren verschieben Größe</translation>
     </message>
     <message>
         <source>undo original restore straighten</source>
@@ -9527,6 +9547,26 @@
     <message>
         <source>shade silhouette drop cast ground light sun</source>
         <translation>Schattenwurf Silhouette Boden Licht Sonne dunkel</translation>
+    </message>
+    <message>
+        <source>share send browser html embed publish interactive</source>
+        <translation>teilen senden Browser html einbetten veröffentlichen interaktiv</translation>
+    </message>
+    <message>
+        <source>share send email mail post message url</source>
+        <translation>teilen senden verschicken E-Mail Mail Nachricht url</translation>
+    </message>
+    <message>
+        <source>dimension proof certificate | prove certified Hausdorff area measure overlap connected</source>
+        <translation>Dimension Beweis Zertifikat | beweisen bewiesen Hausdorff Fläche Maß Überlappung zusammenhängend</translation>
+    </message>
+    <message>
+        <source>colours palette gradient hue background transparent brightness</source>
+        <translation>Farben Palette Verlauf Farbton Hintergrund durchsichtig Helligkeit</translation>
+    </message>
+    <message>
+        <source>reorder rearrange order sort</source>
+        <translation>umordnen anordnen Reihenfolge sortieren</translation>
     </message>
 </context>
 <context>
@@ -9719,15 +9759,15 @@
 <context>
     <name>view::DefineTool</name>
     <message>
-        <source>Click the first of the three vertices. The picture stays where it is; Esc cancels.</source>
-        <translation>Den ersten der drei Eckpunkte anklicken. Das Bild bleibt, wo es ist; Esc bricht ab.</translation>
+        <source>Click the first of the three corners. The picture stays where it is; Esc cancels.</source>
+        <translation>Klicken Sie die erste der drei Ecken. Das Bild bleibt, wo es ist; Esc bricht ab.</translation>
     </message>
     <message>
-        <source>Click the second vertex. Backspace removes the last point.</source>
+        <source>Click the second corner. Backspace removes the last point.</source>
         <translation>Klicken Sie auf die zweite Ecke. Die Rücktaste löscht den letzten Punkt.</translation>
     </message>
     <message>
-        <source>Click the third vertex. Backspace removes the last point.</source>
+        <source>Click the third corner. Backspace removes the last point.</source>
         <translation>Klicken Sie auf die dritte Ecke. Die Rücktaste löscht den letzten Punkt.</translation>
     </message>
 </context>
@@ -10224,8 +10264,8 @@
         <translation>&amp;Durchsichtiger Hintergrund</translation>
     </message>
     <message>
-        <source>Include the control t&amp;riangle</source>
-        <translation>Mit &amp;Kontrolldreieck</translation>
+        <source>Include the ca&amp;ge</source>
+        <translation>Mit &amp;Käfig</translation>
     </message>
     <message>
         <source>&amp;Format:</source>
@@ -10330,6 +10370,18 @@
     <message>
         <source>One dot for every visible point of the chaos game.</source>
         <translation>Ein Fleck für jeden Punkt des Chaosspiels, der zu sehen ist.</translation>
+    </message>
+    <message>
+        <source>Guaranteed accuracy: %1.</source>
+        <translation>Garantierte Genauigkeit: %1.</translation>
+    </message>
+    <message>
+        <source> The shape itself measures %1 × %2.</source>
+        <translation> Die Form selbst misst %1 × %2.</translation>
+    </message>
+    <message>
+        <source> Shades of density need pixels: the shapes have one colour.</source>
+        <translation> Abstufungen der Dichte brauchen Pixel: Die Formen haben eine einzige Farbe.</translation>
     </message>
     <message>
         <source> The cage bends the picture, which copies cannot reproduce: the affine fit of the cage is written instead. A PNG shows the bend.</source>
@@ -11889,6 +11941,10 @@ Tasten: Bild auf und Bild ab wählen eine Marke, die Pfeile bewegen sie, Einfg f
         <source>No map has a choice of what follows it, so only single points are drawn.</source>
         <translation>Auf jede Abbildung kann nur eine folgen, deshalb werden nur einzelne Punkte gezeichnet.</translation>
     </message>
+    <message>
+        <source>Row: the map before. Column: the map after.</source>
+        <translation>Zeile: die Abbildung davor. Spalte: die danach.</translation>
+    </message>
 </context>
 <context>
     <name>view::MapBlendRow</name>
@@ -12832,8 +12888,8 @@ Tasten: Bild auf und Bild ab wählen eine Marke, die Pfeile bewegen sie, Einfg f
         <translation>Schlüssel setzen</translation>
     </message>
     <message>
-        <source>Show the tracks, to make keys of your own</source>
-        <translation>Die Spuren zeigen, um eigene Schlüssel zu setzen</translation>
+        <source>Make a first key, and show the tracks</source>
+        <translation>Einen ersten Schlüssel setzen und die Spuren zeigen</translation>
     </message>
     <message>
         <source>Or set a key, move the playhead, and change the fractal.</source>
@@ -15523,8 +15579,8 @@ Tasten: Bild auf und Bild ab wählen eine Marke, die Pfeile bewegen sie, Einfg f
         <translation>Unter Wasser</translation>
     </message>
     <message>
-        <source>Breathing</source>
-        <translation>Atmung</translation>
+        <source>Calm</source>
+        <translation>Ruhig</translation>
     </message>
     <message>
         <source>Add Motion</source>
@@ -15666,7 +15722,7 @@ Tasten: Bild auf und Bild ab wählen eine Marke, die Pfeile bewegen sie, Einfg f
         <translation>Werkzeugoptionen</translation>
     </message>
     <message>
-        <source>Drag a corner, an edge or the inside of the cage.  Ctrl rotates  ·  Alt scales  ·  Shift keeps directions  ·  double-click an edge for a new vertex</source>
+        <source>Drag a corner, an edge or the inside of the cage.  Ctrl rotates  ·  Alt scales  ·  Shift keeps directions  ·  double-click an edge for a new corner</source>
         <translation>Ecke, Kante oder Inneres des Käfigs ziehen.  Strg dreht  ·  Alt skaliert  ·  Umschalt behält Richtungen bei  ·  Doppelklick auf eine Kante: neue Ecke</translation>
     </message>
     <message>

@@ -55,10 +55,10 @@
 <context>
     <name>PlacementBanner</name>
     <message numerus="yes">
-        <source>Other programs will draw %n entries where their code puts them, without your placements, which are stored in comments. Bake writes them into the code.</source>
+        <source>Other programs will show %n entries without your dragged corners, which are saved as comments. Bake puts them into the numbers that every program reads.</source>
         <translation>
-            <numerusform>Other programs will draw %n entry where its code puts it, without your placement, which is stored in comments. Bake writes it into the code.</numerusform>
-            <numerusform>Other programs will draw %n entries where their code puts them, without your placements, which are stored in comments. Bake writes them into the code.</numerusform>
+            <numerusform>Other programs will show %n entry without your dragged corners, which are saved as comments. Bake puts them into the numbers that every program reads.</numerusform>
+            <numerusform>Other programs will show %n entries without your dragged corners, which are saved as comments. Bake puts them into the numbers that every program reads.</numerusform>
         </translation>
     </message>
 </context>

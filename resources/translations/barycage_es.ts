@@ -2740,6 +2740,10 @@
         <translation>En esta entrada aún no se mueve nada. Elija primero un movimiento en la línea de tiempo: Animación, Animar.</translation>
     </message>
     <message>
+        <source>A mesh needs a solid, and this entry lies in a plane: lift it to space first.</source>
+        <translation>Una malla necesita un sólido, y esta entrada está en el plano: llévela primero al espacio.</translation>
+    </message>
+    <message>
         <source>Reading “%1”…</source>
         <translation>Leyendo «%1»…</translation>
     </message>
@@ -3755,18 +3759,18 @@
 <context>
     <name>PlacementBanner</name>
     <message>
-        <source>Saved with a placement</source>
-        <translation>Guardado con una colocación</translation>
+        <source>Saved with dragged corners</source>
+        <translation>Guardado con vértices movidos</translation>
     </message>
     <message>
-        <source>Other programs will draw “%1” where its code puts it, without your placement, which is stored in comments. Bake writes it into the code.</source>
-        <translation>Otros programas dibujarán «%1» donde lo pone su código, sin la colocación que usted le dio, que se guarda en comentarios. Incorporar la escribe en el código.</translation>
+        <source>Other programs will show “%1” without your dragged corners, which are saved as comments. Bake puts them into the numbers that every program reads.</source>
+        <translation>Otros programas mostrarán «%1» sin los vértices que usted movió, que se guardan en comentarios. Incorporar los pasa a los números que lee cualquier programa.</translation>
     </message>
     <message numerus="yes">
-        <source>Other programs will draw %n entries where their code puts them, without your placements, which are stored in comments. Bake writes them into the code.</source>
+        <source>Other programs will show %n entries without your dragged corners, which are saved as comments. Bake puts them into the numbers that every program reads.</source>
         <translation>
-            <numerusform>Otros programas dibujarán %n entrada donde la pone su código, sin la colocación que usted le dio, que se guarda en comentarios. Incorporar la escribe en el código.</numerusform>
-            <numerusform>Otros programas dibujarán %n entradas donde las pone su código, sin las colocaciones que usted les dio, que se guardan en comentarios. Incorporar las escribe en el código.</numerusform>
+            <numerusform>Otros programas mostrarán %n entrada sin los vértices que usted movió, que se guardan en comentarios. Incorporar los pasa a los números que lee cualquier programa.</numerusform>
+            <numerusform>Otros programas mostrarán %n entradas sin los vértices que usted movió, que se guardan en comentarios. Incorporar los pasa a los números que lee cualquier programa.</numerusform>
         </translation>
     </message>
     <message>
@@ -3788,6 +3792,10 @@
     <message>
         <source>Not baked, because no code has this picture or keys move it: %1.</source>
         <translation>No se ha incorporado, porque ningún código da esta imagen o la mueven fotogramas clave: %1.</translation>
+    </message>
+    <message>
+        <source>This cage cannot be baked: it bends or flattens the picture, or keys move it.</source>
+        <translation>Esta jaula no se puede incorporar: dobla o aplasta la imagen, o la mueven claves.</translation>
     </message>
 </context>
 <context>
@@ -5626,6 +5634,14 @@
         <translation>Todavía se está exportando un archivo.</translation>
     </message>
     <message>
+        <source>&amp;Animation…</source>
+        <translation>&amp;Animación…</translation>
+    </message>
+    <message>
+        <source>Exports the motion instead, as GIF, MP4 and others.</source>
+        <translation>Exporta en su lugar el movimiento, como GIF, MP4 y otros.</translation>
+    </message>
+    <message>
         <source>If you stop now, no file is written.</source>
         <translation>Si la detiene ahora, no se escribe ningún archivo.</translation>
     </message>
@@ -6896,6 +6912,10 @@
         <translation>‖A‖ es lo que una aplicación estira como máximo: cambie un número y manténgala por debajo de 1.</translation>
     </message>
     <message>
+        <source>In the timeline, choose Wind under Add Motion and watch the picture sway as well.</source>
+        <translation>En la línea de tiempo, elija Viento en «Añadir movimiento» y vea cómo se mece también la imagen.</translation>
+    </message>
+    <message>
         <source>&amp;Skip</source>
         <translation>&amp;Omitir</translation>
     </message>
@@ -7031,7 +7051,7 @@
         <translation>Esta entrada no es un sistema del plano, así que no tiene jaula de control.</translation>
     </message>
     <message>
-        <source>The cage is too flat to be inverted. Open it by dragging a vertex, or reset it, and try again.</source>
+        <source>The cage is too flat to be inverted. Open it by dragging a corner, or reset it, and try again.</source>
         <translation>La jaula está demasiado aplastada para invertir su efecto. Ábrala arrastrando un vértice, o restablézcala, y vuelva a intentarlo.</translation>
     </message>
     <message>
@@ -7185,10 +7205,6 @@
         <translation>Copiar con todas las cifras</translation>
     </message>
     <message>
-        <source>Copy All Properties</source>
-        <translation>Copiar todas las propiedades</translation>
-    </message>
-    <message>
         <source>Copies the name and the value of every line, at full precision.</source>
         <translation>Copia cada línea como su nombre y su valor con todas las cifras.</translation>
     </message>
@@ -7283,6 +7299,10 @@
     <message>
         <source>Opens the user guide where it explains how the pieces of an attractor meet.</source>
         <translation>Abre la guía del usuario donde explica cómo se tocan las piezas de un atractor.</translation>
+    </message>
+    <message>
+        <source>Copied.</source>
+        <translation>Copiado.</translation>
     </message>
 </context>
 <context>
@@ -8364,11 +8384,11 @@
         <translation>Mover %1 vértices</translation>
     </message>
     <message>
-        <source>Select a vertex first.</source>
+        <source>Select a corner first.</source>
         <translation>Elija primero un vértice.</translation>
     </message>
     <message>
-        <source>To insert a vertex, point to an edge or select a vertex.</source>
+        <source>To insert a corner, point to an edge or select a corner.</source>
         <translation>Para insertar un vértice, señale una arista o elija un vértice.</translation>
     </message>
 </context>
@@ -8407,7 +8427,7 @@
         <translation>Dibujado con menos iteraciones de las pedidas: más necesitarían más memoria de la permitida.</translation>
     </message>
     <message>
-        <source>The cage is flat, and so is the picture. Drag a vertex to open it: nothing is lost.</source>
+        <source>The cage is flat, and so is the picture. Drag a corner to open it: nothing is lost.</source>
         <translation>La jaula está aplastada, y la imagen también. Arrastre un vértice para abrirla: no se pierde nada.</translation>
     </message>
     <message>
@@ -9409,8 +9429,8 @@
 <context>
     <name>view::CommandSynonyms</name>
     <message>
-        <source>render save image picture png svg pdf jpeg tiff webp exr poster wallpaper stl obj ply glb mesh print 3d</source>
-        <translation>renderizar guardar imagen png svg pdf jpeg tiff póster cartel fondo stl obj ply malla impresión 3d</translation>
+        <source>render save image picture png svg pdf jpeg tiff webp exr poster wallpaper stl obj ply glb mesh print 3d laser plotter cutter engrave dxf outline vector transparent millimetres</source>
+        <translation>renderizar guardar imagen png svg pdf jpeg tiff póster cartel fondo stl obj ply malla impresión 3d láser plóter trazador cortadora grabar dxf contorno vectorial transparente milímetros</translation>
     </message>
     <message>
         <source>render video movie film mp4 webm gif apng frames cluster slurm</source>
@@ -9445,8 +9465,8 @@
         <translation>espejo reflejar invertir boca abajo</translation>
     </message>
     <message>
-        <source>rotate scale shear move shift turn size</source>
-        <translation>rotar girar escalar cizallar mover tamaño</translation>
+        <source>flip mirror reflect | rotate scale shear move shift turn size</source>
+        <translation>voltear reflejar espejo | rotar girar escalar cizallar mover tamaño</translation>
     </message>
     <message>
         <source>undo original restore straighten</source>
@@ -9527,6 +9547,26 @@
     <message>
         <source>shade silhouette drop cast ground light sun</source>
         <translation>silueta suelo luz sol proyectar oscuro</translation>
+    </message>
+    <message>
+        <source>share send browser html embed publish interactive</source>
+        <translation>compartir enviar navegador html insertar publicar interactivo</translation>
+    </message>
+    <message>
+        <source>share send email mail post message url</source>
+        <translation>compartir enviar correo email mensaje url</translation>
+    </message>
+    <message>
+        <source>dimension proof certificate | prove certified Hausdorff area measure overlap connected</source>
+        <translation>dimensión demostración certificado | demostrar Hausdorff área medida solapamiento conexo</translation>
+    </message>
+    <message>
+        <source>colours palette gradient hue background transparent brightness</source>
+        <translation>colores paleta degradado tono fondo transparente brillo</translation>
+    </message>
+    <message>
+        <source>reorder rearrange order sort</source>
+        <translation>reordenar ordenar orden</translation>
     </message>
 </context>
 <context>
@@ -9719,15 +9759,15 @@
 <context>
     <name>view::DefineTool</name>
     <message>
-        <source>Click the first of the three vertices. The picture stays where it is; Esc cancels.</source>
+        <source>Click the first of the three corners. The picture stays where it is; Esc cancels.</source>
         <translation>Haga clic en el primero de los tres vértices. La imagen queda donde está; Esc cancela.</translation>
     </message>
     <message>
-        <source>Click the second vertex. Backspace removes the last point.</source>
+        <source>Click the second corner. Backspace removes the last point.</source>
         <translation>Haga clic en el segundo vértice. Retroceso borra el último punto.</translation>
     </message>
     <message>
-        <source>Click the third vertex. Backspace removes the last point.</source>
+        <source>Click the third corner. Backspace removes the last point.</source>
         <translation>Haga clic en el tercer vértice. Retroceso borra el último punto.</translation>
     </message>
 </context>
@@ -10224,8 +10264,8 @@
         <translation>Fondo &amp;transparente</translation>
     </message>
     <message>
-        <source>Include the control t&amp;riangle</source>
-        <translation>Incluir el triángulo de &amp;control</translation>
+        <source>Include the ca&amp;ge</source>
+        <translation>In&amp;cluir la jaula</translation>
     </message>
     <message>
         <source>&amp;Format:</source>
@@ -10330,6 +10370,18 @@
     <message>
         <source>One dot for every visible point of the chaos game.</source>
         <translation>Una marca por cada punto del juego del caos que está a la vista.</translation>
+    </message>
+    <message>
+        <source>Guaranteed accuracy: %1.</source>
+        <translation>Exactitud garantizada: %1.</translation>
+    </message>
+    <message>
+        <source> The shape itself measures %1 × %2.</source>
+        <translation> La figura misma mide %1 × %2.</translation>
+    </message>
+    <message>
+        <source> Shades of density need pixels: the shapes have one colour.</source>
+        <translation> Los tonos de la densidad necesitan píxeles: las formas tienen un solo color.</translation>
     </message>
     <message>
         <source> The cage bends the picture, which copies cannot reproduce: the affine fit of the cage is written instead. A PNG shows the bend.</source>
@@ -11889,6 +11941,10 @@ Teclas: Re Pág y Av Pág eligen una parada, las flechas la mueven, Ins añade u
         <source>No map has a choice of what follows it, so only single points are drawn.</source>
         <translation>A cada aplicación solo puede seguirle una, por lo que solo se dibujan puntos aislados.</translation>
     </message>
+    <message>
+        <source>Row: the map before. Column: the map after.</source>
+        <translation>Fila: la aplicación anterior. Columna: la siguiente.</translation>
+    </message>
 </context>
 <context>
     <name>view::MapBlendRow</name>
@@ -12832,8 +12888,8 @@ Teclas: Re Pág y Av Pág eligen una parada, las flechas la mueven, Ins añade u
         <translation>Crear claves</translation>
     </message>
     <message>
-        <source>Show the tracks, to make keys of your own</source>
-        <translation>Mostrar las pistas para crear claves propias</translation>
+        <source>Make a first key, and show the tracks</source>
+        <translation>Crear una primera clave y mostrar las pistas</translation>
     </message>
     <message>
         <source>Or set a key, move the playhead, and change the fractal.</source>
@@ -15523,8 +15579,8 @@ Teclas: Re Pág y Av Pág eligen una parada, las flechas la mueven, Ins añade u
         <translation>Bajo el agua</translation>
     </message>
     <message>
-        <source>Breathing</source>
-        <translation>Respiración</translation>
+        <source>Calm</source>
+        <translation>Calma</translation>
     </message>
     <message>
         <source>Add Motion</source>
@@ -15666,7 +15722,7 @@ Teclas: Re Pág y Av Pág eligen una parada, las flechas la mueven, Ins añade u
         <translation>Opciones de la herramienta</translation>
     </message>
     <message>
-        <source>Drag a corner, an edge or the inside of the cage.  Ctrl rotates  ·  Alt scales  ·  Shift keeps directions  ·  double-click an edge for a new vertex</source>
+        <source>Drag a corner, an edge or the inside of the cage.  Ctrl rotates  ·  Alt scales  ·  Shift keeps directions  ·  double-click an edge for a new corner</source>
         <translation>Arrastre un vértice, una arista o el interior de la jaula.  Ctrl gira  ·  Alt escala  ·  Mayús conserva las direcciones  ·  doble clic en una arista: vértice nuevo</translation>
     </message>
     <message>

@@ -2740,6 +2740,10 @@
         <translation>Rien ne bouge encore dans cette entrée. Choisissez d’abord un mouvement dans la chronologie&#x202f;: Animation, Animer.</translation>
     </message>
     <message>
+        <source>A mesh needs a solid, and this entry lies in a plane: lift it to space first.</source>
+        <translation>Un maillage demande un solide, et cette entrée est plane : élevez-la d’abord dans l’espace.</translation>
+    </message>
+    <message>
         <source>Reading “%1”…</source>
         <translation>Lecture de «&#x202f;%1&#x202f;»…</translation>
     </message>
@@ -3755,18 +3759,18 @@
 <context>
     <name>PlacementBanner</name>
     <message>
-        <source>Saved with a placement</source>
-        <translation>Enregistré avec un placement</translation>
+        <source>Saved with dragged corners</source>
+        <translation>Enregistré avec des sommets déplacés</translation>
     </message>
     <message>
-        <source>Other programs will draw “%1” where its code puts it, without your placement, which is stored in comments. Bake writes it into the code.</source>
-        <translation>D’autres programmes dessineront «&#x202f;%1&#x202f;» là où son code la met, sans votre placement, conservé dans des commentaires. Intégrer au code l’y écrit.</translation>
+        <source>Other programs will show “%1” without your dragged corners, which are saved as comments. Bake puts them into the numbers that every program reads.</source>
+        <translation>D’autres programmes montreront «&#x202f;%1&#x202f;» sans les sommets que vous avez déplacés, conservés dans des commentaires. Intégrer au code les inscrit dans les nombres que lit tout programme.</translation>
     </message>
     <message numerus="yes">
-        <source>Other programs will draw %n entries where their code puts them, without your placements, which are stored in comments. Bake writes them into the code.</source>
+        <source>Other programs will show %n entries without your dragged corners, which are saved as comments. Bake puts them into the numbers that every program reads.</source>
         <translation>
-            <numerusform>D’autres programmes dessineront %n entrée là où son code la met, sans votre placement, conservé dans des commentaires. Intégrer au code l’y écrit.</numerusform>
-            <numerusform>D’autres programmes dessineront %n entrées là où leur code les met, sans vos placements, conservés dans des commentaires. Intégrer au code les y écrit.</numerusform>
+            <numerusform>D’autres programmes montreront %n entrée sans les sommets que vous avez déplacés, conservés dans des commentaires. Intégrer au code les inscrit dans les nombres que lit tout programme.</numerusform>
+            <numerusform>D’autres programmes montreront %n entrées sans les sommets que vous avez déplacés, conservés dans des commentaires. Intégrer au code les inscrit dans les nombres que lit tout programme.</numerusform>
         </translation>
     </message>
     <message>
@@ -3788,6 +3792,10 @@
     <message>
         <source>Not baked, because no code has this picture or keys move it: %1.</source>
         <translation>Non intégré, parce qu’aucun code ne donne cette image ou que des images clés la déplacent&#x202f;: %1.</translation>
+    </message>
+    <message>
+        <source>This cage cannot be baked: it bends or flattens the picture, or keys move it.</source>
+        <translation>Cette cage ne peut pas être intégrée au code&#x202f;: elle courbe ou aplatit l’image, ou des clés la déplacent.</translation>
     </message>
 </context>
 <context>
@@ -5626,6 +5634,14 @@
         <translation>Un fichier est encore en cours d’exportation.</translation>
     </message>
     <message>
+        <source>&amp;Animation…</source>
+        <translation>&amp;Animation…</translation>
+    </message>
+    <message>
+        <source>Exports the motion instead, as GIF, MP4 and others.</source>
+        <translation>Exporte plutôt le mouvement, en GIF, MP4 et autres.</translation>
+    </message>
+    <message>
         <source>If you stop now, no file is written.</source>
         <translation>Si vous l’arrêtez maintenant, aucun fichier n’est écrit.</translation>
     </message>
@@ -6896,6 +6912,10 @@
         <translation>‖A‖ est ce qu’une application étire au plus&#x202f;: changez un nombre et restez au-dessous de 1.</translation>
     </message>
     <message>
+        <source>In the timeline, choose Wind under Add Motion and watch the picture sway as well.</source>
+        <translation>Dans la ligne de temps, choisissez Vent sous «&#x202f;Ajouter un mouvement&#x202f;» et regardez l’image se balancer aussi.</translation>
+    </message>
+    <message>
         <source>&amp;Skip</source>
         <translation>Pa&amp;sser</translation>
     </message>
@@ -7031,7 +7051,7 @@
         <translation>Cette entrée n’est pas un système du plan&#x202f;; elle n’a donc pas de cage de contrôle.</translation>
     </message>
     <message>
-        <source>The cage is too flat to be inverted. Open it by dragging a vertex, or reset it, and try again.</source>
+        <source>The cage is too flat to be inverted. Open it by dragging a corner, or reset it, and try again.</source>
         <translation>La cage est trop plate pour que l’on puisse l’inverser. Ouvrez-la en déplaçant un sommet, ou réinitialisez-la, puis réessayez.</translation>
     </message>
     <message>
@@ -7185,10 +7205,6 @@
         <translation>Copier avec tous les chiffres</translation>
     </message>
     <message>
-        <source>Copy All Properties</source>
-        <translation>Copier toutes les propriétés</translation>
-    </message>
-    <message>
         <source>Copies the name and the value of every line, at full precision.</source>
         <translation>Copie chaque ligne comme son nom et sa valeur avec tous les chiffres.</translation>
     </message>
@@ -7283,6 +7299,10 @@
     <message>
         <source>Opens the user guide where it explains how the pieces of an attractor meet.</source>
         <translation>Ouvre le guide d’utilisation à l’endroit qui explique comment les morceaux d’un attracteur se touchent.</translation>
+    </message>
+    <message>
+        <source>Copied.</source>
+        <translation>Copié.</translation>
     </message>
 </context>
 <context>
@@ -8364,11 +8384,11 @@
         <translation>Déplacer %1 sommets</translation>
     </message>
     <message>
-        <source>Select a vertex first.</source>
+        <source>Select a corner first.</source>
         <translation>Choisissez d’abord un sommet.</translation>
     </message>
     <message>
-        <source>To insert a vertex, point to an edge or select a vertex.</source>
+        <source>To insert a corner, point to an edge or select a corner.</source>
         <translation>Pour insérer un sommet, pointez une arête ou choisissez un sommet.</translation>
     </message>
 </context>
@@ -8407,7 +8427,7 @@
         <translation>Dessiné avec moins d’itérations que demandé&#x202f;: davantage exigerait plus de mémoire que permis.</translation>
     </message>
     <message>
-        <source>The cage is flat, and so is the picture. Drag a vertex to open it: nothing is lost.</source>
+        <source>The cage is flat, and so is the picture. Drag a corner to open it: nothing is lost.</source>
         <translation>La cage est plate, et l’image aussi. Tirez un sommet pour l’ouvrir&#x202f;: rien n’est perdu.</translation>
     </message>
     <message>
@@ -9409,8 +9429,8 @@
 <context>
     <name>view::CommandSynonyms</name>
     <message>
-        <source>render save image picture png svg pdf jpeg tiff webp exr poster wallpaper stl obj ply glb mesh print 3d</source>
-        <translation>rendu rendre enregistrer image png svg pdf jpeg tiff poster affiche fond stl obj ply maillage impression 3d</translation>
+        <source>render save image picture png svg pdf jpeg tiff webp exr poster wallpaper stl obj ply glb mesh print 3d laser plotter cutter engrave dxf outline vector transparent millimetres</source>
+        <translation>rendu rendre enregistrer image png svg pdf jpeg tiff poster affiche fond stl obj ply maillage impression 3d laser traceur découpe graver dxf contour vectoriel transparent millimètres</translation>
     </message>
     <message>
         <source>render video movie film mp4 webm gif apng frames cluster slurm</source>
@@ -9445,8 +9465,8 @@
         <translation>miroir refléter retourner à l’envers</translation>
     </message>
     <message>
-        <source>rotate scale shear move shift turn size</source>
-        <translation>tourner pivoter agrandir cisailler déplacer taille</translation>
+        <source>flip mirror reflect | rotate scale shear move shift turn size</source>
+        <translation>retourner miroir refléter symétrie | tourner pivoter agrandir cisailler déplacer taille</translation>
     </message>
     <message>
         <source>undo original restore straighten</source>
@@ -9527,6 +9547,26 @@
     <message>
         <source>shade silhouette drop cast ground light sun</source>
         <translation>silhouette sol lumière soleil projeter sombre</translation>
+    </message>
+    <message>
+        <source>share send browser html embed publish interactive</source>
+        <translation>partager envoyer navigateur html intégrer publier interactif</translation>
+    </message>
+    <message>
+        <source>share send email mail post message url</source>
+        <translation>partager envoyer courriel e-mail mail message url</translation>
+    </message>
+    <message>
+        <source>dimension proof certificate | prove certified Hausdorff area measure overlap connected</source>
+        <translation>dimension preuve certificat | prouver démontrer Hausdorff aire mesure recouvrement connexe</translation>
+    </message>
+    <message>
+        <source>colours palette gradient hue background transparent brightness</source>
+        <translation>couleurs palette dégradé teinte fond transparent luminosité</translation>
+    </message>
+    <message>
+        <source>reorder rearrange order sort</source>
+        <translation>réordonner réorganiser ordre trier</translation>
     </message>
 </context>
 <context>
@@ -9719,15 +9759,15 @@
 <context>
     <name>view::DefineTool</name>
     <message>
-        <source>Click the first of the three vertices. The picture stays where it is; Esc cancels.</source>
+        <source>Click the first of the three corners. The picture stays where it is; Esc cancels.</source>
         <translation>Cliquez sur le premier des trois sommets. L’image reste où elle est&#x202f;; Échap annule.</translation>
     </message>
     <message>
-        <source>Click the second vertex. Backspace removes the last point.</source>
+        <source>Click the second corner. Backspace removes the last point.</source>
         <translation>Cliquez sur le deuxième sommet. Retour arrière supprime le dernier point.</translation>
     </message>
     <message>
-        <source>Click the third vertex. Backspace removes the last point.</source>
+        <source>Click the third corner. Backspace removes the last point.</source>
         <translation>Cliquez sur le troisième sommet. Retour arrière supprime le dernier point.</translation>
     </message>
 </context>
@@ -10224,8 +10264,8 @@
         <translation>Fond &amp;transparent</translation>
     </message>
     <message>
-        <source>Include the control t&amp;riangle</source>
-        <translation>&amp;Inclure le triangle de contrôle</translation>
+        <source>Include the ca&amp;ge</source>
+        <translation>&amp;Inclure la cage</translation>
     </message>
     <message>
         <source>&amp;Format:</source>
@@ -10330,6 +10370,18 @@
     <message>
         <source>One dot for every visible point of the chaos game.</source>
         <translation>Un point dessiné pour chaque point visible du jeu du chaos.</translation>
+    </message>
+    <message>
+        <source>Guaranteed accuracy: %1.</source>
+        <translation>Précision garantie : %1.</translation>
+    </message>
+    <message>
+        <source> The shape itself measures %1 × %2.</source>
+        <translation> La forme elle-même mesure %1 × %2.</translation>
+    </message>
+    <message>
+        <source> Shades of density need pixels: the shapes have one colour.</source>
+        <translation> Les nuances de densité demandent des pixels : les formes ont une seule couleur.</translation>
     </message>
     <message>
         <source> The cage bends the picture, which copies cannot reproduce: the affine fit of the cage is written instead. A PNG shows the bend.</source>
@@ -11889,6 +11941,10 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
         <source>No map has a choice of what follows it, so only single points are drawn.</source>
         <translation>Une seule application peut suivre chacune&#x202f;: seuls des points isolés sont dessinés.</translation>
     </message>
+    <message>
+        <source>Row: the map before. Column: the map after.</source>
+        <translation>Ligne&#x202f;: l’application d’avant. Colonne&#x202f;: celle d’après.</translation>
+    </message>
 </context>
 <context>
     <name>view::MapBlendRow</name>
@@ -12832,8 +12888,8 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
         <translation>Créer des clés</translation>
     </message>
     <message>
-        <source>Show the tracks, to make keys of your own</source>
-        <translation>Afficher les pistes pour créer vos propres clés</translation>
+        <source>Make a first key, and show the tracks</source>
+        <translation>Créer une première clé et afficher les pistes</translation>
     </message>
     <message>
         <source>Or set a key, move the playhead, and change the fractal.</source>
@@ -15523,8 +15579,8 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
         <translation>Sous l’eau</translation>
     </message>
     <message>
-        <source>Breathing</source>
-        <translation>Souffle</translation>
+        <source>Calm</source>
+        <translation>Calme</translation>
     </message>
     <message>
         <source>Add Motion</source>
@@ -15666,8 +15722,8 @@ Clavier&#x202f;: Page préc. et Page suiv. choisissent un repère, les flèches 
         <translation>Options de l’outil</translation>
     </message>
     <message>
-        <source>Drag a corner, an edge or the inside of the cage.  Ctrl rotates  ·  Alt scales  ·  Shift keeps directions  ·  double-click an edge for a new vertex</source>
-        <translation>Faites glisser un coin, une arête ou l’intérieur de la cage.  Ctrl fait tourner  ·  Alt met à l’échelle  ·  Maj conserve les directions  ·  double-clic sur une arête&#x202f;: nouveau sommet</translation>
+        <source>Drag a corner, an edge or the inside of the cage.  Ctrl rotates  ·  Alt scales  ·  Shift keeps directions  ·  double-click an edge for a new corner</source>
+        <translation>Faites glisser un sommet, une arête ou l’intérieur de la cage.  Ctrl fait tourner  ·  Alt met à l’échelle  ·  Maj conserve les directions  ·  double-clic sur une arête&#x202f;: nouveau sommet</translation>
     </message>
     <message>
         <source>Click the three corners of the new triangle.  Backspace removes the last point  ·  Esc cancels</source>

@@ -2745,6 +2745,10 @@
         <translation>Во овој запис сè уште ништо не се движи. Прво изберете движење во временската лента: Анимација, Анимирај.</translation>
     </message>
     <message>
+        <source>A mesh needs a solid, and this entry lies in a plane: lift it to space first.</source>
+        <translation>Тело за печатење постои само во просторот, а овој запис лежи во рамнина: прво подигнете го во просторот.</translation>
+    </message>
+    <message>
         <source>Reading “%1”…</source>
         <translation>Се чита „%1“…</translation>
     </message>
@@ -3761,19 +3765,19 @@
 <context>
     <name>PlacementBanner</name>
     <message>
-        <source>Saved with a placement</source>
-        <translation>Зачувано со поставеност</translation>
+        <source>Saved with dragged corners</source>
+        <translation>Зачувано со поместени темиња</translation>
     </message>
     <message>
-        <source>Other programs will draw “%1” where its code puts it, without your placement, which is stored in comments. Bake writes it into the code.</source>
-        <translation>Другите програми ќе го нацртаат „%1“ онаму каде што го става неговиот код, без вашата поставеност, која е запишана во коментари. „Впиши во кодот“ ја внесува таму.</translation>
+        <source>Other programs will show “%1” without your dragged corners, which are saved as comments. Bake puts them into the numbers that every program reads.</source>
+        <translation>Другите програми ќе го покажат „%1“ без темињата што ги поместивте, кои се запишани во коментари. „Впиши во кодот“ ги внесува во броевите што ги чита секоја програма.</translation>
     </message>
     <message numerus="yes">
-        <source>Other programs will draw %n entries where their code puts them, without your placements, which are stored in comments. Bake writes them into the code.</source>
+        <source>Other programs will show %n entries without your dragged corners, which are saved as comments. Bake puts them into the numbers that every program reads.</source>
         <translation>
-            <numerusform>Другите програми ќе нацртаат %n запис онаму каде што го става неговиот код, без вашата поставеност, која е запишана во коментари. „Впиши во кодот“ ја внесува таму.</numerusform>
-            <numerusform>Другите програми ќе нацртаат %n записи онаму каде што ги става нивниот код, без вашите поставености, кои се запишани во коментари. „Впиши во кодот“ ги внесува таму.</numerusform>
-            <numerusform>Другите програми ќе нацртаат %n записи онаму каде што ги става нивниот код, без вашите поставености, кои се запишани во коментари. „Впиши во кодот“ ги внесува таму.</numerusform>
+            <numerusform>Другите програми ќе покажат %n запис без темињата што ги поместивте, кои се запишани во коментари. „Впиши во кодот“ ги внесува во броевите што ги чита секоја програма.</numerusform>
+            <numerusform>Другите програми ќе покажат %n записи без темињата што ги поместивте, кои се запишани во коментари. „Впиши во кодот“ ги внесува во броевите што ги чита секоја програма.</numerusform>
+            <numerusform>Другите програми ќе покажат %n записи без темињата што ги поместивте, кои се запишани во коментари. „Впиши во кодот“ ги внесува во броевите што ги чита секоја програма.</numerusform>
         </translation>
     </message>
     <message>
@@ -3795,6 +3799,10 @@
     <message>
         <source>Not baked, because no code has this picture or keys move it: %1.</source>
         <translation>Не е впишано, бидејќи ниеден код не ја дава оваа слика или ја движат клучеви: %1.</translation>
+    </message>
+    <message>
+        <source>This cage cannot be baked: it bends or flattens the picture, or keys move it.</source>
+        <translation>Овој кафез не може да се впише во кодот: ја криви или ја сплескува сликата, или го движат клучеви.</translation>
     </message>
 </context>
 <context>
@@ -5636,6 +5644,14 @@
         <translation>Датотека сè уште се извезува.</translation>
     </message>
     <message>
+        <source>&amp;Animation…</source>
+        <translation>&amp;Анимација…</translation>
+    </message>
+    <message>
+        <source>Exports the motion instead, as GIF, MP4 and others.</source>
+        <translation>Наместо тоа го извезува движењето, како GIF, MP4 и други.</translation>
+    </message>
+    <message>
         <source>If you stop now, no file is written.</source>
         <translation>Ако запрете сега, нема да се запише датотека.</translation>
     </message>
@@ -6911,6 +6927,10 @@
         <translation>‖A‖ кажува колку најмногу растегнува пресликувањето: сменете број и останете под 1.</translation>
     </message>
     <message>
+        <source>In the timeline, choose Wind under Add Motion and watch the picture sway as well.</source>
+        <translation>На временската линија изберете Ветер под „Додај движење“ и гледајте како и сликата се ниша.</translation>
+    </message>
+    <message>
         <source>&amp;Skip</source>
         <translation>&amp;Прескокни</translation>
     </message>
@@ -7046,7 +7066,7 @@
         <translation>Овој запис не е систем во рамнината, па нема контролен кафез.</translation>
     </message>
     <message>
-        <source>The cage is too flat to be inverted. Open it by dragging a vertex, or reset it, and try again.</source>
+        <source>The cage is too flat to be inverted. Open it by dragging a corner, or reset it, and try again.</source>
         <translation>Кафезот е премногу сплескан за да може да се врати. Раширете го со влечење на некое теме или вратете го во мирување, па обидете се повторно.</translation>
     </message>
     <message>
@@ -7200,10 +7220,6 @@
         <translation>Копирај со сите цифри</translation>
     </message>
     <message>
-        <source>Copy All Properties</source>
-        <translation>Копирај ги сите својства</translation>
-    </message>
-    <message>
         <source>Copies the name and the value of every line, at full precision.</source>
         <translation>Го копира секој ред како име и вредност со сите цифри.</translation>
     </message>
@@ -7298,6 +7314,10 @@
     <message>
         <source>Opens the user guide where it explains how the pieces of an attractor meet.</source>
         <translation>Го отвора упатството таму каде што објаснува како се допираат деловите на атракторот.</translation>
+    </message>
+    <message>
+        <source>Copied.</source>
+        <translation>Копирано.</translation>
     </message>
 </context>
 <context>
@@ -8381,11 +8401,11 @@
         <translation>Поместување на %1 темиња</translation>
     </message>
     <message>
-        <source>Select a vertex first.</source>
+        <source>Select a corner first.</source>
         <translation>Прво изберете теме.</translation>
     </message>
     <message>
-        <source>To insert a vertex, point to an edge or select a vertex.</source>
+        <source>To insert a corner, point to an edge or select a corner.</source>
         <translation>За да вметнете теме, покажете на страна или изберете теме.</translation>
     </message>
 </context>
@@ -8424,7 +8444,7 @@
         <translation>Нацртано со помалку итерации од бараните: за повеќе би требало повеќе меморија од дозволената.</translation>
     </message>
     <message>
-        <source>The cage is flat, and so is the picture. Drag a vertex to open it: nothing is lost.</source>
+        <source>The cage is flat, and so is the picture. Drag a corner to open it: nothing is lost.</source>
         <translation>Кафезот е сплескан, па и сликата. Повлечете некое теме за да го раширите: ништо не се губи.</translation>
     </message>
     <message>
@@ -9427,8 +9447,8 @@
 <context>
     <name>view::CommandSynonyms</name>
     <message>
-        <source>render save image picture png svg pdf jpeg tiff webp exr poster wallpaper stl obj ply glb mesh print 3d</source>
-        <translation>рендер зачувај слика png svg pdf jpeg tiff постер плакат позадина stl obj ply мрежа 3d печатење</translation>
+        <source>render save image picture png svg pdf jpeg tiff webp exr poster wallpaper stl obj ply glb mesh print 3d laser plotter cutter engrave dxf outline vector transparent millimetres</source>
+        <translation>рендер зачувај слика png svg pdf jpeg tiff постер плакат позадина stl obj ply мрежа 3d печатење ласер плотер секач гравирај dxf контура вектор проѕирно милиметри</translation>
     </message>
     <message>
         <source>render video movie film mp4 webm gif apng frames cluster slurm</source>
@@ -9463,8 +9483,8 @@
         <translation>огледало пресликај преврти наопаку</translation>
     </message>
     <message>
-        <source>rotate scale shear move shift turn size</source>
-        <translation>ротирај заврти размер искоси помести големина</translation>
+        <source>flip mirror reflect | rotate scale shear move shift turn size</source>
+        <translation>преврти огледало пресликај | ротирај заврти размер искоси помести големина</translation>
     </message>
     <message>
         <source>undo original restore straighten</source>
@@ -9545,6 +9565,26 @@
     <message>
         <source>shade silhouette drop cast ground light sun</source>
         <translation>силуета под светлина сонце темно</translation>
+    </message>
+    <message>
+        <source>share send browser html embed publish interactive</source>
+        <translation>сподели испрати прелистувач html вгради објави интерактивно</translation>
+    </message>
+    <message>
+        <source>share send email mail post message url</source>
+        <translation>сподели испрати пошта имејл порака url</translation>
+    </message>
+    <message>
+        <source>dimension proof certificate | prove certified Hausdorff area measure overlap connected</source>
+        <translation>димензија доказ сертификат | докажи Хаусдорф плоштина мера преклопување поврзано</translation>
+    </message>
+    <message>
+        <source>colours palette gradient hue background transparent brightness</source>
+        <translation>бои палета прелив нијанса позадина проѕирно осветленост</translation>
+    </message>
+    <message>
+        <source>reorder rearrange order sort</source>
+        <translation>прередување редослед подреди сортирај</translation>
     </message>
 </context>
 <context>
@@ -9737,15 +9777,15 @@
 <context>
     <name>view::DefineTool</name>
     <message>
-        <source>Click the first of the three vertices. The picture stays where it is; Esc cancels.</source>
+        <source>Click the first of the three corners. The picture stays where it is; Esc cancels.</source>
         <translation>Кликнете на првото од трите темиња. Сликата останува каде што е; Esc откажува.</translation>
     </message>
     <message>
-        <source>Click the second vertex. Backspace removes the last point.</source>
+        <source>Click the second corner. Backspace removes the last point.</source>
         <translation>Кликнете на второто теме. Backspace ја брише последната точка.</translation>
     </message>
     <message>
-        <source>Click the third vertex. Backspace removes the last point.</source>
+        <source>Click the third corner. Backspace removes the last point.</source>
         <translation>Кликнете на третото теме. Backspace ја брише последната точка.</translation>
     </message>
 </context>
@@ -10249,8 +10289,8 @@
         <translation>&amp;Проѕирна позадина</translation>
     </message>
     <message>
-        <source>Include the control t&amp;riangle</source>
-        <translation>Вклучи го &amp;контролниот триаголник</translation>
+        <source>Include the ca&amp;ge</source>
+        <translation>Вклучи го &amp;кафезот</translation>
     </message>
     <message>
         <source>&amp;Format:</source>
@@ -10355,6 +10395,18 @@
     <message>
         <source>One dot for every visible point of the chaos game.</source>
         <translation>По една точка за секоја видлива точка од играта на хаосот.</translation>
+    </message>
+    <message>
+        <source>Guaranteed accuracy: %1.</source>
+        <translation>Гарантирана точност: %1.</translation>
+    </message>
+    <message>
+        <source> The shape itself measures %1 × %2.</source>
+        <translation> Самата форма мери %1 × %2.</translation>
+    </message>
+    <message>
+        <source> Shades of density need pixels: the shapes have one colour.</source>
+        <translation> Нијансите на густината бараат пиксели: формите имаат само една боја.</translation>
     </message>
     <message>
         <source> The cage bends the picture, which copies cannot reproduce: the affine fit of the cage is written instead. A PNG shows the bend.</source>
@@ -11921,6 +11973,10 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
         <source>No map has a choice of what follows it, so only single points are drawn.</source>
         <translation>По секое пресликување може да следи само едно, па се цртаат само поединечни точки.</translation>
     </message>
+    <message>
+        <source>Row: the map before. Column: the map after.</source>
+        <translation>Ред: пресликувањето претходно. Колона: следното.</translation>
+    </message>
 </context>
 <context>
     <name>view::MapBlendRow</name>
@@ -12864,8 +12920,8 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
         <translation>Постави клучеви</translation>
     </message>
     <message>
-        <source>Show the tracks, to make keys of your own</source>
-        <translation>Прикажи ги патеките за да поставите свои клучеви</translation>
+        <source>Make a first key, and show the tracks</source>
+        <translation>Постави прв клуч и прикажи ги патеките</translation>
     </message>
     <message>
         <source>Or set a key, move the playhead, and change the fractal.</source>
@@ -15559,8 +15615,8 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
         <translation>Под вода</translation>
     </message>
     <message>
-        <source>Breathing</source>
-        <translation>Здив</translation>
+        <source>Calm</source>
+        <translation>Мирно</translation>
     </message>
     <message>
         <source>Add Motion</source>
@@ -15702,7 +15758,7 @@ Keys: Page Up and Page Down select a stop, the arrow keys move it, Ins adds one,
         <translation>Опции на алатката</translation>
     </message>
     <message>
-        <source>Drag a corner, an edge or the inside of the cage.  Ctrl rotates  ·  Alt scales  ·  Shift keeps directions  ·  double-click an edge for a new vertex</source>
+        <source>Drag a corner, an edge or the inside of the cage.  Ctrl rotates  ·  Alt scales  ·  Shift keeps directions  ·  double-click an edge for a new corner</source>
         <translation>Влечете теме, раб или внатрешност на кафезот.  Ctrl врти  ·  Alt менува големина  ·  Shift ги задржува правците  ·  двоен клик на раб: ново теме</translation>
     </message>
     <message>

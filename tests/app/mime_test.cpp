@@ -70,7 +70,10 @@ void MimeTest::lessons() {
             type);
     QFile desktop(support::sourcePath(QStringLiteral("resources/linux/barycage.desktop.in")));
     QVERIFY(desktop.open(QIODevice::ReadOnly));
-    QVERIFY(desktop.readAll().contains("\nMimeType=" + m_type.toUtf8() + ';' + type.toUtf8() + ";\n"));
+    const QByteArray entry = desktop.readAll();
+    QVERIFY(entry.contains("\nMimeType=" + m_type.toUtf8() + ';' + type.toUtf8() +
+                           ";x-scheme-handler/barycage;\n"));
+    QVERIFY(entry.contains("\nExec=barycage %U\n")); // with %F, a desktop passes no links
 }
 
 void MimeTest::otherTextsAreLeftAlone_data() {

@@ -1,14 +1,91 @@
 // SPDX-License-Identifier: MIT
-// A page within another one, by the snippet that docs/guide.md gives. As page_test.mjs.
+// A page within another one, by the snippets that docs/guide.md gives. As page_test.mjs.
 import assert from "node:assert/strict";
+import { execFileSync } from "node:child_process";
 import { readFileSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
 import { test } from "node:test";
 import { Browser } from "./browser.mjs";
-import { corners, current, folder, keep, open, page, paper, rested, source } from "./pages.mjs";
+import { cli, corners, current, folder, keep, obstacles, open, page, paper, pixels, rested, smallTargets, source } from "./pages.mjs";
+
+const guide = readFileSync(join(source, "docs/guide.md"), "utf8");
+
+/** An article, without a word of its encoding. @param {string} name @param {string} body */
+async function article(name, body, options) {
+  const path = join(folder, name);
+  writeFileSync(path, `<!doctype html><html lang="en"><title>An article</title><meta name="viewport" content="width=device-width">
+    <body style="max-width: 700px; margin: 20px auto"><h1>An article</h1>${body}<p>Text below the figures</p>`);
+  const browser = await Browser.start(options);
+  open.push(browser);
+  await browser.open(`file://${path}`);
+  return browser;
+}
+
+/** Looks at one of the figures of an article from now on, when it is live; null: at the article.
+ * @param {number | null} id */
+async function enter(browser, id) {
+  await browser.send("POST", "/frame", { id: null });
+  if (id === null) return;
+  await browser.until(`document.querySelectorAll("iframe").length > ${id}`);
+  await browser.send("POST", "/frame", { id });
+  await browser.until("window.barycage && document.body.dataset.state === 'live'");
+  await rested(browser);
+}
+
+const frames = (browser) => browser.value(`[...document.querySelectorAll("iframe")].map((f) => {
+  const { x, y, width, height } = f.getBoundingClientRect(); return { x, y, width, height, title: f.title }; })`);
+
+test("scripts put figures into an article: one engine draws them, and each is dragged alone", async () => {
+  const snippets = guide.match(/^ *<script src="paper.js"[^\n]*<\/script>/gm) ?? [];
+  assert.equal(snippets.length, 2);
+  execFileSync(cli, ["page", paper, "--all", "--show", "figure", "--lang", "mk", "-o", join(folder, "paper.js")]);
+  execFileSync(cli, ["page", paper, "--entry", "maple", "--caption", "Die Blätter “fallen”", "-o", join(folder, "maple.js")]);
+  const browser = await article("scripts.html", [...snippets, "<script src=\"maple.js\"></script>"].join("<p>Text</p>"));
+  for (const [id, name] of ["maple", "flower", "maple"].entries()) {
+    await enter(browser, id);
+    assert.equal(await browser.value("document.getElementById('name').textContent"), name);
+    assert.equal(await browser.value("barycage.entry.name"), name);
+    assert.equal(await browser.value("barycage.drawing.worker.constructor.name"), "MessagePort");
+    await browser.until("document.documentElement.scrollHeight <= innerHeight", 5); // the frame is as high
+  }
+  assert.equal(await browser.value("document.getElementById('caption').textContent"), "Die Blätter “fallen”");
+  await enter(browser, 1);
+  const other = await pixels(browser);
+  await enter(browser, 0);
+  assert.match(await browser.value("document.getElementById('hint').textContent"), /\p{Script=Cyrillic}/u);
+  const at = await corners(browser), before = await pixels(browser);
+  await enter(browser, null);
+  assert.equal(await browser.value("barycageWorkers.size"), 1);
+  assert.deepEqual((await frames(browser)).map(({ title }) => title), ["maple", "flower", "maple"]);
+  await keep(browser, "article");
+  const [{ x, y }] = await frames(browser);
+  await browser.drag([0, 20, 40].map((way) => [x + at[1][0] + way, y + at[1][1] + way / 2]));
+  await enter(browser, 0);
+  assert.notEqual(await pixels(browser), before);
+  const moved = await corners(browser);
+  assert.ok(Math.hypot(moved[1][0] - at[1][0] - 40, moved[1][1] - at[1][1] - 20) < 2);
+  await enter(browser, 1);
+  assert.equal(await pixels(browser), other, "the other figure is as it was");
+  assert.deepEqual(await browser.complaints(), []);
+});
+
+test("figures of an article on a telephone, dark, for everybody", async () => {
+  execFileSync(cli, ["page", paper, "--entry", "maple", "-o", join(folder, "phone.js")]);
+  const browser = await article("phone.html", "<script src=\"phone.js\"></script>", { width: 390, height: 844, ratio: 2, touch: true, dark: true });
+  await enter(browser, 0);
+  assert.deepEqual(await smallTargets(browser), []);
+  assert.deepEqual(await obstacles(browser), []);
+  assert.ok((await browser.value("document.documentElement.scrollWidth - innerWidth")) <= 0, "no sideways scrolling");
+  // What is longer makes the frame higher.
+  await browser.value("void (document.getElementById('caption').textContent = 'word '.repeat(200))");
+  await browser.until("document.documentElement.scrollHeight <= innerHeight && innerHeight > 900");
+  await enter(browser, null);
+  await keep(browser, "article-phone-dark");
+  assert.deepEqual(await browser.complaints(), []);
+});
 
 test("a figure in a frame of another page is dragged there", async () => {
-  const snippet = readFileSync(join(source, "docs/guide.md"), "utf8").match(/^ *<iframe [^\n]*<\/iframe>/m)?.[0] ?? "";
+  const snippet = guide.match(/^ *<iframe [^\n]*<\/iframe>/m)?.[0] ?? "";
   assert.match(snippet, /src="maple.html"/);
   const figure = page(paper, "--entry", "maple", "--show", "figure");
   const outer = join(folder, "outer.html");

@@ -58,9 +58,10 @@ test("a lesson is read step by step, and each begins as it is written", async ()
   assert.equal(await text(browser, "#lesson h2"), "A flower <b>");
   assert.equal(await browser.value("barycage.figure.holdsMaps"), false);
   assert.equal(await browser.value("barycage.entry.appearance.colourBy"), 2);
-  await browser.until("barycage.figure.plane.centre.every((x) => x === 0)");
+  await browser.until("barycage.figure.camera.target.every((x) => x === 0)");
   const { width, height } = await browser.value("barycage.figure.size");
-  assert.equal(await browser.value("barycage.figure.plane.scale"), Math.min(width / 2, height));
+  const scale = await browser.value("barycage.figure.camera.scale(barycage.figure.size)");
+  assert.ok(Math.abs(scale / Math.min(width / 2, height) - 1) < 1e-12, "the area fills the picture");
   await rested(browser);
   await keep(browser, "lesson-last");
   await press(browser, "next"); // there is none

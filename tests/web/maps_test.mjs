@@ -38,7 +38,7 @@ const isNear = (a, b) => Math.hypot(a[0] - b[0], a[1] - b[1]) < 2;
 test("a corner of a map is dragged: this map alone changes, the picture and the table follow, Reset returns all", async () => {
   const browser = await withMaps(maple);
   const before = await images(browser), maps = await rows(browser), picture = await pixels(browser);
-  const view = await browser.value("barycage.figure.plane");
+  const view = await browser.value("barycage.figure.camera");
   await keep(browser, "maps-light");
   await drag(browser, way(before[0][1], 30, -20));
   const after = await images(browser), changed = await rows(browser);
@@ -55,7 +55,7 @@ test("a corner of a map is dragged: this map alone changes, the picture and the 
   await settled(browser);
   assert.deepEqual(await rows(browser), maps);
   assert.deepEqual(await current(browser), await browser.value("barycage.figure.rest"));
-  assert.deepEqual(await browser.value("barycage.figure.plane"), view); // the page itself may have scrolled to the button
+  assert.deepEqual(await browser.value("barycage.figure.camera"), view); // the page itself may have scrolled to the button
   assert.equal(await browser.value("document.querySelectorAll('#maps input')[1].value"), String(maps[0][0]));
   assert.deepEqual(await browser.complaints(), []);
 });

@@ -47,7 +47,7 @@ export async function keep(browser, name) {
   if (pictures) writeFileSync(join(pictures, `${name}.png`), await browser.picture());
 }
 export const corners = (browser) => browser.value(`(() => { const r = document.getElementById("stage").getBoundingClientRect();
-  return barycage.figure.corners().map(([x, y]) => [x + r.left, y + r.top]); })()`);
+  return barycage.figure.current.map((p) => barycage.figure.pixel(p)).map(([x, y]) => [x + r.left, y + r.top]); })()`);
 export const current = (browser) => browser.value("barycage.figure.current");
 // A number that other pixels change.
 export const pixels = (browser) => browser.value(`(() => { const c = document.getElementById("canvas");

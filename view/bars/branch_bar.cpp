@@ -37,8 +37,8 @@ namespace view {
 
 namespace {
 
-constexpr int maxAngle = 90;   // degrees either way
-constexpr int minLetters = 18; // of what is chosen, in a narrow window
+constexpr int maxAngle = 90;   // degrees in either direction
+constexpr int minLetters = 18; // letters of the chosen branch, in a narrow window
 
 } // namespace
 
@@ -57,7 +57,7 @@ BranchBar::BranchBar(document::Document* document, CanvasView* canvas, QWidget* 
     connect(canvas, &CanvasView::toolChanged, this, &BranchBar::follow);
     connect(canvas, &CanvasView::selectedMapsChanged, this, &BranchBar::endSwing);
     connect(document, &document::Document::changed, this, [this] {
-        m_swinging.isOpen() ? follow() : centre(); // another edit has ended ours
+        m_swinging.isOpen() ? follow() : centre(); // ended by another edit
     });
     follow();
 }
@@ -121,7 +121,7 @@ QWidget* BranchBar::makeBranch() {
     for (QWidget* yields : {static_cast<QWidget*>(m_edit), static_cast<QWidget*>(m_address)})
         yields->setMinimumWidth(minLetters * fontMetrics().averageCharWidth());
     m_putBack = new QPushButton(row);
-    QSizePolicy keepsItsRoom = m_putBack->sizePolicy(); // so that the height of the row stays
+    QSizePolicy keepsItsRoom = m_putBack->sizePolicy(); // keeps the height of the row
     keepsItsRoom.setRetainSizeWhenHidden(true);
     m_putBack->setSizePolicy(keepsItsRoom);
     editLabel->setBuddy(m_edit);
@@ -180,7 +180,7 @@ void BranchBar::follow() {
     const ifs::Word& address = choice().address();
     const auto known = int(std::min(address.size(), std::size_t(BranchChoice::maxDepth)));
     m_depth->setMaximum(address.empty() ? BranchChoice::maxDepth : known);
-    m_depth->setValue(choice().depth()); // or what is known
+    m_depth->setValue(choice().depth()); // corrects an unknown depth
     const ifs::Word word = choice().branch();
     const ifs::Word rest(address.begin() + std::ptrdiff_t(word.size()), address.end());
     m_address->setText(
@@ -303,7 +303,7 @@ void BranchBar::swingTo(int degrees) {
     const Swung swung = document::space(m_swinging.before()) ? swungInSpace() : swungInPlane();
     if (!swung) return centre();
     constexpr double degree = std::numbers::pi / 180;
-    // Whole degrees, up to where the attractor would be lost.
+    // Whole degrees up to the loss of the attractor.
     degrees = int(degrees * shareToShow([&](double share) { return swung(degrees * share * degree); }));
     m_swinging.preview(tr("Swing maps"),
                        [&](document::Fractal& fractal) { fractal = swung(degrees * degree); });
@@ -311,7 +311,7 @@ void BranchBar::swingTo(int degrees) {
     m_swing->setValue(degrees);
     follow();
     if (m_swing->isSliderDown()) return;
-    // A wheel over it ends here; the canvas goes on saying why it stopped.
+    // A wheel without the focus ends here. The canvas keeps the message about the stop.
     if (!m_swing->hasFocus()) {
         m_swinging.commit();
         centre();
@@ -343,14 +343,14 @@ void BranchBar::centre() {
 }
 
 bool BranchBar::eventFilter(QObject* watched, QEvent* event) {
-    // A click beside the knob moves it without holding it.
+    // True for a click beside the knob, which moves it without a hold.
     const bool isClicked = event->type() == QEvent::MouseButtonRelease && !m_swing->isSliderDown();
     if (watched == m_swing && (isClicked || event->type() == QEvent::FocusOut)) endSwing();
-    // Undo ends the swing, which it then takes back.
+    // Undo ends the swing, and then undoes it.
     if (watched == m_swing && event->type() == QEvent::ShortcutOverride &&
         static_cast<QKeyEvent*>(event)->matches(QKeySequence::Undo))
         endSwing();
-    // Esc would be a shortcut of the window otherwise.
+    // Esc would otherwise be a shortcut of the window.
     const bool isKey = event->type() == QEvent::ShortcutOverride || event->type() == QEvent::KeyPress;
     if (watched == m_swing && isKey && m_swinging.isOpen() &&
         static_cast<QKeyEvent*>(event)->matches(QKeySequence::Cancel)) {

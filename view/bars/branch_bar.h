@@ -37,7 +37,7 @@ public:
 
     QSpinBox* depth() const { return m_depth; }
     QComboBox* edit() const { return m_edit; }
-    QPushButton* putBackButton() const { return m_putBack; } // there when a branch is moved
+    QPushButton* putBackButton() const { return m_putBack; } // enabled while a branch is moved
     QSlider* swing() const { return m_swing; }
 
 protected:
@@ -48,25 +48,26 @@ private:
     QWidget* makeSwing();
     void follow();
     void followChoice(CanvasView* canvas);
-    void takeFocusFrom(const QWidget* part); // that is about to be hidden or disabled, for the canvas
+    // Passes the focus of a part that will be hidden or disabled to the canvas.
+    void takeFocusFrom(const QWidget* part);
     void showRow(QWidget* row);
     CanvasView& chosenIn() const { return m_chosenIn ? *m_chosenIn : *m_canvas; }
     BranchChoice& choice() const;
-    void putBack(); // the branch, where it is moved; else all branches
-    using Swung = std::function<document::Fractal(double)>; // by an angle, in radians
-    Swung swungInPlane();                                   // nullptr where nothing swings, which is said
+    void putBack(); // restores the branch, if it is moved; else all branches
+    using Swung = std::function<document::Fractal(double)>; // argument: angle in radians
+    Swung swungInPlane();                                   // nullptr, with a message, if nothing can swing
     Swung swungInSpace();
-    double shareToShow(const Swung& shareOf); // as much as leaves an attractor
+    double shareToShow(const Swung& shareOf); // largest share that leaves an attractor
     void swingTo(int degrees);
     void endSwing();
-    void giveUpSwing(); // and does not follow the slider until it is let go
+    void giveUpSwing(); // ends the swing and ignores the slider until it is released
     void centre();
 
     document::Document* m_document;
     CanvasView* m_canvas;
-    QPointer<CanvasView> m_chosenIn; // where the latest branch was selected
-    ifs::Word m_seen;                // the branch selected in the window's canvas,
-    ifs::Word m_seenBeside;          // and beside it
+    QPointer<CanvasView> m_chosenIn; // canvas of the latest selection
+    ifs::Word m_seen;                // branch selected in the window's canvas
+    ifs::Word m_seenBeside;          // branch selected in the second canvas
     QStackedWidget* m_rows = nullptr;
     QWidget* m_branchRow = nullptr;
     QWidget* m_swingRow = nullptr;
@@ -80,8 +81,8 @@ private:
     QString m_hintInSpace;
     SpaceView* m_space = nullptr;
     document::LiveEdit m_swinging;
-    QTimer m_pause;           // after which a swing by keyboard is done with
-    bool m_isGivenUp = false; // while the slider is still held
+    QTimer m_pause;           // ends a swing by keyboard
+    bool m_isGivenUp = false; // true while the slider is still held after giveUpSwing()
 };
 
 } // namespace view

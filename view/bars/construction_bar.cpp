@@ -26,8 +26,8 @@ namespace {
 
 using Mode = Construction::Mode;
 
-constexpr int fewLetters = 8;   // of a count, in a narrow window
-constexpr double readable = 10; // jumps per second of which each can be seen
+constexpr int fewLetters = 8;   // letters of a count, in a narrow window
+constexpr double readable = 10; // jumps per second at which each can be seen
 
 QString superscript(int n) {
     static const QString digits = QStringLiteral("⁰¹²³⁴⁵⁶⁷⁸⁹");
@@ -172,8 +172,7 @@ void ConstructionBar::followSteps() {
                "most sⁿ times the distance from the start B to A, where s = %2 is the largest contraction "
                "factor of the maps.")
                 .arg(digits(distance->cell), roundedNumber(distance->contraction, maxDecimals));
-    m_facts->setToolTip(m_facts->text() + QStringLiteral("\n\n") +
-                        tip); // where there is no room for all of it
+    m_facts->setToolTip(m_facts->text() + QStringLiteral("\n\n") + tip); // full text for narrow windows
     m_facts->setWhatsThis(tip);
 }
 
@@ -186,7 +185,7 @@ QString ConstructionBar::distanceText() const {
         return tr("no bound: a map has the contraction factor %1")
             .arg(roundedNumber(distance->contraction, maxDecimals));
     if (!distance->distance) return {};
-    const double resolution = 2 * distance->cell; // below this, cells tell nothing apart
+    const double resolution = 2 * distance->cell; // limit below which cells tell nothing apart
     if (*distance->bound < resolution) return tr("distance to A at most %1").arg(digits(*distance->bound));
     if (*distance->distance < resolution)
         return tr("distance to A < %1, at most %2").arg(digits(resolution), digits(*distance->bound));
@@ -212,7 +211,7 @@ void ConstructionBar::followChaosGame() {
     if (map) count += tr(", the last by map %1").arg(*map + 1);
     if (jumps == 0 && !running) count = tr("no points yet: press Play (▶)");
     m_count->setText(count);
-    m_count->setToolTip(count); // where there is no room for it
+    m_count->setToolTip(count); // full text for narrow windows
 }
 
 } // namespace view

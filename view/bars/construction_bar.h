@@ -43,7 +43,7 @@ private:
     QStackedWidget* m_pages;
     QSlider* m_steps = nullptr;
     StartShapeBox* m_start = nullptr;
-    ElidedLabel* m_facts = nullptr; // copies and distance
+    ElidedLabel* m_facts = nullptr; // number of copies and distance
     QToolButton* m_run = nullptr;
     QComboBox* m_speed = nullptr;
     Die* m_die = nullptr;

@@ -14,8 +14,8 @@ namespace view {
 
 namespace {
 
-constexpr double stripWidth = 6;   // in heights of a letter
-constexpr std::size_t maxPips = 6; // more are a number
+constexpr double stripWidth = 6;   // letter heights
+constexpr std::size_t maxPips = 6; // greater numbers are written as digits
 constexpr double gap = 6;          // pixels between the face and the strip
 
 QColor colourOf(const Construction::Face& face) {

@@ -64,7 +64,7 @@ void StartShapeBox::choose() {
     }
     const QString path = choosePictureToOpen(this, tr("Choose a Picture to Start From"));
     if (!path.isEmpty()) m_steps->readPicture(path);
-    follow(); // until it has been read, and where nothing was chosen
+    follow(); // restores the choice until the picture has been read
 }
 
 void StartShapeBox::follow() {

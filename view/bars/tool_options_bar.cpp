@@ -15,7 +15,7 @@ ToolOptionsBar::ToolOptionsBar(document::Document* document, CanvasView* canvas,
     setAccessibleName(tr("Tool options"));
     addWidget(m_branches);
     m_cage = addHint(tr("Drag a corner, an edge or the inside of the cage.  Ctrl rotates  ·  Alt scales  ·  "
-                        "Shift keeps directions  ·  double-click an edge for a new vertex"));
+                        "Shift keeps directions  ·  double-click an edge for a new corner"));
     m_define = addHint(
         tr("Click the three corners of the new triangle.  Backspace removes the last point  ·  Esc cancels"));
     m_defineInSpace = addHint(tr(
@@ -75,7 +75,7 @@ void ToolOptionsBar::follow() {
     if (m_isSpace && isSideBySide) page = m_stereo;
     if (page == currentWidget()) return;
     const QWidget* focused = QApplication::focusWidget();
-    if (focused && isAncestorOf(focused)) m_canvas->setFocus(); // else any other field gets it
+    if (focused && isAncestorOf(focused)) m_canvas->setFocus(); // otherwise any field would get the focus
     setCurrentWidget(page);
 }
 

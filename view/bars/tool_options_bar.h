@@ -19,8 +19,8 @@ public:
     ToolOptionsBar(document::Document* document, CanvasView* canvas, QWidget* parent = nullptr);
 
     void setSpaceView(SpaceView* space);
-    void setSpace(bool isSpace);        // the window into space is shown
-    void setBeside(CanvasView* canvas); // of another entry, whose branches have the same options
+    void setSpace(bool isSpace);        // true while the view of space is shown
+    void setBeside(CanvasView* canvas); // canvas of another entry, whose branches have the same options
     QString hint() const;               // text of a tool without options; empty for others
 
 private:
@@ -35,7 +35,7 @@ private:
     QWidget* m_define;
     QWidget* m_defineInSpace;
     QWidget* m_space;
-    QWidget* m_stereo; // side by side
+    QWidget* m_stereo; // options for stereo pairs side by side
 };
 
 } // namespace view

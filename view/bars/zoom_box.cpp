@@ -19,9 +19,9 @@ namespace view {
 
 namespace {
 
-constexpr double maxPlain = 1e6; // percent: above, powers of ten are shorter
+constexpr double maxPlain = 1e6; // per cent; greater values are shorter as powers of ten
 constexpr double minGrouped = 1e4;
-constexpr double fitted = 0; // in place of a factor
+constexpr double fitted = 0; // replacement for a factor
 
 const NumberRange positive{0.0, std::nullopt, NumberRange::Ends::Open};
 
@@ -125,7 +125,7 @@ void ZoomBox::showProblem(const QString& reason) {
 }
 
 void ZoomBox::showZoom() {
-    if (lineEdit()->hasFocus() && lineEdit()->isModified()) return; // being typed
+    if (lineEdit()->hasFocus() && lineEdit()->isModified()) return; // still being typed
     showProblem({});
     const QSignalBlocker blocker(this);
     setCurrentIndex(-1);

@@ -16,9 +16,9 @@ class ZoomBox : public QComboBox {
 public:
     explicit ZoomBox(CanvasView* canvas, QWidget* parent = nullptr);
 
-    static QString textOf(double factor); // 1: "100 %"
+    static QString textOf(double factor); // "100 %" for 1
 
-    void setViews(const QStringList& names); // listed below the factors
+    void setViews(const QStringList& names); // names listed below the factors
 
 signals:
     void viewChosen(const QString& name);
@@ -33,7 +33,7 @@ private:
     void showProblem(const QString& reason);
 
     CanvasView* m_canvas;
-    int m_factors; // how many items are no views
+    int m_factors; // number of items before the views
 };
 
 } // namespace view

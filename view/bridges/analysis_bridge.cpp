@@ -32,7 +32,7 @@ void AnalysisBridge::setOutlined(document::Outline kind, bool outlined) {
     outlined ? void(m_outlined.insert(kind)) : void(m_outlined.erase(kind));
     ask(Haste::Now);
     emit outlinesChosen();
-    if (m_outlined.empty()) emit changed(); // nobody may watch any more
+    if (m_outlined.empty()) emit changed(); // also for the case that nobody watches any more
 }
 
 void AnalysisBridge::setCylinderDepth(int symbols) {

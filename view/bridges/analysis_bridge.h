@@ -21,7 +21,8 @@ public:
     explicit AnalysisBridge(document::Document* document, QObject* parent = nullptr);
     ~AnalysisBridge() override;
 
-    void setWatched(bool watched); // by a panel; outlines on the canvas watch by themselves
+    // True while a panel shows the analysis; outlines on the canvas count by themselves.
+    void setWatched(bool watched);
     void setOutlined(document::Outline kind, bool outlined);
     const std::set<document::Outline>& outlined() const { return m_outlined; }
     void setCylinderDepth(int symbols);
@@ -29,11 +30,11 @@ public:
 
     // nullptr while nothing is known of the entry in hand; otherwise the newest, perhaps of a moment ago.
     std::shared_ptr<const document::Analysis> analysis() const { return m_analysis; }
-    bool isCurrent() const; // whether it is of the picture as it is now, and complete
+    bool isCurrent() const; // true if it is complete and shows the present picture
 
 signals:
     void changed();
-    void outlinesChosen(); // others than before, or cylinders of another depth
+    void outlinesChosen(); // also for cylinders of another depth
 
 private:
     void follow(const document::Change& change);
@@ -45,11 +46,11 @@ private:
     bool m_watched = false;
     std::set<document::Outline> m_outlined;
     int m_cylinderDepth = 1;
-    bool m_isStale = true;            // the document has changed since the last request
+    bool m_isStale = true;            // true if the document has changed since the last request
     std::uint64_t m_requested = 0;    // revision of the newest request
-    std::uint64_t m_firstOfEntry = 0; // requests since this revision are of the entry in hand
+    std::uint64_t m_firstOfEntry = 0; // first request for the present entry
     std::shared_ptr<const document::Analysis> m_analysis;
-    std::unique_ptr<document::AnalysisThread> m_thread; // last: stops before the rest goes
+    std::unique_ptr<document::AnalysisThread> m_thread; // last member: its thread uses the others
 };
 
 } // namespace view

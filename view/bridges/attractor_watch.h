@@ -15,9 +15,9 @@ namespace view {
 
 // The frames and keys at which an animation has no certain attractor.
 struct AttractorLoss {
-    document::MomentWithoutAttractor first; // a whole frame, where one is known
-    std::vector<int> frames;                // all that have none, of those looked at
-    std::vector<int> keys;                  // of maps, where it is lost, or else the ones around `first`
+    document::MomentWithoutAttractor first; // whole frame, if one is known
+    std::vector<int> frames;                // examined frames without an attractor
+    std::vector<int> keys;                  // map keys without an attractor, or else the keys around `first`
     bool isAtKeys = false;
     bool hasMotions = false;
 };
@@ -38,7 +38,7 @@ public:
     // nullopt: no moment is known that has none.
     const std::optional<AttractorLoss>& lost() const { return m_lost; }
     std::vector<double> lostFrames() const;
-    QString sentence() const; // empty where nothing is lost
+    QString sentence() const; // empty if nothing is lost
 
 signals:
     void changed();
@@ -48,9 +48,9 @@ private:
     void setLost(const Lost& lost);
     QString advice() const;
 
-    std::shared_ptr<const document::Fractal> m_entry; // the one that has been looked at
+    std::shared_ptr<const document::Fractal> m_entry; // entry that has been examined
     Lost m_lost;
-    NewestWork<Lost> m_work; // last: it stops before the rest goes
+    NewestWork<Lost> m_work; // last member: its thread uses the others
 };
 
 } // namespace view

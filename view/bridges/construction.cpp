@@ -12,10 +12,10 @@ namespace view {
 
 namespace {
 
-constexpr int maxSteps = 30;                 // of a system of one map
+constexpr int maxSteps = 30;                 // limit for a system of one map
 constexpr int tick = 33;                     // milliseconds
-constexpr std::uint64_t followable = 50'000; // jumps of which the last ones are shown
-constexpr std::size_t followed = 8;          // how many
+constexpr std::uint64_t followable = 50'000; // number of jumps up to which the last ones are shown
+constexpr std::size_t followed = 8;          // number of shown jumps
 
 } // namespace
 
@@ -79,7 +79,7 @@ void Construction::setSpeed(double jumpsPerSecond) {
 }
 
 void Construction::advance() {
-    // At most a quarter of a second at a time: what a busy machine missed is not made up for.
+    // At most a quarter of a second at a time: time lost on a busy machine is not made up for.
     m_due += m_speed * std::min(0.25, double(m_sinceTick.restart()) / 1000);
     const double whole = std::floor(m_due);
     if (whole < 1) return;

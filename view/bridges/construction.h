@@ -32,50 +32,51 @@ public:
     Construction(document::Document* document, RenderBridge* bridge, QObject* parent = nullptr);
 
     Mode mode() const { return m_mode; }
-    void setMode(Mode mode); // leaving the chaos game pauses it
+    void setMode(Mode mode); // pauses the chaos game when it leaves it
 
     int step() const { return m_step; } // n
     void setStep(int n);
-    int deepest() const { return m_deepest; } // the largest n that is drawn
-    double copies() const;                    // of the cage in Wⁿ
-    StepsBridge& steps() { return m_steps; }  // their start, and their distance from the attractor
+    int deepest() const { return m_deepest; } // largest n that is drawn
+    double copies() const;                    // number of copies of the cage in Wⁿ
+    StepsBridge& steps() { return m_steps; }  // start of the steps, and their distance from the attractor
 
-    std::uint64_t jumps() const { return m_jumps; } // of the chaos game, with those that are not plotted
-    std::uint64_t points() const { return m_jumps - std::min(m_jumps, dropped); } // that are plotted
+    // Jumps of the chaos game, including those that are not plotted.
+    std::uint64_t jumps() const { return m_jumps; }
+    std::uint64_t points() const { return m_jumps - std::min(m_jumps, dropped); } // jumps that are plotted
     bool isRunning() const { return m_tick.isActive(); }
     void setRunning(bool running);
     void jumpOnce();
-    void setPoints(std::uint64_t points); // the first of the chaos game that are plotted
-    void startAgain();                    // no points, other dice; keeps running
+    void setPoints(std::uint64_t points); // number of plotted points, from the start of the chaos game
+    void startAgain();                    // clears the points and draws another seed; keeps running
     double speed() const { return m_speed; }
     void setSpeed(double jumpsPerSecond);
 
     // The end of a jump, as displayed.
     struct Jump {
         ifs::Vector<2> x;
-        std::size_t map = 0;    // the one that was applied: its index in the system
+        std::size_t map = 0;    // index in the system of the map that was applied
         bool isPlotted = false; // false for the first jumps
     };
     // The jumps, the newest last: all of them while they are so few that each can be seen, then the last ones
     // while they can be followed; empty but in a chaos game.
     const std::vector<Jump>& trail() const { return m_trail; }
-    std::optional<std::size_t> lastMap() const; // of the newest of them
+    std::optional<std::size_t> lastMap() const; // map of the newest jump
 
     // A face of the die for each map, as wide as its share of the jumps.
     struct Face {
         attractor::Rgba colour;
-        double share = 0; // 0 for a map that takes no part
+        double share = 0; // 0 if the map does not take part
     };
     const std::vector<Face>& faces() const { return m_faces; }
 
 signals:
-    void starting(); // steps or a chaos game, which take the canvas as soon as this returns
+    void starting(); // sent before steps or a chaos game take the canvas
     void changed();
     void trailChanged();
 
 private:
     void follow(const document::Change& change);
-    void measure(); // values that depend on the system
+    void measure(); // updates values that depend on the system
     void findFaces();
     void advance();
     void jump(std::uint64_t jumps);
@@ -88,11 +89,11 @@ private:
     Mode m_mode = Mode::Density;
     int m_step = 0;
     int m_deepest = 0;
-    std::size_t m_maps = 0; // that take part
+    std::size_t m_maps = 0; // number of maps that take part
     std::uint64_t m_jumps = 0;
     std::uint64_t m_seed = 1;
     double m_speed = 10;
-    double m_due = 0; // jumps, a fraction of one may be left over
+    double m_due = 0; // jumps due, including a fraction
     QTimer m_tick;
     QElapsedTimer m_sinceTick;
     std::optional<attractor::OrbitTrail> m_orbit;

@@ -17,10 +17,10 @@ namespace {
 using State = QueuedExport::State;
 
 const QString pausedKey = QStringLiteral("exports/paused");
-constexpr int maxBegun = 2;                           // a third time would end the program, too
-constexpr double minShare = 0.02;                     // done before the time left is told
-constexpr qint64 minPatience = 700;                   // milliseconds
-constexpr std::chrono::milliseconds oftenEnough{100}; // to tell how far it is
+constexpr int maxBegun = 2;         // attempts; a third one would probably end the program, too
+constexpr double minShare = 0.02;   // share done before the remaining time is estimated
+constexpr qint64 minPatience = 700; // milliseconds
+constexpr std::chrono::milliseconds oftenEnough{100}; // interval of progress reports
 
 } // namespace
 
@@ -54,7 +54,7 @@ void ExportQueue::takeOver(const io::TaskFolder::TakenOver& taken) {
         left.push_back(std::move(one));
     }
     m_exports.insert(m_exports.begin(), left.begin(), left.end());
-    // Exports that were added meanwhile come last.
+    // Appends exports that were added meanwhile.
     for (std::size_t k = 0; k < m_exports.size(); ++k)
         if (std::exchange(m_exports[k].task.place, qint64(k)) != qint64(k)) keep(m_exports[k]);
     emit listChanged();
@@ -68,7 +68,7 @@ void ExportQueue::shutDown() {
     if (const int row = rowOf(m_drawn); row >= 0 && m_exports[std::size_t(row)].state == State::Drawing) {
         QueuedExport& drawn = m_exports[std::size_t(row)];
         drawn.state = State::Waiting;
-        drawn.task.begun = 0; // it was not its fault
+        drawn.task.begun = 0; // the export did not cause the end
         keep(drawn);
     }
     m_store.letGo();
@@ -168,7 +168,8 @@ void ExportQueue::finish(const QString& id, const io::TaskJob::Outcome& outcome)
         drawn.state = outcome.failure ? State::Failed : outcome.stopped ? State::Waiting : State::Done;
         if (outcome.failure) {
             drawn.task.failure = *outcome.failure;
-            drawn.task.mayReplace = drawn.task.mayReplace || outcome.isTaken; // the sentence asks
+            // The message tells that the file exists now.
+            drawn.task.mayReplace = drawn.task.mayReplace || outcome.isTaken;
             keep(drawn);
         } else if (drawn.state == State::Done) {
             drawn.progress = 1;
@@ -198,7 +199,7 @@ void ExportQueue::setPaused(bool paused) {
 void ExportQueue::cancel(const QString& id) {
     const int row = rowOf(id);
     if (row < 0) return;
-    if (id == m_drawn) m_job->stop(); // the next one begins when it has
+    if (id == m_drawn) m_job->stop(); // the next export begins after the end of this one
     if (m_exports[std::size_t(row)].state != State::Done) m_store.remove(id);
     m_exports.erase(m_exports.begin() + row);
     emit listChanged();

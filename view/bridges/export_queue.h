@@ -22,8 +22,9 @@ struct QueuedExport {
     QString id;
     io::ExportTask task;
     State state = State::Waiting;
-    double progress = 0;                         // 0 … 1 of one that is drawn
-    std::optional<qint64> millisecondsLeft = {}; // of one that is drawn, once that can be told
+    double progress = 0; // 0 … 1 while the export is drawn
+    // Estimate while the export is drawn, as soon as there is one.
+    std::optional<qint64> millisecondsLeft = {};
 };
 
 // Exports that are drawn in the background, one after another, while one goes on editing. What is not done is
@@ -36,31 +37,31 @@ public:
     explicit ExportQueue(const QString& folder, QObject* parent = nullptr);
     ~ExportQueue() override; // stops the current export; the next run repeats it
 
-    void resume();   // with what earlier runs have left
-    void shutDown(); // the program ends: what is drawn stops, and all is kept for the next run
+    void resume();   // loads exports left by earlier runs
+    void shutDown(); // stops for the end of the program; all exports are kept for the next run
 
-    const std::vector<QueuedExport>& exports() const { return m_exports; } // in their order
-    int unfinished() const;                                                // waiting or drawn
+    const std::vector<QueuedExport>& exports() const { return m_exports; } // order of the queue
+    int unfinished() const; // exports that are waiting or being drawn
     bool isPaused() const { return m_isPaused; }
-    bool isTarget(const QString& path) const; // of one that waits, is drawn, or can be tried again
+    bool isTarget(const QString& path) const; // true for an export that waits, is being drawn, or has failed
 
     // `task` without its place. The caller has asked about a file that is there.
     void add(io::ExportTask task);
-    void setPaused(bool paused);          // also what is drawn now; kept between runs
-    void cancel(const QString& id);       // and forget; nothing is written any more
-    void retry(const QString& id);        // one that has failed
-    void move(const QString& id, int by); // by one place: −1 towards the front
+    void setPaused(bool paused);          // also pauses the current export; stored between runs
+    void cancel(const QString& id);       // removes the export without writing its file
+    void retry(const QString& id);        // requires a failed export
+    void move(const QString& id, int by); // offset of ±1; −1 is towards the front
     void forgetDone();
 
 signals:
-    void listChanged();          // which there are, or their order
-    void exportChanged(int row); // its state or progress
+    void listChanged();          // sent for other exports or another order
+    void exportChanged(int row); // sent for another state or progress
     void pausedChanged(bool paused);
-    void resumed(int count); // so many were left by earlier runs
+    void resumed(int count); // number of exports left by earlier runs
     void message(const QString& sentence);
 
 private:
-    int rowOf(const QString& id) const; // −1: it is gone
+    int rowOf(const QString& id) const; // −1: not in the queue
     void startNext();
     void start(QueuedExport& next);
     void advance(const QString& id, double fraction);
@@ -72,11 +73,11 @@ private:
     std::vector<QueuedExport> m_exports;
     bool m_isPaused = false;
     bool m_isShutDown = false;
-    bool m_hasComplained = false;       // that nothing can be kept
-    QElapsedTimer m_clock;              // while something is drawn
-    qint64 m_earlier = 0;               // milliseconds that it was drawn before the last pause
-    QString m_drawn;                    // its id; empty: nothing is drawn
-    std::unique_ptr<io::TaskJob> m_job; // last: stops before the rest goes
+    bool m_hasComplained = false;       // true after the message that exports cannot be stored
+    QElapsedTimer m_clock;              // running while an export is drawn
+    qint64 m_earlier = 0;               // milliseconds of drawing before the last pause
+    QString m_drawn;                    // id of the current export; empty: none
+    std::unique_ptr<io::TaskJob> m_job; // last member: its thread uses the others
 };
 
 } // namespace view

@@ -12,7 +12,7 @@ ExtentFinder::ExtentFinder(document::Document* document, QObject* parent)
     connect(&m_finding, &QFutureWatcherBase::finished, this, [this] {
         if (document::isSpaceExtentKnown(m_document->fractal()))
             announce();
-        else if (m_sought != m_document->sharedFractal()) // it has changed meanwhile
+        else if (m_sought != m_document->sharedFractal()) // changed meanwhile
             find();
     });
     find();

@@ -25,8 +25,8 @@ private:
 
     document::Document* m_document;
     std::shared_ptr<const document::Fractal> m_sought;
-    QFutureWatcher<void> m_finding; // one at a time: during a drag, of the newest maps there are
-    bool m_isHeld = false;          // in the middle of a gesture, which an announcement would seem to end
+    QFutureWatcher<void> m_finding; // one run at a time; in a drag, for the newest maps
+    bool m_isHeld = false;          // true within a gesture, which an announcement would seem to end
     bool m_isDue = false;
 };
 

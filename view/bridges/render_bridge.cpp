@@ -16,10 +16,10 @@ namespace view {
 namespace {
 
 constexpr std::uint64_t minSamples = 1'000'000;
-constexpr std::uint64_t maxSamples = 10'000'000; // in the first pass
+constexpr std::uint64_t maxSamples = 10'000'000; // samples in the first pass
 constexpr double fluid = 14;                     // milliseconds for one frame of a gesture
-constexpr int maxThreads = 4;                    // each has counters of its own, 8 MB for a large canvas
-constexpr int patience = 400;                    // milliseconds that a change waits for the frame before it
+constexpr int maxThreads = 4; // limit, because each thread has counters of 8 MB for a large canvas
+constexpr int patience = 400; // milliseconds that a change waits for the previous frame
 
 } // namespace
 
@@ -84,7 +84,7 @@ void RenderBridge::fixLiveSamples(std::uint64_t samples) {
 void RenderBridge::showInstead(std::shared_ptr<const document::Fractal> fractal) {
     if (fractal == m_instead) return;
     m_instead = std::move(fractal);
-    // After a motion the picture at rest has the same light.
+    // Keeps the brightness continuous from a motion to the picture at rest.
     m_exposing = std::exchange(m_isMoving, false) ? Exposing::Eased : Exposing::Measured;
     request(Haste::Now);
 }
@@ -107,7 +107,7 @@ void RenderBridge::follow(const document::Change& change) {
         return;
     m_live = change.live;
     const bool otherPicture = change.parts & (Change::Current | Change::File);
-    const bool moved = change.parts & Change::Time; // brightness must not jump from frame to frame
+    const bool moved = change.parts & Change::Time; // keeps the brightness of frames continuous
     const bool edited = !change.live && !moved && (change.parts & (Change::System | Change::Appearance));
     if (moved && m_exposing == Exposing::Kept) m_exposing = Exposing::Eased;
     if (otherPicture || edited) m_exposing = Exposing::Measured;
@@ -154,7 +154,7 @@ void RenderBridge::submit() {
         quality = request.samples = m_shown.points;
         m_exposing = Exposing::Measured;
         if (!attractor::coloursSamples(
-                request.appearance.colourBy)) // which map led there is what it is about
+                request.appearance.colourBy)) // the colour of the last map is what the chaos game explains
             request.appearance.colourBy = attractor::ColourBy::Map;
         if (m_shown.algorithm == attractor::Algorithm::Deterministic)
             request.cage = document::effectiveCage(fractal);
@@ -205,7 +205,8 @@ void RenderBridge::take(std::shared_ptr<const attractor::Frame> frame) {
 void RenderBridge::adaptBudget(const attractor::Frame& frame) {
     if (!m_adapting || frame.milliseconds <= 0 || frame.samples == 0) return;
     const double affordable = double(frame.samples) * fluid / frame.milliseconds;
-    // Adapts by half of the way each time: one slow frame on a busy machine must not make the grain jump.
+    // Adapts by half the difference, so that one slow frame on a busy machine does not change the grain
+    // abruptly.
     m_liveSamples = std::clamp(std::uint64_t((double(m_liveSamples) + std::min(affordable, 1e12)) / 2),
                                minSamples, maxSamples);
 }

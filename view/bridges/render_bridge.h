@@ -22,7 +22,7 @@ public:
     explicit RenderBridge(document::Document* document, QObject* parent = nullptr);
     ~RenderBridge() override;
 
-    void setCamera(const attractor::Camera& camera); // in device pixels; nothing is drawn before the first
+    void setCamera(const attractor::Camera& camera); // device pixels; nothing is drawn before the first call
     const attractor::Camera& camera() const { return m_camera; }
 
     // Number of samples at which an idle picture stops refining.
@@ -38,11 +38,11 @@ public:
     // Draws this in place of the document, which must be of the plane, too; nullptr: the document again.
     void showInstead(std::shared_ptr<const document::Fractal> fractal);
     // The same of one of many, in motion: each waits for the frame before it, and none is refined.
-    void showMoving(std::shared_ptr<const document::Fractal> fractal); // not null
+    void showMoving(std::shared_ptr<const document::Fractal> fractal); // never null
 
     // The newest frame; null until one is drawn, and for entries in space.
     std::shared_ptr<const attractor::Frame> frame() const { return m_frame; }
-    bool isCurrent() const; // whether the frame shows the document and the camera as they are now
+    bool isCurrent() const; // true if the frame shows the present document and camera
 
     // Samples in the first pass of a frame during a gesture: what this machine does in one sixtieth of a
     // second.
@@ -54,8 +54,8 @@ public:
     // those that are taken are shown in place of the density.
     void setSubstituted(bool on);
     bool isSubstituted() const { return m_isSubstituted; }
-    void take(std::shared_ptr<const attractor::Frame> frame); // not null
-    std::uint64_t requested() const { return m_requested; }   // the newest revision
+    void take(std::shared_ptr<const attractor::Frame> frame); // never null
+    std::uint64_t requested() const { return m_requested; }   // newest revision
 
 signals:
     void qualityChanged(std::uint64_t samples);
@@ -91,23 +91,23 @@ private:
     void adaptBudget(const attractor::Frame& frame);
 
     document::Document* m_document;
-    std::shared_ptr<const document::Fractal> m_instead; // of the document; null: nothing is
+    std::shared_ptr<const document::Fractal> m_instead; // fractal shown in place of the document; null: none
     attractor::Camera m_camera;
     std::shared_ptr<const attractor::Frame> m_frame;
     Shown m_shown;
-    std::uint64_t m_shownFrom = 1; // requests since this revision ask for it
+    std::uint64_t m_shownFrom = 1; // first request of m_shown
     std::uint64_t m_quality = 200'000'000;
     std::uint64_t m_liveSamples = 4'000'000;
     std::uint64_t m_requested = 0;    // revision of the newest request
-    std::uint64_t m_measuredFrom = 1; // requests since this revision share their exposure
+    std::uint64_t m_measuredFrom = 1; // first of the requests that share their exposure
     Exposing m_exposing = Exposing::Measured;
-    bool m_adapting = true; // m_liveSamples follows the machine
+    bool m_adapting = true; // true: m_liveSamples adapts to the speed of the machine
     bool m_live = false;
-    bool m_isMoving = false; // the fractal shown in place of the document moves
-    bool m_waiting = false;  // a request takes its turn
+    bool m_isMoving = false; // true: m_instead moves
+    bool m_waiting = false;  // true: a request is scheduled
     bool m_isSubstituted = false;
-    QTimer m_underWay; // runs until the first frame of the newest request, or until patience ends
-    std::unique_ptr<attractor::RenderThread> m_thread; // last: stops before the rest goes
+    QTimer m_underWay; // running until the first frame of the newest request, or a timeout
+    std::unique_ptr<attractor::RenderThread> m_thread; // last member: its thread uses the others
 };
 
 } // namespace view

@@ -23,14 +23,14 @@ public:
     // more calls follow.
     void setCamera(const attractor::OrbitCamera& camera, bool isMoving);
     const attractor::OrbitCamera& camera() const { return m_camera; }
-    void setStereo(attractor::Stereo stereo); // then the camera is that of each eye
+    void setStereo(attractor::Stereo stereo); // also makes the camera that of each eye
 
     // Draws this in place of the document, which must be in space, too; nullptr: the document again.
     void showInstead(std::shared_ptr<const document::Fractal> fractal);
 
     // nullptr before the first, and while the entry is not in space.
     std::shared_ptr<const attractor::SolidFrame> frame() const { return m_frame; }
-    bool isCurrent() const; // whether the frame is exact and shows the document and the camera as they are
+    bool isCurrent() const; // true if the frame is exact and shows the present document and camera
 
 signals:
     void frameChanged();
@@ -41,12 +41,12 @@ private:
     void takeFrame();
 
     document::Document* m_document;
-    std::shared_ptr<const document::Fractal> m_instead; // of the document; null: nothing is
+    std::shared_ptr<const document::Fractal> m_instead; // fractal shown in place of the document; null: none
     attractor::OrbitCamera m_camera;
     attractor::Stereo m_stereo = attractor::Stereo::None;
     std::shared_ptr<const attractor::SolidFrame> m_frame;
     std::uint64_t m_requested = 0;                    // revision of the newest request
-    std::unique_ptr<attractor::SolidThread> m_thread; // last: stops before the rest goes
+    std::unique_ptr<attractor::SolidThread> m_thread; // last member: its thread uses the others
 };
 
 } // namespace view

@@ -14,14 +14,14 @@ namespace view {
 
 namespace {
 
-constexpr int stepsPatience = 30; // milliseconds that the picture has before the distance is measured
+constexpr int stepsPatience = 30; // milliseconds reserved for the picture before the distance is measured
 
 } // namespace
 
 StepsBridge::StepsBridge(document::Document* document, RenderBridge* bridge)
     : m_document(document),
       m_bridge(bridge),
-      m_letter(QStringLiteral("R")), // not symmetric, so that turns and reflections show
+      m_letter(QStringLiteral("R")), // asymmetric, so that rotations and reflections are visible
       m_drawing([this](std::optional<std::shared_ptr<const attractor::Frame>> frame) {
           if (frame && m_isSubstituting) m_bridge->take(*frame);
       }),
@@ -115,7 +115,7 @@ void StepsBridge::findShape() {
 }
 
 void StepsBridge::show(std::optional<int> step) {
-    m_step = step; // the render bridge asks for its picture
+    m_step = step; // the render bridge requests its picture
     if (!step) {
         m_drawing.cancel();
         m_distances.cancel();

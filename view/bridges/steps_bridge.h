@@ -37,11 +37,11 @@ public:
     void setStart(Start start);
     const QString& letter() const { return m_letter; }
     void setLetter(const QString& letter);
-    void readPicture(const QString& path); // in the background
+    void readPicture(const QString& path); // reads in the background
     const QString& pictureName() const { return m_pictureName; }
-    const QString& flaw() const { return m_flaw; } // why there is no shape, as a sentence
+    const QString& flaw() const { return m_flaw; } // reason why there is no shape, as a sentence
 
-    void show(std::optional<int> step); // nullopt: no steps are shown
+    void show(std::optional<int> step); // nullopt: hides the steps
 
     // The distance of the step that is shown, as it was a moment ago; nullopt while nothing is known.
     const std::optional<document::StepDistance>& distance() const { return m_distance; }
@@ -70,12 +70,12 @@ private:
     QString m_letter;
     QString m_pictureName;
     QString m_flaw;
-    ShapePointer m_picture; // that was read
+    ShapePointer m_picture; // last picture that was read
     ShapePointer m_shape;   // nullptr: the cage
     std::optional<int> m_step;
     bool m_isSubstituting = false;
     std::optional<document::StepDistance> m_distance;
-    QTimer m_measuring; // until the distance is asked for
+    QTimer m_measuring; // delays the request for the distance
     NewestWork<std::shared_ptr<const attractor::Frame>> m_drawing;
     NewestWork<document::StepDistance> m_distances;
     NewestWork<Read> m_reading;

@@ -25,7 +25,7 @@ TheftBridge::TheftBridge(document::Document* host, RenderBridge* onHost, documen
           [this] { QMetaObject::invokeMethod(this, &TheftBridge::takeFrames, Qt::QueuedConnection); })) {
     for (const RenderBridge* bridge : {onHost, onPartner})
         connect(bridge, &RenderBridge::wanted, this, &TheftBridge::request);
-    // Without a transformation nothing is wanted of it; the next change may bring one.
+    // Follows both documents, because any change may make a transformation possible.
     for (const document::Document* of : {host, &partner->document()})
         connect(of, &document::Document::changed, this, [this](const document::Change& change) {
             if (!m_isSubstituting) request(change.live);
@@ -106,7 +106,7 @@ void TheftBridge::takeFrames() {
         return;
     setFlaw(frames->flaw);
     if (m_flaw) return substitute(false);
-    if (!m_isSubstituting) return substitute(true); // which asks for pictures of its own
+    if (!m_isSubstituting) return substitute(true); // requests pictures of its own
     if (frames->from) m_onHost->take(frames->from);
     if (frames->to) m_onPartner->take(frames->to);
 }

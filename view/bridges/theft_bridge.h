@@ -29,7 +29,7 @@ public:
     void setActive(bool active);
     // Sets the order, the mode and the view of a kept transformation.
     void setTheft(const document::KeptTheft& theft);
-    void setOverlay(double opacity);                                       // of the partner over the fractal
+    void setOverlay(double opacity); // opacity of the partner over the fractal
     void setPicture(std::shared_ptr<const attractor::MipPicture> picture); // null: none yet
 
     const std::shared_ptr<const attractor::MipPicture>& picture() const { return m_picture; }
@@ -38,7 +38,7 @@ public:
 
 signals:
     void flawChanged();
-    void paintedChanged(); // whether the canvases show a transformation
+    void paintedChanged(); // sent when the canvases begin or cease to show a transformation
 
 private:
     void request(bool live);
@@ -54,14 +54,14 @@ private:
     document::KeptTheft m_theft;
     std::shared_ptr<const attractor::MipPicture> m_picture;
     std::optional<document::CouplingOutcome> m_flaw;
-    std::shared_ptr<const document::Fractal> m_from, m_to; // of the last job, and the order
+    std::shared_ptr<const document::Fractal> m_from, m_to; // fractals of the last job
     std::vector<std::size_t> m_order;
     std::uint64_t m_lastJob = 0;
-    std::uint64_t m_firstJob = 1; // frames of earlier ones show other entries, or another picture
+    std::uint64_t m_firstJob = 1; // first job of the present entries and picture
     double m_overlay = 0;
     bool m_isActive = false;
     bool m_isSubstituting = false;
-    std::unique_ptr<document::TheftThread> m_thread; // last: stops before the rest goes
+    std::unique_ptr<document::TheftThread> m_thread; // last member: its thread uses the others
 };
 
 } // namespace view

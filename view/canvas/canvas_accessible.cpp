@@ -72,7 +72,7 @@ public:
     int childCount() const override { return 0; }
     int indexOfChild(const QAccessibleInterface*) const override { return -1; }
     void setText(QAccessible::Text, const QString&) override {}
-    // Not Grip, which the accessibility bus of Linux knows as “unknown”.
+    // Graphic instead of Grip, which the accessibility bus of Linux reports as “unknown”.
     QAccessible::Role role() const override { return QAccessible::Graphic; }
     void* interface_cast(QAccessible::InterfaceType type) override {
         return type == QAccessible::ActionInterface ? static_cast<QAccessibleActionInterface*>(this)
@@ -178,7 +178,7 @@ public:
 
 private:
     QGraphicsView* m_view;
-    mutable std::vector<QAccessible::Id> m_children; // made when first asked for
+    mutable std::vector<QAccessible::Id> m_children; // created on demand
 };
 
 QAccessibleInterface* factory(const QString&, QObject* object) {

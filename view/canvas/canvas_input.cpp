@@ -17,7 +17,7 @@ namespace {
 constexpr double keyZoom = 1.25;
 constexpr double keyPan = 40;    // pixels
 constexpr double notchTurn = 5;  // degrees
-constexpr double clickSlack = 2; // pixels, as of a drag of a tool
+constexpr double clickSlack = 2; // pixels, as in drags of tools
 constexpr Qt::KeyboardModifiers turning = Qt::ControlModifier | Qt::ShiftModifier;
 
 } // namespace
@@ -64,7 +64,7 @@ bool CanvasInput::doubleClicked() {
     const CanvasPart part = m_scene.partAt(pointer().position, Reach::Mouse);
     if (m_tools.tool() == Toolbox::Tool::Cage && part.kind == CanvasPart::Kind::Edge)
         m_tools.cageTool().insertVertexAt(part.index, pointer().position);
-    return false; // it may be dragged at once
+    return false; // may be dragged at once
 }
 
 QCursor CanvasInput::cursorOver() const {

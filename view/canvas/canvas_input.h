@@ -23,7 +23,7 @@ public:
 
     bool needsKey(const QKeyEvent& event) const override;
     void cancelDrag() override;
-    void reportPointer(); // as pointerMoved()
+    void reportPointer(); // repeats pointerMoved()
     // Reports the last position again: more is known of it, or the plane has moved under it.
     void reportAgain() {
         if (isOver() && !isHolding()) reportPointer();
@@ -54,7 +54,7 @@ private:
     Toolbox& m_tools;
     CanvasNavigation& m_navigation;
     CanvasOptions& m_options;
-    std::optional<QPointF> m_clicked; // where a press has not become a drag
+    std::optional<QPointF> m_clicked; // place of a press that has not become a drag
 };
 
 } // namespace view

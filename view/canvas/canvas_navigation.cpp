@@ -16,14 +16,39 @@ namespace view {
 
 namespace {
 
-constexpr double unitPixels = 100; // of one unit of the plane at 100 %
+constexpr double unitPixels = 100; // pixels per unit of the plane at 100 %
 constexpr double fitMargin = 0.09;
-constexpr double minShare = 0.5;  // of the size that the attractor has alone, with all of the cage
-constexpr double minCorner = 0.8; // the same with one corner, where all of the cage would take too much
+// Least size of the attractor in a fit with the cage, as a share of its size alone.
+constexpr double minShare = 0.5;
+// The same share for a fit with a single corner, if the cage would take too much.
+constexpr double minCorner = 0.8;
 constexpr std::chrono::milliseconds fitPatience{12};
 
-document::Box with(const document::Box& box, const ifs::Vector<2>& point) {
-    return document::united(box, {point, point});
+document::Box with(document::Box box, const std::vector<ifs::Vector<2>>& points) {
+    for (const ifs::Vector<2>& point : points)
+        box = document::united(box, {point, point});
+    return box;
+}
+
+std::optional<document::Box> boxAround(const std::vector<ifs::Vector<2>>& points) {
+    if (points.empty()) return std::nullopt;
+    return with({points.front(), points.front()}, points);
+}
+
+// A cage and its picture that were near each other before it was dragged belong together, however flat they
+// are now. False where nothing was dragged.
+bool isUndraggedCageNear(const document::Fractal& fractal, const attractor::Camera& camera) {
+    const ifs::ControlCage<2>* cage = document::cage2(fractal);
+    if (!cage || cage->current == cage->rest) return false;
+    if (document::system2(fractal)->maps.size() >= manyMaps) return false; // a second box may take long
+    document::Fractal undragged = fractal;
+    document::plane(undragged)->cage->current = cage->rest;
+    const auto alone = document::displayedBox(undragged);
+    if (!alone) return false;
+    const auto scale = [&camera](const document::Box& box) {
+        return attractor::fitted(camera, box.min, box.max, fitMargin).pixelsPerUnit;
+    };
+    return scale(with(*alone, cage->rest)) >= minShare * scale(*alone);
 }
 
 } // namespace
@@ -87,7 +112,7 @@ void CanvasNavigation::fitAgain() {
                                           *fractal, [&] { return promise.isCanceled(); }, yAxis)
                                     : Extent{document::boxWithShadow(*fractal, yAxis), {}});
         });
-    if (io::finishesWithin(fitPatience, extent) && extent.resultCount() > 0) // most often it is known
+    if (io::finishesWithin(fitPatience, extent) && extent.resultCount() > 0) // usually known already
         takeExtent(extent.result());
     else
         m_extent.setFuture(extent);
@@ -103,23 +128,28 @@ void CanvasNavigation::takeExtent(document::MotionExtent extent) {
 
 void CanvasNavigation::fitTo(const document::MotionExtent& extent) {
     std::vector<ifs::Vector<2>> corners = extent.corners;
-    // The corners of an entry at rest, or of one that stores none, are the same at every moment.
+    // No further corners: those of an entry at rest, or of one that stores no cage, never move.
     if (const auto& cage = m_scene.handles().cage(); corners.empty() && cage) corners = cage->current;
     std::optional<document::Box> attractor = extent.picture;
     if (m_fittedToo) attractor = attractor ? document::united(*attractor, *m_fittedToo) : m_fittedToo;
-    std::optional<document::Box> all = attractor;
-    for (const ifs::Vector<2>& vertex : corners)
-        all = all ? with(*all, vertex) : document::Box{vertex, vertex};
+    std::optional<document::Box> all = attractor ? with(*attractor, corners) : boxAround(corners);
     if (!all) all = document::Box{ifs::Vector<2>(-1, -1), ifs::Vector<2>(1, 1)};
     const auto fitted = [this](const document::Box& box) {
         return attractor::fitted(camera(), box.min, box.max, fitMargin);
     };
-    if (!attractor || m_corners == Corners::All) return setCamera(fitted(*all));
+    if (m_corners == Corners::All) {
+        const std::vector<ifs::Vector<2>> held = m_scene.handles().heldPoints(); // of the selected maps
+        all = with(*all, held);
+    }
+    if (!attractor || m_corners == Corners::All ||
+        isUndraggedCageNear(m_scene.document().fractal(), camera()))
+        return setCamera(fitted(*all));
     const double alone = fitted(*attractor).pixelsPerUnit;
     if (fitted(*all).pixelsPerUnit < minShare * alone) {
         all = attractor;
         for (const ifs::Vector<2>& vertex : corners)
-            if (fitted(with(*attractor, vertex)).pixelsPerUnit >= minCorner * alone) all = with(*all, vertex);
+            if (fitted(with(*attractor, {vertex})).pixelsPerUnit >= minCorner * alone)
+                all = with(*all, {vertex});
     }
     setCamera(fitted(*all));
 }

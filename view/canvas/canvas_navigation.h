@@ -27,35 +27,38 @@ public:
 
     const attractor::Camera& camera() const { return m_scene.camera(); }
     void setCamera(const attractor::Camera& camera);
-    void moveTo(const attractor::Camera& camera); // by the user: it stays so when the window changes its size
+    // Camera chosen by the user: the view stays when the window is resized.
+    void moveTo(const attractor::Camera& camera);
     void adoptViewport() override;
     QPointF middle() const override;
 
-    // The attractor into the view, and the cage where that leaves the attractor at least half as large, else
-    // those of its corners that lie just outside. Of an animation, whatever it shows from its first moment to
-    // its last. That of many maps may come into view a little later.
+    // The attractor into the view, and the cage where that leaves the attractor at least half as large, or
+    // did before the cage was dragged; else those of its corners that lie just outside. Of an animation,
+    // whatever it shows from its first moment to its last. That of many maps may come into view a little
+    // later.
     void fit() override;
-    void fitCorners(); // the same with all corners of the cage, however small that makes the attractor
+    // The same with all corners of the cage and of what is held, however small that makes the attractor.
+    void fitCorners();
     // A box to fit into the view together with the attractor, such as the target of a collage.
     void setFittedToo(const std::optional<document::Box>& box) { m_fittedToo = box; }
     bool isFitted() const override { return m_isFitted; }
-    void zoomBy(double factor); // about the middle
+    void zoomBy(double factor); // centred
     void zoomAt(const QPointF& position, double factor) override;
-    double zoom() const;         // 1: one unit of the plane is a hundred pixels
-    void setZoom(double factor); // about the middle
-    void resetZoom() override;   // the middle stays
+    double zoom() const;         // 1: a hundred pixels per unit of the plane
+    void setZoom(double factor); // centred
+    void resetZoom() override;   // keeps the centre
     void pan(const QPointF& pixels);
     void setYAxis(attractor::YAxis yAxis);
     attractor::YAxis yAxis() const { return camera().yAxis; }
     // The view turns, counter-clockwise on the screen, in degrees: about the middle, or about a position.
     void rotateBy(double degrees);
     void rotateAt(const QPointF& position, double degrees);
-    double rotation() const; // in (−180, 180]
+    double rotation() const; // degrees in (−180, 180]
     void resetRotation();
 
 signals:
     void cameraChanged();
-    void zoomed(const QPointF& position); // or turned, about it, in pixels
+    void zoomed(const QPointF& position); // centre in pixels; also sent for rotations
 
 private:
     void twistAt(const QPointF& position, double degrees) override { rotateAt(position, -degrees); }
@@ -66,7 +69,7 @@ private:
     void restoreHeld() override { setCamera(m_held); }
     enum class Corners { Near, All };
     void fitAgain();
-    bool fitsMotion() const; // the entry moves
+    bool fitsMotion() const; // true if the entry moves
     void takeExtent(document::MotionExtent extent);
     void fitTo(const document::MotionExtent& extent);
 
@@ -75,9 +78,9 @@ private:
     const QWidget& m_viewport;
     attractor::Camera m_held;
     std::optional<document::Box> m_fittedToo;
-    bool m_isFitted = true; // follows the size of the window until the user moves the view
+    bool m_isFitted = true; // true: follows the size of the window until the user moves the view
     Corners m_corners = Corners::Near;
-    QFutureWatcher<document::MotionExtent> m_extent; // of what is to be fitted
+    QFutureWatcher<document::MotionExtent> m_extent; // extent to be fitted
     // The extent of the whole motion that was found last, and the entry it belongs to.
     std::shared_ptr<const document::Fractal> m_moving, m_sought;
     document::MotionExtent m_motion;

@@ -25,8 +25,9 @@ namespace view {
 
 namespace {
 
-constexpr int maxHold = 33;     // milliseconds
-constexpr int untilReport = 50; // milliseconds; finding an address takes time that the picture needs
+constexpr int maxHold = 33; // milliseconds
+// Milliseconds; delays the search for an address, which competes with the picture.
+constexpr int untilReport = 50;
 
 } // namespace
 
@@ -46,13 +47,13 @@ CanvasView::CanvasView(document::Document* document, RenderBridge* bridge, QWidg
 }
 
 CanvasView::~CanvasView() {
-    m_tools.stop(); // what is held is let go while there is a scene
+    m_tools.stop(); // releases held parts while there is still a scene
 }
 
 void CanvasView::setUpWidget() {
     installCanvasAccessibility();
     showScene(m_scene);
-    // The picture covers it all, so nothing is to be filled first.
+    // The picture covers the whole viewport.
     viewport()->setAutoFillBackground(false);
     viewport()->setAttribute(Qt::WA_OpaquePaintEvent);
     setAccessibleName(tr("Canvas"));
@@ -74,7 +75,7 @@ void CanvasView::connectParts() {
         if (viewport()->underMouse()) m_input.reportPointer();
     });
     connect(m_document, &document::Document::changed, this, [this, report](const document::Change& change) {
-        // The read-out of the point under the pointer changes with the cage.
+        // Updates the readout of the point under the pointer.
         if (!change.live && viewport()->underMouse()) report->start(untilReport);
     });
     connect(m_bridge, &RenderBridge::frameChanged, this, [this] {
@@ -107,7 +108,7 @@ void CanvasView::connectParts() {
     connect(&m_navigation, &CanvasNavigation::cameraChanged, this,
             [this] { m_wereCornersInView = areCornersInView(); });
     connect(&m_navigation, &CanvasNavigation::cameraChanged, &m_input, &CanvasInput::reportAgain,
-            Qt::QueuedConnection); // all else has followed then
+            Qt::QueuedConnection); // queued behind all other reactions
     connect(&m_scene->handles(), &HandleModel::addressesFound, &m_input, &CanvasInput::reportAgain);
     connect(&m_input, &CanvasInput::changed, this, &CanvasView::refreshCursor);
     connect(&m_input, &CanvasInput::pointerMoved, this, &CanvasView::pointerMoved);
@@ -162,7 +163,7 @@ void CanvasView::followDocument(const document::Change& change) {
     const bool isAnother = change.parts & (Change::Current | Change::File);
     if (isAnother && tool() == Tool::DefineTriangle) setTool(Tool::Cage);
     if (change.parts & Change::File && wasShown() && m_navigation.rotation() != 0)
-        m_navigation.resetRotation(); // it is of what was open before
+        m_navigation.resetRotation(); // left over from the previous file
     if (isAnother && wasShown()) fit();
     if (const auto& view = m_document->view();
         view && wasShown() && (isAnother || change.parts & Change::Time))
@@ -171,7 +172,7 @@ void CanvasView::followDocument(const document::Change& change) {
 }
 
 bool CanvasView::areCornersInView() const {
-    return m_scene->marks().borderArrows().arrows().empty();
+    return borderArrows(m_scene->cagePolygon(), m_scene->sceneRect()).empty();
 }
 
 // A command that takes corners out of a view that showed them all fits the view. A drag may leave it: the
@@ -183,7 +184,7 @@ void CanvasView::keepCornersInView(const document::Change& change) {
     const bool isCommand = !wasDragged && !change.live && !(change.parts & (Change::Current | Change::File));
     const bool leave = std::exchange(m_wereCornersInView, areCornersInView()) && !m_wereCornersInView;
     if (!isCommand || !wasShown() || !leave) return;
-    // Undo and redo have views of their own to go back to. Which it is, the history knows in a moment.
+    // Undo and redo restore their own views; queued, because the history will then know which one.
     const QUndoStack& history = *m_document->undoStack();
     const int index = history.index();
     QMetaObject::invokeMethod(
@@ -247,7 +248,7 @@ bool CanvasView::focusNextPrevChild(bool next) {
 }
 
 void CanvasView::describeFocus() {
-    // While a part is dragged the read-out of the pointer says where it is.
+    // The readout of the pointer shows the position during a drag.
     const CanvasPart part = m_scene->selection().focused();
     const bool isShown = part.kind != CanvasPart::Kind::None && !m_input.isHolding();
     const QString said = isShown ? tr("%1: %2").arg(nameOf(m_scene->handles(), part),

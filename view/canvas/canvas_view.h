@@ -33,7 +33,8 @@ public:
     void selectMaps(const std::vector<ifs::MapId>& maps) { m_scene->selection().setMaps(maps); }
 
     void setMapFaces(document::MapFaces faces) { m_scene->handles().setFaces(std::move(faces)); }
-    void pointAt(ifs::MapId map) { m_scene->selection().setPointed(map); } // in the table; None: at none
+    // Map pointed at in the table; None: none.
+    void pointAt(ifs::MapId map) { m_scene->selection().setPointed(map); }
 
     CanvasNavigation& navigation() { return m_navigation; }
     const attractor::Camera& camera() const { return m_scene->camera(); }
@@ -45,12 +46,12 @@ public:
     // Outlines of an analysis; `outer` contain the cylinders among the shapes, of which a click chooses one.
     void showOutlines(std::vector<document::OutlineShape> shapes,
                       std::vector<document::OutlineShape> outer = {});
-    void showTrail(const std::vector<ifs::Vector<2>>& points); // of a chaos game, the newest last
+    void showTrail(const std::vector<ifs::Vector<2>>& points); // points of a chaos game, newest last
     const QString& hint() const { return m_scene->notes().hint(); }
-    void setHint(const QString& hint); // for a first run: shown until the first gesture or another tool
+    void setHint(const QString& hint); // help for a first run, shown until the first gesture or another tool
     void dismissHint();
-    void setCovered(const QRect& area); // of the viewport, by a card: what the canvas says stays beside it
-    QString note() const { return m_scene->notes().note(); } // about the picture, if there is one
+    void setCovered(const QRect& area); // part of the viewport under a card, which notes avoid
+    QString note() const { return m_scene->notes().note(); } // remark on the picture, if any
     // The visible picture, in device pixels, without overlays; null before one.
     QImage picture() const;
 
@@ -87,10 +88,10 @@ private:
     CanvasNavigation m_navigation;
     Toolbox m_tools;
     CanvasInput m_input;
-    bool m_wereCornersInView = true; // after the last change of the cage
-    bool m_isDragged = false;        // the cage, in a gesture that has not ended
-    QTimer m_hold;                   // runs while painting waits for a frame
-    QString m_said;                  // of the part in focus, while the status bar shows it
+    bool m_wereCornersInView = true; // state after the last change of the cage
+    bool m_isDragged = false;        // true while a gesture moves the cage
+    QTimer m_hold;                   // running while painting waits for a frame
+    QString m_said;                  // text about the part with the focus, while the status bar shows it
 };
 
 } // namespace view

@@ -18,7 +18,7 @@ PointerPosition pointerPosition(const CanvasScene& scene, const QPointF& positio
 }
 
 void findAddress(PointerPosition& pointer, const CanvasScene& scene, int fixedLength) {
-    if (!scene.handles().knownAddresses()) return; // they are reported when they are found
+    if (!scene.handles().knownAddresses()) return; // reported when they are found
     pointer.address = scene.handles().addressAt(pointer.world, 1 / scene.camera().pixelsPerUnit);
     pointer.fixedLength = std::min(std::size_t(fixedLength), pointer.address.size());
     const auto end = pointer.address.begin() + std::ptrdiff_t(pointer.fixedLength);

@@ -12,7 +12,7 @@ namespace view {
 
 struct PointerPosition {
     ifs::Vector<2> world = ifs::Vector<2>::Zero();
-    attractor::Camera camera{}; // of the view: says how many digits mean anything
+    attractor::Camera camera{}; // camera of the view, which determines the number of digits
     // Coordinates with respect to the first three vertices of the current cage; nullopt while they lie on one
     // line.
     std::optional<ifs::Barycentric<2>> barycentric;

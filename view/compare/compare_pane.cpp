@@ -27,7 +27,7 @@ namespace {
 
 using document::EntryId;
 
-constexpr int fewLetters = 10; // of the combo box in a narrow window
+constexpr int fewLetters = 10; // letters of the combo box in a narrow window
 
 } // namespace
 
@@ -40,7 +40,7 @@ ComparePane::ComparePane(document::Document* document, const RenderBridge* rende
 
 ComparePane::~ComparePane() {
     if (m_partner) m_document->setBeside(EntryId::None);
-    delete m_otherPlane; // while there is a document
+    delete m_otherPlane; // destroyed before the document
     delete m_otherSpace;
     delete m_otherRender;
     delete m_otherSolid;
@@ -65,7 +65,7 @@ void ComparePane::setCompared(bool compared) {
     if (compared)
         refresh();
     else
-        changeTo(EntryId::None); // so that nothing is drawn for it
+        changeTo(EntryId::None); // stops drawing it
 }
 
 void ComparePane::create() {
@@ -75,7 +75,7 @@ void ComparePane::create() {
     m_otherRender->setQuality(m_render->quality());
     connect(m_render, &RenderBridge::qualityChanged, m_otherRender, &RenderBridge::setQuality);
     m_otherSolid = new SolidBridge(other, this);
-    new ExtentFinder(other, m_otherSolid); // without the extent, there are no handles
+    new ExtentFinder(other, m_otherSolid); // finds the extent, which handles need
     m_views = new QStackedWidget(this);
     m_otherPlane = new CanvasView(other, m_otherRender, m_views);
     m_otherSpace = new SpaceView(other, m_otherSolid, m_views);
@@ -216,7 +216,7 @@ void ComparePane::linkPlanes(CanvasView* from, CanvasView* to) {
     attractor::Camera camera = from->camera();
     camera.width = to->camera().width;
     camera.height = to->camera().height;
-    // A fit of the other entry may still be under way, and is not wanted.
+    // True for a fitted view: a pending fit of the other entry has to be cancelled.
     const bool isToFit = to == m_otherPlane && to->navigation().isFitted();
     if (camera != to->camera() || isToFit) to->navigation().moveTo(camera);
 }
@@ -230,7 +230,7 @@ void ComparePane::linkSpaces(SpaceView* from, SpaceView* to) {
     attractor::OrbitCamera camera = from->navigation().camera();
     if (camera.size.height <= 0 || own.size.height <= 0) return;
     camera.height *=
-        double(own.size.height) / camera.size.height; // the same scale in windows of other heights
+        double(own.size.height) / camera.size.height; // equal scale in windows of different heights
     camera.size = own.size;
     if (camera == own) return;
     to->navigation().moveTo(camera);
@@ -243,7 +243,7 @@ EntryId ComparePane::likelyEntry() const {
     const int mine = document::dimension(m_document->fractal());
     const qsizetype at = document::indexOf(file, current);
     const qsizetype count = file.entries.size();
-    for (qsizetype step = 1; step < count; ++step) { // the next one of its kind
+    for (qsizetype step = 1; step < count; ++step) { // next entry of the same dimension
         const document::Entry& entry = file.entries[(at + step) % count];
         if (document::dimension(*entry.fractal) == mine) return entry.id;
     }
@@ -260,7 +260,7 @@ void ComparePane::follow(const document::Change& change) {
     if (change.live || !m_isCompared) return;
     const bool isAnotherFile = change.parts & Change::File;
     if (change.parts & Change::Current && !isAnotherFile && !areViewsLinked()) {
-        keepTurn(m_lastCurrent, *m_plane); // it was fitted again since, but stays turned
+        keepTurn(m_lastCurrent, *m_plane); // keeps the rotation, although it has been fitted again
         keepTurn(m_partner->id(), *m_otherPlane);
         turn(*m_plane, *m_document);
     }

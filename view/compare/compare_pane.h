@@ -31,13 +31,13 @@ public:
                 QWidget* parent = nullptr);
     ~ComparePane() override;
 
-    void setCompared(bool compared); // shows or hides it
+    void setCompared(bool compared); // shows or hides the pane
     bool isCompared() const { return m_isCompared; }
-    document::EntryId entry() const; // None: there is no other
+    document::EntryId entry() const; // None: no other entry
     void setEntry(document::EntryId entry);
     bool areViewsLinked() const;
     void setViewsLinked(bool linked);
-    bool cancelGesture(); // false when none was under way
+    bool cancelGesture(); // false if there was none
     // Options as in the canvases of the window:
     void setAllowsNoAttractor(bool allows);
     void setTrackball(bool on);
@@ -47,7 +47,7 @@ public:
     SpaceView* space() const { return m_otherSpace; }
 
 signals:
-    void created(CanvasView* plane); // before it is shown for the first time
+    void created(CanvasView* plane); // sent before the canvas is first shown
     void message(const QString& sentence);
     void closeRequested();
 
@@ -63,8 +63,8 @@ private:
     void changeTo(document::EntryId entry);
     void showEntry();
     document::EntryId likelyEntry() const;
-    bool canLink() const; // both are of the same dimension
-    void standAlike();    // both in space have the same axis up
+    bool canLink() const; // true if both entries have the same dimension
+    void standAlike();    // gives both views in space the same upward axis
     // Makes the canvas at `to` follow the view of the other.
     void linkPlanes(CanvasView* from, CanvasView* to);
     void linkSpaces(SpaceView* from, SpaceView* to);
@@ -90,7 +90,7 @@ private:
     QLabel* m_nothing = nullptr;
     QStackedWidget* m_views = nullptr;
 
-    std::map<document::EntryId, double> m_turns; // of the views of entries, in radians
+    std::map<document::EntryId, double> m_turns; // rotations of the views of entries, in radians
 };
 
 } // namespace view

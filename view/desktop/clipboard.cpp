@@ -94,7 +94,7 @@ private:
     static QByteArray tableOf(const CopiedMaps& maps) {
         if (maps.space.empty()) return io::writeTable(maps.plane).toUtf8();
         const QByteArray table = io::writeTable(document::System3{maps.space}, io::TableSeparator::Tab);
-        return table.sliced(table.indexOf('\n') + 1); // without the header
+        return table.sliced(table.indexOf('\n') + 1); // removes the header
     }
 
     CopiedMaps m_maps;
@@ -137,7 +137,7 @@ FoundEntries entriesIn(const QByteArray& text) {
     for (document::Entry entry : collection.file.entries) {
         if (isReadable(entry)) entry.source.reset();
         found.problems += entry.problems;
-        if (!isReadable(entry) && !text.contains('{')) continue; // numbers alone, and not those of maps
+        if (!isReadable(entry) && !text.contains('{')) continue; // numbers alone, but not those of maps
         found.entries.append(std::move(entry));
     }
     found.areFlames = collection.format == u"flame";
@@ -160,7 +160,7 @@ bool holdsText(const QMimeData& mimeData) {
 }
 
 bool mayHoldEntries(const QMimeData& mimeData) {
-    // The text of files is their path: opening them is not pasting.
+    // Excludes files, whose text is their path: opening them is not pasting.
     return mimeData.hasFormat(ifsType) || (mimeData.hasText() && !mimeData.hasUrls());
 }
 

@@ -27,33 +27,34 @@ std::unique_ptr<QMimeData> entriesMimeData(const QList<document::Entry>& entries
 // carry no source, so that they are written anew; the ids mean nothing.
 struct FoundEntries {
     QList<document::Entry> entries;
-    document::Problems problems{}; // all of them, of the text and of its entries
+    document::Problems problems{}; // problems of the text and of its entries
     // The text, when it is a table that does not say what its columns are: its entry is in the order of
     // Fractint, and the user is to be asked.
     QString table{};
     bool areFlames = false;
 };
-FoundEntries entriesIn(const QByteArray& text);                       // any thread
-std::function<QByteArray()> entriesTextIn(const QMimeData& mimeData); // called in any thread, at any time
+FoundEntries entriesIn(const QByteArray& text); // thread-safe
+// Result may be called in any thread at any time.
+std::function<QByteArray()> entriesTextIn(const QMimeData& mimeData);
 FoundEntries entriesIn(const QMimeData& mimeData);
 
 // Rows of maps likewise, as a table; those copied in this process are there as they were.
 struct CopiedMaps {
     std::vector<ifs::WeightedMap<2>> plane;
-    std::vector<ifs::WeightedMap<3>> space; // one of the two
-    QStringList names;                      // of each; empty: none
+    std::vector<ifs::WeightedMap<3>> space; // empty if `plane` is not, and vice versa
+    QStringList names;                      // one for each map; empty: none
 };
 std::unique_ptr<QMimeData> mapsMimeData(CopiedMaps maps);
-const CopiedMaps* ourMaps(const QMimeData& mimeData); // nullptr: not of this process
-bool holdsOurMaps(const QMimeData& mimeData);         // of any process: the columns are known
+const CopiedMaps* ourMaps(const QMimeData& mimeData); // nullptr: not copied by this process
+bool holdsOurMaps(const QMimeData& mimeData);         // true for maps of any process, whose columns are known
 struct FoundMaps {
     io::Table table;
-    bool isOrderOpen = false; // the text does not say what its columns are
-    QString text;             // then, of the table
+    bool isOrderOpen = false; // true if the text does not name its columns
+    QString text;             // text of the table, if the order is open
 };
-FoundMaps mapsIn(const QString& text, bool areOurs); // any thread
+FoundMaps mapsIn(const QString& text, bool areOurs); // thread-safe
 
-bool holdsText(const QMimeData& mimeData);      // not only blanks
-bool mayHoldEntries(const QMimeData& mimeData); // cheap; for enabling actions and accepting a drag
+bool holdsText(const QMimeData& mimeData);      // false for blanks only
+bool mayHoldEntries(const QMimeData& mimeData); // fast check for enabling actions and accepting a drag
 
 } // namespace view

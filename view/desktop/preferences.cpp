@@ -28,9 +28,11 @@ namespace view {
 namespace {
 
 template <class Value> struct PreferenceRow {
-    const char* key; // never changes
+    const char* key; // permanent
     Value Preferences::*member;
 };
+template <class Value>
+PreferenceRow(const char*, Value Preferences::*) -> PreferenceRow<Value>; // for clang 14
 
 constexpr std::tuple preferenceRows{
     PreferenceRow{"preferences/language", &Preferences::language},
@@ -63,7 +65,7 @@ template <class Value> Value fromSettings(const QVariant& found, const Value& ot
         return found.value<Value>();
 }
 
-constexpr char spoken[] = "spokenLanguage"; // a property of the application
+constexpr char spoken[] = "spokenLanguage"; // property of the application
 
 } // namespace
 

@@ -12,15 +12,15 @@ struct Preferences {
     enum class Theme { Desktop, Light, Dark };
     enum class Motion { Desktop, Reduced, Full };
 
-    QString language; // "de", "mk"; empty: that of the desktop. In force from the next start.
+    QString language; // "de", "mk"; empty: language of the desktop. In force from the next start.
     Theme theme = Theme::Desktop;
-    std::uint64_t quality = 200'000'000; // samples to which a picture at rest is refined
-    bool trackball = false;              // solids turn freely, not as on a turntable
-    bool reopen = false;                 // the files of the last time, at the start
-    bool keepPrevious = true;            // versions of files, when they are saved for the first time
-    bool labels = true;                  // names under the symbols of the tool bar
-    QStringList tools;                   // ids of the commands in the tool bar; empty: the usual ones
-    Motion motion = Motion::Desktop;     // of what moves without having been asked to
+    std::uint64_t quality = 200'000'000; // samples at which an idle picture stops refining
+    bool trackball = false;              // true: solids turn freely; false: as on a turntable
+    bool reopen = false;                 // true: the next start reopens the files of the last run
+    bool keepPrevious = true;            // true: the first save of a file keeps the version before
+    bool labels = true;                  // true: names under the symbols of the tool bar
+    QStringList tools;                   // ids of the commands in the tool bar; empty: default
+    Motion motion = Motion::Desktop;     // setting for motion that nobody requested
 
     static Preferences stored();
     void store() const;

@@ -16,7 +16,7 @@ bool reducesMotion();
 struct MotionSetting {
     const char* group;
     const char* key;
-    bool isReducedBy; // its value as true or false
+    bool isReducedBy; // value as true or false
 };
 std::span<const MotionSetting> motionSettings();
 

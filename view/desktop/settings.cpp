@@ -98,9 +98,9 @@ public:
     }
 
 private:
-    using Values = QHash<QString, std::pair<QVariant, int>>; // with the number of the call
+    using Values = QHash<QString, std::pair<QVariant, int>>; // values with the number of the call
 
-    // Waits once: where one did not answer, the next are not asked for until it has.
+    // Waits once: after a failure to answer, later reads return at once until the disk has answered.
     std::optional<QVariant> read(const QString& key) {
         constexpr std::chrono::seconds patience(2);
         if (m_late && !m_late->within(std::chrono::milliseconds(0))) return std::nullopt;
@@ -112,13 +112,13 @@ private:
     }
 
     void write() {
-        const QMutexLocker writing(&m_writing); // what is newer is written later
+        const QMutexLocker writing(&m_writing); // later values are written in another call
         const Values values = [this] {
             const QMutexLocker locker(&m_mutex);
             m_isStarted = false;
             return m_values;
         }();
-        { // QSettings keeps what it cannot write, and tries again with the next values
+        { // separate scope: QSettings keeps what it cannot write, and tries again with the next values
             QSettings settings;
             makePrivate(settings.fileName());
             for (const auto& [key, value] : values.asKeyValueRange())
@@ -133,7 +133,7 @@ private:
         m_values.removeIf([&](const auto& entry) { return values.value(entry.key()) == entry.value(); });
     }
 
-    // The windows are told in their thread.
+    // Reports in the GUI thread.
     void report(bool isWritten, const QString& file) {
         if (!std::exchange(m_isWritten, isWritten) || isWritten) return;
         const QString sentence =
@@ -145,26 +145,26 @@ private:
     }
 
     QMutex m_mutex;
-    Values m_values; // not yet written
+    Values m_values; // values not yet written
     QHash<QString, QVariant> m_known;
     int m_calls = 0;
-    bool m_isStarted = false; // a write that will find what is added now
+    bool m_isStarted = false; // true: a pending write will include new values
     QMutex m_writing;
-    bool m_isWritten = true; // the last time
+    bool m_isWritten = true; // result of the last write
     QFuture<void> m_last;
     std::optional<Answer> m_late;
 };
 
 Storing& storing() {
-    storingReport();                      // which is of the thread of the windows
-    static auto* const all = new Storing; // a thread may come back to it at the very end
+    storingReport();                      // creates the object in the GUI thread
+    static auto* const all = new Storing; // never destroyed, because a thread may use it to the end
     return *all;
 }
 
 } // namespace
 
 StoringReport* storingReport() {
-    static auto* const report = new StoringReport; // likewise
+    static auto* const report = new StoringReport; // never destroyed
     return report;
 }
 

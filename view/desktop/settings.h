@@ -11,7 +11,7 @@
 // write, in the order of the calls. To be called in the thread of the windows.
 namespace view {
 
-void store(const QString& key, const QVariant& value); // an invalid value: forgotten
+void store(const QString& key, const QVariant& value); // removes the key for an invalid value
 // The value stored last; the last one known where there is no answer.
 QVariant stored(const QString& key, const QVariant& otherwise = {});
 // Waits until all of it is on the disk, but no longer than that; whether it is.
@@ -22,7 +22,7 @@ class StoringReport : public QObject {
     Q_OBJECT
 
 signals:
-    void cannotStore(const QString& sentence); // once, until it is possible again
+    void cannotStore(const QString& sentence); // sent once per series of failures
 };
 
 StoringReport* storingReport();

@@ -29,7 +29,7 @@ std::optional<Shortcuts> storedShortcuts(const QString& command) {
     const QVariant text = stored(settingOf(command));
     if (!text.isValid()) return std::nullopt;
     Shortcuts keys = QKeySequence::listFromString(text.toString(), QKeySequence::PortableText);
-    keys.removeAll(QKeySequence()); // what an empty text is read as
+    keys.removeAll(QKeySequence()); // result of an empty text
     return keys;
 }
 

@@ -116,7 +116,8 @@ public:
             paintOn(*option, *painter);
             return;
         }
-        if (element == PE_FrameFocusRect && qobject_cast<const QTableView*>(widget)) return; // see below
+        // See drawControl().
+        if (element == PE_FrameFocusRect && qobject_cast<const QTableView*>(widget)) return;
         if (element == PE_FrameFocusRect && isByKeys(*option, widget)) {
             paintFocus(*option, *painter);
             return;
@@ -133,15 +134,15 @@ public:
         QProxyStyle::drawPrimitive(element, &clear, painter, widget);
     }
 
-    // The tab that is chosen has a shade of its own, which is not seen in dark themes: a bar marks its edge.
+    // Marks the edge of the selected tab with a bar, because its shade is not visible in dark themes.
     void drawControl(ControlElement element, const QStyleOption* option, QPainter* painter,
                      const QWidget* widget) const override {
         QProxyStyle::drawControl(element, option, painter, widget);
-        // A single cell takes the keys of a row that is selected as a whole, however it was chosen.
+        // Shows the cell that takes the keys of a row selected as a whole.
         if (element == CE_ItemViewItem && option->state & State_HasFocus &&
             qobject_cast<const QTableView*>(widget))
             paintFocus(*option, *painter, 2);
-        // A list or a table has the focus also where it has no row, or none that is current.
+        // Shows the focus of a list or table, even without a current row.
         if (element == CE_ShapedFrame && qobject_cast<const QAbstractItemView*>(widget) &&
             option->state & State_HasFocus && isByKeys(*option, widget))
             paintFocus(*option, *painter);
@@ -149,20 +150,20 @@ public:
         if (element == CE_TabBarTabShape && tab && tab->state & State_Selected) paintEdge(*tab, *painter);
         if (element == CE_TabBarTabLabel && tab && tab->state & State_HasFocus &&
             tab->state & State_KeyboardFocusChange) {
-            QStyleOption inside = *tab; // as far inside as Fusion's own, which is hardly seen
+            QStyleOption inside = *tab; // same distance as Fusion's own mark, which is hardly visible
             inside.rect = tab->rect.adjusted(4, 4, -4, -4);
-            inside.state &= ~State_Selected; // its background is no highlight
+            inside.state &= ~State_Selected; // background without highlight
             paintFocus(inside, *painter);
         }
     }
 
-    // Fusion puts the arrow of a menu into the corner, below the text beside it.
+    // Moves the arrow of a menu, which Fusion puts into the corner below the text.
     void drawComplexControl(ComplexControl control, const QStyleOptionComplex* option, QPainter* painter,
                             const QWidget* widget) const override {
         const auto* button = qstyleoption_cast<const QStyleOptionToolButton*>(option);
         if (control != CC_ToolButton || !button || !hasArrowBeside(*button)) {
             QProxyStyle::drawComplexControl(control, option, painter, widget);
-            // Over the groove, which hides some of Fusion's own.
+            // Paints over the groove, which hides some of Fusion's own frame.
             if (control == CC_Slider && option->state & State_HasFocus && isByKeys(*option, widget))
                 paintFocus(*option, *painter);
             return;
@@ -177,7 +178,7 @@ public:
         proxy()->drawPrimitive(PE_IndicatorArrowDown, &arrow, painter, widget);
     }
 
-    // Fusion's menu arrow touches the text of the button.
+    // Adds room for the menu arrow, which touches the text in Fusion.
     QSize sizeFromContents(ContentsType type, const QStyleOption* option, const QSize& contents,
                            const QWidget* widget) const override {
         constexpr int gap = 6;
@@ -191,7 +192,7 @@ public:
         return hasMenu ? size + QSize(gap, 0) : size;
     }
 
-    // Fusion has them in dark grey on any background.
+    // Replaces Fusion's dark grey icons, which ignore the background.
     QIcon standardIcon(StandardPixmap which, const QStyleOption* option,
                        const QWidget* widget) const override {
         if (which == SP_TitleBarCloseButton || which == SP_TitleBarNormalButton)
@@ -199,7 +200,7 @@ public:
         return QProxyStyle::standardIcon(which, option, widget);
     }
 
-    // Fusion's ticks and crosses do not match our icons.
+    // Suppresses Fusion's ticks and crosses, which do not match our icons.
     int styleHint(StyleHint hint, const QStyleOption* option, const QWidget* widget,
                   QStyleHintReturn* result) const override {
         return hint == SH_DialogButtonBox_ButtonsHaveIcons
@@ -219,8 +220,8 @@ private:
                !button.features.testFlag(QStyleOptionToolButton::MenuButtonPopup);
     }
 
-    // A button that is on: Fusion makes it a shade darker, which is not seen beside one that is off. A thick
-    // frame has the focus that the keys have brought.
+    // Paints a checked button, which Fusion makes only a shade darker than an unchecked one. A thick frame
+    // marks the keyboard focus.
     static void paintOn(const QStyleOption& option, QPainter& painter) {
         const QColor button = option.palette.color(QPalette::Button);
         const QColor highlight = option.palette.color(QPalette::Highlight);
@@ -237,7 +238,7 @@ private:
         painter.restore();
     }
 
-    // Item views say so of every item that has the focus.
+    // True for keyboard focus. Item views set the flag for every item with the focus.
     static bool isByKeys(const QStyleOption& option, const QWidget* widget) {
         return qobject_cast<const QAbstractItemView*>(widget)
                    ? widget->window()->testAttribute(Qt::WA_KeyboardFocusChange)
@@ -258,7 +259,7 @@ private:
         painter.restore();
     }
 
-    // Away from what the tab shows.
+    // Paints the edge opposite to the page of the tab.
     static void paintEdge(const QStyleOptionTab& tab, QPainter& painter) {
         constexpr int width = 3;
         QRect edge = tab.rect.adjusted(1, 1, -1, -1);
@@ -282,7 +283,7 @@ private:
                                      tab.palette.color(QPalette::WindowText), 0.3F));
     }
 
-    static constexpr int fusionDarkens = 127; // percent: from the window to the frame
+    static constexpr int fusionDarkens = 127; // per cent, from the window's colour to the frame's
 
     static QColor mixed(const QColor& from, const QColor& to, float share) {
         const auto mix = [share](float a, float b) { return a + share * (b - a); };

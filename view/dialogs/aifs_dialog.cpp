@@ -22,7 +22,7 @@ namespace view {
 
 namespace {
 
-constexpr std::size_t maxShown = 500; // maps: nobody reads more, and a text of ten thousand is slow
+constexpr std::size_t maxShown = 500; // maps; a text of ten thousand would be slow
 
 // A coefficient for reading: without what rounding has left of a zero or a one.
 QString entry(double value, Digits digits) {

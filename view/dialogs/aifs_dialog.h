@@ -13,7 +13,7 @@ class AifsDialog : public QDialog {
 
 public:
     explicit AifsDialog(const document::Fractal& fractal, QWidget* parent = nullptr);
-    void copy() const; // with all digits
+    void copy() const; // copies all digits
 
 private:
     document::Fractal m_fractal;

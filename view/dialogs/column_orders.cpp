@@ -43,7 +43,7 @@ ColumnOrders::ColumnOrders(const QString& whatsThis, QWidget* parent)
         const auto order = chosenValue<QString>(m_known);
         m_typed->setVisible(order.isEmpty());
         if (!order.isEmpty())
-            m_typed->setText(order); // to begin the other one with
+            m_typed->setText(order); // start value for another order
         else
             m_typed->setFocus();
         emit changed();

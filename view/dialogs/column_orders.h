@@ -19,12 +19,12 @@ class ColumnOrders : public QWidget {
 public:
     ColumnOrders(const QString& whatsThis, QWidget* parent);
 
-    io::TableColumns columns() const; // Fractint's while what is typed is no order
-    QString obstacle() const;         // why it is none, as a sentence; empty when it is one
+    io::TableColumns columns() const; // Fractint's order while the text is none
+    QString obstacle() const;         // reason why the text is no order, as a sentence; empty if it is one
 
-    QStringList known() const; // by the names of the columns, as in "a b c d e f p"
+    QStringList known() const; // names of the columns, as in "a b c d e f p"
     void choose(const QString& order);
-    void chooseCumulative(); // Fractint's order, but for its weights
+    void chooseCumulative(); // Fractint's order, with cumulative weights
     bool isFractints() const;
 
 signals:

@@ -11,7 +11,7 @@ namespace view {
 
 namespace {
 
-constexpr int gap = 24; // at least, between name and keys
+constexpr int gap = 24; // pixels; least distance between name and keys
 constexpr int margin = 6;
 
 } // namespace

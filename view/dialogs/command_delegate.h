@@ -11,7 +11,7 @@ class CommandDelegate : public QStyledItemDelegate {
     Q_OBJECT
 
 public:
-    enum Role { NameRole = Qt::UserRole + 1, KeysRole }; // both are in the text of the item, which is spoken
+    enum Role { NameRole = Qt::UserRole + 1, KeysRole }; // both also in the item's text, for screen readers
 
     using QStyledItemDelegate::QStyledItemDelegate;
 

@@ -18,6 +18,7 @@
 #include <QMenuBar>
 #include <QPainter>
 #include <QPixmap>
+#include <QPointer>
 #include <QRegularExpression>
 #include <QSet>
 #include <QStandardItemModel>
@@ -27,13 +28,14 @@
 #include <QVBoxLayout>
 
 #include <algorithm>
+#include <utility>
 
 namespace view {
 
 namespace {
 
 constexpr int actionRole = Qt::UserRole;
-constexpr int guideRow = -1; // in place of the index of an action
+constexpr int guideRow = -1; // replacement for the index of an action
 
 // The text of the action, unless the name of the command is another: that of Undo is not the step's.
 QString nameOf(const QAction* action) {
@@ -108,7 +110,7 @@ QAction* entryOf(const QLabel& label) {
         const auto first = std::ranges::find_if(parts, [](const QWidget* part) {
             return part->isVisible() && part->focusPolicy() & Qt::TabFocus;
         });
-        if (first != parts.end()) (*first)->setFocus(Qt::TabFocusReason); // and its text is selected
+        if (first != parts.end()) (*first)->setFocus(Qt::TabFocusReason); // also selects its text
     });
 }
 
@@ -116,7 +118,7 @@ QAction* entryOf(const QLabel& label) {
 QList<NamedAction> actionsIn(QWidget* panel) {
     QList<NamedAction> found;
     for (QWidget* widget : panel->findChildren<QWidget*>()) {
-        if (widget->window() != panel->window()) continue; // menus come by their buttons
+        if (widget->window() != panel->window()) continue; // menus are represented by their buttons
         const QString path = pathOf(widget, panel);
         const QWidget* content = contentOf(panel, widget);
         const bool isThere = widget != content && widget->isVisibleTo(content);
@@ -141,10 +143,31 @@ QStringList wordsOf(const QString& text) {
     return text.split(separators, Qt::SkipEmptyParts);
 }
 
+// The names of commands have British spelling.
+QString british(QString word) {
+    constexpr std::pair<const char*, const char*> spellings[] = {
+        {"color", "colour"},      {"center", "centre"},         {"gray", "grey"},
+        {"analyz", "analys"},     {"maximiz", "maximis"},       {"minimiz", "minimis"},
+        {"normaliz", "normalis"}, {"millimeter", "millimetre"},
+    };
+    for (const auto& [american, here] : spellings)
+        if (word.startsWith(QLatin1String(american), Qt::CaseInsensitive))
+            word.replace(0, qsizetype(qstrlen(american)), QLatin1String(here));
+    return word;
+}
+
 template <typename Fits> bool hasEach(const QStringList& words, const QStringList& wanted, Fits fits) {
     return std::all_of(wanted.begin(), wanted.end(), [&](const QString& want) {
-        return std::any_of(words.begin(), words.end(), [&](const QString& word) { return fits(word, want); });
+        return std::any_of(words.begin(), words.end(), [&, other = british(want)](const QString& word) {
+            return fits(word, want) || fits(word, other);
+        });
     });
+}
+
+// Returns true if the words mean this command before those that have them in their names.
+bool meansFirst(const QString& title, const QString& text) {
+    const QString first = firstSynonymsOf(title.section(QStringLiteral(" › "), -1));
+    return !first.isEmpty() && !text.trimmed().isEmpty() && namesCommand(first, text);
 }
 
 } // namespace
@@ -275,11 +298,11 @@ void CommandPalette::add(const QString& text, SearchIn in, bool enabled) {
     for (qsizetype i = 0; i < m_actions.size(); ++i) {
         const auto& [action, title, panel] = m_actions[i];
         if (action->isEnabled() != enabled) continue;
-        const SearchIn found = isCommand(title, text)        ? SearchIn::Whole
-                               : namesCommand(title, text)   ? SearchIn::Words
-                               : matchesCommand(title, text) ? SearchIn::Names
-                               : meansCommand(title, text)   ? SearchIn::Synonyms
-                                                             : SearchIn::Descriptions;
+        const SearchIn found = isCommand(title, text) || meansFirst(title, text) ? SearchIn::Whole
+                               : namesCommand(title, text)                       ? SearchIn::Words
+                               : matchesCommand(title, text)                     ? SearchIn::Names
+                               : meansCommand(title, text)                       ? SearchIn::Synonyms
+                                                                                 : SearchIn::Descriptions;
         if (found != in) continue;
         if (in == SearchIn::Descriptions && !matchesCommand(title + u' ' + action->statusTip(), text))
             continue;
@@ -291,7 +314,7 @@ void CommandPalette::add(const QString& text, SearchIn in, bool enabled) {
         item->setData(name, CommandDelegate::NameRole);
         item->setData(keys, CommandDelegate::KeysRole);
         item->setData(int(i), actionRole);
-        item->setToolTip(tooltipText(action->statusTip())); // perhaps the path of a file
+        item->setToolTip(tooltipText(action->statusTip())); // may be the path of a file
         item->setEnabled(enabled);
         m_model->appendRow(item);
     }
@@ -311,11 +334,14 @@ void CommandPalette::run() {
     auto* dock = qobject_cast<QDockWidget*>(action->parent());
     const bool isPanel = dock && dock->toggleViewAction() == action;
     accept();
-    if (QWidget* shown = isPanel ? dock : panel) { // what it does is seen there
+    if (QWidget* shown = isPanel ? dock : panel) { // shows the effect of the command
         shown->show();
         shown->raise();
     }
+    const QPointer<QAction> alive(action);
+    action->setProperty(searchedWords, m_search->text().simplified());
     if (!isPanel || !action->isChecked()) action->trigger(); // nobody asks for a panel to close it
+    if (alive) action->setProperty(searchedWords, {});
 }
 
 // The frame is that of a menu, because the colour is that of the window behind.

@@ -19,7 +19,7 @@ namespace view {
 struct NamedAction {
     QAction* action;
     QString path;
-    QWidget* panel = nullptr; // or bar, that has it; null: the menu bar
+    QWidget* panel = nullptr; // panel or bar that has it; null: menu bar
 };
 // A property of actions whose text is not the name of the command.
 inline constexpr char commandName[] = "commandName";
@@ -36,14 +36,15 @@ public:
     explicit CommandPalette(const QList<NamedAction>& actions, QWidget* parent = nullptr);
 
 signals:
-    void guideRequested(const QString& words); // the typed text is to be searched there
+    void guideRequested(const QString& words); // sent to search the typed words in the guide
 
 protected:
     bool eventFilter(QObject* watched, QEvent* event) override;
     void paintEvent(QPaintEvent* event) override;
 
 private:
-    enum class SearchIn { Whole, Words, Names, Synonyms, Descriptions }; // each beside those before it
+    // Fields to search, each in addition to those before.
+    enum class SearchIn { Whole, Words, Names, Synonyms, Descriptions };
 
     void filter(const QString& text);
     void add(const QString& text, SearchIn in, bool enabled);
@@ -52,7 +53,7 @@ private:
 
     QList<NamedAction> m_actions;
     QStandardItemModel* m_model;
-    QIcon m_noIcon; // as wide as the others, so that all names begin in one column
+    QIcon m_noIcon; // as wide as the others, so that all names are aligned
     QLineEdit* m_search;
     QListView* m_list;
 };

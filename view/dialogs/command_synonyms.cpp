@@ -9,16 +9,34 @@ namespace view {
 namespace {
 
 // Words that users of other programs type, and names of the results. A translation has the words of its own
-// language, not translations of these.
+// language, not translations of these. The words in front of a bar mean this command rather than those that
+// have them in their names; translations have the bar, too.
 constexpr CommandSynonyms synonyms[] = {
     {"MainWindow", "&Export Picture…",
-     QT_TRANSLATE_NOOP("view::CommandSynonyms", "render save image picture png svg pdf jpeg tiff webp exr "
-                                                "poster wallpaper stl obj ply glb mesh print 3d")},
+     QT_TRANSLATE_NOOP("view::CommandSynonyms",
+                       "render save image picture png svg pdf jpeg tiff webp exr poster wallpaper stl obj "
+                       "ply glb mesh print 3d laser plotter cutter engrave dxf outline vector transparent "
+                       "millimetres")},
     {"MainWindow", "Export Ani&mation…",
      QT_TRANSLATE_NOOP("view::CommandSynonyms",
                        "render video movie film mp4 webm gif apng frames cluster slurm")},
     {"MainWindow", "Export &Data…",
      QT_TRANSLATE_NOOP("view::CommandSynonyms", "flame apophysis csv table points cloud ply ifstile save")},
+    {"MainWindow", "Export We&b Page…",
+     QT_TRANSLATE_NOOP("view::CommandSynonyms", "share send browser html embed publish interactive")},
+    {"MainWindow", "Copy &Link",
+     QT_TRANSLATE_NOOP("view::CommandSynonyms", "share send email mail post message url")},
+    {"MainWindow", "Analysis",
+     QT_TRANSLATE_NOOP(
+         "view::CommandSynonyms",
+         "dimension proof certificate | prove certified Hausdorff area measure overlap connected")},
+    {"MainWindow", "Appearance",
+     QT_TRANSLATE_NOOP("view::CommandSynonyms",
+                       "colours palette gradient hue background transparent brightness")},
+    {"view::EntriesPanel", "Move &Up",
+     QT_TRANSLATE_NOOP("view::CommandSynonyms", "reorder rearrange order sort")},
+    {"view::EntriesPanel", "Move &Down",
+     QT_TRANSLATE_NOOP("view::CommandSynonyms", "reorder rearrange order sort")},
     {"MainWindow", "&Copy Picture", QT_TRANSLATE_NOOP("view::CommandSynonyms", "clipboard screenshot image")},
     {"MainWindow", "&Print…", QT_TRANSLATE_NOOP("view::CommandSynonyms", "paper printer pdf page")},
     {"MainWindow", "Print &Handout…",
@@ -32,7 +50,8 @@ constexpr CommandSynonyms synonyms[] = {
     {"MainWindow", "Flip &Vertically",
      QT_TRANSLATE_NOOP("view::CommandSynonyms", "mirror reflect upside down")},
     {"MainWindow", "&Transform…",
-     QT_TRANSLATE_NOOP("view::CommandSynonyms", "rotate scale shear move shift turn size")},
+     QT_TRANSLATE_NOOP("view::CommandSynonyms",
+                       "flip mirror reflect | rotate scale shear move shift turn size")},
     {"MainWindow", "S&hadow",
      QT_TRANSLATE_NOOP("view::CommandSynonyms", "shade silhouette drop cast ground light sun")},
     {"MainWindow", "&Reset", QT_TRANSLATE_NOOP("view::CommandSynonyms", "undo original restore straighten")},
@@ -66,17 +85,32 @@ QString plainName(QString text) {
     return text.remove(u'&').remove(u'…');
 }
 
+bool isNamed(const CommandSynonyms& each, const QString& name) {
+    const QString shown = plainName(QCoreApplication::translate(each.context, each.text));
+    return shown.compare(name, Qt::CaseInsensitive) == 0;
+}
+
 } // namespace
 
 std::span<const CommandSynonyms> commandSynonyms() {
     return synonyms;
 }
 
+QString firstSynonymsOf(const QString& name) {
+    QStringList words;
+    for (const CommandSynonyms& each : synonyms) {
+        const QString here = QString::fromUtf8(each.words);
+        if (!here.contains(u'|') || !isNamed(each, name)) continue;
+        words << QCoreApplication::translate("view::CommandSynonyms", each.words).section(u'|', 0, 0)
+              << here.section(u'|', 0, 0);
+    }
+    return words.join(u' ');
+}
+
 QString synonymsOf(const QString& name) {
     QStringList words;
     for (const CommandSynonyms& each : synonyms) {
-        const QString shown = plainName(QCoreApplication::translate(each.context, each.text));
-        if (shown.compare(name, Qt::CaseInsensitive) != 0) continue;
+        if (!isNamed(each, name)) continue;
         words << QCoreApplication::translate("view::CommandSynonyms", each.words)
               << QString::fromUtf8(each.words) << plainName(QString::fromUtf8(each.text));
     }

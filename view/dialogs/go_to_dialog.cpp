@@ -83,7 +83,7 @@ QLineEdit* GoToDialog::numberField(double value, const QString& name, const QStr
 void GoToDialog::layFields() {
     m_note->setWordWrap(true);
     m_note->setAccessibleName(tr("Note"));
-    m_note->setMinimumHeight(2 * m_note->fontMetrics().lineSpacing()); // so that nothing jumps
+    m_note->setMinimumHeight(2 * m_note->fontMetrics().lineSpacing()); // constant height
     m_note->setAlignment(Qt::AlignTop);
     auto* centre = new QHBoxLayout;
     centre->addWidget(m_x);

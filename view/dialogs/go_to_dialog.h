@@ -32,7 +32,7 @@ public:
 private:
     QLineEdit* numberField(double value, const QString& name, const QString& help);
     void layFields();
-    void fillCentre(const ifs::Word& word); // with the point whose address repeats the word
+    void fillCentre(const ifs::Word& word); // point whose address repeats the word
     void readAddress();
     void chooseMap();
     void check();

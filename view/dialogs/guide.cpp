@@ -49,7 +49,7 @@ public:
     explicit Page(QWidget* parent) : TextEditWithWorkarounds(parent) {
         document()->setDocumentMargin(pageMargin);
         document()->setIndentWidth(1.25 * pageMargin);
-        setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOn); // the width does not depend on the height
+        setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOn); // keeps the width independent of the height
         connect(&m_decoding, &QFutureWatcherBase::resultReadyAt, this, [this](int i) {
             const Picture picture = m_decoding.resultAt(i);
             m_decoded.insert(picture.name, picture.image);
@@ -68,13 +68,13 @@ public:
         cursor.mergeBlockFormat(breakable);
     }
 
-    // The first position that is shown. Qt finds it only in a page that is laid out to its end.
+    // First visible position. Qt finds it only if the page is laid out completely.
     int top() const {
         document()->documentLayout()->blockBoundingRect(document()->lastBlock());
         return cursorForPosition({0, 0}).position();
     }
 
-    // The heading becomes the first line that is shown.
+    // Scrolls so that the heading becomes the first visible line.
     void showSection(const QString& heading) {
         for (QTextBlock block = document()->begin(); block.isValid(); block = block.next()) {
             if (block.blockFormat().headingLevel() == 0 || block.text() != heading) continue;
@@ -115,7 +115,7 @@ protected:
     }
 
 private:
-    // The picture in the size that fits: the available one, stretched, or an empty one.
+    // Picture in the size that fits: the available one, stretched, or an empty one.
     Picture place(const QUrl& name) const {
         const int room = viewport()->width() - 2 * pageMargin;
         const QSize whole = QImageReader(pathOf(name)).size();
@@ -143,7 +143,7 @@ private:
     }
 
     QFutureWatcher<Picture> m_decoding;
-    QHash<QUrl, QImage> m_decoded; // in the last size
+    QHash<QUrl, QImage> m_decoded; // pictures in their last size
 };
 
 // Marks the typed words wherever the page has them, and shows one place after the other.
@@ -182,7 +182,7 @@ protected:
     }
 
 private:
-    // The first place after the one that is shown, or after the top of the page.
+    // Finds the first match after the current one, or after the top of the page.
     void find() {
         const int from = m_matches.isEmpty() ? m_page->top() : m_matches[m_shown].selectionStart();
         m_matches.clear();
@@ -244,7 +244,7 @@ Guide openGuide(QWidget* parent) {
     browser->setOpenExternalLinks(true);
     browser->open(QUrl(QStringLiteral("qrc:/guide/guide.md")));
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close, dialog);
-    buttons->button(QDialogButtonBox::Close)->setAutoDefault(false); // Enter finds the next place
+    buttons->button(QDialogButtonBox::Close)->setAutoDefault(false); // Enter finds the next match
     QObject::connect(buttons, &QDialogButtonBox::rejected, dialog, &QDialog::reject);
     auto* count = new QLabel(dialog);
     auto* field = new FindField(browser, count, dialog);

@@ -30,7 +30,7 @@ public:
     // Another order is a step of the history.
     static void askForColumns(document::Document* document, const QString& table, QWidget* parent);
 
-    int count() const { return int(m_table.rows.size()); } // of maps, as read now
+    int count() const { return int(m_table.rows.size()); } // number of maps in the present reading
 
 signals:
     void pasted(const std::vector<ifs::MapId>& touched);

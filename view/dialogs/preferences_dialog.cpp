@@ -206,7 +206,7 @@ void PreferencesDialog::setUnsaved(const QStringList& names) {
 
 void PreferencesDialog::take() {
     if (m_isFilling) return;
-    Preferences chosen = Preferences::stored(); // with what has no row here
+    Preferences chosen = Preferences::stored(); // includes settings without a row here
     for (const Field& field : m_fields)
         field.take(chosen);
     showRestart(chosen.language != m_spoken);

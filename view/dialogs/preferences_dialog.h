@@ -35,7 +35,7 @@ public:
     void setUnsaved(const QStringList& names);
 
 signals:
-    void changed(const view::Preferences& preferences); // they are stored already
+    void changed(const view::Preferences& preferences); // sent after they are stored
     void restartRequested();
 
 private:
@@ -54,14 +54,14 @@ private:
     void showRestart(bool shown);
 
     QTabWidget* m_pages;
-    QString m_spoken; // the choice of language when the dialog was opened
+    QString m_spoken; // language at the opening of the dialog
     QLabel* m_restart = nullptr;
     QPushButton* m_restartNow = nullptr;
     struct Field {
         std::function<void(const Preferences&)> show;
         std::function<void(Preferences&)> take;
     };
-    std::vector<Field> m_fields; // of the rows
+    std::vector<Field> m_fields; // fields of the rows
     bool m_isFilling = false;
 };
 

@@ -33,7 +33,7 @@ SaveViewDialog::SaveViewDialog(const document::Fractal& fractal, QWidget* parent
     caption->setBuddy(m_name);
     m_note->setWordWrap(true);
     m_note->setAccessibleName(tr("Note"));
-    m_note->setMinimumHeight(2 * m_note->fontMetrics().lineSpacing()); // so that nothing jumps
+    m_note->setMinimumHeight(2 * m_note->fontMetrics().lineSpacing()); // constant height
     m_note->setAlignment(Qt::AlignTop);
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Cancel, this);
     m_save = buttons->addButton(QString(), QDialogButtonBox::AcceptRole);
@@ -179,7 +179,8 @@ void SavedViewsDialog::rename(const QListWidgetItem& item) {
     if (!after.isEmpty() && after != before && !document::savedView(entry, after))
         m_document->editEntry(tr("Rename the view “%1” to “%2”").arg(before, after),
                               document::withViewRenamed(entry, before, after));
-    QMetaObject::invokeMethod(this, &SavedViewsDialog::refresh, Qt::QueuedConnection); // as it is called now
+    // Shows the stored name.
+    QMetaObject::invokeMethod(this, &SavedViewsDialog::refresh, Qt::QueuedConnection);
 }
 
 } // namespace view

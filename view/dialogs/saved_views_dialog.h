@@ -23,7 +23,7 @@ class SaveViewDialog : public QDialog {
 public:
     explicit SaveViewDialog(const document::Fractal& fractal, QWidget* parent = nullptr);
 
-    QString name() const; // as it is kept
+    QString name() const; // name in its stored form
 
 private:
     void check();
@@ -56,7 +56,7 @@ private:
     document::Document* m_document;
     Canvas m_canvas;
     QListWidget* m_list;
-    QList<QPushButton*> m_buttons; // they need a chosen view
+    QList<QPushButton*> m_buttons; // buttons that need a chosen view
     bool m_isRefreshing = false;
 };
 

@@ -31,7 +31,7 @@ QTreeWidgetItem* group(QTreeWidget* tree, const QString& title) {
 
 void addLine(QTreeWidget* tree, const QString& title, const QStringList& line) {
     auto* item = new QTreeWidgetItem(group(tree, title), line);
-    item->setToolTip(0, tooltipText(line.front())); // cut off on a narrow screen
+    item->setToolTip(0, tooltipText(line.front())); // full text on narrow screens
 }
 
 QList<QStringList> onCanvas() {
@@ -166,20 +166,21 @@ ShortcutsDialog::ShortcutsDialog(const QList<NamedAction>& actions, QWidget* par
     tree->expandAll();
     tree->header()->setStretchLastSection(false);
     tree->header()->setSectionResizeMode(0, QHeaderView::Stretch);
-    tree->header()->setSectionResizeMode(1, QHeaderView::ResizeToContents); // the keys are always seen whole
+    tree->header()->setSectionResizeMode(1, QHeaderView::ResizeToContents); // keys always completely visible
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close);
 
     auto* column = new QVBoxLayout(this);
     column->addWidget(search);
     column->addWidget(tree);
     column->addWidget(buttons);
-    const QAbstractItemView* view = tree; // where the hint is public
+    const QAbstractItemView* view = tree; // base class, in which the hint is public
     const int wanted = view->sizeHintForColumn(0) + view->sizeHintForColumn(1) + 3 * tree->indentation() +
                        style()->pixelMetric(QStyle::PM_ScrollBarExtent) +
                        style()->pixelMetric(QStyle::PM_LayoutLeftMargin) +
                        style()->pixelMetric(QStyle::PM_LayoutRightMargin);
     const QSize available = screen()->availableSize();
-    resize(std::min(wanted, available.width()), std::min(640, available.height() * 9 / 10)); // and its frame
+    // Leaves room for the frame.
+    resize(std::min(wanted, available.width()), std::min(640, available.height() * 9 / 10));
     connect(search, &QLineEdit::textChanged, tree, [tree](const QString& text) { filter(tree, text); });
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
 }

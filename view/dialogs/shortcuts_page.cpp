@@ -110,8 +110,7 @@ QLayout* ShortcutsPage::editorRow() {
 
 QLayout* ShortcutsPage::noteRow() {
     m_note->setWordWrap(true);
-    m_note->setMinimumHeight(2 *
-                             m_note->fontMetrics().lineSpacing()); // the dialog does not jump when it speaks
+    m_note->setMinimumHeight(2 * m_note->fontMetrics().lineSpacing()); // constant height
     m_note->setTextFormat(Qt::PlainText);
     m_swap->setAutoDefault(false);
     m_swap->setWhatsThis(tr("Gives these keys to the selected command, and its present ones to the other."));
@@ -181,7 +180,7 @@ void ShortcutsPage::showKeys(QTreeWidgetItem* item) {
     const QAction& command = *actionOfItem(item);
     item->setText(Keys, keysText(command.shortcuts()));
     QFont font = m_tree->font();
-    font.setBold(command.shortcuts() != usualShortcuts(command)); // the user's own
+    font.setBold(command.shortcuts() != usualShortcuts(command)); // changed by the user
     item->setFont(Keys, font);
 }
 

@@ -30,7 +30,7 @@ public:
 private:
     struct Clash {
         QAction* other;
-        Shortcuts keys; // which it has
+        Shortcuts keys; // shortcuts of `other`
     };
 
     QLayout* editorRow();
@@ -43,7 +43,7 @@ private:
     void give(const QAction& command, const Shortcuts& keys);
     void swap();
     void say(const QString& sentence, const std::optional<Clash>& clash = std::nullopt);
-    QAction* current() const; // null while no command is selected
+    QAction* current() const; // null if no command is selected
     QAction* ownerOf(const Shortcuts& keys) const;
 
     QList<QTreeWidgetItem*> m_items;

@@ -67,7 +67,7 @@ ToolbarPage::ToolbarPage(const QList<NamedAction>& commands, const QStringList& 
     m_list->setDragDropMode(QAbstractItemView::InternalMove);
     m_list->setDefaultDropAction(Qt::MoveAction);
     m_list->setIconSize(iconSize);
-    m_others->setEditable(true); // so that typing finds a command
+    m_others->setEditable(true); // typing finds a command
     m_others->setInsertPolicy(QComboBox::NoInsert);
     m_others->completer()->setCompletionMode(QCompleter::PopupCompletion);
     m_others->completer()->setFilterMode(Qt::MatchContains);
@@ -178,7 +178,7 @@ void ToolbarPage::add() {
     insert(row, chosenValue<QString>(m_others));
     m_list->setCurrentRow(row);
     listOthers();
-    // The completer writes the chosen text into the field afterwards.
+    // Queued, because the completer then writes the chosen text into the field.
     QMetaObject::invokeMethod(m_others, &QComboBox::clearEditText, Qt::QueuedConnection);
     emit changed();
 }

@@ -21,11 +21,11 @@ public:
     /// All commands of the menus; the ids of the usual tools.
     ToolbarPage(const QList<NamedAction>& commands, const QStringList& usual, QWidget* parent = nullptr);
 
-    void setTools(const QStringList& tools); // empty: the usual ones
-    QStringList tools() const;               // the same
+    void setTools(const QStringList& tools); // empty: default
+    QStringList tools() const;               // empty: default
 
 signals:
-    void changed(); // by the user
+    void changed(); // sent for edits by the user
 
 protected:
     void keyPressEvent(QKeyEvent* event) override;
@@ -40,13 +40,13 @@ private:
     void updateButtons();
     QStringList ids() const;
 
-    QList<NamedAction> m_commands; // those that have an id
+    QList<NamedAction> m_commands; // commands that have an id
     const QStringList m_usual;
     QListWidget* m_list;
     QPushButton* m_up;
     QPushButton* m_down;
     QPushButton* m_remove;
-    QComboBox* m_others; // that can be added
+    QComboBox* m_others; // commands that can be added
 };
 
 } // namespace view

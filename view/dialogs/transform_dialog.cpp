@@ -146,7 +146,7 @@ QWidget* TransformDialog::makeMode() {
     layout->addStretch();
     connect(m_mode, &QButtonGroup::idToggled, this, [this](int, bool on) {
         if (!on) return;
-        m_edit.cancel(); // as the other kind of step
+        m_edit.cancel(); // another kind of step
         showLive();
     });
     return box;
@@ -258,7 +258,7 @@ void TransformDialog::chooseAbout() {
         return;
     }
     const auto fill = [this](const auto& point) {
-        if (!point) { // no such point: leave the choice at what is shown
+        if (!point) { // no such point: keeps the choice
             chooseValue(m_about, About::Typed);
             return false;
         }

@@ -54,11 +54,11 @@ public:
         AxisZ,
         ValueCount
     };
-    NumberField* field(Value value) const { return m_fields[value]; } // nullptr: of the other dimension
+    NumberField* field(Value value) const { return m_fields[value]; } // nullptr: other dimension
     QCheckBox* reflect() const { return m_reflect; }                  // nullptr in space
     QComboBox* about() const { return m_about; }
     QComboBox* axis() const { return m_axis; } // nullptr in the plane
-    QString problem() const;                   // why the transformation cannot be made; empty when it can
+    QString problem() const; // reason why the transformation is impossible; empty if it is possible
     document::Transformation transformation() const;
     document::SpaceTransformation spaceTransformation() const;
 
@@ -74,11 +74,11 @@ private:
     QWidget* makeMode();
     QWidget* makeReflection();
     QWidget* makeAxis();
-    void follow(Value edited); // the fields that depend on an edited one
+    void follow(Value edited); // updates the fields that depend on an edited one
     void chooseAbout();
     void chooseAxis();
     double value(Value which) const;
-    ifs::Vector<3> vector(Value x) const; // from three fields
+    ifs::Vector<3> vector(Value x) const; // vector from three fields
     template <int Dim> ifs::AffineMap<Dim> map() const;
     template <int Dim> std::optional<ifs::Vector<Dim>> chosenPoint() const;
     template <int Dim> QString problemIn() const;

@@ -8,7 +8,7 @@
 
 namespace view {
 
-enum class Reach { Mouse, Touch }; // how near a press must be
+enum class Reach { Mouse, Touch }; // size of the target of a press
 
 // The pointer from the point of view of the objects under it.
 struct Pointer {

@@ -13,13 +13,13 @@ class ViewNavigation : public QObject {
     Q_OBJECT
 
 public:
-    virtual void adoptViewport() = 0; // its size and pixel ratio
+    virtual void adoptViewport() = 0; // adopts size and pixel ratio of the viewport
     virtual QPointF middle() const = 0;
     virtual void fit() = 0;
-    virtual bool isFitted() const = 0; // and the user has not moved the view since
+    virtual bool isFitted() const = 0; // true if fitted and not moved by the user since
     virtual void zoomAt(const QPointF& position, double factor) = 0;
     virtual void resetZoom() = 0;                                      // 100 %: one unit is a hundred pixels
-    virtual void twistAt(const QPointF& position, double degrees) = 0; // by fingers, clockwise
+    virtual void twistAt(const QPointF& position, double degrees) = 0; // clockwise rotation by two fingers
 
     // The view is held as it is now. From there moveHeld() zooms it about a position, then shifts it.
     virtual void hold() = 0;

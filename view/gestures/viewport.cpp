@@ -22,7 +22,7 @@ Viewport::Viewport(QWidget* parent) : QGraphicsView(parent) {
     setViewportUpdateMode(QGraphicsView::FullViewportUpdate);
     setFocusPolicy(Qt::StrongFocus);
     setMinimumSize(110, 110);
-    setAcceptDrops(false); // a file dropped here is the window's business
+    setAcceptDrops(false); // the window handles dropped files
     viewport()->setAcceptDrops(false);
     viewport()->setMouseTracking(true);
     viewport()->setAttribute(Qt::WA_AcceptTouchEvents);

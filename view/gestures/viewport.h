@@ -13,20 +13,20 @@ class Viewport : public QGraphicsView {
     Q_OBJECT
 
 public:
-    bool cancelGesture() { return input().cancelGesture(); } // false when none was under way
+    bool cancelGesture() { return input().cancelGesture(); } // false if there was none
 
 signals:
     void pointerLeft();
-    void message(const QString& sentence); // for the status bar
+    void message(const QString& sentence); // sentence for the status bar
 
 protected:
     explicit Viewport(QWidget* parent);
-    void showScene(QGraphicsScene* scene); // and connect what gestures do
+    void showScene(QGraphicsScene* scene); // also connects the gestures
 
     virtual ViewportInput& input() = 0;
     virtual ViewNavigation& navigated() = 0;
-    virtual void adoptDesktop() = 0; // palette and font
-    virtual void begin() = 0;        // when it is shown for the first time
+    virtual void adoptDesktop() = 0; // adopts palette and font
+    virtual void begin() = 0;        // called before the first painting
     bool wasShown() const { return m_wasShown; }
     void refreshCursor() { viewport()->setCursor(input().cursor()); }
 

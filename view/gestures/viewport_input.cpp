@@ -18,9 +18,9 @@ namespace view {
 
 namespace {
 
-constexpr double notchPixels = 60; // of a touchpad, for one notch of a wheel
-constexpr double notchAngle = 120; // in eighths of a degree
-constexpr double zoomNotches = 4;  // that double what is seen
+constexpr double notchPixels = 60; // pixels of a touchpad that equal a notch of a wheel
+constexpr double notchAngle = 120; // eighths of a degree
+constexpr double zoomNotches = 4;  // notches that double the scale
 
 // Fingers that zoom turn a little as well: only a twist beyond that turns the view.
 double beyondSlack(double twist) {
@@ -101,7 +101,7 @@ bool ViewportInput::gesture(const QNativeGestureEvent& event) {
     else if (event.gestureType() == Qt::SmartZoomNativeGesture)
         m_navigation.fit();
     else {
-        m_twisted = 0; // a gesture begins or ends
+        m_twisted = 0; // beginning or end of a gesture
         return false;
     }
     return true;
@@ -161,7 +161,7 @@ bool ViewportInput::touch(const QTouchEvent& event) {
 }
 
 double ViewportInput::notches(const QWheelEvent& event) {
-    // With Alt or Shift held some platforms turn the wheel sideways. A touchpad drifts sideways anyway.
+    // Alt and Shift turn the wheel sideways on some platforms, and touchpads drift sideways.
     const bool turnsSideways = event.modifiers() & (Qt::AltModifier | Qt::ShiftModifier);
     const QPoint pixels = event.pixelDelta(), angle = event.angleDelta();
     if (!pixels.isNull()) return (pixels.y() == 0 && turnsSideways ? pixels.x() : pixels.y()) / notchPixels;
@@ -169,7 +169,7 @@ double ViewportInput::notches(const QWheelEvent& event) {
 }
 
 void ViewportInput::turnWheel(const QWheelEvent& event) {
-    m_pointer.position = event.position(); // perhaps it has not moved since it came
+    m_pointer.position = event.position(); // the pointer may not have moved since it entered
     m_isOver = true;
     if (m_held != Held::View && !wheelTurned(event))
         m_navigation.zoomAt(event.position(), std::exp2(notches(event) / zoomNotches));

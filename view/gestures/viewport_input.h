@@ -32,41 +32,42 @@ public:
     void release(const QMouseEvent& event);
     void leave();
     void turnWheel(const QWheelEvent& event);
-    bool gesture(const QNativeGestureEvent& event); // whether it meant something, as the three below
+    bool gesture(const QNativeGestureEvent& event); // true if it had an effect, as for the next three
     bool touch(const QTouchEvent& event);
     bool pressKey(const QKeyEvent& event);
     bool releaseKey(const QKeyEvent& event);
-    virtual bool needsKey(const QKeyEvent& event) const; // so that no shortcut of the window may take it
+    // True for keys that must not become shortcuts of the window.
+    virtual bool needsKey(const QKeyEvent& event) const;
     void setFocused(bool focused);
 
-    bool isHolding() const { return m_held != Held::Nothing; } // a button or a finger is down
-    bool cancelGesture();                                      // false when none was under way
-    virtual void cancelDrag() = 0;                             // as above, but of what lies on the canvas
-    void interrupt();                                          // the release will not come
+    bool isHolding() const { return m_held != Held::Nothing; } // true while a button or a finger is down
+    bool cancelGesture();                                      // false if there was none
+    virtual void cancelDrag() = 0;                             // cancels a drag of something on the canvas
+    void interrupt(); // for gestures whose release will not be delivered
     QCursor cursor() const;
 
 signals:
-    void changed(); // the cursor, or what is marked under the pointer
+    void changed(); // sent for the cursor and for marks under the pointer
     void pointerLeft();
-    void message(const QString& sentence); // for the status bar
+    void message(const QString& sentence); // sentence for the status bar
 
 protected:
     const Pointer& pointer() const { return m_pointer; }
-    bool isOver() const { return m_isOver; } // the pointer has not left
-    void letGo() { m_held = Held::Nothing; } // although the button is still down
+    bool isOver() const { return m_isOver; } // true while the pointer is inside
+    void letGo() { m_held = Held::Nothing; } // ends the hold, although the button is still down
     void forgetPointer() { m_pointer.position = {-1, -1}; }
 
-    virtual bool pressed(Qt::MouseButton button) = 0; // whether it is held from now on
-    virtual void pressedMore() {}                     // another button, while one is held
-    virtual bool doubleClicked() { return false; }    // by the left button; false: it is a press
-    virtual void moved() = 0;                         // whether or not something is held
-    virtual void released() = 0;                      // by the button that pressed it
+    virtual bool pressed(Qt::MouseButton button) = 0; // true if the press holds the view or something on it
+    virtual void pressedMore() {}                     // called for another button during a hold
+    virtual bool doubleClicked() { return false; }    // left button; false: treated as a press
+    virtual void moved() = 0;                         // called with and without a hold
+    virtual void released() = 0;                      // called for the button of the press
     virtual void left() = 0;
-    virtual bool wheelTurned(const QWheelEvent& event) = 0; // false: it zooms
-    virtual bool keyPressed(const QKeyEvent& event) = 0;    // whether it meant something
+    virtual bool wheelTurned(const QWheelEvent& event) = 0; // false: the wheel zooms
+    virtual bool keyPressed(const QKeyEvent& event) = 0;    // true if it had an effect
     virtual bool keyReleased(const QKeyEvent&) { return false; }
-    virtual bool cancelled() = 0;           // false: there was nothing to cancel
-    virtual QCursor cursorOver() const = 0; // while the view itself is not held
+    virtual bool cancelled() = 0;           // false if there was nothing to cancel
+    virtual QCursor cursorOver() const = 0; // cursor unless the view itself is held
 
     // Notches by which the wheel was turned. A touchpad reports pixels, a wheel eighths of a degree; fine
     // wheels send parts of a notch.
@@ -85,13 +86,13 @@ private:
 
     ViewNavigation& m_navigation;
     Held m_held = Held::Nothing;
-    Qt::MouseButton m_button = Qt::NoButton; // that holds it
-    QPointF m_press;                         // of the view
-    std::optional<Fingers> m_fingers;        // two, when they came
+    Qt::MouseButton m_button = Qt::NoButton; // button of the hold
+    QPointF m_press;                         // press in pixels of the view
+    std::optional<Fingers> m_fingers;        // set while two fingers are down
     Pointer m_pointer;
     bool m_isOver = false;
     bool m_isSpaceHeld = false;
-    double m_twisted = 0; // degrees, by the fingers on a touchpad, clockwise
+    double m_twisted = 0; // degrees clockwise, turned by fingers on a touchpad
 };
 
 } // namespace view

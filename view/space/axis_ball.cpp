@@ -15,8 +15,8 @@ namespace view {
 namespace {
 
 constexpr double margin = 20;
-constexpr double radius = 44;    // of the ball
-constexpr double spotReach = 32; // from its middle to that of a spot
+constexpr double radius = 44;    // pixels; radius of the ball
+constexpr double spotReach = 32; // pixels from its middle to the middle of a spot
 constexpr double spot = 10;
 
 // Apart in lightness as well, so that they are told apart without colour; letters say the rest.
@@ -137,7 +137,7 @@ void AxisBall::paintDisc(QPainter& painter, const Spot& at, const QColor& rim, c
 
 void AxisBall::paintName(QPainter& painter, const Spot& at) {
     QFont font = painter.font();
-    font.setPixelSize(at.end.isPositive ? 12 : 10); // with room for the sign
+    font.setPixelSize(at.end.isPositive ? 12 : 10); // leaves room for the sign
     font.setBold(true);
     painter.setFont(font);
     painter.setPen(QColor(16, 18, 22));
@@ -149,7 +149,7 @@ attractor::Direction AxisBall::towards(const End& end, attractor::UpAxis up) {
     const bool isZUp = up == attractor::UpAxis::Z;
     if (end.axis == 0) return {end.isPositive ? 90.0 : -90.0, 0};
     if (end.axis == (isZUp ? 2 : 1)) return {0, end.isPositive ? 90.0 : -90.0};
-    return {end.isPositive != isZUp ? 0.0 : 180.0, 0}; // the front is +z, or −y
+    return {end.isPositive != isZUp ? 0.0 : 180.0, 0}; // front view: from +z, or −y
 }
 
 bool AxisBall::looksFrom(const attractor::OrbitCamera& camera, const End& end) {

@@ -22,16 +22,16 @@ public:
         friend bool operator==(const End&, const End&) = default;
     };
 
-    void layOut(const attractor::OrbitCamera& camera); // for a view of camera.size, in its pixels
+    void layOut(const attractor::OrbitCamera& camera); // view of camera.size, in its pixels
 
     bool covers(const QPointF& position) const;
-    std::optional<End> endAt(const QPointF& position) const; // the nearest to the eye
-    End front() const { return m_spots.back().end; }         // of all, the nearest to the eye
+    std::optional<End> endAt(const QPointF& position) const; // end nearest to the eye
+    End front() const { return m_spots.back().end; }         // end nearest to the eye of all
     // The nearest to `from` on the screen in the direction of an arrow key; nullopt where that leads off the
     // ball.
     std::optional<End> beside(const End& from, const QPointF& direction) const;
     void setHovered(std::optional<End> end);
-    void setFocused(std::optional<End> end); // that the keyboard has chosen
+    void setFocused(std::optional<End> end); // end chosen with the keyboard
     std::optional<End> focused() const { return m_focused; }
 
     QRectF boundingRect() const override;
@@ -46,7 +46,7 @@ private:
     struct Spot {
         End end;
         QPointF centre;
-        double depth = 0; // away from the eye, −1 … 1
+        double depth = 0; // distance away from the eye, −1 … 1
     };
     QColor colourOf(const End& end) const;
     void paintSpot(QPainter& painter, const Spot& at, const QColor& ground) const;
@@ -55,7 +55,7 @@ private:
     static void paintName(QPainter& painter, const Spot& at);
 
     QPointF m_centre;
-    std::array<Spot, 6> m_spots; // the farthest first
+    std::array<Spot, 6> m_spots; // farthest first
     std::optional<End> m_hovered;
     std::optional<End> m_focused;
 };

@@ -32,7 +32,7 @@ bool AxisBallFocus::keyPress(const QKeyEvent& event) {
     } else if (event.key() == Qt::Key_Escape) {
         leave();
     } else if (looksAlong(event)) {
-        // From behind, the other end is in front. A key that is held looks once.
+        // The other end is in front in a view from behind. A held key has an effect only once.
         if (!event.isAutoRepeat()) m_end = m_navigation.lookAlong(*m_end);
     } else {
         return false;

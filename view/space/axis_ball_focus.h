@@ -20,10 +20,10 @@ public:
     void take() { m_end = m_ball.front(); }
     void leave() { m_end.reset(); }
     bool isHere() const { return end().has_value(); }
-    std::optional<AxisBall::End> end() const; // that is chosen; nullopt while the keyboard is elsewhere
+    std::optional<AxisBall::End> end() const; // chosen end; nullopt while the keyboard focus is elsewhere
 
-    bool needsKey(const QKeyEvent& event) const; // more than the shortcuts of the window
-    bool keyPress(const QKeyEvent& event);       // false when it means nothing here
+    bool needsKey(const QKeyEvent& event) const; // true for keys that must not become shortcuts of the window
+    bool keyPress(const QKeyEvent& event);       // false if the key has no effect here
 
 private:
     const AxisBall& m_ball;

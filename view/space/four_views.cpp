@@ -43,7 +43,7 @@ void FourViews::makeOthers() {
     for (const auto& [from, title, row, column] : views) {
         auto* bridge = new SolidBridge(m_document);
         auto* view = new SpaceView(m_document, bridge, this);
-        bridge->setParent(view); // they go together
+        bridge->setParent(view); // destroyed together
         bridge->showInstead(m_instead);
         view->navigation().setUpAxis(m_up);
         view->fixDirection(from, title);
@@ -57,7 +57,7 @@ void FourViews::makeOthers() {
         connect(view, &SpaceView::pointerLeft, m_main, &SpaceView::pointerLeft);
         connect(view, &SpaceView::message, m_main, &SpaceView::message);
         follow(view);
-        connect(view, &SpaceView::mapHeld, m_main, &SpaceView::mapHeld); // once all hold it
+        connect(view, &SpaceView::mapHeld, m_main, &SpaceView::mapHeld); // sent after all views hold the map
         m_grid->addWidget(view, row, column);
         m_others.push_back(view);
     }
@@ -70,10 +70,10 @@ void FourViews::showFour(bool four) {
     m_main->navigation().lendPerspective(four);
     if (four) {
         makeOthers();
-    } else { // hidden ones would be drawn all the same
+    } else { // hidden views would still be drawn
         qDeleteAll(std::exchange(m_others, {}));
     }
-    for (const int line : {0, 1}) { // of equal size, whatever they would like
+    for (const int line : {0, 1}) { // equal sizes, whatever their hints
         m_grid->setRowStretch(line, four || line == 0 ? 1 : 0);
         m_grid->setColumnStretch(line, four || line == 1 ? 1 : 0);
     }

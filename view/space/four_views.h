@@ -20,7 +20,7 @@ class FourViews : public QWidget {
 public:
     FourViews(document::Document* document, SolidBridge* bridge, QWidget* parent = nullptr);
 
-    SpaceView* main() const { return m_main; } // the one that orbits
+    SpaceView* main() const { return m_main; } // view that orbits
     // top, front, right; empty while the main one is alone
     const std::vector<SpaceView*>& others() const { return m_others; }
     bool areFourShown() const { return m_areFourShown; }
@@ -36,12 +36,12 @@ public:
     void showOutlines(const std::vector<document::SpaceOutline>& shapes);
     bool cancelGesture();
     void showInstead(std::shared_ptr<const document::Fractal> fractal); // see SolidBridge
-    void setStereo(attractor::Stereo stereo);                           // of the one that orbits
+    void setStereo(attractor::Stereo stereo);                           // stereo mode of the view that orbits
     attractor::Stereo stereo() const { return m_main->navigation().stereo(); }
 
 signals:
     void fourShown(bool four);
-    void defined(); // in one of the views; see SpaceView
+    void defined(); // sent by any view; see SpaceView
 
 private:
     void makeOthers();
@@ -49,10 +49,10 @@ private:
     std::vector<SpaceView*> all() const;
 
     document::Document* m_document;
-    SolidBridge* m_bridge; // of the main one
+    SolidBridge* m_bridge; // bridge of the main view
     SpaceView* m_main;
     QGridLayout* m_grid;
-    std::vector<SpaceView*> m_others; // the parents of their bridges
+    std::vector<SpaceView*> m_others; // also the parents of their bridges
     // State for views that are made later.
     bool m_areOverlaysVisible = true;
     attractor::UpAxis m_up = attractor::UpAxis::Y;

@@ -8,7 +8,7 @@ namespace view {
 
 namespace {
 
-constexpr double far = 1e5; // pixels; farther outside, painting lines takes long
+constexpr double far = 1e5; // pixels; clips lines that would be slow to paint
 
 using attractor::OrbitCamera;
 using ifs::Vector;

@@ -27,7 +27,7 @@ void SliceItem::layOut(const attractor::OrbitCamera& camera, const std::optional
         if (const auto edge = seenLine(camera, plane->corners[k], plane->corners[(k + 1) % count]))
             m_border.push_back(*edge);
     m_handle = seenPoint(camera, plane->centre);
-    // The arrow is as long as it appears: one towards the eye is short.
+    // Scale of the arrow in perspective: it looks short if it points at the eye.
     const double unit = arrowLength / pixelsPerUnit(camera);
     m_arrow = seenPoint(camera, plane->centre + unit * plane->normal) - m_handle;
     update();

@@ -27,9 +27,9 @@ public:
 
 private:
     std::optional<SlicePlane> m_plane;
-    std::vector<QLineF> m_border; // its part in front of the eye
+    std::vector<QLineF> m_border; // part of the border in front of the eye
     QPointF m_handle;
-    QPointF m_arrow; // from the handle along the normal, in pixels
+    QPointF m_arrow; // vector in pixels from the handle along the normal
     QRectF m_bounds;
     bool m_isHovered = false;
     bool m_isPressed = false;

@@ -10,7 +10,8 @@ namespace view {
 
 namespace {
 
-constexpr double minSine = 0.14; // of 8°: below, a line of sight says little of where on the line it is
+// Sin 8°, below which a line of sight hardly determines the position along the line.
+constexpr double minSine = 0.14;
 
 // Parameter on the line through the centre at which the line of sight through a pixel comes closest.
 double closest(const attractor::OrbitCamera& camera, const SlicePlane& plane, const ifs::Vector<2>& pixel) {
@@ -38,7 +39,7 @@ SlicePlane slicePlane(const attractor::SpaceClip& clip, const std::vector<ifs::V
                           : std::isfinite(clip.lowest) ? clip.lowest
                                                        : clip.highest;
     plane.centre = middle + plane.normal * (offset / length - plane.normal.dot(middle));
-    int least = 0; // the axis that is farthest from the normal
+    int least = 0; // axis farthest from the normal
     plane.normal.cwiseAbs().minCoeff(&least);
     const ifs::Vector<3> side = plane.normal.cross(ifs::Vector<3>::Unit(least)).normalized() * reach;
     const ifs::Vector<3> other = plane.normal.cross(side);

@@ -13,8 +13,8 @@ namespace view {
 // The plane by which a clip is held: the middle of a slice, the border of a half-space.
 struct SlicePlane {
     ifs::Vector<3> centre = ifs::Vector<3>::Zero();
-    ifs::Vector<3> normal = ifs::Vector<3>::UnitX(); // a unit vector
-    std::array<ifs::Vector<3>, 4> corners;           // of a square around the centre
+    ifs::Vector<3> normal = ifs::Vector<3>::UnitX(); // unit length
+    std::array<ifs::Vector<3>, 4> corners;           // corners of a square around the centre
 };
 
 // A plane as large as the sliced object: about the centre of these points, with their reach. At least one

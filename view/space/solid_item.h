@@ -15,7 +15,7 @@ class SolidItem : public OverlayItem {
 public:
     void setFrame(std::shared_ptr<const attractor::SolidFrame> frame);
     void setView(const QSizeF& size, double devicePixelRatio); // device-independent pixels
-    QImage picture() const;                                    // null before one
+    QImage picture() const;                                    // null before the first frame
 
     QRectF boundingRect() const override { return {QPointF(), m_size}; }
     void paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidget*) override;

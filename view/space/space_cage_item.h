@@ -35,15 +35,15 @@ public:
     std::optional<std::size_t> faceAt(const QPointF& position) const;
     const std::vector<int>& face(std::size_t index) const { return m_faces[index].corners; }
     QPointF faceHandle(std::size_t index) const { return m_faces[index].middle; }
-    void setFaceMark(std::optional<std::size_t> face); // hovered or held
+    void setFaceMark(std::optional<std::size_t> face); // hovered or held face
     void setFacesHeld(bool held) { m_holdsFaces = held; }
     QPointF handle(std::size_t vertex) const { return m_points[qsizetype(vertex)]; }
     const QPolygonF& handles() const { return m_points; }
     std::size_t count() const { return m_handles.size(); }
     const std::vector<ifs::Vector<3>>& vertices() const { return m_vertices; }
 
-    void setHandlesVisible(bool visible); // else the edges alone
-    void setFill(const QColor& fill);     // of its faces towards the eye; invalid: none
+    void setHandlesVisible(bool visible); // false: edges alone
+    void setFill(const QColor& fill);     // colour of the faces towards the eye; invalid: none
     QColor fill() const { return m_fill; }
 
     void setStyle(const OverlayStyle& style) override;

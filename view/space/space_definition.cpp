@@ -11,8 +11,8 @@ namespace view {
 
 namespace {
 
-constexpr double apart = 4;      // pixels; a double click is not two corners
-constexpr double steepest = 0.1; // the least sine of the angle between plane and line of sight
+constexpr double apart = 4;      // pixels; prevents a double click from setting two corners
+constexpr double steepest = 0.1; // least sine of the angle between plane and line of sight
 
 } // namespace
 

@@ -28,12 +28,12 @@ public:
     // nothing.
     std::optional<ifs::Simplex<3>> click(const attractor::OrbitCamera& camera, const ifs::Vector<2>& pixel);
     void follow(const attractor::OrbitCamera& camera,
-                const ifs::Vector<2>& pixel); // the vertex of the next click
+                const ifs::Vector<2>& pixel); // vertex that a click would set
     bool hasBegun() const { return !m_points.empty(); }
     bool isLifting() const { return m_points.size() == 3; }
-    void lift(double share); // farther towards the eye, in heights of the regular tetrahedron
-    bool takeBack();         // the last point; false when there is none
-    QString prompt() const;  // for the next click; empty while it is not active
+    void lift(double share); // distance towards the eye, in heights of the regular tetrahedron
+    bool takeBack();         // removes the last point; false if there is none
+    QString prompt() const;  // text for the next click; empty while inactive
 
 private:
     std::optional<ifs::Vector<3>> pointAt(const attractor::OrbitCamera& camera,
@@ -44,9 +44,9 @@ private:
     SpaceOutlinesItem& m_lines;
     std::vector<ifs::Vector<3>> m_points;
     std::optional<ifs::Vector<3>> m_next;
-    ifs::Vector<3> m_origin = ifs::Vector<3>::Zero(); // of the plane
+    ifs::Vector<3> m_origin = ifs::Vector<3>::Zero(); // origin of the plane
     ifs::Vector<3> m_normal = ifs::Vector<3>::UnitZ();
-    double m_lift = 1; // of the fourth point, in heights of the regular tetrahedron
+    double m_lift = 1; // height of the fourth point, in heights of the regular tetrahedron
     bool m_isActive = false;
 };
 

@@ -29,7 +29,7 @@ constexpr double pixelsPerKey = 20;
 constexpr double clickReach = 4;  // pixels that a click may move
 constexpr double shiftReach = 6;  // pixels of motion by which Shift chooses an axis
 constexpr double knobReach = 11;  // pixels around the handle of a symmetry
-constexpr double pushPixels = 20; // by one notch of the wheel
+constexpr double pushPixels = 20; // pixels for one notch of the wheel
 
 // X, Y or Z of a drag; with Ctrl they are shortcuts of the window.
 bool isAxisKey(const QKeyEvent& event) {
@@ -69,7 +69,7 @@ bool SpaceInput::pressed(Qt::MouseButton button) {
     } else if (m_isEnabled && m_definition.isActive()) {
         define();
     } else if (m_isEnabled && pressHandle()) {
-        // it is held now
+        // Already held.
     } else if (arrowUnder()) {
         m_navigation.fit();
     } else if (isOnSymmetry()) {
@@ -113,7 +113,7 @@ bool SpaceInput::pressHandle() {
         handles = held().handlesAt(position);
     }
     if (handles.empty()) return false;
-    // Tab has chosen one of two.
+    // True for a handle chosen with Tab among two.
     const bool isChosen = m_focused && std::ranges::find(handles, *m_focused) != handles.end();
     beginDrag(isChosen ? *m_focused : handles.front());
     return true;
@@ -232,7 +232,7 @@ void SpaceInput::moved() {
     if (auto* orbiting = std::get_if<Orbiting>(&m_gesture)) {
         follow(*orbiting);
     } else if (!isIdle() && !m_session.isOpen()) {
-        cancelDrag(); // undo has ended it
+        cancelDrag(); // ended by undo
     } else if (auto* dragging = std::get_if<Dragging>(&m_gesture)) {
         follow(*dragging);
     } else if (const auto* slicing = std::get_if<Slicing>(&m_gesture)) {
@@ -302,7 +302,7 @@ void SpaceInput::follow(const Slicing& slicing) {
 void SpaceInput::follow(Dragging& dragging) {
     if (!m_session.isDrag(pointer().position)) return;
     SpatialDrag& drag = dragging.drag;
-    // An axis that was chosen by its key stays: Ctrl may belong to a shortcut.
+    // False for an axis chosen by its key, since Ctrl may belong to a shortcut.
     const bool canTurn = dragging.part == Part::Vertex &&
                          (dragging.isLockedByShift || dragging.lock.kind == AxisLock::Kind::View);
     if (const auto mode = m_session.turnedInto(dragMode(pointer().modifiers), drag.mode); mode && canTurn) {
@@ -334,7 +334,7 @@ void SpaceInput::preview(Dragging& dragging) {
     const bool hasMoved = vertices != dragging.drag.vertices;
     if (!hasMoved) emit stopped({});
     m_session.gesture().preview(hasMoved ? dragging.after(vertices)
-                                         : m_session.gesture().before()); // where it began, to the bit
+                                         : m_session.gesture().before()); // initial state, bit for bit
     if (m_branch.isActive()) m_branch.choice()->showDragged(hasMoved);
     if (!m_session.isRunning()) report(dragging);
 }
@@ -433,9 +433,9 @@ bool SpaceInput::keyPressed(const QKeyEvent& event) {
     if (lockBy(event) || mapsKeyPress(event) || (isIdle() && m_branch.keyPress(event))) return true;
     if (way.isNull() || !isIdle()) return false;
     m_session.keepRun(event);
-    // On the ball, Shift alone makes the keys turn the view.
+    // Shift alone turns the view on the ball.
     const QPointF by = way * (m_ballFocus.isHere() ? 1 : nudgePace(event.modifiers()));
-    if (m_focused && *m_focused < held().vertices().size()) { // a branch that was let go has none
+    if (m_focused && *m_focused < held().vertices().size()) { // not so for a released branch
         nudge(by);
     } else if (m_navigation.isFixed()) {
         m_navigation.moveTo(attractor::panned(m_navigation.camera(), -pixelsPerKey * toVector(by)));
@@ -513,10 +513,10 @@ bool SpaceInput::moveFocus(bool next) {
     const std::size_t count = m_isEnabled ? held().count() : 0;
     const auto map = m_maps.selected();
     if (next && map && m_focused && *m_focused + 1 == count && *map + 1 < m_maps.count()) {
-        m_maps.select(*map + 1); // and its first corner
+        m_maps.select(*map + 1); // also its first corner
         showSelected();
     }
-    const std::size_t stops = count + (m_ballFocus.canTake() ? 1 : 0); // the ball is the last
+    const std::size_t stops = count + (m_ballFocus.canTake() ? 1 : 0); // last stop: the ball
     const std::optional<std::size_t> from = m_ballFocus.isHere() ? count : m_focused;
     const std::size_t stop = from ? (next ? *from + 1 : *from - 1) : (next ? 0 : stops - 1);
     m_focused = stop < count ? std::optional(stop) : std::nullopt;
@@ -578,7 +578,7 @@ void SpaceInput::reportDirection() {
 void SpaceInput::report(const Dragging& dragging) {
     if (held().vertices().empty()) return;
     SpacePosition at;
-    at.world = ifs::Vector<3>::Zero(); // of a face, its middle
+    at.world = ifs::Vector<3>::Zero(); // middle of a face
     const std::vector<int>& together = dragging.drag.together;
     if (dragging.part == Part::Symmetry)
         at.world = displayedCentre(m_document->fractal()).value_or(at.world);

@@ -32,7 +32,7 @@ public:
         SpaceCageItem& cage;
         SpaceMaps& maps;
         SpaceBranch& branch;
-        SpaceCageItem& map; // the one that is held, or the branch
+        SpaceCageItem& map; // held map, or the branch
         SpaceDefinition& definition;
         SliceItem& slice;
         SymmetryItem& symmetry;
@@ -41,27 +41,27 @@ public:
     };
     SpaceInput(document::Document* document, SpaceNavigation& navigation, const Items& items);
 
-    void reportAgain() { // when the camera or the picture under the pointer is another one
+    void reportAgain() { // called when the camera or the picture under the pointer has changed
         if (m_isPointRead && isIdle()) report(pointer().position);
     }
     bool needsKey(const QKeyEvent& event) const override;
     void cancelDrag() override;
-    bool moveFocus(bool next);     // to the next or previous vertex; after the last, the ball; false past it
-    void forgetFocus();            // when another entry is shown
-    void setEnabled(bool enabled); // handles and ball can be held
+    bool moveFocus(bool next);     // next or previous vertex, then the ball; false at the end
+    void forgetFocus();            // called when another entry is shown
+    void setEnabled(bool enabled); // false: handles and ball cannot be held
     // A drag of a map stops where the attractor would be lost, unless this is allowed.
     void setAllowsNoAttractor(bool allows) { m_allowsNoAttractor = allows; }
 
     std::optional<std::size_t> focusedVertex() const { return m_focused; }
-    void showMarks(bool hasFocus); // on the items, as things are
+    void showMarks(bool hasFocus); // updates the marks on the items
 
 signals:
     void pointerMoved(const view::SpacePosition& position);
-    void mapSelected();                          // another one is held
-    void stopped(const QString& why);            // a drag; empty: it goes on, or has ended
-    void defined();                              // a tetrahedron, or given up
-    void prompted();                             // the next click has another meaning
-    void menuRequested(const QPointF& position); // by a click of the right button
+    void mapSelected();               // sent when another map is held
+    void stopped(const QString& why); // reason why a drag stops; empty: it continues or has ended
+    void defined();                   // sent when a tetrahedron is defined or the definition is cancelled
+    void prompted();                  // sent when the next click has another effect
+    void menuRequested(const QPointF& position); // sent for clicks of the right button
 
 protected:
     bool pressed(Qt::MouseButton button) override;
@@ -73,14 +73,14 @@ protected:
     bool wheelTurned(const QWheelEvent& event) override;
     bool keyPressed(const QKeyEvent& event) override;
     bool keyReleased(const QKeyEvent& event) override { return m_session.releaseRun(event); }
-    bool cancelled() override; // a definition, too
+    bool cancelled() override; // also cancels a definition
     QCursor cursorOver() const override;
 
 private:
     struct Orbiting {
         attractor::OrbitCamera before;
         ifs::Vector<3> pivot;
-        std::optional<AxisBall::End> end; // pressed on the ball: a click looks along it
+        std::optional<AxisBall::End> end; // end pressed on the ball: a click looks along it
         Qt::MouseButton button;
         bool hasMoved = false;
     };
@@ -91,7 +91,7 @@ private:
     using After = std::function<document::Fractal(const std::vector<ifs::Vector<3>>&)>;
     enum class Part { Vertex, Face, Symmetry };
     struct Dragging {
-        After after; // the fractal with the vertices there
+        After after; // fractal with the given vertices
         SpatialDrag drag;
         Part part = Part::Vertex;
         Pull pull{};
@@ -103,25 +103,25 @@ private:
     bool isOnBall() const {
         return m_isEnabled && !m_navigation.isFixed() && m_ball.covers(pointer().position) && !isOnHandle();
     }
-    bool isOnHandle() const; // a corner of the cage or of a map
+    bool isOnHandle() const; // true over a corner of the cage or of a map
     void beginOrbit(Qt::MouseButton button);
-    bool pressHandle(); // false: there is none
+    bool pressHandle(); // false if there is no handle
     void beginDrag(std::size_t vertex);
-    void begin(Dragging dragging, const QString& step); // at the press
+    void begin(Dragging dragging, const QString& step); // called at the press
     QString stepText(SpatialDrag::Mode mode, std::size_t vertex) const;
     void beginFaceDrag(std::size_t face);
-    After afterCage(); // nullptr while there is no cage, or, which is said, while it cannot move
+    After afterCage(); // null if there is no cage or, with a message, if the cage cannot move
     // The held object: the cage, the selected maps or a branch. nullopt, with a message, while it cannot
     // move.
     struct Subject {
-        std::vector<ifs::Vector<3>> vertices; // of several maps, those of the held one first
+        std::vector<ifs::Vector<3>> vertices; // vertices; of several maps, those of the held map first
         After after;
     };
     std::optional<Subject> subject();
     void showSelected();
     bool mapsKeyPress(const QKeyEvent& event);
-    bool holdsMap() const { return m_maps.isActive() || m_branch.isActive(); } // or a branch
-    std::optional<BorderArrow> arrowUnder() const;                             // to a corner outside the view
+    bool holdsMap() const { return m_maps.isActive() || m_branch.isActive(); } // also true for a branch
+    std::optional<BorderArrow> arrowUnder() const; // arrow to a corner outside the view
     void markArrow();
     SpaceCageItem& held() const { return holdsMap() ? m_map : m_cage; }
     void settle();
@@ -154,12 +154,12 @@ private:
     BorderArrowsItem& m_arrows;
     AxisBallFocus m_ballFocus;
     std::variant<std::monostate, Orbiting, Dragging, Slicing> m_gesture;
-    DragSession m_session;      // of Dragging, Slicing and m_nudging
-    Dragging m_nudging;         // while an arrow key is held
-    bool m_isPointRead = false; // the last report is still under the pointer
+    DragSession m_session;      // session of Dragging, Slicing and m_nudging
+    Dragging m_nudging;         // state of a held arrow key
+    bool m_isPointRead = false; // true if the point reported last is still under the pointer
     std::optional<std::size_t> m_hovered;
     std::optional<std::size_t> m_focused;
-    std::optional<std::size_t> m_face; // hovered or held
+    std::optional<std::size_t> m_face; // hovered or held face
     bool m_allowsNoAttractor = false;
     bool m_isEnabled = true;
 };

@@ -46,12 +46,12 @@ public:
     std::optional<std::size_t> selected() const;
     // Holds a map, among others that are selected, or none; false when that is so already.
     bool select(std::optional<std::size_t> index, std::vector<ifs::MapId> among = {});
-    std::vector<std::size_t> selection() const; // with the map that is held
+    std::vector<std::size_t> selection() const; // includes the held map
     std::vector<ifs::MapId> selectedIds() const;
     // A click on a map that is not held. It holds one of several selected maps without giving up the others;
     // `adds` selects and holds one more, or gives one up.
     void pick(std::size_t index, bool adds);
-    bool selectIds(const std::vector<ifs::MapId>& ids); // and hold one of them; false: as before
+    bool selectIds(const std::vector<ifs::MapId>& ids); // also holds one of them; false if nothing changes
     // The map that has a corner there and is not held; of several the nearest to the eye.
     std::optional<std::size_t> mapAt(const QPointF& position) const;
 
@@ -65,7 +65,7 @@ public:
     QString stepText(DragMode mode, std::optional<std::size_t> corner) const;
 
 private:
-    std::vector<std::size_t> moving() const; // maps that a drag moves, the held one first
+    std::vector<std::size_t> moving() const; // maps that a drag moves, first the held one
 
     struct Dot {
         QPointF pixel;

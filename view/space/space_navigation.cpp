@@ -16,7 +16,7 @@ namespace view {
 namespace {
 
 constexpr double fitMargin = 0.09;
-constexpr double unitPixels = 100; // of one unit at 100 %
+constexpr double unitPixels = 100; // pixels of a unit at 100 %
 constexpr int glideTime = 200;     // milliseconds
 constexpr std::chrono::milliseconds fitPatience{12};
 constexpr attractor::Direction fromTheSide{30, 20};
@@ -195,7 +195,7 @@ void SpaceNavigation::setUpAxis(attractor::UpAxis up) {
 
 void SpaceNavigation::lookFrom(const attractor::Direction& direction) {
     m_isAlongAxis = true;
-    project(); // first: who hears of it may set the same projection, which is then no choice
+    project(); // first, because a listener may set the same projection, which is then no choice
     glideTo(attractor::turnedTo(m_camera, direction.azimuth, direction.elevation, m_up));
 }
 

@@ -20,7 +20,7 @@ namespace view {
 namespace directions {
 constexpr attractor::Direction front{0, 0}, back{180, 0}, right{90, 0}, left{-90, 0}, top{0, 90},
     bottom{0, -90};
-constexpr attractor::Direction isometric{45, 35.26438968275466}; // the diagonal of a cube is a point
+constexpr attractor::Direction isometric{45, 35.26438968275466}; // diagonal of a cube seen as a point
 } // namespace directions
 
 // The view of the window into space.
@@ -30,19 +30,19 @@ class SpaceNavigation : public ViewNavigation {
 public:
     SpaceNavigation(document::Document* document, SolidBridge* bridge, const QWidget* viewport);
 
-    const attractor::OrbitCamera& camera() const { return m_camera; } // in device-independent pixels
+    const attractor::OrbitCamera& camera() const { return m_camera; } // size in device-independent pixels
     double pixelRatio() const { return m_viewport->devicePixelRatioF(); }
     QPointF middle() const override { return {m_camera.size.width / 2.0, m_camera.size.height / 2.0}; }
 
     // Moves on behalf of the user: the view then stays when the window changes its size. `isMoving`: more
     // calls follow.
     void moveTo(const attractor::OrbitCamera& camera, bool isMoving = false);
-    void followKeys(attractor::OrbitCamera camera, bool isMoving); // whatever its size
-    void glideTo(const attractor::OrbitCamera& camera);            // within a moment
-    void fit() override;                                           // picture and cage into the view
+    void followKeys(attractor::OrbitCamera camera, bool isMoving); // ignores the size of `camera`
+    void glideTo(const attractor::OrbitCamera& camera);            // short animated move
+    void fit() override;                                           // fits picture and cage into the view
     bool isFitted() const override { return m_isFitted; }
     void zoomAt(const QPointF& position, double factor) override;
-    void resetZoom() override; // of a unit at the target
+    void resetZoom() override; // scale of a unit at the target
     void lookFrom(const attractor::Direction& direction);
     // Looks along an axis from that end, or from the other one if it does so already; returns the end used.
     AxisBall::End lookAlong(AxisBall::End end);
@@ -52,8 +52,8 @@ public:
     // Side by side, each eye has half of the window, with a camera of its own.
     void setStereo(attractor::Stereo stereo);
     attractor::Stereo stereo() const { return m_stereo; }
-    QPointF inEye(const QPointF& position) const; // of the window, as a pixel of the camera
-    void setTrackball(bool on);                   // off, the view is level again
+    QPointF inEye(const QPointF& position) const; // pixel of the eye's camera for a position in the window
+    void setTrackball(bool on);                   // false: also levels the view
     void setUpAxis(attractor::UpAxis up);
     attractor::UpAxis upAxis() const { return m_up; }
 
@@ -63,10 +63,12 @@ public:
 
     // A view along an axis is orthographic until one orbits.
     bool isPerspective() const;
-    void leaveAxisView(); // one orbits now
+    void leaveAxisView(); // called when an orbit begins
     void setPerspective(bool on);
-    bool isPerspectiveChosen() const { return m_isPerspectiveChosen; } // whatever is lent
-    void lendPerspective(bool on); // also along an axis, until it is taken back or the projection is chosen
+    // Choice of the user, regardless of lendPerspective().
+    bool isPerspectiveChosen() const { return m_isPerspectiveChosen; }
+    // Temporary perspective, even along an axis, until it is taken back or the user chooses the projection.
+    void lendPerspective(bool on);
 
     // The point of the attractor that is seen there; nullopt beside it.
     std::optional<ifs::Vector<3>> pointUnder(const QPointF& position) const;
@@ -94,7 +96,7 @@ private:
     void takeMotion(std::vector<ifs::Vector<3>> corners);
     void fitMotion();
     void choosePerspective(bool on);
-    void project(); // as it is chosen
+    void project(); // applies the chosen projection
 
     document::Document* m_document;
     SolidBridge* m_bridge;
@@ -107,12 +109,12 @@ private:
     bool m_isFixed = false;
     bool m_isPerspectiveChosen = false;
     bool m_isPerspectiveLent = false;
-    bool m_isAlongAxis = false; // and orthographic for as long
-    bool m_isFitted = true;     // follows the size of the window until the user moves the view
-    QFutureWatcher<std::vector<ifs::Vector<3>>> m_corners; // of what moves
+    bool m_isAlongAxis = false; // true also means an orthographic view
+    bool m_isFitted = true;     // true: follows the size of the window until the user moves the view
+    QFutureWatcher<std::vector<ifs::Vector<3>>> m_corners; // extent of the motion
     std::shared_ptr<const document::Fractal> m_sought, m_moving;
-    std::vector<ifs::Vector<3>> m_motion; // of m_moving; empty: nothing of it moves
-    animation::Moment m_fitted;           // so that a resized window shows it again, whichever is shown
+    std::vector<ifs::Vector<3>> m_motion; // extent of the motion of m_moving; empty: it does not move
+    animation::Moment m_fitted; // moment to fit again when the window is resized, whichever is shown
 };
 
 } // namespace view

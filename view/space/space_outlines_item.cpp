@@ -34,7 +34,8 @@ void SpaceOutlinesItem::layOut(const attractor::OrbitCamera& camera) {
 
 void SpaceOutlinesItem::setStyle(const OverlayStyle& style) {
     OverlayItem::setStyle(style);
-    m_style.halo.setAlpha(std::max(230, m_style.halo.alpha())); // thin coloured lines, over any picture
+    // Keeps thin coloured lines visible on any picture.
+    m_style.halo.setAlpha(std::max(230, m_style.halo.alpha()));
 }
 
 void SpaceOutlinesItem::paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidget*) {

@@ -15,7 +15,7 @@ namespace view {
 class SpaceOutlinesItem : public OverlayItem {
 public:
     void setShapes(std::vector<document::SpaceOutline> shapes);
-    void layOut(const attractor::OrbitCamera& camera); // in device-independent pixels
+    void layOut(const attractor::OrbitCamera& camera); // size in device-independent pixels
     void setStyle(const OverlayStyle& style) override;
 
     QRectF boundingRect() const override { return m_bounds; }
@@ -24,10 +24,10 @@ public:
 private:
     struct Seen {
         std::vector<QLineF> edges;
-        std::vector<QPointF> points; // of a shape without edges
+        std::vector<QPointF> points; // points of a shape without edges
     };
     std::vector<document::SpaceOutline> m_shapes;
-    std::vector<Seen> m_seen; // for every shape
+    std::vector<Seen> m_seen; // one for each shape
     attractor::OrbitCamera m_camera;
     QRectF m_bounds;
 };

@@ -17,14 +17,14 @@ namespace view {
 // The point under the pointer in space.
 struct SpacePosition {
     ifs::Vector<3> world = ifs::Vector<3>::Zero();
-    double depth = 0;         // along the view away from the eye, 0 in the plane of the target
-    double unitsPerPixel = 1; // in the plane of the target
-    bool onAttractor = false; // else in the plane of the target
+    double depth = 0;         // distance along the view away from the eye; 0 in the plane of the target
+    double unitsPerPixel = 1; // scale in the plane of the target
+    bool onAttractor = false; // false: in the plane of the target
     // Coordinates with respect to the current tetrahedron; nullopt while it is flat.
     std::optional<ifs::Barycentric<3>> barycentric;
-    ifs::Word address; // of the point of the attractor, outermost map first; empty where it has none
-    AxisLock lock;     // of the corner that is dragged
-    std::optional<attractor::Direction> direction; // of the camera, while it turns about `world`
+    ifs::Word address; // address of the point of the attractor, outermost map first; empty: none
+    AxisLock lock;     // lock of the dragged corner
+    std::optional<attractor::Direction> direction; // direction of the camera while it turns about `world`
 };
 
 // The point at a pixel of the view, with respect to a tetrahedron of these vertices, if it is one.

@@ -13,8 +13,8 @@ namespace view {
 
 namespace {
 
-constexpr double reach = 110; // half of a line, pixels in the plane of the target
-const QPointF aside(30, -30); // from the centre to its handle
+constexpr double reach = 110; // pixels in the plane of the target; half of a line
+const QPointF aside(30, -30); // offset of the handle from the centre
 
 // nullopt: there is no symmetry, or the cage bends.
 std::optional<ifs::AffineMap<3>> placementOf(const document::Fractal& fractal) {
@@ -73,7 +73,7 @@ std::optional<SymmetryMarks> symmetryLayout(const document::Fractal& fractal,
     marks.knob = marks.centre + aside;
     for (const ifs::Vector<3>& line : linesOf(symmetry)) {
         const ifs::Vector<3> along = placement->linear * line;
-        if (!(along.norm() > 0)) continue; // the cage is flat
+        if (!(along.norm() > 0)) continue; // flat cage
         const ifs::Vector<3> half = along.normalized() * (reach / pixelsPerUnit(camera));
         if (const auto seen = seenLine(camera, centre - half, centre + half)) marks.mirrors.push_back(*seen);
     }

@@ -67,7 +67,7 @@ SpaceView::SpaceView(document::Document* document, SolidBridge* bridge, QWidget*
                *m_arrows}),
       m_around(cornersOfCut(document->fractal())),
       m_orbit(document->orbit()) {
-    showScene(new QGraphicsScene(this)); // owns the items
+    showScene(new QGraphicsScene(this)); // owner of the items
     setCage(document::knownSpaceCage(document->fractal()));
     m_isExtentKnown = document::isSpaceExtentKnown(document->fractal());
     for (OverlayItem* item : std::initializer_list<OverlayItem*>{
@@ -80,7 +80,7 @@ SpaceView::SpaceView(document::Document* document, SolidBridge* bridge, QWidget*
     connect(bridge, &SolidBridge::frameChanged, this, [this] {
         m_solid->setFrame(m_bridge->frame());
         if (m_bridge->isCurrent()) {
-            layOut(); // which handles are hidden is known now
+            layOut(); // updates hidden handles
             m_input.reportAgain();
         }
         showNote();
@@ -118,7 +118,7 @@ void SpaceView::setCage(const std::optional<ifs::ControlCage<3>>& cage) {
 }
 
 void SpaceView::showNote() {
-    // Only the view concerned speaks: the others would say the same.
+    // True in views whose message the main view shows.
     const bool isSpokenFor = isFixed() && !m_definition.hasBegun();
     const auto frame = m_bridge->frame();
     const auto note = [&] {
@@ -126,11 +126,11 @@ void SpaceView::showNote() {
         const document::Fractal& fractal = m_document->fractal();
         const QString found =
             noteInSpace(fractal, frame ? frame->note : attractor::RenderNote::None, frame && frame->isCoarse);
-        const bool isCut = fractal.inSpace.clip.has_value(); // which no view brings back
+        const bool isCut = fractal.inSpace.clip.has_value(); // a cut, which no change of the view undoes
         return found.isEmpty() && !isCut && frame && showsNothing(*frame) ? nothingHere() : found;
     };
     const bool defines = m_definition.isActive();
-    const bool isSilent = isSpokenFor || !areOverlaysShown(); // where a click would do nothing
+    const bool isSilent = isSpokenFor || !areOverlaysShown(); // true if a click would have no effect
     QString said = !defines ? m_stop : isSilent ? QString() : m_definition.prompt();
     if (said.isEmpty()) said = note();
     if (said.isEmpty() && !defines && !isSpokenFor) said = m_branch.prompt();
@@ -139,7 +139,8 @@ void SpaceView::showNote() {
 }
 
 void SpaceView::setTarget(Target target) {
-    m_definition.setActive(false); // before what is held is let go: it is not given up by hand
+    // Before the release of held parts, so that it does not count as cancelled by the user.
+    m_definition.setActive(false);
     m_input.forgetFocus();
     m_maps.setActive(target == Target::Maps);
     m_branch.setActive(target == Target::Branch);
@@ -175,7 +176,7 @@ void SpaceView::fixDirection(const attractor::Direction& direction, const QStrin
 }
 
 SpaceView::~SpaceView() {
-    m_input.cancelDrag(); // while there is something to show it
+    m_input.cancelDrag(); // before the view is emptied
 }
 
 void SpaceView::setUpWidget() {
@@ -238,7 +239,7 @@ void SpaceView::followFractal(const document::Change& change) {
     const bool isAnother = change.parts & (Change::Current | Change::File);
     const auto cage = document::knownSpaceCage(m_document->fractal());
     const bool isKnown = document::isSpaceExtentKnown(m_document->fractal());
-    const bool isFound = !std::exchange(m_isExtentKnown, isKnown) && isKnown; // in the background
+    const bool isFound = !std::exchange(m_isExtentKnown, isKnown) && isKnown; // found in the background
     if (cage || isAnother || !document::space(m_document->fractal())) setCage(cage);
     if (!change.live) m_around = cornersOfCut(m_document->fractal());
     if (isAnother) m_input.forgetFocus();
@@ -278,7 +279,8 @@ void SpaceView::setOverlaysVisible(bool visible) {
 void SpaceView::setStereo(attractor::Stereo stereo) {
     m_navigation.setStereo(stereo);
     m_input.setEnabled(areOverlaysShown());
-    if (!areOverlaysShown()) m_input.cancelGesture(); // a definition, whose corners could not be clicked
+    // Cancels a definition, whose corners could not be clicked.
+    if (!areOverlaysShown()) m_input.cancelGesture();
     layOut();
 }
 
@@ -314,12 +316,12 @@ void SpaceView::layOut() {
     m_arrows->setVisible(isShown && !holdsMap() && !m_definition.isActive());
     m_mapOutlines->setVisible(isShown && holdsMap());
     m_mapItem->setVisible(isShown && holdsMap());
-    if (!isShown) return refreshMarks(); // what is hidden has no focus
+    if (!isShown) return refreshMarks(); // hidden parts have no focus
     m_outlines->layOut(camera);
     layOutSlice();
     m_symmetry->setMarks(symmetryLayout(m_document->fractal(), camera));
     const auto frame = m_bridge->isCurrent() ? m_bridge->frame() : nullptr;
-    const double touching = 3 / pixelsPerUnit(camera); // a vertex on the surface is not behind it
+    const double touching = 3 / pixelsPerUnit(camera); // tolerance for vertices on the surface
     const auto isHidden = [&](const attractor::ScreenPoint& seen) {
         return frame && depthAt(*frame, seen.pixel * ratio) < seen.depth - touching;
     };
@@ -379,7 +381,8 @@ void SpaceView::begin() {
 }
 
 void SpaceView::contextMenuEvent(QContextMenuEvent* event) {
-    // The mouse opens the menu by a click of the right button that does not turn the view.
+    // Opens the menu for keys only; the mouse opens it by a click of the right button that does not turn the
+    // view.
     if (event->reason() != QContextMenuEvent::Mouse) showMenu(mapToGlobal(rect().center()));
     event->accept();
 }

@@ -28,30 +28,31 @@ public:
     // tetrahedron.
     enum class Target { Cage, Maps, Branch, Definition };
     void setTarget(Target target);
-    void setBranchChoice(BranchChoice* choice); // which branch; without one, none can be chosen
-    void setStereo(attractor::Stereo stereo);   // side by side, nothing is held on the canvas
-    std::optional<std::size_t> heldMap() const { return m_maps.selected(); } // while it holds maps
+    void setBranchChoice(BranchChoice* choice); // source of the chosen branch; null: none can be chosen
+    void setStereo(attractor::Stereo stereo); // stereo mode; side by side, nothing on the canvas can be held
+    // Nullopt unless maps can be held.
+    std::optional<std::size_t> heldMap() const { return m_maps.selected(); }
     // Or none; `among`: others that are selected.
     void holdMap(std::optional<std::size_t> index, std::vector<ifs::MapId> among = {});
-    std::vector<std::size_t> selectedMaps() const { return m_maps.selection(); } // with the held one
+    std::vector<std::size_t> selectedMaps() const { return m_maps.selection(); } // includes the held map
     std::vector<ifs::MapId> selectedIds() const { return m_maps.selectedIds(); }
     void setAllowsNoAttractor(bool allows) { m_input.setAllowsNoAttractor(allows); }
     // Fixes the direction of view, under that title; a drag where nothing is held pans.
     void fixDirection(const attractor::Direction& direction, const QString& title);
-    const SpaceCageItem& mapItem() const { return *m_mapItem; } // the map, or the branch, that is held
-    QImage picture() const { return m_solid->picture(); }       // in device pixels; null before one
+    const SpaceCageItem& mapItem() const { return *m_mapItem; } // held map or branch
+    QImage picture() const { return m_solid->picture(); }       // device pixels; null before the first frame
     void showOutlines(std::vector<document::SpaceOutline> shapes);
     const SpaceCageItem& cageItem() const { return *m_cageItem; }
     const SliceItem& sliceItem() const { return *m_slice; }
     const SymmetryItem& symmetryItem() const { return *m_symmetry; }
     const AxisBall& ball() const { return *m_ball; }
-    QString note() const; // about the picture, if there is one
+    QString note() const; // remark on the picture, if any
 
 signals:
     void pointerMoved(const view::SpacePosition& position);
-    void defined();                  // a tetrahedron, or given up
-    void mapHeld(std::size_t index); // by the user, perhaps among others
-    void mapsSelected();             // elsewhere
+    void defined();                  // sent when a tetrahedron is defined or the definition is cancelled
+    void mapHeld(std::size_t index); // sent for holds by the user, possibly with other maps selected
+    void mapsSelected();             // sent for selections made elsewhere
 
 protected:
     ViewportInput& input() override { return m_input; }
@@ -67,11 +68,11 @@ private:
     void followDocument(const document::Change& change);
     void followFractal(const document::Change& change);
     void followCamera(const document::Change& change);
-    void lookAsKeyed(bool isMoving); // has no effect without keys of the camera
+    void lookAsKeyed(bool isMoving); // no effect without keys of the camera
     void layOut();
     void layOutSlice();
     bool areOverlaysShown() const;
-    bool holdsMap() const { return m_maps.isActive() || m_branch.isActive(); } // or a branch
+    bool holdsMap() const { return m_maps.isActive() || m_branch.isActive(); } // also true for a branch
     void showNote();
     void setCage(const std::optional<ifs::ControlCage<3>>& cage);
     void refreshMarks();
@@ -100,11 +101,11 @@ private:
     SpaceBranch m_branch;
     SpaceDefinition m_definition;
     SpaceInput m_input;
-    std::optional<ifs::ControlCage<3>> m_cage;  // in force; nullopt while the entry is not in space
-    SpaceCageItem::Faces m_faces;               // of the cage
-    std::vector<ifs::Vector<3>> m_around;       // corners of the box of what is cut
-    QString m_stop;                             // why a drag goes no farther
-    std::vector<animation::CameraTurn> m_orbit; // of the document's camera
+    std::optional<ifs::ControlCage<3>> m_cage;  // present cage; nullopt if the entry is not in space
+    SpaceCageItem::Faces m_faces;               // faces of the cage
+    std::vector<ifs::Vector<3>> m_around;       // corners of the box around the sliced set
+    QString m_stop;                             // reason why a drag stops
+    std::vector<animation::CameraTurn> m_orbit; // orbit of the document's camera
     bool m_overlays = true;
     bool m_isExtentKnown = false;
 };

@@ -29,7 +29,7 @@ Vector<3> awayFromEye(const OrbitCamera& camera) {
 
 // Moves in the plane through `start` that is parallel to the screen.
 Vector<3> acrossView(const OrbitCamera& camera, const Vector<3>& start, const Vector<2>& motion) {
-    if (motion.isZero(0)) return start; // to the bit
+    if (motion.isZero(0)) return start; // bit for bit
     attractor::ScreenPoint seen = toScreen(camera, start);
     const Vector<3> from = toWorld(camera, seen);
     seen.pixel += motion;
@@ -56,7 +56,7 @@ Vector<3> alongAxis(const OrbitCamera& camera, const Vector<3>& start, const Vec
     if (direction.cross(pressed).norm() < minSlope) {
         const Vector<2> shown = onScreen(camera, start, direction);
         const double scale = pixelsPerUnit(camera);
-        if (!(shown.norm() > 1e-9 * scale)) return start; // it is seen as a point
+        if (!(shown.norm() > 1e-9 * scale)) return start; // seen as a point
         return start + motion.dot(shown) / (shown.norm() * scale) * direction;
     }
     const attractor::Ray ray = sight(camera, start, motion);
@@ -121,7 +121,7 @@ SpatialDrag faceDrag(std::vector<Vector<3>> vertices, const std::vector<int>& co
     Vector<3> middle = Vector<3>::Zero();
     for (const int corner : corners)
         middle += drag.vertices[std::size_t(corner)] / double(corners.size());
-    Vector<3> normal = Vector<3>::Zero(); // of a face that is not plane, the mean one
+    Vector<3> normal = Vector<3>::Zero(); // mean normal, for faces that are not plane
     for (std::size_t k = 0; k < corners.size(); ++k) {
         const auto spoke = [&](std::size_t i) {
             return Vector<3>(drag.vertices[std::size_t(corners[i % corners.size()])] - middle);
@@ -145,7 +145,8 @@ std::vector<Vector<3>> dragged(const SpatialDrag& drag, const Pull& pull, const 
     if (pull.pointer == drag.press) return result;
     const Vector<3> middle = middleOf(drag.vertices);
     Vector<2> centre = toScreen(drag.camera, middle).pixel;
-    if ((drag.press - centre).norm() < minLever) centre.x() = drag.press.x() - lever; // no pixel is a leap
+    // Limits the effect of a pixel.
+    if ((drag.press - centre).norm() < minLever) centre.x() = drag.press.x() - lever;
     const auto spoke = [&](const Vector<2>& pixel) {
         return std::complex<double>(pixel.x() - centre.x(), centre.y() - pixel.y()); // y up
     };

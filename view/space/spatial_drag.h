@@ -12,10 +12,10 @@ namespace view {
 // Constraint of the motion of a vertex in space. Axes count from 0.
 struct AxisLock {
     enum class Kind {
-        View,   // free, in the plane through it that is parallel to the screen
+        View,   // free, in the plane through the point that is parallel to the screen
         Axis,   // along this axis
-        Plane,  // in the plane to which this axis is normal
-        Normal, // along SpatialDrag::normal
+        Plane,  // plane normal to this axis
+        Normal, // line along SpatialDrag::normal
     };
     Kind kind = Kind::View;
     int axis = 0;
@@ -32,8 +32,8 @@ struct SpatialDrag {
     attractor::OrbitCamera camera;
     std::vector<ifs::Vector<3>> vertices;
     std::size_t held = 0;
-    std::vector<int> together;                       // vertices that move as the one that is held does
-    ifs::Vector<3> normal = ifs::Vector<3>::UnitZ(); // unit
+    std::vector<int> together;                       // vertices that move together with the held one
+    ifs::Vector<3> normal = ifs::Vector<3>::UnitZ(); // unit length
     ifs::Vector<2> press = ifs::Vector<2>::Zero();   // pixel
     Mode mode = Mode::Move;
 };
@@ -43,7 +43,7 @@ SpatialDrag faceDrag(std::vector<ifs::Vector<3>> vertices, const std::vector<int
 
 struct Pull {
     ifs::Vector<2> pointer = ifs::Vector<2>::Zero(); // pixel
-    double away = 0;                                 // pushed from the eye, in units of space
+    double away = 0;                                 // distance pushed from the eye, in units of space
 };
 
 // The vertices with the pointer there. Equal to drag.vertices where it was pressed.

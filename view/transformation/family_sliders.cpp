@@ -65,7 +65,7 @@ void FamilySliders::follow() {
         m_rows[k].slider->setVisible(isUsed);
         if (!isUsed) continue;
         m_rows[k].name->setText(values->size() == 3 ? ofTriangle[k] : ofSquare[k]);
-        // Found from the coefficients, and off by their rounding.
+        // Rounded, because the values are computed from coefficients.
         m_rows[k].slider->setValue(QString::number((*values)[k], 'g', 15).toDouble());
     }
 }

@@ -18,7 +18,7 @@ namespace view {
 namespace {
 
 constexpr std::size_t maxListed = 256;
-constexpr int letters = 7; // wide
+constexpr int letters = 7; // width in letters
 
 QIcon swatch(const attractor::Rgba& colour, int side) {
     QPixmap pixmap(side, side);
@@ -31,7 +31,7 @@ std::vector<std::size_t> activeIndices(const document::Fractal& fractal) {
     if (system == nullptr) return {};
     std::vector<std::size_t> indices = ifs::activeMaps(*system).index;
     indices.erase(std::unique(indices.begin(), indices.end()),
-                  indices.end()); // copies under a symmetry go together
+                  indices.end()); // keeps copies under a symmetry together
     return indices;
 }
 
@@ -74,7 +74,7 @@ MapOrder::MapOrder(QWidget* parent) : QWidget(parent), m_list(new QListWidget(th
     connect(m_down, &QToolButton::clicked, this, [this] { move(1); });
     connect(m_reset, &QToolButton::clicked, this, [this] { emit ordered({}); });
     connect(m_list, &QListWidget::currentRowChanged, this, &MapOrder::updateButtons);
-    // Reports after the drop, when the list is filled anew.
+    // Queued until after the drop, because the list will be refilled.
     connect(m_list->model(), &QAbstractItemModel::rowsMoved, this, &MapOrder::report, Qt::QueuedConnection);
     m_reset->setEnabled(false);
     updateButtons();
@@ -87,7 +87,7 @@ void MapOrder::show(const document::Fractal& fractal, const std::vector<std::siz
     const int row = m_list->currentRow();
     const QSignalBlocker quiet(m_list);
     m_list->clear();
-    if (m_maps.size() > maxListed) return updateButtons(); // more than anybody puts in order by hand
+    if (m_maps.size() > maxListed) return updateButtons(); // too many to be sorted by hand
     for (const std::size_t map : isEach ? order : m_maps) {
         const auto& maps = document::system2(fractal)->maps;
         auto* item = new QListWidgetItem(

@@ -25,7 +25,8 @@ public:
     void show(const document::Fractal& fractal, const std::vector<std::size_t>& order);
 
 signals:
-    void ordered(const std::vector<std::size_t>& order); // by the user; empty: as they are
+    // Sent for changes by the user; empty: original order.
+    void ordered(const std::vector<std::size_t>& order);
 
 private:
     void move(int by);
@@ -36,7 +37,7 @@ private:
     QToolButton* m_up;
     QToolButton* m_down;
     QToolButton* m_reset;
-    std::vector<std::size_t> m_maps; // active, as they are
+    std::vector<std::size_t> m_maps; // active maps in their original order
 };
 
 } // namespace view

@@ -27,12 +27,12 @@ public:
     ~PictureSource() override;
 
     void draw(attractor::Pattern pattern);
-    void read(const QString& path); // absolute
+    void read(const QString& path); // absolute path
     // The same of what a file in the folder names: foreign(), and nothing is read, where it is foreign.
     void readNamed(const QString& folder, const QString& path);
-    void decode(const QByteArray& file); // of a picture
+    void decode(const QByteArray& file); // bytes of a picture file
     void forget();
-    const QString& wish() const { return m_wish; } // the path from the root, or wishFor() the rest
+    const QString& wish() const { return m_wish; } // absolute path, or wishFor() embedded pictures
     // Returns true if the path leads out of the folder, which is empty if the file is in none. This asks the
     // disk.
     static bool isForeign(const QString& folder, const QString& path);
@@ -57,7 +57,7 @@ private:
 
     QString m_wish;
     QFutureWatcher<Outcome> m_work;
-    std::stop_source m_stop; // of the work
+    std::stop_source m_stop; // stops the reading
 };
 
 } // namespace view

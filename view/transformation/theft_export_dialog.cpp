@@ -43,7 +43,7 @@ QFormLayout* TheftExportDialog::createOptions() {
     m_section->setAccessibleName(tr("Section"));
     m_section->setWhatsThis(
         tr("What the picture shows: the view on the canvas, or the whole attractor with a small margin."));
-    const double ratio = devicePixelRatioF(); // as many pixels as the screen shows
+    const double ratio = devicePixelRatioF(); // resolution of the screen
     m_size = new ExportSizeEditor({std::max(1, int(std::lround(m_job.from.camera.width * ratio))),
                                    std::max(1, int(std::lround(m_job.from.camera.height * ratio)))},
                                   this);
@@ -65,7 +65,7 @@ QSize TheftExportDialog::pixels() const {
 attractor::Camera TheftExportDialog::camera(const QSize& size) const {
     const attractor::Camera camera = resized(m_job.from.camera, size);
     if (chosenValue<Section>(m_section) == Section::View) return camera;
-    const std::optional<document::Box> box = m_extent.result(); // waits
+    const std::optional<document::Box> box = m_extent.result(); // blocks until found
     return box ? attractor::fitted(camera, box->min, box->max) : camera;
 }
 
@@ -89,7 +89,7 @@ QString TheftExportDialog::chosenFile() {
 
 void TheftExportDialog::exportTo(const QString& path) {
     if (isBusy()) return;
-    // A name with another ending is refused: the user was not asked about a file of that name.
+    // Refuses other suffixes, because the user was not asked about such a file.
     if (QFileInfo(path).suffix().toLower() != QStringLiteral("png"))
         return say(
             tr("The name “%1” does not end with .png. Choose another name.").arg(QFileInfo(path).fileName()));

@@ -47,7 +47,7 @@ private:
     QComboBox* m_section = nullptr;
     ExportSizeEditor* m_size = nullptr;
     ExportPreview* m_preview = nullptr;
-    QFutureWatcher<std::optional<document::Box>> m_extent; // of F, found in the background
+    QFutureWatcher<std::optional<document::Box>> m_extent; // extent of F, found in the background
 };
 
 } // namespace view

@@ -28,9 +28,9 @@ namespace {
 
 using document::TheftMode;
 
-constexpr int fewLetters = 10; // of a combo box in a narrow window
+constexpr int fewLetters = 10; // letters of a combo box in a narrow window
 constexpr int moreLetters = 16;
-constexpr int narrowest = 60; // pixels of a combo box where the window is as narrow as can be
+constexpr int narrowest = 60; // pixels of a combo box in the narrowest window
 
 QToolButton* named(const char* name, QToolButton* button) {
     button->setObjectName(QLatin1String(name));
@@ -115,7 +115,7 @@ TransformationBar::TransformationBar(QWidget* parent)
     last->addWidget(m_remedy);
     last->addWidget(m_overlay);
     last->addWidget(m_stack);
-    last->addStrut(m_remedy->sizeHint().height()); // the bar is as high with a message as without
+    last->addStrut(m_remedy->sizeHint().height()); // same height with and without a message
     m_rows = new QVBoxLayout(this);
     m_rows->setContentsMargins(8, 4, 8, 4);
     m_rows->setSpacing(4);

@@ -31,31 +31,31 @@ public:
               const document::KeptTheft& theft);
     void showContinuity(const QString& sentence);
     enum class Remedy { None, DivideWords, ResetOrder, FindPicture, OpenForeignPicture };
-    void showProblem(const QString& sentence, Remedy remedy); // an empty sentence: there is none
+    void showProblem(const QString& sentence, Remedy remedy); // empty sentence: no problem
     QString problem() const;
     QString continuity() const;
-    void setExportable(bool exportable); // there is a picture to export
+    void setExportable(bool exportable); // true if there is a picture to export
     void addSliders(QWidget* sliders);
 
 signals:
     void partnerChosen(document::EntryId id);
     void modeChosen(document::TheftMode mode);
     void patternChosen(attractor::Pattern pattern);
-    void pictureWanted(); // from a file
+    void pictureWanted(); // sent to choose a picture file
     void foreignPictureWanted();
     void embedWanted(bool embedded);
     void starterChosen(document::TheftFamily family);
     void divideWanted();
     void resetOrderWanted();
     void exportWanted();
-    void overlaid(bool on); // the partner over the fractal, translucent
-    void stacked(bool on);  // the canvases one above the other, instead of side by side
+    void overlaid(bool on); // partner over the fractal, translucent
+    void stacked(bool on);  // true: canvases above each other; false: side by side
 
 private:
     void addButtons();
     void addPictures();
     void addStarters();
-    struct RemedyTexts { // of its button
+    struct RemedyTexts { // texts of the remedy's button
         const char* id;
         QString name;
         QString tip;

@@ -39,9 +39,9 @@ using document::EntryId;
 using document::KeptTheft;
 
 constexpr std::chrono::milliseconds restPause{400};
-constexpr double resolution = 1.0 / 256; // of an attractor's size, at which continuity is measured
+constexpr double resolution = 1.0 / 256; // share of an attractor's size
 constexpr double overlayOpacity = 0.5;
-constexpr std::size_t measuredPairs = 1U << 17; // of pieces, at most
+constexpr std::size_t measuredPairs = 1U << 17; // limit of pairs of pieces
 
 // Other files are the window's business.
 QString pictureOf(const QMimeData& data) {
@@ -95,7 +95,7 @@ TransformationView::TransformationView(document::Document* document, RenderBridg
 }
 
 TransformationView::~TransformationView() {
-    m_theft.reset(); // while there are bridges to it
+    m_theft.reset(); // before the bridges are destroyed
     delete m_bar;
     delete m_partnerCanvas;
     delete m_partnerRender;
@@ -151,7 +151,7 @@ void TransformationView::create() {
     connect(m_document, &document::Document::changed, this, [this](const document::Change& change) {
         measureLater();
         if (change.parts & (document::Change::Current | document::Change::File)) {
-            m_wanted.clear(); // by the entry before
+            m_wanted.clear(); // chosen for the previous entry
             m_embedding.cancel();
             m_isOwnPicture = false;
         }
@@ -165,7 +165,7 @@ void TransformationView::create() {
     connect(m_theft.get(), &TheftBridge::paintedChanged, this, [this] { m_bar->setExportable(isPainted()); });
     connect(&m_rest, &QTimer::timeout, this, &TransformationView::measure);
     connect(&m_measuring, &QFutureWatcherBase::finished, this, [this] {
-        if (m_measuring.isCanceled() || m_measuring.future().resultCount() == 0) return; // memory was short
+        if (m_measuring.isCanceled() || m_measuring.future().resultCount() == 0) return; // out of memory
         const Continuity found = m_measuring.result();
         m_bar->showContinuity(found.there
                                   ? QStringLiteral("%1. %2").arg(sentenceOf(*found.there),
@@ -178,7 +178,7 @@ void TransformationView::connectSource() {
     connect(m_source, &PictureSource::ready, this, [this](const PictureSource::Picture& picture) {
         m_pictureFailure.clear();
         m_isForeign = false;
-        if (!m_wanted.isEmpty()) m_refusal.clear(); // else it is the one before, and the refusal still holds
+        if (!m_wanted.isEmpty()) m_refusal.clear(); // otherwise the refusal still holds
         m_theft->setPicture(picture);
         keepPicture();
         showProblem();
@@ -187,7 +187,7 @@ void TransformationView::connectSource() {
     connect(m_source, &PictureSource::failed, this, [this](const QString& sentence) {
         if (const QString wanted = std::exchange(m_wanted, QString()); !wanted.isEmpty()) {
             m_refusal = pictureProblem(wanted, sentence);
-            showPicture(); // the one before
+            showPicture(); // previous picture
         } else {
             m_pictureFailure = sentence;
             m_isForeign = false;
@@ -213,7 +213,7 @@ void TransformationView::followTools() {
     connect(&own, &CanvasOptions::axesVisibleChanged, other, &CanvasOptions::setAxesVisible);
     connect(&own, &CanvasOptions::overlaysVisibleChanged, other, &CanvasOptions::setOverlaysVisible);
     connect(m_partnerCanvas, &CanvasView::message, this, &TransformationView::message);
-    auto* numbers = new MapNumbers; // the scene owns it
+    auto* numbers = new MapNumbers; // owned by the scene
     m_partnerCanvas->scene()->addItem(numbers);
     connect(other, &CanvasOptions::mapNumbersVisibleChanged, m_partnerCanvas,
             [numbers](bool visible) { numbers->setVisible(visible); });
@@ -242,7 +242,7 @@ void TransformationView::connectBar() {
         theft.embedded.clear();
         m_wanted.clear();
         keep(tr("Choose Picture"), placed(theft, m_partner->document().fractal()));
-        showPicture(); // also where it is the one that was kept
+        showPicture(); // also for the kept picture
     });
     const auto putInOrder = [this](const std::vector<std::size_t>& order) {
         KeptTheft theft = m_kept;
@@ -272,7 +272,7 @@ void TransformationView::refresh() {
     const document::FractalFile& file = m_document->file();
     const EntryId current = m_document->currentId();
     const auto kept = document::keptTheft(m_document->entryFractal());
-    // A guess holds as long as its entry is there, whatever becomes of the maps.
+    // True as long as the entry of the guess exists, whatever becomes of the maps.
     const bool isGuessed = !kept && m_guessedFor == current && document::indexOf(file, m_partner->id()) >= 0;
     EntryId partner = kept        ? document::entryNamed(file, kept->partner)
                       : isGuessed ? m_partner->id()
@@ -284,7 +284,7 @@ void TransformationView::refresh() {
     if (const qsizetype index = document::indexOf(file, partner); index >= 0) {
         const document::Fractal& fractal = *file.entries[index].fractal;
         m_kept.partner = fractal.name;
-        // A view that was only guessed stays where it is, too.
+        // Keeps a guessed view, too.
         if (!kept && before.view && m_guessedFor == current && before.partner == fractal.name)
             m_kept.view = before.view;
         else if (!kept)
@@ -303,12 +303,12 @@ void TransformationView::refresh() {
 }
 
 void TransformationView::showPicture() {
-    if (!m_wanted.isEmpty()) return; // it is being read, and is kept then
+    if (!m_wanted.isEmpty()) return; // kept after the reading
     const bool isEmbedded = !m_kept.embedded.isEmpty(), isPattern = !isEmbedded && m_kept.picture.isEmpty();
     const QString wish = isEmbedded  ? PictureSource::wishFor(m_kept.embedded)
                          : isPattern ? PictureSource::wishFor(m_kept.pattern)
                                      : picturePath();
-    if (m_isMoving && !isEmbedded && !isPattern) { // it is looked for from the new folder
+    if (m_isMoving && !isEmbedded && !isPattern) { // path relative to the new folder
         m_source->forget();
         m_pictureFailure.clear();
         m_isForeign = false;
@@ -318,7 +318,7 @@ void TransformationView::showPicture() {
     if (m_source->wish() == wish) return;
     m_pictureFailure.clear();
     m_isForeign = false;
-    if (!isOwn) m_theft->setPicture(nullptr); // another entry's must not be seen on this one
+    if (!isOwn) m_theft->setPicture(nullptr); // hides the picture of another entry
     if (isEmbedded) return m_source->decode(m_kept.embedded);
     if (isPattern) return m_source->draw(m_kept.pattern);
     m_agreed.contains(wish) ? m_source->read(wish) : m_source->readNamed(folder(), m_kept.picture);
@@ -381,7 +381,7 @@ void TransformationView::measure() {
 }
 
 void TransformationView::keep(const QString& text, const KeptTheft& theft) {
-    if (theft.partner.isEmpty()) return refresh(); // there is nothing to keep: all is shown as it was
+    if (theft.partner.isEmpty()) return refresh(); // nothing to keep: restores the display
     m_document->editEntry(text, document::withTheft(m_document->entryFractal(), theft));
 }
 
@@ -405,7 +405,7 @@ void TransformationView::usePicture(const QString& path) {
     if (!m_isShown || path.isEmpty()) return;
     m_wanted = PictureSource::absolutePath({}, path);
     m_agreed.insert(m_wanted);
-    m_source->read(m_wanted); // it is kept once its size is known
+    m_source->read(m_wanted); // kept once its size is known
 }
 
 void TransformationView::keepPicture() {
@@ -436,7 +436,7 @@ void TransformationView::embedPicture(bool embedded) {
 }
 
 void TransformationView::keepEmbedded(std::optional<Embedding> read) {
-    if (!read || m_kept.picture.isEmpty()) return; // memory was short
+    if (!read || m_kept.picture.isEmpty()) return; // out of memory
     if (read->isForeign || read->found.failure) {
         if (read->found.failure) m_refusal = pictureProblem(m_kept.picture, *read->found.failure);
         m_bar->show(m_document->file(), m_document->currentId(), m_partner->id(), m_kept);
@@ -544,7 +544,7 @@ void TransformationView::dropEvent(QDropEvent* event) {
     const QString path = pictureOf(*event->mimeData());
     if (path.isEmpty() || !isOverPartner(event->position().toPoint())) return event->ignore();
     acceptAsCopy(*event);
-    // Runs after the drop: the program that it came from waits.
+    // Runs after the drop, because the source of the drag waits.
     QMetaObject::invokeMethod(
         this, [this, path] { usePicture(path); }, Qt::QueuedConnection);
 }

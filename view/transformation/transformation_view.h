@@ -41,13 +41,13 @@ public:
 
     // Null or empty before it was shown for the first time:
     CanvasView* partnerCanvas() const { return m_partnerCanvas; }
-    bool cancelGesture();   // on the partner; false when none was under way
-    bool isPainted() const; // the canvases show a fractal transformation
-    void chooseExport();    // in a dialog, one for each picture; nothing happens while none is shown
+    bool cancelGesture();   // cancels a gesture on the partner; false if there was none
+    bool isPainted() const; // true if the canvases show a fractal transformation
+    void chooseExport();    // dialog with a choice of both pictures; no effect if none is shown
     const TransformationBar* bar() const { return m_bar; }
     const TheftBridge* theft() const { return m_theft.get(); }
 
-    void usePicture(const QString& path); // once it is read, a step of the history
+    void usePicture(const QString& path); // reads the picture and then adds a step to the history
 
 signals:
     void message(const QString& sentence);
@@ -58,7 +58,7 @@ protected:
     void dropEvent(QDropEvent* event) override;
 
 private:
-    struct Continuity { // nothing where there is no transformation
+    struct Continuity { // empty if there is no transformation
         std::optional<ifs::Tear> there, back;
         ifs::Homeomorphism verdict = ifs::Homeomorphism::Unknown;
     };
@@ -67,7 +67,7 @@ private:
     void connectBar();
     void connectSource();
     void followTools();
-    void arrange(Qt::Orientation orientation); // both canvases are as large
+    void arrange(Qt::Orientation orientation); // equal room for both canvases
     void refresh();
     void showPicture();
     void showProblem();
@@ -78,18 +78,18 @@ private:
     document::KeptTheft placed(document::KeptTheft theft, const document::Fractal& partner) const;
     void choosePicture();
     void keepPicture();
-    void embedPicture(bool embedded); // in the entry, once it is read
+    void embedPicture(bool embedded); // embeds the picture in the entry after reading it
     struct Embedding {
         io::PictureToEmbed found;
         bool isForeign = false;
     };
     void keepEmbedded(std::optional<Embedding> read);
-    QString picturePath() const; // of the one that is kept, absolute
-    void refuseForeign();        // until the user agrees
+    QString picturePath() const; // absolute path of the entry's picture
+    void refuseForeign();        // blocks the picture until the user agrees
     void openForeign();
     void forgetAgreement();
     bool isOverPartner(const QPoint& position) const;
-    QString folder() const; // of the file; empty while it has none
+    QString folder() const; // folder of the file; empty before the first save
     document::TheftJob job() const;
 
     document::Document* m_document;
@@ -107,17 +107,17 @@ private:
     MapOrder* m_order = nullptr;
     TransformationBar* m_bar = nullptr;
 
-    document::KeptTheft m_kept;                               // of the entry, or what would be likely
-    document::EntryId m_guessedFor = document::EntryId::None; // the entry, where nothing is kept
-    QString m_wanted;                                         // a picture that is to be kept once it is read
-    bool m_isOwnPicture = false;                              // the one that is shown is of this entry
-    QString m_pictureFailure;                                 // of the one that is kept
-    bool m_isForeign = false;                                 // it is outside the folder of the file
-    QSet<QString> m_agreed;  // absolute paths that the user has chosen, or has agreed to open for this file
-    bool m_isMoving = false; // to another file, the folder of which is known in a moment
-    QString m_refusal;       // of one that was chosen
+    document::KeptTheft m_kept;                               // settings of the entry, or suggested ones
+    document::EntryId m_guessedFor = document::EntryId::None; // entry for which m_kept was suggested
+    QString m_wanted;                                         // picture to be kept once it is read
+    bool m_isOwnPicture = false; // true if the shown picture belongs to this entry
+    QString m_pictureFailure;    // reason why the entry's picture is not shown
+    bool m_isForeign = false;    // true if the picture is outside the folder of the file
+    QSet<QString> m_agreed;      // absolute paths that the user has chosen or accepted for this file
+    bool m_isMoving = false;     // true while the folder of another file is being found out
+    QString m_refusal;           // reason why a chosen picture was refused
     NewestWork<Embedding> m_embedding;
-    QTimer m_rest; // runs until the continuity is measured
+    QTimer m_rest; // delay before the continuity is measured
     QFutureWatcher<Continuity> m_measuring;
 };
 

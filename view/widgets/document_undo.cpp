@@ -13,7 +13,7 @@ namespace {
 // Watches one field; belongs to it.
 class UndoKeys : public QObject {
 public:
-    // The keys come to `field`; its text is that of `line`.
+    // `field` receives the keys; `line` has its text.
     UndoKeys(QWidget* field, QLineEdit* line) : QObject(field), m_line(line) {
         field->installEventFilter(this);
         connect(line, &QLineEdit::textEdited, this, [this] { m_isTyped = true; });
@@ -45,7 +45,7 @@ void leaveUndoToDocument(QAbstractSpinBox* field) {
 
 void leaveUndoToDocument(QComboBox* field) {
     QLineEdit* line = field->lineEdit();
-    auto* keys = new UndoKeys(field, line); // it hands its keys on to the line
+    auto* keys = new UndoKeys(field, line); // passes keys on to the line
     line->installEventFilter(keys);
     QObject::connect(line, &QLineEdit::editingFinished, keys, &UndoKeys::endTyping);
 }

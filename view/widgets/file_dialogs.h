@@ -18,8 +18,8 @@ QString chooseFileToSave(QWidget* parent, const QString& title, const QString& s
                          const QString& filter, const QString& suffix, bool asksToReplace = true);
 QString chooseFileToOpen(QWidget* parent, const QString& title, const QString& filter,
                          const QString& folder = {});
-QString choosePictureToOpen(QWidget* parent, const QString& title); // one that can be decoded
-QString namesOfPictures();                                          // for a filter: *.png *.jpg …
+QString choosePictureToOpen(QWidget* parent, const QString& title); // decodable pictures
+QString namesOfPictures();                                          // patterns for a filter: *.png *.jpg …
 QString chooseFolder(QWidget* parent, const QString& title);
 
 } // namespace view

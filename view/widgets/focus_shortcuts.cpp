@@ -14,7 +14,7 @@ FocusShortcuts::FocusShortcuts(QWidget* widget) : QObject(widget), m_widget(widg
 
 bool FocusShortcuts::eventFilter(QObject*, QEvent* event) {
     if (event->type() != QEvent::ShortcutOverride && event->type() != QEvent::KeyPress) return false;
-    // Keys that an editor within leaves over, such as the Enter that ends it, are not meant for its parent.
+    // Ignores keys left over by an inner editor, such as the Enter that ends it.
     const QWidget* focused = QApplication::focusWidget();
     if (focused != m_widget && m_widget->isAncestorOf(focused)) return false;
     QAction* action = actionFor(event);

@@ -19,10 +19,10 @@ namespace {
 
 constexpr int cacheBytes = 24 * 1024 * 1024;
 constexpr int maxWanted = 512; // more rows than any screen shows; older requests are dropped
-constexpr int maxRunning = 2;  // one being drawn, one waiting: the order stays ours
+constexpr int maxRunning = 2;  // one being drawn and one waiting, so that the order stays ours
 constexpr int samplesPerPixel = 24;
 constexpr double shareOfMargin = 0.07;
-constexpr double defaultAzimuth = 30; // degrees, as a solid is seen at first
+constexpr double defaultAzimuth = 30; // degrees; first view of a solid
 constexpr double defaultElevation = 20;
 
 bool looksTheSame(const document::Fractal& a, const document::Fractal& b) {
@@ -83,7 +83,7 @@ struct Drawing {
     std::shared_ptr<io::ImpatientCache> cache;
     QImage picture;
 
-    // nullopt when there is a picture already, also when it is one of nothing.
+    // Returns nullopt if there is a picture already, even an empty one.
     std::optional<attractor::RenderRequest> request() {
         if (cache) picture = cache->find(fractal, side);
         if (!picture.isNull()) return std::nullopt;

@@ -28,13 +28,13 @@ namespace view {
 // The picture of a fractal in a list, or why there is none.
 struct Thumbnail {
     enum class State {
-        Pending,     // asked for; the pixmap may still be that of an earlier value
+        Pending,     // requested; the pixmap may show an earlier value
         Ready,       // the pixmap shows the fractal
         NoAttractor, // nothing to draw
         Unreadable,  // the entry could not be read
     };
     State state = State::Pending;
-    QPixmap pixmap; // square with rounded corners, null when there is none
+    QPixmap pixmap; // square with rounded corners; null if there is none
 };
 
 // Small square pictures of fractals, drawn one after the other by a render queue and kept until newer ones
@@ -44,7 +44,7 @@ class Thumbnails : public QObject {
     Q_OBJECT
 
 public:
-    using Key = quint64; // chosen by the caller; one picture is kept per key
+    using Key = quint64; // chosen by the caller; one picture is kept for each key
     using FractalPointer = std::shared_ptr<const document::Fractal>;
 
     static constexpr qreal cornerRadius = 4; // device-independent pixels
@@ -61,9 +61,9 @@ public:
 
     // Never waits. If the picture of `fractal` is missing it is requested, and ready(key) follows.
     Thumbnail thumbnail(Key key, const FractalPointer& fractal);
-    void clear(); // forgets pictures and requests, for instance when the keys take another meaning
+    void clear(); // drops pictures and requests, for instance when keys change their meaning
 
-    std::uint64_t drawn() const { return m_drawn; } // pictures so far that were not found in the cache
+    std::uint64_t drawn() const { return m_drawn; } // number of pictures that were not found in the cache
     int pending() const { return static_cast<int>(m_wanted.size() + m_running.size()); }
 
 signals:
@@ -84,18 +84,18 @@ private:
     void submitNext();
     void take(std::uint64_t job, const QImage& picture);
     Thumbnail toThumbnail(const QImage& picture) const;
-    int pixels() const; // along the side
+    int pixels() const; // side of a picture
 
     int m_side = 48;
     qreal m_ratio = 1;
-    QCache<Key, Picture> m_pictures; // the cost is in bytes
-    QList<Wanted> m_wanted;          // the newest last
+    QCache<Key, Picture> m_pictures; // cost in bytes
+    QList<Wanted> m_wanted;          // newest last
     QHash<std::uint64_t, Wanted> m_running;
     std::uint64_t m_lastJob = 0;
     std::uint64_t m_drawn = 0;
     QTimer m_submitTimer;
-    std::shared_ptr<io::ImpatientCache> m_cache;     // may be null; the queue's thread uses it
-    std::unique_ptr<attractor::RenderQueue> m_queue; // last: stops before the rest goes
+    std::shared_ptr<io::ImpatientCache> m_cache;     // may be null; used in the thread of the queue
+    std::unique_ptr<attractor::RenderQueue> m_queue; // last member: its thread uses the others
 };
 
 // The picture with rounded corners, as thumbnails are shown.

@@ -44,7 +44,7 @@ QString shortcutOf(const QWidget& widget) {
     if (const QAction* action = actionOf(widget))
         return action->shortcut().toString(QKeySequence::NativeText);
     const auto* button = qobject_cast<const QAbstractButton*>(&widget);
-    // Alt and a letter is underlined in its text.
+    // Excludes Alt with a letter, which is underlined in the text.
     return button && !button->text().contains(u'&') ? button->shortcut().toString(QKeySequence::NativeText)
                                                     : QString();
 }
@@ -75,8 +75,8 @@ QString composedTip(const QWidget& widget) {
     if (const QAction* action = actionOf(widget); action && tip == name) tip = action->statusTip();
     if (tip.isEmpty()) tip = name;
     if (const QString known = QStringLiteral(" (%1)").arg(keys); !keys.isEmpty() && tip.endsWith(known))
-        tip.chop(known.size());                   // it stands beside the name
-    const bool isRich = Qt::mightBeRichText(tip); // its maker has escaped it
+        tip.chop(known.size());                   // shown beside the name
+    const bool isRich = Qt::mightBeRichText(tip); // already escaped
     QString head;
     if (!name.isEmpty()) head = QStringLiteral("<b>%1</b>").arg(name.toHtmlEscaped());
     if (!keys.isEmpty()) head += QStringLiteral("&nbsp;&nbsp;") + keys.toHtmlEscaped();
@@ -97,7 +97,7 @@ bool Tooltips::eventFilter(QObject* watched, QEvent* event) {
     if (event->type() != QEvent::ToolTip) return false;
     auto* widget = qobject_cast<QWidget*>(watched);
     const QString tip = widget ? composedTip(*widget) : QString();
-    if (tip.isEmpty()) return false; // the view of a list knows better, or a parent
+    if (tip.isEmpty()) return false; // left to the view of the list, or to a parent
     QToolTip::showText(static_cast<QHelpEvent*>(event)->globalPos(), tip, widget, {},
                        widget->toolTipDuration());
     event->accept();

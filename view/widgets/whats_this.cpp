@@ -68,7 +68,7 @@ void explainByTips(QWidget* root) {
                                            qobject_cast<const QWidget*>(action->parent())));
     for (auto* box : root->findChildren<QDialogButtonBox*>())
         explain(box);
-    for (auto* combo : root->findChildren<QComboBox*>()) // the list that pops up is a window of its own
+    for (auto* combo : root->findChildren<QComboBox*>()) // the popup list is a window of its own
         if (combo->view()->accessibleName().isEmpty())
             combo->view()->setAccessibleName(combo->accessibleName());
     for (const auto* field : root->findChildren<QLineEdit*>())

@@ -28,7 +28,8 @@ WheelNeedsFocus::WheelNeedsFocus(QCoreApplication* application) : QObject(applic
 
 bool WheelNeedsFocus::eventFilter(QObject* watched, QEvent* event) {
     if (event->type() == QEvent::Polish && watched->isWidgetType()) {
-        // Qt gives the focus before it sends the wheel, also to a table, whose current number then follows.
+        // No focus by the wheel: Qt gives the focus before it sends the wheel, even to a table, whose current
+        // number then changes.
         auto* polished = static_cast<QWidget*>(watched);
         if (polished->focusPolicy() == Qt::WheelFocus) polished->setFocusPolicy(Qt::StrongFocus);
         return false;
@@ -36,7 +37,7 @@ bool WheelNeedsFocus::eventFilter(QObject* watched, QEvent* event) {
     if (event->type() != QEvent::Wheel) return false;
     const QWidget* widget = valueWidget(watched);
     if (!widget || widget->hasFocus()) return false;
-    event->ignore(); // the parent gets it
+    event->ignore(); // passed to the parent
     return true;
 }
 

@@ -111,7 +111,7 @@ void check(AnimateArguments& arguments) {
     else if (QFileInfo(output).fileName().contains(u'#'))
         throw UsageError{
             tr("A video is one file, and the # in “%1” stands for the numbers of frames.").arg(output)};
-    if (arguments.video) arguments.picture.format = "png"; // of the frames, which nobody sees
+    if (arguments.video) arguments.picture.format = "png"; // format of the frames, which are never written
     checked(arguments.picture);
     if (arguments.video)
         refuseForVideo(arguments);
@@ -166,7 +166,8 @@ void checkPattern(const QString& pattern) {
                "(%1), and “%2” is none of them.")
                 .arg(namedVideos(tr("or")), pattern)};
     const QString name = QFileInfo(pattern).fileName();
-    static const QRegularExpression groups(QStringLiteral("(?<!#)#")); // count() lets matches overlap
+    // Look-behind: count() lets matches overlap.
+    static const QRegularExpression groups(QStringLiteral("(?<!#)#"));
     if (name.count(groups) != 1)
         throw UsageError{
             tr("The name of the pictures must have one group of #, which stands for the number of "

@@ -41,14 +41,14 @@ enum class Existing {
 
 struct AnimateArguments {
     std::string file;
-    RenderArguments picture;       // of every frame
-    std::vector<FileRange> ranges; // numbers of files; none: all
+    RenderArguments picture;       // settings shared by all frames
+    std::vector<FileRange> ranges; // numbers of files; empty: all
     std::optional<Chunk> chunk;
     std::optional<Existing> existing;
     std::optional<animation::FrameRate> framesPerSecond;
 
-    std::optional<io::VideoFormat> video; // that the output is, in place of pictures
-    Existing whatExists = Existing::Skip; // of videos never
+    std::optional<io::VideoFormat> video; // format of the output, if it is a video
+    Existing whatExists = Existing::Skip; // always Skip for videos
 };
 
 void addAnimateOptions(Command& command, AnimateArguments& arguments);

@@ -43,7 +43,7 @@ public:
             refuseToReplaceInput(numbered(m_pattern, number));
         if (m_arguments.whatExists == Existing::Fail && isAnyThere(files))
             return ExitStatus::CannotReadOrWrite;
-        std::vector<int> frames = files; // counted from 0
+        std::vector<int> frames = files; // 0-based
         for (int& frame : frames)
             --frame;
         FrameNotes notes(m_input, m_fractal, frames);
@@ -76,7 +76,7 @@ private:
     }
 
     ExitStatus write(const std::vector<int>& files, FrameNotes& notes) {
-        QDir().mkpath(QFileInfo(m_pattern).path()); // where it cannot be made, no file can either
+        QDir().mkpath(QFileInfo(m_pattern).path()); // if that fails, no file can be written either
         for (std::size_t i = 0; i < files.size(); ++i) {
             m_before = double(i) / double(files.size());
             m_share = 1.0 / double(files.size());
@@ -128,10 +128,10 @@ private:
     QString m_pattern;
     Interrupt m_interrupt;
     ProgressBar m_bar;
-    double m_before = 0, m_share = 1; // of the progress: before this frame, and for it
-    std::vector<int> m_replaced;      // numbers of files that held something else
+    double m_before = 0, m_share = 1; // progress before this frame, and its share
+    std::vector<int> m_replaced;      // numbers of files that had other contents
     QByteArray m_animationHash;
-    std::unique_ptr<io::FrameDrawing> m_drawing; // once a frame has to be drawn
+    std::unique_ptr<io::FrameDrawing> m_drawing; // null until a frame has to be drawn
 };
 
 ExitStatus animate(AnimateArguments arguments) {

@@ -51,7 +51,7 @@ ExitStatus animateVideo(const AnimateArguments& arguments, const Input& input, c
     io::FrameDrawing drawing(
         std::make_unique<FrameSource>(entry, arguments.picture, input.name, FrameSource::Output::Video),
         frameOptions(arguments.picture));
-    std::vector<int> frames = files; // counted from 0
+    std::vector<int> frames = files; // 0-based
     for (int& frame : frames)
         --frame;
     FrameNotes notes(input, entry, frames);

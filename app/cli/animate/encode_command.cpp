@@ -39,12 +39,12 @@ namespace {
 struct EncodeArguments {
     std::string pattern;
     std::string output;
-    std::optional<std::vector<FileRange>> ranges; // none of them: all frames of the animation
+    std::optional<std::vector<FileRange>> ranges; // nullopt: all frames of the animation
     std::optional<animation::FrameRate> framesPerSecond;
     bool dryRun = false;
     Verbosity verbosity;
 
-    io::VideoFormat format = io::VideoFormat::Mp4; // of the output
+    io::VideoFormat format = io::VideoFormat::Mp4; // format of the output
 };
 
 void check(EncodeArguments& arguments) {
@@ -75,7 +75,7 @@ std::vector<int> numbersThere(const QString& pattern) {
     for (const QString& file : info.dir().entryList(QDir::Files | QDir::Hidden)) {
         const auto match = form.match(file);
         const QString digits = match.captured(1);
-        const bool isPadded = digits.size() > width && digits.startsWith(u'0'); // another sequence's
+        const bool isPadded = digits.size() > width && digits.startsWith(u'0'); // belongs to another sequence
         if (match.hasMatch() && !isPadded) numbers.push_back(digits.toInt());
     }
     std::ranges::sort(numbers);
@@ -118,7 +118,7 @@ struct Looked {
     std::optional<QString> damage;
     Marks marks;
     QSize size{};
-    bool isDeep = false; // of 16 bits per channel
+    bool isDeep = false; // true for 16 bits per channel
     bool hasOpacity = false;
     bool isUnreadable = false;
 };
@@ -156,7 +156,7 @@ public:
         if (m_looked[numberOf(0)].isDeep)
             reportWarning(m_pattern,
                           tr("The pictures have 16 bits per channel, of which the video keeps 8."));
-        for (int index = 0; index < int(m_numbers.size()); ++index) // rather than after all that come before
+        for (int index = 0; index < int(m_numbers.size()); ++index) // before the first picture is encoded
             if (const auto obstacle = obstacleOf(m_looked[numberOf(index)])) {
                 reportError(pathOf(index), *obstacle);
                 return statusOf(m_looked[numberOf(index)]);
@@ -185,7 +185,7 @@ private:
     int numberOf(int index) const { return m_numbers[std::size_t(index)]; }
     QString pathOf(int index) const { return numbered(m_pattern, numberOf(index)); }
 
-    // The pictures that become the video, of those that are there: all that are asked for must be.
+    // Chooses the pictures of the video. Every picture that was asked for must be there.
     ExitStatus chooseFrom(const std::vector<int>& there) {
         const int count = m_facts ? animation::frameCount(m_facts->loop, m_facts->length) : 0;
         if (m_arguments.ranges && !m_arguments.ranges->empty()) {
@@ -223,8 +223,8 @@ private:
         return ExitStatus::Done;
     }
 
-    // Learns from the newest picture: leftovers of another animation are older. If no picture has marks, the
-    // first one has the entry.
+    // Learns from the newest picture, because older ones may be left over from another animation. If no
+    // picture has marks, the first one has the entry.
     void learnFromNewest(const std::vector<int>& there) {
         int source = there.front();
         QDateTime newest;
@@ -239,14 +239,14 @@ private:
         }
         m_animation = m_looked[source].marks.animation;
         m_newest = QFileInfo(numbered(m_pattern, source)).fileName();
-        std::map<int, int> offsets; // how many pictures have each
+        std::map<int, int> offsets; // number of pictures with each offset
         for (const auto& [number, looked] : m_looked)
             if (const Marks& marks = looked.marks; marks.number > 0 && marks.animation == m_animation)
                 ++offsets[number - marks.number];
         if (!m_arguments.ranges && !offsets.empty())
             m_offset = std::ranges::max_element(offsets, {}, &std::pair<const int, int>::second)->first;
         m_obstacle = readEntry(numbered(m_pattern, source));
-        if (m_looked[source].damage) m_obstacle.reset(); // which is said if the picture is wanted
+        if (m_looked[source].damage) m_obstacle.reset(); // reported only if the picture is needed
     }
 
     // Reads the entry that a picture carries, if any.
@@ -296,7 +296,8 @@ private:
             .arg(m_size.height());
     }
 
-    // A picture that says that it is not the one to come. Those that say nothing are believed.
+    // A sentence about a picture that is marked as another frame than `index`. Unmarked pictures are
+    // accepted.
     std::optional<QString> strangerAmong(const Marks& marks, int index) const {
         if (!marks.animation.isEmpty() && marks.animation != m_animation)
             return tr("The picture was drawn from another entry or with other options than the newest one, "
@@ -313,7 +314,7 @@ private:
 
     QImage read(int index) {
         const QString path = pathOf(index);
-        const Looked now = lookedAt(path); // it may be another one by now
+        const Looked now = lookedAt(path); // the file may have changed by now
         if (const auto obstacle = obstacleOf(now)) refuse(path, *obstacle, statusOf(now));
         if (const auto stranger = strangerAmong(now.marks, index)) refuse(path, *stranger);
         const io::Loaded loaded = io::loadFile(path);
@@ -338,13 +339,13 @@ private:
     QString m_pattern;
     Interrupt m_interrupt;
     ProgressBar m_bar;
-    std::vector<int> m_numbers; // of the pictures
-    // Data of the newest picture, and the number by which those of files exceed the frame numbers.
-    std::map<int, Looked> m_looked; // by number, all pictures that are there
+    std::vector<int> m_numbers; // numbers of the pictures
+    // Data of the newest picture; m_offset is the difference between the numbers of files and of frames.
+    std::map<int, Looked> m_looked; // all existing pictures, by number
     QString m_newest;
     QByteArray m_animation;
     int m_offset = 0;
-    io::Failure m_obstacle; // to learning what the pictures carry
+    io::Failure m_obstacle; // reason why the contents of the pictures are unknown
     QByteArray m_systemText;
     QString m_title;
     std::optional<document::AnimationFacts> m_facts;

@@ -46,7 +46,7 @@ FrameNotes::FrameNotes(const Input& input, const document::Fractal& entry, const
     : m_isInSpace(document::space(entry) != nullptr) {
     const auto lost = document::firstWithoutAttractor(entry);
     if (!lost) return;
-    std::map<bool, std::vector<int>> found; // by whether it is not known
+    std::map<bool, std::vector<int>> found; // key: whether the loss is merely undecided
     for (const int frame : frames) {
         if (const auto verdict = document::lossAt(entry, animation::moment(frame)))
             found[verdict == ifs::Verdict::Undecided].push_back(frame);

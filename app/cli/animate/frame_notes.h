@@ -19,11 +19,11 @@ public:
     FrameNotes(const Input& input, const document::Fractal& entry, const std::vector<int>& frames);
 
     void add(int frame, attractor::RenderNote note);
-    void report(const QString& fileName) const; // notes not reported yet
+    void report(const QString& fileName) const; // prints notes that have not been printed yet
 
 private:
     bool m_isInSpace;
-    std::set<int> m_lost; // frames of which it has been said that they have no attractor
+    std::set<int> m_lost; // frames already reported to have no attractor
     std::map<attractor::RenderNote, std::vector<int>> m_frames;
 };
 

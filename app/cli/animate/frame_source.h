@@ -30,7 +30,7 @@ private:
     QString m_name;
     Output m_output;
     Frames m_frames;
-    mutable std::optional<attractor::Camera> m_camera; // that all frames share, once it is known
+    mutable std::optional<attractor::Camera> m_camera; // shared by all frames; empty until it is known
 };
 
 io::FrameOptions frameOptions(const RenderArguments& options); // --shutter and --exposure

@@ -16,7 +16,7 @@ namespace cli {
 
 namespace {
 
-constexpr double shareOfFrames = 0.9; // of the progress; the rest is finishing
+constexpr double shareOfFrames = 0.9; // share of the frames in the progress; the rest is finishing
 
 // Titles of formats that store any transparency; a colour of a palette is transparent or not.
 QStringList transparentFormats() {
@@ -59,7 +59,7 @@ public:
     }
 
 private:
-    // nullopt: it has been added.
+    // Returns nullopt if the frame has been added.
     std::optional<ExitStatus> add(int index) {
         const auto progress = [this, index](double fraction) {
             m_bar.show(shareOfFrames * (index + fraction) / m_source.count);
@@ -97,7 +97,7 @@ private:
     VideoSource m_source;
     ProgressBar& m_bar;
     const Interrupt& m_interrupt;
-    std::unique_ptr<io::VideoWriter> m_writer; // once the size is known
+    std::unique_ptr<io::VideoWriter> m_writer; // null until the size is known
 };
 
 } // namespace

@@ -18,7 +18,7 @@ namespace cli {
 // The frames of a video, one after the other.
 struct VideoSource {
     int count = 0;
-    io::VideoSettings settings; // without the size, which is that of the first frame
+    io::VideoSettings settings; // without a size, which follows from the first frame
     // Draws or reads a frame, counted from 0. Null after a message, or when stopped.
     std::function<QImage(int index, const io::VideoWriter::Progress& progress)> frame;
 };

@@ -40,7 +40,7 @@ namespace fs = std::filesystem;
 
 using io::TextFormat;
 struct ConvertArguments {
-    std::vector<std::string> files; // the inputs, then the output
+    std::vector<std::string> files; // inputs, then the output
     std::vector<std::string> entries;
     std::string format;
     std::optional<io::TableColumns> columns, inColumns;
@@ -131,8 +131,8 @@ Plan planOf(const ConvertArguments& arguments) {
 
 // Content to write of a file. Every entry that is left out is reported.
 struct Content {
-    document::FractalFile file; // with the entries that can be written
-    qsizetype asked = 0;        // entries, with those that are left out
+    document::FractalFile file; // contains only entries that can be written
+    qsizetype asked = 0;        // number of entries, including those left out
     ExitStatus status = ExitStatus::Done;
 };
 
@@ -198,7 +198,7 @@ Content contentOf(const Input& input, const ConvertArguments& arguments, const P
             document::Fractal written = *entry.fractal;
             if (auto* shape = document::plane(written);
                 shape && arguments.bake && document::isAtRest(written))
-                shape->cage.reset(); // it has done its work
+                shape->cage.reset(); // no longer needed
             if (auto* shape = document::space(written);
                 shape && arguments.bake && document::isAtRest(written))
                 shape->cage.reset();
@@ -222,7 +222,7 @@ std::shared_ptr<const document::EntrySource> withoutParameters(const document::E
     while (source->text.startsWith(' ') || source->text.startsWith('\t'))
         source->text.remove(0, 1);
     QByteArrayList lines = entry.before.split(entry.lineEnd.back());
-    lines.removeLast(); // what stands before the name on its line
+    lines.removeLast(); // text before the name on its line
     source->before = isFirst ? QByteArray() : entry.lineEnd;
     qsizetype first = lines.size();
     while (first > 0 && lines[first - 1].trimmed().startsWith(';'))
@@ -252,7 +252,7 @@ public:
     Converter(const ConvertArguments& arguments, const Plan& plan, const Interrupt& interrupt)
         : m_arguments(arguments), m_plan(plan), m_interrupt(interrupt), m_stop(interrupt.token()) {}
 
-    bool isInterrupted() const { return m_isInterrupted; } // before all was written
+    bool isInterrupted() const { return m_isInterrupted; } // true if not everything was written
     int filesWritten() const { return m_filesWritten; }
 
     ExitStatus run(const std::string& file, const io::Progress& progress) {
@@ -286,9 +286,9 @@ public:
     }
 
 private:
-    // Returns true for a collection, by its name, or else by its content: content that no other reader knows
-    // goes to that of collections, and need be none. Of a parameter file only the systems are wanted, not the
-    // parameters around them.
+    // Returns true for a collection, recognised by its name or by its content. Content that no other reader
+    // recognises goes to the reader of collections, too. From a parameter file, only the systems are wanted,
+    // not the parameters around them.
     static bool isCollectionFile(const Input& input) {
         const QString suffix = QFileInfo(input.name).suffix().toLower();
         if (suffix == u"ifs" || suffix == u"par") return suffix == u"ifs";
@@ -304,7 +304,7 @@ private:
         return ExitStatus::InputProblems;
     }
 
-    // The output, in a folder without its suffix.
+    // The output without its suffix, for files in a folder.
     QString baseOf(const Input& input) const {
         if (!m_plan.intoFolder) return m_plan.output;
         const QString name =
@@ -343,7 +343,7 @@ private:
             file.head.clear();
             file.tail.clear();
             for (auto& entry : file.entries)
-                if (entry.source) // none in a flame of that name
+                if (entry.source) // null for a flame file with this suffix
                     entry.source = withoutParameters(*entry.source, &entry == &file.entries.first());
         }
         if (!m_arguments.strict) return {file.entries.size(), write(output, io::writeFractint(file))};
@@ -376,7 +376,7 @@ private:
         Written written;
         for (qsizetype i = 0; i < systems.size(); ++i) {
             if (m_stop.stop_requested()) return {written.entries, interrupted()};
-            const qsizetype rest = QFileInfo(base).fileName().toUtf8().size() + 16; // with number and suffix
+            const qsizetype rest = QFileInfo(base).fileName().toUtf8().size() + 16; // number and suffix
             const QString name = document::fileNamePart(
                 systems[i]->name, std::max<qsizetype>(document::maxFileName - rest, 16));
             const io::Progress part = [&](double fraction) {
@@ -420,7 +420,7 @@ private:
             m_isRefused = true;
             return ExitStatus::InputProblems;
         }
-        const ExitStatus status = writeOutput(output, bytes, MayReplace::Inputs); // it does not lose
+        const ExitStatus status = writeOutput(output, bytes, MayReplace::Inputs); // nothing is lost
         if (status == ExitStatus::Done) ++m_filesWritten;
         return status;
     }
@@ -476,12 +476,12 @@ private:
     const Plan& m_plan;
     const Interrupt& m_interrupt;
     std::stop_token m_stop;
-    QString m_input;          // the one at hand
-    bool m_holdsLess = false; // what is written of it
+    QString m_input;          // input being converted
+    bool m_holdsLess = false; // true if the output cannot hold everything
     bool m_isRefused = false;
     bool m_isInterrupted = false;
     int m_filesWritten = 0;
-    QSet<QString> m_taken; // files in the folder, in small letters
+    QSet<QString> m_taken; // lower-case names of files in the folder
 };
 
 ExitStatus convert(const ConvertArguments& arguments) {

@@ -27,7 +27,7 @@ std::vector<std::string> convertFormats() {
     std::vector<std::string> words;
     for (const TextFormat format : io::textFormats)
         words.emplace_back(io::wordOf(format));
-    words.insert(words.end(), {"ply", "pdf"}); // points, too
+    words.insert(words.end(), {"ply", "pdf"}); // formats of points as well
     for (const auto& [mesh, word] : ifs::names<io::MeshFormat>)
         if (mesh != io::MeshFormat::Ply) words.emplace_back(word);
     words.emplace_back("scad");

@@ -15,8 +15,8 @@ namespace cli {
 namespace {
 
 constexpr int side = 700;       // pixels of SVG, a good seven inches
-constexpr int finer = 3;        // pixels of a solid, along each of those
-constexpr double margin = 0.05; // around it
+constexpr int finer = 3;        // pixels of a solid per pixel of SVG
+constexpr double margin = 0.05; // share of the page around the picture
 
 io::Failure addShapes(io::PdfFile& file, const document::Fractal& fractal, const std::stop_token& stop) {
     attractor::Camera camera;
@@ -30,7 +30,7 @@ io::Failure addSolid(io::PdfFile& file, const document::Fractal& fractal, const 
     if (!document::spaceSupport(fractal)) return tr("no attractor could be certified.");
     io::SpaceRecipe recipe;
     recipe.camera.size = {side, side};
-    recipe.camera.orientation = attractor::orbit(30, 20); // as of a picture
+    recipe.camera.orientation = attractor::orbit(30, 20); // same as in pictures
     recipe.camera = document::fittedToPicture(fractal, recipe.camera, margin);
     recipe.size = {finer * side, finer * side};
     recipe.page = io::ShapeFile::Pdf;

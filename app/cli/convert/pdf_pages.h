@@ -13,7 +13,7 @@
 namespace cli {
 
 struct PdfPages {
-    QByteArray bytes; // of the file
+    QByteArray bytes; // contents of the file
     qsizetype count = 0;
 };
 

@@ -105,7 +105,7 @@ std::optional<QString> changeDimension(document::Entry& entry, const DimensionCh
     auto changed = change.isLift ? document::lifted(fractal, change.scale)
                                  : document::flattened(fractal, *change.flatten);
     entry.fractal = std::make_shared<const document::Fractal>(*std::move(changed));
-    entry.source = nullptr; // its bytes are those of another dimension
+    entry.source = nullptr; // its bytes are an entry of the other dimension
     return std::nullopt;
 }
 

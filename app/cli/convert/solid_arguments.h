@@ -16,14 +16,14 @@ namespace cli {
 struct Command;
 
 struct Lift {
-    std::optional<double> scale; // of z; none: by the square root of |det|
+    std::optional<double> scale; // factor of z; none: the square root of |det|
 };
 
 struct SolidArguments {
     std::optional<double> voxel, wall, longest; // mm
     std::optional<int> resolution;
     std::optional<Lift> lift;
-    std::optional<ifs::Vector<3>> flatten; // along this direction
+    std::optional<ifs::Vector<3>> flatten; // direction of the projection
     bool fill = false;
 };
 
@@ -36,7 +36,7 @@ io::SolidOptions solidOptions(const SolidArguments& arguments, bool isMesh, bool
 
 struct DimensionChange {
     bool isLift = false;
-    std::optional<double> scale; // of z
+    std::optional<double> scale; // factor of z
     std::optional<ifs::Vector<3>> flatten;
 
     bool isWanted() const { return isLift || flatten.has_value(); }

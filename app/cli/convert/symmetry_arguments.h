@@ -26,7 +26,7 @@ void addSymmetryOptions(Command& command, SymmetryArguments& arguments);
 std::optional<QString> changeSymmetry(document::Entry& entry, const SymmetryArguments& change);
 
 struct Expansion {
-    std::optional<QString> obstacle; // the entry cannot be written
+    std::optional<QString> obstacle; // reason why the entry cannot be written
     std::optional<QString> warning;
 };
 // The entry as plain maps, without a symmetry and without links.

@@ -10,8 +10,8 @@ namespace cli {
 namespace {
 
 constexpr std::size_t lineLength = 80;
-constexpr std::size_t column = 26; // where descriptions begin
-constexpr char unbroken = '\x1f';  // a blank at which no line ends
+constexpr std::size_t column = 26; // first column of the descriptions
+constexpr char unbroken = '\x1f';  // blank at which no line is broken
 
 // The name, and behind it the description in lines of its own column.
 void addRow(std::string& text, const std::string& name, const std::string& description) {

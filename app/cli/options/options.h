@@ -31,7 +31,7 @@ using Place = std::variant<std::monostate, bool*, std::string*, std::optional<st
 struct Completion {
     enum class Kind { Nothing, Words, Entries, Palettes, Files };
     Kind kind = Kind::Nothing;
-    std::vector<std::string> words; // or the suffixes of the files, without a dot; none: all files
+    std::vector<std::string> words; // words, or suffixes of files without a dot; none: all files
 };
 
 // The place of a value, and what completes it.
@@ -52,34 +52,34 @@ template <class T, class Read> Value parsed(T* place, Read read) {
 // Aspects of a picture that an option refers to: combinations that make no sense are refused by these.
 enum About : unsigned {
     Tone = 1,      // the tone curve of a density
-    Samples = 2,   // their number
-    Colours = 4,   // the palette, and what it shows
-    Cells = 8,     // of which a pixel has several
-    Rows = 16,     // of pixels, in a file
-    Light = 32,    // that falls on a solid
-    InPlane = 64,  // unknown to entries in space …
-    InSpace = 128, // … and the other way round
-    Picture = 256, // shared by all parts of a picture
-    Work = 512,    // how it is drawn and where it goes: never a pixel
+    Samples = 2,   // number of samples
+    Colours = 4,   // palette, and the quantity it shows
+    Cells = 8,     // supersampling
+    Rows = 16,     // rows of pixels in a file
+    Light = 32,    // light on a solid
+    InPlane = 64,  // options for entries in the plane only
+    InSpace = 128, // options for entries in space only
+    Picture = 256, // settings shared by all parts of a picture
+    Work = 512,    // settings that never change a pixel, such as threads and names of files
 };
 
 // Or an argument, which has no name and is known by its place.
 struct Option {
-    std::vector<std::string> longNames, shortNames; // with their dashes
-    std::string valueName;                          // stands for the value in the help and in messages
+    std::vector<std::string> longNames, shortNames; // including their dashes
+    std::string valueName;                          // placeholder of the value in the help and in messages
     std::string description;
-    std::string standard; // that is taken where the option is not given, as the help has it; may be empty
-    std::string more;     // what only the manual page says, in sentences
+    std::string standard; // default value as the help shows it; may be empty
+    std::string more;     // further sentences for the manual page
     std::string group;    // heading in the help
     Place place;
     Completion completion;
-    unsigned about = 0;                // of About
-    std::size_t minItems = 1;          // of an argument
+    unsigned about = 0;                // bits of About
+    std::size_t minItems = 1;          // least number of values of an argument
     std::vector<std::string> excluded; // names of options that cannot be used together with this one
     bool isRequired = false;
-    bool isFileName = false; // whose bytes need not be UTF-8
+    bool isFileName = false; // bytes need not be UTF-8
     bool mayBeEmpty = false;
-    bool isQuestion = false; // answered instead of the command's work, for which nothing is then required
+    bool isQuestion = false; // answered instead of the command's work, so that no argument is required
 
     Option& required();
     Option& minimum(std::size_t items);
@@ -93,12 +93,12 @@ struct Option {
 
     // The name in messages: the first long name, or for an argument its value name.
     std::string name() const;
-    std::vector<std::string> names() const; // with their dashes, the short ones first
+    std::vector<std::string> names() const; // including dashes, short names first
     bool isArgument() const;
-    bool isFlag() const; // takes no value
+    bool isFlag() const; // true if the option takes no value
     bool asksForHelp() const;
     bool takesMany() const;
-    bool isNamed(const std::string& name) const; // with its dashes
+    bool isNamed(const std::string& name) const; // true for any of its names, with dashes
 
     // Stores at least one value, as typed; of a flag any.
     void store(const std::vector<std::string>& values) const;
@@ -124,7 +124,7 @@ private:
     std::string m_name;
 };
 
-constexpr auto generalOptions = "Options"; // the heading of what every command has; the last in the help
+constexpr auto generalOptions = "Options"; // heading of the options that every command has; last in the help
 
 // Throws UsageError: "--x cannot be used here: reason".
 void refuseIf(bool given, const char* option, const QString& reason);
@@ -148,14 +148,14 @@ struct Command {
     Command(std::string name, std::string description, std::string usage);
 
     OptionGroup group(const std::string& name);
-    Option& option(const std::string& name); // std::logic_error where there is none
+    Option& option(const std::string& name); // throws std::logic_error if there is none
     const Option* find(const std::string& name) const;
 
     std::string name, description, usage;
-    std::string more; // what only the manual page says, in sentences
+    std::string more; // further sentences for the manual page
     std::deque<Option> options;
-    Given* given = nullptr;          // where it is noted what was typed; nullptr: nowhere
-    std::function<ExitStatus()> run; // once the places are filled in
+    Given* given = nullptr;          // record of the options that were typed; may be null
+    std::function<ExitStatus()> run; // called after all values are stored
 };
 
 struct Program {

@@ -224,9 +224,9 @@ private:
 
     const Program& m_program;
     const Command& m_command;
-    std::map<const Option*, std::vector<std::string>> m_values; // of the options and arguments that are given
-    std::vector<std::string> m_arguments;                       // that belong to no option
-    std::optional<QString> m_complaint;                         // the first
+    std::map<const Option*, std::vector<std::string>> m_values; // words given for each option or argument
+    std::vector<std::string> m_arguments;                       // words that belong to no option
+    std::optional<QString> m_complaint;                         // first complaint
     Question m_question = Question::None;
     std::size_t m_next = 0;
     bool m_optionsEnded = false;
@@ -258,7 +258,7 @@ std::string nearest(const std::string& word, const std::vector<std::string>& can
     std::size_t least = std::max<std::size_t>(2, typed.size() / 3) + 1;
     for (const std::string& candidate : candidates) {
         const std::string name = withoutDashes(candidate);
-        if (name.size() < 2) continue; // one letter is near everything
+        if (name.size() < 2) continue; // a single letter resembles too many names
         const std::size_t shared = std::min(typed.size(), name.size());
         const bool isBeginning = shared >= minPrefix && typed.substr(0, shared) == name.substr(0, shared);
         std::size_t far = distance(typed, name);

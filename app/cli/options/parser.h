@@ -14,7 +14,7 @@ namespace cli {
 enum class Question { None, Help, Version };
 
 struct Call {
-    const Command* command = nullptr; // none: the question is about the program
+    const Command* command = nullptr; // null if the question is about the whole program
     Question question = Question::None;
 };
 

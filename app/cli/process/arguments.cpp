@@ -45,7 +45,7 @@ std::optional<std::uint64_t> wholeNumber(const QString& text) {
     qsizetype power = match.captured(3).toInt() + unit - match.captured(2).size();
     for (; power < 0 && digits.endsWith(u'0'); ++power)
         digits.chop(1);
-    if (power < 0) return std::nullopt; // a fraction is left
+    if (power < 0) return std::nullopt; // not an integer
     if (digits.isEmpty()) digits = QStringLiteral("0");
     bool good = false;
     const std::uint64_t number = (digits + QString(power, u'0')).toULongLong(&good);
@@ -205,7 +205,7 @@ double marginArgument(const std::string& option, const std::string& text) {
 attractor::Rgba colourArgument(const std::string& option, const std::string& text) {
     QString name = QString::fromStdString(text);
     if (name.startsWith(u'#') && name.size() == 9)
-        name = u'#' + name.last(2) + name.sliced(1, 6); // #rrggbbaa, as our files have it; Qt: #aarrggbb
+        name = u'#' + name.last(2) + name.sliced(1, 6); // #rrggbbaa, as in our files; Qt wants #aarrggbb
     const QColor colour(name);
     if (!colour.isValid() || (name.startsWith(u'#') && name.size() > 9))
         refuse(option, text, tr("it must be a colour, such as #0d1017, #0d101780 or white, or transparent."));
@@ -255,7 +255,8 @@ ColourMeaning meaningArgument(const std::string& option, const std::string& text
 void putOn(attractor::Appearance& appearance, const attractor::Rgba& background) {
     appearance.background = background;
     const bool isPaper = isLight(background) && background.alpha == 255;
-    if (isPaper && isLight(appearance.plain)) appearance.plain = {20, 20, 20, 255}; // it must be seen
+    // Keeps the plain colour visible on paper.
+    if (isPaper && isLight(appearance.plain)) appearance.plain = {20, 20, 20, 255};
 }
 
 animation::Moment momentArgument(const std::string& option, const std::string& text) {

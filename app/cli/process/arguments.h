@@ -32,7 +32,7 @@ struct NumberList {
     std::vector<double> values;
 };
 std::vector<double> numbers(const QString& text);
-NumberList numbersArgument(const std::string& option, const std::string& text); // as many as one likes
+NumberList numbersArgument(const std::string& option, const std::string& text); // any number of values
 
 // The place of one of the names, else the sentence lists them.
 std::size_t choiceArgument(const std::string& option, const std::string& text,
@@ -86,13 +86,13 @@ inline const auto threadsArgument = integerFrom(1, 1024);
 QSize sizeArgument(const std::string& option, const std::string& text); // "1200x900"
 // A size such as "1200x900"; "1200x" and "x900" leave the other side, 0, to the proportions of the picture.
 QSize pictureSizeArgument(const std::string& option, const std::string& text);
-std::string sizeText(const QSize& size); // of such a size
+std::string sizeText(const QSize& size); // inverse of sizeArgument()
 // "58mmx40mm"; "58mmx" and "x40mm" as above. nullopt: these are no lengths on paper.
 std::optional<QSizeF> paperSizeArgument(const std::string& option, const std::string& text);
 constexpr int maxSide = 1'000'000;                                                              // pixels
 std::vector<ifs::Vector<2>> pointsArgument(const std::string& option, const std::string& text); // "x,y x,y …"
 std::vector<ifs::Vector<2>> pointListArgument(const std::string& option,
-                                              const std::string& text); // at least one
+                                              const std::string& text); // at least one point
 std::uint64_t wholeArgument(const std::string& option, const std::string& text);
 double positiveArgument(const std::string& option, const std::string& text);
 // Seconds above 0, at most 1e6.
@@ -100,7 +100,7 @@ std::chrono::duration<double> secondsArgument(const std::string& option, const s
 double marginArgument(const std::string& option, const std::string& text); // per cent, below one half
 attractor::Rgba colourArgument(const std::string& option, const std::string& text);
 void putOn(attractor::Appearance& appearance,
-           const attractor::Rgba& background); // in colours that are seen on it
+           const attractor::Rgba& background); // also picks colours that are visible on it
 attractor::Palette paletteArgument(const std::string& option, const std::string& text);
 
 // The words of --colour for entries in the plane: those of files, but for one.
@@ -120,13 +120,13 @@ struct ColourMeaning {
 ColourMeaning meaningArgument(const std::string& option, const std::string& text);
 
 animation::Moment momentArgument(const std::string& option,
-                                 const std::string& text); // frames: "12.5", "25/2"
+                                 const std::string& text); // moment in frames: "12.5", "25/2"
 
 document::ShutterAngle shutterArgument(const std::string& option,
-                                       const std::string& text); // degrees, to a thousandth
+                                       const std::string& text); // degrees, rounded to thousandths
 animation::FrameRate rateArgument(const std::string& option, const std::string& text); // "24", "30000/1001"
 
-double rotationArgument(const std::string& option, const std::string& text);      // of a view, in degrees
+double rotationArgument(const std::string& option, const std::string& text); // rotation of a view in degrees
 attractor::View viewArgument(const std::string& option, const std::string& text); // "cx,cy,height"
 
 } // namespace cli

@@ -19,14 +19,14 @@ struct Command;
 struct Option;
 
 struct Input {
-    QString name; // as given, "-" for standard input, "link" for a link
+    QString name; // argument as typed, "-" for standard input, "link" for a link
     QByteArray bytes;
     io::Collection collection;
 };
 
-QString fileNameOf(const std::string& argument); // whose bytes need not be UTF-8
+QString fileNameOf(const std::string& argument); // accepts bytes that are not UTF-8
 
-io::Loaded loadBytes(const std::string& file); // of FILE, of standard input for -, or a link itself
+io::Loaded loadBytes(const std::string& file); // contents of a file, of standard input for "-", or of a link
 
 // Reads FILE, or what a link holds that no file is called; nullopt when it cannot be read, which has then
 // been reported.
@@ -41,7 +41,7 @@ Option& addEntriesOption(Command& command, std::vector<std::string>& entries, co
 // reported and makes `complete` false.
 struct Selection {
     QList<document::Entry> entries;
-    document::Problems problems; // of the file and of these entries
+    document::Problems problems; // problems of the file and of these entries
     bool complete = true;
 };
 Selection select(const Input& input, const std::vector<std::string>& names);
@@ -55,7 +55,7 @@ ExitStatus reportAll(const document::Problems& problems, const QString& fileName
 struct ToDraw {
     std::vector<const document::Entry*> entries;
     ExitStatus status;                                 // InputProblems after an error
-    std::vector<const document::Entry*> reported = {}; // whose problems have been reported
+    std::vector<const document::Entry*> reported = {}; // entries with problems that have been printed
 };
 ToDraw entriesToDraw(const Input& input, const std::vector<std::string>& names,
                      const ToDraw* before = nullptr);

@@ -18,7 +18,7 @@ namespace {
 using Clock = std::chrono::steady_clock;
 constexpr Clock::duration patience = std::chrono::seconds(1), lastMoment = std::chrono::milliseconds(250);
 constexpr int outOfTime = -1; // in place of a signal
-constexpr int wake = SIGURG;  // tells the watch to look whether it is over; ignored by default
+constexpr int wake = SIGURG;  // tells the watch to check whether the work has ended; ignored by default
 
 // Signals that the caller does not want ignored, as nohup does.
 sigset_t watched() {
@@ -66,10 +66,10 @@ Interrupt::Interrupt(std::optional<Time> limit) {
     const auto end =
         limit ? Clock::now() + std::chrono::duration_cast<Clock::duration>(*limit) : Clock::time_point::max();
     const sigset_t set = watched();
-    pthread_sigmask(SIG_BLOCK, &set, nullptr); // threads made from here on inherit it
+    pthread_sigmask(SIG_BLOCK, &set, nullptr); // also for threads started later, which inherit the mask
     try {
         m_watch = std::jthread(watch, set, m_source, m_signal, end);
-    } catch (const std::system_error&) { // no thread to be had: a signal ends the program
+    } catch (const std::system_error&) { // no thread available: signals then end the program
         pthread_sigmask(SIG_UNBLOCK, &set, nullptr);
     }
 }

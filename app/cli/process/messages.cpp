@@ -12,7 +12,7 @@
 namespace cli {
 
 QString printable(QString text) {
-    for (qsizetype i = text.size(); i-- > 0;) { // bytes of names that are not UTF-8, see io::pathOf()
+    for (qsizetype i = text.size(); i-- > 0;) { // from bytes that are not UTF-8; see io::pathOf()
         const bool isLow = text[i].isLowSurrogate() && (i == 0 || !text[i - 1].isHighSurrogate());
         if (isLow)
             text.replace(i, 1,
@@ -30,7 +30,7 @@ QString printableLine(QString text) {
 
 namespace {
 
-bool areWarningsHidden = false; // of this process, like standard error itself
+bool areWarningsHidden = false; // state of the process, like standard error itself
 
 void line(const QString& text) {
     const QByteArray bytes = printableLine(text).toUtf8() + '\n';
@@ -53,7 +53,7 @@ void hideWarnings(bool areHidden) {
 void report(const document::Problem& found, const QString& fileName) {
     if (areWarningsHidden && found.severity != document::Problem::Severity::Error) return;
     document::Problem placed = found;
-    if (found.line == 0) placed.line = placed.column = 1; // the file as a whole
+    if (found.line == 0) placed.line = placed.column = 1; // problem of the file as a whole
     line(document::toText(placed, fileName));
 }
 

@@ -13,15 +13,15 @@ namespace cli {
 
 struct OutputName {
     QString entry;
-    int number = 1;  // of the entry in its file
-    int numbers = 1; // there; %n has as many digits for all of them
+    int number = 1;  // position of the entry in its file
+    int numbers = 1; // largest such number in the file; sets the digits of %n
     QString file;
     std::optional<int> iterations;
     int maxIterations = 0;
 };
 
-bool hasPlaceholders(const QString& pattern); // %e, %n or %f: entries get files of their own
-bool hasIterations(const QString& pattern);   // %i
+bool hasPlaceholders(const QString& pattern); // true for %e, %n or %f, which give each entry its own file
+bool hasIterations(const QString& pattern);   // true for %i
 
 // Names of entries and files as document::fileNamePart() has them.
 QString outputFor(const QString& pattern, const OutputName& name);

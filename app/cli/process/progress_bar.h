@@ -19,7 +19,7 @@ struct Verbosity {
     bool isQuiet = false; // neither progress nor warnings
 };
 void addVerbosityOptions(Command& command, Verbosity& verbosity);
-ProgressMode applied(const Verbosity& verbosity); // hides warnings, if they are not wanted
+ProgressMode applied(const Verbosity& verbosity); // also hides warnings, if they are not wanted
 
 // A line on standard error that is drawn over, and gone at the end. For work that takes longer than a few
 // seconds it includes the time left.

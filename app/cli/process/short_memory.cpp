@@ -43,7 +43,7 @@ namespace cli {
 int memoryIsShort() noexcept {
     constexpr char sentence[] = "barycage-cli: error: There is not enough memory for this.\n";
     if (::write(STDERR_FILENO, sentence, sizeof sentence - 1) < 0) {
-        // Then nobody can be told.
+        // No memory even for the message.
     }
     return int(ExitStatus::CannotReadOrWrite);
 }
@@ -57,7 +57,7 @@ namespace {
             std::rethrow_exception(thrown);
         } catch (const std::bad_alloc&) {
             std::_Exit(memoryIsShort());
-        } catch (const std::system_error&) { // no thread can be had
+        } catch (const std::system_error&) { // no thread available
             std::_Exit(memoryIsShort());
         } catch (...) {
             std::abort();
@@ -66,7 +66,7 @@ namespace {
     std::abort();
 }
 
-[[gnu::constructor(101)]] void prepareForLittleMemory() { // before other constructors
+[[gnu::constructor(101)]] void prepareForLittleMemory() { // priority before other constructors
     std::set_terminate(endOfUncaught);
 }
 

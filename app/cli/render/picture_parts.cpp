@@ -54,7 +54,7 @@ bool isDivided(const RenderArguments& arguments) {
 // The output of the sums or the picture.
 struct Target {
     QString output;
-    std::optional<io::PictureFile> file; // none: sums
+    std::optional<io::PictureFile> file; // nullopt: sums
     std::optional<int> quality;
 };
 
@@ -188,7 +188,7 @@ ExitStatus resume(Sums sums, const RenderArguments& arguments, const Interrupt& 
         const PixelRows rows = bandOf(arguments, heightOf(sums));
         sums.drawn = {{rows.first, rows.end, sums.passes.size() - 1, partOf(arguments)}};
         sums.files.reset();
-        refuseToReplaceInput(output); // which holds more
+        refuseToReplaceInput(output); // the input holds more than the output will
     }
     Target target{output, {}, qualityOf(arguments)};
     if (!isSumFile(output)) target.file = pictureFileOf(arguments);

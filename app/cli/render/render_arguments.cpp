@@ -84,7 +84,7 @@ void settlePaperSize(RenderArguments& arguments, bool hasShapes) {
     double perMillimetre = arguments.dpi.value_or(300) / inch;
     if (hasShapes) {
         const auto isWhole = [](double pixels) { return std::abs(pixels - std::round(pixels)) < 1e-6; };
-        perMillimetre = 4; // about that of SVG
+        perMillimetre = 4; // close to the resolution of SVG
         while (perMillimetre < 10 &&
                !(isWhole(perMillimetre * paper.width()) && isWhole(perMillimetre * paper.height())))
             ++perMillimetre;
@@ -100,7 +100,7 @@ void settlePaperSize(RenderArguments& arguments, bool hasShapes) {
 
 void applyAppearance(attractor::Appearance& appearance, const RenderArguments& arguments) {
     if (arguments.colour) {
-        // Says which words there are for entries in the plane.
+        // Lists the words for entries in the plane.
         if (!arguments.colour->inPlane)
             choiceArgument("--colour", arguments.colour->word, wordsOf(coloursInPlane));
         appearance.colourBy = *arguments.colour->inPlane;

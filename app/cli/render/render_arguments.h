@@ -28,7 +28,7 @@ constexpr int maxInt = std::numeric_limits<int>::max();
 constexpr std::uint64_t maxPoints = std::numeric_limits<std::uint64_t>::max();
 
 enum class Format { Pixels, Svg, Pdf, Sum };
-bool isOfShapes(Format format); // but of a solid: a picture of pixels embedded in one
+bool isOfShapes(Format format); // true for SVG and PDF, in which solids are pictures of pixels all the same
 
 // Numbers of iterations, from the first to the last.
 struct Steps {
@@ -69,7 +69,7 @@ const attractor::AppearanceNumber& numberOf(const NumberOption& option);
 struct AppearanceOptions {
     std::optional<attractor::Palette> palette;
     std::optional<ColourMeaning> colour;
-    std::array<std::optional<double>, numberOptions.size()> numbers; // as in numberOptions
+    std::array<std::optional<double>, numberOptions.size()> numbers; // indexed like numberOptions
     std::optional<attractor::Rgba> background;
     std::optional<int> supersample;
 };
@@ -83,9 +83,10 @@ struct SpaceOptions {
 };
 
 struct ViewOptions {
-    QSize size{1200, 900};              // 0: as the proportions want it
-    std::optional<QSizeF> millimetres;  // on paper, of which settlePaperSize() makes the size in pixels
-    std::optional<NumberList> view;     // of three numbers in the plane, four in space
+    QSize size{1200, 900}; // pixels; a side of 0 follows from the proportions
+    // Size on paper, from which settlePaperSize() computes the size in pixels.
+    std::optional<QSizeF> millimetres;
+    std::optional<NumberList> view;     // three numbers in the plane, four in space
     std::optional<double> viewRotation; // degrees
     double margin = 5;                  // per cent of the picture
     bool yDown = false;
@@ -93,15 +94,15 @@ struct ViewOptions {
     std::optional<std::string> cage, restCage;
 };
 
-struct FrameOptions { // of an animation
+struct FrameOptions { // options of an animation
     std::optional<animation::Moment> frame;
     document::ShutterAngle shutter = 0;
     io::Exposing exposure = io::Exposing::Smooth;
 };
 
-struct PartOptions { // of a picture made on several machines, or in several runs
+struct PartOptions { // options of a picture drawn on several machines or in several runs
     std::optional<Share> part, band;
-    std::optional<std::string> resume; // a file of sums
+    std::optional<std::string> resume; // name of a file of sums
 };
 
 struct ResourceOptions {
@@ -115,7 +116,7 @@ struct FileOptions {
     std::string format;
     std::optional<int> bits, quality;
     std::optional<double> dpi;
-    std::optional<double> pixelsOfShapes; // an inch; nullopt: those of SVG
+    std::optional<double> pixelsOfShapes; // pixels per inch; nullopt: the resolution of SVG
     std::optional<io::ShapeStyle> svg;
     std::optional<int> depth;
 };
@@ -162,16 +163,16 @@ Option& addBackgroundOption(const OptionGroup& group, std::optional<attractor::R
 // Refuses combinations that do not fit before a file is read.
 Format checked(const RenderArguments& arguments);
 
-void selectInstructions(const std::string& name); // --simd
+void selectInstructions(const std::string& name); // value of --simd
 int threadsOf(const std::optional<int>& threads);
 // Refuses options for shapes that make no sense together or are out of range.
 void checkShapes(const RenderArguments& arguments);
 io::SvgFormat shapesOf(const RenderArguments& arguments);
 void applyAppearance(attractor::Appearance& appearance, const RenderArguments& arguments);
-QString suffixOf(const RenderArguments& arguments); // of the file, by --to or the name of the output
+QString suffixOf(const RenderArguments& arguments); // suffix of the file, from --to or the name of the output
 // The file format of a picture of pixels, by --to or the name of the output, with --bits.
 io::PictureFile pictureFileOf(const RenderArguments& arguments);
-io::PictureFormat::Depth depthOf(const RenderArguments& arguments); // of the rows that its writer takes
+io::PictureFormat::Depth depthOf(const RenderArguments& arguments); // depth of the rows that the writer takes
 bool is16Bit(const RenderArguments& arguments);
 std::optional<int> qualityOf(const RenderArguments& arguments);
 // --quality of a picture of this kind; none: no picture.

@@ -9,7 +9,7 @@
 // Messages about a picture.
 namespace cli {
 
-QString sentenceOf(attractor::RenderNote note, bool isInSpace); // empty where nothing is to be said
+QString sentenceOf(attractor::RenderNote note, bool isInSpace); // empty if there is nothing to report
 void reportNote(attractor::RenderNote note, bool isInSpace, const QString& fileName);
 
 // Says so when not.

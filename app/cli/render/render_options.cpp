@@ -355,7 +355,7 @@ void addLimitOptions(Command& command, RenderArguments& arguments) {
 void addSpaceOptions(Command& command, RenderArguments& arguments) {
     using attractor::Stereo;
     static constexpr std::span<const ifs::Named<Stereo>> all = ifs::names<Stereo>;
-    const auto eyes = all.subspan(1); // the first is none
+    const auto eyes = all.subspan(1); // without the first, Stereo::None
     const OptionGroup group = command.group("In space");
     group
         .add("--orbit", "AZ,EL[,ROLL]", parsed(&arguments.orbit, orbitArgument),
@@ -413,7 +413,7 @@ void letSizeBeOnPaper(Command& command, RenderArguments& arguments) {
         if (!arguments.millimetres)
             arguments.size = pictureSizeArgument(option, text);
         else
-            settlePaperSize(arguments, true); // until it is known what is drawn
+            settlePaperSize(arguments, true); // for shapes until the kind of picture is known
     }));
     size.description =
         "Width and height in pixels, or on paper, such as 58mmx40mm; 1200x, x900 or 58mmx keeps "

@@ -30,7 +30,7 @@ namespace {
 using attractor::LookInSpace;
 using Corners = std::vector<ifs::Vector<3>>;
 
-constexpr std::uint64_t maxBytes = std::uint64_t{4} << 30; // of memory for one picture
+constexpr std::uint64_t maxBytes = std::uint64_t{4} << 30; // memory for one picture
 
 QString quoted(const std::string& text) {
     return QString::fromStdString(text);
@@ -265,7 +265,7 @@ void warnOfEmptySlice(const io::SpaceExport& picture, const QString& fileName) {
     const document::Fractal placed = placedIn(picture.fractal, picture.request.cage);
     const attractor::SpaceClip& clip = *picture.request.clip;
     const double length = clip.normal.stableNorm();
-    if (!document::spaceSupport(placed)) return; // how far it extends is not certain
+    if (!document::spaceSupport(placed)) return; // extent not certain
     const document::Extent extent = document::extentAlong(placed, clip.normal / length);
     const double noise = 1e-9 * (extent.high - extent.low);
     if (clip.lowest > (extent.high + noise) * length || clip.highest < (extent.low - noise) * length)

@@ -36,7 +36,8 @@ Shown Frames::at(const animation::Moment& moment) const {
     shown.view = frame.view;
     shown.camera = frame.camera;
     shown.orbit = frame.orbit;
-    if (document::plane(m_entry)) applyAppearance(shown.fractal.appearance, m_arguments); // over keys as well
+    // Options override keys.
+    if (document::plane(m_entry)) applyAppearance(shown.fractal.appearance, m_arguments);
     return shown;
 }
 

@@ -11,14 +11,14 @@
 namespace cli {
 
 struct Shown {
-    document::Fractal fractal;                      // to draw
-    document::Fractal entry;                        // to embed in pictures
-    std::optional<attractor::View> view{};          // of the keys, in the plane …
-    std::optional<attractor::OrbitCamera> camera{}; // … and in space
-    std::vector<animation::CameraTurn> orbit{};     // of the camera in space: animation::orbited()
+    document::Fractal fractal;                      // fractal to draw
+    document::Fractal entry;                        // fractal to embed in pictures
+    std::optional<attractor::View> view{};          // keyed view of an entry in the plane
+    std::optional<attractor::OrbitCamera> camera{}; // keyed camera of an entry in space
+    std::vector<animation::CameraTurn> orbit{};     // orbit of the camera in space: animation::orbited()
     // The view of all frames of an animation, which they share when they have no camera of their own.
-    std::optional<ViewBox> box{};    // in the plane
-    attractor::Support support = {}; // in space
+    std::optional<ViewBox> box{};    // plane only
+    attractor::Support support = {}; // space only
 };
 
 // The entry at rest, or at --frame; in the plane with the colours that are asked for. Throws UsageError for a

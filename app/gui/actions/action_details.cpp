@@ -13,7 +13,7 @@ struct Details {
 };
 
 struct Detail {
-    std::string_view id; // of the action
+    std::string_view id; // id of the action
     const char* text;
 };
 

@@ -15,7 +15,7 @@
 
 ActionMenu::ActionMenu(const MenuContext& context, const QString& title)
     : QMenu(title, context.window->menuBar()), m_context(context) {
-    setToolTipsVisible(true); // disabled actions explain themselves there
+    setToolTipsVisible(true); // show why an action is disabled
 }
 
 QAction* ActionMenu::create(const ActionSpec& spec) {
@@ -24,7 +24,7 @@ QAction* ActionMenu::create(const ActionSpec& spec) {
     action->setIcon(view::icon(QLatin1String(spec.icon ? spec.icon : spec.id)));
     action->setShortcut(spec.shortcut);
     action->setStatusTip(spec.tip);
-    action->setToolTip(spec.tip); // view::Tooltips adds name and shortcut
+    action->setToolTip(spec.tip); // view::Tooltips appends name and shortcut
     action->setWhatsThis((spec.tip + QStringLiteral(". ") + actionDetails(spec.id)).trimmed());
     addShared(action);
     return action;
@@ -86,7 +86,7 @@ void ActionMenu::disableWhen(QAction* action, QString (*obstacle)(const document
                    statusTip = action->statusTip(), before = QString()]() mutable {
         const QString why = obstacle(m_context.document->fractal());
         if (const QString said = std::exchange(before, why); !said.isEmpty() && said != why)
-            if (m_context.window->statusBar()->currentMessage() == said) // it is no longer true
+            if (m_context.window->statusBar()->currentMessage() == said) // obsolete message
                 m_context.window->statusBar()->clearMessage();
         action->setEnabled(why.isEmpty());
         action->setToolTip(why.isEmpty() ? toolTip : view::tooltipText(why));

@@ -17,13 +17,13 @@ class Stage;
 
 // Texts of an action, and the keys that trigger it.
 struct ActionSpec {
-    const char* id; // unique and never changed: the users' own shortcuts are stored under it
+    const char* id; // unique and permanent: users' own shortcuts are stored under it
     QString text;
     QKeySequence shortcut;
-    QString tip;                   // for the status bar and the tool tip
-    const char* setting = nullptr; // where a toggle is stored between runs; nullptr: nowhere
-    bool initially = false;        // the state of a toggle that was never stored
-    const char* icon = nullptr;    // its name in the resources; nullptr: that of the id, if there is one
+    QString tip;                   // text of the status bar and the tool tip
+    const char* setting = nullptr; // key under which a toggle is stored between runs; nullptr: not stored
+    bool initially = false;        // state of a toggle that was never stored
+    const char* icon = nullptr;    // name in the resources; nullptr: the icon named like `id`, if any
 };
 
 // Objects that the menus of a window act on.
@@ -32,7 +32,7 @@ struct MenuContext {
     document::Document* document;
     view::CanvasView* canvas;
     WindowMessages* messages;
-    Stage* stage; // shows the canvas, or the window into space
+    Stage* stage; // canvas of the plane, or view of space
     const Panels* panels;
 };
 
@@ -48,7 +48,7 @@ public:
     QAction* add(const ActionSpec& spec, const std::function<void()>& operation);
     // Calls `set` when the user switches it and, if the toggle has a setting, at once with the stored state.
     QAction* addToggle(const ActionSpec& spec, const std::function<void(bool)>& set);
-    void addShared(QAction* action); // made elsewhere, with the id as its object name
+    void addShared(QAction* action); // for actions made elsewhere, with the id as their object name
 
     // The tool bar shows these actions side by side, apart from the next group, with short names.
     void addToolBarGroup(const QList<std::pair<QAction*, QString>>& actions);
@@ -61,7 +61,7 @@ protected:
 
 private:
     QAction* create(const ActionSpec& spec);
-    void explainShortcut(QAction* action); // in What's This, also when the user changes it
+    void explainShortcut(QAction* action); // also follows later changes of the shortcut, in What's This
 
     MenuContext m_context;
     QList<QList<QAction*>> m_toolBarGroups;

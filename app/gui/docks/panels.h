@@ -61,7 +61,7 @@ class Panels {
 public:
     void add(Panel panel, QDockWidget* dock) { m_docks[std::size_t(panel)] = dock; }
     QDockWidget* dock(Panel panel) const { return m_docks[std::size_t(panel)]; } // null before it is made
-    void show(Panel panel) const;                                                // in front of its tabs
+    void show(Panel panel) const; // brings the panel to the front of its tabs
 
 private:
     std::array<QDockWidget*, ifs::names<Panel>.size()> m_docks{};

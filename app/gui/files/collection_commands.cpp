@@ -39,6 +39,24 @@ void add(const Fractals& fractals, const CollectionTarget& target) {
     if (fractals.size() > 1) target.showTransformation();
 }
 
+// The entry that still is as the collection has it, under whatever name it was added; None: there is none.
+EntryId untouchedCopy(const document::FractalFile& file, document::Fractal wanted) {
+    for (const document::Entry& entry : file.entries) {
+        wanted.name = entry.fractal->name;
+        if (*entry.fractal == wanted) return entry.id;
+    }
+    return EntryId::None;
+}
+
+void choose(const Fractals& fractals, const CollectionTarget& target) {
+    if (target.file->path().isEmpty() && target.document->undoStack()->count() == 0)
+        return start(fractals, target);
+    const EntryId known =
+        fractals.size() == 1 ? untouchedCopy(target.document->file(), fractals.front()) : EntryId::None;
+    if (known == EntryId::None) return add(fractals, target);
+    target.document->setCurrent(known);
+}
+
 } // namespace
 
 void connectCollection(view::CollectionPanel* collection, const CollectionTarget& target) {
@@ -47,10 +65,8 @@ void connectCollection(view::CollectionPanel* collection, const CollectionTarget
                      [target](const Fractals& fractals) {
                          if (target.commands->maybeSave()) start(fractals, target);
                      });
-    QObject::connect(collection, &CollectionPanel::chosen, collection, [target](const Fractals& fractals) {
-        const bool isUntouched = target.file->path().isEmpty() && target.document->undoStack()->count() == 0;
-        isUntouched ? start(fractals, target) : add(fractals, target);
-    });
+    QObject::connect(collection, &CollectionPanel::chosen, collection,
+                     [target](const Fractals& fractals) { choose(fractals, target); });
     QObject::connect(collection, &CollectionPanel::addRequested, collection,
                      [target](const Fractals& fractals) { add(fractals, target); });
 }

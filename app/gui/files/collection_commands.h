@@ -18,7 +18,7 @@ class CollectionPanel;
 struct CollectionTarget {
     document::Document* document;
     OpenFile* file;
-    FileCommands* commands; // asks before a document is given up
+    FileCommands* commands; // asks before unsaved changes are discarded
     std::function<void()> showTransformation;
 };
 void connectCollection(view::CollectionPanel* collection, const CollectionTarget& target);

@@ -34,7 +34,7 @@ void connectPanel(QDockWidget* panel, WindowMessages* messages) {
     QObject::connect(queue(), &view::ExportQueue::message, messages, &WindowMessages::say);
     QObject::connect(queue(), &view::ExportQueue::resumed, panel, [panel, messages] {
         const int count = queue()->unfinished();
-        if (count == 0) return; // those that failed can wait until the panel is opened
+        if (count == 0) return; // failed exports can wait until the panel is opened
         panel->show();
         panel->raise();
         messages->say(Text::tr("%n exports from the last session are in the queue.", nullptr, count));
@@ -57,7 +57,7 @@ bool mayEnd(QWidget* window, SessionWindow::Leaving leaving) {
     const auto follow = [&box] {
         const int left = queue()->unfinished();
         box.setText(Text::tr("%n exports are still in the queue.", nullptr, left));
-        if (left == 0) box.accept(); // nobody need answer any more
+        if (left == 0) box.accept(); // no answer needed any more
     };
     QObject::connect(queue(), &view::ExportQueue::exportChanged, &box, follow);
     QObject::connect(queue(), &view::ExportQueue::listChanged, &box, follow);

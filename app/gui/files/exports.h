@@ -13,7 +13,7 @@ class WindowMessages;
 // The queue of exports of this program, in its windows.
 namespace exports {
 
-QString folder(); // of what waits
+QString folder(); // folder where waiting exports are stored
 
 // The queue of all windows, owned by the application and created on demand.
 view::ExportQueue* queue();

@@ -24,7 +24,7 @@
 
 namespace {
 
-constexpr qsizetype maxNamed = 6; // snapshots in a question
+constexpr qsizetype maxNamed = 6; // snapshots named in a question
 
 QString fileFilter() {
     return FileCommands::tr(

@@ -20,10 +20,11 @@ class FileCommands : public QObject {
 public:
     FileCommands(const MenuContext& context, OpenFile* file);
 
-    bool maybeSave(); // asks about unsaved changes; false: the user cancelled
+    bool maybeSave(); // asks about unsaved changes; false if the user cancels
     // Commands that report what was read, or what failed:
     bool open(const QString& path);
-    bool open(const QString& path, const FileReading& reading); // begun or cancelled elsewhere
+    // Result of a reading that was started elsewhere.
+    bool open(const QString& path, const FileReading& reading);
     // Commands that ask about unsaved changes first. A file that another window has is shown there.
     void startNew();
     void chooseAndOpen();
@@ -31,7 +32,7 @@ public:
 
     bool save();
     bool saveAs();
-    bool saveTo(const QString& path); // as saveAs() once the file is chosen
+    bool saveTo(const QString& path); // saveAs() after the choice of a file
     // Saves with the placements written into the code and all maps listed; the file of the window stays as it
     // is.
     void saveForOtherPrograms();
@@ -52,14 +53,14 @@ private:
     Answer askAboutDisk(OpenFile::OnDisk found);
     void reportOpened();
     void reportSaved();
-    QString targetRemark() const;       // about the target of a collage, if there is one
-    QString lostSnapshots() const;      // a sentence; empty: none
-    QString discardedSnapshots() const; // besides these, when changes are given up
+    QString targetRemark() const;       // remark about the target of a collage, if there is one
+    QString lostSnapshots() const;      // sentence about snapshots that would be lost; empty: none
+    QString discardedSnapshots() const; // addition about snapshots, when changes are discarded
 
     MenuContext m_context;
     OpenFile* m_file;
     Lessons m_lessons;
-    bool m_hasRemarkedOnTarget = false; // since the window is open
+    bool m_hasRemarkedOnTarget = false; // once per window
     bool m_hasRemarkedOnPlacement = false;
     const view::Snapshots* m_snapshots = nullptr;
 };

@@ -27,7 +27,7 @@ public:
     void clear() { m_seen.clear(); }
 
 private:
-    QSet<QString> m_seen; // files whose previous version is kept, or that there were none of
+    QSet<QString> m_seen; // paths whose previous version has been kept, or did not exist
 };
 
 // A remark for the user on the previous version; empty when there is nothing to say. `name` is the file's.

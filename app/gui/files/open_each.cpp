@@ -24,10 +24,10 @@ namespace {
 
 using namespace std::chrono_literals;
 
-constexpr auto untilLate = 100ms;     // nobody needs to be told of less
-constexpr auto untilNobodysTurn = 1s; // what hangs lets the next one be read
+constexpr auto untilLate = 100ms;     // shorter waits are not reported
+constexpr auto untilNobodysTurn = 1s; // a file that hangs does not delay the next one longer
 constexpr int readAtOnce = 4;
-constexpr qsizetype unasked = 8; // windows
+constexpr qsizetype unasked = 8; // windows opened without a question
 
 // Checks whether the lesson can be read: the window reads it with its fractals.
 FileReading tryLesson(const QString& path) {
@@ -70,7 +70,7 @@ struct OpenEach::Piece {
     QFutureWatcher<ReadFile> watcher;
     QDeadlineTimer late, nobodysTurn;
     bool hasWindow = false;
-    QPointer<SessionWindow> window; // when it is late
+    QPointer<SessionWindow> window; // set if the file is late
 
     bool isRead() const { return isStarted && (reading.isFinished() || reading.isCanceled()); }
     bool isLate() const { return isStarted && late.hasExpired(); }
@@ -86,7 +86,7 @@ OpenEach::OpenEach(const QList<WantedFile>& files, SessionWindow* first,
         m_left.push_back(std::make_unique<Piece>());
         m_left.back()->file = file;
     }
-    // Lessons name other files, for which the window waits.
+    // Lessons come first: they name other files, for which the window waits.
     std::stable_partition(m_left.begin(), m_left.end(),
                           [](const auto& piece) { return !isLesson(piece->file.path); });
 }
@@ -110,7 +110,7 @@ void OpenEach::run() {
             showLate();
             waitForMore();
         }
-        if (m_hasShown && session::allAreClosed()) break; // while files were read
+        if (m_hasShown && session::allAreClosed()) break; // the user closed all windows meanwhile
     }
     giveUpTheRest();
     delete progress;
@@ -148,7 +148,7 @@ void OpenEach::startSome() {
         piece->isStarted = true;
         piece->late = QDeadlineTimer(untilLate);
         piece->nobodysTurn = QDeadlineTimer(untilNobodysTurn);
-        if (path.isEmpty()) continue; // a future that is finished
+        if (path.isEmpty()) continue; // finished already
         piece->reading = isLesson(path) ? tryLesson(path) : startReading(path);
         using Watcher = QFutureWatcherBase;
         QObject::connect(&piece->watcher, &Watcher::finished, &m_loop, &QEventLoop::quit);
@@ -175,7 +175,7 @@ SessionWindow* OpenEach::takeWindow() {
 }
 
 void OpenEach::open(Piece& piece) {
-    if (piece.hasWindow && !piece.window) return; // it has gone
+    if (piece.hasWindow && !piece.window) return; // window closed meanwhile
     const auto& [path, recovered] = piece.file;
     if (!recovered && session::showOther(path, piece.hasWindow ? piece.window : m_unused)) {
         m_hasShown = true;

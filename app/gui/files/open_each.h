@@ -52,14 +52,14 @@ private:
     struct Piece;
     QProgressDialog* showProgress(int count);
     void startSome();
-    Piece* next(); // that is read; none, while one before it may soon be
+    Piece* next(); // piece to open next; null while an earlier one is still being read
     void open(Piece& piece);
     SessionWindow* takeWindow();
     void showLate();
     void waitForMore();
     void giveUpTheRest();
 
-    std::vector<std::unique_ptr<Piece>> m_left; // in the order in which they are opened
+    std::vector<std::unique_ptr<Piece>> m_left; // pieces in the order of opening
     QPointer<SessionWindow> m_unused;           // a window without a file
     std::function<SessionWindow*()> m_createWindow;
     bool m_hasShown = false;

@@ -37,9 +37,9 @@ QByteArray digestOf(const QByteArray& bytes) {
 struct Writing {
     std::atomic<bool> isDecided = false;
     io::Failure failure;
-    document::FractalFile file; // as it reads when it is opened again
+    document::FractalFile file; // contents after the next opening
     QByteArray digest;
-    int otherNames = 0; // of the file that was there
+    int otherNames = 0; // number of other names of the replaced file
     KeptVersions::Wish wish;
     io::KeptVersion kept;
 };
@@ -93,7 +93,7 @@ FileReading startReading(const QString& path) {
             if (reading.collection.isOrderAssumed)
                 reading.table = io::tableIn(
                     QString::fromUtf8(io::fromUtf16(reading.loaded.bytes).value_or(reading.loaded.bytes)));
-            // Loading the first entry, which takes some time, is remembered.
+            // Loads the first entry now, which takes some time; the result is kept.
             const auto& entries = reading.collection.file.entries;
             const auto shown = std::ranges::find_if(
                 entries, [](const auto& entry) { return document::system2(*entry.fractal) != nullptr; });
@@ -106,7 +106,7 @@ FileReading startReading(const QString& path) {
 OpenFile::OpenFile(document::Document* document, QWidget* window) : m_document(document), m_window(window) {}
 
 OpenFile::~OpenFile() {
-    if (m_isReading) m_reading.cancel(); // whoever waits for it need not any more
+    if (m_isReading) m_reading.cancel(); // stops waiting for the result
     document::startInLane(document::Lane::Asking, [claim = std::move(m_claim)] {});
 }
 
@@ -183,7 +183,7 @@ io::Failure OpenFile::open(const QString& path, FileReading reading) {
     m_document->setFile(std::move(collection.file));
     io::freeInBackground(std::move(before));
     m_versions.clear();
-    // A system taken out of another format has no .ifs file to be saved to yet.
+    // A system from another format has no .ifs file yet.
     if (collection.format == QLatin1String("fractint"))
         remember(path, digest);
     else
@@ -219,7 +219,7 @@ std::optional<io::Failure> OpenFile::recover(const document::Snapshot& snapshot,
     const bool known = snapshot.current >= 0 && snapshot.current < recovered.entries.size();
     const document::EntryId current =
         known ? recovered.entries[snapshot.current].id : document::EntryId::None;
-    if (snapshot.path.isEmpty()) { // there is nothing that undoing could go back to
+    if (snapshot.path.isEmpty()) { // no saved state for undo to return to
         m_document->setFile(std::move(recovered), current);
         m_document->undoStack()->resetClean();
     } else {
@@ -227,7 +227,7 @@ std::optional<io::Failure> OpenFile::recover(const document::Snapshot& snapshot,
     }
     if (!snapshot.path.isEmpty()) {
         m_path = snapshot.path;
-        m_digest = snapshot.base; // not what somebody else may have written since
+        m_digest = snapshot.base; // ignores later versions by others
         m_isMissing = failure.has_value();
         claim();
         emit pathChanged();
@@ -270,10 +270,11 @@ io::Failure OpenFile::write(const QString& path) {
     QFuture<void> work = writeBeside(writing, inFolder(m_document->file()), path);
     const auto file = QFileInfo(path).fileName();
     while (
-        !view::waitFor(work, tr("Saving “%1”…").arg(file), m_window)) // in the end it is cancelled, or saved
+        // Ends when the file is saved or saving is cancelled.
+        !view::waitFor(work, tr("Saving “%1”…").arg(file), m_window))
         if (!writing->isDecided.exchange(true))
             return tr("Saving “%1” was cancelled. The file on disk is unchanged.").arg(file);
-    work.waitForFinished(); // throws what went wrong besides
+    work.waitForFinished(); // rethrows other exceptions
     m_versions.note(path, writing->kept, !writing->failure);
     if (writing->failure) return writing->failure;
     m_previous = writing->kept.outcome;
@@ -287,7 +288,8 @@ io::Failure OpenFile::write(const QString& path) {
 }
 
 void OpenFile::remember(const QString& path, const QByteArray& digest) {
-    m_path = path.isEmpty() ? QString() : QFileInfo(path).absoluteFilePath(); // it outlives this folder
+    // Independent of the current folder.
+    m_path = path.isEmpty() ? QString() : QFileInfo(path).absoluteFilePath();
     m_digest = digest;
     m_isMissing = false;
     claim();

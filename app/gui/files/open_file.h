@@ -23,9 +23,9 @@ class QWidget;
 // A file as it was read beside the windows.
 struct ReadFile {
     io::Loaded loaded;
-    io::Collection collection; // when there is no failure
+    io::Collection collection; // valid if there is no failure
     QByteArray digest;
-    QString table; // whose order of columns is assumed
+    QString table; // name of the table whose order of columns is assumed
 };
 using FileReading = QFuture<ReadFile>;
 FileReading startReading(const QString& path);
@@ -38,11 +38,11 @@ public:
     OpenFile(document::Document* document, QWidget* window);
     ~OpenFile() override;
 
-    QString path() const { return m_path; } // empty while it has none
-    QString name() const;                   // for titles: file name, or "Untitled"
+    QString path() const { return m_path; } // empty before the first save
+    QString name() const;                   // file name for titles, or "Untitled"
 
-    void startNew();                                                       // a Sierpiński triangle, no path
-    void startFrom(document::FractalFile file, document::EntryId current); // no path
+    void startNew(); // file with a Sierpiński triangle and no path
+    void startFrom(document::FractalFile file, document::EntryId current); // file without a path
     // Pictures that carry their system open as a file without path. The document is as before when this
     // fails.
     io::Failure open(const QString& path);
@@ -63,11 +63,11 @@ public:
     // path stays. nullopt when the user does not wait for it.
     std::optional<io::Failure> recover(const document::Snapshot& snapshot);
     std::optional<io::Failure> recover(const document::Snapshot& snapshot, const FileReading& onDisk);
-    io::Failure save(); // to path()
+    io::Failure save(); // writes to path()
     io::Failure saveAs(const QString& path);
     io::Failure revert();
 
-    QByteArray digest() const { return m_digest; } // of the bytes that were read or written here
+    QByteArray digest() const { return m_digest; } // digest of the bytes last read or written here
     // State of the file at path(): `Changed` when it holds other bytes or cannot be read, `Gone` when there
     // is none any more and the user has not been told so. nullopt when the user does not wait for it.
     enum class OnDisk { Same, Changed, Gone };
@@ -77,12 +77,12 @@ public:
     // The fate of the version before the last save. The first save of a file in this window keeps it, unless
     // the user does not want that.
     io::Keeping previousVersion() const { return m_previous; }
-    KeptVersions& versions() { return m_versions; } // of whatever the window saves
+    KeptVersions& versions() { return m_versions; } // kept versions of all files that the window saves
 
 signals:
     void pathChanged();
     void stopped();
-    void isOpenElsewhere(); // in another window of this account, which may save it as well
+    void isOpenElsewhere(); // true if another window of this account, which may also save, has the file open
     // A table was opened whose text does not say what its columns are.
     void orderAssumed(const QString& text);
     void flamesOpened();
@@ -100,15 +100,15 @@ private:
     bool m_isStopped = false;
     bool m_isAwaiting = false;
     QFuture<void> m_reading;
-    QPointer<QProgressDialog> m_progress; // while it is awaited
+    QPointer<QProgressDialog> m_progress; // shown during a slow read
     QString m_path;
     QByteArray m_digest;
-    bool m_isMissing = false; // it was not there to be read, and the user knows
+    bool m_isMissing = false; // true if the file was missing when it was read, and the user knows
     void claim();
 
     int m_otherNames = 0;
     io::Keeping m_previous = io::Keeping::Nothing;
     KeptVersions m_versions;
-    QString m_claimed; // the path that it is for
+    QString m_claimed; // path that the claim is for
     ClaimLock m_claim;
 };

@@ -6,7 +6,7 @@
 // The last files opened or saved, newest first, kept between runs and shared by all windows.
 namespace recent_files {
 
-QStringList list(); // without those that are known to be gone; a slow drive is not waited for
+QStringList list(); // excludes files known to be gone; does not wait for slow drives
 void add(const QString& path);
 void clear();
 

@@ -26,7 +26,7 @@ Recovery::Recovery(document::Document* document, const OpenFile* file, QObject* 
     m_timer.setSingleShot(true);
     connect(&m_timer, &QTimer::timeout, this, [this] {
         if (!m_writing.isEmpty())
-            m_isAgain = true; // the disk is slow: the newest state is kept next, and none between
+            m_isAgain = true; // slow disk: the newest state is written next, none between
         else
             keepNow();
     });
@@ -34,13 +34,13 @@ Recovery::Recovery(document::Document* document, const OpenFile* file, QObject* 
     connect(&m_watch, &QTimer::timeout, this, &Recovery::watch);
     connect(document, &document::Document::changed, this, [this](const document::Change& change) {
         using document::Change;
-        if (change.parts & Change::Time && !(change.parts & Change::File)) return; // no edit
+        if (change.parts & Change::Time && !(change.parts & Change::File)) return; // not an edit
         noteChange();
     });
     connect(document->undoStack(), &QUndoStack::cleanChanged, this, [this](bool clean) {
         m_wasModified = isModified();
         if (!clean) return;
-        if (m_wasModified) // the lesson still is
+        if (m_wasModified) // the lesson is still modified
             noteChange();
         else
             discard();
@@ -156,7 +156,7 @@ void Recovery::letGo() {
 }
 
 void Recovery::report(bool kept) {
-    if (!kept && isModified()) keepSoon(); // until it works
+    if (!kept && isModified()) keepSoon(); // repeated until it succeeds
     if (std::exchange(m_kept, kept) && !kept)
         emit cannotKeep(tr("Unsaved work cannot be kept for recovery: the folder “%1” is not writable, or "
                            "the disk is full. Save often.")
@@ -194,7 +194,7 @@ void Recovery::reportDamaged(QStringList paths) {
 // A line for each; those of files of the same name with their folders, those that read alike together.
 QStringList Recovery::lines(const QList<document::Snapshot>& snapshots) {
     QStringList result;
-    QList<int> windows; // of each line
+    QList<int> windows; // window of each line
     for (const document::Snapshot& snapshot : snapshots) {
         const bool isAmbiguous = std::ranges::any_of(snapshots, [&](const document::Snapshot& other) {
             return other.title == snapshot.title && other.path != snapshot.path;
@@ -244,7 +244,7 @@ QList<document::Abandoned> Recovery::ask() {
     box.setEscapeButton(later);
     box.exec();
     if (box.clickedButton() == recover) return found;
-    // Runs in the lane in which the locks are given up.
+    // Runs in the lane in which locks are released.
     document::startInLane(document::Lane::Saving,
                           [left = std::move(found), isForgotten = box.clickedButton() == forget]() mutable {
                               for (const document::Abandoned& abandoned : left)

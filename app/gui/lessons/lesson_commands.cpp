@@ -50,9 +50,9 @@ QByteArray resource(const QString& name) {
 
 struct LessonReading {
     io::Failure failure;
-    io::LessonFile lesson;  // when there is no failure
-    QString fractals;       // their path; empty when they are gone, or elsewhere
-    bool isForeign = false; // they are outside the folder of the lesson, where nothing has been looked at
+    io::LessonFile lesson;  // valid if there is no failure
+    QString fractals;       // path; empty if the file is missing or elsewhere
+    bool isForeign = false; // true: outside the folder of the lesson, not examined
 };
 
 QString referenceTo(const QString& fractals, const QString& lesson) {
@@ -304,7 +304,8 @@ void LessonCommands::askForForeign(const QString& path, io::LessonFile lesson) {
         else
             openWith(fractals, path, lesson);
     };
-    connect(open, &QPushButton::clicked, this, agree, Qt::QueuedConnection); // when the question has gone
+    // Queued until the question has closed.
+    connect(open, &QPushButton::clicked, this, agree, Qt::QueuedConnection);
     box->open();
 }
 
@@ -333,7 +334,8 @@ void LessonCommands::offerToFind(const QString& path, io::LessonFile lesson) {
         context().messages->say(tr("The lesson now refers to %1. Save the lesson to keep this change.")
                                     .arg(QFileInfo(found).fileName()));
     };
-    connect(find, &QPushButton::clicked, this, choose, Qt::QueuedConnection); // when the question has gone
+    // Queued until the question has closed.
+    connect(find, &QPushButton::clicked, this, choose, Qt::QueuedConnection);
     box->open();
 }
 
@@ -342,7 +344,7 @@ void LessonCommands::recover(const QByteArray& lesson, const QString& path) {
     if (read.lesson.steps.isEmpty() && read.lesson.title.isEmpty()) return;
     m_filePath = m_file->path();
     m_notebook->open(std::move(read.lesson), path);
-    m_notebook->history()->resetClean(); // it is not saved yet
+    m_notebook->history()->resetClean(); // not saved yet
     showPanel();
 }
 

@@ -22,18 +22,19 @@ class LessonCommands : public ActionMenu {
 public:
     LessonCommands(const MenuContext& context, const LessonParts& parts, QAction* presentation);
 
-    void setFiles(FileCommands* commands, OpenFile* file); // which it then follows
+    void setFiles(FileCommands* commands, OpenFile* file); // files that the lessons follow from now on
     view::LessonPanel* panel() const { return m_panel; }
-    void setPanels(const Panels& panels); // those that lessons show, and its own
+    void setPanels(const Panels& panels); // panels that lessons show, including their own
 
-    bool open(const QString& path); // the lesson and its file; reports what failed
-    bool maybeSave();               // ends the lesson, asks about unsaved steps; false: the user cancelled
-    void recover(const QByteArray& lesson, const QString& path); // of a window that is gone; empty: none
+    bool open(const QString& path); // opens the lesson and its file; reports failures
+    bool maybeSave();               // ends the lesson and asks about unsaved steps; false if the user cancels
+    // Lesson of a window that has ended; ignores an empty one.
+    void recover(const QByteArray& lesson, const QString& path);
     // Shows it in the user's language if there is such a text, from the step with this index.
     void showBuiltIn(const QString& name, int step = 0);
     // The lesson that is open and the step that is played, for a restart; empty without one.
     QVariantMap restartPlace() const;
-    bool returnTo(const QVariantMap& place); // false: there was no lesson
+    bool returnTo(const QVariantMap& place); // false if there was no lesson
 
     // The lessons that come with the program, as actions; `window` makes the window for one of them.
     void addBuiltIn(QMenu* menu, const std::function<LessonCommands*()>& window);
@@ -45,9 +46,9 @@ private:
     void createActions();
     void connectPanel();
     struct LessonPlace {
-        QString lesson;       // its path; empty for one that comes with the program
-        QString fractals;     // their path
-        bool isOther = false; // than the lesson says, as the user has found them
+        QString lesson;       // path; empty for a lesson of the program
+        QString fractals;     // path of the file of fractals
+        bool isOther = false; // true if the user chose another file than the lesson names
     };
     bool adopt(const LessonPlace& place, const QString& name, io::LessonFile read);
     bool openWith(const QString& fractals, const QString& path, io::LessonFile lesson);
@@ -72,8 +73,8 @@ private:
     QDockWidget* m_dock = nullptr;
     FileCommands* m_commands = nullptr;
     OpenFile* m_file = nullptr;
-    QString m_builtIn;        // the name of the lesson that comes with the program, if one is open
-    QString m_filePath;       // of the fractals that the lesson belongs to
-    bool m_isGivenUp = false; // the user does not want the unsaved steps
+    QString m_builtIn;        // name of the open lesson of the program; empty otherwise
+    QString m_filePath;       // path of the lesson's file of fractals
+    bool m_isGivenUp = false; // true if the user discards the unsaved steps
     bool m_isOpening = false;
 };

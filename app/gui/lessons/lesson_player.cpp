@@ -17,9 +17,13 @@
 
 namespace {
 
-constexpr double cardShare = 0.3; // of the width of the window
+constexpr double cardShare = 0.3; // share of the window's width
 constexpr int minCardWidth = 300;
 constexpr int maxCardWidth = 760;
+
+bool isConstruction(const document::LessonStep& step) {
+    return step.state.construction.mode != document::LessonConstruction::Mode::Density;
+}
 
 } // namespace
 
@@ -29,7 +33,7 @@ LessonPlayer::LessonPlayer(const LessonParts& parts, QAction* presentation)
         if (!on) stop();
     });
     connect(parts.document, &document::Document::changed, this, [this](const document::Change& change) {
-        if (m_isPlaying && change.parts & document::Change::File) { // another one, which has no such steps
+        if (m_isPlaying && change.parts & document::Change::File) { // another file, without these steps
             m_base = 0;
             stop();
         }
@@ -59,10 +63,10 @@ void LessonPlayer::createCard() {
 void LessonPlayer::play(const document::Lesson& lesson, int from) {
     if (lesson.steps.isEmpty()) return;
     stop();
-    m_parts.stage->cancelGesture(); // which would be a step of the history
+    m_parts.stage->cancelGesture(); // a gesture would add a step to the history
     m_lesson = lesson;
     m_before = lessonState(m_parts);
-    m_before.cage = {}; // the history brings back what belongs to the fractal
+    m_before.cage = {}; // the history restores what belongs to the fractal
     m_before.colourBy.reset();
     m_before.entry.clear();
     m_beforeEntry = m_parts.document->currentId();
@@ -72,6 +76,7 @@ void LessonPlayer::play(const document::Lesson& lesson, int from) {
     m_wasConstructionShown = bar && !bar->isHidden();
     if (!m_dock) createCard();
     m_presentation->setChecked(true);
+    showConstructionBar(std::ranges::any_of(lesson.steps, isConstruction)); // all the time: it moves the card
     m_isPlaying = true;
     m_hasOwnSteps = m_hasOthersEdit = false;
     showStep(std::clamp(from, 0, int(lesson.steps.size()) - 1));
@@ -109,7 +114,6 @@ void LessonPlayer::showStep(int step) {
     takeBack();
     const document::LessonState& state = m_lesson.steps[step].state;
     showPanels(state.panels);
-    showConstructionBar(state.construction.mode != document::LessonConstruction::Mode::Density);
     m_card->showStep(m_lesson, step);
     m_parts.stage->plane()->setHint({});
     const QString sentence = showLessonState(m_parts, state);

@@ -26,11 +26,11 @@ public:
     void stop();
     bool isPlaying() const { return m_isPlaying; }
     int step() const { return m_step; }
-    void showStep(int step); // if there is one
+    void showStep(int step); // ignores numbers out of range
 
 signals:
     void playingChanged(bool isPlaying);
-    void problem(const QString& sentence); // about parts that a step could not show
+    void problem(const QString& sentence); // names parts that a step could not show
 
 protected:
     bool eventFilter(QObject* watched, QEvent* event) override;
@@ -39,7 +39,7 @@ private:
     void createCard();
     void showCard();
     void takeBack();
-    void forgetOwnSteps(); // of the history
+    void forgetOwnSteps(); // removes them from the history
     void showPanels(const QStringList& ids);
     void showConstructionBar(bool shown);
     void keepView();
@@ -47,20 +47,20 @@ private:
 
     LessonParts m_parts;
     QAction* m_presentation;
-    QDockWidget* m_dock = nullptr; // made when the first lesson is played
+    QDockWidget* m_dock = nullptr; // null until the first lesson is played
     view::LessonCard* m_card = nullptr;
     document::Lesson m_lesson;
     int m_step = 0;
     bool m_isPlaying = false;
     bool m_wasPresentation = false;
     bool m_wasConstructionShown = false;
-    document::LessonState m_before; // of the window
+    document::LessonState m_before; // state of the window before the lesson
     document::EntryId m_beforeEntry = document::EntryId::None;
-    int m_base = 0;               // the place in the history at which every step starts
-    int m_shown = 0;              // the place at which the present step is shown
+    int m_base = 0;               // index in the history at which every step starts
+    int m_shown = 0;              // index in the history at which the present step is shown
     bool m_hasOwnSteps = false;   // a step of the lesson has edited the file
-    bool m_hasOthersEdit = false; // and somebody else since
-    bool m_isShowing = false;     // a step
-    attractor::Camera m_camera;   // as the step has set it
+    bool m_hasOthersEdit = false; // somebody else has edited the file since
+    bool m_isShowing = false;     // true while a step is being shown
+    attractor::Camera m_camera;   // camera set by the step
     attractor::OrbitCamera m_orbit;
 };

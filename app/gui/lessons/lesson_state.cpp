@@ -35,7 +35,7 @@ template <int Dim> LessonCage cornersOf(const ifs::ControlCage<Dim>& cage) {
 }
 
 LessonCage cageOf(const document::Fractal& fractal) {
-    if (document::animationFacts(fractal)) return {}; // its keys say where it is
+    if (document::animationFacts(fractal)) return {}; // keys determine the camera
     if (const auto* cage = document::cage2(fractal)) return cornersOf(*cage);
     if (const auto* shape = document::space(fractal); shape && shape->cage) return cornersOf(*shape->cage);
     return document::dimension(fractal) == 0 ? LessonCage() : LessonAtRest{};

@@ -64,7 +64,7 @@ void AnimationMenu::addPlaying() {
     view::SpaceView* space = context().stage->space();
     connect(new view::SpaceTap(context().stage->plane()), &view::SpaceTap::tapped, this, toggle);
     connect(new view::SpaceTap(space), &view::SpaceTap::tapped, this, [space, toggle] {
-        if (!space->ball().focused()) toggle(); // there, Space looks along an axis
+        if (!space->ball().focused()) toggle(); // Space looks along an axis on the ball
     });
 }
 

@@ -16,7 +16,7 @@ class AnimationMenu : public ActionMenu {
 public:
     AnimationMenu(const MenuContext& context, view::TimelinePanel* panel);
 
-    void setDock(QDockWidget* dock); // that shows the panel
+    void setDock(QDockWidget* dock); // dock of the timeline panel
     void showDock();
 
 private:

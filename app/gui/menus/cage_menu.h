@@ -21,7 +21,7 @@ private:
 
     void addTools();
     void addOperations();
-    void addMore(); // rarely needed commands
+    void addMore(); // adds rarely needed commands
     void addModes(ActionMenu& menu);
     QAction* addTool(QActionGroup* group, Tool tool, const ActionSpec& spec);
     QAction* addOperation(ActionMenu& menu, Operation operation, const ActionSpec& spec);

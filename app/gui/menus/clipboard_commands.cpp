@@ -73,7 +73,7 @@ void ClipboardCommands::press(const QKeySequence& keys) const {
     if (focused == nullptr) return;
     const QKeyCombination key = keys[0];
     const bool isClaimed = isWanted(key, focused);
-    const QPointer<QWidget> widget = focused; // the key may close it
+    const QPointer<QWidget> widget = focused; // guards against a key that closes the widget
     for (const QEvent::Type type : {QEvent::KeyPress, QEvent::KeyRelease}) {
         QKeyEvent event(type, key.key(), key.keyboardModifiers());
         if (!widget) return;

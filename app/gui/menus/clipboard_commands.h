@@ -23,7 +23,7 @@ private:
     enum class Target { Entries, Maps, CanvasOfMaps, Canvas, Other };
     Target target() const;
     void copyPicture() const;
-    void press(QKeySequence::StandardKey keys) const; // for the widget that has the focus
+    void press(QKeySequence::StandardKey keys) const; // goes to the widget that has the focus
     void press(const QKeySequence& keys) const;
 
     MenuContext m_context;

@@ -18,9 +18,10 @@ public:
     // `showCollection` lets the user search the collection.
     DiscoverMenu(const MenuContext& context, const std::function<void()>& showCollection);
 
-    void addRandom(); // a fractal that the user picks out of many
+    void addRandom(); // adds a fractal chosen by the user among many
     void addCollage(QAction* panel);
-    void showTransformation() { m_transformation->setChecked(true); } // where the entry allows it
+    // No effect if the entry does not allow it.
+    void showTransformation() { m_transformation->setChecked(true); }
     // Makes a transformation and a construction end each other, since both draw on the canvas of the plane.
     void alternateWith(view::Construction* construction);
 
@@ -28,6 +29,6 @@ private:
     void addTransformation();
     void openMutate();
 
-    std::map<document::EntryId, view::MutateDialog::Descent> m_descents; // left without using them
+    std::map<document::EntryId, view::MutateDialog::Descent> m_descents; // descents closed without a choice
     QAction* m_transformation = nullptr;
 };

@@ -79,11 +79,11 @@ void EditMenu::addHistory() {
     QUndoStack* stack = context().document->undoStack();
     QAction* undo = stack->createUndoAction(context().window, tr("&Undo"));
     undo->setObjectName(QStringLiteral("undo"));
-    undo->setProperty(view::commandName, tr("&Undo")); // whatever step it takes back
+    undo->setProperty(view::commandName, tr("&Undo")); // constant name, whatever step it undoes
     undo->setShortcut(QKeySequence(tr("Ctrl+Z")));
     undo->setIcon(view::icon(QStringLiteral("undo")));
     undo->setStatusTip(tr("Undo the last edit"));
-    // During a drag, undo takes back the drag alone.
+    // Undo during a drag undoes only the drag.
     disconnect(undo, nullptr, stack, nullptr);
     connect(undo, &QAction::triggered, stack, [stack, stage = context().stage] {
         if (QGuiApplication::mouseButtons() == Qt::NoButton || !stage->cancelGesture()) stack->undo();
@@ -96,7 +96,7 @@ void EditMenu::addHistory() {
     redo->setStatusTip(tr("Redo the last edit that was undone"));
     addShared(undo);
     addShared(redo);
-    // Steps may be named after entries, which a tool tip would take for markup, and which may be long.
+    // Plain text, because steps may be named after entries, whose names may contain markup and be long.
     const auto showStep = [this](QAction* action, const QString& name, const QString& step) {
         action->setText((name + u' ' + view::menuText(step, fontMetrics())).trimmed());
         action->setToolTip(view::tooltipText((action->iconText() + u' ' + step).trimmed()));
@@ -144,7 +144,7 @@ void EditMenu::addShadow(ActionMenu& menu) {
             document->edit(on ? tr("Add a shadow") : tr("Remove the shadow"),
                            document::withShadow(document->fractal(), on));
             if (on && context().canvas->navigation().isFitted())
-                context().stage->fit(); // it may reach beyond
+                context().stage->fit(); // the fractal may extend beyond the view
         });
     connect(document, &document::Document::changed, shadow,
             [document, shadow] { shadow->setChecked(document::hasShadow(document->fractal())); });
@@ -182,7 +182,7 @@ void EditMenu::addDimensions(ActionMenu& menu) {
                  });
     disableWhen(lift, &document::liftObstacle);
     disableWhen(flatten, &projectionObstacle);
-    const auto warn = [document, lift, flatten] { // the tips are those of disableWhen() so far
+    const auto warn = [document, lift, flatten] { // extends the tips set by disableWhen()
         const QString loss = document::dimensionLoss(document->entryFractal());
         for (QAction* action : {lift, flatten}) {
             if (loss.isEmpty() || !action->isEnabled()) continue;
@@ -197,7 +197,7 @@ void EditMenu::addDimensions(ActionMenu& menu) {
 void EditMenu::openTransform() {
     auto* dialog = new view::TransformDialog(context().document, context().window);
     dialog->setAttribute(Qt::WA_DeleteOnClose);
-    dialog->open(); // modal: another edit would end the preview
+    dialog->open(); // modal, since another edit would end the preview
 }
 
 void EditMenu::showPreferences() {
@@ -215,7 +215,7 @@ void EditMenu::showPreferences() {
         for (SessionWindow* window : session::windows())
             window->adopt(preferences);
     });
-    // Queued: the dialog closes with its window.
+    // Queued, because the dialog closes with its window.
     connect(dialog, &view::PreferencesDialog::restartRequested, qApp, &session::restart,
             Qt::QueuedConnection);
     dialog->show();

@@ -2,6 +2,7 @@
 #include "menus/export_menu.h"
 
 #include "animation/paths/camera_path.h"
+#include "dialogs/command_synonyms.h"
 #include "dialogs/export/animation_export_dialog.h"
 #include "dialogs/export/copy_picture.h"
 #include "dialogs/export/export_data_dialog.h"
@@ -18,6 +19,7 @@
 #include "io/exchange/python_text.h"
 #include "io/file/background.h"
 #include "io/page/page_export.h"
+#include "io/solid/mesh_writer.h"
 #include "menus/latex_menu.h"
 #include "stage/stage.h"
 
@@ -25,6 +27,9 @@
 #include <QFileInfo>
 #include <QGuiApplication>
 #include <QPointer>
+#include <QPushButton>
+
+#include <optional>
 
 ExportMenu::ExportMenu(const MenuContext& context, FileCommands* commands, const OpenFile* file)
     : ActionMenu(context, tr("&Export")), m_commands(commands), m_file(file) {
@@ -88,6 +93,12 @@ template <class Dialog> void closeIdle(const QWidget& window) {
         if (!dialog->isBusy()) dialog->close();
 }
 
+// The format that was typed to find the command, if it was a mesh.
+std::optional<io::MeshFormat> searchedMesh(const QAction& action) {
+    const QString words = action.property(view::searchedWords).toString().toLower();
+    return ifs::named<io::MeshFormat>(words.toStdString());
+}
+
 void present(view::ExportShell* dialog) {
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     dialog->show();
@@ -99,17 +110,35 @@ void ExportMenu::showWithQueue(view::ExportShell* dialog) {
     dialog->setQueue(exports::queue());
     connect(dialog, &view::ExportShell::queued, context().window,
             [panels = context().panels] { panels->show(Panel::Exports); });
+    offerAnimation(dialog);
     present(dialog);
+}
+
+// Who wants the motion and chose Export Picture is one click from it.
+void ExportMenu::offerAnimation(view::ExportShell* dialog) {
+    const auto* button = dialog->findChild<QPushButton*>(QStringLiteral("animation"));
+    if (!button) return;
+    connect(button, &QPushButton::clicked, this, [this, dialog] {
+        dialog->close();
+        exportAnimation();
+    });
 }
 
 void ExportMenu::exportPicture() {
     if (auto* transformation = context().stage->transformation(); transformation->isPainted())
         return transformation->chooseExport(); // what is shown
+    const auto mesh = searchedMesh(*m_picture);
+    if (mesh && !context().stage->showsSpace())
+        return context().messages->say(
+            tr("A mesh needs a solid, and this entry lies in a plane: lift it to space first."));
     closeIdle<view::SpaceExportDialog>(*context().window);
     closeIdle<view::ExportDialog>(*context().window);
-    if (context().stage->showsSpace())
-        return showWithQueue(new view::SpaceExportDialog(
-            context().document, context().stage->space()->navigation().camera(), context().window));
+    if (context().stage->showsSpace()) {
+        auto* dialog = new view::SpaceExportDialog(
+            context().document, context().stage->space()->navigation().camera(), context().window);
+        if (mesh) dialog->setFormat(*mesh);
+        return showWithQueue(dialog);
+    }
     auto* dialog = new view::ExportDialog(context().document, context().canvas->camera(), context().window);
     if (context().canvas->navigation().isFitted()) dialog->setSection(view::ExportDialog::Section::Attractor);
     dialog->suggestFolderOf(m_file->path());
@@ -123,7 +152,7 @@ void ExportMenu::exportAnimation() {
     const attractor::Camera& canvas = context().canvas->camera();
     const bool isSpace = context().stage->showsSpace();
     view::AnimationExportDialog::Camera camera = attractor::viewOf(canvas);
-    if (isSpace) { // as it would be at frame 0
+    if (isSpace) { // camera at frame 0
         const auto& document = *context().document;
         const auto turns = document::frameAt(document.entryFractal(), document.moment()).orbit;
         camera = animation::orbitedBack(context().stage->space()->navigation().camera(), turns);
@@ -166,7 +195,7 @@ void ExportMenu::copyPicture() {
     }
     const attractor::Camera camera = context().canvas->camera();
     const auto picture = context().stage->picture();
-    const QPointer<ExportMenu> self(this); // the window may be closed while the lines are written
+    const QPointer<ExportMenu> self(this); // the window may close meanwhile
     view::copyPicture(context().document, camera, picture, context().window);
     if (self) context().messages->say(tr("The picture was copied to the clipboard."));
 }

@@ -20,6 +20,7 @@ public:
 
 private:
     void showWithQueue(view::ExportShell* dialog);
+    void offerAnimation(view::ExportShell* dialog);
     void exportPicture();
     void exportAnimation();
     void exportData();

@@ -69,7 +69,7 @@ void FileMenu::fillRecent() {
             m_recent->addAction(view::menuText(QFileInfo(path).fileName(), m_recent->fontMetrics()), this,
                                 [this, path] { m_commands->openRecent(path); });
         action->setStatusTip(path);
-        action->setToolTip(view::tooltipText(path)); // else it would be the name of the file
+        action->setToolTip(view::tooltipText(path)); // default would be the name of the file
         action->setWhatsThis(action->toolTip());
     }
     if (m_recent->isEmpty()) view::addPlaceholder(*m_recent, tr("No recent files"));

@@ -63,7 +63,7 @@ void SavedViewsMenu::goTo(const QString& name) {
 }
 
 void SavedViewsMenu::save() {
-    const document::SavedView::Camera camera = context().stage->camera(); // as it is before the question
+    const document::SavedView::Camera camera = context().stage->camera(); // camera before the question
     auto* dialog = new view::SaveViewDialog(context().document->fractal(), context().window);
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     connect(dialog, &QDialog::accepted, this,

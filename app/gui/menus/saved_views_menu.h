@@ -15,7 +15,7 @@ class SavedViewsMenu : public ActionMenu {
 public:
     explicit SavedViewsMenu(const MenuContext& context);
 
-    void serve(view::ZoomBox* zoom); // it lists them, too
+    void serve(view::ZoomBox* zoom); // lists the views in the zoom box, too
 
 private:
     void refresh();
@@ -23,8 +23,8 @@ private:
     void save();
     void openDialog();
 
-    std::vector<document::SavedView> m_views; // listed
-    QList<QAction*> m_actions;                // of the views
-    QAction* m_end;                           // of their list
+    std::vector<document::SavedView> m_views; // views in the menu
+    QList<QAction*> m_actions;                // one action for each view
+    QAction* m_end;                           // placeholder behind the views
     view::ZoomBox* m_zoom = nullptr;
 };

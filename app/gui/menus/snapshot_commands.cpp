@@ -15,7 +15,7 @@
 
 namespace {
 
-constexpr int stripHeight = 180; // one row: the picture stays the largest thing in the window
+constexpr int stripHeight = 180; // one row, so that the picture stays the largest part of the window
 
 QString obstacle(const MenuContext& context) {
     if (context.stage->transformation()->isPainted())
@@ -35,7 +35,7 @@ SnapshotCommands::SnapshotCommands(const MenuContext& context, view::RenderBridg
       m_snapshots(context.document),
       m_look(context.document, &m_snapshots,
              {context.canvas, render, context.stage->views(), [context] { return obstacle(context); }}) {
-    // Points and die of a construction are those of the fractal, so it ends the look.
+    // Ends the look, because points and die of a construction are those of the fractal.
     if (auto* construction = context.window->findChild<view::Construction*>())
         connect(construction, &view::Construction::starting, &m_look, &view::SnapshotLook::end);
     connect(&m_snapshots, &view::Snapshots::message, context.messages, &WindowMessages::say);
@@ -50,7 +50,7 @@ void SnapshotCommands::addTo(ActionMenu& menu) {
     m_take = menu.add({"snapshot", tr("Ta&ke Snapshot"), QKeySequence(tr("S")),
                        tr("Keep the current state of this fractal in the Snapshots panel")},
                       [this] {
-                          m_look.end(); // the fractal is kept, not what is looked at
+                          m_look.end(); // keeps the fractal, not the look
                           m_snapshots.take();
                       });
     m_compare = menu.add({"compare", tr("C&ompare with Snapshot"), QKeySequence(tr("Q")),
@@ -75,7 +75,7 @@ void SnapshotCommands::setDock(QDockWidget* dock) {
     connect(&m_snapshots, &view::Snapshots::taken, dock, [this, dock, isFirst = true]() mutable {
         const bool isHidden = dock->isHidden();
         auto* window = qobject_cast<QMainWindow*>(dock->parentWidget());
-        const bool presents = window->menuBar()->isHidden(); // then no panel is to appear
+        const bool presents = window->menuBar()->isHidden(); // no panel appears in a presentation
         if (isHidden && !presents && std::exchange(isFirst, false)) {
             dock->show();
             window->resizeDocks({dock}, {stripHeight}, Qt::Vertical);

@@ -21,8 +21,8 @@ public:
     SnapshotCommands(const MenuContext& context, view::RenderBridge* render);
 
     void addTo(ActionMenu& menu);
-    view::SnapshotsPanel* makePanel(); // once; needs the commands in a menu
-    void setDock(QDockWidget* dock);   // of the panel: it appears with the first snapshot
+    view::SnapshotsPanel* makePanel(); // called once; needs the commands in a menu
+    void setDock(QDockWidget* dock);   // dock of the panel, shown with the first snapshot
     view::Snapshots* snapshots() { return &m_snapshots; }
     view::SnapshotLook* look() { return &m_look; }
 

@@ -13,7 +13,7 @@ public:
     // `present` starts and ends the presentation.
     TeachMenu(const MenuContext& context, const std::function<void(bool)>& present);
 
-    void addHandout(const OpenFile* file); // named after the file
+    void addHandout(const OpenFile* file); // the handout is named after the file
     QAction* presentation() const { return m_presentation; }
 
 private:

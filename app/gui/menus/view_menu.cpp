@@ -191,9 +191,10 @@ void ViewMenu::addOverlays() {
                             canvas->navigation().setYAxis(on ? attractor::YAxis::Down : attractor::YAxis::Up);
                         });
     connect(&canvas->navigation(), &view::CanvasNavigation::cameraChanged, downwards, [canvas, downwards] {
-        downwards->setChecked(canvas->navigation().yAxis() == attractor::YAxis::Down); // by a saved view
+        // Saved views change it.
+        downwards->setChecked(canvas->navigation().yAxis() == attractor::YAxis::Down);
     });
-    auto* marks = new view::MapNumbers; // the scene owns it
+    auto* marks = new view::MapNumbers; // owned by the scene
     canvas->scene()->addItem(marks);
     connect(&canvas->options(), &view::CanvasOptions::mapNumbersVisibleChanged, canvas,
             [marks](bool on) { marks->setVisible(on); });

@@ -11,7 +11,7 @@ class ViewMenu : public ActionMenu {
 public:
     explicit ViewMenu(const MenuContext& context);
 
-    QAction* numbers() const { return m_numbers; } // of maps, on the canvas
+    QAction* numbers() const { return m_numbers; } // toggle of the map numbers on the canvas
     QMenu* panels() const { return m_panels; }     // filled by the window
     SavedViewsMenu* savedViews() const { return m_savedViews; }
     QAction* fullScreen() const { return m_fullScreen; }

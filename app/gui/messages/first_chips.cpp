@@ -22,13 +22,14 @@ FirstChips::FirstChips(QMainWindow* host, const QList<Chip>& chips, int patience
         button->setEnabled(chip.action->isEnabled());
         button->setToolTip(chip.action->statusTip());
         row->addWidget(button);
-        connect(button, &QPushButton::clicked, this, [this, action = chip.action] {
+        connect(button, &QPushButton::clicked, this, [this, action = chip.action, then = chip.then] {
             close();
             action->trigger();
+            if (then) then();
         });
     }
     auto* layout = new QVBoxLayout(this);
-    layout->setContentsMargins(margin, 0, margin, 0); // as wide as a row of buttons wants its frame
+    layout->setContentsMargins(margin, 0, margin, 0); // same width as the frame of a row of buttons
     layout->addLayout(row);
     m_away.setSingleShot(true);
     m_away.setInterval(patience);

@@ -3,6 +3,8 @@
 
 #include "messages/message_banner.h"
 
+#include <functional>
+
 class QAction;
 
 // Suggestions of what to try next, as a row of buttons at the bottom of the canvas. They go away by
@@ -12,8 +14,9 @@ class FirstChips : public MessageBanner {
 
 public:
     struct Chip {
-        QAction* action; // of the button, with its icon
+        QAction* action; // command of the button, with its icon
         QString text;
+        std::function<void()> then = {}; // once the action has been triggered
     };
     static constexpr int usualPatience = 20'000; // milliseconds
     FirstChips(QMainWindow* host, const QList<Chip>& chips, int patience = usualPatience);
@@ -23,7 +26,7 @@ protected:
     QPoint topLeft() override;
     void enterEvent(QEnterEvent* event) override;
     void leaveEvent(QEvent* event) override;
-    void paintEvent(QPaintEvent*) override {} // only the buttons are seen
+    void paintEvent(QPaintEvent*) override {} // paints nothing but the buttons
 
 private:
     QTimer m_away;

@@ -8,6 +8,7 @@
 #include <QKeyEvent>
 #include <QLabel>
 #include <QMainWindow>
+#include <QMouseEvent>
 #include <QPainter>
 
 #include <algorithm>
@@ -26,7 +27,7 @@ QLabel* MessageBanner::createTitle(const QString& text) {
     bold.setBold(true);
     bold.setPointSizeF(bold.pointSizeF() * 1.15);
     title->setFont(bold);
-    title->setTextFormat(Qt::PlainText); // it quotes names
+    title->setTextFormat(Qt::PlainText); // the title quotes names
     title->setText(text);
     return title;
 }
@@ -47,7 +48,7 @@ void MessageBanner::lay(QLabel* title, const QString& text, QWidget* first, QWid
     layout->addWidget(title);
     if (!text.isEmpty()) {
         auto* label = new QLabel(this);
-        label->setTextFormat(Qt::PlainText); // it quotes names
+        label->setTextFormat(Qt::PlainText); // the text quotes names
         label->setText(text);
         label->setWordWrap(true);
         layout->addWidget(label);
@@ -93,10 +94,31 @@ void MessageBanner::layOut() {
     }
     setFixedWidth(width);
     resize(width, std::max(heightForWidth(width), minimumSizeHint().height()));
-    const QPoint corner = topLeft();
-    move(std::max(0, corner.x()), std::max(0, corner.y()));
+    const QPoint automatic = topLeft();
+    moveInside(m_chosen.value_or(automatic));
     raise();
     tellCanvas();
+}
+
+void MessageBanner::moveInside(const QPoint& corner) {
+    const QSize room = m_host->size() - size();
+    move(std::clamp(corner.x(), 0, std::max(0, room.width())),
+         std::clamp(corner.y(), 0, std::max(0, room.height())));
+}
+
+void MessageBanner::mousePressEvent(QMouseEvent* event) {
+    m_grip = event->position().toPoint();
+}
+
+void MessageBanner::mouseMoveEvent(QMouseEvent* event) {
+    if (!(event->buttons() & Qt::LeftButton)) return;
+    moveInside(mapTo(m_host, event->position().toPoint()) - m_grip);
+    m_chosen = pos();
+    tellCanvas();
+}
+
+void MessageBanner::placeSoon() {
+    m_geometryTimer.start();
 }
 
 void MessageBanner::tellCanvas() {

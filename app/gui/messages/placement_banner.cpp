@@ -19,19 +19,22 @@ PlacementBanner::PlacementBanner(QMainWindow* host, document::Document& document
                                  const QStringList& names)
     : MessageBanner(host) {
     setObjectName(QStringLiteral("placement"));
-    setAccessibleName(tr("Saved with a placement"));
+    setAccessibleName(tr("Saved with dragged corners"));
     const QString text =
         names.size() == 1
-            ? tr("Other programs will draw “%1” where its code puts it, without your placement, which is "
-                 "stored in comments. Bake writes it into the code.")
+            ? tr("Other programs will show “%1” without your dragged corners, which are saved as comments. "
+                 "Bake puts them into the numbers that every program reads.")
                   .arg(names.first())
-            : tr("Other programs will draw %n entries where their code puts them, without your placements, "
-                 "which are stored in comments. Bake writes them into the code.",
+            : tr("Other programs will show %n entries without your dragged corners, which are saved as "
+                 "comments. Bake puts them into the numbers that every program reads.",
                  nullptr, int(names.size()));
     auto* bakeNow = new QPushButton(tr("&Bake"), this);
     bakeNow->setWhatsThis(tr("Writes the placements into the code, as one step of the history."));
-    // The picture of a bent or flat cage has no code.
+    // Disabled if entries would be left: the picture of a bent or flat cage has no code.
     bakeNow->setEnabled(document::withPlacementsBaked(document.file()).left.size() < names.size());
+    if (!bakeNow->isEnabled())
+        bakeNow->setToolTip(
+            tr("This cage cannot be baked: it bends or flattens the picture, or keys move it."));
     auto* closeNow = new QPushButton(tr("Close"), this);
     lay(createTitle(accessibleName()), text, bakeNow, closeNow);
     connect(closeNow, &QPushButton::clicked, this, &QWidget::close);

@@ -21,11 +21,11 @@ SnapshotBanner::SnapshotBanner(QMainWindow* host, view::SnapshotLook* look, view
     auto* restore = new QPushButton(tr("Restore"), this);
     restore->setWhatsThis(tr("Restores the fractal to this snapshot, as one step of the history."));
     for (QPushButton* button : {back, restore})
-        button->setFocusPolicy(Qt::TabFocus); // keys go on meaning the canvas
+        button->setFocusPolicy(Qt::TabFocus); // other keys still go to the canvas
     lay(title, {}, restore, back);
     connect(back, &QPushButton::clicked, look, &view::SnapshotLook::end);
     connect(restore, &QPushButton::clicked, look, [look, snapshots, key = shown.key] {
-        look->end(); // first: what comes then is there to stay
+        look->end(); // first, so that what follows stays
         snapshots->restore(key);
     });
     connect(look, &view::SnapshotLook::changed, this, [this](bool isOn) {

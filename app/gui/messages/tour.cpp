@@ -3,8 +3,10 @@
 
 #include "canvas/canvas_view.h"
 #include "canvas/geometry/canvas_geometry.h"
+#include "dialogs/export/export_shell.h"
 #include "document/moments/animated_fractal.h"
 #include "panels/maps/maps_panel.h"
+#include "panels/timeline/timeline_panel.h"
 
 #include <QAction>
 #include <QDockWidget>
@@ -13,9 +15,12 @@
 #include <QMainWindow>
 #include <QPainter>
 #include <QPushButton>
+#include <QScrollBar>
+#include <QTableView>
 #include <QTimer>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <iterator>
 #include <optional>
@@ -24,17 +29,17 @@
 
 namespace {
 
-constexpr int gap = 3; // between the frame and its target
+constexpr int gap = 3; // pixels between the frame and its target
 
 // Action that completes a step.
 enum class Deed { Drag, Squeeze, Undo, Open, Move, Export, GoOn, EditMap, ChooseBranch };
 
 struct Step {
     Deed deed;
-    std::optional<Panel> target; // none: the canvas
+    std::optional<Panel> target; // nullopt: canvas
     const char* title;
     const char* text;
-    int column = -1; // of the table of maps, that is spoken of
+    int column = -1; // column of the table of maps that the step describes; −1: none
 };
 
 constexpr Step steps[] = {
@@ -78,6 +83,10 @@ constexpr Step steps[] = {
 };
 constexpr int stepCount = int(std::size(steps));
 
+// Where something moves already, the timeline shows that instead of motions to choose from.
+constexpr auto windOverTracks = QT_TRANSLATE_NOOP(
+    "Tour", "In the timeline, choose Wind under Add Motion and watch the picture sway as well.");
+
 // A frame that lets every click through.
 class Mark : public QWidget {
 public:
@@ -99,8 +108,11 @@ protected:
 } // namespace
 
 void Tour::start(QMainWindow* window, document::Document* document, const Panels& panels) {
-    for (Tour* old : window->findChildren<Tour*>(Qt::FindDirectChildrenOnly))
+    for (Tour* old : window->findChildren<Tour*>(Qt::FindDirectChildrenOnly)) {
+        old->bringBack();
         delete old;
+    }
+    window->activateWindow();
     (new Tour(window, document, panels))->showStep(0);
 }
 
@@ -147,6 +159,9 @@ Tour::Tour(QMainWindow* host, document::Document* document, const Panels& panels
     });
     connect(m_close, &QPushButton::clicked, this, &QWidget::close);
     connectDeeds();
+    follow(host->centralWidget()); // whose room the timeline takes
+    if (const auto* canvas = host->findChild<view::CanvasView*>())
+        m_found = {canvas->tool(), canvas->options().overlaysVisible()};
 }
 
 void Tour::connectDeeds() {
@@ -160,12 +175,23 @@ void Tour::connectDeeds() {
         if (steps[m_step].deed == deed) done(m_step);
     };
     if (const auto* exporting = host()->findChild<QAction*>(QStringLiteral("export-picture")))
-        connect(exporting, &QAction::triggered, this, [step] { step(Deed::Export); });
+        connect(exporting, &QAction::triggered, this, &Tour::followExports);
     if (auto* canvas = host()->findChild<view::CanvasView*>()) {
         view::BranchChoice& choice = canvas->tools().branchTool().choice();
         connect(&choice, &view::BranchChoice::changed, this, [step, &choice] {
             if (!choice.branch().empty()) step(Deed::ChooseBranch);
         });
+    }
+}
+
+// The dialog alone saves nothing.
+void Tour::followExports() {
+    const auto saved = [this] {
+        if (steps[m_step].deed == Deed::Export) done(m_step);
+    };
+    for (const auto* dialog : host()->findChildren<view::ExportShell*>()) {
+        connect(dialog, &view::ExportShell::exported, this, saved);
+        connect(dialog, &view::ExportShell::queued, this, saved);
     }
 }
 
@@ -179,6 +205,8 @@ void Tour::followDocument(const document::Change& change) {
         return;
     }
     const bool wasDragged = std::exchange(m_isDragging, false);
+    if (!(change.parts & Change::Time))
+        QMetaObject::invokeMethod(this, &Tour::tellStep, Qt::QueuedConnection); // once all have followed
     const bool isOther = change.parts & (Change::Current | Change::File);
     const bool isMade = [&] {
         switch (steps[m_step].deed) {
@@ -215,7 +243,7 @@ void Tour::done(int step) {
 }
 
 bool Tour::isFlat() const {
-    constexpr double flat = 0.04; // of the area of a square over the longest side
+    constexpr double flat = 0.04; // share of the area of a square over the longest side
     const auto* canvas = host()->findChild<view::CanvasView*>();
     const auto& cage = canvas->canvas().handles().cage();
     if (!cage || cage->current.size() < 3) return false;
@@ -249,20 +277,53 @@ void Tour::keepSize() {
                             2 * margin);
     int tallest = 0;
     const QRect column(0, 0, maxWidth - 2 * margin, 10'000);
-    for (const Step& each : steps) {
-        const QRect needed = m_text->fontMetrics().boundingRect(column, Qt::TextWordWrap, tr(each.text));
+    QStringList texts{tr(windOverTracks)};
+    for (const Step& each : steps)
+        texts << tr(each.text);
+    for (const QString& text : texts) {
+        const QRect needed = m_text->fontMetrics().boundingRect(column, Qt::TextWordWrap, text);
         tallest = std::max(tallest, needed.height());
     }
     m_text->setMinimumHeight(tallest + m_text->fontMetrics().lineSpacing());
     m_text->setAlignment(Qt::AlignTop | Qt::AlignLeft);
 }
 
+void Tour::showPanel(QDockWidget* dock) {
+    if (dock->isHidden()) m_found.hidden << dock;
+    for (QDockWidget* other : host()->tabifiedDockWidgets(dock))
+        if (!other->visibleRegion().isEmpty()) m_found.inFront << other;
+    dock->show();
+    dock->raise();
+}
+
+// The timeline stays with what moves.
+void Tour::bringBack() {
+    if (auto* canvas = host()->findChild<view::CanvasView*>()) {
+        canvas->setTool(m_found.tool);
+        canvas->options().setOverlaysVisible(m_found.areOverlaysVisible);
+    }
+    if (auto* maps = host()->findChild<view::MapsPanel*>(); maps && m_found.scrolled) {
+        if (m_found.isColumnHidden) maps->showColumns(view::MapsPanel::Columns::Facts, false);
+        maps->table()->horizontalScrollBar()->setValue(*m_found.scrolled);
+    }
+    for (const auto& dock : m_found.hidden)
+        if (dock && (dock != m_panels.dock(::Panel::Timeline) ||
+                     !document::animationFacts(m_document->entryFractal())))
+            dock->hide();
+    if (!m_found.inFront.isEmpty() && m_found.inFront.front()) m_found.inFront.front()->raise();
+}
+
+void Tour::closeEvent(QCloseEvent* event) {
+    bringBack();
+    MessageBanner::closeEvent(event);
+}
+
 void Tour::point(int step) {
     const std::optional<::Panel> panel = steps[step].target;
     auto* canvas = host()->findChild<view::CanvasView*>();
     if (panel) {
-        m_panels.show(*panel);
         m_target = m_panels.dock(*panel);
+        showPanel(m_panels.dock(*panel));
     } else if (canvas) {
         using Tool = view::CanvasView::Tool;
         canvas->options().setOverlaysVisible(true);
@@ -270,8 +331,13 @@ void Tour::point(int step) {
         m_target = canvas;
     }
     if (canvas) canvas->dismissHint();
-    if (auto* maps = host()->findChild<view::MapsPanel*>(); maps && steps[step].column >= 0)
+    if (auto* maps = host()->findChild<view::MapsPanel*>(); maps && steps[step].column >= 0) {
+        if (!m_found.scrolled) {
+            m_found.scrolled = maps->table()->horizontalScrollBar()->value();
+            m_found.isColumnHidden = maps->table()->isColumnHidden(steps[step].column);
+        }
         QTimer::singleShot(0, maps, [maps, step] { maps->reveal(steps[step].column); });
+    }
 }
 
 void Tour::showStep(int step) {
@@ -280,8 +346,8 @@ void Tour::showStep(int step) {
     m_wasFlat = false;
     const bool asks = step == rest;
     m_title->setText(tr(steps[step].title));
-    m_text->setText(tr(steps[step].text));
     point(step);
+    m_text->setText(textOf(step));
     if (m_target) follow(m_target.data());
     const bool isHand = step < handSteps;
     m_progress->setText(asks ? QString()
@@ -296,39 +362,72 @@ void Tour::showStep(int step) {
     m_close->setVisible(step + 1 < stepCount);
     m_mark->setVisible(m_target != nullptr && !asks);
     appear(m_text->text());
-    host()->activateWindow();
     if (m_target == host()->findChild<view::CanvasView*>()) m_target->setFocus(); // the hand is needed there
 }
 
-QPoint Tour::freeCorner() const {
+QString Tour::textOf(int step) const {
+    const auto* timeline = host()->findChild<view::TimelinePanel*>();
+    const bool isMoving = steps[step].deed == Deed::Move && timeline && timeline->showsTracks();
+    return tr(isMoving ? windOverTracks : steps[step].text);
+}
+
+void Tour::tellStep() {
+    if (!isVisible()) return;
+    placeSoon();
+    const QString text = textOf(m_step);
+    if (m_text->text() == text) return;
+    m_text->setText(text);
+    appear(text);
+}
+
+// The number of handles of the cage that the banner would cover at that place; more where it would cover the
+// panel that the step speaks of.
+int Tour::coveredAt(const QPoint& place) const {
     constexpr int reach = 40; // of a corner, with the round handle beside it
-    const QRect room = canvasRect();
+    const QRect card = QRect(place, size());
     std::vector<QPoint> handles;
     if (const auto* canvas = host()->findChild<view::CanvasView*>(); canvas && canvas->isVisible())
         if (const auto& cage = canvas->canvas().handles().cage())
             for (const QPointF& corner : view::pixelsOf(canvas->camera(), cage->current))
                 handles.push_back(canvas->viewport()->mapTo(host(), corner.toPoint()));
+    const QRect around = card.adjusted(-reach, -reach, reach, reach);
+    const auto covered =
+        std::ranges::count_if(handles, [&](const QPoint& handle) { return around.contains(handle); });
+    const bool isFree = card.top() >= canvasRect().top() && !(isAtPanel() && card.intersects(pointed()));
+    return int(covered + (isFree ? 0 : std::ssize(handles) + 1));
+}
+
+// Beside each other from the upper right corner on: there the notes of the canvas are not.
+QPoint Tour::freePlace() const {
+    const QRect room = canvasRect();
     const int left = room.left() + margin;
     const int right = room.right() - margin - width();
     const int top = room.top() + margin;
     const int bottom = room.bottom() - hintHeight - height();
-    const auto covered = [&](const QPoint& place) {
-        const QRect card = QRect(place, size()).adjusted(-reach, -reach, reach, reach);
-        return std::ranges::count_if(handles, [&](const QPoint& handle) { return card.contains(handle); }) +
-               (place.y() < top ? std::ssize(handles) + 1 : 0); // it would not fit in there
-    };
-    return std::ranges::min(
-        {QPoint(right, top), QPoint(left, bottom), QPoint(left, top), QPoint(right, bottom)}, {}, covered);
+    const int middle = room.center().x() - width() / 2;
+    const int centre = room.center().y() - height() / 2;
+    const std::array places{QPoint(right, top),     QPoint(left, top),     QPoint(left, bottom),
+                            QPoint(right, bottom),  QPoint(right, centre), QPoint(left, centre),
+                            QPoint(middle, bottom), QPoint(middle, top)};
+    return std::ranges::min(places, {}, [this](const QPoint& place) { return coveredAt(place); });
 }
 
-// Keeps one place and one height for all steps, so that the buttons stay under the pointer.
+QRect Tour::pointed() const {
+    return {m_target->mapTo(host(), QPoint()), m_target->size()};
+}
+
+bool Tour::isAtPanel() const {
+    return m_target && m_target != host()->findChild<view::CanvasView*>();
+}
+
+// Keeps one place and one height for all steps while nothing of interest comes below it, so that the buttons
+// stay under the pointer.
 QPoint Tour::topLeft() {
     if (!m_target) return MessageBanner::topLeft();
-    const QRect pointed(m_target->mapTo(host(), QPoint()), m_target->size());
-    m_mark->setGeometry(pointed.adjusted(-gap, -gap, gap, gap).intersected(host()->rect()));
+    m_mark->setGeometry(pointed().adjusted(-gap, -gap, gap, gap).intersected(host()->rect()));
     m_mark->raise();
-    // The room without regard to bars, which may take some of its height.
+    // Room without the bars, which may take some of its height.
     const std::array room{canvasRect().left(), canvasRect().width(), host()->height(), height()};
-    if (std::exchange(m_room, room) != room) m_place = freeCorner();
+    if (std::exchange(m_room, room) != room || coveredAt(m_place) > 0) m_place = freePlace();
     return m_place;
 }

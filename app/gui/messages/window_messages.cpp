@@ -33,7 +33,7 @@ void WindowMessages::fail(const QString& title, const QString& sentence) {
                                 QMessageBox::Ok, m_window);
     box->setInformativeText(sentence);
     box->setAttribute(Qt::WA_DeleteOnClose);
-    // Boxes come one after the other: with two open, keys would reach neither. Failures in between are shown
+    // Boxes open one after the other: with two open, keys would reach neither. Failures in between are shown
     // together.
     connect(box, &QMessageBox::finished, this, [this, box] {
         m_failures.removeOne(box);

@@ -14,8 +14,8 @@ class WindowMessages : public QObject {
 public:
     explicit WindowMessages(QMainWindow* window);
 
-    void say(const QString& sentence);                        // in the status bar, for a few seconds
-    void fail(const QString& title, const QString& sentence); // in a message box; does not wait for it
+    void say(const QString& sentence);                        // message in the status bar, for a few seconds
+    void fail(const QString& title, const QString& sentence); // message box; returns at once
 
 private:
     QMainWindow* m_window;

@@ -23,7 +23,7 @@ WrittenBanner::WrittenBanner(QMainWindow* host, const document::Document& docume
     folder->setWhatsThis(tr("Shows the folder of the written file in the file manager."));
     auto* closeNow = new QPushButton(tr("Close"), this);
     const QString name = QFileInfo(path).fileName();
-    // A name is one word, which is never broken.
+    // Elided, because a name is a single word, which is never broken.
     const QString shown = fontMetrics().elidedText(name, Qt::ElideMiddle, maxWidth - 3 * margin);
     lay(createTitle(title), sentence.arg(shown), folder, closeNow);
     connect(folder, &QPushButton::clicked, this, [path] { view::showInFolder(path); });

@@ -19,7 +19,7 @@ namespace {
 
 const QString filesKey = QStringLiteral("session/files");
 const QString placesKey = QStringLiteral("session/restart");
-constexpr char toReopen[] = "filesToReopen"; // a property of the application
+constexpr char toReopen[] = "filesToReopen"; // property of the application
 
 QStringList filesOf(const QList<SessionWindow*>& windows) {
     QStringList paths;
@@ -107,7 +107,7 @@ QStringList files() {
 }
 
 void remember() {
-    // Stored while other windows are open, too: the program may be killed before they close.
+    // Stored early, while other windows are open: the program may be killed before they close.
     view::store(filesKey, filesOf(shown()));
 }
 
@@ -116,7 +116,7 @@ void quit() {
 }
 
 void restart() {
-    QVariantList places; // before a window that closes ends its lesson
+    QVariantList places; // before a closing window ends its lesson
     for (const SessionWindow* window : shown())
         places << window->restartPlace();
     const std::optional<QStringList> files = closeAll();

@@ -25,7 +25,7 @@ class SessionWindow : public QMainWindow {
 
 public:
     using QMainWindow::QMainWindow;
-    virtual QString path() const = 0; // empty while it has no file
+    virtual QString path() const = 0; // empty before the first save
     virtual OpenFile& file() = 0;
     // These take files that were read in the background, and report failures; false: the window is still
     // free.
@@ -37,7 +37,7 @@ public:
     // until closingIsOff().
     enum class Leaving { Window, Program };
     virtual bool mayClose(Leaving leaving) = 0;
-    virtual void closingIsOff() = 0; // because another window stays
+    virtual void closingIsOff() = 0; // called when another window stays open
     // The state that a restart brings back to this window, and its restoration.
     virtual QVariantMap restartPlace() const = 0;
     virtual void returnTo(const QVariantMap& place) = 0;
@@ -47,11 +47,11 @@ public:
 namespace session {
 
 QList<SessionWindow*> windows();
-bool allAreClosed(); // or none was shown yet
+bool allAreClosed(); // also true if none was shown yet
 // Brings another window than this one to the front if it has the file, whatever its path is called. That
 // window says why. false: none has it.
 bool showOther(const QString& path, const QWidget* window);
-QStringList files(); // of the last run, without those that are known to be gone
+QStringList files(); // files of the last run, except those known to be gone
 
 // Stores the files of the open windows for the next run. Call it while a window closes.
 void remember();
@@ -59,7 +59,7 @@ void remember();
 void quit();
 // Closes like quit(); main() then starts the program again with the files to reopen.
 void restart();
-std::optional<QStringList> filesToReopen(); // nullopt: nobody wants it
+std::optional<QStringList> filesToReopen(); // nullopt: the user declined
 // The places of the windows before the restart that this run is: once, later none.
 QList<QVariantMap> takeRestartPlaces();
 

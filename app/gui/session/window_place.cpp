@@ -14,9 +14,9 @@
 
 namespace {
 
-constexpr int step = 32; // pixels from one window to the next, about a title bar
+constexpr int step = 32; // pixels between two windows, about the height of a title bar
 constexpr QSize usualSize(1440, 900);
-constexpr double maxShare = 0.95; // of the screen, before anybody has chosen a size
+constexpr double maxShare = 0.95; // share of the screen, before the user has chosen a size
 
 QRect movedInto(const QRect& room, QRect place) {
     place.moveRight(std::min(place.right(), room.right()));

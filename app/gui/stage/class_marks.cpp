@@ -10,7 +10,7 @@
 
 namespace {
 
-constexpr std::size_t joined = 8; // the newest jumps, which lines join
+constexpr std::size_t joined = 8; // number of newest jumps joined by lines
 
 } // namespace
 

@@ -18,6 +18,9 @@ FittedViews::FittedViews(document::Document* document, view::CanvasNavigation& p
                          view::SpaceNavigation& space, QObject* parent)
     : QObject(parent), m_document(document), m_plane(plane), m_space(space) {
     connect(document->undoStack(), &QUndoStack::indexChanged, this, &FittedViews::follow);
+    connect(document, &document::Document::changed, this, [this](const document::Change& change) {
+        if (!change.live) m_changed |= change.parts;
+    });
 }
 
 FittedViews::Seen FittedViews::now() const {
@@ -28,6 +31,7 @@ FittedViews::Seen FittedViews::now() const {
 
 void FittedViews::follow(int index) {
     const QUndoStack& history = *m_document->undoStack();
+    const bool isMoved = movesPicture();
     if (history.count() == 0) { // another file
         m_places.assign(1, {});
         m_index = 0;
@@ -41,7 +45,19 @@ void FittedViews::follow(int index) {
     const bool wasHere = index == 0 || step == place.step;
     place.step = step;
     const bool wasKeyed = std::exchange(m_isKeyed, m_document->view().has_value());
-    if (wasHere && place.view) wasKeyed && !m_isKeyed ? restoreUnkeyed(*place.view) : restore(*place.view);
+    if (!wasHere || !place.view) return;
+    if (wasKeyed && !m_isKeyed)
+        restoreUnkeyed(*place.view);
+    else if (isMoved)
+        restore(*place.view);
+}
+
+bool FittedViews::movesPicture() {
+    using document::Change;
+    const bool hasShadow = m_document->fractal().appearance.shadow > 0;
+    const bool hadShadow = std::exchange(m_hasShadow, hasShadow);
+    const Change::Parts parts = std::exchange(m_changed, {});
+    return hasShadow || hadShadow || (parts & ~Change::Parts(Change::Appearance | Change::Name));
 }
 
 void FittedViews::restore(const Seen& before) {

@@ -27,12 +27,13 @@ private:
     };
     // A place in the history, and the view when it was left.
     struct Place {
-        const QUndoCommand* step = nullptr; // that leads there
+        const QUndoCommand* step = nullptr; // step that leads to this place
         std::optional<Seen> view;
     };
 
     void follow(int index);
     Seen now() const;
+    bool movesPicture(); // the step that was just done or undone: what changes colours alone does not
     void restore(const Seen& before);
     void restoreUnkeyed(const Seen& before);
 
@@ -41,5 +42,7 @@ private:
     view::SpaceNavigation& m_space;
     std::vector<Place> m_places{1};
     int m_index = 0;
-    bool m_isKeyed = false; // the view in the plane
+    bool m_isKeyed = false;            // the view in the plane
+    document::Change::Parts m_changed; // since the history was followed last
+    bool m_hasShadow = false;
 };

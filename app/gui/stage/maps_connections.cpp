@@ -41,12 +41,12 @@ void connectSpace(view::MapsPanel* maps, Stage* stage, const document::Document&
     };
     QObject::connect(maps, &view::MapsPanel::selectionChanged, stage, hold);
     QObject::connect(maps->table()->selectionModel(), &QItemSelectionModel::currentChanged, stage, hold);
-    QObject::connect(stage->views(), &view::FourViews::fourShown, maps, hold); // the new ones, too
+    QObject::connect(stage->views(), &view::FourViews::fourShown, maps, hold); // includes the new views
     QObject::connect(stage->space(), &view::SpaceView::mapHeld, maps, [maps, stage](std::size_t index) {
         const std::vector<ifs::MapId> selected = stage->space()->selectedIds();
         if (maps->selectedMaps() != selected) maps->selectMaps(selected);
         const QModelIndex current = maps->table()->currentIndex();
-        if (current.isValid() && current.row() != int(index)) // the held one is in the form
+        if (current.isValid() && current.row() != int(index)) // keeps the held map in the form
             maps->table()->selectionModel()->setCurrentIndex(current.siblingAtRow(int(index)),
                                                              QItemSelectionModel::NoUpdate);
     });
@@ -60,7 +60,7 @@ void connectMaps(view::MapsPanel* maps, view::CanvasView* canvas, Stage* stage,
     QObject::connect(maps, &view::MapsPanel::selectionChanged, canvas,
                      [canvas, maps] { canvas->selectMaps(maps->selectedMaps()); });
     QObject::connect(canvas, &view::CanvasView::selectedMapsChanged, maps, [canvas, maps, &document] {
-        const bool isPlane = document::plane(document.fractal()) != nullptr; // it shows no maps of space
+        const bool isPlane = document::plane(document.fractal()) != nullptr; // true: shows no maps in space
         if (isPlane && maps->selectedMaps() != canvas->selectedMaps())
             maps->selectMaps(canvas->selectedMaps());
     });

@@ -9,7 +9,7 @@
 OpenedMotion::OpenedMotion(Parts parts, QObject* parent) : QObject(parent), m_parts(std::move(parts)) {
     connect(m_parts.document, &document::Document::changed, this, [this](const document::Change& change) {
         using document::Change;
-        // An entry that gets its first key now was not opened in motion.
+        // Checked now: an entry that gets its first key later was not opened in motion.
         const bool moves = document::animationFacts(m_parts.document->entryFractal()).has_value();
         if (!(change.parts & (Change::Current | Change::File)) || !moves) return;
         if (std::exchange(m_isOpened, true)) return;

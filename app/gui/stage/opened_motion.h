@@ -19,7 +19,7 @@ public:
         document::Document* document;
         view::Playback* playback;
         std::function<void()> showTimeline;
-        std::function<bool()> isGuided; // by a lesson, which says itself what moves
+        std::function<bool()> isGuided; // true during a lesson, which decides itself what moves
     };
     OpenedMotion(Parts parts, QObject* parent);
 
@@ -27,6 +27,6 @@ private:
     void begin();
 
     Parts m_parts;
-    int m_index = 0;         // in the history when an entry was opened
-    bool m_isOpened = false; // and nothing has been decided yet
+    int m_index = 0;         // index in the history when the entry was opened
+    bool m_isOpened = false; // true until the motion is decided
 };

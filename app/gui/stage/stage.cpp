@@ -18,7 +18,7 @@ Stage::Stage(document::Document* document, view::RenderBridge* render, view::Sol
     addWidget(m_views);
     addWidget(m_compare);
     for (int part = 0; part < count(); ++part)
-        setStretchFactor(part, 1); // each gets its share
+        setStretchFactor(part, 1); // equal shares
     connect(document, &document::Document::changed, this, [this, document](const document::Change& change) {
         using document::Change;
         if (change.parts & (Change::System | Change::Current | Change::File)) follow(*document);

@@ -21,19 +21,17 @@ public:
           QWidget* parent = nullptr);
 
     view::CanvasView* plane() { return m_plane; }
-    view::TransformationView* transformation() { return m_transformation; } // around the canvas
+    view::TransformationView* transformation() { return m_transformation; } // parent of the canvas
     view::FourViews* views() { return m_space; }
-    view::ComparePane* compare() { return m_compare; }   // to its right
-    view::SpaceView* space() { return m_space->main(); } // the view that orbits
+    view::ComparePane* compare() { return m_compare; }   // pane to the right of the canvas
+    view::SpaceView* space() { return m_space->main(); } // view that orbits
     bool showsSpace() const { return m_views->currentWidget() == m_space; }
 
-    void setCompared(bool compared); // with another entry, to its right
+    void setCompared(bool compared); // shows or hides the other entry, to the right of the canvas
 
     // Operations on the canvas that is shown:
     void fit();
-    void keepFitted() {
-        navigation().adoptViewport();
-    } // unless the user has moved the view since the last fit
+    void keepFitted() { navigation().adoptViewport(); } // no effect once the user has moved the view
     void zoomBy(double factor);
     void resetZoom() { navigation().resetZoom(); }
     QImage picture() const;
@@ -43,7 +41,7 @@ public:
     void takeFocus(Qt::FocusReason reason = Qt::OtherFocusReason);
 
 signals:
-    void switched(); // from the plane to space, or back
+    void switched(); // sent when plane and space change places
 
 private:
     void follow(const document::Document& document);

@@ -19,10 +19,12 @@
 #include <QPainter>
 #include <QStyleOption>
 #include <QToolTip>
+#include <QUndoStack>
 
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <utility>
 
 namespace {
 
@@ -42,7 +44,7 @@ QLabel* selectable(QLabel* label) {
 // Fixed decimals, so that digits stay in place while the pointer moves.
 QString fixed(double value, int decimals) {
     const double unit = std::pow(10, -decimals);
-    return QString::number(std::abs(value) < unit / 2 ? 0 : value, 'f', decimals); // no −0
+    return QString::number(std::abs(value) < unit / 2 ? 0 : value, 'f', decimals); // avoids −0
 }
 
 QString count(std::uint64_t samples) {
@@ -93,8 +95,27 @@ StatusLine::StatusLine(QWidget* parent)
     addPermanentWidget(m_rotation);
     addPermanentWidget(m_verdict);
     addPermanentWidget(m_frame);
-    connect(this, &QStatusBar::messageChanged, this, [this] { m_toRead.setRemainingTime(toRead); });
+    connect(this, &QStatusBar::messageChanged, this, &StatusLine::noteMessage);
     QCoreApplication::instance()->installEventFilter(this);
+}
+
+void StatusLine::follow(document::Document& document) {
+    connect(&document, &document::Document::changed, this,
+            [this](const document::Change& change) { m_isLive = change.live; });
+    connect(document.undoStack(), &QUndoStack::indexChanged, this, &StatusLine::takeStep);
+}
+
+void StatusLine::noteMessage() {
+    m_toRead.setRemainingTime(toRead);
+    m_isOfDrag = m_isLive;
+    m_isNew = true;
+    QMetaObject::invokeMethod(
+        this, [this] { m_isNew = false; }, Qt::QueuedConnection);
+}
+
+// A step may be made before its message or after it.
+void StatusLine::takeStep() {
+    if (!m_isNew && !std::exchange(m_isOfDrag, false)) clearMessage();
 }
 
 // Sees keys before their receivers, so that messages about a key stay. Of a shortcut only the question
@@ -155,7 +176,7 @@ void StatusLine::resizeEvent(QResizeEvent* event) {
 }
 
 void StatusLine::showPointer(const view::PointerPosition& position) {
-    if (m_toRead.hasExpired()) clearMessage(); // what was said gives way once it could be read
+    if (m_toRead.hasExpired()) clearMessage(); // gives way once it could be read
     const view::CoordinateText x(position.camera, 0), y(position.camera, 1);
     QString text = QStringLiteral("x %1  y %2").arg(x.text(position.world.x()), y.text(position.world.y()));
     if (position.barycentric) {
@@ -178,7 +199,7 @@ void StatusLine::showPointer(const view::PointerPosition& position) {
 void StatusLine::showSpacePointer(const view::SpacePosition& position) {
     if (m_toRead.hasExpired()) clearMessage();
     const ifs::Vector<3>& at = position.world;
-    // Decimals that tell neighbouring pixels apart.
+    // Number of decimals that distinguish neighbouring pixels.
     const int decimals = std::clamp(int(std::ceil(-std::log10(position.unitsPerPixel))) + 1, 0, 15);
     QString text = QStringLiteral("x %1  y %2  z %3")
                        .arg(fixed(at.x(), decimals), fixed(at.y(), decimals), fixed(at.z(), decimals));
@@ -205,8 +226,9 @@ void StatusLine::clearPointer() {
 }
 
 void StatusLine::showVerdict(const document::Fractal& fractal) {
-    if (!document::system2(fractal)) m_frame->clear();  // nothing is drawn of it
-    if (const auto* plane = document::system2(fractal)) // as displayed, which is what the analysis speaks of
+    if (!document::system2(fractal)) m_frame->clear(); // not drawn
+    // Displayed system, which is what the analysis describes.
+    if (const auto* plane = document::system2(fractal))
         m_verdict->setText(verdictText(ifs::activeMaps(document::effectiveSystem(fractal).value_or(*plane))));
     else if (const auto* space = document::system3(fractal))
         m_verdict->setText(verdictText(ifs::activeMaps(*space)));

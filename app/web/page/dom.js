@@ -27,6 +27,22 @@ export function shape(name, attributes = {}) {
   return made;
 }
 
+/** Red, green, blue and perhaps alpha up to 255, for a style sheet. @param {number[]} colour */
+export function coloured([red, green, blue, alpha = 255]) {
+  return `rgb(${red} ${green} ${blue} / ${alpha / 255})`;
+}
+
+/** That of a picture of this entry. @param {Entry} entry */
+export function backgroundOf(entry) {
+  return coloured(entry.appearance?.background ?? [13, 16, 23]);
+}
+
+/** @param {HTMLCanvasElement} canvas @param {Uint8ClampedArray<ArrayBuffer>} pixels @param {number} width @param {number} height */
+export function showPixels(canvas, pixels, width, height) {
+  Object.assign(canvas, { width, height });
+  canvas.getContext("2d")?.putImageData(new ImageData(pixels, width, height), 0, 0);
+}
+
 /** Hands a file to the reader of the page.
  * @param {Blob} blob @param {string} name */
 export function save(blob, name) {

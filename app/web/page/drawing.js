@@ -1,23 +1,14 @@
 // SPDX-License-Identifier: MIT
 // The conversation with the worker: one request at a time, the newest wins, and a picture at rest is refined.
 
-/** @typedef {import("./engine.js").Appearance} Appearance */
-/** @typedef {import("./engine.js").Entry} Entry */
-/** @typedef {import("./engine.js").Extent} Extent */
-/** @typedef {import("./engine.js").Palette} Palette */
-/** @typedef {import("./geometry.js").Point} Point */
 /** What is to be drawn: sizes in pixels of the page, and of the screen for each of them.
- * @typedef {{width: number, height: number, ratio: number, view: number[], rest: Point[], current: Point[],
- *   bends: boolean}} Scene */
-/** @typedef {{kind: string, palettes?: Palette[], versions?: string, knowsSpace?: boolean,
- *   extent?: Extent | null, row?: (number | null)[], isStopped?: boolean, pixels?: Uint8ClampedArray<ArrayBuffer>,
- *   width?: number, height?: number, samples?: number, milliseconds?: number, hash?: string}} Answer */
+ * @typedef {Size & Cage & {ratio: number, view: number[]}} Scene */
 
 const liveMilliseconds = 11; // for a picture of a drag
 const refinedAtOnce = 40; // milliseconds, for one of those that follow
 
 export class Drawing {
-  /** @param {Worker} worker @param {() => Scene} scene @param {(answer: Answer) => void} show
+  /** @param {Worker | MessagePort} worker @param {() => Scene} scene @param {(answer: Answer) => void} show
    * @param {() => void} fail @param {number} enough points of a picture at rest */
   constructor(worker, scene, show, fail, enough) {
     this.worker = worker;
@@ -40,15 +31,13 @@ export class Drawing {
     this.size = { width: 1, height: 1 }; // of the newest picture, in its pixels
     /** @type {number[]} */
     this.view = [];
-    worker.onmessage = (event) => {
-      const answer = /** @type {Answer} */ (event.data);
-      if (answer.kind === "failed") fail();
-      else this.waiting.shift()?.(answer);
+    worker.onmessage = (/** @type {MessageEvent<Answer>} */ event) => {
+      if (event.data.failure) fail();
+      else this.waiting.shift()?.(event.data);
     };
-    worker.onerror = fail;
   }
 
-  /** @param {object} request @returns {Promise<Answer>} */
+  /** @param {Question} request @returns {Promise<Answer>} */
   ask(request) {
     this.worker.postMessage(request);
     return new Promise((answered) => this.waiting.push(answered));
@@ -86,7 +75,7 @@ export class Drawing {
     const keepExposure = !this.findsExposure;
     this.isStale = this.findsExposure = false;
     this.isBusy = true;
-    this.ask({ kind: "draw", id: 0, width, height, view: this.view, rest: scene.rest, current: scene.current,
+    this.ask({ kind: "draw", width, height, view: this.view, rest: scene.rest, current: scene.current,
       bends: scene.bends, samples, begin, keepExposure }).then((answer) => {
       this.isBusy = false;
       this.total = answer.samples ?? 0;

@@ -1,50 +1,12 @@
 // SPDX-License-Identifier: MIT
-// The engine of app/web/engine.h, and entries as a page holds them.
-
-/** @typedef {import("./geometry.js").Point} Point */
-/** An entry of a collection. A map is a row of its matrix, its translation and its weight, null where none is given.
- * @typedef {object} Entry
- * @property {string} name
- * @property {number} dimension 2 or 3
- * @property {(number | null)[][]} maps
- * @property {number[][]} [links]
- * @property {{group: number, order: number, angle: number, centre: Point, frame: number[]}} [symmetry]
- * @property {{word: number[], change: number[]}[]} [branches]
- * @property {{rest: Point[], current: Point[], bends: boolean}} [cage]
- * @property {Appearance} [appearance]
- * @property {Solid} [solid]
- * @property {number[]} [view]
- * @property {number[]} [box] of what is shown in the plane: least and greatest coordinates
- * @property {string} [palette] of those of the program, chosen on the page
- * @property {{begin: string, lines: string[], rows: string[]}} [text] the entry as a collection has it
- */
-/** In space: attractor::LookInSpace and SolidColour; clip is a normal and two heights, null without end.
- * @typedef {{look: number, colour: number, light: number[], fog: number, clip?: (number | null)[]}} Solid */
-/** @typedef {object} Appearance
- * @property {number} [colourBy]
- * @property {number} [brightness]
- * @property {number} [gamma]
- * @property {number} [contrast]
- * @property {number} [vibrancy]
- * @property {number} [supersample]
- * @property {number[]} [plain]
- * @property {number[]} [background]
- * @property {number[][]} [stops]
- * @property {[number, number[]][]} [mapColours]
- * @property {[number, number, number][]} [mapBlends]
- */
-/** @typedef {{box: number[], simplex: Point[]}} Extent */
-/** @typedef {{name: string, stops: number[][]}} Palette */
-/** @typedef {Record<string, any>} Exports */
+// The engine of app/web/engine.h.
 
 const standardPlain = [235, 235, 235, 255];
 const standardBackground = [13, 16, 23, 255];
 
-/** Starts an engine from its WebAssembly.
- * @param {BufferSource} bytes
- * @returns {Promise<Engine>} */
+/** Starts an engine from its WebAssembly. @param {BufferSource} bytes */
 export async function startedEngine(bytes) {
-  /** @type {Exports} */
+  /** @type {Record<string, any>} */
   let running = {};
   // The C library asks for little: a clock. There are no environment and no files.
   const system = {
@@ -70,11 +32,10 @@ export async function startedEngine(bytes) {
 
 /** One engine: an entry, how it is looked at, and its picture. */
 export class Engine {
-  /** @param {Exports} exports */
+  /** @param {Record<string, any>} exports */
   constructor(exports) {
     this.calls = exports;
     this.self = exports.barycage_new();
-    this.dimension = 2;
     this.size = { width: 0, height: 0 };
     /** @type {Appearance} */
     this.appearance = {};
@@ -94,8 +55,7 @@ export class Engine {
 
   /** @param {Entry} entry @returns {Extent | null} null where no attractor is certain */
   load(entry) {
-    const d = (this.dimension = entry.dimension);
-    const length = d * (d + 1) + 1;
+    const d = entry.dimension, length = d * (d + 1) + 1;
     const rows = entry.maps.flatMap((map) => Array.from({ length }, (_, i) => map[i] ?? NaN));
     this.calls.barycage_load(this.self, d, this.numbers(rows), entry.maps.length);
     if (entry.links) this.calls.barycage_links(this.self, this.numbers(entry.links.flat()));
@@ -118,12 +78,8 @@ export class Engine {
       const [x, y, z, lowest, highest] = clip;
       this.calls.barycage_clip(this.self, this.numbers([x, y, z, lowest ?? -Infinity, highest ?? Infinity]));
     }
-    return this.calls.barycage_settle(this.self) ? this.extent() : null;
-  }
-
-  /** @returns {Extent} */
-  extent() {
-    const d = this.dimension, boxLength = 2 * d + 1, corners = d * (d + 1);
+    if (!this.calls.barycage_settle(this.self)) return null;
+    const boxLength = 2 * d + 1, corners = d * (d + 1);
     const box = this.numbers(Array(boxLength + corners).fill(0));
     this.calls.barycage_extent(this.self, box, box + 8 * boxLength);
     const all = this.read(box, boxLength + corners);

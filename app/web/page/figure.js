@@ -1,24 +1,18 @@
 // SPDX-License-Identifier: MIT
 // The picture with its cage: what is held, dragged, turned and zoomed.
 
-import { byId, shape } from "./dom.js";
-import { carried, dragged, fitted, fittedInSpace, image, middle, minus, offsetInSpace, partAt, plus, times, toPixel,
-  toPixelInSpace, toWorld, withImagesMoved, zoomed } from "./geometry.js";
+import { Camera } from "./camera.js";
+import { byId, coloured, shape } from "./dom.js";
+import { carried, dragged, edgeAt, image, isInside, middle, minus, plus, times, withImagesMoved } from "./geometry.js";
 import { readable } from "./numbers.js";
-import { filled } from "./texts.js";
+import { filled, language, texts } from "./texts.js";
 
-/** @typedef {import("./engine.js").Entry} Entry */
-/** @typedef {import("./engine.js").Extent} Extent */
-/** @typedef {import("./geometry.js").Point} Point */
-/** @typedef {import("./geometry.js").PlaneView} PlaneView */
-/** @typedef {import("./geometry.js").SpaceView} SpaceView */
-/** @typedef {import("./texts.js").Texts} Texts */
 /** What can be dragged, as it is shown: the cage, or a map as its image of the cage.
- * @typedef {{map: number | null, points: Point[]}} Held */
-/** What of it moves: indices of points.
- * @typedef {Held & {part: string, moving: number[]}} Grip */
-/** What the pointer has pressed, as it was then. Where nothing moves, it is the view.
- * @typedef {Grip & {row: (number | null)[], from: Point, pixel: Point, plane: PlaneView, space: SpaceView}} Press */
+ * @typedef {{map: number | null, row: Row, points: Point[]}} Held */
+/** What of it moves: indices of points. Where nothing moves, it is the view.
+ * @typedef {Held & {moving: number[]}} Grip */
+/** What the pointer has pressed, as it was then.
+ * @typedef {Grip & {pixel: Point, camera: Camera}} Press */
 
 const reachOfFinger = 26, reachOfMouse = 14; // pixels
 const margin = 0.09;
@@ -28,16 +22,12 @@ const mapColours = ["#f5ae39", "#37aae3", "#f75f4c", "#59d38c", "#d476cd", "#e0d
   "#71a255", "#e5b28a", "#ae96da"];
 
 export class Figure {
-  /** @param {Entry} entry @param {Texts} texts @param {string} language @param {boolean} isHeld may its cage be dragged
+  /** @param {Entry} entry @param {boolean} isHeld may its cage be dragged
    * @param {{draw: (findsExposure?: boolean) => void, setLive: (isLive: boolean) => void,
-   *   changeMap: (map: number, row: (number | null)[]) => Promise<void>}} drawing */
-  constructor(entry, texts, language, isHeld, drawing) {
+   *   changeMap: (map: number, row: Row) => Promise<void>}} drawing */
+  constructor(entry, isHeld, drawing) {
     this.stage = byId("stage");
-    this.canvas = /** @type {HTMLCanvasElement} */ (byId("canvas"));
     this.svg = byId("cage");
-    this.said = byId("said");
-    this.texts = texts;
-    this.language = language;
     this.isHeld = isHeld;
     this.drawing = drawing;
     /** @type {Extent | null} */
@@ -46,17 +36,13 @@ export class Figure {
     this.rest = [];
     /** @type {Point[]} */
     this.current = [];
-    /** @type {PlaneView} */
-    this.plane = { centre: [0, 0], scale: 100 };
-    /** @type {SpaceView} */
-    this.home = { target: [0, 0, 0], azimuth: 30, elevation: 20, height: 2, field: 0 };
-    this.space = this.home;
+    this.camera = this.home = new Camera([0, 0], 1);
+    this.isFitted = true; // the camera shows all
     this.size = { width: 1, height: 1 };
     /** @type {Press | null} */
     this.press = null;
     /** @type {Map<number, Point>} */
     this.pointers = new Map();
-    this.isSpace = false;
     this.isKnown = false; // the engine has the entry
     this.holdsMaps = false; // not the cage
     this.chosen = 0; // map, whose corners have handles
@@ -76,10 +62,10 @@ export class Figure {
     this.extent = null;
     this.rest = this.current = this.groups = [];
     const [x, y, z, azimuth, elevation, height, field] = entry.view ?? [0, 0, 0, 30, 20, 2, 0];
-    this.home = { target: [x, y, z], azimuth, elevation, height, field };
-    this.space = this.home;
-    this.isSpace = entry.dimension === 3;
-    this.stage.setAttribute("aria-label", filled(this.isSpace ? this.texts.orbit : this.texts.figure, entry.name));
+    const isSpace = entry.dimension === 3;
+    const flat = new Camera([0, 0], 2 / (1 - 2 * margin)); // of what has neither an attractor nor a cage
+    this.camera = this.home = isSpace ? new Camera([x, y, z], height, azimuth, elevation, field) : flat;
+    this.stage.setAttribute("aria-label", filled(isSpace ? texts.orbit : texts.figure, entry.name));
   }
 
   listen() {
@@ -94,7 +80,7 @@ export class Figure {
     }, { passive: false });
     stage.addEventListener("keydown", (e) => this.keyed(e));
     stage.addEventListener("dblclick", (e) => {
-      if (!this.partUnder(this.place(e), reachOfMouse)) this.fit();
+      if (!this.gripUnder(this.place(e), reachOfMouse)) this.fit();
     });
     new ResizeObserver(() => this.resized()).observe(stage);
   }
@@ -116,8 +102,8 @@ export class Figure {
     }
     this.holdsMaps &&= this.hasMaps;
     if (this.groups.length !== this.held().length || !this.holdsMaps) this.makeHandles();
-    if (this.isSpace && !this.entry.view && extent && before.rest.length === 0)
-      this.home = fittedInSpace(this.home, [...this.current, extent.box.slice(0, 3), extent.box.slice(3, 6)], margin);
+    if (this.camera.isSpace && !this.entry.view && extent && before.rest.length === 0)
+      this.home = this.home.fitted([...this.current, extent.box.slice(0, 3), extent.box.slice(3, 6)], { width: 1, height: 1 }, margin);
     if (before.rest.length === 0) this.fit();
     else this.change();
   }
@@ -139,13 +125,13 @@ export class Figure {
 
   /** @returns {Held[]} */
   held() {
-    if (!this.holdsMaps) return this.current.length > 0 ? [{ map: null, points: this.current }] : [];
+    if (!this.holdsMaps) return this.current.length > 0 ? [{ map: null, row: [], points: this.current }] : [];
     return this.entry.maps.slice(0, mostHandled).map((row, map) =>
-      ({ map, points: carried(this.rest, this.current, this.rest.map((p) => image(row, p))) }));
+      ({ map, row: [...row], points: carried(this.rest, this.current, this.rest.map((p) => image(row, p))) }));
   }
 
   makeHandles() {
-    const edge = (/** @type {Point[]} */ points) => !this.isSpace ? [shape("polygon", { class: "edge" })]
+    const edge = (/** @type {Point[]} */ points) => !this.camera.isSpace ? [shape("polygon", { class: "edge" })]
       : points.length === 4 ? Array.from({ length: 6 }, () => shape("line", { class: "edge" })) : [];
     this.groups = (this.isHeld || this.holdsMaps ? this.held() : []).map(({ map, points }) => {
       const group = shape("g");
@@ -155,14 +141,14 @@ export class Figure {
       group.append(...edge(points), ...handles);
       return group;
     });
-    const around = this.isSpace ? [] : [shape("polygon", { class: "rest" })];
+    const around = this.camera.isSpace ? [] : [shape("polygon", { class: "rest" })];
     this.svg.replaceChildren(...(this.groups.length > 0 ? around : []), ...this.groups);
   }
 
   /** @param {number} map */
   colour(map) {
     const own = this.entry.appearance?.mapColours?.find(([index]) => index === map);
-    return own ? `rgb(${own[1].slice(0, 3).join(" ")})` : mapColours[map % mapColours.length];
+    return own ? coloured(own[1].slice(0, 3)) : mapColours[map % mapColours.length];
   }
 
   /** Of a corner or, with a number in it, of a map as a whole.
@@ -210,36 +196,14 @@ export class Figure {
   /** A handle and where it is, for those who listen. @param {number | null} map @param {number} corner */
   name(map, corner) {
     const { points } = this.held()[map ?? 0];
-    const place = this.spoken([...points, middle(points)][corner]), { texts } = this;
-    return map === null ? filled(texts.corner, corner + 1, place)
-      : corner < points.length ? filled(texts.mapCorner, corner + 1, map + 1, place) : filled(texts.mapPlace, map + 1, place);
-  }
-
-  /** @param {Point} point */
-  spoken(point) {
-    return `(${point.map((x) => readable(x, this.language)).join("; ")})`;
+    const place = `(${[...points, middle(points)][corner].map((x) => readable(x, language)).join("; ")})`;
+    if (map === null) return filled(texts.corner, corner + 1, place);
+    return corner < points.length ? filled(texts.mapCorner, corner + 1, map + 1, place) : filled(texts.mapPlace, map + 1, place);
   }
 
   /** @param {Point} point @returns {Point} in pixels of the page */
   pixel(point) {
-    return this.isSpace ? toPixelInSpace(this.shownSpace(), this.size, point) : toPixel(this.plane, this.size, point);
-  }
-
-  /** The corners of the cage, in pixels of the page. */
-  corners() {
-    return this.current.map((p) => this.pixel(p));
-  }
-
-  /** The camera in space, which shows all of what is as wide as high also where the picture is narrow. */
-  shownSpace() {
-    return { ...this.space, height: this.space.height * Math.max(1, this.size.height / this.size.width) };
-  }
-
-  /** As barycage_camera() has it, in pixels of the page. @returns {number[]} */
-  view() {
-    if (!this.isSpace) return [...this.plane.centre, this.plane.scale];
-    const { target, azimuth, elevation, height, field } = this.shownSpace();
-    return [...target, azimuth, elevation, height, field];
+    return this.camera.toPixel(this.size, point);
   }
 
   change(findsExposure = false) {
@@ -251,31 +215,31 @@ export class Figure {
   resized() {
     const { width, height } = this.stage.getBoundingClientRect();
     if (width === 0) return; // it is hidden
-    const isFirst = this.size.width === 1;
-    const factor = Math.min(width / this.size.width, height / this.size.height);
     this.size = { width, height };
-    if (isFirst) this.fit();
-    else {
-      this.plane = { centre: this.plane.centre, scale: this.plane.scale * factor };
-      this.change();
-    }
+    if (this.isFitted && !this.press) this.fit();
+    else this.change();
   }
 
   fit() {
-    this.space = this.home;
-    const box = this.extent?.box;
-    const ofBox = box ? [[box[0], box[1]], [box[2], box[1]], [box[0], box[3]], [box[2], box[3]]] : [];
-    const isTriangle = this.current.length === 3;
-    const cage = this.isHeld || !box ? this.current : [];
-    const points = [...cage, ...(isTriangle ? carried(this.rest, this.current, ofBox) : ofBox)];
-    if (!this.isSpace) this.plane = fitted(points.length > 0 ? points : [[-1, -1], [1, 1]], this.size, margin);
-    this.change(true);
+    const { rest, current } = this, [left, bottom, right, top] = this.extent?.box ?? [];
+    const box = this.extent ? [[left, bottom], [right, bottom], [left, top], [right, top]] : [];
+    const cage = this.isHeld || !this.extent ? current : [];
+    const points = [...cage, ...(current.length === 3 ? carried(rest, current, box) : box)];
+    this.look(this.camera.isSpace || points.length === 0 ? this.home : this.home.fitted(points, this.size, margin), true);
+    this.isFitted = true;
   }
 
   /** @param {number[]} area of the plane: its middle, width and height */
-  look([x, y, width, height]) {
-    this.plane = { centre: [x, y], scale: Math.min(this.size.width / width, this.size.height / height) };
-    this.change(true);
+  lookAt([x, y, width, height]) {
+    const corners = [[x - width / 2, y - height / 2], [x + width / 2, y + height / 2]];
+    this.look(this.home.fitted(corners, this.size, 0), true);
+  }
+
+  /** @param {Camera} camera */
+  look(camera, findsExposure = false) {
+    this.camera = camera;
+    this.isFitted = false;
+    this.change(findsExposure);
   }
 
   reset() {
@@ -285,9 +249,7 @@ export class Figure {
 
   /** @param {Point} pixel @param {number} factor */
   zoom(pixel, factor) {
-    this.plane = zoomed(this.plane, this.size, pixel, factor);
-    this.space = { ...this.space, height: this.space.height / factor };
-    this.change();
+    this.look(this.camera.zoomed(this.size, pixel, factor));
   }
 
   /** @param {MouseEvent} event @returns {Point} in pixels of the page, from the corner of the stage */
@@ -298,23 +260,21 @@ export class Figure {
 
   /** What is held there: the nearest handle that is seen, then an edge or the inside, of the chosen map before others.
    * @param {Point} pixel @param {number} reach @returns {Grip | null} */
-  partUnder(pixel, reach) {
+  gripUnder(pixel, reach) {
     const held = this.groups.length > 0 ? this.held() : [];
     const isChosen = (/** @type {Held} */ { map }) => map === null || map === this.chosen;
-    /** @type {Grip | null} */
-    let found = null;
-    for (const shown of held)
-      [...shown.points, middle(shown.points)].forEach((point, i, { length }) => {
-        const isWhole = i === length - 1, apart = Math.hypot(...minus(this.pixel(point), pixel));
-        if (apart > reach || !(isWhole ? shown.map !== null : isChosen(shown))) return;
-        reach = apart;
-        found = { ...shown, part: "vertex", moving: isWhole ? shown.points.map((_, k) => k) : [i] };
-      });
-    if (found || this.isSpace) return found;
+    const allOf = (/** @type {Held} */ { points }) => points.map((_, i) => i);
+    const handles = held.flatMap((shown) => [
+      ...(isChosen(shown) ? shown.points.map((point, i) => ({ ...shown, point, moving: [i] })) : []),
+      ...(shown.map === null ? [] : [{ ...shown, point: middle(shown.points), moving: allOf(shown) }])]);
+    const distances = handles.map(({ point }) => Math.hypot(...minus(this.pixel(point), pixel)));
+    const least = Math.min(...distances);
+    if (least <= reach) return handles[distances.lastIndexOf(least)];
+    if (this.camera.isSpace) return null;
     for (const shown of [...held.filter(isChosen), ...held]) {
-      const { map, points } = shown, all = points.map((_, k) => k);
-      const part = partAt(points.map((p) => this.pixel(p)), pixel, reach);
-      if (part) return { ...shown, part: part.part, moving: part.part === "edge" && map === null ? [part.index, (part.index + 1) % all.length] : all };
+      const corners = shown.points.map((p) => this.pixel(p)), edge = edgeAt(corners, pixel, reach / 2);
+      if (edge >= 0 && shown.map === null) return { ...shown, moving: [edge, (edge + 1) % corners.length] };
+      if (edge >= 0 || isInside(pixel, corners)) return { ...shown, moving: allOf(shown) };
     }
     return null;
   }
@@ -325,28 +285,17 @@ export class Figure {
     const pixel = this.place(event);
     this.pointers.set(event.pointerId, pixel);
     this.stage.setPointerCapture(event.pointerId);
-    if (this.pointers.size > 1) this.press = null; // fingers that zoom
-    else this.begin(pixel, event.pointerType === "mouse" ? reachOfMouse : reachOfFinger);
     this.drawing.setLive(true);
+    this.press = null;
+    if (this.pointers.size > 1) return; // fingers that zoom
+    const grip = this.gripUnder(pixel, event.pointerType === "mouse" ? reachOfMouse : reachOfFinger)
+      ?? { map: null, row: [], points: this.current, moving: [] };
+    const { map, moving } = this.press = { ...grip, pixel, camera: this.camera };
+    if (map !== null) this.choose(map);
+    if (moving.length === 1) this.groups[map ?? 0].querySelector(`[data-corner="${moving[0]}"]`)?.classList.add("held");
   }
 
-  /** @param {Point} pixel @param {number} reach */
-  begin(pixel, reach) {
-    const grip = this.partUnder(pixel, reach) ?? { map: null, points: this.current, part: "", moving: [] };
-    this.press = { ...grip, row: this.rowOf(grip.map), from: toWorld(this.plane, this.size, pixel), pixel,
-      plane: this.plane, space: this.space };
-    if (grip.map !== null) this.choose(grip.map);
-    this.stage.classList.toggle("dragging", grip.moving.length > 0);
-    this.groups[grip.map ?? 0]?.querySelectorAll(".corner").forEach((handle) =>
-      handle.classList.toggle("held", grip.moving.length === 1 && handle.getAttribute("data-corner") === String(grip.moving[0])));
-  }
-
-  /** @param {number | null} map */
-  rowOf(map) {
-    return map === null ? [] : [...this.entry.maps[map]];
-  }
-
-  /** Brings what is held to other points. @param {Held & {row: (number | null)[]}} held @param {Point[]} points */
+  /** Brings what is held to other points. @param {Held} held @param {Point[]} points */
   put({ map, points: before, row }, points) {
     if (map === null) {
       this.current = points;
@@ -362,13 +311,11 @@ export class Figure {
 
   /** @param {PointerEvent} event */
   moved(event) {
-    const pixel = this.place(event);
+    const pixel = this.place(event), before = [...this.pointers.values()];
     if (!this.pointers.has(event.pointerId)) {
-      const part = this.partUnder(pixel, reachOfMouse);
-      this.stage.dataset.under = part?.part ?? "";
+      this.stage.classList.toggle("grip", this.gripUnder(pixel, reachOfMouse) !== null);
       return;
     }
-    const before = [...this.pointers.values()];
     this.pointers.set(event.pointerId, pixel);
     if (this.pointers.size === 2) this.pinch(before, [...this.pointers.values()]);
     else if (this.press) this.drag(this.press, pixel, event);
@@ -376,46 +323,31 @@ export class Figure {
 
   /** @param {Point[]} before @param {Point[]} after two fingers */
   pinch(before, after) {
-    const spread = (/** @type {Point[]} */ [a, b]) => Math.hypot(a[0] - b[0], a[1] - b[1]);
-    const shift = minus(middle(after), middle(before));
-    this.pan(shift);
+    const spread = (/** @type {Point[]} */ [a, b]) => Math.hypot(...minus(a, b));
+    this.camera = this.camera.panned(this.size, minus(middle(after), middle(before)));
     this.zoom(middle(after), spread(after) / Math.max(spread(before), 1));
-  }
-
-  /** @param {Point} shift in pixels */
-  pan(shift) {
-    const { centre, scale } = this.plane;
-    this.plane = { centre: [centre[0] - shift[0] / scale, centre[1] + shift[1] / scale], scale };
-    if (this.isSpace) {
-      const offset = offsetInSpace(this.shownSpace(), this.size, this.space.target, shift);
-      this.space = { ...this.space, target: minus(this.space.target, offset) };
-    }
   }
 
   /** @param {Press} press @param {Point} pixel @param {{ctrlKey: boolean, altKey: boolean, shiftKey: boolean}} keys */
   drag(press, pixel, keys) {
-    const shift = minus(pixel, press.pixel);
-    if (press.moving.length === 0) {
-      if (this.isSpace) this.turnTo(press.space.azimuth - shift[0] * 0.4, press.space.elevation + shift[1] * 0.4);
-      else {
-        const { centre, scale } = press.plane;
-        this.plane = { centre: [centre[0] - shift[0] / scale, centre[1] + shift[1] / scale], scale };
-      }
-    } else if (this.isSpace) {
-      const offset = offsetInSpace(this.shownSpace(), this.size, press.points[press.moving[0]], shift);
-      this.put(press, press.points.map((v, i) => (press.moving.includes(i) ? plus(v, offset) : v)));
+    const { camera, points, moving } = press, shift = minus(pixel, press.pixel);
+    if (moving.length === 0) {
+      this.look(this.camera.isSpace ? camera.turned(times(shift, 0.4)) : camera.panned(this.size, shift));
+    } else if (this.camera.isSpace) {
+      this.shift(press, shift);
     } else {
-      const isWhole = press.moving.length === press.points.length;
+      const isWhole = moving.length === points.length;
       const mode = isWhole && keys.ctrlKey ? "rotate" : isWhole && keys.altKey ? "scale" : "move";
-      const to = toWorld(press.plane, this.size, pixel);
-      this.put(press, dragged(press.points, press.moving, mode, press.from, to, keys.shiftKey));
+      const [from, to] = [press.pixel, pixel].map((p) => camera.toWorld(this.size, p));
+      this.put(press, dragged(points, moving, mode, from, to, keys.shiftKey));
     }
-    if (press.moving.length === 0) this.change();
   }
 
-  /** @param {number} azimuth @param {number} elevation */
-  turnTo(azimuth, elevation) {
-    this.space = { ...this.space, azimuth: azimuth % 360, elevation: Math.min(90, Math.max(-90, elevation)) };
+  /** Moves what is held in the plane of the screen. @param {Grip} grip @param {Point} pixels */
+  shift(grip, pixels) {
+    const { points, moving } = grip;
+    const offset = this.camera.offset(this.size, pixels, middle(moving.map((i) => points[i])));
+    this.put(grip, points.map((v, i) => (moving.includes(i) ? plus(v, offset) : v)));
   }
 
   /** @param {PointerEvent} event @param {boolean} isCancelled */
@@ -424,24 +356,22 @@ export class Figure {
     if (this.press && isCancelled) this.cancel();
     if (this.press && this.press.moving.length > 0) this.say(this.press.map, this.press.moving);
     this.press = null;
-    this.stage.classList.remove("dragging");
     this.svg.querySelectorAll(".held").forEach((handle) => handle.classList.remove("held"));
     if (this.pointers.size === 0) this.drawing.setLive(false);
   }
 
   cancel() {
     if (!this.press) return;
-    if (this.press.moving.length > 0) this.put(this.press, this.press.points);
-    this.plane = this.press.plane;
-    this.space = this.press.space;
+    const { press } = this;
     this.press = null;
-    this.change();
+    if (press.moving.length > 0) this.put(press, press.points);
+    this.look(press.camera);
   }
 
   /** Says where a corner or a map is, once it is there. @param {number | null} map @param {number[]} moving */
   async say(map, moving) {
     await this.changed;
-    if (map !== null || moving.length === 1) this.said.textContent = this.name(map, moving.length > 1 ? moving.length : moving[0]);
+    if (map !== null || moving.length === 1) byId("said").textContent = this.name(map, moving.length > 1 ? moving.length : moving[0]);
   }
 
   /** @param {KeyboardEvent} event */
@@ -454,14 +384,9 @@ export class Figure {
     if (Object.hasOwn(arrows, event.key)) {
       const step = times(arrows[event.key], event.shiftKey ? 40 : 8);
       if (handle) this.moveBy(handle.map ? Number(handle.map) : null, Number(handle.corner), step);
-      else if (this.isSpace) {
-        this.turnTo(this.space.azimuth - step[0] / 2, this.space.elevation + step[1] / 2);
-        this.change();
-      } else if (this.isHeld && !this.holdsMaps && this.current.length > 0) this.moveBy(null, this.current.length, step);
-      else {
-        this.pan(times(step, -1));
-        this.change();
-      }
+      else if (this.camera.isSpace) this.look(this.camera.turned(times(step, 1 / 2)));
+      else if (this.isHeld && !this.holdsMaps && this.current.length > 0) this.moveBy(null, this.current.length, step);
+      else this.look(this.camera.panned(this.size, times(step, -1)));
     } else if (event.key === "+" || event.key === "=") this.zoom(centre, 1.25);
     else if (event.key === "-") this.zoom(centre, 0.8);
     else if (event.key === "0") this.fit();
@@ -473,11 +398,9 @@ export class Figure {
 
   /** @param {number | null} map @param {number} corner that of a handle @param {Point} pixels */
   moveBy(map, corner, pixels) {
-    const { points } = this.held()[map ?? 0], moving = corner < points.length ? [corner] : points.map((_, i) => i);
-    const offset = (/** @type {Point} */ v) => this.isSpace ? offsetInSpace(this.shownSpace(), this.size, v, pixels)
-      : [pixels[0] / this.plane.scale, -pixels[1] / this.plane.scale];
-    const by = offset(moving.length === 1 ? points[corner] : middle(points));
-    this.put({ map, points, row: this.rowOf(map) }, points.map((v, i) => (moving.includes(i) ? plus(v, by) : v)));
+    const held = this.held()[map ?? 0];
+    const moving = corner < held.points.length ? [corner] : held.points.map((_, i) => i);
+    this.shift({ ...held, moving }, pixels);
     this.say(map, moving);
   }
 }

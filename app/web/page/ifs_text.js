@@ -1,18 +1,13 @@
 // SPDX-License-Identifier: MIT
 // An entry as a collection has it, with what has been dragged and typed.
 
-/** @typedef {import("./engine.js").Entry} Entry */
-/** @typedef {import("./geometry.js").Point} Point */
+import { determinant, matrixOf } from "./geometry.js";
 
 /** The determinant rule, for rows whose maps have no weights.
  * @param {Entry} entry @returns {number[]} */
-function shares(entry) {
-  const sizes = entry.maps.map((map) => {
-    const m = /** @type {number[]} */ (map);
-    return Math.abs(entry.dimension === 2 ? m[0] * m[3] - m[1] * m[2]
-      : m[0] * (m[4] * m[8] - m[5] * m[7]) - m[1] * (m[3] * m[8] - m[5] * m[6]) + m[2] * (m[3] * m[7] - m[4] * m[6]));
-  });
+function shares({ dimension, maps }) {
   const sum = (/** @type {number[]} */ list) => list.reduce((a, b) => a + b, 0);
+  const sizes = maps.map((map) => Math.abs(determinant(matrixOf(map, dimension))));
   const floored = sizes.map((size) => (sum(sizes) > 0 ? Math.max(size, 0.01 * sum(sizes)) : 1));
   return floored.map((size) => size / sum(floored));
 }

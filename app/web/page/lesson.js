@@ -2,14 +2,11 @@
 // The steps of a lesson: a text above the figure, and the way back and on.
 
 import { byId, element } from "./dom.js";
-
-/** @typedef {import("./texts.js").Texts} Texts */
-/** A step shows an entry by its index, and of the plane an area: its middle, width and height.
- * @typedef {{title: string, text: string, entry: number, maps: boolean, area?: number[]}} Step */
+import { texts } from "./texts.js";
 
 export class Lesson {
-  /** @param {string} title @param {Step[]} steps @param {Texts} texts @param {(step: Step) => void} show */
-  constructor(title, steps, texts, show) {
+  /** @param {string} title @param {Step[]} steps @param {(step: Step) => void} show */
+  constructor(title, steps, show) {
     this.steps = steps;
     this.show = show;
     this.step = 0;

@@ -18,7 +18,7 @@ export function linkData(text) {
 export async function packed(text) {
   const bytes = new TextEncoder().encode(text);
   if (bytes.length > longestText) return null;
-  const stream = new Blob([bytes]).stream().pipeThrough(new CompressionStream("deflate-raw"));
+  const stream = new Response(bytes).body?.pipeThrough(new CompressionStream("deflate-raw"));
   const deflated = new Uint8Array(await new Response(stream).arrayBuffer());
   let binary = "";
   for (const byte of deflated) binary += String.fromCharCode(byte);
@@ -33,14 +33,13 @@ export async function unpacked(data) {
   const whole = data.length % 4 === 1 ? data.slice(0, -1) : data;
   const bytes = Uint8Array.from(atob(whole.replace(/-/g, "+").replace(/_/g, "/")), (c) => c.charCodeAt(0));
   const { readable, writable } = new DecompressionStream("deflate-raw");
-  /** @type {Uint8Array<ArrayBuffer>[]} */
-  const parts = [];
-  let size = 0;
+  const decoder = new TextDecoder();
+  let size = 0, text = "";
   const reader = readable.getReader();
   const reading = (async () => {
     for (let next = await reader.read(); !next.done && size <= longestText; next = await reader.read()) {
       size += next.value.length;
-      parts.push(next.value);
+      text += decoder.decode(next.value, { stream: true });
     }
     if (size > longestText) await reader.cancel();
   })().catch(() => {});
@@ -57,5 +56,5 @@ export async function unpacked(data) {
     if (size <= longestText) return { flaw };
   }
   if (size > longestText) return { flaw: "linkTooLarge" };
-  return { text: await new Blob(parts).text() };
+  return { text: text + decoder.decode() };
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Puts the page together: the entry it carries, the figure, the table, the palettes and the files it saves.
 
-import { byId, element, save } from "./dom.js";
+import { backgroundOf, byId, coloured, element, save, showPixels } from "./dom.js";
 import { Drawing } from "./drawing.js";
 import { readEntry } from "./entry_reader.js";
 import { Figure } from "./figure.js";
@@ -10,43 +10,24 @@ import { entryText } from "./ifs_text.js";
 import { Lesson } from "./lesson.js";
 import { linkData, packed, unpacked } from "./link.js";
 import { fillTable } from "./table.js";
-import { filled, spokenLanguage, textsOf } from "./texts.js";
-
-/** @typedef {import("./engine.js").Entry} Entry */
-/** @typedef {import("./engine.js").Palette} Palette */
-/** @typedef {(number | null)[]} Row of a map */
-/** What the program has written into the page.
- * @typedef {{entry: Entry, text?: string, entries?: Entry[], steps?: import("./lesson.js").Step[], title?: string, caption?: string, show: string, allow: string[], language: string,
- *   points: number}} Content  whose text, in a notebook, is that of the entry */
+import { filled, language, texts } from "./texts.js";
 
 const content = /** @type {Content} */ (JSON.parse(byId("content").textContent ?? ""));
-const language = content.language || spokenLanguage(navigator.languages);
-const texts = textsOf(language);
-let entry = content.entries?.[0] ?? content.entry; // or that of a link, or one that is chosen
+/** @type {Article | undefined} the one that shows the page by a script: embed.js */
+const article = Reflect.get(frameElement ?? {}, "barycage");
+const entries = article && !content.steps ? undefined : content.entries; // of a gallery or of a lesson
+let entry = content.entries?.find(({ name }) => name === article?.entry) ?? content.entries?.[0] ?? content.entry; // or that of a link, or one that is chosen
 let first = structuredClone(entry); // as it was shown first
 const [isHeld, isDragged, isTyped] = ["cage", "maps", "code"].map((edit) => content.allow.includes(edit));
 let isEdited = false;
 
-/** @param {number} points */
-function tellPoints(points) {
-  const millions = new Intl.NumberFormat(language, { maximumFractionDigits: 1 }).format(points / 1e6);
-  byId("points").textContent = points > 0 ? filled(texts.points, millions) : "";
-}
-
-/** @param {string} sentence */
-function tell(sentence) {
-  byId("problem").textContent = sentence;
-}
-
 function speak() {
   document.documentElement.lang = language;
-  const textFor = (/** @type {Element} */ place, /** @type {string} */ attribute) =>
-    String(texts[/** @type {keyof typeof texts} */ (place.getAttribute(attribute))]);
-  for (const place of document.querySelectorAll("[data-text]")) place.textContent = textFor(place, "data-text");
-  for (const place of document.querySelectorAll("[data-label]")) {
-    const text = textFor(place, "data-label");
-    place.setAttribute("aria-label", text);
-    place.setAttribute("title", text);
+  const textOf = (/** @type {string | undefined} */ key) => String(texts[/** @type {keyof typeof texts} */ (key)]);
+  for (const place of /** @type {NodeListOf<HTMLElement>} */ (document.querySelectorAll("[data-text], [data-label]"))) {
+    const { text, label } = place.dataset;
+    if (text) place.textContent = textOf(text);
+    else place.title = place.ariaLabel = textOf(label);
   }
 }
 
@@ -86,8 +67,7 @@ function takeEntry(shown) {
   document.title = entry.name;
   byId("name").textContent = entry.name;
   byId("caption").textContent = ""; // it is of the other entry
-  const [red, green, blue, alpha] = entry.appearance?.background ?? [13, 16, 23, 255];
-  byId("stage").style.background = `rgb(${red} ${green} ${blue} / ${alpha / 255})`;
+  byId("stage").style.background = backgroundOf(entry);
 }
 
 /** @param {Figure} figure */
@@ -119,16 +99,12 @@ function listenForLinks() {
   });
 }
 
-/** @param {{width?: number, height?: number, pixels?: Uint8ClampedArray<ArrayBuffer>, samples?: number}} picture */
+/** @param {Answer} picture */
 function showPicture({ width = 0, height = 0, pixels, samples = 0 }) {
-  const canvas = /** @type {HTMLCanvasElement} */ (byId("canvas"));
-  if (canvas.width !== width || canvas.height !== height) {
-    canvas.width = width;
-    canvas.height = height;
-  }
-  if (pixels) canvas.getContext("2d")?.putImageData(new ImageData(pixels, width, height), 0, 0);
+  if (pixels) showPixels(/** @type {HTMLCanvasElement} */ (byId("canvas")), pixels, width, height);
   document.body.dataset.state = "live";
-  tellPoints(samples);
+  const millions = new Intl.NumberFormat(language, { maximumFractionDigits: 1 }).format(samples / 1e6);
+  byId("points").textContent = samples > 0 ? filled(texts.points, millions) : "";
 }
 
 /** @param {Palette[]} palettes @param {(palette: Palette) => void} choose */
@@ -138,8 +114,8 @@ function fillPalettes(palettes, choose) {
     const title = texts.palettes[i] ?? palette.name;
     const swatch = element("button", { type: "button", role: "radio", class: "swatch", "aria-label": title, title,
       "aria-checked": String(JSON.stringify(palette.stops) === given) });
-    swatch.style.backgroundImage = `linear-gradient(90deg, ${palette.stops.map(([at, r, g, b]) =>
-      `rgb(${r} ${g} ${b}) ${100 * at}%`).join()})`;
+    swatch.style.backgroundImage = `linear-gradient(90deg, ${palette.stops.map(([at, ...colour]) =>
+      `${coloured(colour)} ${100 * at}%`).join()})`;
     swatch.addEventListener("click", () => {
       for (const other of byId("palettes").children) other.setAttribute("aria-checked", String(other === swatch));
       choose(palette);
@@ -158,14 +134,16 @@ function connect(drawing, figure, palettes) {
   const load = async () => {
     const loaded = entry, change = next && { ...next, from: entry.maps[next.map] };
     next = undefined;
-    const { extent, row, isStopped } = await drawing.ask({ kind: "load", entry, change });
+    const { extent = null, row, isStopped } = await drawing.ask({ kind: "load", entry, change });
     if (loaded !== entry) return;
-    if (change) Object.assign(entry.maps[change.map], row);
-    if (change) showNumbers();
     const sentence = isStopped ? texts.stopped : extent ? "" : texts.noAttractor;
-    tell(change ? "" : sentence);
+    byId("problem").textContent = change ? "" : sentence;
     if (isEdited) byId("notice").textContent = change ? sentence : "";
-    figure.hold(extent ?? null);
+    if (change) {
+      Object.assign(entry.maps[change.map], row);
+      showNumbers();
+    }
+    figure.hold(extent);
     speakOfEntry(figure);
   };
   let isOld = false;
@@ -184,10 +162,11 @@ function connect(drawing, figure, palettes) {
   const showEntry = async () => {
     drawing.stop();
     figure.take(entry);
-    showNumbers = fillTable(byId("maps"), entry, texts, isTyped, () => {
+    const typed = () => {
       isEdited = true;
       reload();
-    }, tell);
+    };
+    showNumbers = fillTable(byId("maps"), entry, isTyped ? typed : null, (sentence) => (byId("problem").textContent = sentence));
     fillPalettes(palettes, async (palette) => {
       entry.palette = palette.name;
       entry.appearance = { ...entry.appearance, stops: palette.stops };
@@ -229,7 +208,7 @@ function connect(drawing, figure, palettes) {
  * @param {boolean} isLinked whether the figure is shown first */
 function openGallery(entries, drawing, showEntry, isLinked) {
   const title = content.title ?? "";
-  const gallery = new Gallery(entries, title, content.caption ?? "", texts, drawing, (index) => {
+  const gallery = new Gallery(entries, title, content.caption ?? "", drawing, (index) => {
     history.pushState({ entry: index }, "");
     open(index);
   });
@@ -249,23 +228,22 @@ function openGallery(entries, drawing, showEntry, isLinked) {
   };
   byId("back").hidden = false;
   byId("back").addEventListener("click", () => (history.state?.entry === undefined ? close() : history.back()));
-  addEventListener("popstate", () => {
+  const showStated = () => { // also of a page that is opened again
     const index = history.state?.entry;
     if (entries[index]) open(index);
     else close();
-  });
-  const index = history.state?.entry; // of a page that is opened again
+  };
+  addEventListener("popstate", showStated);
   if (isLinked) gallery.hide();
-  else if (entries[index]) open(index);
-  else close();
+  else showStated();
 }
 
 /** The lesson of a collection. Each step begins with the entry as it was.
- * @param {Entry[]} entries @param {import("./lesson.js").Step[]} steps @param {Figure} figure
+ * @param {Entry[]} entries @param {Step[]} steps @param {Figure} figure
  * @param {() => Promise<void>} showEntry */
 function openLesson(entries, steps, figure, showEntry) {
   const { title = "", caption = "" } = content;
-  new Lesson(title, steps, texts, async (step) => {
+  new Lesson(title, steps, async (step) => {
     const own = structuredClone(entries[step.entry]);
     takeEntry(own);
     document.title = `${step.title} – ${title}`;
@@ -273,26 +251,41 @@ function openLesson(entries, steps, figure, showEntry) {
     await showEntry();
     if (entry !== own) return; // another step is shown
     figure.setHoldsMaps(step.maps && isDragged);
-    if (step.area) figure.look(step.area);
+    if (step.area) figure.lookAt(step.area);
     speakOfEntry(figure);
   }).go(0);
+}
+
+/** Fits the page into an article, which shows all of its height. @param {Article} article */
+function settleIn(article) {
+  document.body.dataset.place = "article";
+  new ResizeObserver(() => article.resized(Math.ceil(document.body.getBoundingClientRect().height))).observe(document.body);
+  if (!content.entries || content.steps) return;
+  byId("still").remove(); // of another entry
+  takeEntry(entry);
+}
+
+function ownWorker() {
+  const source = new Blob([byId("worker").textContent ?? ""], { type: "text/javascript" });
+  const worker = new Worker(URL.createObjectURL(source));
+  worker.onerror = failed;
+  return worker;
 }
 
 async function start() {
   speak();
   listenForLinks();
-  const source = new Blob([byId("worker").textContent ?? ""], { type: "text/javascript" });
-  const worker = new Worker(URL.createObjectURL(source));
+  if (article) settleIn(article);
   /** @type {Figure} */
   let figure;
-  const drawing = new Drawing(worker, () => ({ ...figure.size, ratio: Math.min(devicePixelRatio, 2),
-    view: figure.view(), rest: figure.rest, current: figure.current, bends: entry.cage?.bends ?? true }),
+  const drawing = new Drawing(article?.worker() ?? ownWorker(), () => ({ ...figure.size, ratio: Math.min(devicePixelRatio, 2),
+    view: figure.camera.numbers(figure.size), rest: figure.rest, current: figure.current, bends: entry.cage?.bends ?? true }),
     showPicture, failed, content.points);
   const { palettes = [], versions, knowsSpace = false } =
     await drawing.ask({ kind: "start", wasm: byId("engine").textContent ?? "" });
   const linked = await linkedEntry(palettes, knowsSpace);
   if (linked) takeEntry(linked);
-  figure = new Figure(entry, texts, language, isHeld, {
+  figure = new Figure(entry, isHeld, {
     draw: (findsExposure) => document.body.dataset.view !== "gallery" && drawing.begin(findsExposure),
     setLive: (isLive) => drawing.setLive(isLive),
     changeMap: (map, row) => changeMap(map, row),
@@ -300,10 +293,10 @@ async function start() {
   const { showEntry, changeMap } = connect(drawing, figure, palettes);
   // For tests, and for the curious.
   Object.assign(window, { barycage: { drawing, figure, versions, get entry() { return entry; } } });
-  if (content.entries) document.body.dataset.state = "live";
-  if (content.steps && content.entries && !linked) openLesson(content.entries, content.steps, figure, showEntry);
-  else if (content.entries && !content.steps) openGallery(content.entries, drawing, showEntry, linked !== null);
-  if (!content.entries || linked) await showEntry();
+  if (entries) document.body.dataset.state = "live";
+  if (content.steps && entries && !linked) openLesson(entries, content.steps, figure, showEntry);
+  else if (entries && !content.steps) openGallery(entries, drawing, showEntry, linked !== null);
+  if (!entries || linked) await showEntry();
 }
 
 start().catch(failed);

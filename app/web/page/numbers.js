@@ -4,28 +4,19 @@
 /** @type {Record<string, number>} */
 const constants = { pi: Math.PI, "π": Math.PI, e: Math.E, phi: (1 + Math.sqrt(5)) / 2, "φ": (1 + Math.sqrt(5)) / 2 };
 
-/** Whole degrees, of which sines and cosines are exact where they are rational; NaN for other angles.
- * @param {number} radians */
-function wholeDegrees(radians) {
-  const degrees = (radians * 180) / Math.PI;
-  const whole = Math.round(degrees);
-  return Math.abs(degrees - whole) <= 1e-13 * Math.max(1, Math.abs(degrees)) ? whole : NaN;
-}
-
-/** @param {number} x */
+/** Exact where a whole number of degrees has a rational sine. @param {number} x */
 function sine(x) {
-  const degrees = wholeDegrees(x);
-  if (degrees % 180 === 0) return 0;
-  if (Math.abs(degrees % 180) === 30 || Math.abs(degrees % 180) === 150) return Math.sign(Math.sin(x)) / 2;
-  return Math.sin(x);
+  const degrees = (x * 180) / Math.PI, whole = Math.round(degrees);
+  const isWhole = Math.abs(degrees - whole) <= 1e-13 * Math.max(1, Math.abs(degrees));
+  const place = isWhole ? Math.abs(whole % 180) : NaN;
+  if (place === 0) return 0;
+  return place === 30 || place === 150 ? Math.sign(Math.sin(x)) / 2 : Math.sin(x);
 }
 
-/** @param {number} x */
+/** Exact where the cosine is rational. @param {number} x */
 function cosine(x) {
-  const degrees = wholeDegrees(x);
-  if (Math.abs(degrees % 180) === 90) return 0;
-  if (Math.abs(degrees % 180) === 60 || Math.abs(degrees % 180) === 120) return Math.sign(Math.cos(x)) / 2;
-  return Math.cos(x);
+  const exact = sine(x + Math.PI / 2);
+  return [0, 0.5, -0.5].includes(exact) ? exact : Math.cos(x);
 }
 
 /** @type {Record<string, (...values: number[]) => number>} */
@@ -34,7 +25,15 @@ const functions = {
   atan2: Math.atan2, sinh: Math.sinh, cosh: Math.cosh, tanh: Math.tanh, sqrt: Math.sqrt, cbrt: Math.cbrt,
   exp: Math.exp, ln: Math.log, log: Math.log10, log2: Math.log2, abs: Math.abs, min: Math.min, max: Math.max,
 };
-const arguments2 = new Set(["atan2", "min", "max"]);
+const withTwoArguments = new Set(["atan2", "min", "max"]);
+/** How tightly an operator binds; “^” is right-associative, the others are not.
+ * @type {Record<string, {rank: number, right: number, of: (a: number, b: number) => number}>} */
+const operators = {
+  "+": { rank: 1, right: 2, of: (a, b) => a + b }, "-": { rank: 1, right: 2, of: (a, b) => a - b },
+  "*": { rank: 2, right: 3, of: (a, b) => a * b }, "/": { rank: 2, right: 3, of: (a, b) => a / b },
+  "^": { rank: 4, right: 4, of: (a, b) => a ** b },
+};
+const signRank = 3; // -2^2 is -(2^2)
 const longest = 200; // characters of an expression
 
 /** The value of an expression such as 1/2, sqrt(3)/6, cos(36°) or 3^2, as in the table of the program.
@@ -48,32 +47,16 @@ export function evaluate(text) {
   let at = 0;
   /** @param {string} token */
   const take = (token) => tokens[at] === token && ++at > 0;
-  /** @returns {number} */
-  const sum = () => {
-    let value = product();
-    for (;;) {
-      if (take("+")) value += product();
-      else if (take("-")) value -= product();
-      else return value;
+  /** @param {number} rank the least one of operators that are read @returns {number} */
+  const read = (rank) => {
+    let value = take("-") ? -read(signRank) : take("+") ? read(signRank) : inDegrees();
+    for (let operator = operators[tokens[at]]; operator?.rank >= rank; operator = operators[tokens[at]]) {
+      ++at;
+      value = operator.of(value, read(operator.right));
     }
+    return value;
   };
-  /** @returns {number} */
-  const product = () => {
-    let value = signed();
-    for (;;) {
-      if (take("*")) value *= signed();
-      else if (take("/")) value /= signed();
-      else return value;
-    }
-  };
-  /** @returns {number} */
-  const signed = () => (take("-") ? -signed() : take("+") ? signed() : power());
-  /** @returns {number} */
-  const power = () => {
-    const base = postfix();
-    return take("^") ? base ** signed() : base;
-  };
-  const postfix = () => {
+  const inDegrees = () => {
     let value = primary();
     while (take("°")) value *= Math.PI / 180;
     return value;
@@ -81,19 +64,16 @@ export function evaluate(text) {
   /** @returns {number} */
   const primary = () => {
     const token = tokens[at++] ?? "";
-    if (token === "(") {
-      const value = sum();
-      return take(")") ? value : NaN;
-    }
     if (/^[\d.]/.test(token)) return Number(token);
     if (Object.hasOwn(constants, token)) return constants[token];
-    if (!Object.hasOwn(functions, token) || !take("(")) return NaN;
-    const values = [sum()];
-    while (take(",")) values.push(sum());
-    if (!take(")") || values.length !== (arguments2.has(token) ? 2 : 1)) return NaN;
-    return functions[token](...values);
+    const of = Object.hasOwn(functions, token) ? functions[token] : undefined;
+    if (of ? !take("(") : token !== "(") return NaN;
+    const values = [read(1)];
+    while (of && take(",")) values.push(read(1));
+    if (!take(")") || values.length !== (withTwoArguments.has(token) ? 2 : 1)) return NaN;
+    return of ? of(...values) : values[0];
   };
-  const value = sum();
+  const value = read(1);
   return at === tokens.length && Number.isFinite(value) ? value : null;
 }
 

@@ -3,21 +3,13 @@
 
 import { byId } from "./dom.js";
 
-/** @typedef {typeof import("./texts.json")["en"]} Texts */
+/** @type {Record<string, typeof import("./texts.json")["en"]>} */
+const spoken = JSON.parse(byId("texts").textContent ?? "");
 
-/** @type {Record<string, Texts>} */
-const languages = JSON.parse(byId("texts").textContent ?? "");
-
-/** The first of these languages that the page speaks, else English.
- * @param {readonly string[]} wanted */
-export function spokenLanguage(wanted) {
-  return wanted.map((tag) => tag.toLowerCase().split("-")[0]).find((tag) => Object.hasOwn(languages, tag)) ?? "en";
-}
-
-/** @param {string} language @returns {Texts} */
-export function textsOf(language) {
-  return languages[language];
-}
+/** The first language of the browser that the page speaks, else English, else the only one. */
+export const language = [...navigator.languages.map((tag) => tag.toLowerCase().split("-")[0]), "en", ...Object.keys(spoken)]
+  .find((tag) => Object.hasOwn(spoken, tag)) ?? "";
+export const texts = spoken[language];
 
 /** @param {string} text with {0}, {1} … @param {...(string | number)} values */
 export function filled(text, ...values) {

@@ -1,25 +1,13 @@
 // SPDX-License-Identifier: MIT
 // Draws in a thread of its own, so that the page never waits for a picture.
 
-import { startedEngine } from "./engine.js";
-
-/** @typedef {import("./engine.js").Engine} Engine */
-/** @typedef {import("./engine.js").Entry} Entry */
-/** @typedef {import("./engine.js").Appearance} Appearance */
-/** @typedef {import("./geometry.js").Point} Point */
-/** A map that is dragged: its row as it is shown, and where the hand is.
- * @typedef {{map: number, from: (number | null)[], to: (number | null)[]}} Change */
-/** What the page asks for; cage and camera are those of the moment.
- * @typedef {{kind: "start", wasm: string} | {kind: "load", entry: Entry, change?: Change} | {kind: "look", appearance: Appearance} |
- *   {kind: "hash"} | {kind: "thumbnail", entry: Entry, width: number, height: number, samples: number} | {kind: "draw", id: number, width: number, height: number, view: number[], rest: Point[], current: Point[],
- *    bends: boolean, samples: number, begin: boolean, keepExposure: boolean}} Request
- */
+import { Engine, startedEngine } from "./engine.js";
 
 /** The bytes of Base64 that is compressed with gzip.
  * @param {string} base64 */
 async function unpacked(base64) {
   const bytes = Uint8Array.from(atob(base64), (c) => c.charCodeAt(0));
-  const stream = new Blob([bytes]).stream().pipeThrough(new DecompressionStream("gzip"));
+  const stream = new Response(bytes).body?.pipeThrough(new DecompressionStream("gzip")); // WebKitGTK cannot read a Blob here
   return new Response(stream).arrayBuffer();
 }
 
@@ -59,49 +47,48 @@ function loadChanged(loading, entry, { map, from, to }) {
   return { ...at(share), isStopped: true };
 }
 
-/** @type {Engine | null} */
-let engine = null;
-
-/** @param {Request} request
- * @returns {Promise<[object, Transferable[]]>} the answer, and what it hands over */
-async function answer(request) {
-  if (request.kind === "start") {
-    engine = await startedEngine(await unpacked(request.wasm));
-    return [{ kind: "started", palettes: engine.palettes(), versions: engine.versions(),
-      knowsSpace: engine.knows({ name: "", dimension: 3, maps: [] }) }, []];
-  }
-  if (!engine) throw new Error("the engine has not started");
+/** @param {Engine} engine @param {Question} request @returns {Answer} */
+function answerTo(engine, request) {
+  if (request.kind === "start")
+    return { palettes: engine.palettes(), versions: engine.versions(), knowsSpace: engine.knows({ name: "", dimension: 3, maps: [] }) };
   if (request.kind === "load") {
     const { entry, change } = request;
-    return [{ kind: "loaded", ...(change ? loadChanged(engine, entry, change) : { extent: engine.load(entry) }) }, []];
+    return change ? loadChanged(engine, entry, change) : { extent: engine.load(entry) };
   }
   if (request.kind === "look") {
     engine.setAppearance(request.appearance);
-    return [{ kind: "looked" }, []];
+    return {};
   }
-  if (request.kind === "thumbnail") {
-    const { entry, width, height } = request;
-    drawSmall(engine, entry, width, height, request.samples);
-    const pixels = engine.pixels();
-    return [{ kind: "picture", width, height, pixels }, [pixels.buffer]];
+  const { width, height } = request, began = performance.now();
+  let { samples } = request;
+  if (request.kind === "thumbnail") drawSmall(engine, request.entry, width, height, samples);
+  else {
+    if (request.begin) {
+      engine.setCamera(width, height, request.view);
+      engine.setCage(request.rest, request.current, request.bends);
+    }
+    samples = engine.draw(samples, request.begin, request.keepExposure);
   }
-  if (request.kind === "hash") return [{ kind: "hashed", hash: engine.hash() }, []];
-  const { id, width, height, begin } = request;
-  const began = performance.now();
-  if (begin) {
-    engine.setCamera(width, height, request.view);
-    engine.setCage(request.rest, request.current, request.bends);
-  }
-  const samples = engine.draw(request.samples, begin, request.keepExposure);
-  const pixels = engine.pixels();
-  const milliseconds = performance.now() - began;
-  return [{ kind: "picture", id, width, height, pixels, samples, milliseconds }, [pixels.buffer]];
+  return { width, height, pixels: engine.pixels(), samples, milliseconds: performance.now() - began };
 }
 
-/** @type {Promise<unknown>} requests are answered one after the other */
-let last = Promise.resolve();
-self.onmessage = (/** @type {MessageEvent<Request>} */ event) => {
-  last = last.then(() => answer(event.data)).then(
-    ([message, handed]) => self.postMessage(message, { transfer: handed }),
-    (error) => self.postMessage({ kind: "failed", message: String(error) }));
-};
+/** @type {Promise<Engine> | undefined} whose WebAssembly the engines of all figures share */
+let started;
+
+/** Answers a figure, one request after the other. @param {MessagePort | Window & typeof globalThis} figure */
+function serve(figure) {
+  /** @type {Engine | undefined} */
+  let engine;
+  let last = Promise.resolve();
+  figure.onmessage = (/** @type {MessageEvent<Question>} */ { data, ports: [other] }) => {
+    if (other) serve(other);
+    else last = last.then(async () => {
+      if (data.kind === "start") engine = new Engine((await (started ??= unpacked(data.wasm).then(startedEngine))).calls);
+      if (!engine) throw new Error("the engine has not started");
+      const answer = answerTo(engine, data);
+      figure.postMessage(answer, { transfer: answer.pixels ? [answer.pixels.buffer] : [] });
+    }).catch((error) => figure.postMessage({ failure: String(error) }));
+  };
+}
+
+serve(self);

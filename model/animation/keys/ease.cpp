@@ -33,7 +33,7 @@ double onCurve(const Ease& ease, double u) {
     double low = 0, high = 1;
     for (;;) {
         const double s = (low + high) / 2;
-        if (s <= low || s >= high) break; // no number is left between them
+        if (s <= low || s >= high) break; // no double between the bounds
         (bezier(ease.x1, ease.x2, s) < u ? low : high) = s;
     }
     return std::clamp(bezier(ease.y1, ease.y2, high), 0.0, 1.0);

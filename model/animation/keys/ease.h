@@ -8,20 +8,20 @@
 // Eases: the share of the way between two keys as a function of time.
 namespace animation {
 
-constexpr double maxSlope = 20; // of a custom curve
+constexpr double maxSlope = 20; // largest slope of a custom curve
 
 struct Ease {
     enum class Kind {
-        Hold, // stays until the next key
+        Hold, // constant until the next key
         Linear,
-        In,     // starts slowly
-        Out,    // ends slowly
-        Both,   // starts and ends slowly
+        In,     // slow start
+        Out,    // slow end
+        Both,   // slow start and end
         Cubic,  // the Bézier curve from (0, 0) by (x1, y1) and (x2, y2) to (1, 1)
-        Smooth, // as Linear in time; the path bends through its keys without a corner
+        Smooth, // linear in time, with a path that has no corner at its keys
     };
     Kind kind = Kind::Linear;
-    double x1 = 0, y1 = 0, x2 = 1, y2 = 1; // of Cubic
+    double x1 = 0, y1 = 0, x2 = 1, y2 = 1; // control points of Cubic
 
     friend bool operator==(const Ease&, const Ease&) = default;
 };

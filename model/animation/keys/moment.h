@@ -12,8 +12,8 @@
 namespace animation {
 
 constexpr int maxLength = 1'000'000;                   // frames
-constexpr std::int64_t maxDenominator = 1'000'000'000; // of a fraction of a frame
-constexpr int maxCycles = 1000;                        // of a motion, in the length of an animation
+constexpr std::int64_t maxDenominator = 1'000'000'000; // greatest denominator of a fraction of a frame
+constexpr int maxCycles = 1000;                        // most cycles of a motion in one animation
 
 // A frame or a fraction of one, in lowest terms with a positive denominator.
 struct Moment {
@@ -33,14 +33,14 @@ bool isBefore(const Moment& a, const Moment& b);
 
 // Behaviour after the last frame.
 enum class Loop {
-    Off,          // it stays
-    Cycle,        // frame 0: the last frame shows what the first one does, and is not drawn
-    ThereAndBack, // all frames backwards
+    Off,          // the last frame stays
+    Cycle,        // frame 0 follows the last frame, which shows the same and is not drawn
+    ThereAndBack, // all frames in reverse order
 };
 
 // The frames to draw: length + 1 without a loop, `length` in a cycle, 2·length there and back.
 int frameCount(Loop loop, int length);
-int lastFrame(Loop loop, int length); // the last one that can be asked for: `length`, or 2·length
+int lastFrame(Loop loop, int length); // greatest frame of the loop: `length`, or 2 · length
 
 // The moment from 0 to `length` that is shown at this one.
 Moment folded(const Moment& moment, Loop loop, int length);

@@ -14,12 +14,12 @@
 // pivot. docs/mathematics.md, "Animation".
 namespace animation {
 
-using MapIds = std::vector<ifs::MapId>; // none: all maps
+using MapIds = std::vector<ifs::MapId>; // empty: all maps
 
 // amplitude·sin(360°·cycles·t/T + phase + j·lag) of the map with index j in the system.
 struct Wave {
     double amplitude = 1;
-    int cycles = 1;   // in the length of the animation
+    int cycles = 1;   // number of cycles in the length of the animation
     double phase = 0; // degrees
     double lag = 0;   // degrees from one map to the next
 
@@ -31,7 +31,7 @@ template <int Dim> struct Sway {
     MapIds maps;
     double strength = 0; // degrees
     ifs::Vector<Dim> root = ifs::Vector<Dim>::Zero();
-    ifs::Vector<3> axis = ifs::Vector<3>::UnitZ(); // in space; of length 1
+    ifs::Vector<3> axis = ifs::Vector<3>::UnitZ(); // space only; unit length
     std::vector<Wave> waves;
 
     friend bool operator==(const Sway&, const Sway&) = default;
@@ -42,7 +42,7 @@ template <int Dim> struct Turn {
     MapIds maps;
     int turns = 1;
     ifs::Vector<Dim> reference = ifs::Vector<Dim>::Zero();
-    ifs::Vector<3> axis = ifs::Vector<3>::UnitZ(); // in space; of length 1
+    ifs::Vector<3> axis = ifs::Vector<3>::UnitZ(); // space only; unit length
 
     friend bool operator==(const Turn&, const Turn&) = default;
 };
@@ -56,7 +56,7 @@ enum class OrbitPivot { Centre, Target };
 template <int Dim> struct Orbit {
     int turns = 1;
     ifs::Vector<Dim> centre = ifs::Vector<Dim>::Zero(); // displayed coordinates
-    ifs::Vector<3> axis = ifs::Vector<3>::UnitY();      // in space; of length 1
+    ifs::Vector<3> axis = ifs::Vector<3>::UnitY();      // space only; unit length
     OrbitPivot pivot = OrbitPivot::Centre;
 
     friend bool operator==(const Orbit&, const Orbit&) = default;

@@ -48,7 +48,7 @@ bool turnsOverAndBack(const ifs::ControlCage<Dim>& cage, const CagePose<Dim>& fr
     const ifs::Matrix<Dim> change = first.inverse() * placementOf<Dim>(cage, to).linear;
     Bernstein<Dim> area = determinants(change);
     if (!(area.back() > 0)) return false;
-    constexpr double flat = 1e-6; // of the smaller end: what all but touches 0 does, up to rounding
+    constexpr double flat = 1e-6; // share of the smaller end within which rounding cannot tell from 0
     const double least = flat * std::min(area.front(), area.back());
     for (double& coefficient : area)
         coefficient -= least;
@@ -96,7 +96,7 @@ CagePose<Dim> between(const ifs::ControlCage<Dim>& cage, const CagePose<Dim>& fr
         const ifs::Vector<Dim>& rest = cage.rest[i];
         pose.push_back(now(rest) + (1 - share) * (from[i] - first(rest)) + share * (to[i] - last(rest)));
     }
-    if (way.pivot) pose[*way.pivot] = from[*way.pivot]; // without what rounding adds
+    if (way.pivot) pose[*way.pivot] = from[*way.pivot]; // undoes rounding
     return pose;
 }
 

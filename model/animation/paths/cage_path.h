@@ -14,8 +14,8 @@ template <int Dim> using CagePose = std::vector<ifs::Vector<Dim>>;
 
 // The way of a cage from one pose to another. Vertices that are at the same place in both stay there.
 struct CageWay {
-    bool isByVertex = false; // each vertex goes straight; else the placement takes the path of maps,
-    std::optional<std::size_t> pivot{}; // about this vertex, which stays; nullopt: about the middle
+    bool isByVertex = false; // true: vertices go straight; false: the placement follows the path of maps
+    std::optional<std::size_t> pivot{}; // vertex that stays on that path; nullopt: the middle stays
 
     friend bool operator==(const CageWay&, const CageWay&) = default;
 };

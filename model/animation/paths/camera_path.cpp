@@ -12,7 +12,7 @@ namespace {
 
 struct Zoom {
     double height;
-    double share; // of the way of the centre
+    double share; // share of the way of the centre
 };
 
 Zoom zoom(double from, double to, double u) {
@@ -20,7 +20,7 @@ Zoom zoom(double from, double to, double u) {
     if (ratio == 1) return {from, u};
     const double logarithm = attractor::naturalLogarithm(ratio);
     const double power = attractor::exponential(u * logarithm);
-    // Near 1 both differences lose their digits, and the share is u(1 + (u − 1)·ln r/2 + …).
+    // Series for r near 1, where both differences lose their digits: u(1 + (u − 1)·ln r/2 + …).
     constexpr double small = 1e-5;
     const double share =
         std::abs(logarithm) < small ? u * (1 + (u - 1) * logarithm / 2) : (power - 1) / (ratio - 1);

@@ -29,7 +29,7 @@ double turnBetween(double from, double to);
 // pivot, or through the target of the camera where there is none.
 struct CameraTurn {
     double degrees = 0;
-    ifs::Vector<3> axis = ifs::Vector<3>::UnitY(); // of length 1
+    ifs::Vector<3> axis = ifs::Vector<3>::UnitY(); // unit length
     std::optional<ifs::Vector<3>> pivot{};
 
     friend bool operator==(const CameraTurn&, const CameraTurn&) = default;

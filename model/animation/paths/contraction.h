@@ -5,7 +5,7 @@
 
 namespace animation {
 
-constexpr double safety = 1e-12; // by which a norm has to be below 1
+constexpr double safety = 1e-12; // distance that a norm must keep below 1
 
 // Returns true if the map contracts in the Euclidean norm, by the margin `safety`.
 template <int Dim> bool contracts(const ifs::AffineMap<Dim>& map) {

@@ -11,7 +11,7 @@ namespace animation {
 // The appearance that a key holds. The colours and blends of single maps and the supersampling are those of
 // the entry, and have their usual values here.
 struct Look : attractor::Appearance {
-    std::optional<attractor::SpaceAppearance> inSpace; // nullopt: as the entry has it
+    std::optional<attractor::SpaceAppearance> inSpace; // nullopt: appearance of the entry
 
     friend bool operator==(const Look&, const Look&) = default;
 };

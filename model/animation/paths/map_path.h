@@ -10,7 +10,7 @@ namespace animation {
 // A map with its weight, as a key holds it.
 template <int Dim> struct MapPose {
     ifs::AffineMap<Dim> map;
-    std::optional<double> weight; // as in ifs::WeightedMap
+    std::optional<double> weight; // same meaning as in ifs::WeightedMap
 
     friend bool operator==(const MapPose&, const MapPose&) = default;
 };

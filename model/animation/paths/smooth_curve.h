@@ -73,7 +73,7 @@ Value smoothCurve(const KeysAround<Value>& keys, double t, const TangentShares& 
     if (t >= 1) return keys.to;
     const Step way = Space::between(keys.from, keys.to);
     if (keys.isAlone()) return Space::moved(keys.from, t * way);
-    Step first = way, last = way; // to the second control point, and from the third one
+    Step first = way, last = way; // steps to the second control point and from the third one
     if (keys.before)
         first = shares.from / (3 * (1 - keys.begin)) * (Space::between(*keys.before, keys.from) + way);
     if (keys.after) last = shares.to / (3 * keys.end) * (way + Space::between(keys.to, *keys.after));
@@ -123,7 +123,8 @@ inline double smoothNumber(const KeysAround<double>& keys, double t) {
         return [low = std::min(a, b), high = std::max(a, b)](double x) { return x >= low && x <= high; };
     };
     const double number = smoothCurve<Flat<double>>(keys, t, sharesWithin(keys, limitOf));
-    if (!std::isfinite(number)) return (1 - t) * keys.from + t * keys.to; // a difference was too large
+    // Fallback if a difference overflowed.
+    if (!std::isfinite(number)) return (1 - t) * keys.from + t * keys.to;
     return std::clamp(number, std::min(keys.from, keys.to), std::max(keys.from, keys.to));
 }
 

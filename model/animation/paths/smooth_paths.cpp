@@ -153,7 +153,7 @@ std::optional<CagePose<Dim>> smoothPlacement(const KeysAround<CagePose<Dim>>& ke
         if (bends.after) *bends.after += (*keys.after)[i];
         result.push_back((*now)(rest) + smoothCurve<Flat<ifs::Vector<Dim>>>(bends, t));
     }
-    if (way.pivot) result[*way.pivot] = keys.from[*way.pivot]; // without what rounding adds
+    if (way.pivot) result[*way.pivot] = keys.from[*way.pivot]; // undoes rounding
     return result;
 }
 

@@ -9,7 +9,7 @@ namespace animation {
 
 namespace {
 
-constexpr double small = 1e-5; // below, differences lose their digits and series have all of them
+constexpr double small = 1e-5; // limit below which differences lose their digits, and series do not
 
 } // namespace
 

@@ -15,7 +15,7 @@ struct Rotations {
 };
 
 template <int Dim> struct Framing {
-    double height; // > 0, of what is seen
+    double height; // height of the view, > 0
     ifs::Vector<Dim> centre;
 };
 

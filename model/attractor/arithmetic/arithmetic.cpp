@@ -57,7 +57,7 @@ double sineOfDegrees(double angle) {
     const double x = (angle - 90.0 * static_cast<double>(quarter)) * 0.017453292519943295; // |x| ≤ π/4
     const double square = x * x;
     const bool isEven = (quarter & 1) == 0;
-    // Taylor, from the last term to the first: sin x and cos x by turns.
+    // Taylor series from the last term to the first, for sin x and cos x alternately.
     double sum = 1;
     for (int n = isEven ? 19 : 18; n > 1; n -= 2)
         sum = 1 - sum * square / (n * (n - 1));

@@ -10,7 +10,7 @@ namespace attractor {
 double naturalLogarithm(double x); // −745 for x ≤ 0
 double exponential(double x);
 double power(double base, double exponent); // 0 for base ≤ 0
-double sineOfDegrees(double angle);         // exact at multiples of 90°; 0 for what is not finite
+double sineOfDegrees(double angle);         // exact at multiples of 90°; 0 for angles that are not finite
 double cosineOfDegrees(double angle);
 
 // SplitMix64: turns counters and keys into well-mixed numbers.

@@ -16,7 +16,7 @@ template <class Cell> void CellSums::reset(std::vector<Counters<Cell>>& all, std
     const std::size_t size = m_window.cells() + overflowCells;
     for (Counters<Cell>& counters : all) {
         if (counters.size < size || counters.size > 4 * size) {
-            counters.cells.reset(); // before there is more
+            counters.cells.reset(); // releases memory before allocating more
             counters.cells.reset(static_cast<Cell*>(::operator new(size * sizeof(Cell))));
             counters.size = size;
         }
@@ -60,7 +60,7 @@ template <class Cell> Cell* CellSums::touch(Counters<Cell>& counters, const Cell
             clear(cells, row, column);
             touched = 1;
         }
-    // Written once: the next thread's counters may share the cache line.
+    // Written only if changed: the next thread's counters may share the cache line.
     if (region == all()) counters.whole = true;
     return cells;
 }
@@ -130,7 +130,7 @@ CellSums::Pieces CellSums::pieces(int row) const {
     for (int tile = 0; tile < tilesAcross(); ++tile) {
         const auto first = std::size_t(tile) * tileColumns;
         Piece piece{first, static_cast<std::size_t>(std::min(m_window.width, (tile + 1) * tileColumns)), {}};
-        bool same = tile > 0; // threads as in the tile before
+        bool same = tile > 0; // same threads as in the previous tile
         for (const Counters<std::uint32_t>& counters : m_counts) {
             const bool touched = counters.touched[tileOf(row, tile)] != 0;
             if (touched) piece.counts.push_back(counters.cells.get() + start + first);

@@ -50,8 +50,8 @@ public:
         return touch(m_colours[thread], region);
     }
 
-    void carryOverColours(std::size_t thread); // thread-safe for different threads
-    void carryOverCounts();                    // all threads' counters, those of layers too
+    void carryOverColours(std::size_t thread); // may run for different threads at once
+    void carryOverCounts();                    // includes the counters of all threads and layers
 
     // Returns true if there are 64-bit sums besides the 32-bit counters.
     bool carried() const { return !m_carriedCounts.empty(); }
@@ -59,7 +59,7 @@ public:
     struct Piece {
         std::size_t firstColumn = 0;
         std::size_t endColumn = 0;
-        std::vector<const std::uint32_t*> counts; // from the first column on
+        std::vector<const std::uint32_t*> counts; // pointers to the first column
     };
     // A row of the window in pieces; the rows up to `endRow` have the same ones, each a width farther on.
     struct Pieces {
@@ -70,7 +70,7 @@ public:
 
     struct Sum {
         std::uint64_t samples = 0;
-        std::uint64_t red = 0; // 12 bits per channel and sample
+        std::uint64_t red = 0; // 12 bits for each channel and sample
         std::uint64_t green = 0;
         std::uint64_t blue = 0;
 
@@ -91,7 +91,8 @@ public:
     };
     // Row `row` of the window: one value per column, sums over all threads. False where all are zero.
     bool samplesOfRow(int row, std::vector<std::uint64_t>& samples) const;
-    bool samplesOfRows(int firstRow, int endRow, std::vector<std::uint64_t>& samples) const; // added up
+    // Sums over all threads.
+    bool samplesOfRows(int firstRow, int endRow, std::vector<std::uint64_t>& samples) const;
     bool sumsOfRow(int row, std::vector<Sum>& sums) const; // CellKind::Colour
 
     // Adds counts made elsewhere to row `row` of the window, from a column on.
@@ -110,8 +111,8 @@ private:
     template <class Cell> struct Counters {
         std::unique_ptr<Cell[], Release> cells;
         std::size_t size = 0;
-        std::vector<std::uint8_t> touched; // by tile
-        bool whole = false;                // all of them
+        std::vector<std::uint8_t> touched; // one flag for each tile
+        bool whole = false;                // true: all tiles
     };
 
     CellRegion all() const { return {0, m_window.width, m_window.firstRow, m_window.endRow}; }
@@ -139,7 +140,7 @@ private:
     std::vector<Counters<std::uint32_t>> m_counts;
     std::vector<std::uint64_t> m_carriedCounts;
     std::vector<ColourCell> m_layerColours;
-    std::vector<Counters<std::uint32_t>> m_layers; // of each thread those of every layer
+    std::vector<Counters<std::uint32_t>> m_layers; // layers of each thread in turn
     std::vector<Counters<ColourCell>> m_colours;
     std::vector<std::vector<Sum>> m_carriedColours;
 };

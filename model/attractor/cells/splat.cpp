@@ -106,7 +106,7 @@ void splat(const ShownWord& shown, const SampleSet& samples, std::uint64_t count
             counts[cellIndex(p.column, p.row, window)] += static_cast<std::uint32_t>(count);
             return;
         }
-        // Clearing and adding up the copies must stay small beside the counting itself.
+        // Limit that keeps clearing and adding up the copies cheap compared with counting.
         const auto max = static_cast<int>(std::min<std::uint64_t>(count / 16, kernels::patchCells));
         if (shown.curve == nullptr && p.width <= max && p.height <= max && p.width * p.height <= max) {
             forEachRun(shown.word, samples, count, [&](const kernels::Run& run) {
@@ -134,7 +134,7 @@ bool splat(const ShownWord& shown, const SampleSet& samples, std::uint64_t count
         return seen >> 31 != 0;
     }
     forEachRun(shown.word, samples, count, [&](const kernels::Run& run) {
-        // Samples outside say nothing of how full the cells of the window are.
+        // Cleared: samples outside the window must not influence the overflow check of its cells.
         std::fill_n(cells + window.cells(), overflowCells, ColourCell{});
         seen |= kernels::addToColours(shown, run, window, colour, cells);
     });

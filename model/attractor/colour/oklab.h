@@ -11,8 +11,8 @@ struct Oklab {
     double lightness, a, b, alpha;
 };
 Oklab oklab(const LinearColour& colour);
-LinearColour lightOf(const Oklab& lab); // channels below 0 or above 1 where no screen shows it
-Rgba colourOf(const Oklab& lab);        // the nearest in sRGB, channel by channel
-Rgba nearestShown(const Oklab& lab);    // the same lightness and hue, with as much of the chroma as sRGB has
+LinearColour lightOf(const Oklab& lab); // channels outside 0 … 1 for colours that no screen shows
+Rgba colourOf(const Oklab& lab);        // nearest in sRGB, channel by channel
+Rgba nearestShown(const Oklab& lab);    // same lightness and hue, with as much of the chroma as sRGB has
 
 } // namespace attractor

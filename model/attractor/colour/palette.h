@@ -43,11 +43,11 @@ struct LinearColour {
     double alpha = 1;
 };
 LinearColour linearColour(const Rgba& colour);
-LinearColour linearColourAt(const Palette& palette, double position); // colourAt() before it is rounded
+LinearColour linearColourAt(const Palette& palette, double position); // result of colourAt() before rounding
 
 // The palettes that come with the program; the first is the default. Perceptually even, light and dark ones.
 std::span<const Palette> builtInPalettes();
-const Palette* findPalette(std::string_view name); // without case; nullptr when there is none
+const Palette* findPalette(std::string_view name); // ignores case; nullptr if there is none
 
 // Colours for map 0, 1, 2 …: distinct for neighbours, readable on black and on white; repeats after a while.
 Rgba categoricalColour(std::size_t index);

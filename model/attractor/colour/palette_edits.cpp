@@ -68,7 +68,8 @@ void shift(Palette& palette, double offset) {
         else if (stop.position < start)
             before.push_back({stop.position + (1 - start), stop.colour});
     }
-    if (after.back().colour == before.front().colour) before.erase(before.begin()); // no seam
+    // No repeated stop at the seam.
+    if (after.back().colour == before.front().colour) before.erase(before.begin());
     after.insert(after.end(), before.begin(), before.end());
     after.push_back({1, after.front().colour});
     palette.stops = std::move(after);

@@ -11,11 +11,11 @@ namespace attractor {
 
 // A new stop with the colour that is there already; returns its index, between the first and the last stop.
 std::size_t addStop(Palette& palette, double position);
-bool canMove(const Palette& palette, std::size_t stop);             // the same stops can be removed
-void moveStop(Palette& palette, std::size_t stop, double position); // up to its neighbours
+bool canMove(const Palette& palette, std::size_t stop); // true for inner stops, which alone can be removed
+void moveStop(Palette& palette, std::size_t stop, double position); // clamped between its neighbours
 void removeStop(Palette& palette, std::size_t stop);
 void reverse(Palette& palette);
-void distribute(Palette& palette); // stops at equal distances
+void distribute(Palette& palette); // puts stops at equal distances
 
 // Turns the hue of every stop. Lightness in Oklab stays, and chroma as far as a screen shows it.
 void turnHue(Palette& palette, double degrees);

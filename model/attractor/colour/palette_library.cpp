@@ -147,8 +147,8 @@ Stops bands(double hue, double) {
 struct Recipe {
     std::string_view pattern;
     Stops (*make)(double hue, double other);
-    int every;      // so many steps of 15° from one palette to the next
-    int otherSteps; // from the hue to the other one
+    int every;      // steps of 15° between two palettes
+    int otherSteps; // steps of 15° from the hue to the other hue
 };
 
 constexpr std::array recipes{Recipe{"%1 Glow", glow, 1, 0},         Recipe{"%1 to %2", blend, 1, 6},

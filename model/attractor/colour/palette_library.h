@@ -14,12 +14,12 @@ struct LibraryPalette {
     Palette palette;
     std::string_view pattern;
     std::string_view hue;
-    std::string_view otherHue; // empty where the pattern has no %2
+    std::string_view otherHue; // empty if the pattern has no %2
 };
 
 // More than two hundred palettes, by recipe and then by hue, with other names than the built-in ones. The
 // same bytes on every machine.
 std::span<const LibraryPalette> paletteLibrary();
-const Palette* findInLibrary(std::string_view name); // without case; nullptr when there is none
+const Palette* findInLibrary(std::string_view name); // ignores case; nullptr if there is none
 
 } // namespace attractor

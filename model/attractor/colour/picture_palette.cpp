@@ -13,13 +13,13 @@ namespace attractor {
 
 namespace {
 
-constexpr int bits = 5;      // of each channel, by which similar pixels are counted together
-constexpr int maxSteps = 30; // of Lloyd's algorithm
+constexpr int bits = 5;      // bits of each channel by which similar pixels are counted together
+constexpr int maxSteps = 30; // iterations of Lloyd's algorithm
 
 // Similar pixels: their mean colour and place, and their number.
 struct Sample {
     Oklab colour{0, 0, 0, 1};
-    double place = 0; // 0 … 1, along the line
+    double place = 0; // 0 … 1 along the line
     double weight = 0;
 };
 

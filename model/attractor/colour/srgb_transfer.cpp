@@ -36,7 +36,7 @@ std::uint8_t roundedCode(double linear) {
 // Starts of the codes, and for equal parts of 0 … 1 the code at their starts: two steps instead of a power.
 struct CodeTable {
     static constexpr std::size_t parts = 4096;
-    std::array<double, 257> begins{}; // the last one is never reached
+    std::array<double, 257> begins{}; // last entry unreachable
     std::array<std::uint8_t, parts + 1> codes{};
 
     CodeTable() {

@@ -17,13 +17,13 @@ namespace {
 
 // The displayed node, in cells: its bounding box, and the errors of its maps within it.
 struct Shown {
-    double xx = 0, xy = 0, yx = 0, yy = 0, x = 0, y = 0; // its first-order map, from box coordinates
+    double xx = 0, xy = 0, yx = 0, yy = 0, x = 0, y = 0; // first-order map from box coordinates
     double halfX = 0, halfY = 0;                         // infinite where nothing is known
-    double size = 0;                                     // of the box, without what is not known
-    double affineMiss = 0;                               // of its first-order map
-    double curvedMiss = 0;                               // of its second-order map
-    Curve curve;                                         // its second-order terms, and what it shows in
-    float curveX = 0, curveY = 0;                        // the middle, where the first-order map has x, y
+    double size = 0;                                     // size of the box as far as known
+    double affineMiss = 0;                               // error of the first-order map
+    double curvedMiss = 0;                               // error of the second-order map
+    Curve curve;                                         // second-order terms, and their visible size
+    float curveX = 0, curveY = 0;                        // centre, where the first-order map has x, y
 };
 
 // camera·cage·w_σ(centre + δ) = offset + linear·δ, in cells; of a cage that bends, w_σ alone, in coordinates
@@ -35,7 +35,7 @@ template <class Real> struct Node {
     PaletteInterval colours{};
     std::uint64_t key = 0;
     std::uint32_t firstMap = 0;
-    std::uint32_t lastMap = 0; // the innermost
+    std::uint32_t lastMap = 0; // innermost map
     int depth = 0;
     Shown shown;
 };
@@ -50,16 +50,16 @@ template <class Real> struct Branch {
 template <class Real> class AffineView {
 public:
     static constexpr bool bends = false;
-    static constexpr std::size_t maxWords = 1U << 15; // words kept while refining
+    static constexpr std::size_t maxWords = 1U << 15; // limit while refining
 
     AffineView(const PreparedSystem& system, const Projection& projection, CutMemory&)
         : m_system(system), m_projection(projection) {}
 
-    // The root of a part of the address tree that is shown through `change`.
+    // Root of the part of the address tree that is displayed by `change`.
     Node<Real> root(const ifs::AffineMap<2>& change) const {
         const ifs::AffineMap<2>& cage = m_projection.cage.affine();
         const ifs::Matrix<2> linear = m_projection.scale * (cage.linear * change.linear);
-        const auto changed = [&](int row) { // the centre
+        const auto changed = [&](int row) { // image of the centre
             return Real(change.linear(row, 0)) * Real(m_system.centre.x()) +
                    Real(change.linear(row, 1)) * Real(m_system.centre.y()) + Real(change.translation[row]);
         };
@@ -70,7 +70,7 @@ public:
         node.xy = linear(0, 1);
         node.yx = linear(1, 0);
         node.yy = linear(1, 1);
-        const auto shown = [&](int row) { // of the cage applied to the centre, relative to the camera
+        const auto shown = [&](int row) { // image of the centre under the cage, relative to the camera
             return Real(cage.linear(row, 0)) * x + Real(cage.linear(row, 1)) * y +
                    (Real(cage.translation[row]) - Real(m_projection.centre[row]));
         };
@@ -155,12 +155,12 @@ public:
                 static_cast<float>(middle.y())};
     }
 
-    // The map from box coordinates to those of the code.
+    // Map from box coordinates to coordinates of the code.
     ifs::AffineMap<2> exactMap(const Node<double>& node) const { return {spread(node), {node.x, node.y}}; }
 
 private:
-    // Largest distance from its centre at which the attractor is shown, in steps, so that dragging a branch
-    // does not restart the table in every frame.
+    // Upper bound, rounded to steps, of the distance between the centre and displayed points. The steps keep
+    // a dragged branch from restarting the table in every frame.
     static double reach(const PreparedSystem& system) {
         double farthest = system.halfExtent.maxCoeff();
         if (system.moved.empty()) return farthest;
@@ -200,7 +200,7 @@ public:
         if (m_settings.colours.empty()) m_settings.colours = ColourCoordinates(system.maps.size());
         for (std::size_t i = 0; i < system.maps.size(); ++i)
             m_branches.push_back(branch(system.maps[i], system.centre, system.probabilities[i]));
-        // The empty word has no sample set where maps are linked.
+        // Linked maps have no sample set for the empty word.
         if (system.isLinked()) {
             m_settings.minDepth = std::max(m_settings.minDepth, 1);
             m_settings.maxDepth = std::max(m_settings.maxDepth, 1);
@@ -215,9 +215,9 @@ public:
     }
 
     AddressCut cut(const std::stop_token& stop) {
-        // First the measure in view, coarsely; then the cut, whose threshold is a power of two so that words
-        // keep their identity while the view or a map moves a little. Where all is in view, rounding does not
-        // decide between two of them.
+        // First estimates the measure in view, then cuts. The threshold is a power of two, so that words keep
+        // their identity under small changes of the view or a map. With everything in view, rounding cannot
+        // decide between two thresholds.
         const Nodes coarse = leaves(m_settings.words / 16.0, Threshold::Relative, stop);
         double visible = 0;
         for (const Node<Real>& node : coarse)
@@ -239,13 +239,14 @@ private:
     using Nodes = std::pmr::vector<Node<Real>>;
     enum class Threshold { Absolute, Relative };
 
-    static constexpr std::size_t maxWaiting = 1U << 20;   // words of the next level before refining it
-    static constexpr std::size_t maxShown = 1U << 16;     // words wholly in view, unless there are more maps
+    static constexpr std::size_t maxWaiting = 1U << 20; // limit of words of the next level
+    // Limit of words wholly in view, unless there are more maps.
+    static constexpr std::size_t maxShown = 1U << 16;
     static constexpr std::size_t childrenPerCheck = 8192; // between two checks of the stop token
-    static constexpr double rounding = 1e-9;              // of a sum of probabilities, at most
-    static constexpr double minSize = 0.25;               // cells; below, splitting shows nothing new
-    static constexpr double atBorder = 512;  // samples a word may have of which some fall outside
-    static constexpr double minSamples = 32; // samples for which a first-order map is worth its while
+    static constexpr double rounding = 1e-9;              // relative error bound of a sum of probabilities
+    static constexpr double minSize = 0.25;               // cells; smaller words need no division
+    static constexpr double atBorder = 512;               // samples of a word that is partly in view
+    static constexpr double minSamples = 32;              // samples that justify a first-order map
 
     static Branch<Real> branch(const ifs::AffineMap<2>& map, const ifs::Vector<2>& centre,
                                double probability) {
@@ -276,14 +277,13 @@ private:
         return result;
     }
 
-    // The share of the measure of a word of linked maps that its child has; 0 where the child is not
-    // admissible.
+    // Share of a linked word's measure that belongs to a child; 0 for inadmissible children.
     double share(const Node<Real>& node, std::size_t i) const {
         const ifs::Transitions& chain = m_system.chain;
         return node.depth == 0 ? chain.stationary[i] : chain.backward[node.lastMap * chain.size + i];
     }
 
-    bool visible(const Node<Real>& node) const { // false for anything not finite in its middle
+    bool visible(const Node<Real>& node) const { // false if the centre is not finite
         const Shown& s = node.shown;
         return s.x + s.halfX >= 0 && s.x - s.halfX <= m_width && s.y + s.halfY >= 0 &&
                s.y - s.halfY <= m_height;
@@ -303,7 +303,7 @@ private:
         return measure > m_oneColour && m_settings.colours.isMixed(node.colours) && node.shown.size > minSize;
     }
 
-    // `slack` times the usual measure is allowed.
+    // Up to `slack` times the threshold is allowed.
     bool isLeaf(const Node<Real>& node, double threshold, double slack) const {
         if (node.depth >= m_settings.maxDepth) return true;
         const double size = node.shown.size;
@@ -313,14 +313,14 @@ private:
                (!isTooBent(node) || measure <= m_exact) && !isTooMixed(node, measure);
     }
 
-    // Slack of the threshold. If nodes have hundreds of children, dividing all that are a little too large
-    // would make far more words than are wanted. Then only those larger by a power of two are divided, so
-    // that words of one measure are treated alike.
+    // Tolerance of the threshold. With hundreds of children for each node, dividing every node slightly above
+    // the threshold would make far too many words. Then only nodes above it by a power of two are divided, so
+    // that words of equal measure are treated alike.
     double slackFor(const Nodes& open, std::size_t done, double threshold) const {
         const std::size_t max = std::max(maxShown, 2 * m_branches.size());
         const auto isWithin = [&](double slack) {
             std::size_t divided = 0;
-            std::size_t shown = 0; // of them, those whose children are all in view
+            std::size_t shown = 0; // number of nodes whose children are all in view
             for (const Node<Real>& node : open) {
                 if (isLeaf(node, threshold, slack)) continue;
                 ++divided;
@@ -336,8 +336,8 @@ private:
         return slack;
     }
 
-    // Level by level. With Threshold::Relative the limit is a number of words, each at most its share of what
-    // is visible so far.
+    // Divides level by level. For Threshold::Relative, the limit is a number of words, each with at most its
+    // share of the measure visible so far.
     Nodes leaves(double limit, Threshold kind, const std::stop_token& stop) {
         Nodes done(m_nodeMemory);
         Nodes open(m_nodeMemory);
@@ -386,7 +386,7 @@ private:
         return done;
     }
 
-    // Nodes that wait for nothing but their bend.
+    // Settles nodes that only wait for their bend.
     void settleBent(Nodes& open, Nodes& done, double threshold) const {
         const auto bentOnly = [&](const Node<Real>& node) {
             return isTooBent(node) && node.depth >= m_settings.minDepth && node.shown.size <= m_maxSize &&
@@ -406,8 +406,8 @@ private:
         return covered;
     }
 
-    // Words that lie side by side are all needed, however many they are; of words that lie on each other so
-    // many as leave no holes.
+    // Thins words out. Words side by side are all needed; of overlapping words only as many as leave no
+    // holes.
     void thinOverlaps(Nodes& nodes) {
         constexpr double enough = 16;
         if (nodes.size() <= std::max(View::maxWords, maxShown)) return;
@@ -462,7 +462,7 @@ private:
         result.x = static_cast<float>(s.x);
         result.y = static_cast<float>(s.y);
         result.firstMap = node.firstMap;
-        // Runs begin at multiples of the widest vector.
+        // Multiple of the widest vector.
         result.offset = static_cast<std::uint32_t>(node.key % (SampleSet::size / 16)) * 16;
         result.probability = node.probability;
         result.addressCoordinate = m_settings.colours.middle(node.colours);
@@ -475,16 +475,17 @@ private:
     double m_height;
     double m_maxSize;
     double m_maxMiss;
-    double m_oneColour = 1; // probability below which a word has one colour, however its points differ
-    double m_atBorder = 1;  // probability above which a word that is partly in view is divided
-    double m_exact = 0;     // probability below which samples are mapped one by one
+    double m_oneColour = 1; // probability below which a word is drawn in one colour
+    double m_atBorder = 1;  // probability above which a word partly in view is divided
+    double m_exact = 0;     // probability below which samples are mapped individually
     bool m_followsBend = false;
     std::uint64_t m_thinnings = 0;
-    std::size_t m_divided; // words at once; fewer where every word has thousands of children
+    // Number of words divided together; smaller if every word has thousands of children.
+    std::size_t m_divided;
     std::pmr::memory_resource* m_nodeMemory;
     View m_view;
     std::vector<Branch<Real>> m_branches;
-    std::vector<Node<Real>> m_roots; // with exactly one of which every address begins
+    std::vector<Node<Real>> m_roots; // roots; every address begins with exactly one of them
 };
 
 } // namespace

@@ -62,14 +62,15 @@ Projection projection(const Camera& camera, const ifs::Placement& cage, int cell
 constexpr double maxBendError = 0.25; // pixels
 
 struct CutSettings {
-    int words = 1024;                // no word has more than 1/words of the measure in view
-    int minDepth = 0;                // no word is shorter, so that its first maps are known
-    int maxDepth = 1 << 30;          // no word is longer
-    std::uint64_t seed = 1;          // decides which words stand for others where there are too many
-    std::size_t maxLooks = 1U << 25; // words looked at; then those that are open stay as they are
-    double samples = 0; // in view; bends and blends are not followed into words that would get fewer than 32
-    ColourCoordinates colours{};   // empty: along the address
-    bool mergesCoinciding = false; // words of one map become one word; where no colour tells them apart
+    int words = 1024;                // each word has at most 1/words of the measure in view
+    int minDepth = 0;                // least length of a word, so that its first maps are known
+    int maxDepth = 1 << 30;          // greatest length of a word
+    std::uint64_t seed = 1;          // choice of the words that stand for others, if there are too many
+    std::size_t maxLooks = 1U << 25; // most words examined; open words then stay as they are
+    // Number of samples in view; bends and blends are not followed into words with fewer than 32.
+    double samples = 0;
+    ColourCoordinates colours{};   // empty: colours along the address
+    bool mergesCoinciding = false; // merges words of equal maps, if no colour tells them apart
 };
 
 // Words of the address tree that meet the grid: A ∩ view = ∪ w_σ(A) ∩ view.
@@ -81,23 +82,24 @@ struct AddressCut {
     std::vector<Curve> curves;
     std::size_t firstExact = 0;
     std::vector<ifs::AffineMap<2>> exact;
-    const Curve* curveOf(std::size_t word) const { // nullptr where there is none
+    const Curve* curveOf(std::size_t word) const { // nullptr if the word has none
         return word >= firstCurved && word < firstExact ? &curves[word - firstCurved] : nullptr;
     }
-    ShownWord shown(std::size_t word) const { return {words[word], curveOf(word)}; } // before firstExact
+    // For words before firstExact.
+    ShownWord shown(std::size_t word) const { return {words[word], curveOf(word)}; }
     // The number of the sample set that each word of linked maps shows (PreparedSystem::sampleSetOf); empty
     // without links.
     std::vector<std::uint32_t> sampleSets;
     std::uint32_t sampleSet(std::size_t word) const { return sampleSets.empty() ? 0 : sampleSets[word]; }
-    bool isThinned = false; // words stand for others; another seed chooses others
-    double probability = 0; // Σ p_σ: an unbiased estimate of the measure of the words that meet the view
+    bool isThinned = false; // true if words stand for others; another seed then chooses others
+    double probability = 0; // Σ p_σ: unbiased estimate of the measure of the words that meet the view
 };
 
 // Memory and expansions of a bending cage that one cut leaves to the next. It saves time and never changes a
 // word.
 struct CutMemory {
     BendTable bends;
-    std::vector<ifs::AffineMap<2>> bent; // the maps whose words they were
+    std::vector<ifs::AffineMap<2>> bent; // maps of the system that `bends` belongs to
     std::pmr::unsynchronized_pool_resource nodes{std::pmr::pool_options{1, 1U << 22}};
 };
 

@@ -16,9 +16,9 @@ using ifs::Vector;
 using Expansion = ifs::PolygonDeformation::Expansion;
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr double safety = 2;              // errors are measured at a few points only
-constexpr double minHalf = 0x1p-40;       // of the first square
-constexpr std::size_t maxKept = 1U << 15; // coordinates, of all squares
+constexpr double safety = 2;              // factor, because errors are measured at a few points only
+constexpr double minHalf = 0x1p-40;       // half side of the first square
+constexpr std::size_t maxKept = 1U << 15; // coordinates of all squares together
 constexpr std::size_t maxKeptOfPieces = 1U << 20;
 
 // F″(a, b)
@@ -92,7 +92,7 @@ std::size_t BendTable::Hash::operator()(const Parallelogram& piece) const {
 
 void BendTable::follow(const ifs::PolygonDeformation& bend, const Vector<2>& centre, double halfSize,
                        double tolerance, bool samePieces) {
-    // The first square depends on the corners, so that it stays while the system is edited.
+    // Depends only on the corners, so that the square stays while the system is edited.
     Vector<2> low = bend.from()[0];
     Vector<2> high = low;
     for (const Vector<2>& corner : bend.from()) {
@@ -254,7 +254,7 @@ BendTable::Piece BendTable::piece(const Vector<2>& x, const ifs::Matrix<2>& spre
     const Expansion e = movedBy(s.expansion, x - s.centre);
     const Vector<2> a = spread.col(0);
     const Vector<2> b = spread.col(1);
-    // Cubic terms: a³ is nearest to ¾a, a²b to ½b; a quarter and a half are missed.
+    // Best approximation of cubic terms: a³ by ¾a, a²b by ½b; a quarter and a half remain as errors.
     const Vector<2> aaa = third(e, a, a) / 6;
     const Vector<2> aab = third(e, a, b) / 2;
     const Vector<2> abb = third(e, b, a) / 2;
@@ -267,8 +267,7 @@ BendTable::Piece BendTable::piece(const Vector<2>& x, const ifs::Matrix<2>& spre
     result.ab = second(e, a, b);
     result.bb = 0.5 * second(e, b, b);
     result.miss = 0.25 * (aaa.cwiseAbs() + bbb.cwiseAbs()) + 0.5 * (aab.cwiseAbs() + abb.cwiseAbs());
-    // The estimate grows with the fourth power of a size. Where it alone is too much, a measurement is worth
-    // it.
+    // Measures if only the estimate is too large, since it grows with the fourth power of the size.
     const bool doubtful = found.miss > m_tolerance && found.miss < infinity;
     const bool matters = result.miss.maxCoeff() < 2 * m_tolerance;
     result.miss.array() += doubtful && matters ? std::min(found.miss, missOf(s, x, spread)) : found.miss;

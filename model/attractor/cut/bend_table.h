@@ -46,13 +46,13 @@ private:
         Square(const ifs::Vector<2>& c, double h) : centre(c), half(h) {}
         ifs::Vector<2> centre;
         double half;
-        std::uint32_t children = 0; // first of four; 0: not quartered
-        std::uint32_t bend = 0;     // the number of the one that has been measured
-        double error = 0;           // of its expansion, in the square; infinite where there is none
-        double feature = -1;        // how far around it coordinates vary slowly; −1: nothing is known yet
+        std::uint32_t children = 0; // index of the first of four children; 0: none
+        std::uint32_t bend = 0;     // number of the last bend for which this was measured
+        double error = 0;           // error of the expansion in the square; infinite without an expansion
+        double feature = -1;        // radius in which coordinates vary slowly; −1: unknown
         ifs::PolygonDeformation::Expansion expansion;
-        std::vector<ifs::Jet> coordinates;         // in the centre; none where they have no derivatives
-        std::vector<std::array<double, 8>> misses; // of their expansion, around the square
+        std::vector<ifs::Jet> coordinates;         // jets at the centre; empty without derivatives
+        std::vector<std::array<double, 8>> misses; // errors of the expansions around the square
     };
     void restart(const ifs::PolygonDeformation& bend, const ifs::Vector<2>& centre, double half);
     void expand(Square& square);
@@ -77,15 +77,16 @@ private:
     Found find(const ifs::Vector<2>& x, double radius);
 
     const ifs::PolygonDeformation* m_bend = nullptr;
-    std::uint32_t m_number = 0; // of the bend
+    std::uint32_t m_number = 0; // number of the bend
     double m_tolerance = 0;
-    double m_farthest = 0; // from the middle of the first square
+    double m_farthest = 0; // greatest distance from the middle of the first square
     ifs::Coordinates m_kind = ifs::Coordinates::MeanValue;
     std::vector<ifs::Vector<2>> m_rest;
     std::vector<double> m_cornerSize; // half of the shorter edge at each corner
     std::vector<Square> m_squares;
-    std::size_t m_expanded = 0;                                    // squares
-    std::unordered_map<Parallelogram, std::size_t, Hash> m_pieces; // where their coordinates begin
+    std::size_t m_expanded = 0; // number of expanded squares
+    // Indices at which the coordinates of each piece begin.
+    std::unordered_map<Parallelogram, std::size_t, Hash> m_pieces;
     std::vector<double> m_cornerCoordinates;
     bool m_keepsPieces = false;
 };

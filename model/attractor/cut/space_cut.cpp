@@ -32,9 +32,9 @@ public:
     }
 
     SpaceCut cut(const std::stop_token& stop) {
-        // First the measure in view, coarsely; then the cut, whose threshold is a power of two so that words
-        // keep their identity while the view or a map moves a little. Where all is in view, rounding does not
-        // decide between two of them.
+        // First estimates the measure in view, then cuts. The threshold is a power of two, so that words keep
+        // their identity under small changes of the view or a map. With everything in view, rounding cannot
+        // decide between two thresholds.
         double visible = 0;
         for (const SpaceNode& node : leaves(16.0 / m_settings.words, stop))
             visible += node.probability;
@@ -54,11 +54,11 @@ private:
     static constexpr std::size_t maxWords = 1U << 16;
     static constexpr std::size_t maxVisits = 1U << 22;
     static constexpr double maxBend = 0.25;  // cells
-    static constexpr double minSize = 0.25;  // cells; below, splitting shows nothing new
-    static constexpr double rounding = 1e-9; // of a sum of probabilities, at most
+    static constexpr double minSize = 0.25;  // cells; smaller words need no division
+    static constexpr double rounding = 1e-9; // relative error bound of a sum of probabilities
     static constexpr double minSamples = 32;
 
-    // The displayed pieces that meet the view.
+    // Displayed pieces that meet the view.
     std::vector<SpaceNode> roots() const {
         std::vector<SpaceNode> result;
         SpaceNode root;
@@ -107,7 +107,7 @@ private:
         return ((isSmall && !isMixed) || size <= minSize) && (!isBent(node) || node.probability <= m_enough);
     }
 
-    // Level by level.
+    // Divides level by level.
     std::vector<SpaceNode> leaves(double threshold, const std::stop_token& stop) {
         std::vector<SpaceNode> done;
         std::vector<SpaceNode> open = roots();
@@ -165,7 +165,7 @@ private:
         word.halfX = static_cast<float>(node.seen.half.x());
         word.halfY = static_cast<float>(node.seen.half.y());
         word.firstMap = node.firstMap;
-        // Runs begin at multiples of the widest vector.
+        // Multiple of the widest vector.
         word.offset = static_cast<std::uint32_t>(node.key % (SampleSet::size / 16)) * 16;
         word.probability = node.probability;
         word.addressCoordinate = m_settings.colours.middle(node.colours);
@@ -176,7 +176,7 @@ private:
     const PreparedSpace& m_system;
     const SpaceView& m_view;
     SpaceCutSettings m_settings;
-    std::vector<ifs::AffineMap<3>> m_maps; // in box coordinates
+    std::vector<ifs::AffineMap<3>> m_maps; // maps in box coordinates
     bool m_followsBend = false;
     double m_enough = 0;    // probability below which samples are projected one by one
     double m_oneColour = 1; // probability below which a word has one colour, however its points differ

@@ -16,10 +16,10 @@ namespace attractor {
 struct SpaceWord {
     kernels::CloudWord shown;
     float halfX = 0, halfY = 0;
-    std::uint32_t firstMap = 0;   // outermost, among the maps that take part
-    std::uint32_t offset = 0;     // where its run of samples begins; depends on the address alone
+    std::uint32_t firstMap = 0;   // index of the outermost map among the maps that take part
+    std::uint32_t offset = 0;     // beginning of its run of samples; a function of the address alone
     double probability = 0;       // p_σ
-    double addressCoordinate = 0; // on the palette: ColourCoordinates::middle()
+    double addressCoordinate = 0; // palette coordinate: ColourCoordinates::middle()
 };
 
 // Words of the address tree that meet the view. From `firstExact` on, a perspective bends a word too much for
@@ -29,22 +29,22 @@ struct SpaceCut {
     std::vector<SpaceWord> words;
     std::size_t firstExact = 0;
     std::vector<ifs::AffineMap<3>> exact;
-    bool isThinned = false; // words stand for others; another seed chooses others
+    bool isThinned = false; // true if words stand for others; another seed then chooses others
     double probability = 0; // Σ p_σ
 };
 
 enum class Exactness {
     WhereNeeded,
-    All, // of every word the samples are taken one by one, because their depths are asked for
+    All, // one by one for every word, because depths are needed
 };
 
 struct SpaceCutSettings {
-    int words = 1024;   // no word has more than 1/words of the measure in view
-    int minDepth = 0;   // no word is shorter, so that its first maps are known
-    double samples = 0; // in view; a word that gets fewer than 32 is not divided because it bends
+    int words = 1024;   // each word has at most 1/words of the measure in view
+    int minDepth = 0;   // least length of a word, so that its first maps are known
+    double samples = 0; // number of samples in view; words with fewer than 32 are not divided for their bend
     Exactness exactness = Exactness::WhereNeeded;
-    std::uint64_t seed = 1;      // decides which words stand for others where there are too many
-    ColourCoordinates colours{}; // empty: along the address
+    std::uint64_t seed = 1;      // choice of the words that stand for others, if there are too many
+    ColourCoordinates colours{}; // empty: colours along the address
 };
 
 // The size of the view is counted in cells. Empty when stopped.

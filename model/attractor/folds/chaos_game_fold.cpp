@@ -31,7 +31,7 @@ bool ChaosGameFold::complete(const std::stop_token& stop) {
         }
         counted(run);
         settle(run, run);
-        forgetExposure(); // few points tell little
+        forgetExposure(); // too few points for an exposure
     }
     return true;
 }

@@ -14,7 +14,7 @@ public:
     explicit ChaosGameFold(const PreparedRequest& prepared) : SumFold(prepared) {}
 
     void rewind(const CellWindow& window) override;
-    void begin(std::uint64_t samples) override; // of those that the request still wants
+    void begin(std::uint64_t samples) override; // counts only samples that the request still wants
     bool complete(const std::stop_token& stop) override;
     bool finished() const override { return samples() >= prepared().request().samples; }
 

@@ -15,9 +15,9 @@ namespace attractor {
 
 namespace {
 
-constexpr std::uint64_t maxPerSampleSet = 1U << 24;           // more samples are drawn from a fresh set
-constexpr std::uint64_t maxUninstanced = 2 * SampleSet::size; // the same where there is but one word
-constexpr std::uint64_t samplesPerJob = 1U << 16;             // between two checks of the stop token
+constexpr std::uint64_t maxPerSampleSet = 1U << 24;           // samples; further ones come from a new set
+constexpr std::uint64_t maxUninstanced = 2 * SampleSet::size; // limit of a single word
+constexpr std::uint64_t samplesPerJob = 1U << 16;             // samples between two checks of the stop token
 // Sample sets that are counted word by word, while the cells of the word are in the cache.
 constexpr std::uint64_t setsTogether = 8;
 
@@ -91,7 +91,8 @@ CutSettings DensityFold::cutSettings() const {
         for (std::size_t words = 1; words < 64 && system.maps.size() > 1; words *= system.maps.size())
             ++settings.minDepth;
     if (!(system.meanLogarithm < 0)) settings.maxDepth = settings.minDepth;
-    // Without an attractor there are words of every length that grow, and none is ever small enough.
+    // Limits the search without an attractor: some words of every length grow, so that none becomes small
+    // enough.
     if (system.note != RenderNote::None) settings.maxLooks = 1U << 20;
     return settings;
 }
@@ -102,7 +103,7 @@ bool DensityFold::makeCut(const std::stop_token& stop) {
     AddressCut fresh =
         addressCut(prepared().system(), prepared().projection(), cutSettings(), stop, &m_cutMemory);
     if (stop.stop_requested()) return false;
-    // A map that does not contract may lead to words so deep that their measure is 0 to the arithmetic.
+    // Words may be so deep that their measure underflows, if a map does not contract.
     if (fresh.probability < std::numeric_limits<double>::min()) fresh = {};
     m_cut = std::move(fresh);
     m_cutOfSet = m_sampleSets;

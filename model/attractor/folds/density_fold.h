@@ -32,12 +32,12 @@ public:
     bool interrupted() const override { return SumFold::interrupted() || m_shares.left(); }
     bool finished() const override { return m_cut && m_cut->words.empty(); }
     double samplesOverAttractor() const override { return m_overAttractor; }
-    const std::optional<AddressCut>& cut() const { return m_cut; } // of the newest sample set
+    const std::optional<AddressCut>& cut() const { return m_cut; } // cut of the newest sample set
 
     // Restricts gathering to the units of the part, from the next sample set on. samples(),
     // samplesOverAttractor() and exposure() remain those of the whole picture. rewind() makes it whole again.
     void setPart(const PicturePart& part) { m_part = part; }
-    using SumFold::sums; // sums of other parts may be added
+    using SumFold::sums; // public, so that sums of other parts can be added
     double measure() const override { return m_cut ? m_cut->probability : 1; }
 
 protected:
@@ -49,7 +49,7 @@ private:
         std::uint32_t firstWord = 0;
         std::uint32_t endWord = 0;
         std::uint64_t part = 0; // > 0: that many samples of the first word
-        std::size_t place = 0;  // of the sample set that the part is of
+        std::size_t place = 0;  // place of the sample set
     };
 
     struct SampleSetKey {
@@ -69,7 +69,7 @@ private:
     void drawSampleSet(std::size_t place);
     void drawSampleSets();
     const SampleSet& samplesOf(std::size_t word, std::size_t place) const {
-        return m_samples[place + m_cut->sampleSet(word)]; // linked maps: one place
+        return m_samples[place + m_cut->sampleSet(word)]; // linked maps share one place
     }
     std::uint64_t countOf(std::size_t word, std::size_t place) const {
         return m_counts[place * m_cut->words.size() + word];
@@ -83,16 +83,16 @@ private:
     void plotExactly(std::uint32_t k, const SampleSet& samples, std::uint64_t count, std::size_t thread);
 
     std::optional<AddressCut> m_cut;
-    std::uint64_t m_cutOfSet = 0; // the sample set that m_cut was made for
+    std::uint64_t m_cutOfSet = 0; // sample set for which m_cut was made
     CutMemory m_cutMemory;
     AddressStrata m_strata;
     // Sample sets by place; for linked maps, as many as AddressCut::sampleSets distinguishes.
     std::vector<SampleSet> m_samples;
-    std::vector<std::optional<SampleSetKey>> m_drawn; // content of m_samples, without links
-    std::uint64_t m_sampleSets = 0;                   // planned so far
-    std::size_t m_together = 0;                       // places in use
-    std::vector<std::uint64_t> m_counts;              // samples of every word, place by place
-    std::vector<std::uint32_t> m_order;               // of the words, as they are counted
+    std::vector<std::optional<SampleSetKey>> m_drawn; // keys of m_samples, without links
+    std::uint64_t m_sampleSets = 0;                   // sample sets planned so far
+    std::size_t m_together = 0;                       // number of places in use
+    std::vector<std::uint64_t> m_counts;              // samples of each word, place by place
+    std::vector<std::uint32_t> m_order;               // words in the order of counting
     std::vector<Job> m_jobs;
     JobShares m_shares;
     double m_overAttractor = 0;

@@ -34,15 +34,15 @@ public:
     virtual void begin(std::uint64_t samples) = 0;
     // The rest of the pass. False when stopped, within milliseconds.
     virtual bool complete(const std::stop_token& stop) = 0;
-    virtual bool interrupted() const = 0; // a pass has begun and is not complete
-    virtual bool finished() const = 0;    // nothing more to gain
+    virtual bool interrupted() const = 0; // true within a pass
+    virtual bool finished() const = 0;    // true when further passes gain nothing
 
-    virtual std::uint64_t samples() const = 0; // drawn since rewind()
+    virtual std::uint64_t samples() const = 0; // samples drawn since rewind()
     // Samples as they would be if those outside the view were drawn as well.
     virtual double samplesOverAttractor() const = 0;
     // The measure of the words that meet the view, estimated.
     virtual double measure() const { return 1; }
-    virtual int iterations() const { return 0; } // drawn, where Wⁿ is
+    virtual int iterations() const { return 0; } // steps drawn; 0 for algorithms without steps
     // The reason why the picture is incomplete, if it is.
     virtual RenderNote note() const { return RenderNote::None; }
 
@@ -51,7 +51,7 @@ public:
     // The exposure, measured once and kept for the passes to come. nullopt when stopped.
     virtual std::optional<Exposure> exposure(const std::stop_token& stop) = 0;
     virtual Occupancy
-    occupancy(double share) const = 0; // of the pixels of the window; see attractor::occupancy
+    occupancy(double share) const = 0; // share of occupied pixels in the window; see attractor::occupancy
 
     // The pixels of the window. False when stopped, within milliseconds: then of some of its rows.
     virtual bool tone(const Exposure& exposure, std::span<std::uint32_t> pixels,

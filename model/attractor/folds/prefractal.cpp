@@ -12,7 +12,7 @@ namespace attractor {
 namespace {
 
 constexpr double maxImages = 1e6;
-constexpr double maxOutlined = 20'000;          // images; sums of a cell stay below 2³² whatever covers it
+constexpr double maxOutlined = 20'000;          // images; keeps the sums of a cell below 2³²
 constexpr double minOutlined = 24;              // cells
 constexpr std::size_t cellsPerCheck = 1U << 18; // a millisecond's work
 
@@ -21,7 +21,7 @@ public:
     Painter(const Prefractal& job, const Projection& projection, const Prefractal::Colour& colour,
             CellSums& sums)
         : m_job(job), m_projection(projection), m_colour(colour), m_sums(sums) {
-        // Everything that an image can become lies in the image of this box.
+        // Box whose image contains everything that an image can become.
         m_low = job.system.centre - job.system.halfExtent;
         m_high = job.system.centre + job.system.halfExtent;
         for (const ifs::Vector<2>& vertex : job.polygon) {
@@ -39,7 +39,7 @@ public:
             ifs::AffineMap<2> map;
             int depth = 0;
             std::uint32_t firstMap = 0;
-            std::size_t lastMap = 0; // the innermost
+            std::size_t lastMap = 0; // innermost map
             PaletteInterval colours{};
         };
         const ColourCoordinates along =
@@ -50,7 +50,7 @@ public:
                         along.child(node.colours, i)};
         };
         const std::vector<double>& links = m_job.system.links;
-        const auto isChild = [&](const Node& node, std::size_t i) { // whether the word is admissible
+        const auto isChild = [&](const Node& node, std::size_t i) { // true for admissible words
             return links.empty() || node.depth == 0 || links[i * m_job.system.maps.size() + node.lastMap] > 0;
         };
         std::vector<Node> stack;
@@ -86,14 +86,14 @@ public:
     }
 
 private:
-    // The pieces of moved branches. Branches with words longer than those drawn are part of an image and do
-    // not move.
+    // Pieces of moved branches. Branches with words longer than those drawn are part of an image and do not
+    // move.
     std::vector<ifs::MovedBranch<2>> pieces() const {
         return ifs::pieces<2>(m_job.system.moved, m_job.system.maps.size(),
                               static_cast<std::size_t>(m_job.iterations));
     }
 
-    // Largest distance of a displayed image from the middle of the box.
+    // Largest distance of a displayed image from the centre of the box.
     double reach() const {
         const ifs::Vector<2> middle = (m_low + m_high) / 2;
         const ifs::Vector<2> half = (m_high - m_low) / 2;
@@ -110,8 +110,8 @@ private:
         double size = 0; // cells
     };
 
-    // Images of the polygon may leave the box of an expanding system; an image outside the view would come
-    // back only by chance, so it is not followed.
+    // Images outside the view are not followed: in an expanding system, the polygon's images may leave the
+    // box and return only by chance.
     Reach reachOf(const ifs::AffineMap<2>& map) {
         const ifs::Vector<2> centre = map((m_low + m_high) / 2);
         const ifs::Vector<2> halfBox = (m_high - m_low) / 2;
@@ -133,7 +133,7 @@ private:
                 2 * half.maxCoeff()};
     }
 
-    // The image of the edge from a to b without b, straight pieces within a quarter of a pixel.
+    // Image of the edge from a to b without b, in straight pieces that are accurate to a quarter of a pixel.
     void addEdge(const ifs::Vector<2>& a, const ifs::Vector<2>& b, int depth) {
         const auto shown = [this](const ifs::Vector<2>& x) {
             return m_projection.cell(m_projection.cage(x));
@@ -141,7 +141,7 @@ private:
         if (m_bend && depth < 10) {
             const ifs::Vector<2> middle = (a + b) / 2;
             const ifs::Vector<2> off = shown(middle) - (shown(a) + shown(b)) / 2;
-            // A short edge may be straight by chance, a long one too.
+            // At least two divisions: an edge may look straight by chance.
             if (depth < 2 || off.cwiseAbs().maxCoeff() > maxBendError * m_projection.cellsPerPixel) {
                 addEdge(a, middle, depth + 1);
                 addEdge(middle, b, depth + 1);
@@ -176,7 +176,7 @@ private:
             const ifs::Vector<2>& a = m_corners[k];
             const ifs::Vector<2> side = m_corners[(k + 1) % m_corners.size()] - a;
             const double steps = std::ceil(side.cwiseAbs().maxCoeff());
-            double from = 0; // shares of the side between which it crosses the window
+            double from = 0; // section of the side, as shares, that crosses the window
             double to = 1;
             const auto clip = [&](double start, double length, double low, double high) {
                 if (length == 0) return;
@@ -257,7 +257,7 @@ private:
     std::optional<BendTable> m_bend;
     std::vector<ifs::Vector<2>> m_corners;
     std::vector<double> m_crossings;
-    std::size_t m_filled = 0; // cells since the last check of the stop token
+    std::size_t m_filled = 0; // cells filled since the last check of the stop token
 };
 
 } // namespace

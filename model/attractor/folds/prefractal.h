@@ -16,9 +16,9 @@ namespace attractor {
 // any more.
 struct Prefractal {
     const PreparedSystem& system;
-    std::vector<ifs::Vector<2>> polygon; // coordinates of the code, at least one point
+    std::vector<ifs::Vector<2>> polygon; // coordinates of the code; at least one point
     int iterations = 0;
-    ColourCoordinates colours{}; // empty: along the address
+    ColourCoordinates colours{}; // empty: colours along the address
 
     using Colour = std::function<ColourCell(std::uint32_t firstMap, double addressCoordinate)>;
     // Returns false when stopped. `colour` serves for sums of colours; sums of counts leave it alone.

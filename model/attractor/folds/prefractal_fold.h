@@ -27,7 +27,7 @@ protected:
     std::uint64_t maxInACell() const override { return 1U << 20; }
 
 private:
-    std::vector<ifs::Vector<2>> polygon() const; // the rest cage, or else the box of the system
+    std::vector<ifs::Vector<2>> polygon() const; // rest cage, or else the box of the system
 
     int m_iterations = 0;
     bool m_isDrawn = false;

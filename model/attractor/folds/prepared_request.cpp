@@ -45,7 +45,8 @@ RenderNote PreparedRequest::viewNote() const {
     const bool bends = m_projection.cage.bend() != nullptr;
     const ifs::Vector<2> stretch = ifs::singularValues<2>(m_projection.cage.affine().linear);
     if (!bends && !(stretch[1] > 1e-6 * stretch[0])) return RenderNote::Degenerate;
-    // Beyond this the camera's own centre has no digits left for a pixel; a bend is evaluated in double.
+    // Limit of double precision: beyond it, the camera's centre has no digits for a pixel. Bends are
+    // evaluated in double.
     const Camera& camera = m_request.camera;
     const double farthest = std::max(camera.centre.cwiseAbs().maxCoeff(), m_system.halfExtent.maxCoeff());
     return camera.pixelsPerUnit * farthest * (bends ? 0x1p-45 : 0x1p-53) > 0.5 ? RenderNote::TooDeep

@@ -19,12 +19,12 @@ public:
     // Keeps results of the request before that still hold, where the system or the cage at rest is the same.
     void set(RenderRequest request);
 
-    const RenderRequest& request() const { return m_request; } // with threads and supersample in their ranges
+    const RenderRequest& request() const { return m_request; } // threads and supersample in range
     const PreparedSystem& system() const { return m_system; }
     const Projection& projection() const { return m_projection; }
-    int cellsPerPixel() const { return m_request.appearance.supersample; } // a side
+    int cellsPerPixel() const { return m_request.appearance.supersample; } // cells per side
 
-    bool isDrawable() const; // there is something to draw and something to draw on
+    bool isDrawable() const; // true if there is something to draw, and pixels to draw it on
     // The reason why this view of the system is not exact: None, Degenerate or TooDeep.
     RenderNote viewNote() const;
 
@@ -47,7 +47,8 @@ private:
     Projection m_projection;
     SampleColours m_colours;
     ColourCoordinates m_coordinates;
-    std::vector<ifs::Vector<2>> m_bent; // rest of a cage that bends, for which the coordinates were chosen
+    // Rest corners of a bending cage, for which the coordinates were chosen.
+    std::vector<ifs::Vector<2>> m_bent;
     ifs::Coordinates m_cageCoordinates = ifs::Coordinates::MeanValue;
 };
 

@@ -26,7 +26,7 @@ public:
 
 private:
     bool m_byMap = false;
-    std::vector<ColourCell> m_colours; // by map, or along the address coordinate
+    std::vector<ColourCell> m_colours; // indexed by map, or by address coordinate
 };
 
 } // namespace attractor

@@ -84,7 +84,7 @@ ToneSettings SumFold::toneSettings(const Exposure& exposure) const {
 
 template <class Tones, class Pixel>
 bool SumFold::toneRows(const Tones& tones, std::span<Pixel> pixels, const std::stop_token& stop) const {
-    constexpr int cellsTogether = 1 << 19; // between two checks of the stop token
+    constexpr int cellsTogether = 1 << 19; // cells between two checks of the stop token
     const int side = m_prepared.cellsPerPixel();
     const CellWindow& window = m_sums.window();
     const int rows = (window.endRow - window.firstRow) / side;

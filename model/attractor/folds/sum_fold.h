@@ -35,7 +35,7 @@ protected:
     Workers& workers() const { return *m_workers; }
     CellSums& sums() { return m_sums; }
 
-    std::uint64_t remaining() const { return m_remaining; } // of the present pass
+    std::uint64_t remaining() const { return m_remaining; } // samples left in the present pass
     // Marks `samples` of the current pass as done, of which `drawn` are in the sums.
     void settle(std::uint64_t samples, std::uint64_t drawn);
 

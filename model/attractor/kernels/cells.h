@@ -25,7 +25,7 @@ constexpr std::size_t overflowCells = 16;
 struct CellRegion {
     int firstColumn = 0;
     int endColumn = 0;
-    int firstRow = 0; // of the grid, as in CellWindow
+    int firstRow = 0; // first row of the grid, as in CellWindow
     int endRow = 0;
 
     friend bool operator==(const CellRegion&, const CellRegion&) = default;

@@ -29,7 +29,7 @@ struct Row {
           c(hn::Set(Float(), linear[2])),
           constant(hn::Set(Float(), shift)) {}
     HWY_ATTR HWY_INLINE FloatVector operator()(FloatVector x, FloatVector y, FloatVector z) const {
-        // never fused
+        // Never fused.
         return hn::Add(hn::Add(hn::Add(hn::Mul(a, x), hn::Mul(b, y)), hn::Mul(c, z)), constant);
     }
 };

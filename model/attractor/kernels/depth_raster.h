@@ -14,10 +14,10 @@ namespace attractor {
 struct DepthRaster {
     int width = 0;
     int height = 0;
-    std::vector<std::uint32_t> keys; // of some or all rows
+    std::vector<std::uint32_t> keys; // all rows, or a range of them
     double near = 0;
     double far = 0;
-    int firstRow = 0; // of those that are kept
+    int firstRow = 0; // first row that is kept
 
     bool holds(int y) const { return y >= firstRow && y < height && offset(y) < keys.size(); }
     const std::uint32_t* row(int y) const { return keys.data() + offset(y); }
@@ -29,7 +29,7 @@ private:
     }
 };
 
-constexpr std::uint32_t emptyKey = 0xFFFFFFFF; // nothing there
+constexpr std::uint32_t emptyKey = 0xFFFFFFFF; // key of an empty pixel
 constexpr std::uint32_t maxDepthCode = 0xFFFFFE;
 
 // The depth in a key that is not empty.

@@ -78,7 +78,7 @@ struct CurvedPlacement {
 // Cell (column, row) of a grid has the number row·stride + column − origin.
 struct Numbering {
     IntVector stride;
-    IntVector origin; // may have wrapped round, as the product then has
+    IntVector origin; // may have overflowed, like the product
 
     HWY_ATTR Numbering(int width, int firstColumn, int firstRow)
         : stride(hn::Set(Int(), width)),
@@ -155,7 +155,7 @@ HWY_ATTR static HWY_INLINE void forCells(const CellsAt& cellsAt, const Run& run,
     computeChunk(0, present);
     for (; run.count - done >= 2 * chunk; done += chunk) {
         for (std::size_t k = 0; k < chunk; k += together) {
-            std::uint64_t pairs[together / 2]; // half as many loads
+            std::uint64_t pairs[together / 2]; // half the number of loads
             for (std::size_t p = 0; p < together / 2; ++p)
                 std::memcpy(&pairs[p], present + k + 2 * p, sizeof pairs[p]);
             for (std::size_t lane = 0; lane < together; lane += lanes)
@@ -327,7 +327,7 @@ template <class D> struct Table<Lookup::Registers16, D> {
         : low(_mm256_loadu_ps(reinterpret_cast<const float*>(v))),
           high(_mm256_loadu_ps(reinterpret_cast<const float*>(v) + 8)) {}
     HWY_ATTR HWY_INLINE hn::Vec<D> operator()(IntVector index) const {
-        const __m256 upper = _mm256_castsi256_ps(_mm256_slli_epi32(index.raw, 28)); // by the sign
+        const __m256 upper = _mm256_castsi256_ps(_mm256_slli_epi32(index.raw, 28)); // sign bit
         return hn::BitCast(D(),
                            FloatVector{_mm256_blendv_ps(_mm256_permutevar8x32_ps(low, index.raw),
                                                         _mm256_permutevar8x32_ps(high, index.raw), upper)});
@@ -340,7 +340,7 @@ template <class D> struct Table<Lookup::Registers32, D> {
 
     HWY_ATTR explicit Table(const hn::TFromD<D>* v, std::size_t) : low(v, 16), high(v + 16, 16) {}
     HWY_ATTR HWY_INLINE hn::Vec<D> operator()(IntVector index) const {
-        const __m256 upper = _mm256_castsi256_ps(_mm256_slli_epi32(index.raw, 27)); // by the sign
+        const __m256 upper = _mm256_castsi256_ps(_mm256_slli_epi32(index.raw, 27)); // sign bit
         const auto bits = [](hn::Vec<D> values) HWY_ATTR { return hn::BitCast(Float(), values).raw; };
         return hn::BitCast(D(), FloatVector{_mm256_blendv_ps(bits(low(index)), bits(high(index)), upper)});
     }
@@ -515,7 +515,7 @@ void heedEnvironment() {
 bool selectSimd(std::string_view name) {
     for (const SimdSet& set : simdSets) {
         if (set.name != name) continue;
-        hwy::SetSupportedTargetsForTest(0); // what the machine has
+        hwy::SetSupportedTargetsForTest(0); // restores detection
         if ((hwy::SupportedTargets() & set.target) == 0) return false;
         hwy::SetSupportedTargetsForTest(set.target);
         hwy::GetChosenTarget().Update(hwy::SupportedTargets());
@@ -527,7 +527,7 @@ bool selectSimd(std::string_view name) {
 
 std::vector<std::string> simdNames() {
     const std::int64_t inUse = hwy::SupportedTargets();
-    hwy::SetSupportedTargetsForTest(0); // what the machine has
+    hwy::SetSupportedTargetsForTest(0); // restores detection
     std::vector<std::string> names;
     for (const SimdSet& set : simdSets)
         if ((hwy::SupportedTargets() & set.target) != 0) names.emplace_back(set.name);

@@ -19,7 +19,7 @@ namespace attractor {
 // The name of the set in use: scalar, sse4, avx2, avx512 (which may also be called avx3) or neon. The
 // environment variable BARYCAGE_SIMD forces one.
 std::string simdName();
-std::vector<std::string> simdNames(); // all that can be selected here, the best one first
+std::vector<std::string> simdNames(); // all that this processor supports, best first
 // Forces a set; false, and nothing changes, when the machine lacks it or the name is unknown. Not while
 // rendering.
 bool selectSimd(std::string_view name);
@@ -29,7 +29,7 @@ void heedEnvironment();
 
 namespace kernels {
 
-constexpr std::size_t chunk = 128; // points; runs are read up to a multiple of it
+constexpr std::size_t chunk = 128; // number of points; runs are read up to a multiple of it
 
 struct Run {
     const float* x = nullptr;
@@ -73,7 +73,7 @@ struct ChaosTables {
     std::size_t size = 16;
     const std::int32_t* threshold = nullptr;
     const std::int32_t* alias = nullptr;
-    std::array<const float*, 6> coefficients{}; // a b c d e f in box coordinates
+    std::array<const float*, 6> coefficients{}; // a b c d e f, in box coordinates
     float escapeRadius = 0;
 };
 

@@ -51,7 +51,7 @@ HWY_ATTR static void putKeysThat(const KeyWord& word, const float* HWY_RESTRICT 
     const auto storeCells = [&](FloatVector column, FloatVector row) HWY_ATTR {
         const IntVector rowNumber = hn::Sub(truncated(row), firstRow);
         const auto cell = hn::BitCast(du, hn::Add(hn::Mul(rowNumber, stride), truncated(column)));
-        hn::Store(hn::Min(cell, last), du, cells); // whatever the numbers are
+        hn::Store(hn::Min(cell, last), du, cells); // in range for any number
     };
     for (std::size_t k = (count + n - 1) / n * n; k > 0;) {
         k -= n;

@@ -14,13 +14,13 @@ struct KeyRows {
     int width = 0;
     int firstRow = 0;
     int endRow = 0;
-    std::span<std::uint32_t> keys; // as many as there are pixels, at least one
+    std::span<std::uint32_t> keys; // one for each pixel; at least one
 };
 
 // A word as an affine map from the coordinates of the samples to pixels.
 struct KeyWord {
     float xx = 0, xy = 0, yx = 0, yy = 0, x = 0, y = 0;
-    std::uint32_t firstKey = 0; // of its first sample; the others follow
+    std::uint32_t firstKey = 0; // key of its first sample; the others follow
 };
 
 // Inside: all samples of the word are known to fall into the rows.

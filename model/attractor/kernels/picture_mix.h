@@ -12,7 +12,7 @@ constexpr std::int32_t fullChannel = (1 << channelBits) - 1;
 // A picture or one of its halvings: red, green, blue and alpha, premultiplied, in linear light of 0 to
 // fullChannel, row by row. The last pixel of a row stands there twice, and so does the last row.
 struct PictureLevel {
-    std::size_t first = 0; // its first channel among those of all levels
+    std::size_t first = 0; // index of its first channel among those of all levels
     std::int32_t columns = 1;
     std::int32_t rows = 1;
 };

@@ -9,7 +9,7 @@ namespace attractor {
 // Points of the invariant measure in coordinates in which the box of the system is [−1, 1]².
 // `size` points; each array repeats its beginning once more, so that any run of `size` points is contiguous.
 struct SampleSet {
-    static constexpr std::size_t lanes = 64; // orbits side by side; the number never changes
+    static constexpr std::size_t lanes = 64; // parallel orbits; the number never changes
     static constexpr std::size_t size = 16384;
     std::vector<float> x;
     std::vector<float> y;

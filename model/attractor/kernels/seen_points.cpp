@@ -94,7 +94,7 @@ HWY_ATTR void markSeen(const PixelPoints& points, const PointTolerance& toleranc
     const std::size_t lanes = hn::Lanes(Float());
     for (std::size_t k = 0; k < points.size; ++k) {
         std::uint64_t hidden = 0;
-        // Points that are nearly as far move with it the most.
+        // Points of almost equal depth move along with it.
         for (std::size_t from = k / lanes * lanes + lanes; from > 0 && ~hidden != 0; from -= lanes)
             hidden |= hiddenAt(points, k, from - lanes, tolerance);
         seen[k] = ~hidden != 0;

@@ -38,12 +38,12 @@ constexpr int smallBox = 32; // pixels wide
 constexpr std::size_t maxOpen = 1U << 18;
 constexpr std::size_t workPerCheck = 1U << 14; // between two checks of the stop token
 constexpr auto maxCode = static_cast<float>(maxDepthCode);
-constexpr std::size_t chunk = 64; // points that are compared before any of them is stored
+constexpr std::size_t chunk = 64; // points compared before any of them is stored
 
 // The pixels touched by a box, and its nearest key.
 struct Touched {
     int firstColumn, lastColumn, firstRow, lastRow;
-    std::uint32_t nearest; // key
+    std::uint32_t nearest; // key of the nearest point
     bool any;
 };
 
@@ -188,7 +188,7 @@ HWY_ATTR static HWY_INLINE bool splatAt(const SolidWord& word, const Cover& cove
         any = any || nearer != 0;
         for (; nearer != 0; nearer &= nearer - 1) {
             const auto k = static_cast<std::size_t>(std::countr_zero(nearer));
-            const std::uint32_t old = keys[cells[k]]; // several may fall into one cell
+            const std::uint32_t old = keys[cells[k]]; // several points may fall into one cell
             const std::uint32_t nearest = newKeys[k];
             keys[cells[k]] = nearest < old ? nearest : old;
         }
@@ -274,7 +274,7 @@ HWY_ATTR static void expand(const SolidWord& word, SolidJob& job) {
         const float halfY = child[13 * padded + i] + pixelSlack;
         if (!(x + halfX >= 0 && x - halfX < width && y + halfY >= 0 && y - halfY < rows)) continue;
         const float near = child[11 * padded + i] - child[14 * padded + i];
-        // The farthest first; of several as far, the last.
+        // Farthest first; among equals, the last first.
         order[count++] = static_cast<std::uint64_t>(~ordered(near)) << 32 | (0xFFFFFFFFU - i);
     }
     if (count <= few)
@@ -372,7 +372,7 @@ void KeyBand::reset(int width, int rows) {
     m_rows = rows;
     m_stride = padded(width, static_cast<int>(solidLanes));
     m_paddedRows = padded(rows, tile);
-    m_keys.assign(overflow() + solidLanes, 0); // nothing is nearer than the padding
+    m_keys.assign(overflow() + solidLanes, 0); // padding counts as nearest
     for (int y = 0; y < rows; ++y) {
         std::uint32_t* first =
             m_keys.data() + static_cast<std::size_t>(y) * static_cast<std::size_t>(m_stride);

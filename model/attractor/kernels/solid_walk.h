@@ -14,14 +14,14 @@
 // pixel. Compiled for several instruction sets, which all give the same bits. docs/mathematics.md, "Solids".
 namespace attractor::kernels {
 
-constexpr std::size_t solidLanes = 16; // arrays are read up to a multiple of it
+constexpr std::size_t solidLanes = 16; // padding of arrays: reads go up to a multiple of it
 
 // Maps in coordinates in which the box of the system is [−1, 1]³.
 struct SolidMaps {
     std::size_t count = 0;
-    std::array<const float*, 9> linear{}; // by rows
+    std::array<const float*, 9> linear{}; // row by row
     std::array<const float*, 3> shift{};
-    const std::uint8_t* colours = nullptr; // of every map
+    const std::uint8_t* colours = nullptr; // colour of each map
 };
 
 // Points of the attractor in box coordinates, one in every cell of a cut: every point of the attractor has
@@ -33,9 +33,9 @@ struct CoverPoints {
 };
 struct Cover {
     float spacing = 1;
-    float onlyFor = 0; // > 0: the size of the words that it holds for, in pixels
+    float onlyFor = 0; // > 0: exact size in pixels of the words that it is valid for
     std::size_t size = 0;
-    std::size_t work = 0; // counted as so many points
+    std::size_t work = 0; // cost, in points
     // The points roughly from the nearest to the farthest, for each octant: depth falls along x (bit 0), y
     // (bit 1), z (bit 2) of the box. Later points are hidden by earlier ones.
     std::array<CoverPoints, 8> nearestFirst;
@@ -45,9 +45,9 @@ struct Cover {
 struct SolidWord {
     static constexpr int uncoloured = -1;
 
-    std::array<float, 9> linear{}; // by rows
+    std::array<float, 9> linear{}; // row by row
     std::array<float, 3> middle{};
-    int colour = uncoloured; // of its first map
+    int colour = uncoloured; // colour of the first map
 };
 
 // The keys of some rows of a picture, and the farthest one of every 8 × 8 of them.
@@ -56,7 +56,7 @@ public:
     static constexpr int tile = 8;
     static constexpr int maxRows = 128;
 
-    void reset(int width, int rows); // empty everywhere; rows ≤ maxRows
+    void reset(int width, int rows); // empties all pixels; rows ≤ maxRows
 
     int width() const { return m_width; }
     int rows() const { return m_rows; }
@@ -71,7 +71,7 @@ public:
     }
     int tilesAcross() const { return m_stride / tile; }
     std::uint32_t* farthest() { return m_farthest.data(); }
-    std::uint8_t* stale() { return m_stale.data(); } // whether the farthest key has to be looked up again
+    std::uint8_t* stale() { return m_stale.data(); } // not 0: the farthest key of the tile is out of date
 
 private:
     int m_width = 0;
@@ -91,14 +91,14 @@ struct OpenWord {
 
 struct SolidJob {
     SolidMaps maps;
-    std::span<const Cover> covers; // from the coarsest to the finest; at least one
-    float pixelsPerCode = 0;       // how many pixels wide what is one depth code deep is
+    std::span<const Cover> covers; // coarse to fine; at least one
+    float pixelsPerCode = 0;       // pixels across that equal one depth code
     KeyBand* band = nullptr;
-    std::size_t budget = 0; // of work; once it is spent, words are drawn by the finest cover as they are
+    std::size_t budget = 0; // most work; when it is spent, the remaining words are drawn by the finest cover
     // Counted:
-    std::size_t words = 0;  // looked at
-    std::size_t points = 0; // drawn
-    std::size_t coarse = 0; // words that are seen, of which the finest cover may leave holes
+    std::size_t words = 0;  // words examined
+    std::size_t points = 0; // points drawn
+    std::size_t coarse = 0; // visible words in which the finest cover may leave holes
     // Memory kept from word to word:
     std::vector<OpenWord> open;
     std::vector<float> children;

@@ -63,7 +63,7 @@ HWY_ATTR Margins emptyMargins(const std::uint32_t* keys, std::size_t count) {
     const auto areEmpty = [&](const std::uint32_t* from) HWY_ATTR {
         const auto first = hn::And(hn::LoadU(du, from), hn::LoadU(du, from + n));
         const auto second = hn::And(hn::LoadU(du, from + 2 * n), hn::LoadU(du, from + 3 * n));
-        return hn::AllTrue(du, hn::Eq(hn::And(first, second), empty)); // all bits of an empty key are set
+        return hn::AllTrue(du, hn::Eq(hn::And(first, second), empty)); // empty keys have all bits set
     };
     Margins margins;
     while (margins.before + 4 * n <= count && areEmpty(keys + margins.before))
@@ -174,7 +174,7 @@ HWY_ATTR void illuminate(const float* HWY_RESTRICT right, const float* HWY_RESTR
                          float* HWY_RESTRICT light) {
     const Float df;
     const FloatVector one = numbers(1), half = numbers(0.5F);
-    const FloatVector limit = numbers(1e6F); // steeper cannot be told apart, and its square must be finite
+    const FloatVector limit = numbers(1e6F); // limit of distinguishable slopes, whose squares are finite
     const auto halfLambert = [&](FloatVector cosine) HWY_ATTR {
         const FloatVector wrapped = hn::Add(hn::Mul(cosine, half), half);
         return hn::Mul(wrapped, wrapped);

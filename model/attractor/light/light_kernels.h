@@ -40,8 +40,8 @@ struct Neighbours {
 // Eye-dome lighting at one radius.
 struct OcclusionRadius {
     Neighbours neighbours;
-    std::int32_t saturation = 1; // codes, 1 … 2²⁴: what is in front by more counts no more
-    float perCode = 0;           // weight of a code in front; all radii and neighbours together, at most 4
+    std::int32_t saturation = 1; // codes, 1 … 2²⁴: greater differences in depth count as this one
+    float perCode = 0; // weight of one code of depth in front; the sum over radii and neighbours is at most 4
 };
 constexpr std::size_t occlusionRadii = 3;
 
@@ -56,7 +56,7 @@ void slopes(const Neighbours& neighbours, float scale, std::size_t count, float*
 // Light in [0, 1] that a surface of these slopes returns: headlight and key light, half-Lambert, times shade.
 struct Lamps {
     ViewVector key;
-    float headShare = 0.4F; // the key light has the rest
+    float headShare = 0.4F; // share of the headlight; the key light has the rest
 };
 void illuminate(const float* right, const float* up, const float* shade, const Lamps& lamps,
                 std::size_t count, float* light);

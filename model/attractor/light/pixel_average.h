@@ -18,7 +18,7 @@ void averagePixels(std::span<const Rgba16> fine, int side, int width, std::span<
 // Light that adds up, linear and weighted by opacity.
 struct LightSum {
     double alpha = 0;
-    std::array<double, 3> light{}; // times alpha
+    std::array<double, 3> light{}; // premultiplied by alpha
 };
 
 // The mean of several pictures of one size, in linear light and weighted by opacity, as seen through an open
@@ -26,7 +26,7 @@ struct LightSum {
 template <class Pixel> class PictureAverage { // std::uint32_t or Rgba16
 public:
     void add(std::span<const Pixel> picture);
-    void mean(std::span<Pixel> pixels) const; // of the size of the pictures, of which there is at least one
+    void mean(std::span<Pixel> pixels) const; // same size as the pictures, of which there is at least one
 
 private:
     std::vector<LightSum> m_sums;

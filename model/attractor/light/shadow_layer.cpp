@@ -12,7 +12,7 @@ namespace {
 constexpr double full8 = 255;
 constexpr double full16 = 65535;
 
-using Light = std::array<double, 4>; // alpha, red, green, blue: premultiplied, 0 … 1
+using Light = std::array<double, 4>; // premultiplied alpha, red, green, blue, 0 … 1
 
 Light over(const Light& front, const Light& back) {
     Light result;

@@ -11,7 +11,7 @@
 namespace attractor {
 
 enum class Look {
-    Stone,   // lit from the upper left, cool in the shade
+    Stone,   // light from the upper left, cool shade
     Ink,     // dark creases on a light ground, for print
     Depth,   // near white, far black
     Normals, // red to the right, green up, blue towards the eye; (n + 1)/2 of the full scale
@@ -33,13 +33,13 @@ ViewVector lampAt(double azimuth, double elevation);
 // Settings that turn the keys of a solid into colours.
 struct SolidAppearance {
     Look look = Look::Stone;
-    SolidColour colourBy = SolidColour::Plain; // Map, Address: what the key of the raster is for
+    SolidColour colourBy = SolidColour::Plain; // Map and Address: same as the key of the raster
     Palette palette = builtInPalettes().front();
-    std::vector<Rgba> mapColours;     // of map 0, 1, 2 …; the others take categoricalColour()
+    std::vector<Rgba> mapColours;     // colours of maps 0, 1, 2 …; further maps take categoricalColour()
     Rgba plain{226, 214, 196, 255};   // alpha is ignored
     Rgba background{13, 16, 23, 255}; // alpha 0: transparent
     ViewVector keyLight = lampAt(-40, 40);
-    double fog = 0; // ≥ 0; what lies at `far` keeps exp(−fog) of its colour
+    double fog = 0; // ≥ 0; points at `far` keep exp(−fog) of their colour
 
     friend bool operator==(const SolidAppearance&, const SolidAppearance&) = default;
 };
@@ -49,11 +49,12 @@ SolidAppearance appearanceOf(Look look);
 
 // The properties of the camera on which the light depends.
 struct SolidView {
-    double unitsPerPixel = 1;                                     // at the target
-    ViewVector upward{0, 1, 0};                                   // of the scene
-    double eyeDistance = std::numeric_limits<double>::infinity(); // from the target; infinite: orthographic
-    double eyeShift = 0;                                          // as in SpaceRequest
-    double lowest = -1; // heights over the target, in units of the system, between which the palette runs
+    double unitsPerPixel = 1;   // world units, in the plane of the target
+    ViewVector upward{0, 1, 0}; // upward direction of the scene
+    // Distance to the target; infinite: orthographic.
+    double eyeDistance = std::numeric_limits<double>::infinity();
+    double eyeShift = 0; // same meaning as in SpaceRequest
+    double lowest = -1;  // palette range: heights over the target, in units of the system
     double highest = 1;
 };
 

@@ -85,7 +85,7 @@ Rgba16 depthColour(std::int32_t code) {
     return {grey, grey, grey, 65535};
 }
 
-std::uint32_t narrow(const Rgba16& colour) { // opaque
+std::uint32_t narrow(const Rgba16& colour) { // ignores alpha
     const auto channel = [](std::uint32_t value) { return (value * 255 + 32767) / 65535; };
     return 0xFF000000U | channel(colour.red) << 16 | channel(colour.green) << 8 | channel(colour.blue);
 }
@@ -143,7 +143,7 @@ void SolidLight::tints(const DepthRaster& raster, const SurfaceRow& row, int y,
     const auto count = static_cast<std::size_t>(row.end - row.first);
     switch (m_appearance.colourBy) {
     case SolidColour::Plain:
-        break; // all are 0
+        break; // all further values are 0
     case SolidColour::Map:
     case SolidColour::Address:
         for (std::size_t k = 0; k < count; ++k)
@@ -181,7 +181,7 @@ void SolidLight::apply(const DepthRaster& raster, int firstRow, int endRow,
             for (std::size_t k = 0; k < count; ++k)
                 out[k] = row.codes[k] == kernels::emptyDepth ? ground : narrow(surfaceColour(row, k, band));
         }
-        // In empty pixels, ground is mixed with ground.
+        // Empty pixels mix ground with ground.
         if (!m_clear.empty() && isLit(m_appearance.look))
             kernels::addFog(row.codes, m_clear.data(), ground, count, out);
     }

@@ -37,7 +37,7 @@ private:
     SolidAppearance m_appearance;
     SolidView m_view;
     SolidRamp m_ramp;
-    std::vector<std::int32_t> m_clear; // the share that fog leaves, by depth, of kernels::fullClear
+    std::vector<std::int32_t> m_clear; // share left by fog for each depth, in units of 1 / kernels::fullClear
 };
 
 // The whole picture.

@@ -12,7 +12,7 @@ namespace {
 
 constexpr int plainLevels = 1024;
 constexpr int tintedLevels = 256;
-constexpr double exposure = 1.35; // a surface between eye and key light is about as bright as its tint
+constexpr double exposure = 1.35; // makes a surface between eye and key light about as bright as its tint
 constexpr double wash = 0.78;
 constexpr double fullLight = 4095;
 
@@ -44,7 +44,7 @@ LinearColour ink(const LinearColour& tint, double light) {
     return {paper(tint.red), paper(tint.green), paper(tint.blue)};
 }
 
-std::uint32_t code(double linear) { // sRGB of 12 bit light
+std::uint32_t code(double linear) { // sRGB code of 12-bit light
     static const auto codes = [] {
         std::array<std::uint8_t, 4096> table{};
         for (std::size_t i = 0; i < table.size(); ++i)

@@ -8,13 +8,13 @@
 
 namespace attractor {
 
-constexpr int tintCount = 256; // of a solid that is not plain
+constexpr int tintCount = 256; // number of tints of a coloured solid
 
 // The colours of a solid from shade to light, for each of its tints.
 struct SolidRamp {
-    int levels = 1; // of light, for each tint; the first is darkness, the last 1
+    int levels = 1; // number of light levels for each tint, from darkness to 1
     std::vector<LinearColour> tints;
-    std::vector<std::uint32_t> pixels; // 0xFFRRGGBB, levels of the first tint, then of the second …
+    std::vector<std::uint32_t> pixels; // 0xFFRRGGBB; all levels of the first tint, then of the second …
 };
 
 SolidRamp solidRamp(const SolidAppearance& appearance);

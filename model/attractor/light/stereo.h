@@ -12,8 +12,8 @@ namespace attractor {
 
 enum class Stereo {
     None,
-    SideBySide, // the left eye's picture to the left
-    Anaglyph,   // for glasses with red before the left eye and cyan before the right one
+    SideBySide, // left eye's picture to the left
+    Anaglyph,   // red filter before the left eye, cyan before the right one
 };
 
 // Number of single pictures side by side in a stereo picture.

@@ -8,8 +8,8 @@ namespace attractor {
 
 namespace {
 
-constexpr int reach = 13;  // rows below that a row depends on: a radius of 9 and a minimum 4 further
-constexpr int spread = 4;  // columns by which minima reach beyond what they are of
+constexpr int reach = 13;  // rows below that influence a row: a radius of 9 plus 4 for the minima
+constexpr int spread = 4;  // columns beyond a window that influence its minima
 constexpr int margin = 32; // cells beside a row: more than any step, and a whole vector
 
 // Pixels of depth for one step of the code. A raster without a finite range, or a pixel without a finite
@@ -21,7 +21,7 @@ double pixelsPerCode(const DepthRaster& raster, double unitsPerPixel) {
 
 kernels::OcclusionRadius occlusionAt(std::size_t k, const Occlusion& occlusion, double pixelsPerCode) {
     const double pixels = occlusion.saturation * Occlusion::radii[k];
-    const double codes = std::max(1.0, pixels / pixelsPerCode); // infinite where all is flat
+    const double codes = std::max(1.0, pixels / pixelsPerCode); // infinite for a flat picture
     return {{},
             codes < maxDepthCode ? static_cast<std::int32_t>(codes + 0.5)
                                  : static_cast<std::int32_t>(maxDepthCode),

@@ -15,18 +15,18 @@ namespace attractor {
 struct Occlusion {
     static constexpr std::array<int, kernels::occlusionRadii> radii{1, 3, 9}; // pixels
     double strength = 1;                                                      // κ, 0 … 4
-    double saturation = 2; // pixels of depth for each pixel of radius, > 0
-    std::array<double, kernels::occlusionRadii> shares{1.0 / 3, 1.0 / 3, 1.0 / 3}; // their sum is 1
+    double saturation = 2; // pixels of depth per pixel of radius, > 0
+    std::array<double, kernels::occlusionRadii> shares{1.0 / 3, 1.0 / 3, 1.0 / 3}; // weights; their sum is 1
 };
 
 // The surface in one row: pixels [first, end); the others are empty. Pointers are valid up to the next row.
 struct SurfaceRow {
     int first = 0;
     int end = 0;
-    const std::int32_t* codes = nullptr; // kernels::emptyDepth where there is nothing
-    const float* shade = nullptr;        // exp(−κ · response); 1: nothing nearer around
-    const float* right = nullptr;        // slope of the surface, away from the eye per pixel to the right
-    const float* up = nullptr;           // and per pixel up
+    const std::int32_t* codes = nullptr; // kernels::emptyDepth in empty pixels
+    const float* shade = nullptr;        // exp(−κ · response); 1 if nothing around is nearer
+    const float* right = nullptr;        // slope away from the eye, per pixel to the right
+    const float* up = nullptr;           // slope away from the eye, per pixel up
 };
 
 // Walks down the rows of a raster and keeps of them what the light at one row depends on: those up to 13
@@ -65,15 +65,15 @@ private:
     const DepthRaster& m_raster;
     float m_pixelsPerCode = 0;
     std::array<kernels::OcclusionRadius, kernels::occlusionRadii> m_radii;
-    int m_row;                                  // the next to be given
-    int m_loaded;                               // the next to be loaded
-    int m_first, m_end;                         // columns, in which all that has been loaded lies
-    std::array<kernels::Margins, 16> m_margins; // of the rows in m_codes
+    int m_row;                                  // next row to return
+    int m_loaded;                               // next row to load
+    int m_first, m_end;                         // columns that bound everything loaded so far
+    std::array<kernels::Margins, 16> m_margins; // margins of the rows in m_codes
     Ring<16> m_codes;
-    Ring<4> m_three;   // minima of 3 in a row
-    Ring<16> m_square; // of 3 × 3
-    Ring<8> m_nine;    // of 9 × 3
-    Ring<32> m_large;  // of 9 × 9
+    Ring<4> m_three;   // minima over 3 pixels of a row
+    Ring<16> m_square; // minima over 3 × 3 pixels
+    Ring<8> m_nine;    // minima over 9 × 3 pixels
+    Ring<32> m_large;  // minima over 9 × 9 pixels
     std::vector<float> m_shade, m_right, m_up;
 };
 

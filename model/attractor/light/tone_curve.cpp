@@ -13,7 +13,7 @@ namespace attractor {
 namespace {
 
 // 256 entries for each octave of light, from 2⁻²⁰ to 1.
-constexpr int droppedBits = 15; // of the 23 of a mantissa
+constexpr int droppedBits = 15; // bits dropped from the 23 of a mantissa
 constexpr float darkest = 0x1p-20F;
 constexpr std::uint32_t firstEntry = std::bit_cast<std::uint32_t>(darkest) >> droppedBits;
 constexpr std::uint32_t lastEntry = std::bit_cast<std::uint32_t>(1.0F) >> droppedBits;

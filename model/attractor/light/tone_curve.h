@@ -22,7 +22,7 @@ double vibrant(double code, const Appearance& appearance);
 // The same for channels in linear light, from a table: to half a level of 256, for gammas from a half on.
 class VibrantCodes {
 public:
-    VibrantCodes() = default; // leaves colours as they are; not to be asked
+    VibrantCodes() = default; // no change of colours; operator() must not be called
     explicit VibrantCodes(const Appearance& appearance);
 
     bool changesColours() const { return !m_codes.empty(); }
@@ -30,7 +30,7 @@ public:
     double operator()(double linear) const;
 
 private:
-    std::vector<float> m_codes; // by the leading bits of the light as a float; none: colours stay
+    std::vector<float> m_codes; // indexed by the leading bits of the light as a float; empty: colours stay
 };
 
 } // namespace attractor

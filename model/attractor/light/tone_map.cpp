@@ -14,8 +14,8 @@ namespace attractor {
 
 namespace {
 
-constexpr double minWhitePoint = 4;       // an even measure is shown below the brightest tone
-constexpr double sampledPixels = 200'000; // enough for a mean
+constexpr double minWhitePoint = 4;       // keeps an even measure below the brightest tone
+constexpr double sampledPixels = 200'000; // sufficient sample for a mean
 constexpr std::size_t rampSize = 512;
 
 // Middle of the counts that share an entry of a tone table.
@@ -73,7 +73,7 @@ public:
     }
     double samples() const { return static_cast<double>(m_samples); }
 
-    // Expected number of occupied pixels if only a share of the samples had been drawn: rarefaction, which
+    // Expected number of occupied pixels if only a share of the samples had been drawn (rarefaction). It
     // makes occupancy independent of the number of samples.
     double occupied(double share) const {
         double result = 0;
@@ -187,7 +187,7 @@ double gainOf(const CellSums& sums, const Appearance& look, int cellsPerPixel, d
     return found > 0 ? std::clamp(wanted * area / found, 1.0, static_cast<double>(cellsPerPixel)) : 1;
 }
 
-const std::vector<std::uint8_t>& codes() { // sRGB of 12 bit linear light
+const std::vector<std::uint8_t>& codes() { // sRGB codes of 12-bit linear light
     static const std::vector<std::uint8_t> table = [] {
         std::vector<std::uint8_t> values(4096);
         for (std::size_t i = 0; i < values.size(); ++i)
@@ -197,7 +197,7 @@ const std::vector<std::uint8_t>& codes() { // sRGB of 12 bit linear light
     return table;
 }
 
-const std::vector<float>& alphas() { // the same as a fraction
+const std::vector<float>& alphas() { // sRGB codes as fractions
     static const std::vector<float> table = [] {
         std::vector<float> values(4096);
         for (std::size_t i = 0; i < values.size(); ++i)
@@ -271,7 +271,7 @@ ToneMap::ToneMap(const ToneSettings& settings, std::uint64_t maxSamples)
     m_pixels.resize(m_entries.size());
     double v = 0;
     for (std::size_t i = 0; i < m_entries.size(); ++i) {
-        if (v >= 1) { // as bright as can be, from here on
+        if (v >= 1) { // full brightness from here on
             m_entries[i] = m_entries[i - 1];
             m_pixels[i] = m_pixels[i - 1];
             continue;

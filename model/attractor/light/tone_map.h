@@ -36,8 +36,8 @@ double referenceShare(double pixels, double samples);
 
 struct ToneSettings {
     Appearance appearance;
-    int cellsPerPixel = 1;       // a side
-    double densityPerSample = 0; // ρ of a cell that holds one sample
+    int cellsPerPixel = 1;       // side of the square of cells of a pixel
+    double densityPerSample = 0; // density ρ of a cell with one sample
     double whitePoint = 1;
     double gain = 1;
 };
@@ -55,33 +55,34 @@ public:
 private:
     struct Entry {       // contribution of a cell of tone v
         float alpha = 0; // v
-        float light = 0; // the same as linear light
-        float red = 0;   // colour, linear light
+        float light = 0; // alpha as linear light
+        float red = 0;   // colour in linear light
         float green = 0;
         float blue = 0;
     };
-    struct Light { // of one pixel
+    struct Light { // light of one pixel
         double weight = 0;
         double red = 0;
         double green = 0;
         double blue = 0;
-        float alpha = 0; // of the last cell
+        float alpha = 0; // alpha of the last cell
     };
-    struct Front { // a cell of colours that fills its pixel, by its samples
+    struct Front { // coloured cell that fills its pixel, by number of samples
         double light = 0;
         double inverseLight = 0;
-        double share = 0; // of the light, what one unit of colour has; for exact counts
+        double share = 0; // light per unit of colour, for exact counts
         double alpha = 0;
-        double red = 0, green = 0, blue = 0; // that the background adds
+        double red = 0, green = 0, blue = 0; // light added by the background
         std::uint32_t opacity = 0;
     };
     double toneOf(double samples) const;
     Entry entry(double v) const;
     std::uint32_t pixel(double alpha, double red, double green, double blue) const;
     std::uint32_t pixel(const Light& light) const;
-    std::uint32_t pixel(const Entry& entry) const; // of a cell that fills it
+    std::uint32_t pixel(const Entry& entry) const; // cell that fills its pixel
     Front front(std::size_t index) const;
-    std::uint32_t pixel(const CellSums::Sum& sum, const std::uint8_t* codes) const; // of such a cell
+    // Coloured cell that fills its pixel.
+    std::uint32_t pixel(const CellSums::Sum& sum, const std::uint8_t* codes) const;
     void applyTable(const CellSums& sums, int firstRow, int endRow, std::uint32_t* pixels) const;
     void applyFronts(const CellSums& sums, int firstRow, int endRow, std::uint32_t* pixels) const;
     // False where the row is empty.
@@ -89,13 +90,13 @@ private:
     bool addColours(const CellSums& sums, int row, std::vector<Light>& lights) const;
 
     ToneSettings m_settings;
-    bool m_ownColours; // the sums carry colours
+    bool m_ownColours; // true if the sums carry colours
     std::uint64_t m_maxSamples;
     VibrantCodes m_vibrantCodes;
-    std::vector<Rgba> m_ramp; // the palette, or the plain colour
+    std::vector<Rgba> m_ramp; // palette, or the plain colour
     std::vector<Entry> m_entries;
-    std::vector<std::uint32_t> m_pixels; // of a cell without colours that fills its pixel
-    std::vector<Front> m_fronts;         // none where pixels are made otherwise
+    std::vector<std::uint32_t> m_pixels; // pixels of cells without colours that fill them
+    std::vector<Front> m_fronts;         // empty if pixels are computed otherwise
 };
 
 } // namespace attractor

@@ -32,25 +32,25 @@ public:
     void apply(const CellSums& sums, int firstRow, int endRow, std::span<Rgba16> pixels) const;
 
 private:
-    struct Entry { // contribution of a cell with a certain count
+    struct Entry { // contribution of a cell with one count
         double alpha = 0;
-        double light = 0; // the same as linear light
+        double light = 0; // alpha as linear light
         LinearColour colour;
     };
-    struct Light { // of one pixel
+    struct Light { // light of one pixel
         double weight = 0;
         double red = 0;
         double green = 0;
         double blue = 0;
-        double alpha = 0; // of the last cell
+        double alpha = 0; // alpha of the last cell
     };
     Entry entry(std::uint64_t samples) const;
     void addRow(const CellSums& sums, int row, std::vector<Light>& lights) const;
     Rgba16 pixel(const Light& light) const;
 
     ToneSettings m_settings;
-    bool m_ownColours;            // the sums carry colours
-    std::vector<Entry> m_entries; // of the smaller counts
+    bool m_ownColours;            // true if the sums carry colours
+    std::vector<Entry> m_entries; // entries of the smaller counts
 };
 
 } // namespace attractor

@@ -20,9 +20,9 @@ namespace {
 
 using Progress = BandedRendering::Progress;
 
-constexpr double shareOfMeasuring = 0.1;  // of the progress of the first band
-constexpr double shareOfPicture = 0.6;    // of the progress of a picture with a shadow
-constexpr double maxRelativeMeasure = 16; // of a moment to the first one
+constexpr double shareOfMeasuring = 0.1;  // share of the first band's progress
+constexpr double shareOfPicture = 0.6;    // share of the progress if there is a shadow
+constexpr double maxRelativeMeasure = 16; // largest ratio of a moment's measure to that of the first moment
 
 void tell(const Progress& progress, double fraction) {
     if (progress) progress(fraction);
@@ -32,11 +32,11 @@ void tell(const Progress& progress, double fraction) {
 
 struct BandedRendering::State {
     RenderState render;
-    std::optional<Exposure> exposure; // of the whole picture
+    std::optional<Exposure> exposure; // exposure of the whole picture
     std::optional<DividedPicture> divided;
-    std::vector<RenderRequest> moments; // of a shutter
-    std::unique_ptr<State> shadow;      // nullptr: the picture has none
-    ShadowLayer layer;                  // of the shadow
+    std::vector<RenderRequest> moments; // moments of a shutter
+    std::unique_ptr<State> shadow;      // nullptr: no shadow
+    ShadowLayer layer;                  // layer of the shadow
 
     void start(RenderRequest request);
     bool drawPass(std::uint64_t number, const std::stop_token& stop, const Progress& progress);
@@ -234,7 +234,7 @@ BandedRendering& BandedRendering::operator=(BandedRendering&&) noexcept = defaul
 std::size_t BandedRendering::bytesPerRow(const RenderRequest& request) {
     const auto side = static_cast<std::size_t>(std::clamp(request.appearance.supersample, 1, 4));
     const auto threads = static_cast<std::size_t>(std::clamp(request.threads, 1, 256));
-    // The 64-bit sums into which full counters are carried over are counted as well.
+    // Includes the 64-bit sums that receive full counters.
     const std::size_t cell = coloursSamples(request.appearance.colourBy)
                                  ? threads * (sizeof(ColourCell) + sizeof(CellSums::Sum))
                                  : threads * sizeof(std::uint32_t) + sizeof(std::uint64_t);
@@ -243,7 +243,7 @@ std::size_t BandedRendering::bytesPerRow(const RenderRequest& request) {
 }
 
 int BandedRendering::rowsWithin(const RenderRequest& request, std::size_t bytes) {
-    constexpr std::size_t maxCells = std::size_t{1} << 30; // cells are numbered with 32 bits
+    constexpr std::size_t maxCells = std::size_t{1} << 30; // limit of 32-bit cell numbers
     const auto side = static_cast<std::size_t>(std::clamp(request.appearance.supersample, 1, 4));
     const auto width = static_cast<std::size_t>(std::max(1, request.camera.width));
     const auto height = static_cast<std::size_t>(std::max(1, request.camera.height));
@@ -263,7 +263,8 @@ bool BandedRendering::band(int firstRow, int rows, std::span<Rgba16> pixels, con
 
 void BandedRendering::divide(DividedPicture picture) {
     State& state = *m_state;
-    if (state.shadow && !picture.passes.empty()) { // drawn here whole, with the samples of all passes
+    // Drawn completely in this run, with the samples of all passes.
+    if (state.shadow && !picture.passes.empty()) {
         double samples = 0;
         for (const DividedPicture::Pass& pass : picture.passes)
             samples += static_cast<double>(pass.samples);

@@ -18,8 +18,8 @@ namespace attractor {
 // The share of a picture that is drawn here, when several machines or runs draw it together.
 struct DividedPicture {
     struct Pass {
-        std::uint64_t samples = 0; // of the whole pass
-        PicturePart part;          // drawn here; its units count from the first pass on
+        std::uint64_t samples = 0; // samples of the whole pass
+        PicturePart part;          // share drawn here; its units count from the first pass on
     };
     std::vector<Pass> passes;
     // Adds samples drawn elsewhere to rows of cells, those of the window. False when they are not available.
@@ -31,7 +31,7 @@ struct DividedPicture {
 // the size. Not thread-safe; owns its worker threads.
 class BandedRendering {
 public:
-    using Progress = std::function<void(double fraction)>; // of one call, 0 … 1
+    using Progress = std::function<void(double fraction)>; // fraction of one call, 0 … 1
 
     explicit BandedRendering(RenderRequest request);
     ~BandedRendering();
@@ -67,8 +67,8 @@ public:
     const CellSums* sums(int firstRow, int rows, const std::stop_token& stop = {},
                          const Progress& progress = {});
 
-    Exposure exposure() const;                  // after the first band
-    void useExposure(const Exposure& exposure); // another one, mean density included, for all bands
+    Exposure exposure() const;                  // available after the first band
+    void useExposure(const Exposure& exposure); // exposure for all bands, including the mean density
     // The exposure of the whole picture, before any band; nullopt when stopped.
     std::optional<Exposure> measuredExposure(const std::stop_token& stop = {});
     RenderNote note() const;

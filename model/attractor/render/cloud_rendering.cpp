@@ -21,10 +21,10 @@ namespace attractor {
 
 namespace {
 
-constexpr std::uint64_t maxPerSampleSet = 1U << 24; // more samples are drawn from a fresh set
-constexpr int maxDepthLevel = 4095;                 // of a sample whose depth is counted
-constexpr std::size_t maxWordsPerJob = 64;          // between two checks of the stop token
-constexpr std::size_t samplesPerJob = 1U << 18;     // likewise, about
+constexpr std::uint64_t maxPerSampleSet = 1U << 24; // samples; further ones come from a new set
+constexpr int maxDepthLevel = 4095;                 // greatest depth level of a sample
+constexpr std::size_t maxWordsPerJob = 64;          // words between two checks of the stop token
+constexpr std::size_t samplesPerJob = 1U << 18; // approximate samples between two checks of the stop token
 
 // Cells that a word can reach, with room for rounding; empty where it is not seen.
 CellRegion reachedCells(const SpaceWord& word, float reach, const CellWindow& window) {
@@ -53,7 +53,7 @@ bool isInside(const SpaceWord& word, float reach, const CellWindow& window) {
 struct CloudRendering::State {
     SpaceRequest request;
     PreparedSpace system;
-    SpaceView view; // in cells
+    SpaceView view; // view in cells
     SampleColours colours;
     ColourCoordinates coordinates;
     RenderNote note = RenderNote::None;
@@ -61,15 +61,15 @@ struct CloudRendering::State {
     CellSums sums;
     std::optional<SpaceCut> cut;
     SpaceSamples sampleSet;
-    std::vector<std::uint64_t> counts; // samples of every word
+    std::vector<std::uint64_t> counts; // samples of each word
     std::uint64_t sampleSets = 0;
     std::uint64_t drawn = 0;
     std::uint64_t sinceCarry = 0;
-    DepthRange depths; // of CloudColour::MeanDepth, in cells; found when it is first needed
+    DepthRange depths; // depths for CloudColour::MeanDepth, in cells; found on demand
     bool knowsDepths = false;
-    double overAttractor = 0; // samples, as if those outside the view were drawn as well
+    double overAttractor = 0; // number of samples, including those outside the view as if drawn
     std::optional<Exposure> exposure;
-    std::optional<double> firstProbability; // of the cut of the first pass
+    std::optional<double> firstProbability; // probability of the cut of the first pass
     bool isFollowing = false;
     PicturePart part;
 
@@ -77,7 +77,7 @@ struct CloudRendering::State {
     bool coloured() const { return showsDepth() || coloursSamples(request.appearance.colourBy); }
     bool isDrawable() const { return !system.maps.empty() && isUsable(request.camera); }
     void start(SpaceRequest newRequest);
-    void clear(int firstRow, int endRow); // of cells
+    void clear(int firstRow, int endRow); // rows of cells
     std::uint64_t asDense(std::uint64_t samples);
     bool makeCut(std::uint64_t samples, const std::stop_token& stop);
     void plan(std::uint64_t samples);
@@ -259,7 +259,7 @@ void CloudRendering::State::drawWord(std::size_t k, std::size_t thread, const st
             continue;
         }
         ColourCell* cells = sums.colours(thread, region);
-        // Samples outside say nothing of how full the cells of the window are.
+        // Cleared: samples outside the window must not influence the overflow check of its cells.
         std::fill_n(cells + window.cells(), overflowCells, ColourCell{});
         seen |= kernels::addToColours(word.shown, run, window, *colour, cells);
     }

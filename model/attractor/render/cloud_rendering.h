@@ -23,7 +23,7 @@ public:
     CloudRendering(CloudRendering&&) noexcept;
     CloudRendering& operator=(CloudRendering&&) noexcept;
 
-    void restart(SpaceRequest request); // as if new, with the memory and the threads there are
+    void restart(SpaceRequest request); // resets everything, but reuses memory and threads
 
     // Goes on with a request that differs in system, cage and camera only: new samples add to those drawn
     // before.
@@ -42,17 +42,17 @@ public:
     // Restricts counting to pixel rows [firstRow, endRow), which leaves sums() of them and no picture. Call
     // after restart(), before the first pass.
     void keepRows(int firstRow, int endRow);
-    CellSums& sums(); // counts of other parts may be added
+    CellSums& sums(); // counts of other parts can be added
 
     // The exposure kept by the request, else that of the picture.
     Exposure exposure(const std::stop_token& stop = {}) const;
-    void useExposure(const Exposure& exposure); // another one, mean density included, up to the next pass
+    void useExposure(const Exposure& exposure); // exposure until the next pass, including the mean density
     // The picture so far, size.width × size.height pixels, as in Frame::pixels or with 16 bits per channel.
     // False when stopped.
     bool tone(std::span<std::uint32_t> pixels, const std::stop_token& stop = {}) const;
     bool tone(std::span<Rgba16> pixels, const std::stop_token& stop = {}) const;
 
-    std::uint64_t samples() const; // drawn so far
+    std::uint64_t samples() const; // samples drawn so far
     RenderNote note() const;
 
 private:

@@ -14,15 +14,15 @@ struct Frame {
     Camera camera;
     // 0xAARRGGBB, premultiplied, rows from the top, camera.width × camera.height
     std::vector<std::uint32_t> pixels;
-    bool opaque = false;       // every pixel has alpha 255
-    std::uint64_t samples = 0; // accumulated so far
-    double measure = 0;        // of the words that meet the view, estimated; 1 when all of the attractor does
+    bool opaque = false;       // true: every pixel has alpha 255
+    std::uint64_t samples = 0; // samples accumulated so far
+    double measure = 0; // estimated measure of the words that meet the view; 1 if the whole attractor does
     int passes = 0;
-    int iterations = 0; // Deterministic: drawn
-    Exposure exposure;  // that of the request, else of this picture
-    Exposure shown;     // in the pixels: another one while brightness eases
+    int iterations = 0; // steps drawn; Deterministic only
+    Exposure exposure;  // exposure of the request, else of this picture
+    Exposure shown;     // exposure of the pixels: differs from `exposure` while brightness eases
     RenderNote note = RenderNote::None;
-    double milliseconds = 0; // time the last pass took
+    double milliseconds = 0; // duration of the last pass
 };
 
 } // namespace attractor

@@ -8,7 +8,7 @@ namespace attractor {
 // Some solids take twenty times as long with four times the pixels. Trying this again and again would
 // stutter, so measurements are forgotten only slowly.
 void LiveStep::took(double milliseconds) {
-    constexpr double kept = 0.99; // half of it after 70 pictures
+    constexpr double kept = 0.99; // share kept per picture; one half after 70 pictures
     if (m_stepBefore == 2 * m_step)
         m_growth = std::max(usualGrowth, milliseconds / m_timeBefore);
     else if (2 * m_stepBefore == m_step)

@@ -24,16 +24,16 @@ struct RenderQueue::State {
     ~State();
     void serve();
     void draw(const Job& job, const std::stop_token& stop);
-    void abandon(std::optional<std::uint64_t> key); // with the mutex held; nullopt: whatever is being drawn
+    void abandon(std::optional<std::uint64_t> key); // requires the mutex; nullopt: any job
 
     std::mutex mutex;
     std::condition_variable wake;
     std::deque<Waiting> waiting;
-    std::optional<std::uint64_t> present; // key of what is being drawn
+    std::optional<std::uint64_t> present; // key of the job being drawn
     std::stop_source presentStop;
     bool quit = false;
-    std::optional<Rendering> rendering;       // the thread's own; its memory serves every request
-    std::jthread thread{[this] { serve(); }}; // last: it uses the rest
+    std::optional<Rendering> rendering;       // used by the thread only; its memory serves every request
+    std::jthread thread{[this] { serve(); }}; // last member: uses the others
 };
 
 RenderQueue::State::~State() {
@@ -49,8 +49,7 @@ void RenderQueue::State::abandon(std::optional<std::uint64_t> key) {
 
 void RenderQueue::State::serve() {
 #ifdef __linux__
-    [[maybe_unused]] const int niceness =
-        ::nice(10); // of this thread alone; where refused, it works all the same
+    [[maybe_unused]] const int niceness = ::nice(10); // affects this thread only; failure is harmless
 #endif
     while (true) {
         Job job;

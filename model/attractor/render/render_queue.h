@@ -15,14 +15,14 @@ namespace attractor {
 class RenderQueue {
 public:
     RenderQueue();
-    ~RenderQueue(); // forgets what waits, abandons what is being drawn, joins
+    ~RenderQueue(); // drops waiting jobs, abandons the current one, joins
 
     RenderQueue(const RenderQueue&) = delete;
     RenderQueue& operator=(const RenderQueue&) = delete;
 
     // A job's functions are called on the queue's thread and may call the queue.
     struct Job {
-        std::function<std::optional<RenderRequest>()> request; // nullopt: there is nothing to draw
+        std::function<std::optional<RenderRequest>()> request; // nullopt: nothing to draw
         // Receives the frame of one pass, or nullptr when there was nothing to draw; not called when
         // cancelled.
         std::function<void(std::shared_ptr<const Frame>)> done;
@@ -31,8 +31,8 @@ public:
     // Thread-safe. A waiting job with the same key is replaced; one that is being drawn under that key is
     // abandoned.
     void submit(std::uint64_t key, Job job);
-    void cancel(std::uint64_t key); // done() may at most be just beginning for it
-    void clear();                   // the same for all
+    void cancel(std::uint64_t key); // for the job, done() is at most about to be called
+    void clear();                   // cancels all jobs
 
 private:
     struct State;

@@ -15,8 +15,9 @@ namespace attractor {
 // threads. Serves one request after the other and reuses its memory. Not thread-safe.
 class RenderState {
 public:
-    void start(RenderRequest request);     // rewind() comes next
-    void rewind(int firstRow, int endRow); // nothing drawn yet; rows [firstRow, endRow) of pixels are drawn
+    void start(RenderRequest request); // must be followed by rewind()
+    // Empties the picture; rows [firstRow, endRow) of pixels will be drawn.
+    void rewind(int firstRow, int endRow);
 
     const PreparedRequest& prepared() const { return m_prepared; }
     const RenderRequest& request() const { return m_prepared.request(); }

@@ -17,8 +17,8 @@ namespace {
 constexpr std::uint64_t maxPass = 100'000'000;
 constexpr auto pauseBeforeRefining = std::chrono::milliseconds(50);
 constexpr auto timeOfAFrame = std::chrono::milliseconds(16);
-constexpr double secondsToAdapt = 0.12; // the time constant with which brightness eases
-constexpr double unseen = 0.002;        // a relative change of brightness
+constexpr double secondsToAdapt = 0.12; // time constant with which brightness eases
+constexpr double unseen = 0.002;        // relative change of brightness that is not noticed
 
 // Frames that nobody shows any more, kept because fresh memory costs as much time as drawing into it.
 class FramePool : public std::enable_shared_from_this<FramePool> {
@@ -30,7 +30,7 @@ public:
         m_spare.pop_back();
         return frame;
     }
-    // Comes back to the pool when the last owner lets go.
+    // Returns to the pool with the end of its last owner.
     std::shared_ptr<const Frame> shared(Frame frame) {
         return {new Frame(std::move(frame)), [pool = shared_from_this()](Frame* used) {
                     const std::unique_ptr<Frame> owner(used);
@@ -82,7 +82,7 @@ public:
 private:
     using Clock = std::chrono::steady_clock;
 
-    // Approaches geometrically, because perceived brightness is its logarithm.
+    // Geometric, because perceived brightness is logarithmic.
     void approach(double& value, double wanted, double kept) {
         const double ratio = std::pow(value / wanted, kept);
         if (!(std::abs(ratio - 1) > unseen && std::isfinite(ratio))) return;
@@ -117,12 +117,12 @@ struct RenderThread::State {
     std::function<void()> frameReady;
     std::shared_ptr<FramePool> frames = std::make_shared<FramePool>();
     Mailbox<Job> mailbox;
-    std::mutex mutex; // of the two below
+    std::mutex mutex; // guards the two members below
     std::shared_ptr<const Frame> newest;
-    bool announced = false;             // frameReady was called, newestFrame() was not yet
-    std::optional<Rendering> rendering; // the worker's own; its memory serves every request
-    Adaptation adaptation;              // the worker's own
-    std::jthread thread;                // last: it uses the rest
+    bool announced = false;             // true between the calls of frameReady and newestFrame()
+    std::optional<Rendering> rendering; // used by the worker only; its memory serves every request
+    Adaptation adaptation;              // used by the worker only
+    std::jthread thread;                // last member: uses the others
 };
 
 void RenderThread::State::serve() {
@@ -144,8 +144,8 @@ void RenderThread::State::work(Job job, const std::stop_token& stop) {
         show(pixelsPerUnit, stop);
         done += pass;
         if (done >= job.quality || rendering->finished()) break;
-        // Refining at once would take the processors from the thread that shows the frame, and show it again
-        // before the hand's next one.
+        // Pauses before refining, which would take the processors from the thread that shows the frame, and
+        // replace that frame before the next change.
         if (done == pass && !mailbox.staysIdle(pauseBeforeRefining, stop)) return;
         pass = std::min({std::max(done, first), maxPass, job.quality - done});
     }
@@ -155,7 +155,7 @@ void RenderThread::State::work(Job job, const std::stop_token& stop) {
 
 void RenderThread::State::show(double pixelsPerUnit, const std::stop_token& stop) {
     const Exposure wanted = rendering->exposure(stop);
-    if (stop.stop_requested()) return; // not measured to the end
+    if (stop.stop_requested()) return; // measurement incomplete
     publish(rendering->frame(frames->take(), stop, adaptation.next(wanted, pixelsPerUnit)), stop);
 }
 
@@ -164,7 +164,7 @@ void RenderThread::State::publish(Frame frame, const std::stop_token& stop) {
     {
         const std::lock_guard lock(mutex);
         if (stop.stop_requested()) return;
-        newest.swap(shared); // what it replaces is let go after the lock
+        newest.swap(shared); // the old value is released after the lock
         if (announced) return;
         announced = true;
     }

@@ -14,9 +14,9 @@ namespace attractor {
 class RenderThread {
 public:
     enum class Brightness {
-        OfThePicture, // as Rendering gives it
-        Eased,        // goes over to that within a moment, from the frame before
-        Continued,    // the same where the frame before has not got there yet
+        OfThePicture, // value from Rendering
+        Eased,        // short transition to that value from the previous frame
+        Continued,    // same, but only if the previous frame is still in a transition
     };
 
     // `frameReady` is called on the worker thread, never again before newestFrame() has been called since.
@@ -29,7 +29,7 @@ public:
     // Thread-safe. `quality` is the total number of samples to refine to; the first pass has request.samples.
     void submit(RenderRequest request, std::uint64_t quality,
                 Brightness brightness = Brightness::OfThePicture);
-    void cancel(); // forget the present request; the newest frame stays
+    void cancel(); // drops the present request; the newest frame stays
 
     // Thread-safe; nullptr before the first frame.
     std::shared_ptr<const Frame> newestFrame();

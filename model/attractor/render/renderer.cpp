@@ -24,13 +24,13 @@ bool isCaughtUp(RenderState& render, const std::stop_token& stop) {
 
 struct Rendering::State {
     RenderState render;
-    RenderRequest request; // the picture and its shadow
+    RenderRequest request; // request for picture and shadow
     std::unique_ptr<RenderState> shadow;
     std::vector<std::uint32_t> shadowPixels;
     int passes = 0;
-    double milliseconds = 0; // of the last one
+    double milliseconds = 0; // duration of the last pass
 
-    // Completes the part of the present pass that a stop has left.
+    // Completes the part of the present pass that a stop has left open.
     bool catchUp(const std::stop_token& stop) {
         return isCaughtUp(render, stop) && (!shadow || isCaughtUp(*shadow, stop));
     }

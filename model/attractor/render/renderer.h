@@ -18,7 +18,7 @@ namespace attractor {
 class Rendering {
 public:
     explicit Rendering(RenderRequest request);
-    void restart(RenderRequest request); // as if new, with the memory and the threads there are
+    void restart(RenderRequest request); // resets everything, but reuses memory and threads
     ~Rendering();
     Rendering(Rendering&&) noexcept;
     Rendering& operator=(Rendering&&) noexcept;
@@ -26,7 +26,7 @@ public:
     // Draws one more pass of `samples` samples (0: request.samples). Returns false when stopped, within
     // milliseconds; the next refine() or frame() makes up for the rest of that pass.
     bool refine(std::stop_token stop = {}, std::uint64_t samples = 0);
-    bool finished() const; // nothing more to gain
+    bool finished() const; // true when further passes gain nothing
     // The exposure that frame() uses: the one kept by the request, else that of the picture.
     Exposure exposure(std::stop_token stop = {}) const;
     // Tone-mapped picture of all samples so far, at its own exposure or at another. The memory of `reuse`, a

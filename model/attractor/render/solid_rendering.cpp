@@ -51,7 +51,7 @@ struct SolidRendering::State {
     SolidScene scene;
     ifs::AffineMap<3> cage;
     std::unique_ptr<Workers> workers;
-    std::vector<SolidBand> bands; // of every thread
+    std::vector<SolidBand> bands; // one for each thread
     DepthRaster raster;
     RenderNote note = RenderNote::None;
     Work work;

@@ -28,18 +28,18 @@ public:
     // Draws rows [firstRow, endRow) only; the raster keeps them, and perhaps some more around them.
     bool drawRows(int firstRow, int endRow, const std::stop_token& stop = {});
     const DepthRaster& raster() const;
-    DepthRaster takeRaster(); // leaves an empty one
+    DepthRaster takeRaster(); // leaves an empty raster
 
     // Why the picture may not show what the user expects: None, NoMaps, NoAttractor, Undecided, TooDeep or
     // Degenerate.
     RenderNote note() const;
 
     struct Work {
-        std::size_t words = 0;  // looked at
-        std::size_t points = 0; // drawn
-        bool isCoarse = false;  // pieces lie on each other so often that parts may be missing
+        std::size_t words = 0;  // words examined
+        std::size_t points = 0; // points drawn
+        bool isCoarse = false;  // true if pieces overlap so often that parts may be missing
     };
-    Work work() const; // of the last draw()
+    Work work() const; // work of the last draw()
 
 private:
     struct State;

@@ -25,7 +25,7 @@ namespace {
 
 constexpr double degree = std::numbers::pi / 180;
 constexpr auto rest = std::chrono::milliseconds(100);
-constexpr std::uint64_t samplesPerCell = 4; // of a density, in a pass
+constexpr std::uint64_t samplesPerCell = 4; // samples of a density in one pass
 constexpr std::uint64_t minPass = 200'000;
 constexpr std::uint64_t maxSolidPass = 10'000'000;
 constexpr int passesAtRest = 16;
@@ -42,7 +42,7 @@ OrbitCamera coarse(OrbitCamera camera, int step) {
     camera.size.width = (fine.width + step - 1) / step;
     camera.size.height = (fine.height + step - 1) / step;
     camera.height *= static_cast<double>(camera.size.height) * step / fine.height;
-    if (camera.projection == OrbitCamera::Projection::Perspective) // the eye stays where it is
+    if (camera.projection == OrbitCamera::Projection::Perspective) // keeps the eye in place
         camera.fieldOfView =
             2 / degree *
             std::atan(std::tan(camera.fieldOfView / 2 * degree) * camera.size.height * step / fine.height);
@@ -95,22 +95,22 @@ struct SolidThread::State {
 
     void serve();
     void work(const Job& job, const std::stop_token& stop);
-    std::optional<double> show(const Job& job, int step, const std::stop_token& stop); // milliseconds
+    std::optional<double> show(const Job& job, int step, const std::stop_token& stop); // returns milliseconds
     bool showCloud(const Job& job, int step, SolidFrame frame, const std::stop_token& stop);
     bool drawEye(const SpaceRequest& request, double eyeShift, const std::stop_token& stop);
     void publish(SolidFrame frame, const std::stop_token& stop);
 
     std::function<void()> frameReady;
     Mailbox<Job> mailbox;
-    std::mutex mutex; // of the two below
+    std::mutex mutex; // guards the two members below
     std::shared_ptr<const SolidFrame> newest;
-    bool announced = false; // frameReady was called, newestFrame() was not yet
-    // The worker's own:
+    bool announced = false; // true between the calls of frameReady and newestFrame()
+    // Used by the worker only:
     std::optional<SolidRendering> rendering;
-    std::array<std::optional<CloudRendering>, 2> clouds; // of both eyes
+    std::array<std::optional<CloudRendering>, 2> clouds; // one for each eye
     std::optional<Workers> lamps;
-    LiveStep live;       // while the hand moves
-    std::jthread thread; // last: it uses the rest
+    LiveStep live;       // used during changes
+    std::jthread thread; // last member: uses the others
 };
 
 void SolidThread::State::serve() {
@@ -213,7 +213,7 @@ void SolidThread::State::publish(SolidFrame frame, const std::stop_token& stop) 
     {
         const std::lock_guard lock(mutex);
         if (stop.stop_requested()) return;
-        newest.swap(shared); // what it replaces is let go after the lock
+        newest.swap(shared); // the old value is released after the lock
         if (std::exchange(announced, true)) return;
     }
     frameReady();

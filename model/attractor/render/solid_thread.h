@@ -16,16 +16,16 @@ namespace attractor {
 // A finished picture of a solid: an immutable result.
 struct SolidFrame {
     std::uint64_t revision = 0;
-    OrbitCamera camera; // of the request: in stereo, that of each eye
+    OrbitCamera camera; // camera of the request; in stereo, of each eye
     Stereo stereo = Stereo::None;
-    double eyeShift = 0; // of the eye that the raster belongs to
-    int step = 1;        // pixels of the request, each way, for one of this picture; their middles coincide
-    DepthRaster raster;  // the nearest points by pixel
+    double eyeShift = 0; // shift of the eye that the raster belongs to
+    int step = 1;        // side of a pixel of this picture, in pixels of the request; their middles coincide
+    DepthRaster raster;  // nearest points by pixel
     // 0xAARRGGBB, premultiplied: as many as the raster has, side by side twice as many
     std::vector<std::uint32_t> pixels;
     RenderNote note = RenderNote::None;
-    bool isCoarse = false;   // so many pieces lie on each other that parts may be missing
-    double milliseconds = 0; // time it took
+    bool isCoarse = false;   // true if so many pieces overlap that parts may be missing
+    double milliseconds = 0; // duration of the drawing
 };
 
 // The depth of what a frame shows at a pixel of its request, in units of the system, 0 in the plane of the
@@ -48,12 +48,12 @@ public:
     struct Job {
         SpaceRequest request;
         LookInSpace look = LookInSpace::Stone;
-        SolidAppearance appearance; // of a solid
-        bool isLive = false;        // more of the same is to come
+        SolidAppearance appearance; // solids only
+        bool isLive = false;        // true: similar requests will follow
         Stereo stereo = Stereo::None;
     };
-    void submit(Job job); // any thread
-    void cancel();        // forget the present request; the newest frame stays
+    void submit(Job job); // thread-safe
+    void cancel();        // drops the present request; the newest frame stays
 
     // Thread-safe; nullptr before the first frame.
     std::shared_ptr<const SolidFrame> newestFrame();

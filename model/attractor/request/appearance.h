@@ -12,14 +12,14 @@
 namespace attractor {
 
 enum class ColourBy {
-    Density, // the palette along the tone of the density
-    Map,     // the colour of the last map applied
-    Address, // the palette along the address coordinate Σ σ_k N^-k
-    Plain,   // one colour, the tone is its opacity
-    Blend,   // the palette along the coordinate that every map pulls to its own, as in flames
+    Density, // palette, indexed by the tone of the density
+    Map,     // colour of the last map applied
+    Address, // palette, indexed by the address coordinate Σ σ_k N^−k
+    Plain,   // one colour; its opacity is the tone
+    Blend,   // palette, indexed by a coordinate that each map pulls towards its own, as in flames
 };
 
-bool coloursSamples(ColourBy colourBy); // whether every sample has a colour of its own
+bool coloursSamples(ColourBy colourBy); // true if every sample has a colour of its own
 
 // Colours that maps have been given.
 using MapColours = MapValues<Rgba>;
@@ -45,18 +45,18 @@ struct Appearance {
 
     ColourBy colourBy = ColourBy::Density;
     Palette palette = builtInPalettes().front();
-    MapColours mapColours; // maps absent here take categoricalColour(index in the system)
-    MapBlends mapBlends;   // maps absent here take usualBlend(index in the system, its maps)
+    MapColours mapColours; // maps not listed take categoricalColour(index in the system)
+    MapBlends mapBlends;   // maps not listed take usualBlend(index in the system, its maps)
     Rgba plain{235, 235, 235, 255};
     Rgba background{13, 16, 23, 255}; // alpha 0: transparent
-    double brightness = 20;           // κ > 0
+    double brightness = 20;           // κ, > 0
     double gamma = 2.2;               // > 0
-    double contrast = 1;              // > 0; above 1, light and dark part from the middle
-    double vibrancy = 1;              // 0 … 1; below 1, the gamma acts in part on each channel, and pales
-    double shadow = 0;                // 0 … 1, opacity of the shadow on the ground; 0: none
-    double shadowLean = 0.6;          // how far to the right, and
-    double shadowLength = 0.4;        // how far up, the shadow of what stands one unit above the ground ends
-    int supersample = 1;              // 1 … 4
+    double contrast = 1;              // > 0; above 1, light and dark move away from the middle
+    double vibrancy = 1; // 0 … 1; below 1, the gamma acts partly on single channels, and colours turn paler
+    double shadow = 0;   // 0 … 1, opacity of the shadow on the ground; 0: none
+    double shadowLean = 0.6;   // distance to the right, and
+    double shadowLength = 0.4; // distance up, to the end of the shadow of a point one unit above the ground
+    int supersample = 1;       // 1 … 4
 
     friend bool operator==(const Appearance&, const Appearance&) = default;
 };

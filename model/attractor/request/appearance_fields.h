@@ -12,16 +12,16 @@ namespace attractor {
 
 struct AppearanceNumber {
     enum class Scale {
-        Factor, // above 0; keys and sliders change it by constant factors
-        Even,   // keys and sliders change it by constant differences
+        Factor, // > 0; keys and sliders change it by constant factors
+        Even,   // any sign; keys and sliders change it by constant differences
     };
-    enum class InKeys { Always, IfUnusual }; // whether a key of an animation stores the usual value
-    enum class Part { Tone, Shadow };        // of the picture; only a picture in the plane has a shadow
+    enum class InKeys { Always, IfUnusual }; // condition under which a key of an animation stores the value
+    enum class Part { Tone, Shadow };        // part of the picture; only pictures in the plane have a shadow
 
-    const char* key; // in files; the option is this with two dashes
+    const char* key; // key in files; the option is the key after two dashes
     double Appearance::*member;
     Scale scale;
-    double lowest; // excluded if the scale is one of factors
+    double lowest; // least value; excluded for Factor
     double highest;
     InKeys inKeys = InKeys::IfUnusual;
     Part part = Part::Tone;
@@ -33,7 +33,7 @@ struct AppearanceNumber {
 };
 
 inline constexpr double largestAppearanceNumber = std::numeric_limits<double>::max();
-inline constexpr double longestShadow = 10; // of what is one unit high
+inline constexpr double longestShadow = 10; // longest shadow of a point one unit high
 inline constexpr std::array appearanceNumbers{
     AppearanceNumber{"brightness", &Appearance::brightness, AppearanceNumber::Scale::Factor, 0,
                      largestAppearanceNumber, AppearanceNumber::InKeys::Always},
@@ -52,7 +52,7 @@ inline constexpr std::array appearanceNumbers{
 };
 
 struct AppearanceColour {
-    const char* key; // in files
+    const char* key; // key in files
     Rgba Appearance::*member;
 };
 

@@ -84,7 +84,7 @@ ifs::Vector<2> toWorld(const Camera& camera, const ifs::Vector<2>& pixel) {
 Camera fitted(Camera camera, const ifs::Vector<2>& min, const ifs::Vector<2>& max, double margin) {
     ifs::Vector<2> extent = max - min;
     camera.centre = (min + max) / 2;
-    // A point, but for rounding: magnified, it would lie outside the picture.
+    // Single point up to rounding: magnified, it would lie outside the picture.
     if (!(extent.maxCoeff() > 1e-12 * camera.centre.cwiseAbs().maxCoeff())) return camera;
     if (camera.rotation != 0) extent = (screenTurn(camera.rotation).cwiseAbs() * extent).eval();
     const double room = 1 - 2 * margin;

@@ -12,7 +12,7 @@ struct View {
     ifs::Vector<2> centre = ifs::Vector<2>::Zero(); // world point in the middle
     double height = 1;                              // > 0, world units from the lower edge to the upper one
     YAxis yAxis = YAxis::Up;                        // Up: mathematics and Fractint; Down: window coordinates
-    double rotation = 0; // radians in (−π, π], by which the picture is turned counter-clockwise on the screen
+    double rotation = 0; // radians in (−π, π]; counter-clockwise rotation of the picture on the screen
 
     friend bool operator==(const View&, const View&) = default;
 };
@@ -32,7 +32,7 @@ struct Camera {
     int width = 0;                                  // pixels
     int height = 0;
     YAxis yAxis = YAxis::Up;
-    double rotation = 0; // as of a view
+    double rotation = 0; // same meaning as in View
 
     friend bool operator==(const Camera&, const Camera&) = default;
 };

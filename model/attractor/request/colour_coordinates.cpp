@@ -20,13 +20,13 @@ ColourCoordinates::ColourCoordinates(std::vector<MapBlend> blends, std::span<con
         lowest = std::min(lowest, blend.coordinate);
         highest = std::max(highest, blend.coordinate);
     }
-    // Without any pull, all points keep their first coordinate.
+    // No pull: all points keep their first coordinate.
     if (pull > 0) m_mean = std::clamp(sum / pull, lowest, highest);
     m_range = std::max(0.0, highest - lowest);
 }
 
 MapBlend addressBlend(std::size_t index, std::size_t maps) {
-    if (maps < 2) return {0, 0}; // c stays
+    if (maps < 2) return {0, 0}; // constant c
     const auto last = static_cast<double>(maps - 1);
     return {static_cast<double>(index) / last, last / static_cast<double>(maps)};
 }

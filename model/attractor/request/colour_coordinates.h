@@ -19,14 +19,14 @@ struct PaletteInterval {
 // "Density to colour".
 class ColourCoordinates {
 public:
-    ColourCoordinates() = default; // of no maps
+    ColourCoordinates() = default; // no maps
     // Coordinates along the address: (i + c)/N.
     explicit ColourCoordinates(std::size_t maps) : m_maps(maps) {}
     // (1 − s_i)·c + s_i·c_i, with one blend and one probability for each map.
     ColourCoordinates(std::vector<MapBlend> blends, std::span<const double> probabilities);
 
     bool empty() const { return m_maps == 0; }
-    double beginning() const { return m_blends.empty() ? 0 : m_mean; } // of an orbit
+    double beginning() const { return m_blends.empty() ? 0 : m_mean; } // start value of an orbit
 
     double next(std::size_t map, double c) const {
         if (m_blends.empty()) return (static_cast<double>(map) + c) / static_cast<double>(m_maps);
@@ -53,12 +53,12 @@ public:
 
 private:
     static constexpr double maxRange = 1.0 / 64;
-    static constexpr double words = 1U << 15; // the most that colours may cost
+    static constexpr double words = 1U << 15; // most words that colours may cost
 
     std::size_t m_maps = 0;
-    std::vector<MapBlend> m_blends; // empty: along the address
-    double m_mean = 0.5;            // of c over the measure
-    double m_range = 0;             // between any two points of the attractor
+    std::vector<MapBlend> m_blends; // empty: colours along the address
+    double m_mean = 0.5;            // mean of c over the measure
+    double m_range = 0;             // range of c over the attractor
 };
 
 // The blend by which the map at `index` among `maps` leads along the address.

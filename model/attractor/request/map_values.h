@@ -13,11 +13,11 @@ namespace attractor {
 // may have 10⁵ maps.
 template <class Value> class MapValues {
 public:
-    const Value* find(ifs::MapId id) const { // nullptr: it has been given none
+    const Value* find(ifs::MapId id) const { // nullptr: no value
         const auto found = std::ranges::lower_bound(m_values, id, {}, idOf);
         return found != m_values.end() && found->first == id ? &found->second : nullptr;
     }
-    Value& operator[](ifs::MapId id) { // fast when ids grow
+    Value& operator[](ifs::MapId id) { // fast for increasing ids
         const bool isLast = m_values.empty() || m_values.back().first < id;
         auto found = isLast ? m_values.end() : std::ranges::lower_bound(m_values, id, {}, idOf);
         if (found == m_values.end() || found->first != id) found = m_values.insert(found, {id, Value{}});
@@ -35,7 +35,7 @@ public:
 
 private:
     static constexpr auto idOf = &std::pair<ifs::MapId, Value>::first;
-    std::vector<std::pair<ifs::MapId, Value>> m_values; // by id
+    std::vector<std::pair<ifs::MapId, Value>> m_values; // sorted by id
 };
 
 } // namespace attractor

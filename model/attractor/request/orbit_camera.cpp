@@ -98,8 +98,8 @@ OrbitCamera fitted(OrbitCamera camera, const Support& support, double margin) {
     const Vector<3> back = axes.col(2);
     const double room = 1 - 2 * margin;
     const Span depth = spanOf(support, back, Vector<3>::Zero());
-    // Seen from far away, then as the projection asks for: with the eye at (x, y, z) all of the set lies in
-    // the pyramid where |X − x| ≤ t (z − Z), so that h(±right + t·back) ≤ ±x + t·z.
+    // Seen from far away, then in the projection of the camera: with the eye at (x, y, z), the set lies in
+    // the pyramid |X − x| ≤ t (z − Z), so that h(±right + t·back) ≤ ±x + t·z.
     const Span across = spanOf(support, right, Vector<3>::Zero());
     const Span along = spanOf(support, up, Vector<3>::Zero());
     Vector<3> middle(across.middle(), along.middle(), depth.middle());
@@ -117,14 +117,14 @@ OrbitCamera fitted(OrbitCamera camera, const Support& support, double margin) {
     }
     if (!middle.allFinite()) return camera;
     camera.target = axes * middle;
-    // A point, but for rounding: magnified, it would lie outside the picture.
+    // Single point up to rounding: magnified, it would lie outside the picture.
     if (height > 1e-12 * size && std::isfinite(height)) camera.height = height;
     return camera;
 }
 
 OrbitCamera fitted(const OrbitCamera& camera, const ifs::SupportFunction<3>& attractor,
                    const ifs::AffineMap<3>& placement, double margin) {
-    constexpr double fine = 1e-4; // of the size
+    constexpr double fine = 1e-4; // relative tolerance
     const double tolerance = fine * attractor.radius();
     const auto support = [&](const Vector<3>& u) {
         const Vector<3> inner = placement.linear.transpose() * u;

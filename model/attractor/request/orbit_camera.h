@@ -18,11 +18,11 @@ using Orientation = Eigen::Quaternion<double, Eigen::DontAlign>;
 struct OrbitCamera {
     enum class Projection { Orthographic, Perspective };
 
-    ifs::Vector<3> target = ifs::Vector<3>::Zero(); // shown in the middle
+    ifs::Vector<3> target = ifs::Vector<3>::Zero(); // centre of the picture
     Orientation orientation = Orientation::Identity();
-    double height = 1; // > 0, world units from the lower edge to the upper one, in the plane of the target
+    double height = 1; // > 0, world units from the lower to the upper edge, in the plane of the target
     Projection projection = Projection::Orthographic;
-    double fieldOfView = 40; // degrees between the lower and the upper edge, 0 < … < 180
+    double fieldOfView = 40; // degrees between the lower and the upper edge, in (0, 180)
     RasterSize size;
 
     friend bool operator==(const OrbitCamera& a, const OrbitCamera& b) {
@@ -36,19 +36,19 @@ struct OrbitCamera {
 // every machine.
 Orientation orbit(double azimuth, double elevation, double roll = 0);
 
-bool isUsable(const OrbitCamera& camera); // there is a raster, and every number is in its range
+bool isUsable(const OrbitCamera& camera); // true if there are pixels and all numbers are in range
 
 // The distance of the eye from the target: height/(2 tan(fieldOfView/2)). For an orthographic camera, that of
 // the perspective one which shows the plane of the target alike.
 double eyeDistance(const OrbitCamera& camera);
-double pixelsPerUnit(const OrbitCamera& camera); // in the plane of the target
+double pixelsPerUnit(const OrbitCamera& camera); // pixels per world unit in the plane of the target
 
 // World → (to the right, upwards, away from the eye), 0 at the target, in world units.
 ifs::AffineMap<3> worldToCamera(const OrbitCamera& camera);
 
 struct ScreenPoint {
     ifs::Vector<2> pixel;
-    double depth = 0; // along the view away from the eye, 0 in the plane of the target, world units
+    double depth = 0; // world units along the view away from the eye; 0 in the plane of the target
 };
 // Points behind the eye of a perspective camera have no finite pixel.
 ScreenPoint toScreen(const OrbitCamera& camera, const ifs::Vector<3>& world);

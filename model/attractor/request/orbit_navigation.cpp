@@ -33,13 +33,13 @@ OrbitCamera withOrientation(OrbitCamera camera, const Orientation& orientation, 
 } // namespace
 
 Orientation standing(UpAxis up) {
-    return up == UpAxis::Y ? Orientation(1, 0, 0, 0) : orbit(0, -90); // y to z, z to −y
+    return up == UpAxis::Y ? Orientation(1, 0, 0, 0) : orbit(0, -90); // rotation from y to z and z to −y
 }
 
 Direction directionOf(const OrbitCamera& camera, UpAxis up) {
     const ifs::Vector<3> eye = standing(up).conjugate() * towardsEye(camera);
     const double across = std::hypot(eye.x(), eye.z());
-    // Over a pole, where the upper edge is tells the azimuth.
+    // Azimuth from the direction of the upper edge, for views along the pole.
     const ifs::Vector<3> above = standing(up).conjugate() * camera.orientation.toRotationMatrix().col(1);
     const ifs::Vector<3> ahead = across > 1e-9 ? eye : eye.y() > 0 ? ifs::Vector<3>(-above) : above;
     return {std::atan2(ahead.x(), ahead.z()) / degree, std::atan2(eye.y(), across) / degree};
@@ -90,7 +90,7 @@ OrbitCamera zoomedAt(OrbitCamera camera, const ifs::Vector<2>& pixel, double fac
 
 OrbitCamera centredOn(OrbitCamera camera, const ifs::Vector<3>& point) {
     if (camera.projection == OrbitCamera::Projection::Perspective) {
-        // The eye stays where it is, so what the new plane shows has another height.
+        // New height for the fixed eye: the plane of the target has moved.
         const double distance = eyeDistance(camera);
         const double away = distance + toScreen(camera, point).depth;
         if (away > 0) camera.height *= away / distance;

@@ -14,7 +14,7 @@ namespace {
 
 // Dark enough for a shadow on paper, and light enough to be seen on a dark ground.
 Rgba darkened(const Rgba& colour) {
-    constexpr double kept = 0.4; // of every code value
+    constexpr double kept = 0.4; // share kept of each code value
     const auto channel = [](std::uint8_t value) {
         return static_cast<std::uint8_t>(std::lround(kept * value));
     };

@@ -12,22 +12,22 @@ namespace attractor {
 
 // Looks of an entry in space.
 enum class LookInSpace {
-    Stone,   // a solid, lit from the upper left
-    Ink,     // a solid with dark creases, for print
-    Cloud,   // the density of the measure, as in the plane
-    XRay,    // the same, coloured by mean depth
+    Stone,   // solid, lit from the upper left
+    Ink,     // solid with dark creases, for print
+    Cloud,   // density of the measure, as in the plane
+    XRay,    // density, coloured by mean depth
     Depth,   // near white, far black
-    Normals, // the direction of the surface as a colour
+    Normals, // direction of the surface as a colour
 };
 
-bool showsCloud(LookInSpace look); // a density, not a solid
+bool showsCloud(LookInSpace look); // true for densities, false for solids
 
 enum class SolidColour {
     Plain,
-    Map,     // the first map of the address
-    Address, // the palette along the address coordinate
-    Height,  // the palette along the scene's upward direction
-    Depth,   // the palette from the nearest depth to the farthest
+    Map,     // colour of the first map of the address
+    Address, // palette along the address coordinate
+    Height,  // palette along the scene's upward direction
+    Depth,   // palette from the nearest depth to the farthest
 };
 
 // The visible part of a picture in space: lowest ≤ ⟨normal, x⟩ ≤ highest, x as displayed. A slice between two
@@ -47,8 +47,9 @@ struct SpaceAppearance {
     static constexpr double maxFog = 100;
 
     LookInSpace look = LookInSpace::Stone;
-    std::optional<SolidColour> colourBy; // of a solid; nullopt: by map where the cloud is, else plain
-    double lightAzimuth = -40;           // of the key light, degrees from the line of sight: lampAt()
+    // Solids only; nullopt: Map if the cloud is coloured by map, else Plain.
+    std::optional<SolidColour> colourBy;
+    double lightAzimuth = -40; // degrees from the line of sight to the key light: lampAt()
     double lightElevation = 40;
     double fog = 0; // 0 … maxFog
     std::optional<SpaceClip> clip;

@@ -11,7 +11,7 @@ namespace attractor {
 namespace {
 
 constexpr int guideBits = 13;
-constexpr std::size_t maxStrata = 8192; // what they take stays in the cache
+constexpr std::size_t maxStrata = 8192; // limit that fits into the cache
 constexpr int maxDepth = 64;
 
 ifs::AffineMap<2> inBox(const PreparedSystem& system, const ifs::AffineMap<2>& map) {
@@ -98,7 +98,7 @@ void AddressStrata::follow(const PreparedSystem& system) {
 
 void AddressStrata::spread(std::uint64_t random, SampleSet& samples) const {
     if (m_strata.size() < 2) return;
-    constexpr std::uint32_t golden = 0x9e3779b9; // multiples are spread evenly, however many there are
+    constexpr std::uint32_t golden = 0x9e3779b9; // multiples are evenly distributed for any number of them
     auto u = static_cast<std::uint32_t>(mixed(random) >> 32);
     float* const x = samples.x.data();
     float* const y = samples.y.data();

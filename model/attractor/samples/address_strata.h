@@ -17,7 +17,8 @@ public:
     // Switches to the strata of this system. A system without a certified attractor is left in one piece.
     // Costs nothing if isOf() the system already.
     void follow(const PreparedSystem& system);
-    bool isOf(const PreparedSystem& system) const; // or of one with its maps, probabilities and box
+    // Also true for a system of equal maps, probabilities and box.
+    bool isOf(const PreparedSystem& system) const;
 
     std::size_t size() const { return m_strata.size(); }
 
@@ -30,7 +31,7 @@ private:
     // w_τ in box coordinates.
     struct Stratum {
         float xx = 1, xy = 0, yx = 0, yy = 1, x = 0, y = 0;
-        std::uint32_t last = 0xffffffff; // of 2³² equal parts of the measure
+        std::uint32_t last = 0xffffffff; // end of the stratum on a scale of 2³² equal parts of the measure
     };
     struct Node;
 
@@ -39,10 +40,10 @@ private:
     void add(const Node& node, double threshold, double& before);
     void makeGuide();
 
-    ifs::ActiveMaps<2> m_maps; // in box coordinates
+    ifs::ActiveMaps<2> m_maps; // maps in box coordinates
     PreparedSystem m_system;
     std::vector<Stratum> m_strata;
-    std::vector<std::uint32_t> m_guide; // the stratum in which an equal share of the 2³² parts begins
+    std::vector<std::uint32_t> m_guide; // stratum in which each equal share of the 2³² parts begins
 };
 
 } // namespace attractor

@@ -58,11 +58,11 @@ kernels::Lanes freshLanes(std::uint64_t seed, std::uint64_t pass) {
 struct Range {
     float low = 0;
     float high = 0;
-    bool near = true; // within the escape radius
+    bool near = true; // true within the escape radius
 };
 
 Range range(std::span<const float> values) { // a multiple of 64 of them
-    constexpr std::size_t width = 16;        // as many extremes side by side as the longest vector holds
+    constexpr std::size_t width = 16;        // number of parallel extremes: the longest vector
     std::array<float, width> low{};
     std::array<float, width> high{};
     std::array<std::uint32_t, width> near{};
@@ -74,7 +74,7 @@ Range range(std::span<const float> values) { // a multiple of 64 of them
             const float value = values[i + k];
             low[k] = value < low[k] ? value : low[k];
             high[k] = value > high[k] ? value : high[k];
-            near[k] &= std::abs(value) < escapeRadius ? 1U : 0U; // false for what is no number
+            near[k] &= std::abs(value) < escapeRadius ? 1U : 0U; // false for NaN
         }
     return {*std::min_element(low.begin(), low.end()), *std::max_element(high.begin(), high.end()),
             *std::min_element(near.begin(), near.end()) == 1};
@@ -193,7 +193,7 @@ Orbit::Orbit(const PreparedSystem& system, std::uint64_t seed, int dropped, Colo
     std::size_t longest = 0;
     for (const auto& [word, change] : m_pieces)
         longest = std::max(longest, word.size());
-    m_address.assign(longest, 0); // as the fixed point of the first map has it
+    m_address.assign(longest, 0); // same as for the fixed point of the first map
     m_point.x = ifs::fixedPoint(system.maps.front()).value_or(ifs::Vector<2>::Zero());
     if (system.isLinked()) {
         m_point.x = system.centre;

@@ -69,26 +69,26 @@ public:
 
     // With dropped = 0, next() begins with the points that are not plotted.
     Orbit(const PreparedSystem& system, std::uint64_t seed, int dropped = skipped,
-          ColourCoordinates colours = {}); // empty: along the address
+          ColourCoordinates colours = {}); // empty: colours along the address
 
     struct Point {
-        ifs::Vector<2> x;             // where it is shown
-        std::uint32_t lastMap = 0;    // among the maps that take part
+        ifs::Vector<2> x;             // displayed position
+        std::uint32_t lastMap = 0;    // index among the maps that take part
         double addressCoordinate = 0; // Σ σ_k N^−k, newest map first
         double colourCoordinate = 0;
     };
-    Point next(); // the point that is plotted next
+    Point next(); // next point to plot
 
 private:
     void step();
-    const ifs::AffineMap<2>& change() const; // of the piece that the point lies in
+    const ifs::AffineMap<2>& change() const; // change of the piece that contains the point
 
-    const PreparedSystem* m_system; // outlives the orbit
+    const PreparedSystem* m_system; // must outlive the orbit
     ColourCoordinates m_colours;
-    std::vector<AliasTable> m_next; // nextMaps()
+    std::vector<AliasTable> m_next; // alias tables of nextMaps()
     std::vector<ifs::MovedBranch<2>> m_pieces;
-    ifs::Word m_address; // of the point, as far as it tells the piece
-    Point m_point;       // where it is
+    ifs::Word m_address; // address of the point, long enough to determine its piece
+    Point m_point;       // current point
     double m_farAway = 0;
     std::uint64_t m_random = 0;
 };

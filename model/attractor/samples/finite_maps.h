@@ -11,7 +11,7 @@ namespace attractor {
 // The active maps of finite coefficients; their probabilities sum to 1.
 template <int Dim> ifs::ActiveMaps<Dim> finiteMaps(const ifs::IteratedFunctionSystem<Dim>& system) {
     const ifs::ActiveMaps<Dim> active = ifs::activeMaps(system);
-    if (active.isLinked()) { // what only maps that are left out lead to is left out too
+    if (active.isLinked()) { // drops maps that only dropped maps lead to
         ifs::IteratedFunctionSystem<Dim> finite = system;
         for (auto& map : finite.maps)
             map.enabled = map.enabled && ifs::isFinite(map.map);

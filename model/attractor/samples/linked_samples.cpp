@@ -54,7 +54,7 @@ private:
         m_sets[set].y[m_counts[set]++] = point.y;
     }
 
-    // Orbits side by side, until all sets of the part are full, or enough is left to complete().
+    // Runs parallel orbits until all sets of the part are full, or the rest is left to complete().
     void runPart(const std::vector<std::size_t>& part, const std::vector<AliasTable>& next) {
         std::vector<double> start(m_maps.size(), 0);
         double total = 0;
@@ -82,7 +82,7 @@ private:
         }
     }
 
-    // Completes sets of maps that are seldom drawn, from the maps before them.
+    // Completes sets of rarely drawn maps from the maps before them.
     void complete() {
         const std::size_t n = m_maps.size();
         std::vector<std::size_t> used(m_sets.size(), 0);
@@ -108,8 +108,8 @@ private:
 
     const PreparedSystem& m_system;
     std::vector<SampleSet>& m_sets;
-    std::vector<std::size_t> m_counts;        // points of each set so far
-    std::vector<std::array<float, 6>> m_maps; // in box coordinates: a b c d e f
+    std::vector<std::size_t> m_counts;        // number of points of each set so far
+    std::vector<std::array<float, 6>> m_maps; // a b c d e f in box coordinates
     std::uint64_t m_random;
 };
 

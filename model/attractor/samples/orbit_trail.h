@@ -20,7 +20,7 @@ public:
 
     struct Point {
         ifs::Vector<2> x;    // coordinates of the code
-        std::size_t map = 0; // the last one applied: its index in the system
+        std::size_t map = 0; // index in the system of the last map applied
     };
 
     OrbitTrail(PreparedSystem system, std::uint64_t seed);
@@ -32,9 +32,9 @@ public:
 private:
     PreparedSystem m_system;
     std::uint64_t m_seed;
-    std::unique_ptr<Orbit> m_orbit; // none where nothing can be drawn
+    std::unique_ptr<Orbit> m_orbit; // null if nothing can be drawn
     std::uint64_t m_jumps = 0;
-    std::vector<Point> m_points; // the newest, at least `longest` where there were as many
+    std::vector<Point> m_points; // newest last; at least `longest` points once that many were drawn
 };
 
 } // namespace attractor

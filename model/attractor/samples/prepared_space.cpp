@@ -52,9 +52,9 @@ Box pilotBox(const PreparedSpace& system) {
 }
 
 void placeBox(PreparedSpace& system) {
-    constexpr double fine = 1e-4; // of the size
+    constexpr double fine = 1e-4; // relative tolerance
     Box box;
-    double slack = 1e-5; // of the size; what is flat gets some extent
+    double slack = 1e-5; // relative extent that flat sets get
     const auto support = system.note == RenderNote::None ? ifs::SupportFunction<3>::of(system.maps)
                                                          : std::optional<ifs::SupportFunction<3>>();
     if (support) {

@@ -18,22 +18,22 @@ struct PreparedSpace : ifs::ActiveMaps<3> {
     // attractor gets a box in which its orbits spend most of their time.
     ifs::Vector<3> centre = ifs::Vector<3>::Zero();
     ifs::Vector<3> halfExtent = ifs::Vector<3>::Ones();
-    bool isCertified = false; // the box is
+    bool isCertified = false; // true if the box is certified
     // Composing maps shrinks: an attractor is known, or orbits contract in the mean.
     bool contracts = true;
     RenderNote note = RenderNote::None;       // None, NoMaps, NoAttractor or Undecided
-    std::vector<ifs::MovedBranch<3>> moved{}; // words over `maps`
+    std::vector<ifs::MovedBranch<3>> moved{}; // changes with words over `maps`
 
     // The map in coordinates in which the box is [−1, 1]³.
     ifs::AffineMap<3> inBox(const ifs::AffineMap<3>& map) const;
-    ifs::AffineMap<3> fromBox() const; // those coordinates → the code's
+    ifs::AffineMap<3> fromBox() const; // box coordinates → coordinates of the code
 
     // A displayed piece: all points whose address begins with `word`, under `map` = change∘w_word in box
     // coordinates. Walks of the address tree begin with the pieces; without moved branches, with its root.
     struct Piece {
         ifs::Word word;
         ifs::AffineMap<3> map;
-        bool isMoved = false; // else `map` is the product of the maps
+        bool isMoved = false; // false: `map` is the product of the maps
     };
     std::vector<Piece> pieces() const;
 };

@@ -29,7 +29,7 @@ using ifs::Vector;
 // interpolation along a side of the square is an upper bound, because support functions are convex.
 class Enclosure {
 public:
-    static constexpr int steps = 16; // per side of the square
+    static constexpr int steps = 16; // number of steps per side of the square
     static constexpr int count = 4 * steps;
     using Values = std::array<double, count>;
 
@@ -326,7 +326,7 @@ void prepareLinked(PreparedSystem& system) {
 bool shortWordsCoincide(const PreparedSystem& system) {
     constexpr std::size_t maxMaps = 4096, maxWords = 256;
     if (system.maps.size() > maxMaps) return false;
-    constexpr double perUnit = 0x1p40; // in boxes
+    constexpr double perUnit = 0x1p40; // steps per unit of the box
     const double size = system.halfExtent.maxCoeff();
     const auto key = [&](const ifs::AffineMap<2>& map) {
         const Vector<2> shift = (map(system.centre) - system.centre) / size;
@@ -369,7 +369,7 @@ PreparedSystem prepared(const ifs::IteratedFunctionSystem<2>& system,
             result.probabilities[i] * naturalLogarithm(ifs::spectralNorm<2>(result.maps[i].linear));
     const ifs::Existence existence = ifs::classify<2>(result.maps, 2000);
     result.note = existenceNote(existence.verdict);
-    // Under a cage that shears, maps may stretch one by one whose words contract.
+    // Words may contract although single maps stretch, under a cage that shears.
     if (!(result.meanLogarithm < 0) && existence.verdict == ifs::Verdict::EventuallyContractive)
         result.meanLogarithm = slowestLogarithm(existence);
     placeBox(result);

@@ -16,7 +16,7 @@ namespace attractor {
 
 // The maps that take part, and where their attractor lies.
 struct PreparedSystem : ifs::ActiveMaps<2> {
-    std::vector<ifs::MovedBranch<2>> moved{}; // words over `maps`
+    std::vector<ifs::MovedBranch<2>> moved{}; // changes with words over `maps`
     // The attractor lies in the box centre ± halfExtent; half extents are positive. A system without an
     // attractor gets a box in which its orbits spend most of their time.
     ifs::Vector<2> centre = ifs::Vector<2>::Zero();
@@ -24,7 +24,7 @@ struct PreparedSystem : ifs::ActiveMaps<2> {
     // Σ p ln‖A‖. Unless it is negative, composing maps only expands, and restarted orbits are all there is.
     double meanLogarithm = 0;
     RenderNote note = RenderNote::None; // None, NoMaps, NoAttractor or Undecided
-    bool coincides = false;             // some short words of maps that are not linked are the same map
+    bool coincides = false;             // true if some short words of unlinked maps are the same map
 
     // The Markov chain of linked maps, and for each map the sample set of the points to which it is applied.
     // Empty without links.

@@ -14,18 +14,18 @@ namespace attractor {
 class SpaceOrbit {
 public:
     SpaceOrbit(const PreparedSpace& system, std::uint64_t seed,
-               ColourCoordinates colours = {}); // empty: along the address
+               ColourCoordinates colours = {}); // empty: colours along the address
 
     struct Point {
         ifs::Vector<3> x = ifs::Vector<3>::Zero();
-        std::uint32_t lastMap = 0;    // among the maps that take part
+        std::uint32_t lastMap = 0;    // index among the maps that take part
         double addressCoordinate = 0; // Σ σ_k N^−k, newest map first
         double colourCoordinate = 0;
     };
-    const Point& next(); // the point that is plotted next
+    const Point& next(); // next point to plot
 
 private:
-    const PreparedSpace* m_system; // outlives the orbit
+    const PreparedSpace* m_system; // must outlive the orbit
     ColourCoordinates m_colours;
     AliasTable m_table;
     Point m_point;

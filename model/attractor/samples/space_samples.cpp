@@ -38,7 +38,7 @@ void drawSamples(const PreparedSpace& system, std::uint64_t seed, std::uint64_t 
             };
             Point next{row(0), row(1), row(2)};
             const bool near = std::abs(next.x) < escapeRadius && std::abs(next.y) < escapeRadius &&
-                              std::abs(next.z) < escapeRadius; // false for what is no number
+                              std::abs(next.z) < escapeRadius; // false for NaN
             p = near ? next : Point{};
             if (step < burnIn) continue;
             const std::size_t at = (step - burnIn) * SampleSet::lanes + lane;

@@ -15,7 +15,7 @@ struct SpaceSamples {
     std::vector<float> x;
     std::vector<float> y;
     std::vector<float> z;
-    float reach = 1; // no coordinate is larger; above 1 where the box does not hold all samples
+    float reach = 1; // bound of all coordinates; above 1 if the box does not hold all samples
 };
 
 // 64 orbits that have forgotten their start, with streams of their own for every (seed, pass). The same bits

@@ -24,7 +24,7 @@ void BendTree::follow(const ifs::CageDeformation& bend, const ifs::AffineMap<3>&
                       const ifs::AffineMap<3>& box, std::span<const ifs::AffineMap<3>> maps) {
     const bool isSame = m_rest && std::ranges::equal(m_rest->vertices(), bend.rest()->vertices()) &&
                         m_box == box && std::ranges::equal(m_maps, maps);
-    // Full of words that have gone out of view, it begins again.
+    // Restarts when it is full of words that have left the view.
     if (!isSame || (m_isFull && 2 * m_asked < m_known) || m_view + 1 == 0) clear();
     m_rest = bend.rest();
     m_box = box;

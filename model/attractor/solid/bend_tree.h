@@ -26,7 +26,7 @@ public:
     // An address. What is known of it is written once for a view.
     class Node {
         friend class BendTree;
-        std::atomic<std::uint32_t> view = 0; // the number of the one that `known` is up to date for
+        std::atomic<std::uint32_t> view = 0; // number of the view for which `known` is up to date
         std::atomic<Node*> children = nullptr;
         std::unique_ptr<Known> known;
     };
@@ -47,7 +47,7 @@ public:
     const BentWord* bent(Node& node, const ifs::AffineMap<3>& word);
 
     std::size_t bytes() const { return m_bytes; }
-    std::size_t looks() const { return m_looks; } // at the cage, since the tree was made
+    std::size_t looks() const { return m_looks; } // evaluations of the cage since the tree was made
 
 private:
     struct Known {
@@ -55,7 +55,7 @@ private:
         BentWord bent;
     };
     void clear();
-    bool takes(std::size_t bytes); // false when there would be too many
+    bool takes(std::size_t bytes); // false if memory would run out
     Node* grow(std::size_t count);
     std::mutex& lockOf(const Node& node);
 
@@ -67,12 +67,12 @@ private:
     std::uint32_t m_view = 0;
     std::atomic<std::size_t> m_bytes = 0;
     std::atomic<std::size_t> m_looks = 0;
-    std::atomic<std::size_t> m_known = 0; // words
-    std::atomic<std::size_t> m_asked = 0; // words, of this view
+    std::atomic<std::size_t> m_known = 0; // words with known coordinates
+    std::atomic<std::size_t> m_asked = 0; // words requested in this view
     std::atomic<bool> m_isFull = false;
     Node* m_root = nullptr;
     std::mutex m_growth;
-    std::deque<std::vector<Node>> m_nodes; // the root, and brothers together
+    std::deque<std::vector<Node>> m_nodes; // first the root; then one vector for each set of siblings
     std::array<std::mutex, 64> m_locks;
 };
 

@@ -8,7 +8,7 @@ namespace attractor {
 
 namespace {
 
-constexpr std::size_t points = 15; // the middle, two for each side, eight corners
+constexpr std::size_t points = 15; // centre, two for each side, eight corners
 
 double sign(int corner, int side) {
     return (corner >> side & 1) != 0 ? 1 : -1;
@@ -101,7 +101,7 @@ BentWord WordCoordinates::bent(const ifs::AffineMap<3>& word, const PixelBend& b
             const double x = sign(k, 0), y = sign(k, 1), z = sign(k, 2);
             miss = std::max(miss, std::abs(s[6] + x * s[7] + y * s[8] + z * s[9] + x * y * z * s[10]));
         }
-        result.miss[row] = 2 * miss; // cubes along a side are not seen at its ends
+        result.miss[row] = 2 * miss; // doubled, because cubes along a side vanish at its ends
     }
     return result;
 }

@@ -25,7 +25,7 @@ struct PixelBend {
     PixelBend(const ifs::CageDeformation& bend, const ifs::AffineMap<3>& after);
 
     ifs::AffineMap<3> fit;
-    std::vector<ifs::Vector<3>> residuals; // of the vertices of the cage
+    std::vector<ifs::Vector<3>> residuals; // residuals of the vertices of the cage
 };
 
 // The coordinates of a cage at rest over a word, from its middle, the middles of its sides and its corners:
@@ -34,13 +34,13 @@ class WordCoordinates {
 public:
     WordCoordinates(const ifs::CageCoordinates& rest, const ifs::AffineMap<3>& word);
 
-    BentWord bent(const ifs::AffineMap<3>& word, const PixelBend& bend) const; // the same word
+    BentWord bent(const ifs::AffineMap<3>& word, const PixelBend& bend) const; // bend of the same word
     static std::size_t bytes(std::size_t vertices) {
         return vertices * (straightTerms * sizeof(double) + bentTerms * sizeof(float));
     }
 
 private:
-    static constexpr std::size_t straightTerms = 4; // of each vertex: 1 · x y z
+    static constexpr std::size_t straightTerms = 4; // terms per vertex: 1 · x y z
     // x² y² z² · yz zx xy · what remains at the corners: 1 x y z xyz · a zero. Small, so that floats say
     // enough.
     static constexpr std::size_t bentTerms = 12;

@@ -9,7 +9,8 @@ void drawClipped(const ifs::AffineMap<3>& word, const kernels::SolidWord& shown,
                  const kernels::Cover& cover, kernels::KeyBand& band) {
     const ifs::Vector<3> across = word.linear.transpose() * clip.normal;
     const double middle = clip.normal.dot(word.translation);
-    const double reach = 2.0 * static_cast<double>(cover.spacing) * across.cwiseAbs().sum(); // of a cell
+    // Diameter of a cell.
+    const double reach = 2.0 * static_cast<double>(cover.spacing) * across.cwiseAbs().sum();
     const double lowest = clip.lowest - reach - middle;
     const double highest = clip.highest + reach - middle;
     constexpr auto maxCode = static_cast<float>(maxDepthCode);

@@ -21,14 +21,14 @@ double halfWidth(const ifs::Matrix<3>& linear) {
 
 // Returns false for points outside a box that is not certified, which must not be drawn.
 bool isInBox(const Vector<3>& x) {
-    return x.cwiseAbs().maxCoeff() <= 1; // false for what is no number
+    return x.cwiseAbs().maxCoeff() <= 1; // false for NaN
 }
 
 // Cubes of a grid, each of which takes one point.
 class Grid {
 public:
     explicit Grid(double edge) : m_perUnit(1 / edge) {}
-    bool take(const Vector<3>& x) { // whether it is the first one in its cube
+    bool take(const Vector<3>& x) { // true for the first point in its cube
         std::uint64_t key = 0;
         for (int k = 0; k < 3; ++k) {
             const double cell = std::clamp((x[k] + 2) * m_perUnit, 0.0, 2097151.0);
@@ -53,7 +53,7 @@ public:
         m_overlaps = volume > 1;
         m_point = ifs::fixedPoint(m_maps.front()).value_or(Vector<3>::Zero());
         if (!isInBox(m_point)) m_point.setZero();
-        // The point that stands for a cell is best in its middle.
+        // Chooses a point near the middle of the box, because it represents cells best there.
         constexpr double few = 1.0 / 8;
         const auto cells = cut(few);
         for (const Vector<3>& x : cells ? cells->points : flood(few))
@@ -62,10 +62,10 @@ public:
 
     struct Cells {
         std::vector<Vector<3>> points;
-        double width = 0; // of the widest, as a share of the box
+        double width = 0; // width of the widest cell, as a share of the box
     };
 
-    // nullopt where they are too many.
+    // Returns nullopt for too many cells.
     std::optional<Cells> cut(double width) const {
         constexpr std::size_t maxWords = 4 * Covers::maxPoints;
         if (!m_contracts) return std::nullopt;
@@ -89,8 +89,8 @@ public:
         return cells;
     }
 
-    // The orbit of the point, one image for each cube: approximately a cover even of a system whose words are
-    // too many to be listed.
+    // Orbit of the point, one image for each cube: approximately a cover, even of a system with too many
+    // words to list.
     std::vector<Vector<3>> flood(double width) const {
         constexpr std::size_t maxImages = 1U << 20;
         Grid grid(width);
@@ -106,8 +106,8 @@ public:
         return points;
     }
 
-    // A cover with its spacing. Finer cells, merged where they lie together, may be fewer: in a set of low
-    // dimension, where most words are thinner than the widest.
+    // Cover with its spacing. In sets of low dimension, where most words are thinner than the widest, finer
+    // cells that are merged where they coincide may be fewer.
     Cells cover(double width) const {
         if (width >= 1) return {{m_point}, 1};
         std::optional<Cells> best = cut(width);
@@ -121,7 +121,7 @@ public:
             *cells = thinned(std::move(*cells), width);
             if (cells->points.size() < best->points.size()) best = std::move(cells);
         }
-        // The cells of pieces that lie on each other are there many times.
+        // Flooding is worthwhile if pieces overlap, because their cells occur many times.
         constexpr std::size_t worthFlooding = 4;
         if (m_overlaps && best->points.size() > worthFlooding) {
             std::vector<Vector<3>> points = flood(width);
@@ -131,9 +131,9 @@ public:
     }
 
 private:
-    // Keeps one point for every cube, with cubes as wide as keeps the spacing below `width`.
+    // Keeps one point for each cube; the width of cubes keeps the spacing below `width`.
     static Cells thinned(Cells cells, double width) {
-        constexpr double minEdge = 1.0 / 64; // merges what is the same but for rounding
+        constexpr double minEdge = 1.0 / 64; // merges points that differ only by rounding
         Grid grid(2 * std::max(width - cells.width, minEdge * width));
         const std::size_t before = cells.points.size();
         std::erase_if(cells.points, [&](const Vector<3>& x) { return !isInBox(x) || !grid.take(x); });
@@ -143,9 +143,9 @@ private:
     }
 
     bool m_contracts;
-    bool m_overlaps = false;               // the volumes of the pieces say so
-    std::vector<ifs::AffineMap<3>> m_maps; // in box coordinates
-    Vector<3> m_point;                     // of the attractor
+    bool m_overlaps = false;               // true if the volumes of the pieces imply overlaps
+    std::vector<ifs::AffineMap<3>> m_maps; // maps in box coordinates
+    Vector<3> m_point;                     // point of the attractor
 };
 
 // Points in the order of kernels::Cover::nearestFirst.
@@ -179,8 +179,7 @@ Covers::Covers(const PreparedSpace& system) {
         points.padded = (points.count + kernels::solidLanes - 1) / kernels::solidLanes * kernels::solidLanes;
         for (unsigned octant = 0; octant < 8; ++octant)
             append(points.coordinates, sorted(cells.points, octant), points.padded);
-        // The new cover replaces those with as many points or more: it has the same cells, or fewer points
-        // that lie closer.
+        // Replaces covers with at least as many points, which have the same cells or are less dense.
         while (!covers.empty() && covers.back().count >= points.count)
             covers.pop_back();
         covers.push_back(std::move(points));

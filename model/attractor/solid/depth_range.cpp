@@ -9,8 +9,8 @@ namespace attractor {
 namespace {
 
 struct Open {
-    double depth = 0; // the nearer to the end that is sought, the larger
-    double half = 0;  // of the depths of the word; of two that reach as far, the smaller comes first
+    double depth = 0; // priority: larger towards the sought end
+    double half = 0;  // half extent of the word's depths; among equals, smaller first
     bool reachesEye = false;
     WalkedWord word;
     friend bool operator<(const Open& a, const Open& b) {
@@ -33,7 +33,7 @@ public:
                               : walkedTo(piece.word, rootWord(box, view), m_maps, view));
     }
 
-    // −HUGE_VAL when nothing is in view.
+    // Returns −HUGE_VAL if nothing is in view.
     double run(bool mayDivide, const std::stop_token& stop) {
         constexpr double small = 4; // pixels
         constexpr std::size_t maxWords = 1U << 17;
@@ -69,7 +69,7 @@ private:
 
     const SpaceView& m_view;
     double m_sign;
-    std::vector<ifs::AffineMap<3>> m_maps; // in box coordinates
+    std::vector<ifs::AffineMap<3>> m_maps; // maps in box coordinates
     std::vector<Open> m_open;
 };
 
@@ -80,7 +80,7 @@ DepthRange depthRange(const PreparedSpace& system, const SpaceView& view, const 
     range.near = Search(system, view, End::Near).run(system.contracts, stop);
     range.far = Search(system, view, End::Far).run(system.contracts, stop);
     if (!(range.near <= range.far)) return {1, 0, false};
-    // Rounding, and something to divide by.
+    // Room for rounding, which also makes the range positive.
     const double room = 0.5 + 1e-12 * std::max(std::abs(range.near), std::abs(range.far));
     range.near -= room;
     range.far += room;

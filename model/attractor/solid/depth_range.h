@@ -17,7 +17,7 @@ struct DepthRange {
 
     double near = 0;
     double far = 0;
-    bool isClamped = false; // something may lie beyond `far`
+    bool isClamped = false; // true if something may lie beyond `far`
 };
 DepthRange depthRange(const PreparedSpace& system, const SpaceView& view, const std::stop_token& stop = {});
 

@@ -24,13 +24,13 @@ std::optional<double> commonRatio(const PreparedSpace& system) {
 
 namespace {
 
-constexpr std::size_t steps = 8; // of a pixel, along each side
+constexpr std::size_t steps = 8; // parts of a pixel along each axis
 
 // The pixels that a point falls into, along one axis, as the grid of pixels moves: `pixel` up to some step,
 // the next one from then on.
 struct Moving {
     std::size_t pixel = 0;
-    std::size_t change = steps; // the first step at which it is the next one
+    std::size_t change = steps; // first step at which the point falls into the next pixel
 };
 
 Moving moving(double at, double low) {
@@ -84,7 +84,7 @@ std::vector<bool> nearestSomewhere(const std::vector<Vector<3>>& points) {
 FacingCover::FacingCover(const PreparedSpace& system, const SpaceView& view,
                          std::span<const kernels::Cover> covers) {
     constexpr std::size_t worthwhile = 4 * kernels::solidLanes;
-    constexpr double maxSize = 32; // pixels; of what is larger, too much is drawn that is hidden
+    constexpr double maxSize = 32; // pixels; larger covers draw too many hidden points
     if (!system.contracts || view.isPerspective()) return;
     const std::optional<double> ratio = commonRatio(system);
     SeenWord word = seen(view.toPixels * system.fromBox(), view);

@@ -25,13 +25,13 @@ public:
     FacingCover(const PreparedSpace& system, const SpaceView& view, std::span<const kernels::Cover> covers);
 
     bool isEmpty() const { return m_coordinates.empty(); }
-    kernels::Cover cover() const; // for words of its size alone
+    kernels::Cover cover() const; // valid only for words of the size it was made for
 
 private:
     float m_spacing = 1;
-    float m_size = 0; // of the words, pixels
+    float m_size = 0; // size of the words in pixels
     std::size_t m_padded = 0;
-    std::vector<float> m_coordinates; // x, y and z, the nearest first
+    std::vector<float> m_coordinates; // x, y and z, nearest points first
 };
 
 } // namespace attractor

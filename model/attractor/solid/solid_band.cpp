@@ -11,9 +11,10 @@ namespace attractor {
 
 namespace {
 
-constexpr double maxBentPixels = 0.25;   // by which a first-order map of a perspective may be off
-constexpr double maxSinglePixels = 2048; // wider words are composed in double precision
-constexpr double minEyeShare = 0x1p-14;  // of the eye's distance: words that reach the eye and are smaller
+constexpr double maxBentPixels = 0.25;   // pixels; error bound of the first-order map of a perspective
+constexpr double maxSinglePixels = 2048; // pixels; wider words are composed in double precision
+// Share of the eye's distance; smaller words that reach the eye are skipped.
+constexpr double minEyeShare = 0x1p-14;
 
 kernels::SolidWord screenWord(const SeenWord& seen, int colour, int firstRow, const DepthRange& range) {
     const double codes = maxDepthCode / (range.far - range.near);
@@ -93,7 +94,7 @@ void SolidScene::setView(const SpaceView& newView) {
         m_bends->follow(*view.bend, view.afterBend, view.toPixels * system.fromBox(), boxMaps);
         view.bends = m_bends;
     }
-    // Bent or moved, its words are seen from as many sides.
+    // True unless words are bent or moved, and so seen from many sides.
     const bool isSeenAlike = !view.bend && system.moved.empty();
     facing = isSeenAlike ? FacingCover(system, view, covers.ofAtMost(facingPoints)) : FacingCover();
     const bool canThin = facing.isEmpty() && system.contracts && system.moved.empty();
@@ -102,7 +103,7 @@ void SolidScene::setView(const SpaceView& newView) {
 
 void SolidBand::draw(const SolidScene& scene, int firstRow, int rows, DepthRaster& raster,
                      const std::stop_token& stop) {
-    constexpr std::size_t wordsPerPixel = 1024; // leaves that are seen through each other need hundreds
+    constexpr std::size_t wordsPerPixel = 1024; // limit; leaves behind each other need hundreds
     constexpr std::size_t wideBudget = 1U << 18;
     constexpr std::size_t widePerPixel = 16;
     const auto pixels = static_cast<std::size_t>(raster.width * rows);
@@ -117,7 +118,7 @@ void SolidBand::draw(const SolidScene& scene, int firstRow, int rows, DepthRaste
     m_isThinning =
         scene.thinningRatio && ThinnedCovers::isExact(*scene.thinningRatio, raster.width, scene.range);
     if (m_isThinning) m_thinned.use(scene.covers, *scene.thinningRatio);
-    // Larger words are drawn where they lie on each other and there are too many.
+    // Coarser leaves, if words overlap and there are too many.
     for (const std::size_t points : {SolidScene::leafPoints, Covers::maxPoints}) {
         m_covers = scene.covers.ofAtMost(points);
         m_covers.insert(m_covers.begin(), scene.facing.isEmpty() ? kernels::Cover() : scene.facing.cover());
@@ -128,7 +129,7 @@ void SolidBand::draw(const SolidScene& scene, int firstRow, int rows, DepthRaste
         m_keys.reset(raster.width, rows);
         if (!walk(scene, firstRow, stop)) return;
         if (m_job.budget > 0 || m_wideBudget == 0) break;
-        budget = 1U << 24; // more would not help any more
+        budget = 1U << 24; // larger budgets would not help
     }
     m_isCoarse = m_isCoarse || m_job.coarse > 0;
     const auto width = static_cast<std::size_t>(raster.width);
@@ -199,7 +200,7 @@ bool SolidBand::walk(const SolidScene& scene, int firstRow, const std::stop_toke
     const ifs::AffineMap<3> box = scene.view.toPixels * scene.system.fromBox();
     for (const SolidScene::Root& root : scene.roots) {
         WalkedWord word{box * root.word};
-        if (scene.view.bend && !root.isMoved) // one after the other, so that every walk finds the same words
+        if (scene.view.bend && !root.isMoved) // sequential, so that every walk finds the same words
             word = walkedTo(root.address, rootWord(box, scene.view), scene.boxMaps, scene.view);
         m_children.push_back({std::move(word), root.colour});
     }
@@ -230,7 +231,8 @@ bool SolidBand::draw(const SolidScene& scene, Open& open, int firstRow, const st
     constexpr std::size_t maxOpen = 1U << 18;
     const double codes = maxDepthCode / (scene.range.far - scene.range.near);
     SeenWord& word = open.seen;
-    if (scene.view.bend && !open.word.follows) { // most are hidden, or small, before it matters how they bend
+    // Deferred, since most words are hidden or small before their bend matters.
+    if (scene.view.bend && !open.word.follows) {
         if (isHidden(scene, word, firstRow)) return true;
         if (word.reachesEye || !(word.miss <= maxBentPixels)) word = seen(open.word, scene.view);
         if (!word.meets(scene.view.size)) return true;

@@ -21,22 +21,22 @@ namespace attractor {
 // Everything that determines the keys of a picture.
 struct SolidScene {
     PreparedSpace system;
-    std::vector<ifs::AffineMap<3>> boxMaps; // of the system, in box coordinates
-    std::vector<std::uint8_t> colours;      // of the maps: their indices in the system
+    std::vector<ifs::AffineMap<3>> boxMaps; // maps of the system in box coordinates
+    std::vector<std::uint8_t> colours;      // colours of the maps: their indices in the system
     SolidKey key = SolidKey::Map;
     std::optional<BoxMaps> coefficients;
     Covers covers;
     SpaceView view;
     DepthRange range;
     FacingCover facing;
-    std::optional<double> thinningRatio; // where words are seen from many sides
+    std::optional<double> thinningRatio; // set if words are seen from many sides
 
     // A word from which walks begin, in box coordinates.
     struct Root {
         ifs::AffineMap<3> word;
         int colour = kernels::SolidWord::uncoloured;
-        ifs::Word address{};  // the maps that lead to it
-        bool isMoved = false; // it is elsewhere than they put it
+        ifs::Word address{};  // maps that lead to the word
+        bool isMoved = false; // true if the word is not where its maps put it
     };
     std::vector<Root> roots;
 
@@ -49,7 +49,7 @@ struct SolidScene {
     void setView(const SpaceView& newView);
 
 private:
-    std::shared_ptr<BendTree> m_bends; // once a view has bent
+    std::shared_ptr<BendTree> m_bends; // null until a view bends
 };
 
 // Draws rows of a picture, from the root of the address tree. Memory is kept from one call to the next.
@@ -62,15 +62,15 @@ public:
     struct Work {
         std::size_t words = 0;
         std::size_t points = 0;
-        bool isCoarse = false; // there were more words than are looked at, and it may show
+        bool isCoarse = false; // true if there were too many words to examine, with visible effect
     };
-    Work takeWork(); // since the last call
+    Work takeWork(); // work since the last call
 
 private:
     struct Open {
         WalkedWord word; // box → SpaceView::toPixels
         int colour = kernels::SolidWord::uncoloured;
-        SeenWord seen{}; // or glimpsed, as long as the word does not follow
+        SeenWord seen{}; // glimpsed only, if the word does not follow
     };
     bool walk(const SolidScene& scene, int firstRow, const std::stop_token& stop);
     bool draw(const SolidScene& scene, Open& open, int firstRow, const std::stop_token& stop);
@@ -82,14 +82,14 @@ private:
 
     kernels::KeyBand m_keys;
     kernels::SolidJob m_job;
-    std::vector<kernels::Cover> m_covers; // the first is a thinned one, if any
+    std::vector<kernels::Cover> m_covers; // starts with the thinned one, if any
     ThinnedCovers m_thinned;
     bool m_isThinning = false;
-    std::size_t m_wideBudget = 0; // of words that are composed in double precision
+    std::size_t m_wideBudget = 0; // words that may still be composed in double precision
     std::vector<Open> m_open;
     std::vector<Open> m_children;
     std::vector<std::pair<double, std::size_t>> m_order;
-    bool m_isCoarse = false; // in a band
+    bool m_isCoarse = false; // state of one band
 };
 
 } // namespace attractor

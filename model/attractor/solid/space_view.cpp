@@ -42,7 +42,7 @@ SpaceView spaceView(const OrbitCamera& camera, const ifs::AffineMap<3>& cage, do
     view.size = camera.size;
     const double scale = pixelsPerUnit(camera);
     const ifs::Matrix<3> axes = pixelAxes(camera, eyeShift);
-    // Relative to the target before it is magnified.
+    // Subtracts the target before magnifying.
     view.toPixels = {axes * cage.linear, axes * (cage.translation - camera.target)};
     if (camera.projection == OrbitCamera::Projection::Perspective)
         view.eyeDistance = scale * eyeDistance(camera);
@@ -80,7 +80,7 @@ StraightWord straightened(const ifs::AffineMap<3>& word, const SpaceView& view) 
     StraightWord result;
     const ifs::AffineMap<3>& toPixels = view.afterBend;
     const ifs::Vector<3> middle = bend(word.translation);
-    ifs::Vector<3> along = ifs::Vector<3>::Zero(); // by how much the middles of the sides are off
+    ifs::Vector<3> along = ifs::Vector<3>::Zero(); // offsets of the midpoints of the sides
     for (int side = 0; side < 3; ++side) {
         const ifs::Vector<3> high = bend(word.translation + word.linear.col(side));
         const ifs::Vector<3> low = bend(word.translation - word.linear.col(side));
@@ -90,21 +90,21 @@ StraightWord straightened(const ifs::AffineMap<3>& word, const SpaceView& view) 
         along += off;
     }
     result.word.translation = toPixels(middle);
-    // Each corner has the part of one of these four in what mixes two directions.
+    // Mixed terms of two directions: each corner shows those of one of these four.
     ifs::Vector<3> mixed = ifs::Vector<3>::Zero();
     for (const auto& corner : {ifs::Vector<3>(1, 1, 1), ifs::Vector<3>(1, -1, -1), ifs::Vector<3>(-1, 1, -1),
                                ifs::Vector<3>(-1, -1, 1)}) {
         const ifs::Vector<3> off = toPixels(bend(word(corner))) - result.word(corner) - along;
         mixed = mixed.cwiseMax(off.cwiseAbs());
     }
-    constexpr double beyond = 1.5; // for what is of higher order
+    constexpr double beyond = 1.5; // factor for terms of higher order
     result.miss = beyond * (result.miss + mixed);
     return result;
 }
 
 namespace {
 
-constexpr double maxModelPixels = 0x1p-4; // by which a BentWord may be off
+constexpr double maxModelPixels = 0x1p-4; // error bound of a BentWord, in pixels
 
 // The square of a coordinate runs from 0 to 1: with half of it in the middle, it misses but the other half.
 StraightWord straightened(const BentWord& model, const ifs::AffineMap<3>& within) {
@@ -129,7 +129,7 @@ StraightWord straightened(const BentWord& model, const ifs::AffineMap<3>& within
 std::shared_ptr<const BentWord> bentWord(const WalkedWord& word, const SpaceView& view) {
     if (view.bends && word.node != nullptr)
         if (const BentWord* known = view.bends->bent(*word.node, word.word))
-            return {std::shared_ptr<const void>(), known}; // the tree keeps it
+            return {std::shared_ptr<const void>(), known}; // owned by the tree
     const PixelBend bend(*view.bend, view.afterBend);
     return std::make_shared<const BentWord>(
         WordCoordinates(*view.bend->rest(), word.word).bent(word.word, bend));
@@ -171,7 +171,8 @@ StraightWord straightened(WalkedWord& word, const SpaceView& view) {
     if (!view.bend) return {word.word};
     if (word.follows) {
         StraightWord result = straightened(*word.bent, word.within);
-        const double most = 2 * maxModelPixels; // nearer to the eye than the word whose bend is known
+        // Twice, because the word may be nearer to the eye than the bent one.
+        const double most = 2 * maxModelPixels;
         if (word.bent->miss.maxCoeff() * magnification(result.word.translation, view) <= most) return result;
     }
     word.bent = bentWord(word, view);
@@ -205,7 +206,7 @@ SeenWord seen(const StraightWord& straight, const SpaceView& view) {
         result.reachesEye = !(away - depth >= least);
         if (result.reachesEye) {
             result.half.setConstant(depth);
-            // The farther from the eye, the wider the view is.
+            // Width of the view at this depth.
             const double widest = (away + depth) / (2 * view.eyeDistance);
             const ifs::Vector<2> nearest =
                 middle.head<2>().cwiseAbs() - linear.topRows<2>().cwiseAbs().rowwise().sum();

@@ -34,7 +34,7 @@ struct SpaceView {
     ifs::AffineMap<3> toPixels;
     double eyeDistance = 0; // pixels; 0: orthographic
     RasterSize size;
-    std::optional<PixelClip> clip; // points outside are not shown
+    std::optional<PixelClip> clip; // hides points outside
     // A cage that bends: then toPixels leaves everything in its place, and a word is straightened on its way
     // to the pixels by what the camera makes of it to first order.
     std::shared_ptr<const ifs::CageDeformation> bend;
@@ -64,10 +64,10 @@ StraightWord straightened(const ifs::AffineMap<3>& word, const SpaceView& view);
 // it follows without looking at the cage again.
 struct WalkedWord {
     ifs::AffineMap<3> word{};
-    BendTree::Node* node = nullptr;         // nullptr: not one of SpaceView::bends
-    std::shared_ptr<const BentWord> bent{}; // of a word it lies in; not longer than the view
-    ifs::AffineMap<3> within{};             // this word in coordinates of that one
-    bool follows = false;                   // from it, well enough
+    BendTree::Node* node = nullptr;         // nullptr: not a word of SpaceView::bends
+    std::shared_ptr<const BentWord> bent{}; // bend of a word that contains this one; not kept beyond the view
+    ifs::AffineMap<3> within{};             // this word in coordinates of the bent one
+    bool follows = false;                   // true if it follows from `bent` accurately enough
 
     WalkedWord inside(const ifs::AffineMap<3>& map) const; // word * map
 };
@@ -84,15 +84,16 @@ StraightWord straightened(WalkedWord& word, const SpaceView& view);
 // The displayed word: an affine map of [−1, 1]³ to the coordinates of SpaceView::toPixels, as seen on the
 // screen.
 struct SeenWord {
-    bool isBehind = false;      // nearer than is drawn or outside the clip, all of it
-    bool isCut = false;         // part of it is outside the clip
-    bool reachesEye = false;    // part of it is: nothing else is known
-    ifs::AffineMap<3> onScreen; // to first order: pixels from the top left corner, and depth
-    ifs::Vector<3> half = ifs::Vector<3>::Zero(); // of the box around the word itself; x and y include `miss`
-    double miss = 0;                              // pixels by which the first-order map may be off
-    double scale = 1;                             // pixels of the screen for one in the plane of the target
+    bool isBehind = false;      // true if all of it is nearer than the near plane or outside the clip
+    bool isCut = false;         // true if part of it is outside the clip
+    bool reachesEye = false;    // true if part of it is behind the near plane; then nothing else is known
+    ifs::AffineMap<3> onScreen; // first-order map to pixels from the top left corner, and depth
+    // Half extents of the box around the word; x and y include `miss`.
+    ifs::Vector<3> half = ifs::Vector<3>::Zero();
+    double miss = 0;  // error of the first-order map, in pixels
+    double scale = 1; // screen pixels per pixel in the plane of the target
 
-    double size() const; // of the box in pixels
+    double size() const; // size of the box in pixels
     bool meets(const RasterSize& size) const;
     double nearest() const { return onScreen.translation.z() - half.z(); }
     double farthest() const { return onScreen.translation.z() + half.z(); }

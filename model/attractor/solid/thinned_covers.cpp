@@ -76,7 +76,7 @@ bool ThinnedCovers::Thinned::holdsFor(const ifs::Matrix<3>& other) const {
 }
 
 bool ThinnedCovers::isExact(double ratio, int width, const DepthRange& range) {
-    constexpr double maxRatio = 0.9; // words of another length must not look as large
+    constexpr double maxRatio = 0.9; // largest ratio; words of other lengths must not look equally large
     constexpr int maxWidth = 8192;
     constexpr double codes = 16;
     return ratio <= maxRatio && width <= maxWidth &&
@@ -98,7 +98,7 @@ ThinnedCovers::Thinned* ThinnedCovers::known(const ifs::Matrix<3>& linear, const
     if (m_last < m_thinned.size() && fits(m_thinned[m_last])) return &m_thinned[m_last];
     const auto found = std::ranges::find_if(m_thinned, fits);
     if (found == m_thinned.end()) return nullptr;
-    // Covers that are asked for often come to the front.
+    // Moves frequently used covers towards the front.
     const auto earlier = m_thinned.begin() + (found - m_thinned.begin()) / 2;
     std::iter_swap(found, earlier);
     return &*earlier;
@@ -106,7 +106,7 @@ ThinnedCovers::Thinned* ThinnedCovers::known(const ifs::Matrix<3>& linear, const
 
 ThinnedCovers::Thinned* ThinnedCovers::thin(const ifs::Matrix<3>& linear, const kernels::Cover& of) {
     constexpr std::size_t most = 512;
-    constexpr std::size_t workPerPoint = 600; // thrice as many points as are drawn meanwhile
+    constexpr std::size_t workPerPoint = 600; // cost in points: three times as many as are drawn in that time
     constexpr std::size_t fewTried = 4;
     const std::size_t cost = workPerPoint * of.size;
     if (m_credit < cost || (m_tried >= fewTried && 2 * m_worthwhile < m_tried)) return nullptr;

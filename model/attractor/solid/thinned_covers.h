@@ -39,10 +39,10 @@ public:
 
 private:
     struct Thinned {
-        const float* from = nullptr; // the cover it stands for
-        ifs::Matrix<3> linear;       // of a word drawn with it
+        const float* from = nullptr; // cover that was thinned
+        ifs::Matrix<3> linear;       // linear part of a word drawn with it
         ifs::Matrix<3> inverse;
-        ifs::Matrix<3> room; // by how much other linear maps may differ at most
+        ifs::Matrix<3> room; // greatest difference of other linear parts
         std::uint64_t used = 0;
         std::size_t padded = 0; // 0: not worthwhile
         std::vector<float> coordinates;

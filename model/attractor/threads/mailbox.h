@@ -21,7 +21,7 @@ public:
         m_wake.notify_one();
     }
 
-    void close() { // take() returns nullopt from now on
+    void close() { // makes take() return nullopt from now on
         const std::lock_guard lock(m_mutex);
         m_isClosed = true;
         m_present.request_stop();
@@ -30,7 +30,7 @@ public:
 
     struct Delivery {
         Job job;
-        std::stop_token stop; // another job has come, or the mailbox was closed
+        std::stop_token stop; // requested when another job arrives or the mailbox closes
     };
     // Waits for a job, in the worker. nullopt when closed.
     std::optional<Delivery> take() {
@@ -52,7 +52,7 @@ private:
     std::mutex m_mutex;
     std::condition_variable m_wake;
     std::optional<Job> m_waiting;
-    std::stop_source m_present; // of the job that is being worked on
+    std::stop_source m_present; // stop source of the job being worked on
     bool m_isClosed = false;
 };
 

@@ -11,7 +11,7 @@ Workers::Workers(std::size_t size) {
         for (std::size_t thread = 1; thread < size; ++thread)
             m_threads.emplace_back([this, thread] { serve(thread); });
     } catch (const std::system_error&) {
-        // The system gives no more: those there are do all the work.
+        // No further threads: the existing ones do all the work.
     }
 }
 

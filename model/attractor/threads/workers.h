@@ -35,8 +35,8 @@ private:
     std::size_t m_round = 0;
     std::size_t m_busy = 0;
     bool m_quit = false;
-    std::exception_ptr m_thrown;         // the first of this round
-    std::vector<std::jthread> m_threads; // last: they use the rest
+    std::exception_ptr m_thrown;         // first exception of this round
+    std::vector<std::jthread> m_threads; // last member: the threads use the others
 };
 
 } // namespace attractor

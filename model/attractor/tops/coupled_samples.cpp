@@ -28,12 +28,12 @@ public:
     double coordinate(std::uint64_t value) const { return double(value) / double(m_first) / double(m_maps); }
 
     std::uint64_t maps() const { return m_maps; }
-    std::uint64_t values() const { return m_first * m_maps; } // how many there are
+    std::uint64_t values() const { return m_first * m_maps; } // number of values
     std::size_t length() const { return m_length; }
 
 private:
     std::uint64_t m_maps;
-    std::uint64_t m_first = 1; // the place of the newest symbol
+    std::uint64_t m_first = 1; // place of the newest symbol
     std::uint64_t m_value = 0;
     std::size_t m_length = 1;
 };
@@ -48,7 +48,7 @@ public:
         m_open.push_back({0, addresses.values(), 0, 1 <= pieceSize});
     }
 
-    // The shortest one whose piece is small, as a number in the tree.
+    // Shortest beginning whose piece is small, as a number in the tree.
     std::uint32_t of(std::uint64_t value) {
         while (m_open.size() > 1 && value - m_open.back().first >= m_open.back().values)
             m_open.pop_back();
@@ -58,7 +58,7 @@ public:
             const std::uint64_t symbol = (value - piece.first) / values;
             const ifs::Matrix<2> linear =
                 m_result.linear[piece.word] * m_system.from[std::size_t(symbol)].linear;
-            if (!(linear.squaredNorm() > 0)) break; // a point: what is known of the piece before must do
+            if (!(linear.squaredNorm() > 0)) break; // single point: uses the previous piece
             m_open.push_back({piece.first + symbol * values, values,
                               m_result.tree.longer(piece.word, std::size_t(symbol)),
                               ifs::spectralNorm<2>(linear) <= m_pieceSize});
@@ -69,7 +69,7 @@ public:
 
 private:
     struct Piece {
-        std::uint64_t first, values; // those that begin with the word
+        std::uint64_t first, values; // values that begin with the word
         std::uint32_t word;
         bool isSmall;
     };
@@ -77,7 +77,7 @@ private:
     const AddressRegister& m_addresses;
     double m_pieceSize;
     CoupledSamples& m_result;
-    std::vector<Piece> m_open; // of the value before, the whole first
+    std::vector<Piece> m_open; // pieces of the previous value, largest first
 };
 
 struct Sample {

@@ -38,7 +38,7 @@ double wholeRatioOf(const ifs::SupportFunction<2>& from, const ifs::SupportFunct
     const double squareOfF = squaredDiameter(f), squareOfG = squaredDiameter(g);
     const bool isFlat = !(areaOfF > flat * squareOfF) || !(areaOfG > flat * squareOfG);
     const double ratio = isFlat ? squareOfG / squareOfF : areaOfG / areaOfF;
-    return std::isfinite(ratio) && ratio > 0 ? ratio : 1; // of a single point
+    return std::isfinite(ratio) && ratio > 0 ? ratio : 1; // 1 for a single point
 }
 
 } // namespace

@@ -13,12 +13,12 @@ namespace attractor {
 // Two systems F and G whose maps correspond by their indices, the pair on top first.
 // docs/mathematics.md, "Fractal tops".
 struct CoupledSystem {
-    std::vector<ifs::AffineMap<2>> from; // F
-    std::vector<ifs::AffineMap<2>> to;   // G
-    std::vector<double> probabilities;   // of the maps of F; their sum is 1
-    ifs::EnclosingPolygon around;        // the attractor of F
-    std::vector<double> areaRatios;      // |det v_i / det w_i|; no numbers where a map is flat
-    double wholeRatio;                   // of the areas of their attractors, as far as hulls tell
+    std::vector<ifs::AffineMap<2>> from; // maps of F
+    std::vector<ifs::AffineMap<2>> to;   // maps of G
+    std::vector<double> probabilities;   // probabilities of the maps of F; their sum is 1
+    ifs::EnclosingPolygon around;        // polygon around the attractor of F
+    std::vector<double> areaRatios;      // |det v_i / det w_i|; NaN for flat maps
+    double wholeRatio;                   // ratio of the areas of the attractors, estimated from their hulls
     // φ_F and φ_G of the top address of all, in which the first map repeats.
     ifs::Vector<2> fromTop, toTop;
 
@@ -30,7 +30,7 @@ struct CoupledSystem {
 // The content of a pixel: the point of G that has the top address of the points in the pixel.
 struct TopPoint {
     double x = 0, y = 0;
-    double stretch = -1; // by how much T magnifies areas there; negative where the pixel is empty
+    double stretch = -1; // factor by which T magnifies areas there; negative in empty pixels
     double address = 0;  // Σ σ_k N^−k
 
     bool isEmpty() const { return stretch < 0; }

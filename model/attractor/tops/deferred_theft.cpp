@@ -14,7 +14,7 @@ namespace attractor {
 
 namespace {
 
-constexpr int bandRows = 32; // coloured at a time by one thread
+constexpr int bandRows = 32; // rows coloured at a time by one thread
 // Found at a time by one thread: every word that reaches into a band goes through all of its samples for it.
 constexpr int keyRows = 128;
 

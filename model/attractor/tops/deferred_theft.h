@@ -28,7 +28,7 @@ public:
     void layUnder(std::span<std::uint32_t> pixels, const MipPicture& picture, const TheftRequest& request,
                   double opacity);
 
-    bool hasKeptKeys() const { return m_hasKeptKeys; } // the last draw() found its keys
+    bool hasKeptKeys() const { return m_hasKeptKeys; } // true if the last draw() could reuse its keys
 
 private:
     bool keep(const CoupledSystem& system, const TheftRequest& request, const std::stop_token& stop);

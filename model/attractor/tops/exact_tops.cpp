@@ -10,12 +10,12 @@ namespace attractor {
 
 namespace {
 
-constexpr double maxInOnePixel = 0.5;           // pixels: the size of a piece that is wholly in one
-constexpr double maxBetweenPixels = 1.0 / 1024; // of one that reaches several
+constexpr double maxInOnePixel = 0.5;           // pixels; size of a piece inside one pixel
+constexpr double maxBetweenPixels = 1.0 / 1024; // pixels; size of a piece in several pixels
 constexpr double minBorder = 1e-6;              // pixels
 constexpr double relativeBorder = 4e-9;
 constexpr int blockColumns = 16;
-constexpr std::uint64_t visitsBetween = 1024; // two checks of the stop token
+constexpr std::uint64_t visitsBetween = 1024; // visits between two checks of the stop token
 constexpr std::uint64_t maxVisits = std::uint64_t{1} << 31;
 
 // Pixels that are still empty, and their number among every 16 in a row.
@@ -37,8 +37,8 @@ public:
         --m_counts[block(column, row)];
         --m_left;
     }
-    // Returns true if any pixel in the columns and rows, ends included, is empty. `isEmpty(column, row)`
-    // tells about one.
+    // Returns true if any pixel in the columns and rows, both ends included, satisfies `isEmpty(column,
+    // row)`.
     template <class IsEmpty>
     bool any(int firstColumn, int lastColumn, int firstRow, int lastRow, IsEmpty isEmpty) const {
         for (int row = firstRow; row <= lastRow; ++row)
@@ -67,10 +67,10 @@ private:
 };
 
 struct Open {
-    ifs::AffineMap<2> shown; // w_word, as pixels
+    ifs::AffineMap<2> shown; // w_word in pixels
     ifs::AffineMap<2> to;    // v_word
     double address = 0, step = 1;
-    double areaRatio = 1; // the product of those of its maps
+    double areaRatio = 1; // product of the ratios of its maps
 };
 
 class BandWalk {
@@ -107,8 +107,8 @@ public:
     }
 
 private:
-    // The box without pixels that it only touches, to the looseness of the polygon; a flat box on the border
-    // of two pixels belongs to the one that begins there.
+    // Box without pixels that it only touches, up to the looseness of the polygon. A flat box on the border
+    // of two pixels belongs to the second one.
     PixelBox trimmed(const PixelBox& box) const {
         PixelBox result{box.left + m_border, box.right - m_border, box.top + m_border, box.bottom - m_border};
         if (result.left > result.right) result.left = result.right = (box.left + box.right) / 2 + m_border;
@@ -117,7 +117,7 @@ private:
     }
 
     struct Pixels {
-        int firstColumn, lastColumn, firstRow, lastRow; // of the band
+        int firstColumn, lastColumn, firstRow, lastRow; // extent of the band
     };
     Pixels pixelsOf(const PixelBox& box) const {
         const auto within = [](double value, int last) {
@@ -153,7 +153,7 @@ private:
             }
     }
 
-    void divide(const Open& open) { // the first map comes last, on top
+    void divide(const Open& open) { // first map last, on top
         const std::size_t maps = m_system.from.size();
         const double step = open.step / double(maps);
         for (std::size_t i = maps; i-- > 0;)

@@ -14,7 +14,7 @@ namespace attractor {
 // it, and no point in the pixel has an address above. docs/mathematics.md, "Fractal tops".
 class ExactTops {
 public:
-    ExactTops(const CoupledSystem& system, const Camera& camera) // which outlive it
+    ExactTops(const CoupledSystem& system, const Camera& camera) // references, which must outlive the object
         : m_system(system), m_camera(camera) {}
 
     // Rows of the picture from `firstRow` on, as many as there are points; the same in whatever bands they

@@ -9,10 +9,10 @@ namespace attractor {
 
 namespace {
 
-constexpr std::size_t together = 16; // pixels that are mostly all empty or all full
+constexpr std::size_t together = 16; // pixels tested together, usually all empty or all full
 
 bool areEmpty(const std::uint32_t* keys) {
-    std::uint32_t all = kernels::noKey; // which has all bits
+    std::uint32_t all = kernels::noKey; // neutral element of &: all bits set
     for (std::size_t k = 0; k < together; ++k)
         all &= keys[k];
     return all == kernels::noKey;

@@ -10,7 +10,7 @@ namespace attractor {
 
 namespace {
 
-constexpr std::size_t wordsBetween = 64; // two checks of the stop token
+constexpr std::size_t wordsBetween = 64; // words between two checks of the stop token
 
 kernels::KeyWord keyWord(const TopWord& word, const CoupledSamples& samples, std::size_t rank) {
     const ifs::Matrix<2> linear = word.shown.linear * samples.scale;
@@ -37,11 +37,12 @@ KeyTops::KeyTops(const CoupledSystem& system, const Camera& camera, std::uint64_
         std::clamp<std::size_t>(wanted / cut.words.size(), 1, CoupledSamples::maxPerWord);
     m_samples = coupledSamples(system, seed, size, 1 / std::max(1.0, cut.size));
     m_tree = std::move(cut.tree);
-    constexpr double rounding = 1; // pixels, more than what single precision may do
+    constexpr double rounding = 1; // pixels; exceeds the error of single precision
     for (const TopWord& word : cut.words) {
         m_boxes.push_back({word.box.left - rounding, word.box.right + rounding, word.box.top - rounding,
                            word.box.bottom + rounding});
-        m_sources.push_back({word.number, word.shown.linear / camera.pixelsPerUnit}); // without the camera
+        // Divided by the camera's scale.
+        m_sources.push_back({word.number, word.shown.linear / camera.pixelsPerUnit});
         m_pieces.push_back({{}, 0, word.address, word.step});
         m_words.push_back(keyWord(word, m_samples, m_words.size()));
     }

@@ -39,7 +39,7 @@ public:
     // The decoder of a key: its piece is key / samples().size(), its sample the remainder.
     struct Piece {
         ifs::AffineMap<2> to;
-        double stretch; // |det v_σ / det w_σ|, times the ratio of the wholes
+        double stretch; // |det v_σ / det w_σ|, times the ratio of the whole attractors
         double address, step;
     };
     std::span<const Piece> pieces() const { return m_pieces; }
@@ -50,7 +50,7 @@ private:
     void movePieces(const CoupledSystem& system);
 
     struct Source {
-        std::uint32_t word; // in the tree
+        std::uint32_t word; // index in the tree
         ifs::Matrix<2> from;
     };
 

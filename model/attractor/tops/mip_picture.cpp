@@ -128,7 +128,7 @@ LinearColour MipPicture::at(double x, double y, double area) const {
 }
 
 std::int32_t mipLevel(double area) {
-    constexpr std::int32_t leastLevel = -(1 << 25); // below that of every other number
+    constexpr std::int32_t leastLevel = -(1 << 25); // below the level of any number
     if (!(area > 0)) return leastLevel;
     return std::int32_t(std::floor(binaryLogarithm(area) * (1 << (kernels::placeBits - 1)) + 0.5));
 }

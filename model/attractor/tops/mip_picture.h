@@ -40,14 +40,14 @@ private:
     static constexpr double unit = 1 << kernels::placeBits;
 
     LinearColour smooth(std::size_t level, double x, double y) const;
-    std::int16_t* append(int columns, int rows); // room for one more level
-    void halve();                                // the last level
-    void repeatLast();                           // the last pixel of its rows, and the last row
+    std::int16_t* append(int columns, int rows); // makes room for one more level
+    void halve();                                // halves the last level
+    void repeatLast();                           // repeats the last pixel of each row, and the last row
 
     int m_width = 0, m_height = 0;
-    std::int32_t m_lastLevel = 0; // as in kernels::PicturePlace
+    std::int32_t m_lastLevel = 0; // same meaning as in kernels::PicturePlace
     std::vector<kernels::PictureLevel> m_levels;
-    std::vector<std::int16_t> m_channels; // of all levels
+    std::vector<std::int16_t> m_channels; // channels of all levels
 };
 
 // The level whose pixels are as large as `area`, as in kernels::PicturePlace, below 0 for less than a pixel:

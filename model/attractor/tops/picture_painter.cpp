@@ -26,7 +26,7 @@ std::uint32_t packed(const LinearColour& over, const LinearColour& under) {
 
 using Codes = std::array<std::uint8_t, fullChannel + 1>;
 
-const Codes& codes() { // of channels
+const Codes& codes() { // codes of channels
     static const Codes table = [] {
         Codes values{};
         for (std::size_t i = 0; i < values.size(); ++i)

@@ -134,7 +134,7 @@ Colour tartan(double x, double y) {
 Colour waves(double x, double y) {
     Colour seen = mixed({0.98, 0.91, 0.76}, {0.55, 0.74, 0.83}, (y - 0.75) * 4);
     constexpr int count = 9;
-    for (int k = 0; k < count; ++k) { // the nearest last
+    for (int k = 0; k < count; ++k) { // farthest first
         const double nearness = (k + 1.0) / count, length = 4 + 14 * (1 - nearness);
         const double crest = 0.80 - 0.78 * nearness + 0.035 * std::sin(length * x * 2 + 2.3 * k) +
                              0.05 * nearness * std::abs(std::sin(length * x + 1.7 * k));

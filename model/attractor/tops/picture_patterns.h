@@ -11,7 +11,7 @@ namespace attractor {
 
 // Pictures that need no file.
 enum class Pattern {
-    Grid,   // numbered by colour: red grows to the right, green upwards
+    Grid,   // coloured cells: red grows to the right, green upwards
     Wheel,  // all hues about the middle
     Rings,  // even rings about the middle
     Sunset, // a sky with a sun over hills

@@ -17,7 +17,7 @@ namespace attractor {
 
 namespace {
 
-constexpr std::size_t bandPixels = 1U << 18; // drawn at a time by one thread
+constexpr std::size_t bandPixels = 1U << 18; // pixels drawn at a time by one thread
 constexpr int maxBandRows = 64;
 
 // The colours of pixels of F; `points` and `pixels` are as many.
@@ -38,8 +38,8 @@ void colour(std::span<const TopPoint> points, const MipPicture& picture, const T
 }
 
 struct Band {
-    std::vector<TopPoint> points;    // of exact tops
-    std::vector<std::uint32_t> keys; // of the others
+    std::vector<TopPoint> points;    // exact tops only
+    std::vector<std::uint32_t> keys; // key tops only
     std::vector<std::uint32_t> pixels;
 };
 

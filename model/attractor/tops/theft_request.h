@@ -13,12 +13,12 @@ namespace attractor {
 // Colour stealing: a pixel of F has the colour that a picture on G has at T_FG of it.
 // docs/mathematics.md, "Fractal tops".
 struct TheftRequest {
-    Camera camera;               // of F
-    ifs::AffineMap<2> toPicture; // from coordinates of G to pixels of the picture
-    bool isExact = false;        // ExactTops; else KeyTops
+    Camera camera;               // camera of F
+    ifs::AffineMap<2> toPicture; // coordinates of G → pixels of the picture
+    bool isExact = false;        // true: ExactTops; false: KeyTops
     std::uint64_t points = 10'000'000;
     std::uint64_t seed = 1;
-    int threads = 1; // never changes a pixel
+    int threads = 1; // no effect on pixels
     Rgba background{13, 16, 23, 255};
 };
 

@@ -34,7 +34,7 @@ std::optional<TopCut> cutOf(const CoupledSystem& system, const Camera& camera, d
         }
         if (open.size() + maps > maxVisits) return std::nullopt;
         const double step = word.step / double(maps);
-        for (std::size_t i = maps; i-- > 0;) // the first map comes last, on top
+        for (std::size_t i = maps; i-- > 0;) // first map last, on top
             open.push_back({word.shown * system.from[i], result.tree.longer(word.number, i),
                             word.address + double(i) * step, step});
     }

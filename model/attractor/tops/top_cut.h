@@ -14,8 +14,8 @@ namespace attractor {
 
 // A word of a cut.
 struct TopWord {
-    ifs::AffineMap<2> shown;  // from coordinates of F to pixels
-    std::uint32_t number = 0; // in the tree
+    ifs::AffineMap<2> shown;  // coordinates of F → pixels
+    std::uint32_t number = 0; // index in the tree
     double address = 0, step = 1;
     PixelBox box{};
 };
@@ -24,7 +24,7 @@ struct TopWord {
 // `size` pixels large and meet the picture: the rank of a word is its index.
 struct TopCut {
     std::vector<TopWord> words;
-    WordTree tree; // of them and their beginnings
+    WordTree tree; // tree of the words and their beginnings
     double size = 0;
 };
 

@@ -19,7 +19,7 @@ public:
 
     struct Image {
         ifs::AffineMap<2> to;
-        double areaRatio = 1; // the product of those of its maps
+        double areaRatio = 1; // product of the ratios of its maps
     };
     // v_σ of all words, by their numbers.
     std::vector<Image> images(const CoupledSystem& system) const;

@@ -20,7 +20,7 @@ std::optional<VoxelGrid::Index> gridSize(const VoxelRequest& request) {
     for (int k = 0; k < 3; ++k) {
         const double length = (request.max[k] - request.min[k]) / request.side;
         const double count = std::floor(length) + 1 + 2.0 * (request.margin + 1);
-        voxels *= std::ceil(count / (k == 0 ? 64 : 1)) * (k == 0 ? 64 : 1); // as they are stored
+        voxels *= std::ceil(count / (k == 0 ? 64 : 1)) * (k == 0 ? 64 : 1); // whole 64-bit words, as stored
         if (!(voxels <= double(VoxelGrid::maxVoxels))) return {};
         size[std::size_t(k)] = int(count);
     }
@@ -78,25 +78,25 @@ public:
     }
 
 private:
-    static constexpr std::uint64_t between = 1U << 20; // words between two looks at the clock
-    static constexpr std::size_t maxDepth = 1'000'000; // 100 MB
+    static constexpr std::uint64_t between = 1U << 20; // words between two checks of the time
+    static constexpr std::size_t maxDepth = 1'000'000; // words, about 100 MB
 
     struct Open {
         ifs::AffineMap<3> word;
-        std::size_t next; // of its children
+        std::size_t next; // index of the next child
     };
 
-    // Images of a fixed point, as close as voxels. Their voxels are met whatever words are taken apart into,
-    // and a word on the border of voxels that are known to be met need not be taken apart.
+    // Marks images of a fixed point at distances of a voxel. These voxels are met however words are divided,
+    // and a word on the border of marked voxels need not be divided.
     bool fillKnownPoints(const std::stop_token& stop) {
-        constexpr double fewVoxels = 2; // wide
+        constexpr double fewVoxels = 2; // voxels wide
         const auto fixed = fixedPoint();
         if (!fixed) return true;
         std::vector<ifs::Vector<3>> points;
         for (const ifs::AffineMap<3>& map : m_maps)
             points.push_back(map(*fixed));
         std::uint64_t words = 0;
-        std::uint64_t looked = 0; // at the clock
+        std::uint64_t looked = 0; // images at the last check of the time
         for (const ifs::AffineMap<3>& piece : m_pieces)
             for (m_open = {{piece, 0}}; !m_open.empty();) {
                 Open& open = m_open.back();
@@ -104,7 +104,7 @@ private:
                 if (2 * linear.cwiseAbs().rowwise().sum().maxCoeff() <= fewVoxels) {
                     for (const ifs::Vector<3>& point : points)
                         fill(open.word(point));
-                    words += points.size() / 4; // what they take beside a word
+                    words += points.size() / 4; // cost in words
                     open.next = m_maps.size();
                 }
                 if (open.next == m_maps.size()) {
@@ -122,7 +122,7 @@ private:
         return true;
     }
 
-    // The fixed point of a map, in box coordinates, that shrinks so much that the point is exact but for
+    // Fixed point of a map in box coordinates, for a map that shrinks so much that the point is exact up to
     // rounding.
     std::optional<ifs::Vector<3>> fixedPoint() const {
         for (const ifs::AffineMap<3>& map : m_maps) {
@@ -139,7 +139,7 @@ private:
         if (m_cover.grid.contains(voxel)) m_cover.grid.fill(voxel);
     }
 
-    double share() const { // of the piece
+    double share() const { // share of the piece
         double part = 1;
         double result = 0;
         for (std::size_t k = 0; k < std::min<std::size_t>(m_open.size(), 8); ++k) {
@@ -149,11 +149,10 @@ private:
         return result;
     }
 
-    // Returns true if nothing is to be gained from the children of the word; marks the voxels that it is
-    // known to meet.
+    // Returns true if dividing the word gains nothing; marks the voxels that it certainly meets.
     bool isDone(const ifs::AffineMap<3>& word) {
         constexpr double rounding = 1e-9;        // voxels; the grid has at most 2²⁸
-        constexpr std::int64_t maxLookedAt = 64; // voxels
+        constexpr std::int64_t maxLookedAt = 64; // voxels examined for a word
         VoxelGrid::Index low{};
         VoxelGrid::Index high{};
         double widest = 0;
@@ -182,8 +181,8 @@ private:
     }
 
     VoxelCover& m_cover;
-    std::vector<ifs::AffineMap<3>> m_maps;   // in box coordinates
-    std::vector<ifs::AffineMap<3>> m_pieces; // of what is shown, box → voxels
+    std::vector<ifs::AffineMap<3>> m_maps;   // maps in box coordinates
+    std::vector<ifs::AffineMap<3>> m_pieces; // displayed pieces, box → voxels
     std::vector<Open> m_open;
 };
 

@@ -89,11 +89,11 @@ public:
 
     struct Run {
         int begin = 0;
-        int end = 0; // past the last
+        int end = 0; // exclusive
     };
     std::size_t size() const { return m_runs.size(); }
     const Run& operator[](std::size_t i) const { return m_runs[i]; }
-    std::uint32_t group(std::uint32_t run) { // the first run of its group
+    std::uint32_t group(std::uint32_t run) { // first run of its group
         while (m_parents[run] != run)
             run = m_parents[run] = m_parents[m_parents[run]];
         return run;
@@ -112,7 +112,7 @@ private:
         const std::uint64_t* bits = grid.m_bits.data() + grid.row(y, z);
         const std::uint64_t turned = kind == Kind::Filled ? 0 : ~std::uint64_t{0};
         int x = 0;
-        const auto next = [&](std::uint64_t flip) { // the first voxel from x on that is set
+        const auto next = [&](std::uint64_t flip) { // first set voxel from x on
             while (x < m_size[0]) {
                 const std::uint64_t rest = (bits[x / 64] ^ turned ^ flip) >> (x % 64);
                 if (rest != 0) {
@@ -166,7 +166,7 @@ private:
 
     VoxelGrid::Index m_size;
     std::vector<Run> m_runs;
-    std::vector<std::uint32_t> m_rows; // the first run of each, y fastest
+    std::vector<std::uint32_t> m_rows; // first run of each row, y fastest
     std::vector<std::uint32_t> m_parents;
 };
 

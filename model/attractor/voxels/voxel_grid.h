@@ -13,10 +13,10 @@ class VoxelGrid {
 public:
     using Index = std::array<int, 3>;
 
-    static constexpr std::uint64_t maxVoxels = std::uint64_t{1} << 28; // 32 MB
+    static constexpr std::uint64_t maxVoxels = std::uint64_t{1} << 28; // 32 MB of bits
 
     VoxelGrid() = default;
-    explicit VoxelGrid(const Index& size); // all empty; at most maxVoxels
+    explicit VoxelGrid(const Index& size); // starts empty; at most maxVoxels
 
     const Index& size() const { return m_size; }
     bool contains(const Index& voxel) const {
@@ -27,7 +27,7 @@ public:
     bool isFilled(const Index& voxel) const {
         return contains(voxel) && (m_bits[word(voxel)] >> (unsigned(voxel[0]) % 64) & 1) != 0;
     }
-    void fill(const Index& voxel) { // one of the box
+    void fill(const Index& voxel) { // `voxel` must lie in the box
         m_bits[word(voxel)] |= std::uint64_t{1} << (unsigned(voxel[0]) % 64);
     }
     std::uint64_t countFilled() const;
@@ -60,6 +60,6 @@ struct Cavities {
     std::uint64_t voxels = 0;
 };
 Cavities cavitiesOf(const VoxelGrid& grid);
-Cavities fillCavities(VoxelGrid& grid); // those it has filled
+Cavities fillCavities(VoxelGrid& grid); // returns the cavities that were filled
 
 } // namespace attractor

@@ -108,7 +108,7 @@ private:
         values.erase(std::unique(values.begin(), values.end()), values.end());
     }
 
-    // The voxels around a corner, as in isSingularPattern.
+    // True if the voxels around the corner form a singular pattern.
     bool isSingular(const Index& corner) const {
         unsigned octants = 0;
         for (unsigned k = 0; k < 8; ++k)
@@ -118,7 +118,7 @@ private:
         return isSingularPattern[octants];
     }
 
-    // Two filled voxels, or two empty ones, touch in the edge alone.
+    // True if two filled or two empty voxels touch only in the edge.
     bool isSingular(const Edge& edge) const {
         const std::size_t u = std::size_t(edge.axis + 1) % 3;
         const std::size_t v = std::size_t(edge.axis + 2) % 3;
@@ -147,8 +147,8 @@ private:
         const std::size_t v = (axis + 2) % 3;
         const Index origin = moved(filled, axis, side);
         constexpr std::array<std::array<int, 2>, 4> steps{{{1, 0}, {0, 1}, {-1, 0}, {0, -1}}};
-        std::array<bool, 4> isCut{};      // corner k
-        std::array<bool, 4> isStripped{}; // from corner k to the next
+        std::array<bool, 4> isCut{};      // for corner k
+        std::array<bool, 4> isStripped{}; // for the edge from corner k to the next
         Index corner = origin;
         for (std::size_t k = 0; k < 4; ++k) {
             if (isCut[k] = isSingular(corner); isCut[k]) m_corners.push_back(corner);
@@ -189,7 +189,7 @@ private:
         isWhole ? addFan(m_outline.front(), 1, m_outline.size() - 1) : addFan(middle, 0, m_outline.size());
     }
 
-    // Adds triangles from a point to the edges of the outline between two of its points, or to all of them,
+    // Adds triangles from a point to the edges of the outline between two of its points, or to all edges
     // around it.
     void addFan(const Point& apex, std::size_t first, std::size_t last) {
         const std::size_t count = m_outline.size();
@@ -202,7 +202,7 @@ private:
         return {corner[0] * voxel, corner[1] * voxel, corner[2] * voxel};
     }
 
-    // The rectangle from a corner along two axes, seen from where `axis` points (`side` 1) or comes from.
+    // Rectangle from a corner along two axes; `side` 1: seen from the positive end of `axis`.
     void addRectangle(Point corner, std::size_t axis, int side, std::int32_t alongU, std::int32_t alongV) {
         const std::size_t u = (axis + 1) % 3;
         const std::size_t v = (axis + 2) % 3;
@@ -221,7 +221,7 @@ private:
         for (std::size_t axis = 0; axis < 3; ++axis)
             for (const int side : {0, 1}) {
                 const Edge outward{moved(corner, axis, side - 1), int(axis)};
-                if (isSingular(outward)) continue; // a bar goes on
+                if (isSingular(outward)) continue; // continues a bar
                 for (unsigned quarter = 0; quarter < 4; ++quarter) {
                     const int onU = int(quarter & 1);
                     const int onV = int(quarter >> 1);
@@ -254,10 +254,10 @@ private:
             constexpr std::int32_t length = voxel - 2 * bar;
             Point onSide = at;
             onSide[u] += (2 * onU - 1) * bar;
-            addRectangle(onSide, u, onU, (2 * onV - 1) * bar, length); // u's next axes: v, axis
+            addRectangle(onSide, u, onU, (2 * onV - 1) * bar, length); // axes after u: v, axis
             onSide = at;
             onSide[v] += (2 * onV - 1) * bar;
-            addRectangle(onSide, v, onV, length, (2 * onU - 1) * bar); // v's next axes: axis, u
+            addRectangle(onSide, v, onV, length, (2 * onU - 1) * bar); // axes after v: axis, u
         }
     }
 
@@ -271,7 +271,7 @@ private:
     const VoxelGrid& m_grid;
     SurfaceMesh m_mesh;
     PointNumbers m_number;
-    std::vector<Index> m_corners; // that are singular
+    std::vector<Index> m_corners; // singular corners
     std::vector<Edge> m_edges;
     std::vector<Point> m_outline;
     bool m_isFull = false;
@@ -281,7 +281,7 @@ private:
 using Ring = std::vector<std::array<std::uint32_t, 2>>;
 
 SurfaceFlaw flawOfRing(Ring& ring) {
-    if (ring.empty()) return SurfaceFlaw::None; // no triangle has it
+    if (ring.empty()) return SurfaceFlaw::None; // corner without triangles
     for (std::size_t i = 0; i < ring.size(); ++i)
         for (std::size_t k = 0; k < i; ++k)
             if (ring[i][0] == ring[k][0] || ring[i][1] == ring[k][1]) return SurfaceFlaw::NotManifold;

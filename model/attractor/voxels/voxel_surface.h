@@ -34,13 +34,13 @@ std::optional<SurfaceMesh> voxelSurface(const VoxelGrid& grid);
 
 enum class SurfaceFlaw {
     None,
-    Open,        // an edge has no second triangle
+    Open,        // some edge has no second triangle
     NotManifold, // more than two triangles meet in an edge, or more than one fan in a corner
 };
 // The defect of a mesh, if any: every edge must be used once in each direction, and the triangles around a
 // point must be one ring.
 SurfaceFlaw flawOf(const SurfaceMesh& mesh);
 
-double enclosedVolume(const SurfaceMesh& mesh); // in units of the lattice
+double enclosedVolume(const SurfaceMesh& mesh); // volume in units of the lattice
 
 } // namespace attractor

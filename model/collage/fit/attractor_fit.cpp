@@ -19,7 +19,7 @@ using Maps = std::vector<ifs::AffineMap<2>>;
 using Rows = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
 constexpr std::size_t maxPoints = 5000;
-constexpr double outlier = 2; // cells; farther residuals count by their distance, not its square
+constexpr double outlier = 2; // cells; beyond it, residuals count linearly instead of squared
 
 ifs::Matrix<2> matrix(double a, double b, double c, double d) {
     return (ifs::Matrix<2>() << a, b, c, d).finished();
@@ -117,13 +117,13 @@ Residuals residuals(const Target& target, const std::vector<AttractorPoint>& poi
 
 // The normal equations of one linearisation, in the free parameters.
 struct Linearised {
-    Eigen::MatrixXd pull; // of the residuals
-    Eigen::MatrixXd hold; // of all points
+    Eigen::MatrixXd pull; // equations of the residuals
+    Eigen::MatrixXd hold; // equations of all points
     Eigen::VectorXd right;
 };
 
 Linearised linearised(const Target& target, const Maps& maps, const Eigen::MatrixXd& basis) {
-    // Few enough points for the derivatives, at most one in a cell of the target.
+    // Coarser derivatives: at most one point in a cell of the target.
     double step = 1;
     std::vector<AttractorPoint> points = attractorPoints(maps, target.grid, step, 16 * maxPoints);
     while (points.size() > maxPoints) {
@@ -185,7 +185,7 @@ public:
             const Eigen::VectorXd free = normal.ldlt().solve(at.right);
             Maps trial = moved(inside, basis * free, m_schedule, m_target.mean);
             if (!areFinite(trial)) continue;
-            // Maps that did not move keep their bits.
+            // Copies maps that did not move, bit for bit.
             for (std::size_t i = 0; i < trial.size(); ++i)
                 trial[i] = trial[i] == inside[i] ? m_maps[i] : fromGrid(m_target.grid, trial[i]);
             const double error = errorOf(trial);

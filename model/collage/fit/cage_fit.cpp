@@ -15,8 +15,8 @@ namespace {
 using Points = std::vector<ifs::Vector<2>>;
 
 constexpr int restSide = 256;       // cells along the longer side of the cage at rest
-constexpr int iterations = 60;      // of closest points
-constexpr double cornerHold = 0.02; // how strongly the corners stay, of the mean diagonal
+constexpr int iterations = 60;      // rounds of closest points
+constexpr double cornerHold = 0.02; // stiffness of the corners, as a share of the mean diagonal
 constexpr int neighbours[4][2] = {{1, 0}, {-1, 0}, {0, 1}, {0, -1}};
 
 // The cells that can be reached from the edge of the mask without crossing the shape.
@@ -96,8 +96,8 @@ public:
     const std::vector<std::int32_t>& cells() const { return m_cells; }
     Points outline() const { return centresOf(m_grid, m_outline); }
 
-    // Pairs the points under the corners, in grid coordinates; returns the mean distance in cells. The points
-    // count as much as the target.
+    // Pairs the points under the corners, in grid coordinates; returns the mean distance in cells. All points
+    // together have the weight of the target.
     double pair(const Eigen::MatrixX2d& corners) {
         m_normal.setZero(corners.rows(), corners.rows());
         m_right.setZero(corners.rows(), 2);
@@ -139,8 +139,8 @@ private:
     Grid m_grid;
     Mask m_outline;
     FeatureTransform m_features;
-    const Eigen::MatrixXd& m_coordinates; // a row for each point
-    std::vector<std::int32_t> m_cells;    // of the target's outline
+    const Eigen::MatrixXd& m_coordinates; // one row for each point
+    std::vector<std::int32_t> m_cells;    // cells of the target's outline
     std::vector<std::int32_t> m_labels;
     NearestCells m_nearest;
     Eigen::MatrixXd m_normal;

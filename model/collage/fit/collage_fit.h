@@ -15,9 +15,9 @@ namespace collage {
 struct FitSchedule {
     Constraints constraints;
     int iterations = 40;
-    int cautious = 15; // so many of them at first keep the norms at most cautiousNorm,
+    int cautious = 15; // first iterations, in which cautiousNorm bounds the norms
     double cautiousNorm = 0.75;
-    double maxNorm = 0.9; // the others this one
+    double maxNorm = 0.9; // bound of the norms in the others
 };
 
 // Moves maps so that the images of a target cover it and nothing else. One per thread, because it holds its
@@ -46,11 +46,12 @@ private:
     void coverTarget(std::vector<PairSums>& sums) const;
 
     const Target& m_target;
-    Eigen::Matrix3d m_moments;          // of the target's centres, with 1 appended
-    ifs::Vector<2> m_across;            // a unit vector across the target if it is a thin line, else 0
-    std::vector<std::int32_t> m_labels; // of every cell: 1 + map · points + point that has its image there
-    std::vector<std::int32_t> m_images; // of every map and point: the cell of its image
-    std::vector<float> m_distance;      // of every cell to the target
+    Eigen::Matrix3d m_moments; // moments of the target's centres, with 1 appended
+    ifs::Vector<2> m_across;   // unit vector across the target if it is a thin line, else 0
+    // Label of each cell: 1 + map · points + point that has its image there; 0: none.
+    std::vector<std::int32_t> m_labels;
+    std::vector<std::int32_t> m_images; // cell of the image of each point under each map
+    std::vector<float> m_distance;      // distance of each cell to the target
     NearestCells m_nearest;
 };
 

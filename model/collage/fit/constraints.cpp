@@ -10,7 +10,7 @@ namespace collage {
 
 namespace {
 
-constexpr double flattest = 0.05; // the ratio of the singular values of a map that would rather mirror
+constexpr double flattest = 0.05; // singular value ratio that a map about to mirror keeps
 constexpr double rounding = 1e-12;
 
 ifs::Matrix<2> withoutMirror(const ifs::Matrix<2>& a) {

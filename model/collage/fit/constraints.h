@@ -18,7 +18,7 @@ struct Constraints {
 
     MapClass mapClass = MapClass::Affine;
     Mirrors mirrors = Mirrors::Allowed;
-    int angleStep = 0; // degrees; 0: any angle, else maps turn by its multiples
+    int angleStep = 0; // degrees; maps turn by multiples of it; 0: by any angle
     // The first map flattens everything to a line, like the stem of a fern, and is free of the rest.
     FirstMap first = FirstMap::Free;
 

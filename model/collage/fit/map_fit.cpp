@@ -50,7 +50,7 @@ void PairSums::addAcross(const ifs::Vector<2>& vector, const ifs::Matrix<2>& cur
 }
 
 ifs::AffineMap<2> leastSquaresMap(const PairSums& sums, MapClass mapClass, const ifs::AffineMap<2>& current) {
-    // Directions that the pairs do not determine stay.
+    // Holds directions that the pairs do not determine.
     PairSums held = sums;
     held.addFixed(Eigen::Matrix3d::Identity(), current, 1e-12 * sums.points.trace());
     const Eigen::Matrix3d points = held.points.selfadjointView<Eigen::Upper>();

@@ -15,7 +15,7 @@ namespace collage {
 
 namespace {
 
-using Field = Eigen::MatrixXd; // row y, column x, rows from the top
+using Field = Eigen::MatrixXd; // row y, column x; rows from the top
 
 // Adds mass at a point in pixels; mass outside is lost.
 void deposit(Field& field, double x, double y, double mass) {
@@ -111,7 +111,7 @@ Eigen::VectorXd towards(const Eigen::VectorXd& p, const Eigen::VectorXd& goal,
 Eigen::VectorXd simplexMinimum(const Eigen::MatrixXd& q, const Eigen::VectorXd& c) {
     const Eigen::Index n = c.size();
     if (n == 0) return {};
-    // A tiny ridge decides between equal solutions.
+    // Tiny ridge, which decides between equal solutions.
     const double scale = std::max(q.diagonal().maxCoeff(), std::numeric_limits<double>::min());
     const Eigen::MatrixXd hessian = q + 1e-13 * scale * Eigen::MatrixXd::Identity(n, n);
     Eigen::Index best = 0;
@@ -126,7 +126,7 @@ Eigen::VectorXd simplexMinimum(const Eigen::MatrixXd& q, const Eigen::VectorXd& 
             continue;
         }
         p = goal;
-        const Eigen::VectorXd slope = hessian * p - c; // equal on the free ones
+        const Eigen::VectorXd slope = hessian * p - c; // equal in all free components
         Eigen::Index steepest = free.front();
         for (Eigen::Index i = 0; i < n; ++i)
             if (std::ranges::find(free, i) == free.end() && slope[i] < slope[steepest]) steepest = i;
@@ -165,7 +165,7 @@ std::vector<double> fittedWeights(const Density& density, std::span<const ifs::A
 std::optional<double> measureBound(const Density& density, std::span<const ifs::AffineMap<2>> maps,
                                    std::span<const double> weights, const std::stop_token& stop) {
     const double mass = std::accumulate(density.mass.begin(), density.mass.end(), 0.0);
-    double contraction = 0; // on average
+    double contraction = 0; // average
     for (std::size_t i = 0; i < maps.size(); ++i)
         contraction += weights[i] * ifs::spectralNorm<2>(maps[i].linear);
     if (!(mass > 0) || !(contraction < 1)) return std::nullopt;
@@ -181,7 +181,7 @@ std::optional<double> measureBound(const Density& density, std::span<const ifs::
         const double share = density.mass[k] / mass;
         const auto width = std::size_t(density.width);
         const ifs::Vector<2> centre(double(k % width) + 0.5, double(k / width) + 0.5);
-        bound.addDemand({share, centre, 1.0 / 6}); // even on each pixel
+        bound.addDemand({share, centre, 1.0 / 6}); // even distribution over the pixel
         for (std::size_t i = 0; i < maps.size(); ++i)
             bound.addSupply({share * weights[i], inside[i](centre), inside[i].linear.squaredNorm() / 12});
     }

@@ -11,20 +11,20 @@ namespace collage {
 
 namespace {
 
-using Labels = std::vector<std::int32_t>; // of every cell: not 0 where something is
+using Labels = std::vector<std::int32_t>; // label of each cell; 0: empty
 
 struct Place {
-    double distance = -1; // in cells
+    double distance = -1; // cells
     ifs::Vector<2> point = ifs::Vector<2>::Zero();
     std::int32_t layer = 0;
 };
 
 // Points on a grid, and those so far outside that only their distance to the target counts.
 struct Splats {
-    Labels labels; // the layer that was the last to meet the cell
+    Labels labels; // last layer that met each cell
     std::vector<Place> outside;
-    std::int32_t layer = 1; // of what comes next, never 0; layers do not return
-    std::size_t met = 0;    // the sum over all layers of the cells of the grid that they meet
+    std::int32_t layer = 1; // label of the next layer, > 0; layers are not reused
+    std::size_t met = 0;    // number of cells met, summed over all layers
 };
 
 std::vector<ifs::AffineMap<2>> inGrid(const Grid& grid, std::span<const ifs::AffineMap<2>> maps) {
@@ -90,11 +90,11 @@ public:
     }
 
 private:
-    std::size_t m_count[2] = {0, 0}; // of what is compared, of the target
+    std::size_t m_count[2] = {0, 0}; // number of cells of the compared set, and of the target
     double m_sum[2] = {0, 0};
     std::vector<double> m_positive;
     Place m_worst;
-    std::ptrdiff_t m_worstCell = -1; // of the grid; none: the place is known
+    std::ptrdiff_t m_worstCell = -1; // worst cell of the grid; −1: the place is known
 };
 
 void measureDistances(const Target& target, const Splats& splats, Agreement& agreement) {
@@ -112,7 +112,7 @@ void measureDistances(const Target& target, const Splats& splats, Agreement& agr
         const int x = cell % width, y = cell / width;
         const NearestCells::Found found =
             splats.labels[std::size_t(cell)] != 0 ? NearestCells::Found{cell, 0} : nearest(x, y);
-        // With nothing on the grid, some point off it will do: the distance is not too small.
+        // Uses some point off the grid if the grid is empty: the distance is not too small.
         const double distance =
             found.cell >= 0 || nearestOutside == splats.outside.end()
                 ? std::sqrt(double(found.square))
@@ -200,7 +200,7 @@ MeasuredCollage measuredCollage(const Target& target, std::span<const ifs::Affin
                                 NormSearch search) {
     const auto inside = inGrid(target.grid, maps);
     Splats splats{Labels(target.mask.cells.size()), {}};
-    std::size_t met = 0; // by images without gaps
+    std::size_t met = 0; // cells met by images without gaps
     for (const ifs::AffineMap<2>& map : inside) {
         splats.met = 0;
         splatImages(target, map, 0, 0, splats);
@@ -245,7 +245,7 @@ Mask attractorMask(const Grid& grid, std::span<const ifs::AffineMap<2>> maps) {
 
 Agreement attractorAgreement(const Target& target, std::span<const ifs::AffineMap<2>> maps) {
     Splats splats{Labels(target.mask.cells.size()), {}};
-    // Steps of half a cell: no cell in the middle of the attractor stays empty.
+    // Half-cell steps leave no cell inside the attractor empty.
     for (const AttractorPoint& point :
          attractorPoints(inGrid(target.grid, maps), target.grid, 0.5, 8 * target.mask.cells.size() + 1000))
         splat(target, point.x, point.y, splats);

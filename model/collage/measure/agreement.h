@@ -17,10 +17,10 @@ struct Agreement {
     double coverage = 0;  // |B ∩ L| / |L| for the target L and what is compared with it, B
     double excess = 0;    // |B ∖ L| / |L|
     double iou = 0;       // |B ∩ L| / |B ∪ L|
-    double mean = 0;      // of the distances from B to L and from L to B, both counted half
-    double p95 = 0;       // 95 % of all cells of B and L are at most that far from the other
-    double hausdorff = 0; // the largest distance
-    ifs::Vector<2> worst = ifs::Vector<2>::Zero(); // where that is, in the plane
+    double mean = 0;      // mean of the distances from B to L and from L to B, both with equal weight
+    double p95 = 0;       // distance that 95 % of all cells of B and L keep to the other set
+    double hausdorff = 0; // largest distance
+    ifs::Vector<2> worst = ifs::Vector<2>::Zero(); // place of the largest distance, in the plane
 };
 
 struct CollageMeasure {
@@ -38,7 +38,7 @@ struct CollageMeasure {
 // Measures of a collage, and the cells that its images meet.
 struct MeasuredCollage {
     CollageMeasure measure;
-    Mask images; // on the grid of the target
+    Mask images; // union on the grid of the target
 };
 // Effort spent on finding a norm for maps that contract, but not in the Euclidean norm.
 enum class NormSearch { Thorough, Hurried };
@@ -53,7 +53,7 @@ Agreement attractorAgreement(const Target& target, std::span<const ifs::AffineMa
 // target times 1 − iou, so that solid shapes come out solid.
 double visibleError(const Target& target, const Agreement& attractor);
 
-double contraction(std::span<const ifs::AffineMap<2>> maps); // the largest spectral norm
+double contraction(std::span<const ifs::AffineMap<2>> maps); // s, the largest spectral norm
 
 // The cells that the attractor meets, on the grid of the target.
 Mask attractorMask(const Grid& grid, std::span<const ifs::AffineMap<2>> maps);

@@ -20,7 +20,7 @@ public:
           m_rows(std::int64_t(std::ceil(grid.height / step))),
           m_seen(std::size_t(m_columns) * std::size_t(m_rows)) {}
 
-    // False when the square of this point has one already, or is too far away to matter.
+    // Returns false if the square of this point is occupied, or too far away to matter.
     bool insert(double x, double y) {
         const double column = std::floor(x / m_step), row = std::floor(y / m_step);
         if (!(std::abs(column) < 1e9 && std::abs(row) < 1e9)) return false;

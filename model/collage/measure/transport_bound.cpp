@@ -13,7 +13,7 @@ namespace {
 
 using Lump = TransportBound::Lump;
 
-constexpr std::size_t maxLumps = 400; // whose transport is solved exactly
+constexpr std::size_t maxLumps = 400; // largest number of lumps for an exact solution
 
 Lump together(const Lump& a, const Lump& b) {
     if (a.mass == 0) return b;

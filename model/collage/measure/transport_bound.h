@@ -32,7 +32,7 @@ private:
 
     int m_width;
     int m_height;
-    std::vector<Lump> m_supply; // of each cell
+    std::vector<Lump> m_supply; // one for each cell
     std::vector<Lump> m_demand;
 };
 

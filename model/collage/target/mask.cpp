@@ -47,7 +47,8 @@ std::optional<int> otsuThreshold(const std::vector<std::uint8_t>& levels) {
         sum += double(level) * count[level];
     const auto total = double(levels.size());
     double below = 0, sumBelow = 0, best = 0;
-    // Between two classes without anything in between, every level is as good: the middle is taken.
+    // Middle of the levels between two classes without anything between them: all of these levels are equally
+    // good.
     int first = -1, last = -1;
     for (int level = 0; level < 255; ++level) {
         below += count[std::size_t(level)];

@@ -29,7 +29,7 @@ struct Mask {
     friend bool operator==(const Mask&, const Mask&) = default;
 };
 Mask emptyMask(int width, int height);
-std::size_t area(const Mask& mask); // in pixels
+std::size_t area(const Mask& mask); // number of pixels
 
 // Pixels from `left` to `right`, exclusive, and from `top` to `bottom`, exclusive.
 struct PixelBox {
@@ -43,7 +43,7 @@ struct PixelBox {
 
     friend bool operator==(const PixelBox&, const PixelBox&) = default;
 };
-PixelBox boxOf(const Mask& mask); // the smallest one around the shape; all 0 for an empty mask
+PixelBox boxOf(const Mask& mask); // smallest box around the shape; all 0 for an empty mask
 // The part of a picture within the box, which must not extend beyond the picture.
 GreyPicture cropped(const GreyPicture& picture, const PixelBox& box);
 
@@ -51,7 +51,7 @@ GreyPicture cropped(const GreyPicture& picture, const PixelBox& box);
 // between both classes); nullopt when all levels are equal.
 std::optional<int> otsuThreshold(const std::vector<std::uint8_t>& levels);
 
-enum class Polarity { Shape, Background }; // the pixels that targetMask() selects
+enum class Polarity { Shape, Background }; // pixels that targetMask() selects
 
 // Returns true if there are transparent pixels, so that the opaque ones are the shape.
 bool isShapedByOpacity(const GreyPicture& picture);

@@ -7,7 +7,7 @@ namespace collage {
 
 namespace {
 
-constexpr std::int16_t farAway = 32'000; // more than a column has rows
+constexpr std::int16_t farAway = 32'000; // greater than the number of rows in any column
 
 // Distances to the nearest set cell of the column, upwards in `above` and downwards in `below`.
 template <typename Cell>
@@ -43,7 +43,7 @@ class Envelope {
 public:
     explicit Envelope(int width) : m_column(std::size_t(width)), m_begin(std::size_t(width) + 1) {}
 
-    // f is negative where a column has no cell.
+    // f < 0: empty column.
     void build(const std::vector<std::int64_t>& f) {
         m_size = 0;
         for (int c = 0; c < int(f.size()); ++c) {
@@ -65,7 +65,7 @@ public:
 
     bool isEmpty() const { return m_size == 0; }
 
-    // The column of the lowest parabola at each x = 0, 1, …: give(x, column).
+    // Column of the lowest parabola at each x = 0, 1, …: give(x, column).
     template <typename Give> void sweep(int width, const Give& give) const {
         std::size_t piece = 0;
         for (int x = 0; x < width; ++x) {
@@ -77,7 +77,7 @@ public:
 
 private:
     std::vector<int> m_column;
-    std::vector<double> m_begin; // where the parabola becomes the lowest
+    std::vector<double> m_begin; // x from which on each parabola is the lowest
     std::size_t m_size = 0;
 };
 

@@ -35,7 +35,7 @@ public:
 private:
     int m_width = 0;
     int m_height = 0;
-    std::vector<std::int16_t> m_above; // of every cell: how far the nearest set one of its column is upwards
+    std::vector<std::int16_t> m_above; // distance from each cell up to the nearest set cell of its column
     std::vector<std::int16_t> m_below;
 };
 

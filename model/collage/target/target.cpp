@@ -78,7 +78,7 @@ Target target(const Mask& picture, int factor, double margin) {
     const int pad = std::max(2, int(std::ceil(margin * std::max(columns, rows))));
     Target result;
     const double pixel = 1.0 / picture.height;
-    // The box lies in the middle of its cells, so that a thin line does in those that are set for it.
+    // Centres the box in its cells, so that a thin line lies in the middle of the cells set for it.
     const int left = box.left - pad * factor - (columns * factor - box.width()) / 2;
     const int top = box.top - pad * factor - (rows * factor - box.height()) / 2;
     result.grid = {(left - picture.width / 2.0) * pixel, (picture.height / 2.0 - top) * pixel, factor * pixel,

@@ -16,7 +16,7 @@ namespace collage {
 struct Grid {
     double left = 0;
     double top = 0;
-    double cell = 1; // side
+    double cell = 1; // side of a cell
     int width = 0;
     int height = 0;
 
@@ -33,11 +33,11 @@ struct Target {
     Grid grid;
     Mask mask;
     FeatureTransform features;
-    std::vector<std::int32_t> cells;  // those of the shape, in increasing order
-    std::vector<float> columns, rows; // the grid coordinates of their centres
-    double size = 0;                  // the longer side of the shape's box, in units of the plane
-    ifs::Vector<2> mean;              // of the centres, in grid coordinates
-    ifs::Matrix<2> spread;            // their second moments about the mean
+    std::vector<std::int32_t> cells;  // cells of the shape, in increasing order
+    std::vector<float> columns, rows; // grid coordinates of their centres
+    double size = 0;                  // longer side of the shape's box, in units of the plane
+    ifs::Vector<2> mean;              // mean of the centres, in grid coordinates
+    ifs::Matrix<2> spread;            // second moments of the centres about the mean
 };
 
 // Makes a target with a cell for `factor` × `factor` pixels, over the box of the shape and, on each side, the

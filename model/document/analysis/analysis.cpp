@@ -146,7 +146,7 @@ Analysis Analyser::begunInSpace(const AnalysisRequest& request) {
     if (const auto pieces = shownBranches(shape, m_solidCode->active); !pieces.empty()) {
         analysis.hasMovedBranches = true;
         analysis.solid = ifs::shown<3>(*std::move(analysis.solid), *m_solidCode, placed, pieces);
-        outlines.erase(Outline::Hull); // it would be that of the code
+        outlines.erase(Outline::Hull); // hull of the code, not of the picture
     }
     if (!outlines.empty())
         analysis.shapesInSpace = spaceOutlines({*m_solidCode, *analysis.solid, placed}, *request.fractal,
@@ -215,7 +215,7 @@ std::optional<Analysis> Analyser::completedInSpace(Analysis analysis, const std:
 }
 
 void Analyser::addInvariants(Analysis& analysis) const {
-    if (analysis.facts.active.maps.empty()) return; // the picture is flat
+    if (analysis.facts.active.maps.empty()) return; // flat picture
     analysis.facts.affinityDimension = m_code->affinityDimension;
     analysis.facts.affinityDimensionError = m_code->affinityDimensionError;
     analysis.facts.isAffinityDimensionCapped = m_code->isAffinityDimensionCapped;

@@ -21,7 +21,7 @@ namespace document {
 struct AnalysisRequest {
     std::shared_ptr<const Fractal> fractal;
     std::set<Outline> outlines;
-    int cylinderDepth = 1; // symbols of the addresses whose cylinders are outlined
+    int cylinderDepth = 1; // address length of the outlined cylinders
     std::uint64_t revision = 0;
 };
 
@@ -29,9 +29,10 @@ struct AnalysisRequest {
 struct OutlineShape {
     Outline kind;
     ifs::Polygon points;
-    std::optional<attractor::Rgba> colour; // of the map of a fixed point, of the first map of a cylinder
-    ifs::Word word{};   // the address of a cylinder, over the maps that the chaos game applies
-    ifs::Word listed{}; // the same by their indices in the system: a symmetry makes several of one
+    // Colour of the map of a fixed point, or of the first map of a cylinder.
+    std::optional<attractor::Rgba> colour;
+    ifs::Word word{};   // address of a cylinder, over the maps that the chaos game applies
+    ifs::Word listed{}; // address by indices in the system, where a symmetry makes several maps of one
 };
 
 // Analysis of a picture: of the code's attractor where its cage puts it. Only a cage that bends leaves no
@@ -39,18 +40,18 @@ struct OutlineShape {
 // moved, extents, mean and covariance are those of what is shown, everything else that of the code. For a
 // system in space only `solid` and its shapes are set.
 struct Analysis {
-    std::uint64_t revision = 0; // of the request
+    std::uint64_t revision = 0; // revision of the request
     bool isOfCode = false;
     bool hasMovedBranches = false;
     ifs::Facts<2> facts;
     std::optional<ifs::Facts<3>> solid;
-    std::vector<ifs::Vector<2>> fixedPoints; // of the active maps that have one
-    std::vector<std::size_t> fixedBy;        // whose they are: indices into the system
+    std::vector<ifs::Vector<2>> fixedPoints; // fixed points of the active maps, if they have one
+    std::vector<std::size_t> fixedBy;        // maps of the fixed points: indices in the system
     std::optional<ifs::BoxCounting> boxCounting;
     std::vector<OutlineShape> shapes;
-    std::vector<OutlineShape> outerCylinders; // which contain those of the shapes, and are not drawn
+    std::vector<OutlineShape> outerCylinders; // cylinders that contain those of `shapes`; not drawn
     std::vector<SpaceOutline> shapesInSpace;
-    bool isComplete = false; // false: the affinity dimension and the box counting are still under way
+    bool isComplete = false; // false: the affinity dimension and the box counting are still being computed
 };
 
 // Analyses one fractal after the other. Facts of the code are computed once for as long as only the cage
@@ -64,18 +65,19 @@ public:
     std::optional<Analysis> completed(Analysis analysis, const std::stop_token& stop);
 
 private:
-    void addInvariants(Analysis& analysis) const; // of the code
+    void addInvariants(Analysis& analysis) const; // invariants of the code
     Analysis begunInSpace(const AnalysisRequest& request);
     std::optional<Analysis> completedInSpace(Analysis analysis, const std::stop_token& stop);
 
     System2 m_system;
-    std::optional<ifs::Facts<2>> m_code; // of m_system, the affinity dimension once it has been asked for
+    // Facts of m_system, with the affinity dimension once it has been requested.
+    std::optional<ifs::Facts<2>> m_code;
     bool m_hasDimension = false;
-    ifs::AffineMap<2> m_display;                   // of what was begun last
-    std::optional<ifs::BoxCounting> m_boxCounting; // of the code under m_counted
+    ifs::AffineMap<2> m_display;                   // display of the latest request
+    std::optional<ifs::BoxCounting> m_boxCounting; // box counting of the code displayed by m_counted
     std::optional<ifs::AffineMap<2>> m_counted;
     System3 m_solidSystem;
-    std::optional<ifs::Facts<3>> m_solidCode; // of m_solidSystem
+    std::optional<ifs::Facts<3>> m_solidCode; // facts of m_solidSystem
     bool m_hasSolidInvariants = false;
 };
 

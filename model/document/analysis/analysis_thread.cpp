@@ -16,7 +16,7 @@ namespace document {
 namespace {
 
 using Clock = std::chrono::steady_clock;
-constexpr std::chrono::milliseconds patience{150}; // that a request in turn waits for the one before it
+constexpr std::chrono::milliseconds patience{150}; // time that a queued request waits for the one before it
 
 } // namespace
 
@@ -33,13 +33,13 @@ struct AnalysisThread::State {
     std::mutex mutex;
     std::condition_variable wake;
     std::optional<AnalysisRequest> waiting;
-    std::stop_source present; // of the request being worked on
+    std::stop_source present; // stop source of the request being worked on
     Clock::time_point begun;
     bool quit = false;
-    bool announced = false; // ready was called, newest() was not yet
+    bool announced = false; // true between the calls of ready and newest()
     std::shared_ptr<const Analysis> newest;
-    Analyser analyser;   // the worker's own
-    std::jthread thread; // last: it uses the rest
+    Analyser analyser;   // used by the worker only
+    std::jthread thread; // last member: uses the others
 };
 
 AnalysisThread::State::~State() {
@@ -51,8 +51,7 @@ AnalysisThread::State::~State() {
 
 void AnalysisThread::State::serve() {
 #ifdef __linux__
-    [[maybe_unused]] const int niceness =
-        ::nice(10); // of this thread alone; where refused, it works all the same
+    [[maybe_unused]] const int niceness = ::nice(10); // affects this thread only; failure is harmless
 #endif
     while (true) {
         AnalysisRequest request;
@@ -72,7 +71,7 @@ void AnalysisThread::State::serve() {
 
 void AnalysisThread::State::work(const AnalysisRequest& request, const std::stop_token& stop) {
     Analysis quick = analyser.begun(request);
-    publish(quick); // also when something newer waits: however slow a system is, a drag shows what it does
+    publish(quick); // even if a newer request waits, so that a drag shows results of slow systems
     if (quick.isComplete || stop.stop_requested()) return;
     if (auto complete = analyser.completed(std::move(quick), stop)) publish(*std::move(complete));
 }

@@ -20,12 +20,12 @@ public:
     AnalysisThread& operator=(const AnalysisThread&) = delete;
 
     enum class Haste {
-        Now,    // work under way is abandoned
-        InTurn, // one of many: what is under way may finish, unless it takes long
+        Now,    // abandons work under way
+        InTurn, // lets work under way finish, unless it takes long
     };
     // Thread-safe, never waits. The fractal must be a system.
     void submit(AnalysisRequest request, Haste haste);
-    void cancel(); // forget what waits and abandon what is under way
+    void cancel(); // drops waiting requests and abandons work under way
 
     // Thread-safe; nullptr before the first. The revision tells to which request it belongs.
     std::shared_ptr<const Analysis> newest();

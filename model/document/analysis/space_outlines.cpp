@@ -17,8 +17,8 @@ namespace {
 using Points = std::vector<ifs::Vector<3>>;
 
 constexpr std::size_t maxOutlines = 1024;
-constexpr double hullTolerance = 5e-3;     // of the attractor's radius: nobody sees more
-constexpr double cylinderTolerance = 3e-2; // each of very many is small
+constexpr double hullTolerance = 5e-3;     // share of the attractor's radius; not visible
+constexpr double cylinderTolerance = 3e-2; // coarser, because cylinders are many and small
 
 // The edges of the hull of a support function, none where two facets lie in one plane.
 SpaceOutline hullOf(const ifs::SupportFunction<3>& support, double tolerance,
@@ -27,7 +27,7 @@ SpaceOutline hullOf(const ifs::SupportFunction<3>& support, double tolerance,
     SpaceOutline shape{Outline::Hull, {}, {}, {}};
     for (const ifs::Vector<3>& vertex : hull.vertices)
         shape.points.push_back(placed(vertex));
-    std::map<std::pair<int, int>, ifs::Vector<3>> normals; // of the facet to the left of an edge
+    std::map<std::pair<int, int>, ifs::Vector<3>> normals; // normal of the facet to the left of each edge
     for (const auto& facet : hull.facets) {
         const ifs::Vector<3>& first = hull.vertices[std::size_t(facet[0])];
         const ifs::Vector<3> normal = (hull.vertices[std::size_t(facet[1])] - first)
@@ -36,7 +36,7 @@ SpaceOutline hullOf(const ifs::SupportFunction<3>& support, double tolerance,
         for (std::size_t k = 0; k < 3; ++k)
             normals[{facet[k], facet[(k + 1) % 3]}] = normal;
     }
-    constexpr double inOnePlane = 1 - 1e-5; // the cosine between their normals
+    constexpr double inOnePlane = 1 - 1e-5; // cosine of the angle between normals
     for (const auto& [edge, normal] : normals) {
         const auto other = normals.find({edge.second, edge.first});
         const bool isOpen = other == normals.end();

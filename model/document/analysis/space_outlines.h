@@ -20,8 +20,8 @@ struct SpaceOutline {
     Outline kind;
     std::vector<ifs::Vector<3>> points;
     std::vector<std::array<int, 2>> edges;
-    std::optional<attractor::Rgba> colour; // as in OutlineShape
-    bool isSelected = false;               // drawn with thick lines
+    std::optional<attractor::Rgba> colour; // same meaning as in OutlineShape
+    bool isSelected = false;               // true: thick lines
 };
 
 // Facts of an entry in space, for drawing over its picture. `code` are those of the code, `displayed` those

@@ -12,11 +12,11 @@ namespace document {
 
 // Kinds of work that never wait for each other.
 enum class Lane {
-    Computing, // touches no file
-    Asking,    // whether and where files are
+    Computing, // no files
+    Asking,    // existence and place of files
     Reading,
-    Saving,   // and what has to be known of a file before it is saved
-    Exporting // drawing into files: it can be told to stop
+    Saving,   // includes questions about a file before it is saved
+    Exporting // drawing into files; can be stopped
 };
 // Work of one kind waits as soon as so much of it is under way, far more than there are cores. A thread is
 // made when it is needed.

@@ -14,12 +14,12 @@ LaneThreads::LaneThreads(int most) : m_most(most) {
 void LaneThreads::start(std::function<void()> work) {
     const std::lock_guard lock(m_mutex);
     m_waiting.push_back(std::move(work));
-    // Threads that were woken for earlier work may still count as idle.
+    // Notifies even if none seems idle: threads woken for earlier work may still count as idle.
     if (int(m_waiting.size()) <= m_idle || m_threads >= m_most) return m_wake.notify_one();
     ++m_threads;
     try {
         std::thread([this] { serve(false); }).detach();
-    } catch (const std::system_error&) { // the system gives no more: those there are do all the work
+    } catch (const std::system_error&) { // no further threads: the existing ones do all the work
         --m_threads;
         m_wake.notify_one();
     }
@@ -45,7 +45,7 @@ void LaneThreads::serve(bool isLasting) {
         ++m_busy;
         lock.unlock();
         work();
-        work = nullptr; // what it holds is let go before it counts as done
+        work = nullptr; // releases its captures before it counts as done
         lock.lock();
         --m_busy;
         if (m_busy == 0 && m_waiting.empty()) m_rest.notify_all();

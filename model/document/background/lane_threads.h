@@ -30,14 +30,14 @@ private:
     using Lock = std::unique_lock<std::mutex>;
 
     void serve(bool isLasting);
-    bool waitForWork(Lock& lock, bool isLasting); // false: nothing came for a while
+    bool waitForWork(Lock& lock, bool isLasting); // false if nothing came for a while
 
     const int m_most;
-    std::mutex m_mutex; // of all below
+    std::mutex m_mutex; // guards all members below
     std::condition_variable m_wake, m_rest;
     std::deque<std::function<void()>> m_waiting;
     int m_threads = 1;
-    int m_idle = 0; // threads that wait for work
+    int m_idle = 0; // threads waiting for work
     int m_busy = 0; // pieces of work under way
 };
 

@@ -12,7 +12,7 @@ struct WorkInOrder::Queue {
     explicit Queue(Lane of) : lane(of) {}
 
     void work();
-    std::function<void()> next(); // none: all is done
+    std::function<void()> next(); // null: all done
 
     const Lane lane;
     std::mutex mutex;

@@ -83,7 +83,7 @@ std::optional<PointInCode> inCode(const Shape<3>& shape, const ifs::Vector<3>& d
 
 ifs::Word addressInSpace(const Fractal& fractal, const ifs::Vector<3>& displayed, double pixel) {
     constexpr double reach = 3;     // pixels
-    constexpr int maxNodes = 4'000; // the pointer moves on
+    constexpr int maxNodes = 4'000; // limit while the pointer moves
     const Shape<3>* shape = space(fractal);
     if (!shape || !isSpaceExtentKnown(fractal)) return {};
     const auto attractor = spaceSupport(fractal);

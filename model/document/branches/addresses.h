@@ -35,8 +35,9 @@ private:
     ifs::ActiveMaps<2> m_active;
     std::shared_ptr<const ifs::SupportFunction<2>> m_attractor;
     ifs::Placement m_placement;
-    std::vector<ifs::MovedBranch<2>> m_pieces;               // of what is shown, words over the active maps
-    std::vector<std::optional<ifs::AffineMap<2>>> m_unmoved; // the inverses of their changes
+    std::vector<ifs::MovedBranch<2>> m_pieces; // displayed pieces; words over the active maps
+    // Inverse changes of the pieces; nullopt if singular.
+    std::vector<std::optional<ifs::AffineMap<2>>> m_unmoved;
 };
 
 // The same in space, of a point of the attractor as it is displayed. Empty also as long as the extent is not

@@ -93,7 +93,7 @@ template <int Dim> Fractal withBranchAsMap(const Fractal& fractal, const ifs::Wo
     colours.reserve(system.maps.size());
     result.mapLabels = {};
     std::size_t made = 0;
-    const auto keepColour = [&](std::size_t index) { // for the next map
+    const auto keepColour = [&](std::size_t index) { // colour of the next map
         const ifs::MapId id = system.maps[made++].id, of = before.maps[index].id;
         colours[id] = attractor::mapColour(fractal.appearance, of, index);
         result.mapLabels.set(id, fractal.mapLabels.of(of));
@@ -110,7 +110,7 @@ template <int Dim> Fractal withBranchAsMap(const Fractal& fractal, const ifs::Wo
     }
     result.appearance.mapBlends = blendsOver(fractal, active, letters, system);
     if (result.appearance.colourBy == attractor::ColourBy::Address)
-        result.appearance.colourBy = attractor::ColourBy::Blend; // addresses are others now
+        result.appearance.colourBy = attractor::ColourBy::Blend; // addresses have changed
     Shape<Dim> over(system, shape.cage);
     over.moved = movedOver(shape, active, letters, system);
     result.shape = std::move(over);

@@ -14,8 +14,8 @@ template <int Dim> ifs::AffineMap<Dim> movedBy(const Shape<Dim>& shape, const if
 
 // A branch as the one map within(map(·)), to be moved by changes of Shape::moved.
 template <int Dim> struct ShownBranch {
-    std::vector<ifs::MapId> word; // that the change belongs to: recurringWord(), if it recurs
-    ifs::AffineMap<Dim> within;   // moves it, too, and stays as it is
+    std::vector<ifs::MapId> word; // word of the change: recurringWord(), if it recurs
+    ifs::AffineMap<Dim> within;   // constant outer map, also moved by the change
     ifs::AffineMap<Dim> map;
 };
 template <int Dim>

@@ -22,7 +22,7 @@ namespace document {
 namespace {
 
 const char magic[] = "barycage-journal 1\n";
-constexpr qint64 maxJournal = 512LL << 20; // bytes; larger files are not ours
+constexpr qint64 maxJournal = 512LL << 20; // bytes; larger files are no journals
 
 // The digest of the fractals and the lesson alone, as earlier versions wrote it.
 QByteArray digestOf(const Snapshot& snapshot) {
@@ -32,7 +32,7 @@ QByteArray digestOf(const Snapshot& snapshot) {
     return hash.result().toHex();
 }
 
-constexpr char digestMark[] = "\"digest\":\""; // quotes in texts are escaped, so there is no other
+constexpr char digestMark[] = "\"digest\":\""; // unique, because quotes in texts are escaped
 constexpr qsizetype digestSize = 64;
 
 // The digest of the whole file: the text of its header, with zeros in the place of the digest, and the bytes
@@ -110,7 +110,8 @@ Journal::Journal(const QString& folder)
 Journal::~Journal() = default;
 
 bool Journal::write(const Snapshot& snapshot) {
-    // Needed the first time, if there was no room for the lock, or if somebody has emptied the folder.
+    // Creates the folder the first time, if there was no room for the lock, or if the folder has been
+    // emptied.
     if (!m_lock || !QFileInfo::exists(lockFileOf(m_path))) {
         makePrivateFolder(QFileInfo(m_path).path());
         m_lock.reset();
@@ -121,7 +122,7 @@ bool Journal::write(const Snapshot& snapshot) {
     if (!file.open(QIODevice::WriteOnly)) return false;
     file.setPermissions(QFile::ReadOwner | QFile::WriteOwner);
     const QByteArray data = recoveryFile(snapshot);
-    // commit() would not notice that bytes still in memory find no room.
+    // Flushes first, because commit() would not notice that buffered bytes find no room.
     return file.write(data) == data.size() && file.flush() && file.commit();
 }
 
@@ -136,16 +137,16 @@ void Journal::letGo() {
 QList<Abandoned> abandonedSnapshots(const QString& folder) {
     QList<Abandoned> found;
     const QDir dir(folder);
-    // The name of a journal, its lock, or what QSaveFile was writing when its process was killed.
+    // Name of a journal, its lock, or a temporary file of QSaveFile whose process was killed.
     static const QRegularExpression name(QStringLiteral("^(.*\\.journal)(\\..*)?$"));
-    QMap<QString, QStringList> leftovers; // of journals
+    QMap<QString, QStringList> leftovers; // other files of each journal
     for (const QString& file : dir.entryList(QDir::Files))
         if (const auto match = name.match(file); match.hasMatch())
             leftovers[match.captured(1)] << match.captured(2);
     for (const auto& [journal, endings] : leftovers.asKeyValueRange()) {
         const QString path = dir.filePath(journal);
         std::shared_ptr<ProcessLock> owned = processLock(path);
-        if (!owned) continue; // its window is alive, or somebody else offers it
+        if (!owned) continue; // its window still exists, or another process offers it
         for (const QString& ending : endings)
             if (!ending.isEmpty() && path + ending != lockFileOf(path)) QFile::remove(path + ending);
         if (auto snapshot = readJournal(path))
@@ -153,7 +154,7 @@ QList<Abandoned> abandonedSnapshots(const QString& folder) {
     }
     std::sort(found.begin(), found.end(),
               [](const Abandoned& a, const Abandoned& b) { return a.snapshot.when > b.snapshot.when; });
-    // Whoever took it over was killed before the first copy was gone.
+    // Duplicates remain if a process that took over a journal was killed before it removed the first copy.
     for (qsizetype i = found.size(); i-- > 1;)
         if (std::any_of(found.begin(), found.begin() + i, [&](const Abandoned& newer) {
                 return newer.snapshot.path == found[i].snapshot.path &&

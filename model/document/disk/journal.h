@@ -16,14 +16,14 @@ class ProcessLock;
 
 // Everything needed to offer a window's unsaved work again.
 struct Snapshot {
-    QString path;         // of the file it came from; empty when it never had one
-    QString title;        // of the window
+    QString path;         // path of the original file; empty if it was never saved
+    QString title;        // title of the window
     int current = 0;      // index of the entry that was shown
-    QDateTime when;       // UTC
-    QByteArray bytes;     // the whole file as it would have been saved
-    QByteArray base;      // digest of what the file at `path` held when it was opened or saved
-    QByteArray lesson{};  // as it would have been saved; empty when none is unsaved
-    QString lessonPath{}; // empty when it never had one
+    QDateTime when;       // time in UTC
+    QByteArray bytes;     // whole file as saving would have written it
+    QByteArray base;      // digest of the file at `path` when it was opened or saved
+    QByteArray lesson{};  // lesson as saving would have written it; empty if it has no unsaved steps
+    QString lessonPath{}; // empty if it was never saved
 
     friend bool operator==(const Snapshot&, const Snapshot&) = default;
 };
@@ -38,7 +38,7 @@ class Journal {
 public:
     // Creates nothing yet, since that may take time. Journals in one folder never share a file.
     explicit Journal(const QString& folder);
-    ~Journal(); // leaves the file if there is one: only discard() says that nothing is to be recovered
+    ~Journal(); // keeps the file, if any: only discard() removes it
 
     Journal(const Journal&) = delete;
     Journal& operator=(const Journal&) = delete;
@@ -46,7 +46,7 @@ public:
     // Creates the folder when it is missing. False: not written, the one before is kept.
     bool write(const Snapshot& snapshot);
     void discard();
-    void letGo(); // of the lock: what is written belongs to whoever comes next
+    void letGo(); // releases the lock: the file belongs to the next run
 
 private:
     QString m_path;
@@ -56,7 +56,7 @@ private:
 // Snapshots whose process is gone, newest first. They stay until taken away with forget(), and are nobody
 // else's while one of these lives: two starts at the same moment do not offer the same work.
 struct Abandoned {
-    QString journal; // its file
+    QString journal; // path of the journal's file
     Snapshot snapshot;
     std::shared_ptr<ProcessLock> lock;
 };

@@ -52,7 +52,7 @@ Locking lock(const char* name, int& file) {
     const bool isFile = ::fstat(file, &status) == 0 && S_ISREG(status.st_mode);
     if (isFile && ::flock(file, LOCK_EX | LOCK_NB) == 0 && hasName(file, name)) return Locking::Done;
     const int error = errno;
-    const bool isGone = isFile && !hasName(file, name); // its owner has given it up
+    const bool isGone = isFile && !hasName(file, name); // true if its owner has released it
     ::close(file);
     if (!isFile) return removed(name);
     if (isGone) return Locking::Again;
@@ -66,7 +66,7 @@ void sign(int file) {
                              QSysInfo::machineHostName().toUtf8() + '\n' + QSysInfo::machineUniqueId() +
                              '\n' + QSysInfo::bootUniqueId() + '\n';
     if (::ftruncate(file, 0) != 0 || ::pwrite(file, owner.constData(), std::size_t(owner.size()), 0) < 0)
-        return; // nobody of this version reads it
+        return; // harmless: this version does not read the text
 }
 
 #endif
@@ -81,7 +81,7 @@ ProcessLock::~ProcessLock() {
 #ifdef Q_OS_UNIX
     if (m_file < 0) return;
     const QByteArray name = QFile::encodeName(m_path);
-    if (hasName(m_file, name.constData())) ::unlink(name.constData()); // before anybody else can lock it
+    if (hasName(m_file, name.constData())) ::unlink(name.constData()); // before another process can lock it
     ::close(m_file);
 #endif
 }
@@ -90,7 +90,7 @@ std::unique_ptr<ProcessLock> processLock(const QString& path) {
     std::unique_ptr<ProcessLock> made(new ProcessLock);
     made->m_path = lockFileOf(path);
 #ifdef Q_OS_UNIX
-    constexpr int tries = 5; // others may give it up at the same moment
+    constexpr int tries = 5; // others may release it at the same moment
     const QByteArray name = QFile::encodeName(made->m_path);
     for (int i = 0; i < tries; ++i) {
         int file = -1;

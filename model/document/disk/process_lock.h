@@ -23,8 +23,8 @@ private:
     ProcessLock() = default;
 
     QString m_path;
-    int m_file = -1;                     // open, and with it locked by the system
-    std::unique_ptr<QLockFile> m_byName; // where the system cannot lock files
+    int m_file = -1;                     // open file descriptor, which holds the system's lock
+    std::unique_ptr<QLockFile> m_byName; // fallback if the system cannot lock files
 };
 
 // nullptr while another process, or another lock of this one, has it, and where it cannot be made.

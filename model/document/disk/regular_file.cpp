@@ -33,7 +33,7 @@ Opened openRegular(QFile& file, const QByteArray& name) {
     if (!S_ISREG(status.st_mode)) return {NotRegular};
     constexpr int flags = O_RDONLY | O_CLOEXEC | O_NOCTTY;
     int descriptor = ::open(name.constData(), flags | O_NONBLOCK);
-    if (descriptor < 0 && errno == EWOULDBLOCK) // another program lets go of the file for this one
+    if (descriptor < 0 && errno == EWOULDBLOCK) // another program must release the file first
         descriptor = ::open(name.constData(), flags);
     if (descriptor < 0) return closed(errno);
     const int error = ::fstat(descriptor, &status) == 0 ? 0 : errno;

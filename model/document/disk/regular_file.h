@@ -14,7 +14,7 @@ namespace document {
 struct Opened {
     enum class State { Open, NotRegular, Closed };
     State state = State::Open;
-    QString error{}; // why it is closed
+    QString error{}; // reason why it is closed
 
     bool isOpen() const { return state == State::Open; }
     bool isSpecial() const { return state == State::NotRegular; }

@@ -9,9 +9,9 @@ namespace document {
 
 namespace {
 
-constexpr int minSide = 768; // of the picture, so that its hatching is fine
-constexpr int period = 9;    // of the hatching, pixels
-constexpr int stroke = 3;    // its width
+constexpr int minSide = 768; // pixels of the picture, for fine hatching
+constexpr int period = 9;    // pixels between two lines of the hatching
+constexpr int stroke = 3;    // pixels of a line
 
 // Colours of a pixel for each step of the hatching, premultiplied. Patterns are indexed by the shapes that
 // its cell belongs to: 1 the target, 2 the shape compared with it.

@@ -19,14 +19,14 @@ enum class Detail { Full, Live };
 
 // Agreement of a fractal with a target, in numbers and as a picture over the plane.
 struct MeasuredFractal {
-    collage::Agreement agreement; // of what was asked for
-    double overlap = 1;           // this and what follows, always of the collage
+    collage::Agreement agreement; // agreement of the requested sets
+    double overlap = 1;           // overlap of the collage, as are the values that follow
     double contraction = 0;
     std::optional<double> bound;
-    ifs::ContractingNorm<2> norm; // in which the bound holds
-    QImage picture; // both grey, too much red and hatched like /, missing blue and hatched like \.
-    QRect used;     // the part of it that shows anything, in its pixels
-    QRectF area;    // of the picture, in the plane: top is its largest y, its height is positive
+    ifs::ContractingNorm<2> norm; // norm of the bound
+    QImage picture; // both grey; too much red, hatched like /; missing blue, hatched like a backslash
+    QRect used;     // pixels of the picture that are not empty
+    QRectF area;    // area of the picture in the plane: top is its largest y, its height is positive
 };
 
 // nullopt when the maps cannot be compared. Any thread.

@@ -18,12 +18,12 @@ namespace {
 
 using Maps = std::vector<ifs::AffineMap<2>>;
 
-constexpr double margin = 0.25;     // around the target, a share of its longer side
-constexpr double maxNorm = 0.9;     // of a map that a fit moves
+constexpr double margin = 0.25;     // margin around the target, as a share of its longer side
+constexpr double maxNorm = 0.9;     // norm of a map moved by a fit
 constexpr double weightBlur = 2;    // pixels
-constexpr double newScale = 0.3;    // of a map that is added
-constexpr int addedSide = 128;      // cells along the longer side of the target where one is
-constexpr double cageMargin = 0.02; // of the size of the attractor, around it
+constexpr double newScale = 0.3;    // scale of an added map
+constexpr int addedSide = 128;      // cells along the longer side of the target for adding a map
+constexpr double cageMargin = 0.02; // margin of the cage, as a share of the size of the attractor
 
 struct Level {
     int side; // cells along the longer side of the target
@@ -123,7 +123,7 @@ QString collageObstacle(const Fractal& fractal) {
 
 std::optional<CollageMaps> collageMaps(const Fractal& fractal) {
     if (!collageObstacle(fractal).isEmpty()) return std::nullopt;
-    // At rest the maps are those of the code, to the bit.
+    // Maps of the code itself, bit for bit, if the cage is at rest.
     const System2 shown = isAtRest(fractal) ? *system2(fractal) : *effectiveSystem(fractal);
     const std::vector<double> probabilities = ifs::probabilities(shown);
     CollageMaps maps;
@@ -141,7 +141,7 @@ Fractal withSuggestion(Fractal fractal, const collage::Suggestion& suggestion, c
     for (std::size_t i = 0; i < suggestion.maps.size(); ++i)
         ifs::append<2>(shape.system, movedTo(place, suggestion.maps[i]), suggestion.weights[i]);
     fractal.shape = std::move(shape);
-    fractal.mapLabels = {}; // of other maps
+    fractal.mapLabels = {}; // labels belong to other maps
     return fractal;
 }
 
@@ -163,7 +163,7 @@ std::optional<Fractal> withMapsRefined(const Fractal& fractal, const TracedPictu
             best = maps;
             bestError = error;
         }
-        if (at.side >= reach) break; // a finer level would be the same
+        if (at.side >= reach) break; // finer levels would be the same
     }
     return stop.stop_requested() ? std::nullopt : withMaps(fractal, *before, best);
 }

@@ -21,9 +21,9 @@ QString collageObstacle(const Fractal& fractal);
 // The maps that are on, as they act in displayed coordinates.
 struct CollageMaps {
     std::vector<ifs::AffineMap<2>> maps;
-    std::vector<std::size_t> index; // of each in the system
+    std::vector<std::size_t> index; // index of each map in the system
 };
-std::optional<CollageMaps> collageMaps(const Fractal& fractal); // nullopt when there is an obstacle
+std::optional<CollageMaps> collageMaps(const Fractal& fractal); // nullopt if there is an obstacle
 
 // The fractal with these maps instead, at rest and still, where the picture lies. Its name, comments and
 // appearance stay.
@@ -32,7 +32,7 @@ Fractal withSuggestion(Fractal fractal, const collage::Suggestion& suggestion, c
 // Permissions of a fit.
 struct CollageFitOptions {
     collage::Constraints constraints;
-    std::vector<ifs::MapId> locked; // these maps stay bit for bit
+    std::vector<ifs::MapId> locked; // maps that stay bit for bit
 };
 
 // The functions below return nullopt when there is an obstacle, when nothing gets better, and when stopped.

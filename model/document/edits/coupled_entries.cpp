@@ -32,7 +32,7 @@ Shown shownOf(const Fractal& fractal) {
 
 struct Pair {
     Shown from, to;
-    std::vector<std::size_t> places; // of the maps of `from`, in the order
+    std::vector<std::size_t> places; // positions of the maps of `from` in the order
 };
 
 // nullopt where something is evidently wrong, which the outcome says.

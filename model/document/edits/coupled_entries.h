@@ -21,10 +21,11 @@ std::optional<std::vector<std::size_t>> placesInOrder(std::span<const std::size_
 // Two entries whose maps correspond, for a fractal transformation from the first to the second: of the maps
 // that take part, the k-th of one goes with the k-th of the other.
 struct CoupledEntries {
-    Fractal from, to; // as their cages place them, without cages and moved branches
-    ifs::SupportFunction<2> fromAttractor, toAttractor; // of the maps that take part, the one on top first
-    std::vector<double> probabilities;                  // of those of `from`
-    std::vector<std::size_t> numbers;                   // their indices in the entry `from`
+    Fractal from, to; // entries as their cages place them, without cages and moved branches
+    // Attractors of the maps that take part, first the map on top.
+    ifs::SupportFunction<2> fromAttractor, toAttractor;
+    std::vector<double> probabilities; // probabilities of the maps of `from`
+    std::vector<std::size_t> numbers;  // indices of these maps in the entry `from`
 
     attractor::CoupledSystem system() const { return {fromAttractor, toAttractor, probabilities}; }
 };
@@ -32,18 +33,18 @@ struct CoupledEntries {
 // Why there is no transformation; of the first or the second entry, where it is one of them.
 enum class CouplingFlaw {
     NotInPlane,
-    BentCage, // flat or bent: what is shown is not that of any code
+    BentCage, // flat or bent cage: no code has the picture
     NoMaps,
     Linked,
-    NoAttractor, // none is proved
+    NoAttractor, // no attractor is proved
     Counts,      // different numbers of maps take part
-    Order,       // does not name every map of the first entry that takes part, each once
+    Order,       // `order` is no permutation of the first entry's maps that take part
 };
 struct CouplingOutcome {
     std::optional<CoupledEntries> entries;
-    CouplingFlaw flaw = CouplingFlaw::Counts; // where there are none
+    CouplingFlaw flaw = CouplingFlaw::Counts; // valid if there are no entries
     bool isOfSecond = false;
-    std::size_t fromCount = 0, toCount = 0; // of maps that take part
+    std::size_t fromCount = 0, toCount = 0; // numbers of maps that take part
 };
 
 // `order` is that of the maps of the first entry, as in placesInOrder(). What `before` knows of the second

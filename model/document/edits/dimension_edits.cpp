@@ -60,7 +60,7 @@ using PlaneProjection = Eigen::Matrix<double, 2, 3>;
 
 std::optional<PlaneProjection> planeProjection(const ifs::Vector<3>& direction) {
     if (!direction.allFinite() || direction.isZero(0)) return std::nullopt;
-    const ifs::Vector<3> d = direction.stableNormalized(); // of any length
+    const ifs::Vector<3> d = direction.stableNormalized(); // any length > 0
     ifs::Vector<3> up = ifs::Vector<3>::UnitY() - d.y() * d;
     if (up.norm() > 1e-9)
         up.normalize();
@@ -72,7 +72,7 @@ std::optional<PlaneProjection> planeProjection(const ifs::Vector<3>& direction) 
     return projection;
 }
 
-bool keepsLine(const ifs::Matrix<3>& linear, const ifs::Vector<3>& d) { // a unit vector
+bool keepsLine(const ifs::Matrix<3>& linear, const ifs::Vector<3>& d) { // `d` must have unit length
     constexpr double rounding = 1e-9;
     const ifs::Vector<3> image = linear * d;
     const ifs::Vector<3> aside = image - d * d.dot(image);
@@ -118,7 +118,7 @@ std::optional<Fractal> lifted(Fractal fractal, std::optional<double> scale) {
     if (flat.cage && flat.cage->rest.size() == 3) {
         if (const auto cage = liftedCage(*flat.cage); ifs::isValid(cage)) {
             shape.cage = cage;
-        } else if (flat.cage->current != flat.cage->rest) { // too thin to hold a tetrahedron
+        } else if (flat.cage->current != flat.cage->rest) { // too thin for a tetrahedron
             auto without = baked(fractal);
             return without ? lifted(*std::move(without), scale) : std::nullopt;
         }

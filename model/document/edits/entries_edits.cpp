@@ -65,7 +65,7 @@ Inserted inserted(FractalFile file, const QList<Entry>& entries, EntryId after) 
     for (const Entry& entry : std::as_const(file.entries))
         names.take(entry.fractal->name);
     auto id = static_cast<std::uint32_t>(freshId(file));
-    QList<Entry> all; // copied once, since there may be a hundred thousand
+    QList<Entry> all; // single copy, since there may be a hundred thousand
     all.reserve(file.entries.size() + entries.size());
     std::copy_n(file.entries.cbegin(), index, std::back_inserter(all));
     for (Entry entry : entries) {

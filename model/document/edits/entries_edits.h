@@ -14,7 +14,7 @@ namespace document {
 
 struct Inserted {
     FractalFile file;
-    QList<EntryId> ids; // of the new entries, in their order
+    QList<EntryId> ids; // ids of the new entries, in their order
 };
 // Inserts behind the entry `after` (None: at the end), under fresh ids and, where they are readable, unique
 // names.

@@ -4,7 +4,7 @@
 namespace document {
 
 void LiveEdit::preview(const QString& text, const std::function<void(Fractal&)>& change, int kind) {
-    if (!isOpen()) // none yet, or another gesture has ended ours
+    if (!isOpen()) // not begun, or ended by another gesture
         m_gesture.emplace(m_document->beginGesture(text));
     m_gesture->describe(text, kind);
     Fractal fractal = m_gesture->before();

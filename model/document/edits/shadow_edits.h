@@ -22,9 +22,9 @@ Fractal withShadow(Fractal fractal, bool on);
 // An upright stick as high as the picture, and the end of its shadow: by that a shadow is held. World
 // coordinates.
 struct ShadowStick {
-    ifs::Vector<2> foot; // on the ground, in the middle of the picture
+    ifs::Vector<2> foot; // point on the ground, in the middle of the picture
     ifs::Vector<2> top;
-    ifs::Vector<2> tip; // of the shadow
+    ifs::Vector<2> tip; // tip of the shadow
 };
 // nullopt without a shadow, and where the picture has no height that is known.
 std::optional<ShadowStick> shadowStick(const Fractal& fractal, attractor::YAxis yAxis);

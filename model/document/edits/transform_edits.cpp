@@ -117,7 +117,8 @@ template <int Dim> std::optional<ifs::Vector<Dim>> displayedMean(const Fractal& 
     if (!moments) return std::nullopt;
     const auto& cage = shape->cage;
     const bool atRest = !cage || cage->rest == cage->current;
-    if (!atRest && ifs::bends(*cage)) return std::nullopt; // a bent picture's mean is no image of the code's
+    // The mean of a bent picture is no image of the code's mean.
+    if (!atRest && ifs::bends(*cage)) return std::nullopt;
     return atRest ? moments->mean : ifs::displayMap(*cage)(moments->mean);
 }
 template std::optional<ifs::Vector<2>> displayedMean(const Fractal&);

@@ -12,7 +12,7 @@ namespace document {
 // counter-clockwise.
 struct Transformation {
     bool reflect = false;
-    double axis = 0; // of the mirror through `about`: its angle with the x axis
+    double axis = 0; // angle of the mirror through `about` with the x axis
     double shear = 0;
     double scaleX = 1;
     double scaleY = 1;

@@ -38,8 +38,8 @@ template <int Dim> struct Shape {
     ifs::IteratedFunctionSystem<Dim> system;
     // nullopt: in the plane, the minimal canonical simplex of the code, at rest
     std::optional<ifs::ControlCage<Dim>> cage{};
-    std::vector<MovedBranch<Dim>> moved{};                // each word once
-    std::optional<animation::Animation<Dim>> animation{}; // valid: animation::isValid()
+    std::vector<MovedBranch<Dim>> moved{};                // words are unique
+    std::optional<animation::Animation<Dim>> animation{}; // must satisfy animation::isValid()
 
     friend bool operator==(const Shape&, const Shape&) = default;
 };
@@ -55,15 +55,15 @@ struct Fractal {
     ~Fractal();
 
     QString name;
-    QString headerComment; // behind the opening brace, without the semicolon
-    QStringList comments;  // the entry's own comment lines in their order, without the semicolon
+    QString headerComment; // text after the opening brace, without the semicolon
+    QStringList comments;  // comment lines of the entry in their order, without the semicolon
     // monostate: the entry could not be read; its bytes are kept in its source.
     std::variant<std::monostate, Shape<2>, Shape<3>> shape;
     attractor::Appearance appearance;
-    attractor::SpaceAppearance inSpace{}; // of an entry in space; the fog is in its range, the clip usable
+    attractor::SpaceAppearance inSpace{}; // entries in space only; the fog is in range, the clip usable
     MapLabels mapLabels{};
-    SupportCache supports{}; // results of functions of the fractal; ignored by ==
-    LastingCage lasting{};   // of what Document shows at a moment, or in a gesture; takes no part in ==
+    SupportCache supports{}; // cached results of functions of the fractal; ignored by ==
+    LastingCage lasting{};   // set by Document at a moment or in a gesture; ignored by ==
 
     friend bool operator==(const Fractal&, const Fractal&) = default;
 };
@@ -110,6 +110,6 @@ inline const ifs::ControlCage<2>* cage2(const Fractal& fractal) {
 // Returns true if the codes are the same, whatever cage holds them.
 bool isSameSystem(const Fractal& a, const Fractal& b);
 
-Fractal sierpinskiTriangle(); // the fractal of File → New
+Fractal sierpinskiTriangle(); // fractal of File → New
 
 } // namespace document

@@ -35,7 +35,7 @@ std::optional<Box> boxOfBend(const Fractal& fractal, const ifs::Placement& place
     camera = attractor::fitted(camera, low, high, 0.3);
     attractor::CutSettings settings;
     settings.words = 4096;
-    settings.maxLooks = 1U << 19; // a window waits for the box
+    settings.maxLooks = 1U << 19; // limit, because a window waits for the box
     const auto cut = attractor::addressCut(system, attractor::projection(camera, placement, 1), settings);
     if (cut.words.empty()) return std::nullopt;
     ifs::Vector<2> first = ifs::Vector<2>::Constant(camera.width);

@@ -12,8 +12,8 @@ namespace document {
 
 // An artist's label of a map, as of a layer.
 struct MapLabel {
-    QString name;          // in one line; empty: the map goes by its number
-    bool isLocked = false; // its coefficients and its weight are not edited
+    QString name;          // one line; empty: the map is called by its number
+    bool isLocked = false; // true: coefficients and weight are not edited
 
     friend bool operator==(const MapLabel&, const MapLabel&) = default;
 };
@@ -23,7 +23,7 @@ struct MapLabel {
 class MapLabels {
 public:
     MapLabel of(ifs::MapId id) const;
-    void set(ifs::MapId id, MapLabel label); // fast when ids grow
+    void set(ifs::MapId id, MapLabel label); // fast for increasing ids
     bool isEmpty() const { return m_labels.empty(); }
 
     // Forgets the labels of the maps for which `isGone(id)`.
@@ -34,7 +34,7 @@ public:
     friend bool operator==(const MapLabels&, const MapLabels&) = default;
 
 private:
-    std::vector<std::pair<ifs::MapId, MapLabel>> m_labels; // by id
+    std::vector<std::pair<ifs::MapId, MapLabel>> m_labels; // sorted by id
 };
 
 } // namespace document

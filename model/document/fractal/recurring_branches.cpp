@@ -15,7 +15,7 @@ std::vector<ifs::MapId> recurringWord(std::vector<ifs::MapId> address) {
 template <int Dim> std::vector<StoredBranch<Dim>> storedBranches(const Shape<Dim>& shape) {
     std::vector<StoredBranch<Dim>> result;
     const auto& maps = shape.system.maps;
-    std::vector<std::pair<ifs::MapId, int>> named; // with their indices, −1 for those that are gone
+    std::vector<std::pair<ifs::MapId, int>> named; // ids and indices; −1: removed
     for (const MovedBranch<Dim>& branch : shape.moved)
         for (const ifs::MapId id : branch.word)
             named.emplace_back(id, -1);

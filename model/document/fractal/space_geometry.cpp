@@ -31,10 +31,10 @@ attractor::Look solidLook(attractor::LookInSpace look) {
     return attractor::Look::Stone;
 }
 
-constexpr double precision = 1e-6; // of the size: nobody sees more digits
+constexpr double precision = 1e-6; // relative; no more digits are visible
 constexpr double rough = 1e-3;
 
-using Reach = std::function<double(const ifs::Vector<3>&)>; // max ⟨u, x⟩ over what is displayed
+using Reach = std::function<double(const ifs::Vector<3>&)>; // max ⟨u, x⟩ over the displayed set
 
 double farthest(const std::vector<ifs::Vector<3>>& points, const ifs::Vector<3>& u) {
     double most = u.dot(points.front());

@@ -18,12 +18,12 @@ namespace {
 template <int Dim> using System = ifs::IteratedFunctionSystem<Dim>;
 template <int Dim> using Support = std::shared_ptr<const ifs::SupportFunction<Dim>>;
 
-constexpr std::size_t fewMaps = 256; // for which comparing is hardly worth it
+constexpr std::size_t fewMaps = 256; // limit below which comparing is hardly worthwhile
 constexpr std::size_t maxKnown = 4;
 
 template <int Dim> Support<Dim> computed(const System<Dim>& system) {
     const ifs::ActiveMaps<Dim> active = ifs::activeMaps(system);
-    if (active.isLinked()) return nullptr; // that of the maps without their links is another one
+    if (active.isLinked()) return nullptr; // linked maps have a different one
     auto support = ifs::SupportFunction<Dim>::of(active.maps);
     return support ? std::make_shared<const ifs::SupportFunction<Dim>>(*std::move(support)) : nullptr;
 }
@@ -123,7 +123,7 @@ double extentTolerance(const System<3>& system) {
 ifs::Simplex<3> simplexAround(const System<3>& system, const ifs::SupportFunction<3>& support) {
     const double radius = support.radius();
     auto simplex = ifs::minimalCanonicalSimplex(support, extentTolerance(system) * radius);
-    constexpr double rounding = 1e-14; // rounding errors would stand in the table in place of zeros
+    constexpr double rounding = 1e-14; // limit that shows zeros instead of rounding errors in tables
     for (ifs::Vector<3>& vertex : simplex.vertices)
         vertex = vertex.unaryExpr([&](double x) { return std::abs(x) <= rounding * radius ? 0 : x; });
     return simplex.vertices;

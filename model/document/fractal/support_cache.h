@@ -31,7 +31,7 @@ public:
 
 private:
     struct Newest;
-    std::shared_ptr<Newest> m_newest; // null when moved from
+    std::shared_ptr<Newest> m_newest; // null after a move
 };
 
 // Number of maps in space from which on extents take long enough to be found in the background, and to a

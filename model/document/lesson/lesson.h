@@ -21,11 +21,11 @@
 namespace document {
 
 constexpr int maxLessonSteps = 500;
-constexpr int maxLessonTitle = 200;  // characters, of a lesson and of a step
-constexpr int maxLessonText = 4'000; // characters, of a step
+constexpr int maxLessonTitle = 200;  // characters; also for a step
+constexpr int maxLessonText = 4'000; // characters of a step
 constexpr std::uint64_t maxLessonPoints = 10'000'000;
 constexpr int maxLessonIterations = 30;
-constexpr int maxLessonCylinders = 12; // symbols of an address
+constexpr int maxLessonCylinders = 12; // letters of an address
 constexpr std::size_t maxLessonCorners = 64;
 
 enum class LessonTool { Cage, Maps, Branch };
@@ -33,7 +33,7 @@ enum class LessonTool { Cage, Maps, Branch };
 // A view of the whole fractal: in the plane with this axis and rotation; a solid keeps its direction of view.
 struct LessonFit {
     attractor::YAxis yAxis = attractor::YAxis::Up;
-    double rotation = 0; // as of an attractor::View
+    double rotation = 0; // same meaning as in attractor::View
 
     friend bool operator==(const LessonFit&, const LessonFit&) = default;
 };
@@ -53,7 +53,7 @@ LessonArea areaOf(const attractor::Camera& camera);
 // A view of a solid. Its size in pixels is that of the window.
 struct LessonOrbit {
     attractor::OrbitCamera camera;
-    bool isFitted = false; // to all of the solid, wherever its target is
+    bool isFitted = false; // fitted to the whole solid, wherever the target is
 
     friend bool operator==(const LessonOrbit&, const LessonOrbit&) = default;
 };
@@ -62,9 +62,9 @@ struct LessonOrbit {
 struct LessonConstruction {
     enum class Mode { Density, Steps, ChaosGame };
     Mode mode = Mode::Density;
-    int iterations = 0;       // of Steps
-    std::uint64_t points = 0; // of ChaosGame, which goes on from there
-    double speed = 0;         // points per second; 0: it waits
+    int iterations = 0;       // Steps only
+    std::uint64_t points = 0; // ChaosGame only; number of points at the start
+    double speed = 0;         // points per second; 0: paused
 
     friend bool operator==(const LessonConstruction&, const LessonConstruction&) = default;
 };
@@ -77,38 +77,38 @@ using LessonCage =
     std::variant<std::monostate, LessonAtRest, std::vector<ifs::Vector<2>>, std::vector<ifs::Vector<3>>>;
 
 struct LessonState {
-    QString entry; // of the file, by name; empty: the first that can be shown
+    QString entry; // name of an entry of the file; empty: the first that can be shown
     std::variant<LessonFit, LessonArea, LessonOrbit> view;
     LessonTool tool = LessonTool::Cage;
     LessonCage cage;
-    std::optional<attractor::ColourBy> colourBy; // nullopt: as in the entry
+    std::optional<attractor::ColourBy> colourBy; // nullopt: colours of the entry
     std::set<Outline> outlines;
     int cylinderDepth = 1;
     LessonConstruction construction;
-    std::optional<animation::Moment> moment; // of an animation; nullopt: its start
+    std::optional<animation::Moment> moment; // moment of an animation; nullopt: its start
     bool showsGrid = true;
     bool showsAxes = true;
-    bool showsCage = true; // and the other marks on the canvas
+    bool showsCage = true; // includes the other marks on the canvas
     bool showsMapNumbers = false;
-    QStringList panels; // that are shown besides the canvas, by their ids
+    QStringList panels; // ids of the panels shown beside the canvas
 
     friend bool operator==(const LessonState&, const LessonState&) = default;
 };
 
 struct LessonStep {
     QString title; // one line
-    QString text;  // plain; paragraphs are separated by an empty line
+    QString text;  // plain text; empty lines separate paragraphs
     LessonState state;
-    QStringList unknown; // lines "key: value" of later versions, kept as they are
+    QStringList unknown; // lines "key: value" of later versions, kept unchanged
 
     friend bool operator==(const LessonStep&, const LessonStep&) = default;
 };
 
 struct Lesson {
     QString title; // one line
-    QString file;  // of its fractals, seen from the folder of the lesson; isLessonFile()
+    QString file;  // file of its fractals, relative to the folder of the lesson; isLessonFile()
     QList<LessonStep> steps;
-    QStringList unknown; // as above
+    QStringList unknown; // lines of later versions, kept unchanged
 
     friend bool operator==(const Lesson&, const Lesson&) = default;
 };

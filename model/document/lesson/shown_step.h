@@ -12,8 +12,8 @@ namespace document {
 const Entry* entryOf(const FractalFile& file, const LessonState& state);
 
 struct ShownStep {
-    Fractal fractal;  // not animated: the entry at the moment of the step
-    bool fits = true; // false: its cage has other corners than in the lesson, and stays as it is in the entry
+    Fractal fractal;  // entry at the moment of the step, without animation
+    bool fits = true; // false: the entry's cage has other corners than the lesson's, and is kept
 };
 // The entry with the cage and the colours of the step.
 ShownStep shownIn(const LessonState& state, const Fractal& entry);

@@ -38,7 +38,7 @@ std::vector<Vector<2>> MapHandles::corners(std::size_t index) const {
 
 std::vector<Vector<2>> MapHandles::outline(std::size_t index) const {
     if (!bends()) return corners(index);
-    constexpr int parts = 12; // of an edge
+    constexpr int parts = 12; // parts of an edge
     std::vector<Vector<2>> result;
     for (std::size_t i = 0; i < m_cage.rest.size(); ++i) {
         const Vector<2>& from = m_cage.rest[i];

@@ -32,7 +32,8 @@ public:
         return m_branch.empty() ? system2(*m_fractal)->maps : m_branchMap;
     }
     std::vector<ifs::Vector<2>> corners(std::size_t index) const; // images of the cage's vertices
-    std::vector<ifs::Vector<2>> outline(std::size_t index) const; // the same polygon, bent with the cage
+    // Polygon of the corners, bent with the cage.
+    std::vector<ifs::Vector<2>> outline(std::size_t index) const;
 
     // Boxes around the images of the cage, soon found for many maps. Where the cage bends they are where
     // their middles are shown, but as large as its affine fit makes them.
@@ -47,18 +48,18 @@ public:
     // Moves maps. Where the cage bends, this and the following are of first order in the middle of each map.
     Fractal withMapsMoved(std::span<const std::size_t> indices, const ifs::Vector<2>& offset) const;
     Fractal withMapsMoved(std::span<const std::size_t> indices,
-                          std::span<const ifs::Vector<2>> offsets) const; // one for each map
+                          std::span<const ifs::Vector<2>> offsets) const; // one offset for each map
     Fractal withMapsChanged(std::span<const std::size_t> indices, const ifs::AffineMap<2>& change) const;
     // Turns each map about its image of `root`, a point in coordinates of the code: branches that swing.
     Fractal withMapsSwung(std::span<const std::size_t> indices, const ifs::Vector<2>& root,
                           double angle) const;
 
 private:
-    ifs::AffineMap<2> around(std::size_t index) const; // the display of a map, to first order
+    ifs::AffineMap<2> around(std::size_t index) const; // first-order display of a map
     // `change` in coordinates of the piece, after the map.
     void change(Fractal& fractal, std::size_t index, const ifs::AffineMap<2>& change) const;
     void changeDisplayed(Fractal& fractal, std::size_t index, const ifs::AffineMap<2>& change) const;
-    Fractal changed() const; // with the cage as it is
+    Fractal changed() const; // copy of the fractal with the cage
 
     std::shared_ptr<const Fractal> m_fractal;
     ifs::ControlCage<2> m_cage;
@@ -70,10 +71,10 @@ private:
 
 // Meaning of a change of a branch for the code.
 enum class BranchEdit {
-    Display, // where the branch is shown, and it alone: the code stays
-    OwnMap,  // the system over the cut set of its address, in which the branch is the first map
-    LastMap, // the last map of its address, as it is seen there: all branches that it makes change alike
-    Inside,  // as Display, and again inside the branch: recurring_branches.h
+    Display, // moves only this branch as displayed; the code stays
+    OwnMap,  // replaces the system by the cut set of the address, with the branch as the first map
+    LastMap, // changes the last map of the address as seen there, and with it all branches that it makes
+    Inside,  // Display, repeated inside the branch: recurring_branches.h
 };
 inline bool keepsCode(BranchEdit edit) {
     return edit == BranchEdit::Display || edit == BranchEdit::Inside;

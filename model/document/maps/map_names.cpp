@@ -11,7 +11,7 @@ bool isPart(const QString& text, qsizetype at) {
     const QChar c = text[at];
     if (c.isHighSurrogate()) return at + 1 < text.size() && text[at + 1].isLowSurrogate();
     if (c.isLowSurrogate()) return at > 0 && text[at - 1].isHighSurrogate();
-    if (c == QChar::ByteOrderMark) return false; // decoders drop it
+    if (c == QChar::ByteOrderMark) return false; // removed by decoders
     return !turnsText(c) && c.category() != QChar::Other_Control && c.category() != QChar::Other_NotAssigned;
 }
 
@@ -29,7 +29,7 @@ QString mapNameOf(const QString& text) {
     QString name;
     for (qsizetype at = 0; at < line.size(); ++at)
         if (isPart(line, at)) name += line[at];
-    name = name.simplified(); // blanks may have met
+    name = name.simplified(); // blanks may have become adjacent
     if (name.size() > maxMapName) {
         name.truncate(maxMapName);
         if (name.back().isHighSurrogate()) name.chop(1);

@@ -17,9 +17,9 @@ namespace {
 
 constexpr int pointCount = 8000;
 constexpr int pointsSkipped = 30;
-constexpr double edge = 1.5;   // pixels left free around the whole
-constexpr double away = 1e12;  // beyond this an orbit begins anew
-constexpr double azimuth = 30; // degrees, where thumbnails of solids are seen from
+constexpr double edge = 1.5;   // free pixels around the whole
+constexpr double away = 1e12;  // distance at which an orbit is restarted
+constexpr double azimuth = 30; // degrees; same direction as in thumbnails of solids
 constexpr double elevation = 20;
 
 std::vector<ifs::Vector<2>> pointsOf(const System2& system) {
@@ -52,7 +52,7 @@ std::vector<ifs::Vector<3>> pointsOf(const System3& system) {
 QRgb blended(const attractor::Rgba& below, float belowShare, const attractor::Rgba& above, float share) {
     const float alpha = share + belowShare * (1 - share);
     if (!(alpha > 0)) return 0;
-    const auto channel = [&](int b, int a) { // premultiplied
+    const auto channel = [&](int b, int a) { // premultiplied channel
         return int(std::lround(float(a) * share + float(b) * belowShare * (1 - share)));
     };
     return qRgba(channel(below.red, above.red), channel(below.green, above.green),
@@ -131,7 +131,7 @@ void MapPoints::frame(const std::vector<ifs::Vector<2>>& shown) {
     const ifs::Vector<2> room(m_width - 2 * edge, m_height - 2 * edge);
     m_scale = std::min(size.x() > 0 ? room.x() / size.x() : HUGE_VAL,
                        size.y() > 0 ? room.y() / size.y() : HUGE_VAL);
-    if (!std::isfinite(m_scale)) m_scale = 1; // a point
+    if (!std::isfinite(m_scale)) m_scale = 1; // single point
 }
 
 void MapPoints::count(Counts& counts, const ifs::Vector<2>& shown) const {

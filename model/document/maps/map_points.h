@@ -25,7 +25,7 @@ public:
     QImage picture(std::size_t index, const attractor::Rgba& faint) const;
 
 private:
-    using Counts = std::vector<float>; // of points in each pixel
+    using Counts = std::vector<float>; // number of points in each pixel
 
     template <int Dim, class Display>
     void take(const ifs::IteratedFunctionSystem<Dim>& system, std::vector<ifs::Vector<Dim>> points,
@@ -35,11 +35,11 @@ private:
 
     int m_width;
     int m_height;
-    double m_scale = 0; // pixels per unit of what is displayed; 0: nothing is
+    double m_scale = 0; // pixels per displayed unit; 0: nothing is displayed
     ifs::Vector<2> m_middle = ifs::Vector<2>::Zero();
     Counts m_whole;
-    std::vector<attractor::Rgba> m_colours;                              // by map
-    std::function<void(std::size_t index, Counts& counts)> m_countImage; // of a map
+    std::vector<attractor::Rgba> m_colours;                              // indexed by map
+    std::function<void(std::size_t index, Counts& counts)> m_countImage; // counter for the image of one map
 };
 
 } // namespace document

@@ -136,8 +136,7 @@ Fractal soloed(Fractal fractal, ifs::MapId map) {
         if (index && soloObstacle(fractal, map).isEmpty()) {
             keepColours(fractal.appearance, shape->system, *index, isByMap, isByAddress, isByBlend);
             Within<2> inside = within(*shape, *index);
-            inside.moved.push_back(
-                {{}, inside.whole * shape->system.maps[*index].map}); // all of the attractor
+            inside.moved.push_back({{}, inside.whole * shape->system.maps[*index].map}); // whole attractor
             shape->moved = std::move(inside.moved);
         }
     } else if (Shape<3>* solid = space(fractal)) {

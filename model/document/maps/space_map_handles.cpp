@@ -22,14 +22,14 @@ std::optional<ifs::Simplex<3>> largestTetrahedron(const std::vector<ifs::Vector<
     constexpr std::size_t few = 24;
     const std::size_t step = corners.size() / (few + 1) + 1;
     std::optional<ifs::Simplex<3>> result;
-    double largest = 0; // sixfold volume
+    double largest = 0; // six times the volume
     for (std::size_t a = 0; a < corners.size(); a += step)
         for (std::size_t b = a + step; b < corners.size(); b += step)
             for (std::size_t c = b + step; c < corners.size(); c += step)
                 for (std::size_t d = c + step; d < corners.size(); d += step) {
                     const ifs::Vector<3>& from = corners[a];
                     const double volume = (corners[b] - from).cross(corners[c] - from).dot(corners[d] - from);
-                    if (!(std::abs(volume) > (1 + 1e-9) * largest)) continue; // of several, the first
+                    if (!(std::abs(volume) > (1 + 1e-9) * largest)) continue; // the first among equals
                     largest = std::abs(volume);
                     result = {from, corners[b], volume > 0 ? corners[c] : corners[d],
                               volume > 0 ? corners[d] : corners[c]};

@@ -64,11 +64,11 @@ private:
     std::shared_ptr<const Fractal> m_fractal;
     ifs::ControlCage<3> m_cage;
     ifs::Simplex<3> m_rest;
-    ifs::AffineMap<3> m_placed;              // the display of a map where nothing bends
-    std::optional<ifs::AffineMap<3>> m_back; // of m_placed; where the cage bends, of m_within
+    ifs::AffineMap<3> m_placed;              // display of a map if nothing bends
+    std::optional<ifs::AffineMap<3>> m_back; // inverse of m_placed or, if the cage bends, of m_within
     ifs::AffineMap<3> m_within;
-    std::shared_ptr<const ifs::CageDeformation> m_bend; // after m_within
-    std::vector<ifs::MapId> m_branch;                   // that is moved; empty: maps are
+    std::shared_ptr<const ifs::CageDeformation> m_bend; // applied after m_within
+    std::vector<ifs::MapId> m_branch;                   // moved branch; empty: maps are edited
     ifs::AffineMap<3> m_branchMap;
 };
 

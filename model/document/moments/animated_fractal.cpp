@@ -13,7 +13,7 @@ namespace {
 
 // Numbers of the moments at which existence is looked at.
 constexpr int trials = 33, mostFrames = 240;
-constexpr std::size_t mostMaps = 20'000; // of all frames together
+constexpr std::size_t mostMaps = 20'000; // limit for all frames together
 
 template <int Dim> bool turnsCage(const animation::Animation<Dim>& animation) {
     return Dim == 2 && std::ranges::any_of(animation.motions, [](const animation::Motion<Dim>& motion) {
@@ -91,7 +91,7 @@ std::optional<MomentWithoutAttractor> firstTried(const Fractal& fractal, const A
 }
 
 template <int Dim> bool hasCommonNorm(const Shape<Dim>& shape) {
-    return ifs::countActive(shape.system) > 0 && // of the listed maps: the group need not keep their norm
+    return ifs::countActive(shape.system) > 0 && // for the listed maps: the group need not keep their norm
            shape.system.symmetry.group == ifs::SymmetryGroup::None &&
            animation::commonNorm(*shape.animation, shape.system).has_value();
 }

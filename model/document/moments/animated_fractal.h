@@ -16,21 +16,21 @@ namespace document {
 // Properties that animations of both dimensions have in common.
 struct AnimationFacts {
     animation::FrameRate rate;
-    int length = 0; // frames
+    int length = 0; // number of frames
     animation::Loop loop = animation::Loop::Off;
     int tracks = 0;
     std::size_t motions = 0;
     // Frames with another camera than the moment before, as where an endless zoom jumps back.
     std::vector<int> cuts{};
 };
-std::optional<AnimationFacts> animationFacts(const Fractal& fractal); // nullopt: nothing moves
+std::optional<AnimationFacts> animationFacts(const Fractal& fractal); // nullopt: no motion
 
 // An entry at a moment: an ordinary fractal without an animation, and the camera if keys move it.
 struct AnimatedFrame {
     Fractal fractal;
     std::optional<attractor::View> view{};
-    std::optional<attractor::OrbitCamera> camera{}; // of an entry in space; its size means nothing
-    std::vector<animation::CameraTurn> orbit{};     // of the camera in space: animation::orbited()
+    std::optional<attractor::OrbitCamera> camera{}; // entries in space only; its size is meaningless
+    std::vector<animation::CameraTurn> orbit{};     // turns of a camera in space, from animation::orbited()
 };
 
 // A fractal that is not animated is the same at every moment.
@@ -68,6 +68,6 @@ std::optional<bool> losesAttractor(const Fractal& fractal, const std::stop_token
 // moments, to a thousandth.
 Fractal withSafeStrength(const Fractal& fractal, std::size_t motion);
 std::optional<Fractal> withSafeStrength(const Fractal& fractal, std::size_t motion,
-                                        const std::stop_token& stop); // nullopt when stopped
+                                        const std::stop_token& stop); // nullopt if stopped
 
 } // namespace document

@@ -21,7 +21,7 @@ public:
         m_maps.reserve(system.maps.size());
         for (const ifs::WeightedMap<Dim>& map : system.maps)
             m_maps.push_back(&map);
-        if (!std::ranges::is_sorted(m_maps, {}, id)) std::ranges::sort(m_maps, {}, id); // seldom out of order
+        if (!std::ranges::is_sorted(m_maps, {}, id)) std::ranges::sort(m_maps, {}, id); // rarely unsorted
     }
 
     const ifs::WeightedMap<Dim>* find(ifs::MapId wanted) const {
@@ -81,7 +81,7 @@ public:
     }
 
 private:
-    // The frame that the keys alone show.
+    // Frame from the keys alone.
     static Fractal keyedFrame(Fractal entry, const animation::Moment& moment) {
         std::get<Shape<Dim>>(entry.shape).animation->motions.clear();
         return frameAt(entry, moment).fractal;
@@ -102,7 +102,7 @@ private:
             animation::MapIds* maps = std::visit([](auto& which) { return mapsOf(which); }, motion);
             if (!maps || maps->empty()) return false;
             std::erase_if(*maps, isGone);
-            return maps->empty(); // which would mean all maps
+            return maps->empty(); // an empty list would mean all maps
         });
     }
 
@@ -185,7 +185,7 @@ private:
     }
 
     FrameEdit m_entry;
-    Shape<Dim>& m_shape; // of the entry, as all that follows
+    Shape<Dim>& m_shape; // shape of the entry, as are the members below
     animation::Animation<Dim>& m_animation;
     animation::Moment m_moment; // folded
     const Fractal& m_before;

@@ -8,8 +8,8 @@ namespace document {
 // An edit of what an entry shows at a moment, as an edit of the entry itself: docs/decisions/0010.
 struct FrameEdit {
     Fractal fractal;
-    int frame = 0;        // at which keys were written
-    bool isKeyed = false; // whether any were
+    int frame = 0;        // frame at which keys were written
+    bool isKeyed = false; // true if keys were written
 };
 
 // The entry for which frameAt(entry, moment), which was `before`, becomes `after`. Values with keys get a key

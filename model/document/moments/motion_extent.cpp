@@ -11,7 +11,7 @@ namespace document {
 
 namespace {
 
-constexpr int evenMoments = 37; // a prime, so that no motion that repeats is met at the same phase each time
+constexpr int evenMoments = 37; // prime, so that a periodic motion is not always met at the same phase
 constexpr std::size_t mostKeys = 100;
 
 // A cage that is not stored is that of the entry at rest at all moments.

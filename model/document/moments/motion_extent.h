@@ -13,7 +13,7 @@ namespace document {
 struct MotionExtent {
     // Contains the picture at each of the moments that were looked at; nullopt where none has a picture.
     std::optional<Box> picture;
-    std::vector<ifs::Vector<2>> corners; // of the cage at these moments
+    std::vector<ifs::Vector<2>> corners; // corners of the cage at these moments
 };
 
 // The smallest box around both.

@@ -60,7 +60,7 @@ MotionPaths motionPaths(const Fractal& entry) {
     const std::size_t maps = std::min(animation.maps.size(), maxMaps);
     if (animation.cage.empty() && maps == 0) return {};
 
-    Fractal held = entry; // without a cage of its own, its canonical one is asked for once
+    Fractal held = entry; // copy, so that a canonical cage is computed once
     if (!shape->cage) plane(held)->cage = canonicalCage(entry);
     const ifs::Vector<2> middle = middleOf(*plane(held)->cage);
     MotionPaths paths;

@@ -12,8 +12,8 @@ namespace {
 using animation::Moment;
 
 constexpr int circle = 360'000;        // thousandths of a degree
-constexpr int partsOfMotions = 8;      // pilots in the length of an animation with motions
-constexpr std::size_t maxPilots = 128; // before the middles come in between
+constexpr int partsOfMotions = 8;      // number of pilots in an animation with motions
+constexpr std::size_t maxPilots = 128; // limit before midpoints are added
 
 // Side of the frame that the shutter sees: it does not open across a cut.
 enum class Side { Both, After, Before, Neither };

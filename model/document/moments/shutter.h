@@ -31,8 +31,8 @@ std::vector<animation::Moment> exposurePilots(const Fractal& fractal);
 
 // A moment, folded, between two neighbours of these pilots.
 struct BetweenPilots {
-    std::size_t before = 0; // index
-    std::size_t after = 0;  // the same at a pilot
+    std::size_t before = 0; // index of the pilot before
+    std::size_t after = 0;  // index of the pilot after; equal to `before` at a pilot
     double share = 0;
 };
 BetweenPilots betweenPilots(const std::vector<animation::Moment>& pilots, const animation::Moment& moment);

@@ -15,8 +15,8 @@ namespace document {
 
 namespace {
 
-constexpr int letterSize = 400;          // pixels; curves become lines of a few of them
-constexpr std::size_t maxCorners = 1500; // in all: every step draws them many times
+constexpr int letterSize = 400;          // pixels, for which curves become lines of a few pixels
+constexpr std::size_t maxCorners = 1500; // total limit, because every step draws them many times
 
 template <class Change> StartShape changed(StartShape shape, Change change) {
     for (auto& contour : shape.contours)
@@ -54,11 +54,13 @@ std::optional<StartShape> letterShape(const QString& letters) {
     QPainterPath path;
     path.addText(0, 0, font, letters.trimmed());
     StartShape shape;
-    for (const QPolygonF& polygon : path.simplified().toSubpathPolygons()) { // letters may overlap
+    // Simplified, because letters may overlap.
+    for (const QPolygonF& polygon : path.simplified().toSubpathPolygons()) {
         std::vector<ifs::Vector<2>> contour;
         for (const QPointF& point : polygon)
             contour.emplace_back(point.x(), -point.y());
-        if (contour.size() > 3) shape.contours.push_back(std::move(contour)); // the last closes it
+        // More than 3, since the last point repeats the first.
+        if (contour.size() > 3) shape.contours.push_back(std::move(contour));
     }
     if (shape.contours.empty()) return std::nullopt;
     return normalised(std::move(shape));
@@ -68,7 +70,7 @@ StartShape pictureShape(const TracedPicture& picture) {
     StartShape shape;
     std::size_t corners = 0;
     std::vector<std::vector<ifs::Vector<2>>> outlines = picture.outlines;
-    // Long outlines are what the eye sees; specks come last.
+    // Largest outlines first, specks last.
     std::ranges::stable_sort(outlines, std::ranges::greater(), &std::vector<ifs::Vector<2>>::size);
     for (auto& outline : outlines) {
         corners += outline.size();

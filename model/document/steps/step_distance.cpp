@@ -20,8 +20,8 @@ namespace document {
 
 namespace {
 
-constexpr int cells = 512; // along a side of the grid
-constexpr int coarse = 96; // likewise, where the size of the grid is found
+constexpr int cells = 512; // cells along a side of the grid
+constexpr int coarse = 96; // cells along a side of the grid that finds the extent
 using Points = std::vector<ifs::Vector<2>>;
 
 // B where the maps act, which is the displayed plane or that of the code.
@@ -69,7 +69,7 @@ Points pointsIn(const StartShape& start, const collage::Grid& grid) {
         path.closeSubpath();
     }
     QPainter painter(&image);
-    painter.setPen(QPen(Qt::white, 0)); // thin parts stay
+    painter.setPen(QPen(Qt::white, 0)); // keeps thin parts
     painter.setBrush(Qt::white);
     painter.drawPath(path);
     painter.end();
@@ -131,7 +131,7 @@ private:
     collage::Mask m_attractor;
     collage::FeatureTransform m_toAttractor;
     Points m_points;
-    collage::Mask m_mask; // of the points
+    collage::Mask m_mask; // mask of the points
 };
 
 } // namespace
@@ -151,7 +151,7 @@ std::optional<StepDistance> stepDistance(const Fractal& fractal, const StartShap
     const Extent extent = united(system, start);
     const collage::Grid rough = gridOver(extent, 0, coarse);
     if (!(rough.cell > 0) || !std::isfinite(rough.cell)) return result;
-    // No image is farther from the attractor than B is.
+    // Upper bound: no image is farther from the attractor than B is.
     const double farthest = (Measurement(system.maps, start, rough).distance() + 2) * rough.cell;
     const collage::Grid grid = gridOver(extent, farthest, cells);
     Measurement measurement(system.maps, start, grid);

@@ -15,8 +15,8 @@ struct StepDistance {
     double contraction = 0; // s, the largest spectral norm of a map
     // The distance measured on cells; nullopt where the maps are linked or s ≥ 1.
     std::optional<double> distance;
-    double cell = 0;             // its side: nothing below a few of them is told apart
-    std::optional<double> bound; // sⁿ·d(B, A), which d(Wⁿ(B), A) does not exceed; nullopt as above
+    double cell = 0;             // side of a cell; distances below a few cells are not resolved
+    std::optional<double> bound; // sⁿ·d(B, A), an upper bound of d(Wⁿ(B), A); nullopt as above
     bool isOfCode = false;
 };
 

@@ -19,13 +19,13 @@ namespace document {
 
 namespace {
 
-constexpr double minDivided = 1.5;    // pixels; smaller images are one
+constexpr double minDivided = 1.5;    // pixels; smaller images are drawn as one
 constexpr double minOutlined = 24;    // pixels
-constexpr double thin = 1;            // pixels; narrower images get a line of that width
-constexpr int straightPieces = 12;    // of an edge where the cage bends
-constexpr int nodesPerCheck = 256;    // between two checks of the stop token
-constexpr double maxCoordinate = 1e7; // of a pixel; the painter's own overflow beyond
-const QColor grey(150, 156, 166);     // of B itself, seen on light and dark
+constexpr double thin = 1;            // pixels; narrower images are drawn as lines of this width
+constexpr int straightPieces = 12;    // pieces of an edge if the cage bends
+constexpr int nodesPerCheck = 256;    // images between two checks of the stop token
+constexpr double maxCoordinate = 1e7; // pixels; QPainter overflows beyond
+const QColor grey(150, 156, 166);     // colour of B itself, visible on light and dark
 
 class StepPainter {
 public:
@@ -108,7 +108,7 @@ private:
 
     void divideEdges() {
         for (auto& contour : m_shape.contours) {
-            if (contour.size() > 40) continue; // of a curve
+            if (contour.size() > 40) continue; // curves
             std::vector<ifs::Vector<2>> divided;
             for (std::size_t j = 0; j < contour.size(); ++j) {
                 const ifs::Vector<2> edge = contour[(j + 1) % contour.size()] - contour[j];
@@ -133,7 +133,7 @@ private:
             spread = (worldToPixel(camera).linear / camera.pixelsPerUnit * spread).eval();
         const ifs::Vector<2> half = spread.cwiseAbs().rowwise().sum() * m_job.camera.pixelsPerUnit;
         const QPointF middle = shown(map((m_low + m_high) / 2));
-        // A bend may carry parts farther than its affine fit does.
+        // Margin for bends, which may carry parts farther than the affine fit does.
         const double room = m_placement.bend() ? 3 * half.maxCoeff() : 0;
         const bool isInView =
             middle.x() + half.x() + room >= 0 && middle.x() - half.x() - room <= m_job.camera.width &&
@@ -186,7 +186,7 @@ private:
 
     const StepJob& m_job;
     attractor::PreparedSystem m_system;
-    attractor::ColourCoordinates m_along; // the palette
+    attractor::ColourCoordinates m_along; // palette coordinates
     ifs::Placement m_placement;
     StartShape m_shape; // coordinates of the code
     ifs::Vector<2> m_low, m_high;

@@ -13,7 +13,7 @@ namespace document {
 
 // Wⁿ(B) for a shape B over the attractor, moved by the cage as the attractor is.
 struct StepJob {
-    std::shared_ptr<const Fractal> fractal; // a system of the plane
+    std::shared_ptr<const Fractal> fractal; // must be a system of the plane
     std::shared_ptr<const StartShape> shape;
     int iterations = 0;
     attractor::Camera camera;

@@ -10,7 +10,7 @@ namespace {
 bool isSeen(char32_t c) {
     switch (QChar::category(c)) {
     case QChar::Other_Control:
-    case QChar::Other_Format: // the marks that turn a text round, and blanks without a width
+    case QChar::Other_Format: // marks that change the direction of a text, and zero-width blanks
     case QChar::Separator_Line:
     case QChar::Separator_Paragraph:
         return false;
@@ -36,7 +36,7 @@ template <class Keeps> QString withUnderscores(const QString& text, const Keeps&
 } // namespace
 
 QString cutTo(QString text, qsizetype bytes) {
-    if (text.size() > bytes) { // no letter takes less than one
+    if (text.size() > bytes) { // each letter takes at least one byte
         text.truncate(bytes);
         if (!text.isEmpty() && text.back().isHighSurrogate()) text.chop(1);
     }

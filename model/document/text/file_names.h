@@ -6,7 +6,7 @@
 // Texts of any kind, such as the names of entries, where they become names of files or lines of one.
 namespace document {
 
-inline constexpr qsizetype maxFileName = 255; // bytes, of most file systems
+inline constexpr qsizetype maxFileName = 255; // bytes, the limit of most file systems
 
 // The longest beginning of the text that takes at most `bytes` bytes in UTF-8.
 QString cutTo(QString text, qsizetype bytes);

@@ -10,10 +10,10 @@ namespace document {
 
 struct StereoMode {
     attractor::Stereo value;
-    const char* title;          // in a list
-    const char* command;        // id of its command, which switches it on or off; null: it has none
-    const char* item = nullptr; // of the command in the menu
-    const char* tip = nullptr;  // of the command
+    const char* title;          // title in a list
+    const char* command;        // id of the command that switches it on or off; null: none
+    const char* item = nullptr; // text of the command in the menu
+    const char* tip = nullptr;  // tip of the command
 };
 
 std::span<const StereoMode> stereoModes(); // in the order of menus and lists

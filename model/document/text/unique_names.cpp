@@ -15,7 +15,7 @@ QString legalName(const QString& name) {
     QString legal;
     for (const QChar c : name.trimmed()) {
         if (c.isSpace() || c == QLatin1Char(':'))
-            legal += QLatin1Char('_'); // "ifs:", "par:" … would hide the entry
+            legal += QLatin1Char('_'); // prefixes such as "ifs:" or "par:" would hide the entry
         else if (c.isPrint() || c.isSurrogate())
             legal += QStringLiteral("(){};").contains(c) ? QString() : QString(c);
     }

@@ -12,14 +12,15 @@ namespace document {
 class UniqueNames {
 public:
     UniqueNames() = default;
-    explicit UniqueNames(qsizetype expected) { m_taken.reserve(expected); } // names, to be quick with many
+    // Number of names, to reserve memory.
+    explicit UniqueNames(qsizetype expected) { m_taken.reserve(expected); }
 
-    void take(const QString& name); // as it is
+    void take(const QString& name); // reserves the name unchanged
     QString give(const QString& name);
 
 private:
     QSet<QString> m_taken;         // case-folded
-    QHash<QString, int> m_numbers; // the one to try next behind a legal, case-folded name
+    QHash<QString, int> m_numbers; // next number to try after a legal, case-folded name
 };
 
 } // namespace document

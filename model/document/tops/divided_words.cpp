@@ -16,7 +16,7 @@ namespace {
 struct Word {
     ifs::AffineMap<2> map;
     double probability;
-    std::vector<std::size_t> ranks; // of its symbols, in the order of the maps; 0: on top
+    std::vector<std::size_t> ranks; // ranks of its symbols in the order of the maps; 0: on top
 };
 
 // The active maps, with the ranks that they have in the order that is kept.
@@ -79,7 +79,7 @@ Fractal withWordsDivided(const Fractal& fractal, std::size_t count) {
     shape->animation.reset();
     divided.appearance.mapColours = {};
     divided.appearance.mapBlends = {};
-    divided.mapLabels = {}; // its maps are words of the former ones
+    divided.mapLabels = {}; // maps are now words of the former ones
     divided.supports = {};
     if (theft) {
         theft->order = orderOf(words);

@@ -13,10 +13,10 @@ namespace document {
 namespace {
 
 const QString prefix = QStringLiteral("barycage: partner");
-constexpr qsizetype maxValue = 36; // letters of a path on one line, so that it stays under 70
+constexpr qsizetype maxValue = 36; // characters of a path on one line, which then stays below 70
 constexpr std::size_t maxOrder = 4096;
 constexpr qsizetype maxPath = 8192;
-constexpr qsizetype maxDataLine = 44; // letters, four of which hold three bytes
+constexpr qsizetype maxDataLine = 44; // characters, four of which hold three bytes
 const QByteArray::Base64Options dataLetters = QByteArray::Base64UrlEncoding | QByteArray::OmitTrailingEquals;
 
 bool isOurs(const QString& comment) {

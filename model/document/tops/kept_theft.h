@@ -17,11 +17,11 @@
 namespace document {
 
 enum class TheftMode {
-    StealColours,     // the picture lies around G as it would be rendered
-    TransformPicture, // it covers the box of G, corner to corner
-    DeformationGrid,  // a grid covers the box of G, whatever the picture
-    Reduce,           // the picture lies on F, is carried to G, loses detail there, and comes back
-    Posterise,        // the same, and loses shades
+    StealColours,     // picture around G as it would be rendered
+    TransformPicture, // picture stretched to the box of G
+    DeformationGrid,  // grid over the box of G, in place of the picture
+    Reduce,           // picture on F, carried to G and back, which loses detail
+    Posterise,        // same as Reduce, with fewer shades
 };
 
 inline constexpr qsizetype maxEmbeddedPicture = 128 * 1024; // bytes
@@ -29,12 +29,12 @@ inline constexpr qsizetype maxEmbeddedPicture = 128 * 1024; // bytes
 // The fractal transformation kept in an entry, in its comments "barycage: partner…". docs/formats.md,
 // "Barycage's comment lines".
 struct KeptTheft {
-    QString partner;                // the name of the other entry, G
-    std::vector<std::size_t> order; // indices of the maps, the one on top first; empty: as they are
+    QString partner;                // name of the other entry, G
+    std::vector<std::size_t> order; // indices of the maps, first the map on top; empty: unchanged
     TheftMode mode = TheftMode::StealColours;
     attractor::Pattern pattern = attractor::Pattern::Wheel;
-    QString picture;     // its path from the folder of the file, with slashes; empty: the pattern
-    QByteArray embedded; // a file of it in the entry itself, which is used in place of that path; empty: none
+    QString picture;     // path from the folder of the file, with slashes; empty: the pattern
+    QByteArray embedded; // file contents embedded in the entry, used in place of the path; empty: none
     // Position of the picture in the plane of G, for StealColours; nullopt: as it would be rendered. y
     // upwards.
     std::optional<attractor::View> view;
@@ -42,7 +42,7 @@ struct KeptTheft {
     friend bool operator==(const KeptTheft&, const KeptTheft&) = default;
 };
 
-std::optional<KeptTheft> keptTheft(const Fractal& fractal); // lines that make no sense are passed over
+std::optional<KeptTheft> keptTheft(const Fractal& fractal); // ignores malformed lines
 // Without a partner, nothing is kept.
 Fractal withTheft(Fractal fractal, const std::optional<KeptTheft>& theft);
 

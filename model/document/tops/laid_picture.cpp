@@ -12,9 +12,9 @@ namespace document {
 
 namespace {
 
-constexpr int reducedSide = 48; // pixels of what Reduce leaves, at most
+constexpr int reducedSide = 48; // pixels of the longer side after Reduce
 constexpr int posterisedSide = 768;
-constexpr int shades = 4; // of each channel, that Posterise leaves
+constexpr int shades = 4; // levels of each channel after Posterise
 constexpr std::uint64_t pointsThere = 3'000'000;
 
 Box boxOf(const Fractal& fractal) {

@@ -16,7 +16,7 @@ namespace document {
 // A picture, and where it lies on G.
 struct LaidPicture {
     std::shared_ptr<const attractor::MipPicture> picture;
-    ifs::AffineMap<2> toPicture; // from coordinates of G to its pixels
+    ifs::AffineMap<2> toPicture; // coordinates of G → pixels of the picture
 };
 
 // The view in which a picture of that size shows G as it would be rendered.

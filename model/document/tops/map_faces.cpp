@@ -11,7 +11,8 @@ MapFaces facesOfPartner(const Fractal& from, const Fractal& to) {
     MapFaces faces;
     for (std::size_t i = 0; i < g->maps.size(); ++i)
         faces.push_back({attractor::mapColour(to.appearance, g->maps[i].id, i), 0});
-    for (std::size_t k = indices.size(); k-- > 0;) { // of copies under a symmetry, the first decides
+    // Backwards, because the first copy under a symmetry decides.
+    for (std::size_t k = indices.size(); k-- > 0;) {
         const std::size_t source = sources[k];
         faces[indices[k]] = {attractor::mapColour(from.appearance, f->maps[source].id, source), source + 1};
     }

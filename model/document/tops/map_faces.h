@@ -11,7 +11,7 @@ namespace document {
 // Label of a map of one entry beside another: with the colour and number of its counterpart there.
 struct MapFace {
     attractor::Rgba colour;
-    std::size_t number = 0; // from 1; 0: it takes no part, and has none
+    std::size_t number = 0; // 1-based; 0: without a counterpart, because it does not take part
 
     friend bool operator==(const MapFace&, const MapFace&) = default;
 };

@@ -38,7 +38,7 @@ void PartnerDocument::take() {
     }
     const std::shared_ptr<const Fractal>& fractal = m_host->file().entries[index].fractal;
     if (m_shown == m_id && *fractal == m_document.entryFractal()) return;
-    // The very fractal, not a copy: what knows fractals of before knows them again.
+    // Shares the fractal instead of copying it, so that caches recognise it.
     FractalFile file = m_shown == m_id ? m_document.file() : fileOf(*fractal);
     file.entries.front().fractal = fractal;
     m_isTaking = true;

@@ -18,16 +18,16 @@ public:
 
     Document& document() { return m_document; }
     const Document& document() const { return m_document; }
-    EntryId id() const { return m_id; } // in the host; None while there is no partner
+    EntryId id() const { return m_id; } // id in the host; None without a partner
     void setPartner(EntryId id);
 
 signals:
-    void partnerChanged(); // another entry, or none
+    void partnerChanged(); // also sent when there is none any more
 
 private:
-    void take(); // from the host
+    void take(); // copies from the host
     void clear();
-    void give(); // to the host
+    void give(); // copies to the host
 
     Document* m_host;
     Document m_document;

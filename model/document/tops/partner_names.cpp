@@ -13,7 +13,7 @@ namespace document {
 
 namespace {
 
-using Names = QHash<QString, QString>; // in small letters, and what they have become
+using Names = QHash<QString, QString>; // old names in lower case → new names
 
 // The fractal where its partner has another name now; nullopt where there is nothing to change.
 std::optional<Fractal> withPartnerOf(const Fractal& fractal, const Names& names) {

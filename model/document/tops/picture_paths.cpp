@@ -13,14 +13,15 @@ namespace {
 
 QString moved(const QString& picture, const QString& from, const QString& to) {
     const bool isAbsolute = QDir::isAbsolutePath(picture);
-    if (isAbsolute != from.isEmpty()) return picture; // somebody has written it so, or it leads nowhere
+    if (isAbsolute != from.isEmpty()) return picture; // stored that way by the user, or without a target
     return QDir(to).relativeFilePath(isAbsolute ? picture : QDir(from).filePath(picture));
 }
 
 } // namespace
 
 FractalFile withPicturesFoundFrom(FractalFile file, const QString& from, const QString& to) {
-    if (!from.isEmpty() && QDir::cleanPath(from) == QDir::cleanPath(to)) return file; // without the disk
+    // Lexical comparison without the disk.
+    if (!from.isEmpty() && QDir::cleanPath(from) == QDir::cleanPath(to)) return file;
     for (qsizetype i = 0; i < file.entries.size(); ++i) {
         const Fractal& fractal = *file.entries.at(i).fractal;
         std::optional<KeptTheft> theft = keptTheft(fractal);

@@ -10,7 +10,7 @@ enum class TheftFamily { Triangle, Square };
 
 struct StartedTheft {
     FractalFile file;
-    EntryId from = EntryId::None; // the entry that keeps the transformation
+    EntryId from = EntryId::None; // entry that keeps the transformation
 };
 // The file with two more entries at the end, the member of the family with all parameters ½ and another one,
 // which the first keeps as its partner.

@@ -18,12 +18,12 @@ namespace document {
 namespace {
 
 using Clock = std::chrono::steady_clock;
-constexpr std::uint64_t minPoints = 500'000, maxPoints = 10'000'000; // points while a hand moves
+constexpr std::uint64_t minPoints = 500'000, maxPoints = 10'000'000; // points during changes
 constexpr std::uint64_t atRest[] = {16'000'000, 80'000'000};
 // Milliseconds for both pictures while a hand moves: together with painting them, and with the variation
 // between frames, they have to fit into a frame of the screen.
 constexpr double fluid = 9;
-constexpr double pictureBehind = 0.3; // opacity of what is not on G
+constexpr double pictureBehind = 0.3; // opacity of the parts that are not on G
 constexpr auto rest = std::chrono::milliseconds(60);
 
 attractor::Frame frameOf(const TheftJob::Side& side, std::uint64_t points) {
@@ -74,26 +74,26 @@ struct TheftThread::State {
                                                    std::uint64_t points, const std::stop_token& stop);
     bool overlay(attractor::Frame& frame, attractor::TheftRequest request, const LaidPicture& laid,
                  double opacity, const std::stop_token& stop);
-    attractor::CoupledSystem identity() const; // of G
+    attractor::CoupledSystem identity() const; // identity on G
     void publish(StolenFrames frames, const std::stop_token& stop);
 
     std::function<void()> ready;
     attractor::Mailbox<TheftJob> mailbox;
-    std::mutex mutex; // of the two below
+    std::mutex mutex; // guards the two members below
     std::shared_ptr<const StolenFrames> newest;
-    bool announced = false; // ready was called, newest() was not yet
-    // The worker's own:
-    std::shared_ptr<const Fractal> from, to; // of `coupling`
+    bool announced = false; // true between the calls of ready and newest()
+    // Used by the worker only:
+    std::shared_ptr<const Fractal> from, to; // fractals of `coupling`
     std::vector<std::size_t> order;
     CouplingOutcome coupling;
     attractor::DeferredTheft onFrom, onTo, over, there;
-    // The last frame of G, and its state: it stays while only F moves.
+    // Last frame of G and its request: reused while only F changes.
     std::shared_ptr<const attractor::Frame> lastTo;
     std::vector<ifs::AffineMap<2>> lastMaps;
     LaidPicture lastLaid;
     attractor::Rgba lastBackground;
     std::uint64_t livePoints = 3'000'000;
-    std::jthread thread; // last: it uses the rest
+    std::jthread thread; // last member: uses the others
 };
 
 void TheftThread::State::serve() {
@@ -208,7 +208,7 @@ void TheftThread::State::publish(StolenFrames frames, const std::stop_token& sto
     {
         const std::lock_guard lock(mutex);
         if (stop.stop_requested()) return;
-        newest.swap(shared); // what it replaces is let go after the lock
+        newest.swap(shared); // the old value is released after the lock
         if (std::exchange(announced, true)) return;
     }
     ready();

@@ -19,26 +19,26 @@ namespace document {
 struct TheftJob {
     struct Side {
         std::shared_ptr<const Fractal> fractal;
-        attractor::Camera camera; // of no pixels: not drawn
+        attractor::Camera camera; // no pixels: not drawn
         std::uint64_t revision = 0;
         friend bool operator==(const Side&, const Side&) = default;
     };
     Side from, to;
-    std::vector<std::size_t> order; // as in KeptTheft
+    std::vector<std::size_t> order; // same meaning as in KeptTheft
     TheftMode mode = TheftMode::StealColours;
-    std::optional<attractor::View> view;                  // as in KeptTheft
-    std::shared_ptr<const attractor::MipPicture> picture; // not null
-    double overlay = 0;                                   // opacity of G over F, in the picture of F
-    bool isLive = false;                                  // more of the same is to come
-    std::uint64_t number = 0;                             // by which its frames are known
+    std::optional<attractor::View> view;                  // same meaning as in KeptTheft
+    std::shared_ptr<const attractor::MipPicture> picture; // never null
+    double overlay = 0;                                   // opacity of G over F in the picture of F
+    bool isLive = false;                                  // true: similar jobs will follow
+    std::uint64_t number = 0;                             // number copied to its frames
 
     friend bool operator==(const TheftJob&, const TheftJob&) = default;
 };
 
 struct StolenFrames {
-    std::shared_ptr<const attractor::Frame> from, to; // null where not drawn, or where there is a flaw
-    std::optional<CouplingOutcome> flaw;              // why there is no transformation
-    std::uint64_t number = 0;                         // of the job
+    std::shared_ptr<const attractor::Frame> from, to; // null if not drawn, or if there is a flaw
+    std::optional<CouplingOutcome> flaw;              // reason why there is no transformation
+    std::uint64_t number = 0;                         // number of the job
 };
 
 // A worker thread around DeferredTheft: the newest job wins, an older one is abandoned within milliseconds.
@@ -53,8 +53,8 @@ public:
     TheftThread(const TheftThread&) = delete;
     TheftThread& operator=(const TheftThread&) = delete;
 
-    void submit(TheftJob job); // any thread
-    void cancel();             // forget the present job; the newest frames stay
+    void submit(TheftJob job); // thread-safe
+    void cancel();             // drops the present job; the newest frames stay
 
     // Thread-safe; nullptr before the first.
     std::shared_ptr<const StolenFrames> newest();

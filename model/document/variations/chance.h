@@ -24,7 +24,7 @@ public:
     bool comes(double probability) { return between(0, 1) < probability; }
     // The sum of four is near enough to the normal distribution; deviation 1.
     double normal() {
-        constexpr double deviation = 0.57735026918962576; // of a number between −1 and 1
+        constexpr double deviation = 0.57735026918962576; // standard deviation of a number between −1 and 1
         double sum = 0;
         for (int i = 0; i < 4; ++i)
             sum += between(-1, 1);
@@ -34,7 +34,7 @@ public:
         return std::min(count - 1, std::size_t(between(0, double(count))));
     }
 
-    template <int Dim> ifs::Vector<Dim> vector() { // every coordinate between −1 and 1
+    template <int Dim> ifs::Vector<Dim> vector() { // coordinates between −1 and 1
         ifs::Vector<Dim> result;
         for (Eigen::Index i = 0; i < Dim; ++i)
             result[i] = between(-1, 1);

@@ -23,7 +23,7 @@ namespace document {
 
 namespace {
 
-constexpr std::size_t maxCopies = 1024; // maps with the partner's symmetry
+constexpr std::size_t maxCopies = 1024; // limit of maps with the partner's symmetry
 
 std::optional<System2> shownSystem(const Fractal& fractal, const Shape<2>&) {
     return effectiveSystem(fractal);
@@ -55,7 +55,7 @@ template <int Dim> double sizeOf(const ifs::Moments<Dim>& moments) {
 // A map of a child.
 template <int Dim> struct Crossing<Dim>::Inherited {
     std::optional<std::size_t> mine{}, its{};
-    double share = 0; // of the partner, from 0 to 1
+    double share = 0; // 0 … 1; share of the partner
 };
 
 template <int Dim>
@@ -129,7 +129,7 @@ std::vector<typename Crossing<Dim>::Inherited> Crossing<Dim>::draw(Chance& chanc
         const double what = chance.between(0, 3), share = chance.between(0.2, 0.8);
         double taken = what < 1 ? 0 : what < 2 ? 1 : share;
         if (ifs::mirrors<Dim>(system.maps[pair.mine].map, m_partner.maps[pair.its].map))
-            taken = std::round(taken); // half-way it would be flat
+            taken = std::round(taken); // a mean of both would be flat
         drawn.push_back({pair.mine, pair.its, isLocked(pair.mine) ? 0 : taken});
     }
     for (const std::size_t index : m_onlyMine)
@@ -138,7 +138,7 @@ std::vector<typename Crossing<Dim>::Inherited> Crossing<Dim>::draw(Chance& chanc
         if (chance.comes(0.5) && mayLose) drawn.push_back({std::nullopt, index, 1});
     for (const std::size_t index : m_resting)
         drawn.push_back({index, std::nullopt, 0});
-    std::ranges::sort(drawn, {}, [](const Inherited& map) { // as the parent lists them, then as the partner
+    std::ranges::sort(drawn, {}, [](const Inherited& map) { // order of the parent, then of the partner
         return std::pair(map.mine.value_or(SIZE_MAX), map.its.value_or(SIZE_MAX));
     });
     return drawn;
@@ -159,7 +159,7 @@ void Crossing<Dim>::inherit(const Inherited& from, const MayChange& may, Fractal
         map = parent.maps[*from.mine];
     } else {
         map = m_partner.maps[*from.its];
-        map.id = ifs::MapId::None; // gets its own when all that have one are there
+        map.id = ifs::MapId::None; // gets an id after all maps that have one
         if (!may.weights) map.weight = std::nullopt;
     }
     if (from.mine && from.its && may.shape)

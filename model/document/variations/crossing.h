@@ -37,13 +37,13 @@ private:
     void mixBlends(const std::vector<Inherited>& drawn, Fractal& child) const;
 
     std::shared_ptr<const Fractal> m_parent;
-    ifs::IteratedFunctionSystem<Dim> m_partner; // in coordinates of the parent's code
+    ifs::IteratedFunctionSystem<Dim> m_partner; // partner in coordinates of the parent's code
     attractor::Appearance m_partnerAppearance;
     std::vector<double> m_parentWeights, m_partnerWeights; // probabilities, one for each listed map
     ifs::Vector<Dim> m_reference = ifs::Vector<Dim>::Zero();
     std::vector<Pair> m_pairs;
-    std::vector<std::size_t> m_onlyMine, m_onlyIts; // take part, and have no counterpart
-    std::vector<std::size_t> m_resting;             // of the parent: off
+    std::vector<std::size_t> m_onlyMine, m_onlyIts; // maps that take part and have no counterpart
+    std::vector<std::size_t> m_resting;             // maps of the parent that are off
 };
 
 } // namespace document

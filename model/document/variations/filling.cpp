@@ -17,9 +17,9 @@ namespace document {
 
 namespace {
 
-constexpr int side = 32; // of the grid, in cells
+constexpr int side = 32; // cells along a side of the grid
 constexpr std::uint64_t samples = std::uint64_t{20} * side * side;
-constexpr double azimuth = 30; // degrees, as a solid is seen at first
+constexpr double azimuth = 30; // degrees; first view of a solid
 constexpr double elevation = 20;
 
 double shareOf(std::span<const std::uint32_t> pixels) {

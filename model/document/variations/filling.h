@@ -7,8 +7,8 @@ namespace document {
 
 // Measure of how well an attractor fills a view that is fitted to it. Dust and lines fill it badly.
 struct Filling {
-    double share = 0;  // of the cells of a coarse grid over its box that hold points
-    double aspect = 0; // its shortest extent as a part of the longest one
+    double share = 0;  // share of occupied cells of a coarse grid over its box
+    double aspect = 0; // ratio of its shortest to its longest extent
 };
 constexpr Filling wellFilled{0.12, 0.25};
 

@@ -5,7 +5,7 @@ namespace document {
 
 // Parts of a fractal that may change when it is varied or crossed.
 struct MayChange {
-    bool shape = true; // the maps
+    bool shape = true; // maps
     bool colours = false;
     bool weights = true;
 

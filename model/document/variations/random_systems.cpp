@@ -13,8 +13,8 @@ namespace {
 
 constexpr int trials = 60;
 constexpr double maxSingularValue = 0.95;
-constexpr double minRatio = 0.12; // to begin with, as a part of the largest
-constexpr double upright = 90;    // degrees, of a mirror
+constexpr double minRatio = 0.12; // initial ratio to the largest map
+constexpr double upright = 90;    // degrees; direction of a mirror
 
 using Pair = ifs::Vector<2>; // σ₁ ≥ σ₂
 
@@ -73,7 +73,7 @@ template <int Dim> ifs::IteratedFunctionSystem<Dim> randomSystem(const RandomCho
     const std::size_t copies = ifs::groupOrder(choice.symmetry, choice.order);
     std::size_t count = std::size_t(choice.maps);
     if (count == 0) count = isSymmetric ? 1 + chance.below(3) : 2 + chance.below(4);
-    if (!isSymmetric && count == 1) count = 2; // a single map has a point
+    if (!isSymmetric && count == 1) count = 2; // the attractor of a single map is a point
     const double all = double(count * copies);
     const double total = (5 + all + chance.between(0.01, 0.99)) / 2;
     for (const Pair& pair : singularPairs(count, total / double(copies), chance)) {

@@ -13,9 +13,9 @@ constexpr int maxRandomMaps = 16;
 // Properties of a random system.
 struct RandomChoice {
     int dimension = 2;
-    int maps = 0; // up to maxRandomMaps; 0: two to five, with a symmetry one to three
+    int maps = 0; // at most maxRandomMaps; 0: two to five, with a symmetry one to three
     ifs::SymmetryGroup symmetry = ifs::SymmetryGroup::None;
-    int order = 1; // of a rotation or dihedral group
+    int order = 1; // order of a rotation or dihedral group
 
     friend bool operator==(const RandomChoice&, const RandomChoice&) = default;
 };

@@ -17,8 +17,8 @@ namespace {
 constexpr int childTrials = 60;
 constexpr int fewTrials = 6;
 constexpr int weightTrials = 4;
-constexpr std::size_t manyMaps = 1000; // each trial takes long
-constexpr double asWellAs = 0.7;       // the parent fills its view
+constexpr std::size_t manyMaps = 1000; // number of maps from which on each trial takes long
+constexpr double asWellAs = 0.7;       // share of the parent's filling that a child must reach
 
 std::size_t mapCount(const Fractal& fractal) {
     if (const System2* system = system2(fractal)) return system->maps.size();
@@ -78,7 +78,7 @@ Fractal Variations::start(std::uint64_t seed, int trial) const {
     Chance chance = ownChance(seed, 3 + std::uint64_t(trial));
     auto crossed = m_crossings ? m_crossings->child(m_mutation.may, chance) : std::nullopt;
     Fractal result = crossed ? *std::move(crossed) : *m_parent;
-    result.supports = SupportCache(); // that of the parent is not for its children
+    result.supports = SupportCache(); // the cache belongs to the parent
     return result;
 }
 
@@ -110,7 +110,7 @@ Variations::Varied Variations::shaped(std::uint64_t seed, const std::stop_token&
         Fractal child = from;
         variation.tames = 2 * trial >= most;
         varyMaps(child, variation, chance);
-        variation.strength *= 0.95; // what is nearer is likelier to be like it
+        variation.strength *= 0.95; // closer children are likelier to fill as well
         const double fills = hasCertainAttractor(child) ? fillsAs(filling(child), m_wanted) : -1;
         if (fills > best.fills) best = {std::move(child), std::move(from), fills};
     }

@@ -18,9 +18,10 @@ QString variationObstacle(const Fractal& fractal);
 
 // Settings for varying a fractal.
 struct Mutation {
-    double strength = 0.3; // from 0, nearly the same, to 1, hardly to be recognised
+    double strength = 0.3; // 0 … 1, from hardly changed to hardly recognisable
     MayChange may{};
-    std::shared_ptr<const Fractal> partner{}; // crossed with first, of the same dimension; null: with none
+    // Fractal to cross with first, of the same dimension; null: none.
+    std::shared_ptr<const Fractal> partner{};
 };
 
 // Variations of a fractal: its maps turned, stretched and moved a little, now and then with a map more or
@@ -42,8 +43,8 @@ private:
     class Crossings;
     struct Varied {
         Fractal fractal;
-        Fractal from;      // the fractal whose maps were varied
-        double fills = -1; // fillsAs(): below 0 without a certain attractor
+        Fractal from;      // fractal whose maps were varied
+        double fills = -1; // fillsAs(); < 0 without a certain attractor
     };
 
     Varied shaped(std::uint64_t seed, const std::stop_token& stop) const;

@@ -14,7 +14,7 @@ namespace document {
 namespace {
 
 constexpr double maxNorm = 0.95;
-constexpr std::size_t maxAdded = 12; // to a system with so many maps, none is added
+constexpr std::size_t maxAdded = 12; // number of maps from which on none is added
 constexpr double floorOfWeights = 0.02;
 
 template <int Dim> using System = ifs::IteratedFunctionSystem<Dim>;
@@ -77,7 +77,7 @@ template <int Dim> void remove(Fractal& fractal, System<Dim>& system, std::size_
     const ifs::MapId gone = system.maps[index].id;
     system.maps.erase(system.maps.begin() + std::ptrdiff_t(index));
     ifs::dropStaleLinks(system);
-    const auto isGone = [gone](ifs::MapId id) { return id == gone; }; // a later map may get the id
+    const auto isGone = [gone](ifs::MapId id) { return id == gone; }; // a later map may reuse the id
     fractal.appearance.mapColours.eraseIf(isGone);
     fractal.appearance.mapBlends.eraseIf(isGone);
     fractal.mapLabels.eraseIf(isGone);
@@ -105,8 +105,8 @@ void varyMapsIn(Fractal& fractal, System<Dim>& system, const MapVariation& varia
 }
 
 template <int Dim> struct MapWeights {
-    double weight = 0; // as it is now
-    double rule = 0;   // by determinants
+    double weight = 0; // present weight
+    double rule = 0;   // weight by determinants
 };
 
 // Weights of the maps that take part.
@@ -131,7 +131,7 @@ void varyWeightsIn(const Fractal& fractal, System<Dim>& system, const System<Dim
                    Chance& chance) {
     const auto was = weightsOf(before), is = weightsOf(system);
     const bool hadWeights = hasWeights(before);
-    double sum = 0, drawn = 0; // of those that change
+    double sum = 0, drawn = 0; // sums over the maps that change
     std::vector<std::pair<std::size_t, double>> weights;
     double all = hadWeights ? 0 : 1;
     for (const auto& map : before.maps)

@@ -8,9 +8,9 @@ namespace document {
 
 // Extent of the variation of maps.
 struct MapVariation {
-    double strength = 0;  // from 0 to 1
-    bool maySplit = true; // whether maps may be added and removed
-    bool tames = false;   // whether all maps must contract; else those may expand that do so before
+    double strength = 0;  // 0 … 1
+    bool maySplit = true; // true: maps may be added and removed
+    bool tames = false;   // true: all maps must contract; false: maps that expand may keep expanding
 };
 
 // The maps turned, stretched and moved, those aside that are locked or off; what belonged to a map that is

@@ -31,7 +31,7 @@ std::optional<Vector<3>> preimage(const CageDeformation& bend, const Vector<3>& 
                                   const Vector<3>& start) {
     constexpr int maxSteps = 30;
     constexpr int maxHalvings = 8;
-    const double enough = 1e-10 * sizeOf(bend); // of a step, in coordinates at rest
+    const double enough = 1e-10 * sizeOf(bend); // length of a step at rest
     Vector<3> x = start;
     Vector<3> miss = displayed - bend(x);
     for (int step = 0; step < maxSteps; ++step) {

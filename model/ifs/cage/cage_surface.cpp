@@ -14,7 +14,7 @@ namespace ifs {
 
 namespace {
 
-constexpr double tolerance = 1e-9; // of the size
+constexpr double tolerance = 1e-9; // relative to the size
 
 // The corners in the plane, if all others are below it; else none.
 std::vector<int> faceThrough(std::span<const Vector<3>> vertices, const Vector<3>& normal, double offset,
@@ -41,7 +41,7 @@ void sortAround(std::vector<int>& face, std::span<const Vector<3>> vertices, con
         order.emplace_back(std::atan2(spoke.dot(up), spoke.dot(right)), j);
     }
     std::ranges::sort(order);
-    // The smallest index first, so that no rounding decides where a face begins.
+    // Smallest index first, so that no rounding decides where a face begins.
     const auto first = std::ranges::min_element(order, {}, &std::pair<double, int>::second);
     std::rotate(order.begin(), first, order.end());
     std::ranges::transform(order, face.begin(), &std::pair<double, int>::second);
@@ -91,7 +91,7 @@ std::optional<CageSurface> convexSurface(std::span<const Vector<3>> vertices) {
     for (std::size_t i = 0; i < n; ++i)
         for (std::size_t j = 0; j < n; ++j)
             for (std::size_t k = i + 1; k < n; ++k) {
-                if (j <= i || j == k) continue; // i is the smallest, and both senses are tried
+                if (j <= i || j == k) continue; // requires i to be the smallest; both orientations are tried
                 const Vector<3> across = (vertices[j] - vertices[i]).cross(vertices[k] - vertices[i]);
                 if (!(across.norm() > room * size)) continue;
                 const Vector<3> normal = across.normalized();

@@ -21,7 +21,7 @@ constexpr std::size_t maxSpaceCorners = 64;
 struct CageSurface {
     std::vector<std::vector<int>> faces;
 
-    std::vector<std::array<int, 2>> edges() const; // each once, the smaller index first
+    std::vector<std::array<int, 2>> edges() const; // each edge once, smaller index first
 };
 // nullopt unless the points are the corners of a convex polyhedron, 4 to 64 of them, by 1e-9 of its size.
 std::optional<CageSurface> convexSurface(std::span<const Vector<3>> vertices);
@@ -31,18 +31,18 @@ std::optional<CageSurface> convexSurface(std::span<const Vector<3>> vertices);
 // under, the coordinates are, too.
 class CageCoordinates {
 public:
-    explicit CageCoordinates(std::span<const Vector<3>> vertices); // must have a convexSurface()
+    explicit CageCoordinates(std::span<const Vector<3>> vertices); // requires a convexSurface()
 
-    std::size_t size() const { return m_count; } // vertices
+    std::size_t size() const { return m_count; } // number of vertices
     std::span<const Vector<3>> vertices() const { return m_surface.vertices().first(m_count); }
     // size() numbers for every point, one after the other; their sum is 1.
     std::vector<double> at(std::span<const Vector<3>> points) const;
 
 private:
     struct Surface {
-        std::vector<Vector<3>> corners; // with the means of faces after them
+        std::vector<Vector<3>> corners; // vertices, then the means of faces
         std::vector<std::array<int, 3>> triangles;
-        std::vector<std::vector<int>> meanOf; // of each of the means
+        std::vector<std::vector<int>> meanOf; // corners of which each mean is the mean
     };
     static Surface surfaceOf(std::span<const Vector<3>> vertices);
     CageCoordinates(std::size_t count, Surface surface);
@@ -61,7 +61,7 @@ public:
     CageDeformation(std::shared_ptr<const CageCoordinates> from, std::span<const Vector<3>> to);
 
     std::vector<double> coordinates(const Vector<3>& x) const; // one for each vertex; their sum is 1
-    Vector<3> operator()(const Vector<3>& x) const;            // always finite for finite x
+    Vector<3> operator()(const Vector<3>& x) const;            // finite for finite x
     const AffineMap<3>& fit() const { return m_fit; }
     const std::shared_ptr<const CageCoordinates>& rest() const { return m_rest; }
     std::span<const Vector<3>> residuals() const { return m_residuals; } // v_j′ − fit(v_j)

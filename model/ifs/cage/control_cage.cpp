@@ -15,8 +15,8 @@ namespace {
 
 constexpr double flatnessLimit = 1e-9;
 constexpr double invertibleRatio = 1e-6;
-constexpr double affineTolerance = 1e-10; // of the size: vertices so near to an affine image are one
-constexpr double outsideTolerance = 1e-9; // of the size: what rounding puts outside a cage that fits tightly
+constexpr double affineTolerance = 1e-10; // relative to the size; nearer vertices count as an affine image
+constexpr double outsideTolerance = 1e-9; // relative to the size; allows for rounding in a tight cage
 
 template <int Dim> bool allFinite(const std::vector<Vector<Dim>>& points) {
     return std::ranges::all_of(points, [](const Vector<Dim>& p) { return p.allFinite(); });
@@ -156,7 +156,7 @@ Coordinates suitableCoordinates(std::span<const Vector<2>> rest, const SupportFu
                                 std::span<const AffineMap<2>> pieces) {
     const AffineMap<2> identity;
     if (pieces.empty()) pieces = {&identity, 1};
-    if (rest.size() == 3) return Coordinates::Wachspress; // any: all are the same
+    if (rest.size() == 3) return Coordinates::Wachspress; // arbitrary: both kinds agree
     if (support == nullptr || !isStrictlyConvex(rest)) return Coordinates::MeanValue;
     const double size = support->radius() + (rest[0] - support->centre()).norm();
     const double sign = signedArea(rest) > 0 ? 1 : -1;
@@ -182,7 +182,7 @@ CageFlaw flawOf(const ControlCage<2>& cage, const Placement& placement) {
     const PolygonDeformation* bend = placement.bend();
     if (bend == nullptr) return CageFlaw::None;
     if (!isSimplePolygon(cage.current)) return CageFlaw::Folded;
-    // The sense of turning over a grid of points of the inside.
+    // Orientation over a grid of points of the inside.
     constexpr int steps = 24;
     Vector<2> low = cage.rest[0];
     Vector<2> high = cage.rest[0];

@@ -16,8 +16,8 @@ namespace ifs {
 
 // Effect of a cage of more than Dim + 1 vertices on its content.
 enum class Deformation {
-    Bend,      // by generalized coordinates: every vertex is followed, and no affine code has the picture
-    AffineFit, // by the affine map that misses the current vertices least
+    Bend,      // generalized coordinates: every vertex is followed, and no affine code has the picture
+    AffineFit, // affine map that misses the current vertices least
 };
 
 // The polygon by which an attractor is held. The rest vertices say where the attractor is held, and are never
@@ -73,13 +73,13 @@ Coordinates suitableCoordinates(std::span<const Vector<2>> rest, const SupportFu
 // The map from rest to displayed coordinates, bent or not.
 class Placement {
 public:
-    Placement() = default;                // leaves everything in its place
+    Placement() = default;                // identity
     Placement(const AffineMap<2>& affine) // NOLINT: an affine map is a placement
         : m_affine(affine) {}
-    Placement(const ControlCage<2>& cage, Coordinates coordinates); // the cage must be valid
+    Placement(const ControlCage<2>& cage, Coordinates coordinates); // requires a valid cage
 
     Vector<2> operator()(const Vector<2>& x) const { return m_bend ? (*m_bend)(x) : m_affine(x); }
-    const AffineMap<2>& affine() const { return m_affine; } // the whole placement or, of a bend, its fit
+    const AffineMap<2>& affine() const { return m_affine; } // whole placement or, for a bend, its affine fit
     const PolygonDeformation* bend() const { return m_bend.get(); } // nullptr: affine
 
 private:
@@ -90,8 +90,8 @@ private:
 // Defects of a cage that bends, for a warning.
 enum class CageFlaw {
     None,
-    Concave, // a notch, at rest or now: the picture can fold over itself there
-    Folded,  // edges cross, or the placement turns parts of the inside over
+    Concave, // notch, at rest or now: the picture can fold over itself there
+    Folded,  // crossing edges, or parts of the inside turned over
 };
 CageFlaw flawOf(const ControlCage<2>& cage, const Placement& placement);
 

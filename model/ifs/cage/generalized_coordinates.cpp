@@ -15,8 +15,8 @@ namespace {
 using std::sqrt;
 
 constexpr double minTurn = 1e-6;   // sine of the angle
-constexpr double atCorner = 1e-14; // of the size
-constexpr double flat = 1e-8;      // condition beyond which points count as on one line
+constexpr double atCorner = 1e-14; // relative to the size
+constexpr double flat = 1e-8;      // condition beyond which points count as collinear
 
 template <class Number> struct Point { Number x, y; };
 template <class Number> using Weights = std::array<Number, maxCorners>;
@@ -66,7 +66,7 @@ bool wachspressWeights(std::span<const Vector<2>> polygon, const Point<Number>& 
     behind[n - 1] = area[n - 1];
     for (std::size_t k = n - 1; k-- > 0;)
         behind[k] = area[k] * behind[k + 1];
-    // Corner 0 leaves out the last edge and the first, corner j edges j − 1 and j.
+    // Corner 0 omits the last edge and the first, corner j edges j − 1 and j.
     Number ahead = 1;
     for (std::size_t k = 1; k + 1 < n; ++k)
         ahead = ahead * area[k];
@@ -182,7 +182,7 @@ bool isSimplePolygon(std::span<const Vector<2>> polygon) {
         const Vector<2>& a = polygon[j];
         const Vector<2>& b = polygon[(j + 1) % n];
         const Vector<2>& c = polygon[(j + 2) % n];
-        // Neighbours must not fold back on each other.
+        // Adjacent edges must not fold back.
         if (a == b || (cross(b - a, c - b) == 0 && (b - a).dot(c - b) < 0)) return false;
         for (std::size_t k = j + 2; k < n; ++k)
             if ((k + 1) % n != j && meet(a, b, polygon[k], polygon[(k + 1) % n])) return false;
@@ -236,7 +236,7 @@ std::optional<std::vector<Jet>> coordinateJets(Coordinates kind, std::span<const
     for (std::size_t j = 0; j < polygon.size(); ++j) {
         result.push_back(w[j] / sum);
         const Jet& c = result.back();
-        // Not a number, or infinite, when any of them is.
+        // Not finite if any term is not.
         const double all = c.value + c.x + c.y + c.xx + c.xy + c.yy + c.xxx + c.xxy + c.xyy + c.yyy;
         if (!std::isfinite(all)) return std::nullopt;
     }

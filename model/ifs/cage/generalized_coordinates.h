@@ -21,11 +21,11 @@ bool isSimplePolygon(std::span<const Vector<2>> polygon);
 // Returns true if the polygon is simple and turns the same way at every corner, by no less than an angle of
 // 1e-6.
 bool isStrictlyConvex(std::span<const Vector<2>> polygon);
-double signedArea(std::span<const Vector<2>> polygon); // positive when counter-clockwise
+double signedArea(std::span<const Vector<2>> polygon); // > 0 if counter-clockwise
 
 enum class Coordinates {
     Wachspress, // strictly convex polygons, in them and on their edges; smooth, positive; poles outside
-    MeanValue,  // simple polygons, the whole plane; smooth but for the corners; may be negative
+    MeanValue,  // simple polygons, the whole plane; smooth except at the corners; may be negative
 };
 
 // Coordinates of x, one per corner of a polygon of 3 to 64, of either orientation. Always finite: where there
@@ -50,7 +50,7 @@ public:
     // Both polygons must have equally many corners, 3 to 64.
     PolygonDeformation(Coordinates kind, std::span<const Vector<2>> from, std::span<const Vector<2>> to);
 
-    Vector<2> operator()(const Vector<2>& x) const; // always finite for finite x
+    Vector<2> operator()(const Vector<2>& x) const; // finite for finite x
 
     // F(x + δ) = value + linear·δ + F″(δ, δ)/2 + F‴(δ, δ, δ)/6 + O(|δ|⁴)
     struct Expansion {
@@ -62,7 +62,8 @@ public:
         std::array<Vector<2>, 4> third{Vector<2>::Zero(), Vector<2>::Zero(), Vector<2>::Zero(),
                                        Vector<2>::Zero()};
     };
-    std::optional<Expansion> expansion(const Vector<2>& x) const; // nullopt as for coordinateJets()
+    // Nullopt under the same conditions as coordinateJets().
+    std::optional<Expansion> expansion(const Vector<2>& x) const;
     Expansion expansion(const Vector<2>& x, std::span<const Jet> coordinates) const;
 
     const AffineMap<2>& fit() const { return m_fit; }

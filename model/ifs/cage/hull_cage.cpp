@@ -14,7 +14,7 @@ namespace {
 
 // The prolongations of ab and dc beyond the edge bc, and the area of the triangle that they cut off.
 struct Ear {
-    double area = std::numeric_limits<double>::infinity(); // infinite when they do not meet
+    double area = std::numeric_limits<double>::infinity(); // infinite if they do not meet
     Vector<2> tip;
 };
 
@@ -91,7 +91,7 @@ Polygon simplifiedHull(const Polygon& hull, int corners) {
         const Ear ear = ears[std::size_t(least)];
         const std::size_t after = (std::size_t(least) + 1) % polygon.size();
         polygon[std::size_t(least)] = ear.tip;
-        polygon.erase(polygon.begin() + std::ptrdiff_t(after)); // one edge fewer: that of the tip
+        polygon.erase(polygon.begin() + std::ptrdiff_t(after)); // removes the edge of the tip
         ears.erase(ears.begin() + std::ptrdiff_t(after));
         const std::size_t n = polygon.size(), tip = std::size_t(least) - (after == 0 ? 1 : 0);
         for (std::size_t edge = tip + n - 2; edge <= tip + n + 1; ++edge)
@@ -128,7 +128,7 @@ Polygon smallestRectangleAround(const Polygon& hull) {
 Polygon regularPolygonAround(const Polygon& hull, int corners) {
     const double step = 2 * std::numbers::pi / corners;
     const auto direction = [step](double k) {
-        const double angle = k * step - std::numbers::pi / 2; // 0 is the base
+        const double angle = k * step - std::numbers::pi / 2; // 0 for the base
         return Vector<2>(std::cos(angle), std::sin(angle));
     };
     std::vector<std::pair<Vector<2>, double>> faces;

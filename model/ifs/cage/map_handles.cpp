@@ -17,7 +17,7 @@ double doubleArea(const Vector<2>& a, const Vector<2>& b, const Vector<2>& c) {
 
 // The two vertices that form the largest triangle with this one: where λ falls to 0 most gently.
 std::array<std::size_t, 2> anchorsOf(std::span<const Vector<2>> rest, std::size_t vertex) {
-    constexpr double clearly = 1 + 1e-9; // the first of equals, whatever the rounding
+    constexpr double clearly = 1 + 1e-9; // prefers the first of equals, whatever the rounding
     std::array<std::size_t, 2> best{(vertex + 1) % rest.size(), (vertex + rest.size() - 1) % rest.size()};
     double most = std::abs(doubleArea(rest[vertex], rest[best[0]], rest[best[1]]));
     for (std::size_t i = 0; i < rest.size(); ++i)
@@ -61,7 +61,7 @@ AffineMap<2> firstOrder(const Placement& placement, const Vector<2>& x) {
 std::optional<Vector<2>> preimage(const Placement& placement, const Vector<2>& displayed,
                                   const Vector<2>& start) {
     constexpr int maxSteps = 30;
-    constexpr double enough = 1e-12; // relative
+    constexpr double enough = 1e-12; // relative length of a step
     Vector<2> x = start;
     for (int step = 0; step < maxSteps; ++step) {
         const auto back = inverse(firstOrder(placement, x));
@@ -82,7 +82,7 @@ bool hasAttractor(const Existence& existence) {
 
 template <int Dim> SafeWay<Dim> safeWay(const std::function<std::vector<AffineMap<Dim>>(double)>& mapsAt) {
     constexpr double precision = 1e-4;
-    constexpr int products = 2'000; // for each verdict: the hand is waiting
+    constexpr int products = 2'000; // products for each verdict, because the user is waiting
     const auto verdictOn = [](std::span<const AffineMap<Dim>> maps) { return classify<Dim>(maps, products); };
     SafeWay<Dim> way{.past = mapsAt(1)};
     way.verdict = verdictOn(way.past);

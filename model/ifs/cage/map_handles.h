@@ -38,10 +38,10 @@ bool hasAttractor(const Existence& existence);
 
 // The part of a change that keeps a certified attractor.
 template <int Dim> struct SafeWay {
-    double share = 1; // of the way, within 1e-4; up to here there is an attractor
+    double share = 1; // share of the way, within 1e-4, up to which there is an attractor
     // The maps just past it, without a known attractor; empty when share is 1.
     std::vector<AffineMap<Dim>> past{};
-    Existence verdict{}; // of those maps
+    Existence verdict{}; // verdict on the maps in `past`
 };
 // Searches `mapsAt(t)`, t from 0 to 1, for the place where the maps stop having a certified attractor: by
 // bisection, so that there is none just past the share returned, though there may be one again farther on.

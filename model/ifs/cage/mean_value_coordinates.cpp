@@ -12,14 +12,14 @@ namespace ifs {
 
 namespace {
 
-constexpr double atVertex = 1e-14; // of the size
+constexpr double atVertex = 1e-14; // relative to the size
 constexpr double inPlane = 1e-14;
 
 // α/(2 sin α) for the angle α between two directions. The sine of its half is accurate where it is small, the
 // tangent where it is not.
 double halfAngleOverSine(const Vector<3>& a, const Vector<3>& b) {
     constexpr double maxSine = 0.7;
-    const double square = (a - b).squaredNorm() / 4; // of the sine
+    const double square = (a - b).squaredNorm() / 4; // square of the sine
     if (!(square > 0)) return 0.5;
     if (square < maxSine * maxSine) {
         const double sine = std::sqrt(square);
@@ -101,7 +101,7 @@ void MeanValueCoordinates::add(const Vector<3>& x, Seen& seen, std::span<double>
         std::array<const SeenVertex*, 3> corner{};
         for (std::size_t k = 0; k < 3; ++k)
             corner[k] = &seen.vertices[triangle.corner[k]];
-        // The distance from the plane, which is accurate near it.
+        // Determinant from the distance to the plane, which is accurate near it.
         const double determinant =
             corner[0]->direction.dot(triangle.normal) / (corner[1]->distance * corner[2]->distance);
         if (std::abs(determinant) < inPlane) {

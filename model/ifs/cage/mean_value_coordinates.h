@@ -25,19 +25,19 @@ public:
 private:
     struct Triangle {
         std::array<std::size_t, 3> corner;
-        std::array<std::size_t, 3> edge; // opposite to each corner
-        std::array<double, 3> sense;     // 1 or −1: in which it is run through
-        Vector<3> normal;                // twice the area long
+        std::array<std::size_t, 3> edge; // edge opposite to each corner
+        std::array<double, 3> sense;     // ±1: direction in which the triangle runs through the edge
+        Vector<3> normal;                // twice as long as the area
     };
     struct SeenVertex {
         Vector<3> direction;
         double distance = 0;
     };
     struct SeenEdge {
-        Vector<3> normal;   // of the plane through it and the point
-        Vector<3> weighted; // by α/(2 sin α)
+        Vector<3> normal;   // normal of the plane through the edge and the point
+        Vector<3> weighted; // normal times α / (2 sin α)
     };
-    struct Seen { // from a point
+    struct Seen { // view from one point
         std::vector<SeenVertex> vertices;
         std::vector<SeenEdge> edges;
     };

@@ -25,7 +25,7 @@ struct Polyhedron {
     double volume = 0;
 };
 
-constexpr double flatSolid = 1e-3; // thickness of what has none, by its size
+constexpr double flatSolid = 1e-3; // relative thickness given to flat sets
 
 BoundingBox<3> certifiedBox(const SupportFunction<3>& support, double tolerance) {
     BoundingBox<3> box = boundingBox(support, tolerance);
@@ -139,7 +139,7 @@ std::vector<Vector<3>> hullCage(const SupportFunction<3>& support, int corners, 
         halves.push_back(cut);
         best = std::move(least);
     }
-    // Corners that lay too close to each other have become one: a ten-thousandth makes up for it.
+    // Enlarged, because corners that were too close have been merged.
     constexpr double larger = 1e-4;
     for (Vector<3>& corner : best.corners)
         corner += larger * (corner - middle);

@@ -11,10 +11,10 @@ namespace ifs {
 // A copy in a picture that is put together from copies of the attractor: of an outline (level 0), of a level
 // above it, or of a projection.
 struct Copy {
-    AffineMap<2> map; // not singular
+    AffineMap<2> map; // regular
     int level = 0;
     std::optional<std::size_t> projection;
-    std::optional<std::size_t> first; // the outermost map; nullopt: all of the attractor
+    std::optional<std::size_t> first; // outermost map; nullopt: the whole attractor
 };
 
 // `map` with every singular value below `least` raised to it; the image of `centre` stays. Drawing programs

@@ -34,7 +34,7 @@ CopyDistance::CopyDistance(const std::vector<AffineMap<2>>& maps, const std::vec
             y.add(pixel.y());
         }
     const double width = x.length() + 2 * border, height = y.length() + 2 * border;
-    // So that no side has more cells than an offset can say, either.
+    // Also limits the cells of a side to the range of an offset.
     m_cell = std::max({finest, std::sqrt(width * height / maxCells), std::max(width, height) / 8000});
     m_corner = {x.low - border, y.low - border};
     m_columns = int(width / m_cell) + 1;
@@ -124,7 +124,8 @@ double CopyDistance::farthest(const Polygon& polygon) const {
     if (!(x.length() < largest && y.length() < largest && std::abs(x.low) < 1e9 && std::abs(y.low) < 1e9))
         return HUGE_VAL;
     const int top = int(std::floor(y.low));
-    std::vector<Range> rows(std::size_t(int(std::floor(y.high)) - top + 1)); // what the polygon takes of each
+    // Range of cells of the polygon in each row.
+    std::vector<Range> rows(std::size_t(int(std::floor(y.high)) - top + 1));
     for (std::size_t i = 0; i < corners.size(); ++i) {
         Vector<2> a = corners[i], b = corners[(i + 1) % corners.size()];
         if (a.y() > b.y()) std::swap(a, b);
@@ -138,8 +139,8 @@ double CopyDistance::farthest(const Polygon& polygon) const {
             range.add(row == to ? b.x() : at(row + 1));
         }
     }
-    double outside = 0; // of the cells that are not in the grid
-    int inside = -1;    // the largest square of the others
+    double outside = 0; // distance of the cells outside the grid
+    int inside = -1;    // largest square of the other distances
     for (std::size_t k = 0; k < rows.size(); ++k) {
         const int row = top + int(k);
         const int from = int(std::floor(rows[k].low)), to = int(std::floor(rows[k].high));

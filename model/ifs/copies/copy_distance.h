@@ -13,7 +13,7 @@ namespace ifs {
 // grid. Where the points are dense, a bound exceeds the distance by less than two cells.
 class CopyDistance {
 public:
-    static constexpr double finest = 0.25; // side of a cell, unless there would be too many
+    static constexpr double finest = 0.25; // side of a cell in pixels, unless there would be too many cells
 
     // Prepares distances to the displayed attractor of `maps`: its images under the maps `shown`, in pixels.
     // The attractor lies in `hull`.
@@ -24,7 +24,7 @@ public:
     double farthest(const Polygon& polygon) const;
 
 private:
-    struct Offset { // to the cell of a point
+    struct Offset { // vector to the cell of a point
         std::int16_t x = unknown;
         std::int16_t y = unknown;
 

@@ -24,7 +24,7 @@ CopyDeviation deviation(const CopyExpansion& expansion, std::uint64_t maxCopies)
         open.pop_back();
         const bool isLeaf = copy.isProjection || copy.level == 0;
         if (isLeaf) result.missing = std::max(result.missing, copy.missing);
-        if (copy.isProjection) { // shows all that there is, however deep the picture
+        if (copy.isProjection) { // a projection shows everything, however deep the picture
             result.error = std::max(result.error, copy.shift);
         } else if (copy.level == 0) {
             const double size = spectralNorm<2>(copy.linear) * expansion.diameter;

@@ -15,29 +15,30 @@ struct CopyStep {
     Matrix<2> linear = Matrix<2>::Identity();
     int level = 0;
     bool isProjection = false;
-    double shift = 0;   // bound of the distance between what it shows and what it should show
-    double missing = 0; // only from what it should show to what it shows
+    double shift = 0;   // bound of the distance between the shown and the intended set
+    double missing = 0; // bound of the distance from the intended to the shown set alone
 };
 
 CopyStep inside(const CopyStep& outer, const CopyStep& inner);
 
 // All steps that a reader of the file draws, without their places.
 struct CopyExpansion {
-    std::vector<CopyStep> picture;             // in pixels
-    std::vector<std::vector<CopyStep>> copies; // by level: what a copy of it is made of; of level 0 nothing
-    double diameter = 0;                       // of level 0, in the code's units
-    double excess = HUGE_VAL; // no point of level 0, without the fibre, is further from the attractor
+    std::vector<CopyStep> picture;             // steps in pixels
+    std::vector<std::vector<CopyStep>> copies; // steps within a copy of each level; none for level 0
+    double diameter = 0;                       // diameter of level 0 in units of the code
+    // Distance from the attractor that no point of level 0, without the fibre, exceeds.
+    double excess = HUGE_VAL;
     double area = 0;
-    Vector<2> fibre = Vector<2>::Zero(); // by which level 0 is longer at both ends than the diameter says
+    Vector<2> fibre = Vector<2>::Zero(); // vector by which level 0 extends beyond `diameter` at both ends
 };
 
 // Deviations in pixels, over all copies of level 0.
 struct CopyDeviation {
     double largest = 0;
-    double error = 0;   // bound of the distance between attractor and picture, both ways
+    double error = 0;   // bound of the distance between attractor and picture in both directions
     double missing = 0; // bound of the distance from the attractor to the picture
-    double area = 0;    // sum
-    double length = 0;  // sum of the diameters
+    double area = 0;    // sum of all areas
+    double length = 0;  // sum of all diameters
 };
 
 // `largest`, `error` and `missing` are infinite when there are more than `maxCopies` to go through.

@@ -10,7 +10,7 @@ namespace ifs {
 
 namespace {
 
-constexpr double hullTolerance = 2e-3; // of the radius
+constexpr double hullTolerance = 2e-3; // relative to the radius
 
 Vector<2> middleOf(const Polygon& points) {
     Vector<2> sum = Vector<2>::Zero();
@@ -56,7 +56,7 @@ Polygon pushedOut(const Polygon& polygon, double distance) {
         const Vector<2> v(-u.y(), u.x());
         return {a - u - v, b + u - v, b + u + v, a - u + v};
     }
-    const auto outward = [&](std::size_t i) { // of the edge from vertex i
+    const auto outward = [&](std::size_t i) { // outward normal of the edge from vertex i
         const Vector<2> edge = polygon[(i + 1) % n] - polygon[i % n];
         return Vector<2>(Vector<2>(edge.y(), -edge.x()).normalized());
     };
@@ -68,7 +68,7 @@ Polygon pushedOut(const Polygon& polygon, double distance) {
             result.push_back(polygon[i] + distance * (before + after) / (1 + cosine));
             continue;
         }
-        // A sharp corner would stick out far: two vertices, the square around the corner's end.
+        // Two vertices for a sharp corner, which would stick out far: a square around its end.
         const Vector<2> tip = (before + after).normalized() * distance;
         result.push_back(polygon[i] + distance * before + tip);
         result.push_back(polygon[i] + distance * after + tip);

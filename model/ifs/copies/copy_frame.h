@@ -15,11 +15,11 @@ struct CopyFrame {
     static constexpr double minThickness = 1.2;
 
     Polygon hull;         // strictly convex
-    double hullError = 0; // the attractor lies within this distance of the hull
-    double diameter = 0;  // of the hull
+    double hullError = 0; // bound of the distance from the attractor to the hull
+    double diameter = 0;  // diameter of the hull
     Vector<2> centre = Vector<2>::Zero();
-    double pixel = 1;    // its side, where `display` stretches the most
-    double thinness = 0; // the singular value below which a copy of the whole picture is hardly seen
+    double pixel = 1;    // side of a pixel where `display` stretches the most
+    double thinness = 0; // singular value below which a copy of the whole picture is hardly visible
 
     // `display` takes the code's coordinates to pixels. nullopt without an attractor of finite size.
     static std::optional<CopyFrame> of(const std::vector<AffineMap<2>>& maps, const AffineMap<2>& display);

@@ -12,17 +12,17 @@ namespace ifs {
 
 namespace {
 
-constexpr double maxThinness = 0.5; // that a map is raised to, however small its copies are
-constexpr double singular = 0.1;    // a larger least singular value is never raised
-constexpr double widening = 0.4;    // of the smallest copies on every side, in pixels
-constexpr double maxWidening = 0.6; // as a share of their size
-constexpr double faint = 0.15;      // mean thickness of copies, in pixels
-constexpr double maxFaint = 3;      // size of copies that are kept larger so as not to fade, in pixels
-constexpr double rough = 1;         // error from which on it is worth while to look closer, in pixels
+constexpr double maxThinness = 0.5; // limit to which a map is raised, however small its copies are
+constexpr double singular = 0.1;    // larger least singular values are never raised
+constexpr double widening = 0.4;    // pixels; widening of the smallest copies on every side
+constexpr double maxWidening = 0.6; // limit of the widening, as a share of their size
+constexpr double faint = 0.15;      // pixels; mean thickness of copies that are too faint
+constexpr double maxFaint = 3;      // pixels; size of copies kept larger to stay visible
+constexpr double rough = 1;         // pixels; error from which on a closer look is worthwhile
 
 struct Descent {
-    std::vector<int> steps; // of each map
-    double shrinkage;       // − logarithm of the size that one step stands for
+    std::vector<int> steps; // steps of each map
+    double shrinkage;       // −log of the factor in size of one step
 };
 
 // Number of steps that each map descends: the logarithm of its size in units of the largest map's.
@@ -32,7 +32,7 @@ Descent descentOf(const std::vector<AffineMap<2>>& maps) {
     double least = HUGE_VAL;
     for (const auto& map : maps) {
         const auto sigma = singularValues<2>(map.linear);
-        // The geometric mean, but a thin copy is also long.
+        // Geometric mean, but at least a share of the length of thin copies.
         const double size = std::sqrt(sigma[0] * std::max(sigma[1], sigma[0] / 10));
         costs.push_back(-std::log(std::max(size, 1e-9)));
         if (costs.back() > 0) least = std::min(least, costs.back());
@@ -92,7 +92,7 @@ void CopyHierarchy::findFibre() {
         constexpr double rounding = 1e-9;
         const Vector<2> across(-direction.y(), direction.x());
         double shrinkage = HUGE_VAL;
-        bool isThin = false; // some copy is, or becomes so by shear
+        bool isThin = false; // true if some copy is thin, or becomes thin by shear
         bool isThick = false;
         for (std::size_t i = 0; i < m_maps.size(); ++i) {
             const Matrix<2>& linear = m_maps[i].linear;
@@ -175,7 +175,8 @@ std::vector<Copy> CopyHierarchy::picture(int depth) const {
             const Copy inner = copy(std::size_t(symbol), piece.level, depth);
             piece = {piece.map * inner.map, inner.level, inner.projection, piece.first.value_or(symbol)};
         }
-        // A projection shows a branch that ends with its map; of a longer one the copy is as flat, and whole.
+        // Projections show branches that end with their map; the copy of a longer word is flat already, and
+        // complete.
         if (!word.empty() || depth == 0) {
             result.push_back(piece);
             continue;
@@ -189,7 +190,7 @@ std::vector<Copy> CopyHierarchy::picture(int depth) const {
 }
 
 Vector<2> CopyHierarchy::fibre(int depth) const {
-    constexpr double longest = 1e6; // of the picture
+    constexpr double longest = 1e6; // relative to the picture
     if (depth >= m_faintLevel) return Vector<2>::Zero();
     return m_fibre * std::min(widening * m_frame.pixel * std::exp(m_fibreShrinkage * depth),
                               longest * m_frame.diameter);
@@ -198,7 +199,7 @@ Vector<2> CopyHierarchy::fibre(int depth) const {
 double CopyHierarchy::margin(int depth) const {
     const double pixel = m_frame.pixel;
     const double diameter = m_frame.diameter;
-    if (diameter < pixel) return m_frame.hullError + CopyFrame::minThickness / 2 * pixel; // a dot
+    if (diameter < pixel) return m_frame.hullError + CopyFrame::minThickness / 2 * pixel; // single dot
     if (depth >= m_faintLevel) return m_frame.hullError + maxWidening * diameter;
     const double smallest = widening * pixel * std::exp(m_shrinkage * depth);
     return m_frame.hullError + std::min(smallest, std::max(maxWidening * diameter, widening * pixel));
@@ -269,7 +270,7 @@ CopyDeviation CopyHierarchy::deviation(int depth, double excess) const {
 }
 
 double CopyHierarchy::excess(int depth) const {
-    constexpr double side = 128; // of the picture on which it is found, in pixels
+    constexpr double side = 128; // pixels of the picture on which it is found
     if (m_frame.diameter < m_frame.pixel) return HUGE_VAL;
     const double scale = side / m_frame.diameter;
     const AffineMap<2> display{scale * Matrix<2>::Identity(), Vector<2>::Zero()};
@@ -331,10 +332,10 @@ int CopyHierarchy::levelFor(double wanted, double largest) const {
     while (level < maxLevels && references(level + 1) <= comfortableReferences &&
            deviation(level).largest > wanted) {
         ++level;
-        if (level >= m_faintLevel) return level; // and none below it shows more
+        if (level >= m_faintLevel) return level; // lower levels do not show more
     }
-    // Copies that have become thin as well fade away: larger ones say less exactly where something is, but
-    // that it is.
+    // Larger copies, if thin ones have become faint: they say less exactly where something is, but show that
+    // it is there.
     while (level > 0 && isFaint(deviation(level)) && deviation(level - 1).largest <= largest)
         --level;
     return level;

@@ -33,12 +33,13 @@ public:
 
     // The active maps' indices in the system, and where the picture goes.
     const std::vector<std::size_t>& index() const { return m_index; }
-    const AffineMap<2>& display() const { return m_display; } // not singular
+    const AffineMap<2>& display() const { return m_display; } // regular
 
     // The copy by a map. A singular map is raised until its copy is visible at its size.
-    Copy copy(std::size_t i, int level, int depth) const; // that the i-th map makes for this level
-    std::vector<Copy> copies(int level, int depth) const; // that a level above 0 is made of
-    std::vector<Copy> picture(int depth) const; // that the whole is made of, in coordinates of the code
+    Copy copy(std::size_t i, int level, int depth) const; // copy by the i-th map for this level
+    std::vector<Copy> copies(int level, int depth) const; // copies that a level above 0 consists of
+    // Copies that the whole consists of, in coordinates of the code.
+    std::vector<Copy> picture(int depth) const;
 
     // The projection of copies that name one, by map; nullopt for a map that is not singular.
     const std::optional<CopyProjection>& projection(std::size_t i) const { return m_projections[i]; }
@@ -49,7 +50,7 @@ public:
 
     // Copies that a reader of the file makes in all for one of `level`; stays at maxReferences once reached.
     std::uint64_t references(int level) const;
-    int deepest() const; // with fewer than maxReferences
+    int deepest() const; // greatest depth with fewer than maxReferences
 
     // Certified bound, in pixels, of the distance between the attractor and the drawing, both ways.
     double error(int depth) const;
@@ -64,31 +65,32 @@ private:
     void findFibre();
     void countReferences();
     void findFaintLevel();
-    int levelFor(double error, double largest) const; // no copy is kept larger so as not to fade
-    int below(int level, std::size_t map) const;      // the level of which `map` makes a copy for `level`
-    AffineMap<2> map(std::size_t i, int level, int depth) const; // by which it makes that copy
-    std::vector<MovedBranch<2>> pieces() const;                  // over the active maps; none is singular
-    double margin(int depth) const;                              // between the hull and the outline
-    Vector<2> fibre(int depth) const; // by which the outline is longer at both ends
+    int levelFor(double error, double largest) const; // level of a copy, never larger merely to stay visible
+    int below(int level, std::size_t map) const;      // level of the copy that `map` makes for `level`
+    AffineMap<2> map(std::size_t i, int level, int depth) const; // map of that copy
+    std::vector<MovedBranch<2>> pieces() const; // words over the active maps; all changes are regular
+    double margin(int depth) const;             // distance between the hull and the outline
+    Vector<2> fibre(int depth) const;           // vector by which the outline is longer at both ends
     // `error`, `largest` and `missing` infinite for too many copies to count.
     CopyDeviation deviation(int depth, double excess = HUGE_VAL) const;
-    double excess(int depth) const;   // of level 0 over the attractor at most, in the code's units
-    double farthest(int depth) const; // from the attractor a copy reaches at most, in pixels
-    CopyStep step(const Copy& copy, const AffineMap<2>& map) const; // of a copy that stands for `map`
+    // Bound of the distance of level 0 from the attractor, in units of the code.
+    double excess(int depth) const;
+    double farthest(int depth) const; // bound of the distance of a copy from the attractor, in pixels
+    CopyStep step(const Copy& copy, const AffineMap<2>& map) const; // step of a copy that stands for `map`
 
     CopyFrame m_frame;
-    std::vector<AffineMap<2>> m_maps; // as they are
+    std::vector<AffineMap<2>> m_maps; // unchanged maps
     std::vector<std::size_t> m_index;
     std::vector<MovedBranch<2>> m_moved;
     AffineMap<2> m_display;
-    double m_displayShift = 0;                                // in pixels
-    std::vector<std::optional<CopyProjection>> m_projections; // by map; then of words
+    double m_displayShift = 0;                                // pixels
+    std::vector<std::optional<CopyProjection>> m_projections; // projections of the maps, then of words
     std::vector<int> m_steps;
-    double m_shrinkage = 0; // minus the logarithm of what one level shrinks by
+    double m_shrinkage = 0; // −log of the factor by which one level shrinks
     // The direction that all maps keep and shrink the most, as those of a curve over an axis do: copies
     // become thin along it alone, and one may be made longer there without reaching aside.
     Vector<2> m_fibre = Vector<2>::Zero();
-    double m_fibreShrinkage = 0; // minus the logarithm of what one level shrinks it by, at least
+    double m_fibreShrinkage = 0; // −log of the greatest factor by which one level shrinks along the fibre
     std::vector<std::uint64_t> m_references;
     // Depth from which on copies would fade away, so that the picture is made of the words below instead.
     int m_faintLevel = maxLevels + 1;

@@ -23,7 +23,7 @@ public:
     Merging(const CopyHierarchy& hierarchy, int depth)
         : m_hierarchy(hierarchy), m_depth(depth), m_corners(hierarchy.outline(depth).size()) {}
 
-    // Empty for too much to write.
+    // Empty if there would be too much to write.
     Levels levels(const std::vector<Copy>& picture, const Style& style) {
         std::set<int> needed;
         const auto need = [&needed](const std::vector<Copy>& copies) {
@@ -62,7 +62,7 @@ private:
         return sum;
     }
 
-    // The number of corners that one path for the level has, or `many`.
+    // Number of corners in the one path of the level, or `many`.
     std::size_t cornersIn(int level) {
         if (level == 0) return m_corners;
         if (const auto known = m_known.find(level); known != m_known.end()) return known->second;
@@ -109,14 +109,14 @@ private:
     const CopyHierarchy& m_hierarchy;
     int m_depth;
     std::size_t m_corners;
-    std::map<int, std::size_t> m_known; // corners of levels
+    std::map<int, std::size_t> m_known; // number of corners of each level
 };
 
 // Work of a reader for one level.
 struct Made {
     double copies = 0;
-    double nesting = 0; // how deep each is nested, summed
-    double squares = 0; // of that
+    double nesting = 0; // sum of the depths of nesting
+    double squares = 0; // sum of the squared depths
 };
 
 Made madeFor(const std::vector<Copy>& copies, const std::map<int, Made>& levels) {
@@ -131,7 +131,7 @@ Made madeFor(const std::vector<Copy>& copies, const std::map<int, Made>& levels)
 }
 
 double effortOf(const std::vector<Copy>& picture, const Levels& levels) {
-    constexpr double ofCopy = 60; // beside the square of its depth, measured in Chromium
+    constexpr double ofCopy = 60; // cost of a copy beside the square of its depth, measured in Chromium
     std::map<int, Made> made;
     for (const auto& [number, level] : levels)
         made[number] = madeFor(level.copies, made);
@@ -146,7 +146,7 @@ MergedCopies::MergedCopies(const CopyHierarchy& hierarchy, int depth) : m_pictur
     Style style;
     m_levels = merging.levels(m_picture, style);
     double least = effort();
-    // True when there is nothing to gain from more of it.
+    // True if further merging gains nothing.
     const auto isEnough = [&](const Style& next) {
         if (least <= comfortable) return true;
         Levels levels = merging.levels(m_picture, next);

@@ -20,8 +20,8 @@ class MergedCopies {
 public:
     // A reader's time up to which nothing is merged, as effort() gives it: about two seconds in Chromium.
     static constexpr double comfortable = 1'700'000;
-    static constexpr std::size_t maxCorners = 60'000; // of all paths, unless there are none
-    static constexpr std::size_t maxWritten = 4'000;  // copies, unless the levels as they are have more
+    static constexpr std::size_t maxCorners = 60'000; // corners of all paths, unless there are none
+    static constexpr std::size_t maxWritten = 4'000;  // copies, unless the unmerged levels have more
 
     // An image of the outline or of a projection.
     struct Piece {
@@ -29,15 +29,15 @@ public:
         std::optional<std::size_t> projection;
     };
     struct Level {
-        std::vector<Copy> copies;  // that it is made of, or …
-        std::vector<Piece> pieces; // … what its one path shows
+        std::vector<Copy> copies;  // contents of a level that is not merged
+        std::vector<Piece> pieces; // contents of the one path of a merged level
     };
     using Levels = std::map<int, Level>;
 
     MergedCopies(const CopyHierarchy& hierarchy, int depth);
 
     const std::vector<Copy>& picture() const { return m_picture; }
-    const Levels& levels() const { return m_levels; } // those that are needed, from the lowest
+    const Levels& levels() const { return m_levels; } // required levels, lowest first
     const std::set<std::size_t>& projections() const { return m_projections; }
 
     // The copies that a reader of the file makes, weighed by the square of how deep each is nested.

@@ -9,7 +9,7 @@ namespace ifs {
 
 namespace {
 
-constexpr double projectionDetail = 0.5; // of what a singular map shows, in pixels
+constexpr double projectionDetail = 0.5; // pixels; finest detail of a singular map's image
 
 using Interval = std::pair<double, double>;
 
@@ -77,7 +77,7 @@ CopyProjection projectionAlong(const std::vector<AffineMap<2>>& maps, const Copy
 
 CopyProjection projectionBy(const std::vector<AffineMap<2>>& maps, const CopyFrame& frame,
                             const AffineMap<2>& map) {
-    const double length = std::max(spectralNorm<2>(map.linear), frame.thinness); // as it is drawn
+    const double length = std::max(spectralNorm<2>(map.linear), frame.thinness); // length as drawn
     return projectionAlong(maps, frame, longestDirection(map.linear), length);
 }
 

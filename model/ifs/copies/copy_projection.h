@@ -9,7 +9,7 @@ namespace ifs {
 // are of these bars across the line, which cover the attractor seen along it.
 struct CopyProjection {
     std::vector<Polygon> bars; // rectangles; the edge from corner 0 to corner 1 runs along the line
-    double detail = 0;         // along the line no point of a bar is further from the attractor
+    double detail = 0;         // bound of the distance from points of a bar to the attractor, along the line
 };
 
 // Projection for copies by maps that keep only the direction `along`, of length 1, and whose largest singular

@@ -11,7 +11,7 @@ namespace ifs {
 namespace {
 
 constexpr std::size_t maxWords = 4000;
-constexpr std::size_t maxBars = 20'000; // of their projections
+constexpr std::size_t maxBars = 20'000; // bars of all projections
 
 class WordsWriter {
 public:
@@ -29,7 +29,7 @@ public:
         (isThick ? m_open : m_result.words).push_back(word);
     }
 
-    // False when there are too many.
+    // Returns false for too many words.
     bool finish() {
         while (!m_open.empty()) {
             if (m_open.size() + m_result.words.size() > maxWords || m_bars > maxBars) return false;
@@ -46,8 +46,8 @@ public:
     CopyWords take() && { return std::move(m_result); }
 
 private:
-    // Shows the attractor flat along the direction that the word keeps, rounded to what half a pixel tells
-    // apart, so that words share projections.
+    // Projection of the attractor along the direction that the word keeps. The direction is rounded to half a
+    // pixel, so that words share projections.
     std::size_t projectionFor(const Matrix<2>& linear, double length) {
         constexpr double pi = std::numbers::pi;
         const int size = int(std::ceil(std::log2(std::max(length / m_frame.thinness, 1.0))));
@@ -70,7 +70,7 @@ private:
     const std::vector<AffineMap<2>>& m_maps;
     const CopyFrame& m_frame;
     std::size_t m_firstProjection;
-    std::map<std::pair<int, int>, std::size_t> m_known; // projections by size and direction
+    std::map<std::pair<int, int>, std::size_t> m_known; // indices of projections by size and direction
     std::size_t m_bars = 0;
     std::vector<CopyWords::Word> m_open;
     CopyWords m_result;

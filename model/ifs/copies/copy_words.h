@@ -12,9 +12,9 @@ namespace ifs {
 struct CopyWords {
     struct Word {
         Copy copy;
-        AffineMap<2> map; // the product that the copy stands for
+        AffineMap<2> map; // product that the copy stands for
     };
-    std::vector<Word> words; // those with the same outermost map together
+    std::vector<Word> words; // grouped by outermost map
     std::vector<CopyProjection> projections;
 };
 

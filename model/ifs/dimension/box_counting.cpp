@@ -87,12 +87,12 @@ std::optional<CellGrid> occupiedCells(const SupportFunction<2>& support, int lev
                                       double minSide) {
     const BoundingBox<2> box = boundingBoxOfImage(
         image, support, 1e-9 * support.radius() * std::max(1.0, spectralNorm<2>(image.linear)));
-    // A little more than the box, so that its upper and right borders fall inside.
+    // Slightly enlarged box, so that its upper and right borders fall inside.
     const double least = ((box.max - box.min).maxCoeff() + 2 * box.error) * (1 + 0x1p-30);
     if (!(least > 64 * box.error)) return std::nullopt;
     const double side = std::max(least, minSide);
     CellGrid grid = emptyGrid(box.min - Vector<2>::Constant(box.error), side, levels);
-    // Half-cells as bits, which stay in the caches of the processor.
+    // One bit for each half-cell, so that all bits stay in the processor's cache.
     std::vector<std::uint64_t> halves((std::size_t(1) << 2 * (levels + 1)) / 64 + 1);
     const auto mark = [&](const Vector<2>& x) {
         const auto half = cellOf(x, grid, levels + 1);
@@ -149,7 +149,8 @@ struct RangeFit {
     int first = 0;
     LogLogFit fit;
     double spread = 0;
-    bool isSteady = true; // the slopes of parts of one length only grow, or only fall: they are on their way
+    // True if the slopes of parts of one length only rise or only fall, without having settled.
+    bool isSteady = true;
 };
 
 std::optional<RangeFit> rangeFit(const std::vector<std::uint64_t>& counts, int first, int last) {
@@ -219,9 +220,10 @@ std::optional<BoxCounting> boxCounting(const SupportFunction<2>& support, const 
         grid = occupiedCells(support, levels, image, stop);
     if (!grid) return std::nullopt;
     BoxCounting result{.counts = leastBoxCounts(*grid), .side = grid->side, .fit = {}};
-    // A marked cell may be as far as that from the next point, so the finest counts are too small.
+    // Limit of the finest counts: a marked cell may be as far as `distance` from the next point, so that
+    // these counts are too small.
     const double distance = 0.5 * support.normEquivalence() / (1 - support.contractivity());
-    constexpr double tooFar = 64; // then hardly a size is left
+    constexpr double tooFar = 64; // leaves hardly any size
     if (!(distance <= tooFar)) return std::nullopt;
     const int distorted = std::clamp(std::ilogb(distance) + 1, 0, maxDistorted);
     result.last = int(result.counts.size()) - 1 - distorted;
@@ -231,7 +233,7 @@ std::optional<BoxCounting> boxCounting(const SupportFunction<2>& support, const 
             range && (!best || range->spread < best->spread))
             best = range;
     if (!best) return std::nullopt;
-    constexpr double minSpread = 0.02; // of a slope from so few sizes
+    constexpr double minSpread = 0.02; // error of a slope from so few sizes
     result.first = best->first;
     result.fit = best->fit;
     const auto turned = changeByTurning(support, image, result, distorted, stop);

@@ -18,7 +18,7 @@ struct CellGrid {
     int levels = 0;
     std::vector<std::uint8_t> occupied; // 4^levels, each 0 or 1
 
-    bool mark(const Vector<2>& x); // whether the cell was empty; false for a point outside
+    bool mark(const Vector<2>& x); // true if the cell was empty; false for points outside
 };
 CellGrid emptyGrid(const Vector<2>& origin, double side, int levels); // 0 ≤ levels ≤ 14
 
@@ -52,9 +52,9 @@ std::optional<CellGrid> occupiedCells(const SupportFunction<2>& support, int lev
 // Boxes that are turned are counted, too, for the uncertainty.
 struct BoxCounting {
     std::vector<std::uint64_t> counts;
-    double side = 0; // of the box at k = 0
+    double side = 0; // side of the box at k = 0
     int first = 0, last = 0;
-    LogLogFit fit; // over first … last
+    LogLogFit fit; // fit over first … last
     // Empirical uncertainty, no proof: the differences between this slope, those of parts of the range, and
     // those of the counts in each direction. Rotating the image changes the slope by no more.
     double uncertainty = 0;

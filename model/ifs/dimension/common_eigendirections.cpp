@@ -11,7 +11,7 @@ namespace ifs {
 
 namespace {
 
-constexpr double rounding = 0x1p-46; // relative, that coefficients may carry
+constexpr double rounding = 0x1p-46; // relative error of coefficients
 
 bool isScalar(const Matrix<2>& a) {
     const double most = rounding * a.cwiseAbs().maxCoeff();
@@ -142,7 +142,8 @@ std::optional<double> commonEigendirectionsDimension(std::span<const AffineMap<2
         return dimensionOf(
             [entries = *triangular(maps, kept.front())](double t) { return triangularGrowth(entries, t); });
 
-    // The first may exchange them; then a map that is no multiple of it keeps them, or the product does.
+    // The first map may exchange the directions. Then a map that is no multiple of it keeps them, or the
+    // product does.
     const auto second = std::find_if(first, maps.end(), [&](const AffineMap<2>& map) {
         return isTelling(map) && !isMultiple(map.linear, first->linear);
     });

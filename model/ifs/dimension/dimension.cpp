@@ -135,7 +135,7 @@ template <int Dim> std::optional<double> similarityDimension(std::span<const Aff
 
 template <int Dim> double similarityDimensionError(std::span<const AffineMap<Dim>> maps, double dimension) {
     if (dimension == 0) return 0;
-    double least = std::numeric_limits<double>::infinity(); // of −ln s
+    double least = std::numeric_limits<double>::infinity(); // minimum of −ln s
     for (const double ratio : determinantRatios<Dim>(maps))
         least = std::min(least, -std::log(ratio));
     return 1e-9 * dimension / least;
@@ -158,7 +158,7 @@ std::optional<double> affinityDimension(std::span<const AffineMap<2>> maps, cons
     double area = 0;
     for (const auto& map : maps)
         area += std::abs(determinant<2>(map.linear));
-    if (area >= 1) // above 2 the pressure is ln Σ |det A_i|^(t/2)
+    if (area >= 1) // the pressure above 2 is ln Σ |det A_i|^(t/2)
         return moranDimension(determinantRatios<2>(maps));
     if (const auto dimension = commonEigendirectionsDimension(maps)) return dimension;
     if (std::ranges::all_of(maps, [](const auto& map) { return isFlat(map.linear); }))

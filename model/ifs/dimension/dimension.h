@@ -46,6 +46,6 @@ template <int Dim> double singularValueFunction(const Matrix<Dim>& linear, doubl
 // exactly where every map is flat; an upper bound of the box dimension. nullopt without an attractor, where
 // the error is not reached, or when stopped.
 std::optional<double> affinityDimension(std::span<const AffineMap<2>> maps, const std::stop_token& stop = {});
-constexpr double affinityDimensionError = 1e-6; // by which it may be off
+constexpr double affinityDimensionError = 1e-6; // error bound
 
 } // namespace ifs

@@ -13,7 +13,7 @@ double entropy(std::span<const double> probabilities) {
     double result = 0;
     for (const double p : probabilities)
         result -= p * std::log(p);
-    return result + 0.0; // never −0
+    return result + 0.0; // avoids −0
 }
 
 template <int Dim> std::optional<double> lyapunovExponent(const ActiveMaps<Dim>& active) {
@@ -42,7 +42,7 @@ template <int Dim> std::optional<DimensionSpectrum> dimensionSpectrum(const Acti
     result.least = std::numeric_limits<double>::infinity();
     for (std::size_t i = 0; i < ratios->size(); ++i)
         result.least = std::min(result.least, std::log(active.probabilities[i]) / std::log((*ratios)[i]));
-    double low = 0, high = *capacity; // D_q falls with q
+    double low = 0, high = *capacity; // D_q decreases with q
     constexpr int halvings = 100;
     for (int k = 0; k < halvings; ++k) {
         const double middle = (low + high) / 2;

@@ -23,10 +23,10 @@ template <int Dim> std::optional<double> measureDimension(const ActiveMaps<Dim>&
 // Some of Rényi's dimensions of the measure. Under the open set condition they are those where
 // Σ pᵢ^q rᵢ^(−τ) = 1, D_q = τ/(1 − q) (Cawley and Mauldin).
 struct DimensionSpectrum {
-    double capacity = 0;    // D₀, of the attractor
-    double information = 0; // D₁, of the measure
+    double capacity = 0;    // D₀ of the attractor
+    double information = 0; // D₁ of the measure
     double correlation = 0; // D₂
-    double least = 0;       // D_∞, at the densest points
+    double least = 0;       // D_∞ at the densest points
 };
 
 // The spectrum of similarities that are not all constant, in some coordinates.

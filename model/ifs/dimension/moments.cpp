@@ -20,7 +20,7 @@ template <int Size> using RealVector = Eigen::Matrix<Real, Size, 1>;
 template <int Size> using RealMatrix = Eigen::Matrix<Real, Size, Size>;
 
 constexpr Real unit = std::numeric_limits<Real>::epsilon();
-constexpr Real shareUnit = 0x1p-52L; // by which a probability may be off, relatively
+constexpr Real shareUnit = 0x1p-52L; // relative error of a probability
 
 // A double that is no less.
 double above(Real error) {
@@ -63,7 +63,7 @@ public:
         const RealVector<Size> residual = (b - m_complement * x).cwiseAbs() + error + m_error * size +
                                           (Size + 3) * unit * (b.cwiseAbs() + m_complement.cwiseAbs() * size);
         const RealVector<Size> direct = (m_inverse.cwiseAbs() * residual) * (1 + 16 * unit);
-        // e ≤ direct + rests·e, first with the largest e for all of them.
+        // Solves e ≤ direct + rests·e, starting from the largest e for all components.
         RealVector<Size> e = direct + RealVector<Size>::Constant(m_rest * direct.maxCoeff() / (1 - m_rest));
         for (int n = 0; n < refinements; ++n)
             e = (direct + m_rests * e) * (1 + 16 * unit);
@@ -93,7 +93,7 @@ public:
             share /= sum;
     }
 
-    // The mean in the coordinates of m_seen.
+    // Mean in the coordinates of m_seen.
     std::optional<Solution<Dim>> mean() const {
         RealMatrix<Dim> linear = RealMatrix<Dim>::Zero(), linearError = linear;
         RealVector<Dim> shift = RealVector<Dim>::Zero(), shiftError = shift;
@@ -113,7 +113,7 @@ public:
         return equations ? std::optional(equations->solve(shift, shiftError)) : std::nullopt;
     }
 
-    // x of a point y there.
+    // Mean in coordinates x of a solution in coordinates y.
     Mean<Dim> placed(const Solution<Dim>& y) const {
         const RealMatrix<Dim> image = m_seen.image.linear.template cast<Real>();
         const RealVector<Dim> centre = m_seen.image.translation.template cast<Real>();
@@ -129,7 +129,7 @@ public:
 
     static constexpr int size = symmetricSize<Dim>;
 
-    // Upper triangle of the covariance there, given the mean.
+    // Upper triangle of the covariance in the coordinates of m_seen, given the mean.
     std::optional<Solution<size>> covariance(const Solution<Dim>& mean) const {
         RealMatrix<size> transfer = RealMatrix<size>::Zero(), transferError = transfer;
         RealVector<size> source = RealVector<size>::Zero(), sourceError = source;
@@ -176,7 +176,7 @@ public:
         return result;
     }
 
-    // (I − M̄)⁻¹C, seen in x.
+    // (I − M̄)⁻¹C in coordinates x.
     Matrix<Dim> correlated(const Solution<size>& upper) const {
         RealMatrix<Dim> linear = RealMatrix<Dim>::Zero();
         for (std::size_t i = 0; i < m_shares.size(); ++i)
@@ -224,7 +224,7 @@ private:
         const auto form = equations.solve(identity, RealVector<size>::Zero());
         const RealMatrix<Dim> value = symmetric(form.value), error = symmetric(form.error);
         if (!value.allFinite() || !(value.diagonal().minCoeff() > 0)) return false;
-        // With a diagonal of ones, so that a slow direction does not hide the others.
+        // Scaled to a unit diagonal, so that a slow direction does not hide the others.
         const auto scale = value.diagonal().cwiseSqrt().cwiseInverse().asDiagonal();
         const RealMatrix<Dim> scaled = scale * value * scale, scaledError = scale * error * scale;
         return leastSymmetricEigenvalue(scaled) > scaledError.norm() + 64 * unit;

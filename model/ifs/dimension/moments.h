@@ -9,7 +9,7 @@ namespace ifs {
 
 template <int Dim> struct Mean {
     Vector<Dim> point;
-    double error = 0; // the exact point is no farther away than that
+    double error = 0; // bound of the distance to the exact point
 };
 
 // Moments of the invariant measure μ = Σ p_i μ∘w_i⁻¹ (no sampling): solutions of small linear systems, with
@@ -19,8 +19,8 @@ template <int Dim> struct Moments {
     Matrix<Dim> covariance;
     // N·Cov(mean of N successive chaos-game points) → Γ as N grows.
     Matrix<Dim> longRunCovariance;
-    double meanError = 0;       // the exact mean is no farther away than that
-    double covarianceError = 0; // of each entry
+    double meanError = 0;       // bound of the distance to the exact mean
+    double covarianceError = 0; // error of each entry
 };
 
 // The limit of the expectation of the n-th chaos-game point, from any start; the mean of μ where μ has one.

@@ -28,7 +28,7 @@ RankOne factored(const Matrix<2>& linear) {
 
 struct Edge {
     std::size_t to;
-    double logarithm; // of |⟨row_from, image_to⟩|
+    double logarithm; // logarithm of |⟨row_from, image_to⟩|
 };
 using Graph = std::vector<std::vector<Edge>>;
 
@@ -150,8 +150,8 @@ std::optional<double> rankOneDimension(std::span<const AffineMap<2>> maps, const
         return most;
     };
     double low = 0, high = 1;
-    if (growth(0) <= 1 + 1e-10) high = 0;            // no two ways round from any map
-    if (high > 0 && growth(1) >= 1 - 1e-12) low = 1; // images fill lines, and have no area
+    if (growth(0) <= 1 + 1e-10) high = 0;            // no two cycles through any map
+    if (high > 0 && growth(1) >= 1 - 1e-12) low = 1; // images are lines without area
     constexpr int steps = 32;
     for (int n = 0; n < steps && low < high && isSettled; ++n) {
         const double middle = (low + high) / 2;

@@ -15,7 +15,7 @@ namespace ifs {
 
 namespace {
 
-using Values = std::vector<double>; // of a function, in the middle of cells of equal angle
+using Values = std::vector<double>; // values of a function at the centres of cells of equal angle
 
 // A direction among the cells: between the middles of `cell` and the next.
 struct Position {
@@ -24,7 +24,7 @@ struct Position {
 };
 
 Position positionOf(const Vector<2>& v, std::size_t cells) {
-    // A direction comes back after half a turn.
+    // Directions repeat after half a turn.
     const double turns = std::atan2(v.y(), v.x()) / std::numbers::pi;
     double position = turns * double(cells) - 0.5;
     position -= std::floor(position / double(cells)) * double(cells);
@@ -54,7 +54,7 @@ public:
         }
     }
 
-    // ln of the growth rate of L_tⁿ1, and the function that L_t multiplies by it.
+    // ln of the growth rate of L_tⁿ1, and the eigenfunction of L_t.
     struct Growth {
         double logarithm = -std::numeric_limits<double>::infinity();
         Values f;
@@ -75,18 +75,19 @@ public:
                 most = std::max(most, next[j] / f[j]);
             }
             if (!(largest > 0)) return {};
-            const double factor = (least + most) / 2; // the eigenvalue lies between the two
+            const double factor = (least + most) / 2; // estimate between the bounds of the eigenvalue
             result.logarithm = std::log(factor);
             if (most - least <= 1e-11 * most) break;
-            // Maps that turn or mirror bring other functions back with other signs: half a step damps them.
+            // Half-steps damp other eigenfunctions, whose signs alternate under maps that turn or mirror.
             for (std::size_t j = 0; j < m_cells; ++j)
                 f[j] = n < undamped ? next[j] / largest : (f[j] + next[j] / factor) / 2;
         }
         return result;
     }
 
-    // |ln (L_t f)/f|, between the cells too. A positive f encloses the growth of the operator itself, not of
-    // its cells: it lies between the least and the largest (L_t f)/f.
+    // |ln (L_t f)/f| between the cells, too. Since f is positive, it encloses the growth of the operator
+    // itself, not of its discretization: that growth lies between the least and the greatest value of (L_t
+    // f)/f.
     struct Misfit {
         double largest = 0;
         double mean = 0;
@@ -149,7 +150,7 @@ private:
     std::span<const AffineMap<2>> m_maps;
     std::size_t m_cells;
     std::vector<double> m_determinants;
-    std::vector<Image> m_images; // map by map, cell by cell
+    std::vector<Image> m_images; // images by map and cell
 };
 
 // The zero of a decreasing function on [0, 2], looked for first within `reach` of where it may be.
@@ -185,11 +186,11 @@ std::optional<double> transferDimension(std::span<const AffineMap<2>> maps, cons
         const auto misfit = transfer.misfit(found, transfer.growth(found, stop).f);
         if (stop.stop_requested()) return std::nullopt;
         if (misfit.largest <= accuracy * steepness) return found;
-        // An edge of the function narrows with the cells, and hardly counts in the mean.
+        // True at an edge of the function, which narrows with the cells and hardly counts in the mean.
         const bool isEdge =
             misfit.largest <= 0.8 * misfitBefore.largest && misfit.mean <= accuracy * steepness;
         if (isEdge && std::abs(found - before) <= accuracy / 4) return found;
-        // An error that finer directions do not reduce is another function that dies away too slowly.
+        // Gives up if a finer grid does not reduce the error: another eigenfunction decays too slowly.
         if (cells > 256 && misfit.mean > 0.9 * misfitBefore.mean) return std::nullopt;
         before = found;
         misfitBefore = misfit;

@@ -24,7 +24,7 @@ namespace ifs {
 
 namespace {
 
-constexpr double minContractivity = 1e-3; // keeps γ^(−k) finite where products vanish
+constexpr double minContractivity = 1e-3; // keeps γ^(−k) finite when products vanish
 
 // A norm below this is below 1 in spite of its rounding. Jacobi's rotations round more often.
 template <int Dim> constexpr double contractionLimit = Dim == 2 ? 1 - 0x1p-50 : 1 - 0x1p-46;
@@ -34,7 +34,8 @@ template <int Dim> using Matrices = std::vector<Matrix<Dim>, Eigen::aligned_allo
 // The products A_σ of all words of one length; the digits of an index, base N, spell its word.
 template <int Dim> struct WordLevel {
     Matrices<Dim> products;
-    std::vector<double> errors = std::vector<double>(products.size()); // of rounding, in the Frobenius norm
+    // Rounding errors in the Frobenius norm.
+    std::vector<double> errors = std::vector<double>(products.size());
     int length = 1;
 };
 
@@ -52,10 +53,10 @@ template <int Dim> Matrices<Dim> linearParts(std::span<const AffineMap<Dim>> map
 
 // Infinite where a product is no finite matrix.
 template <int Dim> Largest maxNorm(const Matrices<Dim>& products) {
-    constexpr double tiny = 0x1p-400; // of smaller ones, the Frobenius norm may underflow
+    constexpr double tiny = 0x1p-400; // limit below which the Frobenius norm may underflow
     Largest largest;
     for (std::size_t i = 0; i < products.size(); ++i) {
-        const double frobenius = products[i].norm(); // bounds the spectral norm
+        const double frobenius = products[i].norm(); // upper bound of the spectral norm
         if (frobenius > tiny && frobenius <= largest.value) continue;
         if (!products[i].allFinite()) return {std::numeric_limits<double>::infinity(), i};
         const double norm = spectralNorm<Dim>(products[i]);
@@ -73,11 +74,11 @@ template <int Dim> double maxError(const WordLevel<Dim>& level) {
     return result;
 }
 
-// A norm with what rounding may have cost the product. Where that is next to nothing, the margin of
-// contractionLimit makes up for it, and the number is as it was found.
+// A norm with what rounding may have cost the product. Where that is next to nothing, also beside the
+// distance from 1, the number is as it was found.
 double withError(double norm, double error) {
     constexpr double negligible = 0x1p-40;
-    return error <= negligible * norm ? norm : norm + error;
+    return error <= negligible * std::min(norm, std::abs(1 - norm)) ? norm : norm + error;
 }
 
 template <int Dim> bool allFinite(const Matrices<Dim>& products) {
@@ -96,7 +97,7 @@ template <int Dim> class ExpansionSearch {
 public:
     explicit ExpansionSearch(std::span<const AffineMap<Dim>> maps) : m_maps(maps) {}
 
-    // The first of them, and its spectral radius.
+    // First of the products with the largest spectral radius.
     Largest first(const WordLevel<Dim>& level) {
         for (std::size_t i = 0; i < level.products.size(); ++i) {
             const Matrix<Dim>& product = level.products[i];
@@ -112,11 +113,11 @@ public:
 
 private:
     bool expandsExactly(const WordLevel<Dim>& level, std::size_t index, double radius) {
-        constexpr double nearOne = 0.999; // less is seldom what rounding makes of 1
+        constexpr double nearOne = 0.999; // lower values are rarely 1 up to rounding
         const std::vector<int> word = spell(index, level.length, m_maps.size());
         if (isPower(word)) return false;
         if (!(radius > nearOne)) {
-            // A single map has large coefficients then, which cancel: ρ is not known at all.
+            // Gives up for a single map, whose large coefficients cancel: ρ is unknown.
             if (level.length > 1 || m_letters == maxLetters) return false;
             ++m_letters;
         } else
@@ -124,7 +125,7 @@ private:
         return exactExpansion<Dim>(m_maps, word) == Expansion::Yes;
     }
 
-    // The radius, computed anew where rounding may have left little of it.
+    // Spectral radius, recomputed if rounding may have spoilt it.
     double wellRounded(const WordLevel<Dim>& level, std::size_t index, double radius) const {
         constexpr double little = 1e-9;
         const double size = level.products[index].norm();
@@ -151,8 +152,8 @@ private:
 
     std::span<const AffineMap<Dim>> m_maps;
     static constexpr int maxLetters = 200;
-    int m_symbols = 0; // of the words asked about
-    int m_letters = 0; // the maps asked about whose ρ seems to be less
+    int m_symbols = 0; // length of the words examined
+    int m_letters = 0; // maps whose ρ seems to be smaller
 };
 
 template <int Dim> void extend(WordLevel<Dim>& level, const Matrices<Dim>& generators) {
@@ -187,7 +188,7 @@ constexpr double emphases[] = {0, 8, 64};
 
 template <int Dim> struct Ellipsoidal {
     ContractingNorm<Dim> norm;
-    int slowest = 0; // the map that contracts least
+    int slowest = 0; // index of the map that contracts least
 };
 
 // The norm √(xᵀPx) of the invariant form P, when every map contracts in it.
@@ -206,7 +207,7 @@ std::optional<Ellipsoidal<Dim>> ellipsoidalNorm(std::span<const AffineMap<Dim>> 
     const Largest norm = maxNorm<Dim>(conjugated);
     const double condition = std::sqrt(eigenvalues[Dim - 1] / eigenvalues[0]);
     if (!(norm.value < 1 - 1e-12 * condition)) return std::nullopt;
-    // Bound of the error by the change of coordinates; where that is too much, longer numbers decide.
+    // Error bound from the change of coordinates; if it is too large, longer numbers decide.
     const double cost =
         64 * roundingUnit * std::pow(condition, 3) * maxNorm<Dim>(linearParts<Dim>(maps)).value;
     if (!(norm.value + cost < contractionLimit<Dim>)) {
@@ -288,7 +289,7 @@ std::optional<Existence> contractionInSomeNorm(std::span<const AffineMap<Dim>> m
         better ? std::span<const AffineMap<Dim>>(better->maps) : maps;
     const double least = leastContractivity<Dim>(maps);
     const double rounding = better ? better->linearRounding : 0;
-    for (const double share : {0.5, 0.125, 1. / 64}) { // of the way from 1 to the least that is possible
+    for (const double share : {0.5, 0.125, 1. / 64}) { // share of the way from 1 to the least possible value
         if (isHurried && share > 0.1) continue;
         if (const auto polytope =
                 polytopeNorm<Dim>(seen, 1 - share * (1 - least), rounding, isHurried ? 300'000 : 4'000'000))
@@ -382,7 +383,7 @@ template <int Dim> Existence classify(std::span<const AffineMap<Dim>> maps, int 
         if (!allFinite<Dim>(level.products)) break;
     }
     if (generators.size() > allowed) return undecided;
-    constexpr int thorough = 20'000; // fewer products are allowed where somebody waits
+    constexpr int thorough = 20'000; // products; fewer are allowed while somebody waits
     const bool isHurried = maxProducts < thorough;
     if (const auto found = contractionInSomeNorm<Dim>(maps, isHurried)) return *found;
     return isHurried ? undecided : longExpandingWord<Dim>(maps).value_or(undecided);
@@ -390,7 +391,7 @@ template <int Dim> Existence classify(std::span<const AffineMap<Dim>> maps, int 
 
 template <int Dim>
 ContractingNorm<Dim> contractingNorm(std::span<const AffineMap<Dim>> maps, const Existence& existence) {
-    constexpr double tight = 20; // not worth the search for a better one
+    constexpr double tight = 20; // limit of norms that need no better one
     const double least = existence.wordLength == 1 ? 0 : minContractivity;
     ContractingNorm<Dim> best{.contractivity = std::max(existence.contractivity, least),
                               .equivalence = existence.normEquivalence,
@@ -444,11 +445,15 @@ namespace {
 JointSpectralRadius radiusOfSimilarities(const std::vector<Dyadic>& squares) {
     const Dyadic largest = *std::ranges::max_element(
         squares, [](const Dyadic& a, const Dyadic& b) { return (a - b).sign() < 0; });
-    const double root = std::sqrt(largest.rounded());
+    constexpr double small = 0x1p-900, scale = 0x1p600; // of squares that may be too small for a double
+    const bool isSmall = largest.rounded() < small;
+    const double root = isSmall ? std::sqrt((Dyadic(scale) * Dyadic(scale) * largest).rounded()) / scale
+                                : std::sqrt(largest.rounded());
     if (!std::isfinite(root)) return {0, root};
     if (Dyadic(root) * Dyadic(root) == largest) return {root, root};
     constexpr double few = 0x1p-51;
-    return {root * (1 - few), root * (1 + few)};
+    const double lost = isSmall ? underflow : 0;
+    return {std::max(root * (1 - few) - lost, 0.0), root * (1 + few) + lost};
 }
 
 } // namespace

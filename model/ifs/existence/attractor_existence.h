@@ -9,10 +9,10 @@
 namespace ifs {
 
 enum class Verdict {
-    Hyperbolic,            // every map contracts
-    EventuallyContractive, // every word of some length contracts: an attractor exists all the same
+    Hyperbolic,            // all maps contract
+    EventuallyContractive, // all words of some length contract: an attractor exists all the same
     None,                  // ρ ≥ 1 is proved of some word: the maps contract in no norm
-    Undecided,             // not settled within the work allowed
+    Undecided,             // not settled within the permitted work
     Empty,                 // no map takes part
 };
 
@@ -21,7 +21,7 @@ enum class NormKind {
     Euclidean,
     Words,       // max over k < n of γ^(−k)·max |A_σ x| over the words σ of length k
     Ellipsoidal, // √(xᵀPx)
-    Polytope,    // whose unit ball is a polytope
+    Polytope,    // norm whose unit ball is a polytope
 };
 
 struct Existence {
@@ -60,7 +60,7 @@ template <int Dim> struct ContractingNorm {
     double contractivity = 0;
     double equivalence = 1;
     NormKind norm = NormKind::Euclidean;
-    int wordLength = 1; // of NormKind::Words
+    int wordLength = 1; // NormKind::Words only
 };
 
 // The norm with the smallest equivalence/(1 − contractivity), by which certificates widen, among those of

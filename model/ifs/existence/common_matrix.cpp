@@ -16,7 +16,7 @@ namespace ifs {
 template <int Dim> std::optional<CommonMatrixNorm> exactMatrixNorm(const ExactMatrix<Dim>& linear) {
     if (exactExpansion<Dim>(linear) != Expansion::No) return std::nullopt;
     const double size = rounded<Dim>(linear).norm() * (1 + 0x1p-48) + 0x1p-1000;
-    for (int digits = 1; digits <= 52; ++digits) { // more, and no double would be γ
+    for (int digits = 1; digits <= 52; ++digits) { // limit at which γ still is a double
         const double gap = std::ldexp(1, -digits);
         ExactMatrix<Dim> stretched = linear;
         for (auto& row : stretched)

@@ -19,7 +19,7 @@ namespace ifs {
 
 namespace {
 
-constexpr double contracts = 1 - 1e-9; // with room for rounding
+constexpr double contracts = 1 - 1e-9; // leaves room for rounding
 constexpr double maxCondition = 1e6;
 
 template <int Dim> double condition(const Matrix<Dim>& root) {
@@ -59,7 +59,7 @@ std::vector<AffineMap<Dim>> seenThrough(const Matrix<Dim>& root, std::span<const
 }
 
 template <int Dim> std::optional<Matrix<Dim>> choleskyRoot(const Matrix<Dim>& form) {
-    constexpr double minEigenvalue = 1e-9; // keeps a form that is nearly flat definite
+    constexpr double minEigenvalue = 1e-9; // keeps a nearly flat form definite
     return choleskyFactor<Dim>(form + minEigenvalue * form.trace() * Matrix<Dim>::Identity());
 }
 
@@ -76,7 +76,7 @@ std::optional<Matrix<Dim>> rootOfForm(std::span<const AffineMap<Dim>> maps,
     return choleskyRoot<Dim>(step);
 }
 
-constexpr std::size_t maxWork = 100'000; // norms worked out, but for maps that are too many for that
+constexpr std::size_t maxWork = 100'000; // norms to compute, unless there are too many maps
 
 // Forms in which the maps that were the longest before weigh more and more.
 template <int Dim> void weigh(NormCoordinates<Dim>& best, std::span<const AffineMap<Dim>> maps) {
@@ -158,7 +158,7 @@ void stretch(NormCoordinates<Dim>& best, const Matrix<Dim>& flag, std::span<cons
 // angles.
 template <int Dim> void alongFlag(NormCoordinates<Dim>& best, std::span<const AffineMap<Dim>> maps) {
     if (maps.size() > maxWork / 50) return;
-    Matrix<Dim> sum = Matrix<Dim>::Zero(); // with weights of which no two maps cancel
+    Matrix<Dim> sum = Matrix<Dim>::Zero(); // weighted sum; the weights prevent maps from cancelling
     for (std::size_t i = 0; i < maps.size(); ++i)
         sum += maps[i].linear / double(i + 1);
     const auto directions = eigendirections<Dim>(sum);
@@ -184,7 +184,8 @@ std::optional<Conditioned<Dim>> seenFrom(const AffineMap<Dim>& image, std::span<
     using Real = long double;
     using RealMatrix = Eigen::Matrix<Real, Dim, Dim>;
     using RealVector = Eigen::Matrix<Real, Dim, 1>;
-    constexpr Real products = 4 * Dim * std::numeric_limits<Real>::epsilon(); // of three matrices
+    // Error of a product of three matrices.
+    constexpr Real products = 4 * Dim * std::numeric_limits<Real>::epsilon();
     const RealMatrix there = image.linear.template cast<Real>(), back = inverseOf(there);
     const RealMatrix size = there.cwiseAbs(), backSize = back.cwiseAbs();
     const RealVector centre = image.translation.template cast<Real>();
@@ -228,7 +229,7 @@ template <int Dim> double unitOfLength(std::span<const AffineMap<Dim>> maps) {
 
 template <int Dim>
 std::optional<Conditioned<Dim>> seenIn(const Matrix<Dim>& root, std::span<const AffineMap<Dim>> maps) {
-    // A power of two, so that the size of the attractor stays about the same. Its orientation stays, too.
+    // Power of two that keeps the size of the attractor about the same; its orientation stays, too.
     int exponent = 0;
     std::frexp(spectralNorm<Dim>(root.inverse()), &exponent);
     Matrix<Dim> upright = std::ldexp(1, exponent) * root;
@@ -255,7 +256,7 @@ template <int Dim> std::optional<Conditioned<Dim>> conditioned(std::span<const A
     auto result = best.longest < before ? seenIn<Dim>(best.root, maps) : std::nullopt;
     constexpr double littleStretch = 100;
     if (result && result->longest < contracts && result->condition <= littleStretch) return result;
-    // Also where rounding takes away what the best norm gains.
+    // Fallback if rounding cancels the gain of the best norm.
     NormCoordinates<Dim> flag{Matrix<Dim>::Identity(), before};
     alongFlag(flag, maps);
     auto other = flag.longest < before ? seenIn<Dim>(flag.root, maps) : std::nullopt;

@@ -13,11 +13,11 @@ namespace ifs {
 // makes it. Maps whose products stretch a great deal before they contract hardly do so there.
 // docs/mathematics.md, "Conditioning".
 template <int Dim> struct Conditioned {
-    AffineMap<Dim> image; // exactly this; the linear part is regular
-    double condition = 1; // of its linear part, at least
+    AffineMap<Dim> image; // exact map, with a regular linear part
+    double condition = 1; // lower bound of the condition of the linear part
     std::vector<AffineMap<Dim>> maps{};
-    double longest = 0; // each ‖B_i‖ as it is without rounding is at most this
-    int slowest = 0;    // the longest of them
+    double longest = 0; // upper bound of all ‖B_i‖ without rounding
+    int slowest = 0;    // index of the longest B_i
 
     // Rounding error of the B_i for |y| ≤ reach.
     double rounding(double reach) const { return linearRounding * reach + translationRounding; }

@@ -30,7 +30,7 @@ private:
     Dyadic scaledTo(int exponent) const;
     double leading(int& exponent) const;
 
-    std::vector<std::uint32_t> m_digits; // of |m|, least significant first, none of them leading zeros
+    std::vector<std::uint32_t> m_digits; // digits of |m|, least significant first, without leading zeros
     int m_exponent = 0;
     bool m_isNegative = false;
 };

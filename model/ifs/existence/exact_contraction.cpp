@@ -28,7 +28,7 @@ template <int Dim> Dyadic traceOfProduct(const ExactMatrix<Dim>& a, const ExactM
 // Independent matrices, in echelon form.
 template <int Dim> class Span {
 public:
-    // Extends the span by the matrix; false if it belongs to the span already.
+    // Extends the span by the matrix; false if it is already in the span.
     bool extend(const ExactMatrix<Dim>& matrix) {
         Row row;
         for (std::size_t k = 0; k < row.size(); ++k)

@@ -29,7 +29,7 @@ public:
     }
 
 private:
-    // Adds the rounding of the value, and a little for that of the errors themselves.
+    // Adds the rounding error of the value, and a little for that of the errors themselves.
     static Enclosure rounded(double value, double error) {
         return {value, error * (1 + 0x1p-48) + std::abs(value) * 0x1p-52 + 0x1p-1000};
     }

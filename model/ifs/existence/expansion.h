@@ -13,7 +13,7 @@ namespace ifs {
 enum class Expansion {
     No,      // proved: ρ < 1
     Yes,     // proved: ρ ≥ 1
-    Unknown, // not to be told at this error
+    Unknown, // undecidable at this error
 };
 
 // Decides by the signs that the criterion of Schur and Cohn requires of the coefficients of the

@@ -27,7 +27,8 @@ std::optional<Matrix<Dim>> invariantForm(std::span<const AffineMap<Dim>> maps,
     if (!transfer.allFinite()) return std::nullopt;
     const double growth = largestEigenvalueModulus(transfer);
     if (!(growth > 0)) return std::nullopt;
-    // Inverse iteration beside the largest eigenvalue: it also settles when others have the same modulus.
+    // Inverse iteration close to the largest eigenvalue, which converges even if others have the same
+    // modulus.
     const Eigen::MatrixXd resolvent = inverseOf(growth * (1 + 1e-9) * Operator::Identity() - transfer);
     SymmetricVector<Dim> form = upperTriangle<Dim>(Matrix<Dim>::Identity());
     constexpr int iterations = 4;

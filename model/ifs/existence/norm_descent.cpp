@@ -18,7 +18,7 @@ template <int Dim> using LongMatrix = Eigen::Matrix<long double, Dim, Dim>;
 // Half the derivative of log ‖B‖ when the form I becomes I + S: ⟨uuᵀ − vvᵀ, S⟩ for B v = ‖B‖u.
 template <int Dim> struct Slope {
     Matrix<Dim> direction;
-    double length; // of the map
+    double length; // length of the map
 };
 
 template <int Dim> class Descent {
@@ -34,7 +34,7 @@ public:
         return result;
     }
 
-    // Infinite unless all of them are shorter than `limit`.
+    // Infinite unless all lengths are below `limit`.
     double longest(const Matrix<Dim>& root, double limit) const {
         const LongMatrix<Dim> there = root.template cast<long double>(), back = inverseOf(there);
         double result = 0;
@@ -46,7 +46,7 @@ public:
         return result;
     }
 
-    // Slopes of the singular values that are the longest of all but for a factor.
+    // Slopes of the singular values within a factor of the largest.
     std::vector<Slope<Dim>> slopes(const Matrix<Dim>& root, double factor) const {
         constexpr std::size_t maxSlopes = 16;
         std::vector<Slope<Dim>> result;
@@ -92,7 +92,7 @@ template <int Dim> Matrix<Dim> steepest(const std::vector<Slope<Dim>>& slopes) {
 template <int Dim> Matrix<Dim> stepped(const SymmetricEigenvalues<Dim>& direction, double step) {
     Vector<Dim> stretch;
     for (int k = 0; k < Dim; ++k) {
-        const double way = -step * direction.values[k]; // close to eʷᵃʸ, without exp()
+        const double way = -step * direction.values[k]; // factor close to eʷᵃʸ, without exp()
         stretch[k] = way >= 0 ? 1 + way : 1 / (1 - way);
     }
     return stretch.asDiagonal() * direction.vectors.transpose();

@@ -15,7 +15,7 @@ namespace ifs {
 namespace {
 
 constexpr std::size_t maxVertices = 600;
-constexpr double maxReach = 1e6; // of a vertex
+constexpr double maxReach = 1e6; // greatest norm of a vertex
 constexpr double isInside = 1 + 1e-10;
 
 // The symmetric hull of its vertices, of which the first are the unit vectors.
@@ -29,7 +29,7 @@ public:
     std::vector<Vector<Dim>> vertices;
     std::size_t work = 0;
 
-    // An upper bound of the least Σ|λ| with Σ λ_j v_j = x, from Dim vertices that the simplex method chooses.
+    // Upper bound of the least Σ|λ| with Σ λ_j v_j = x, from Dim vertices that the simplex method chooses.
     double norm(const Vector<Dim>& x) {
         Matrix<Dim> corners = Matrix<Dim>::Identity();
         for (int k = 0; k < Dim; ++k) {
@@ -55,13 +55,13 @@ public:
                 }
             if (leaving < 0) break;
             corners.col(leaving) = entering;
-            if (best <= 1 && n > 0) break; // inside; how far does not matter
+            if (best <= 1 && n > 0) break; // inside, at whatever distance
         }
         return best;
     }
 
 private:
-    // Σ|λ| for these λ, plus the norm of the remainder of x: the polytope holds the ball of radius 1/√Dim.
+    // Σ|λ| for these λ, plus the norm of the remainder of x: the polytope contains the ball of radius 1/√Dim.
     static double certified(const Matrix<Dim>& corners, const Vector<Dim>& shares, const Vector<Dim>& x) {
         const double terms = corners.cwiseAbs().maxCoeff() * shares.cwiseAbs().sum() + x.norm();
         const double rest = (corners * shares - x).norm() + 8 * Dim * roundingUnit * terms;
@@ -94,7 +94,7 @@ std::optional<PolytopeNorm<Dim>> polytopeNorm(std::span<const AffineMap<Dim>> ma
             const Vector<Dim> image = maps[i].linear * polytope.vertices[done] / contractivity;
             double norm = polytope.norm(image);
             if (polytope.work > maxWork || !std::isfinite(norm)) return std::nullopt;
-            if (norm > isInside) { // becomes one of the vertices, with the rounding of all that led to it
+            if (norm > isInside) { // new vertex, with all rounding errors that led to it
                 if (polytope.vertices.size() == maxVertices || !(image.norm() < maxReach))
                     return std::nullopt;
                 polytope.vertices.push_back(image);
@@ -110,7 +110,7 @@ std::optional<PolytopeNorm<Dim>> polytopeNorm(std::span<const AffineMap<Dim>> ma
     for (const auto& map : maps)
         longest = std::max(longest, map.linear.norm());
     result.equivalence = reach * std::sqrt(double(Dim)) * (1 + 1e-12);
-    // An image is off by no more than that, of which the ball inside makes a share of the norm.
+    // Error of an image, of which the ball inside makes a share of the norm.
     const double error = rounding + 4 * Dim * roundingUnit * longest;
     result.contractivity = contractivity * slowest * (1 + 1e-15) + error * result.equivalence;
     if (!(result.contractivity < 1)) return std::nullopt;

@@ -11,10 +11,11 @@ namespace ifs {
 
 // A norm whose unit ball is a polytope that every map takes into `contractivity` times itself.
 template <int Dim> struct PolytopeNorm {
-    double contractivity = 0;          // below 1, rounding included
-    double equivalence = 1;            // C with |x| ≤ ‖x‖ ≤ C|x| after scaling
-    int slowest = 0;                   // the map that contracts least
-    std::vector<Vector<Dim>> vertices; // of the ball, before scaling; their opposites are others
+    double contractivity = 0; // < 1, rounding included
+    double equivalence = 1;   // C with |x| ≤ ‖x‖ ≤ C|x| after scaling
+    int slowest = 0;          // index of the map that contracts least
+    // Half of the ball's vertices, before scaling; the others are their opposites.
+    std::vector<Vector<Dim>> vertices;
 };
 
 // The hull of a cross-polytope's images, images of images and so on under the maps divided by

@@ -12,7 +12,7 @@ namespace ifs {
 
 namespace {
 
-constexpr int maxDigits = 52; // of the gap 2^−digits: less, and no double below 1 is a factor
+constexpr int maxDigits = 52; // digits of the gap 2^−digits; beyond, no double below 1 is a factor
 
 template <int Dim> class Support {
 public:
@@ -43,7 +43,7 @@ public:
         return result;
     }
 
-    // Returns true if the coefficients, times 1 + gap, have only cycles with products below 1.
+    // Returns true if all cycles of the coefficients times 1 + gap have products below 1.
     bool areCyclesBelowOne(double gap) const {
         const Dyadic stretch = Dyadic(1) + Dyadic(gap);
         std::array<std::array<Dyadic, Dim>, Dim> edge;
@@ -56,7 +56,7 @@ public:
             for (std::size_t j = 0; j < Dim; ++j) {
                 if (j == i) continue;
                 if (!isBelowOne(edge[i][j] * edge[j][i])) return false;
-                const std::size_t k = 3 - i - j; // the third axis of space
+                const std::size_t k = 3 - i - j; // remaining axis of space
                 if (Dim == 3 && !isBelowOne(edge[i][j] * edge[j][k % Dim] * edge[k % Dim][i])) return false;
             }
         }
@@ -69,7 +69,7 @@ private:
     }
     bool areTogether(std::size_t i, std::size_t j) const { return m_reached[i][j] && m_reached[j][i]; }
 
-    // Within the components.
+    // True if the map permutes and scales axes within each component.
     bool isMonomial(const Matrix<Dim>& linear) const {
         for (std::size_t i = 0; i < Dim; ++i) {
             int row = 0, column = 0;

@@ -9,17 +9,18 @@ namespace ifs {
 
 namespace {
 
-constexpr std::size_t lookedAtPerNode = 10; // words beyond reach cost less
+constexpr std::size_t lookedAtPerNode = 10; // words out of reach per node, because they cost less
 constexpr std::size_t lookedAtPerMap = 24;
-constexpr std::size_t followedPerNode = 256; // of more children within reach, those with x in the middle
+// Children per node; of more, those with x nearest to the middle are followed.
+constexpr std::size_t followedPerNode = 256;
 
 template <int Dim> struct Node {
-    double nearest = 0; // no point of the piece is nearer than this to x
-    double aside = 0;   // how far x is from the middle of the ball around the piece, in its radii
-    double radius = 0;  // of that ball
+    double nearest = 0; // lower bound of the distance from x to the piece
+    double aside = 0;   // distance of x from the centre of the ball around the piece, in its radii
+    double radius = 0;  // radius of that ball
     AffineMap<Dim> map;
     int sought = 0;
-    int parent = -1; // −1: its beginning
+    int parent = -1; // index of its beginning without the last symbol; −1: none
     int symbol = 0;
     int length = 0;
 };

@@ -28,7 +28,7 @@ double escape(const Polygon& polygon, const std::vector<AffineMap<2>>& maps) {
 
 // Vertices accumulate at fixed points, whose neighbours no tolerance resolves; but they are known themselves.
 void addFixedPoints(Polygon& points, const std::vector<AffineMap<2>>& maps, const Vector<2>& centre) {
-    constexpr double maxContractivity = 0.9; // of slower maps rounding moves them
+    constexpr double maxContractivity = 0.9; // limit beyond which rounding moves maps noticeably
     for (const auto& map : maps)
         if (const auto fixed = fixedPoint(map); fixed && spectralNorm<2>(map.linear) <= maxContractivity)
             points.push_back(*fixed - centre);
@@ -69,7 +69,7 @@ std::optional<ConvexHull> convexHull(const SupportFunction<2>& support, double t
     const double invariant =
         support.normEquivalence() * escape(hull.vertices, support.maps()) / (1 - support.contractivity()) +
         support.roundingError(64);
-    const double lost = 2 * flatness; // by corners left out, and by rounding
+    const double lost = 2 * flatness; // loss from omitted corners and rounding
     hull.error = std::min(sandwich.error() + lost, invariant);
     return hull;
 }

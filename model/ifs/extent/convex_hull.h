@@ -11,9 +11,9 @@ namespace ifs {
 
 // Extreme points of the convex hull to a tolerance, counter-clockwise, each on the attractor.
 struct ConvexHull {
-    std::vector<Vector<2>> vertices; // 1 or 2 for a point or a segment
+    std::vector<Vector<2>> vertices; // 1 for a point, 2 for a segment
     double area = 0;
-    double error = 0; // conv A lies within this distance of the polygon (a-posteriori certificate)
+    double error = 0; // a-posteriori bound of the distance from conv A to the polygon
 };
 ConvexHull convexHull(const SupportFunction<2>& support, double tolerance);
 // nullopt when stopped.

@@ -61,8 +61,8 @@ struct Face {
     Facet corners{};
     Vector<3> normal;
     double height = 0;
-    double gap = 0;   // how far the attractor reaches beyond it at most
-    double reach = 0; // how far it may therefore reach outside the hull
+    double gap = 0;   // bound of how far the attractor extends beyond the face
+    double reach = 0; // resulting bound of how far it extends beyond the hull
 };
 
 // Faces of the hull; none when the points do not span space.
@@ -110,7 +110,7 @@ struct Combination {
             sum += weights[k] * normals[k];
         return sum;
     }
-    // Weights of the point nearest to the origin in the plane that the normals span.
+    // Weights of the point nearest to the origin in the plane spanned by the normals.
     std::vector<double> nearest() const {
         const auto others = Eigen::Index(normals.size()) - 1;
         Eigen::Matrix3Xd edges(3, others);
@@ -121,8 +121,8 @@ struct Combination {
         result.insert(result.end(), along.begin(), along.end());
         return result;
     }
-    // Goes there, but no farther than to the border of the simplex, and leaves out those that the new point
-    // does without. Whether it got there.
+    // Moves towards that point, at most to the border of the simplex, and drops normals that the new point
+    // does not need. Returns true if it was reached.
     bool approachNearest() {
         const std::vector<double> aim = nearest();
         double share = 1;
@@ -189,7 +189,7 @@ double certify(std::vector<Face>& faces, std::size_t pointCount) {
 struct Refined {
     Points points;
     std::vector<Face> faces;
-    double error = 0; // of the hull of the faces
+    double error = 0; // error of the hull of the faces
 };
 
 // Extreme points, refined over the facets until none lets the attractor farther out than the tolerance, or
@@ -203,7 +203,7 @@ public:
           m_apart(1e-13 * (support.radius() + support.centre().norm())),
           m_accuracy(closest()) {}
 
-    // Unfinished, and of no use, when stopped.
+    // Unfinished and useless if stopped.
     Refined hull() {
         for (int x = -1; x <= 1; ++x)
             for (int y = -1; y <= 1; ++y)
@@ -219,7 +219,7 @@ public:
 
 private:
     struct Farthest {
-        double height = std::numeric_limits<double>::infinity(); // the attractor reaches no farther
+        double height = std::numeric_limits<double>::infinity(); // upper bound of the attractor's height
         Vector<3> point;
         double accuracy = std::numeric_limits<double>::infinity();
     };
@@ -232,7 +232,8 @@ private:
         if (isNew) m_hull.points.push_back(point);
     }
 
-    // A needle has its farthest points in many directions in two or three places, which span no space.
+    // Adds directions for needles, whose farthest points in many directions are two or three places that span
+    // no space.
     void leaveThePlane() {
         constexpr int rounds = 4;
         for (int n = 0; n < rounds && !m_stop.stop_requested() && areFlat(m_hull.points); ++n) {
@@ -257,7 +258,7 @@ private:
         return known;
     }
 
-    // More, as long as there are any to spend, where the face was asked before and its point tells nothing.
+    // Larger budget, while it lasts, for faces whose last search was not conclusive.
     int nodesFor(double wanted) {
         int nodes = nodesPerFacet;
         for (double level = closest(); wanted < level && nodes < maxNodesPerFacet; level /= 64)
@@ -267,8 +268,8 @@ private:
         return nodes;
     }
 
-    // Adds the points of faces beyond which the attractor may reach farther than `reach`; false if these are
-    // known already.
+    // Adds points of faces that the attractor may exceed by more than `reach`; false if all are known
+    // already.
     bool addBeyond(double reach) {
         const std::size_t known = m_hull.points.size();
         for (const Face& face : m_hull.faces) {
@@ -285,13 +286,14 @@ private:
             if (m_stop.stop_requested()) return;
             const double wanted = face.reach > m_tolerance ? m_accuracy : closest();
             const double height = farthest(face, wanted).height;
-            face.gap = std::max(height - face.height, 0.0) + m_apart; // rounding in the plane of the face
+            // Includes rounding in the plane of the face.
+            face.gap = std::max(height - face.height, 0.0) + m_apart;
         }
         m_hull.error = certify(m_hull.faces, m_hull.points.size());
     }
 
-    // Adds points and returns whether there were any: the worst faces first, while they have something to
-    // tell; where that is not clear, more closely.
+    // Adds points for the worst faces that can still be improved, with more work if necessary; false if there
+    // were none.
     bool refine() {
         if (m_hull.faces.empty()) { // flat: nothing to refine
             m_hull.error = std::numeric_limits<double>::infinity();
@@ -312,11 +314,11 @@ private:
     const SupportFunction<3>& m_support;
     double m_tolerance;
     const std::stop_token& m_stop;
-    double m_apart;    // points this close are one
-    double m_accuracy; // to which the worst faces are known
+    double m_apart;    // distance within which points coincide
+    double m_accuracy; // accuracy of the worst faces
     int m_nodesToSpend = maxNodesPerFacet * 64;
     Refined m_hull;
-    std::map<Facet, Farthest> m_asked; // by the corners
+    std::map<Facet, Farthest> m_asked; // results by corners
 };
 
 // Distance to a triangle: in its plane where the foot falls inside, else to an edge.
@@ -352,7 +354,7 @@ double escape(const ConvexHull3& hull, const std::vector<Face>& faces, const std
                 const auto corner = [&](std::size_t k) { return hull.vertices[std::size_t(facet[k])]; };
                 distance = std::min(distance, distanceToTriangle(image, corner(0), corner(1), corner(2)));
             }
-            if (hull.facets.empty()) // a point or a segment
+            if (hull.facets.empty()) // point or segment
                 distance = distanceToTriangle(image, hull.vertices.front(), hull.vertices.back(),
                                               hull.vertices.back());
             result = std::max(result, distance);
@@ -452,7 +454,7 @@ std::optional<ConvexHull3> convexHull(const SupportFunction<3>& support, double 
         hull->volume *= determinant<3>(better->image.linear);
         hull->error = better->errorOf(hull->error);
         if (hull->error <= tolerance) return hull;
-        // The attractor may be a needle there, and none here.
+        // Repeats here, because the attractor may be a needle only in the other coordinates.
         const Refined refined = Refinement(support, tolerance, stop).hull();
         if (stop.stop_requested()) return std::nullopt;
         if (!(refined.error < hull->error)) return hull;
@@ -488,7 +490,7 @@ double volumeError(const ConvexHull3& hull) {
         high = high.cwiseMax(vertex);
     }
     const double e = hull.error, diameter = (high - low).norm();
-    if (hull.volume == 0) surface = 2 * diameter * diameter; // of a set within a plane, both sides
+    if (hull.volume == 0) surface = 2 * diameter * diameter; // both sides of a set within a plane
     const double error = (surface + (2 * pi * diameter + 4 * pi / 3 * e) * e) * e * (1 + 1e-12);
     return e > 0 ? std::max(error, std::numeric_limits<double>::denorm_min()) : 0;
 }

@@ -66,11 +66,12 @@ public:
 private:
     using Cone = std::array<std::uint32_t, Dim>; // indices of directions
     struct Split {
-        int a, b;      // the edges between which the cone is halved
+        int a, b;      // edges between which the cone is halved
         double length; // |g_a + g_b|
     };
 
-    Combination between(const Vector<Dim>& v) const; // of the two neighbours among given directions
+    // Combination of the two neighbours among given directions.
+    Combination between(const Vector<Dim>& v) const;
     void divide(std::size_t cell, const Cone& cone);
     Split widestAngle(const Cone& cone) const;
     std::uint32_t index(const Vector<Dim>& direction);

@@ -9,7 +9,7 @@ namespace ifs {
 
 namespace {
 
-constexpr int nodesPerFace = 20'000; // of which most systems need few
+constexpr int nodesPerFace = 20'000; // nodes for a face; most systems need few
 
 template <int Dim> using Supports = std::vector<SupportValue<Dim>>;
 
@@ -86,7 +86,8 @@ CanonicalSimplex<Dim> simplexFrom(const Supports<Dim>& axes, const SupportValue<
     // The outer simplex: the corner moves by at most √Dim·axisError, the leg grows by Dim·axisError +
     // oblique.error.
     result.error = (std::sqrt(Dim) + Dim) * axisError + oblique.error;
-    // The leg is attained, so only rounding can make one of a single point, however wide the certificate is.
+    // Limit of rounding: the leg is attained, so that only rounding can give one to a single point, however
+    // wide the certificate is.
     if (!(result.leg > 64 * std::numeric_limits<double>::epsilon() * reach)) result.leg = 1;
     for (int k = 0; k < Dim; ++k)
         result.vertices[std::size_t(k) + 1] =

@@ -25,9 +25,9 @@ template <int Dim> using Orientation = std::array<int, Dim>; // each +1 or −1
 
 template <int Dim> struct CanonicalSimplex {
     Orientation<Dim> orientation{};
-    double leg = 0;        // 1 when the attractor is a single point and the leg would vanish
+    double leg = 0;        // 1 if the attractor is a single point, where the leg would vanish
     Simplex<Dim> vertices; // V_0 the right-angle corner, V_k = V_0 + ω_k·leg·e_k
-    double error = 0;      // A lies within this distance of the simplex
+    double error = 0;      // bound of the distance from A to the simplex
 };
 // The canonical simplexes of every orientation, in the order (+,+), (−,+), (+,−), (−,−); in space likewise, x
 // changing fastest.

@@ -13,7 +13,7 @@ namespace ifs {
 
 namespace {
 
-constexpr int maxSteps = 400; // of an itinerary
+constexpr int maxSteps = 400; // steps of an itinerary
 constexpr double sameRay = 1e-9;
 
 Vector<2> outward(const Vector<2>& edge) {
@@ -40,18 +40,19 @@ public:
         const auto next = std::ranges::lower_bound(m_angles, wanted);
         std::size_t best = (next == m_angles.end() ? m_angles.front() : *next).second;
         const std::size_t n = m_polygon.size();
-        for (const std::size_t way : {std::size_t{1}, n - 1}) // rounding may have mistaken the edge
+        // Neighbours as well, in case rounding chose the wrong edge.
+        for (const std::size_t way : {std::size_t{1}, n - 1})
             while (v.dot(m_polygon[(best + way) % n]) > v.dot(m_polygon[best]))
                 best = (best + way) % n;
         return best;
     }
 
-    // The direction in the middle of the normals of a corner.
+    // Direction in the middle of the normals at a corner.
     Vector<2> middle(std::size_t k) const {
         const std::size_t n = m_polygon.size();
         const Vector<2> before = (m_polygon[k] - m_polygon[(k + n - 1) % n]).normalized(),
                         after = (m_polygon[(k + 1) % n] - m_polygon[k]).normalized();
-        const Vector<2> along = before + after; // vanishes at the end of a segment
+        const Vector<2> along = before + after; // zero at the end of a segment
         return along.norm() > 1e-9 ? outward(along) : before;
     }
 
@@ -76,7 +77,7 @@ public:
 
     std::optional<PeriodicPoint> through(const Vector<2>& start) const {
         Word word;
-        std::map<std::size_t, std::size_t> seen; // corner → how many symbols lead to it
+        std::map<std::size_t, std::size_t> seen; // number of symbols that lead to each corner
         Vector<2> v = start.normalized();
         for (std::size_t corner = m_corners.farthest(v); !seen.contains(corner);) {
             seen[corner] = word.size();
@@ -94,7 +95,8 @@ public:
         return std::nullopt;
     }
 
-    // A corner where others accumulate is farthest in one direction alone, which only its map knows.
+    // Extreme point at which others accumulate: it is farthest in one direction alone, which only its map
+    // determines.
     std::optional<PeriodicPoint> fixedAt(const Vector<2>& corner, const Vector<2>& direction) const {
         for (const std::size_t i : m_outer)
             if (const auto fixed = fixedPoint(m_maps[i]); fixed && (*fixed - corner).norm() <= 1e-12 * m_size)
@@ -103,15 +105,14 @@ public:
     }
 
 private:
-    // The image under Aᵀ, of length 1 again, for only the direction counts; 0 when the map leaves none.
+    // Unit vector along Aᵀv, since only the direction counts; 0 if the map leaves none.
     Vector<2> transposed(int symbol, const Vector<2>& v) const {
         const Vector<2> next = m_transposed[std::size_t(symbol)] * v;
         const double length = next.norm();
         return length > 1e-300 ? Vector<2>(next / length) : Vector<2>(Vector<2>::Zero());
     }
 
-    // Margin by which a symbol wins over every other that leads elsewhere; not positive when it is not proved
-    // to.
+    // Margin by which a symbol wins over all others that lead elsewhere; not positive if that is unproved.
     double margin(const Vector<2>& v, int symbol) const {
         const auto reach = [&](std::size_t i) { return Vector<2>(m_transposed[i] * v); };
         const auto pointOf = [&](std::size_t i) {
@@ -123,7 +124,7 @@ private:
         for (const std::size_t i : m_outer) {
             if (int(i) == symbol) continue;
             const Vector<2> other = pointOf(i);
-            if ((other - chosen).norm() <= 1e-13 * m_size) continue; // the same point by another address
+            if ((other - chosen).norm() <= 1e-13 * m_size) continue; // same point by another address
             least = std::min(least, v.dot(chosen - other) - m_error * reach(i).norm() - 1e-14 * m_size);
         }
         return least;
@@ -143,7 +144,7 @@ private:
         return margin(v, best) > 0 ? std::optional(best) : std::nullopt;
     }
 
-    // The direction to which a word leads if it wins all along; `least` becomes the smallest margin.
+    // Direction to which a word leads if it wins at each step; `least` receives the smallest margin.
     std::optional<Vector<2>> led(Vector<2> v, const Word& word, double& least) const {
         for (const int symbol : word) {
             least = std::min(least, margin(v, symbol));
@@ -153,8 +154,8 @@ private:
         return v;
     }
 
-    // Directions that the period may take to themselves: eigenvectors of positive eigenvalues, the dominant
-    // one first. Of a multiple of the identity, all are.
+    // Directions fixed by the period: eigenvectors of positive eigenvalues, dominant first. For a multiple of
+    // the identity, all directions.
     std::vector<Vector<2>> returning(const Word& period, const Vector<2>& direction) const {
         Matrix<2> total = Matrix<2>::Identity();
         for (const int symbol : period) {
@@ -201,7 +202,7 @@ private:
         return std::nullopt;
     }
 
-    // Returns true if the direction that the prefix takes to `own` goes there.
+    // Returns true if the direction that the prefix takes to `own` leads there.
     bool leadsThrough(const Word& prefix, Vector<2> own) const {
         for (auto symbol = prefix.rbegin(); symbol != prefix.rend(); ++symbol) {
             const auto back = inverse<2>({m_transposed[std::size_t(*symbol)], Vector<2>::Zero()});
@@ -213,7 +214,7 @@ private:
         return led(own, prefix, least).has_value();
     }
 
-    // Returns true if a direction comes so near to `own` that no symbol can change any more: heights change
+    // Returns true if a direction comes so close to `own` that no symbol can change any more: heights change
     // by at most 2·size·angle.
     bool convergesTo(const Vector<2>& own, double margin, Vector<2> v, const Word& period) const {
         constexpr int rounds = 60;
@@ -246,7 +247,7 @@ private:
     }
 
     const std::vector<AffineMap<2>>& m_maps;
-    const std::vector<std::size_t>& m_outer; // no others lead to an extreme point
+    const std::vector<std::size_t>& m_outer; // maps that can lead to an extreme point
     std::vector<Matrix<2>> m_transposed;
     const Polygon& m_polygon;
     Corners m_corners;
@@ -260,11 +261,11 @@ std::vector<std::optional<PeriodicPoint>> periodicExtremePoints(const SupportFun
                                                                 const ConvexHull& hull,
                                                                 const std::stop_token& stop) {
     std::vector<std::optional<PeriodicPoint>> result(hull.vertices.size());
-    if (hull.vertices.size() == 1) { // the fixed point of all maps
+    if (hull.vertices.size() == 1) { // fixed point of all maps
         result.front() = PeriodicPoint{{}, {0}, support.pointOfAttractor()};
         return result;
     }
-    // As many corners as a self-similar hull has at the finer tolerance; a round one has too many, and none
+    // Limit of the corners of a self-similar hull at the finer tolerance. A round hull has too many, and none
     // of them is periodic.
     constexpr double fineTolerance = 1e-12;
     constexpr double maxCorners = 10'000;

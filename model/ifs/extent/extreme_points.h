@@ -14,7 +14,7 @@ namespace ifs {
 
 struct PeriodicPoint {
     Word prefix;
-    Word period;     // of least length, and so that the prefix is as short as can be
+    Word period;     // least length; chosen to make the prefix as short as possible
     Vector<2> point; // φ(prefix period period …), to rounding
 };
 

@@ -17,11 +17,11 @@ namespace ifs {
 class Outline {
 public:
     struct Line {
-        double angle;     // grows with the angle of the normal, 0 to 4 for a turn
-        Vector<2> normal; // unit
+        double angle;     // 0 to 4 for a turn; increases with the angle of the normal
+        Vector<2> normal; // unit length
         double height;    // ⟨normal,x⟩ ≤ height
         std::size_t point;
-        bool settled; // whether a neighbouring direction may tell more
+        bool settled; // true if a neighbouring direction may tell more
         // The intersection with the next line counter-clockwise, and a bound of its distance from the hull of
         // the points.
         Vector<2> corner = Vector<2>::Zero();
@@ -48,8 +48,8 @@ public:
     }
 
     struct Bracket {
-        double upper, lower; // of the support function
-        std::size_t point;   // where `lower` is attained
+        double upper, lower; // bounds of the support function
+        std::size_t point;   // index of a point at which `lower` is attained
     };
     Bracket bracket(const Vector<2>& v) const {
         const auto after = std::size_t(std::ranges::upper_bound(m_angles, angleOf(v)) - m_angles.begin());
@@ -111,7 +111,7 @@ private:
     }
 
     static constexpr std::size_t neighbours = 2;
-    std::vector<double> m_angles; // of the lines, together for a quick search
+    std::vector<double> m_angles; // angles of the lines, contiguous for a fast search
     std::vector<Line> m_lines;
     Polygon m_points;
 };

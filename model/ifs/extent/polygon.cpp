@@ -19,10 +19,10 @@ bool isLeft(const Vector<2>& r, const Vector<2>& p, const Vector<2>& q) {
     const double left = (q.x() - p.x()) * (r.y() - p.y()), right = (q.y() - p.y()) * (r.x() - p.x());
     const double terms = std::abs(left) + std::abs(right);
     if (std::abs(left - right) > 0x1p-51 * terms && terms > 0x1p-900) return left > right;
-    constexpr double tiny = 0x1p-400, longer = 0x1p+300; // whose products do not underflow
+    constexpr double tiny = 0x1p-400, longer = 0x1p+300; // limits within which products do not underflow
     const double size = r.cwiseAbs().cwiseMax(p.cwiseAbs()).cwiseMax(q.cwiseAbs()).maxCoeff();
     if (size > 0 && size < tiny) return isLeft(longer * r, longer * p, longer * q);
-    std::array<double, 12> parts{}; // none reaches into the digits of the next
+    std::array<double, 12> parts{}; // non-overlapping parts of the sum
     std::size_t count = 0;
     const auto add = [&](double term) {
         for (double& part : std::span(parts).first(count)) {
@@ -61,7 +61,8 @@ Polygon thinned(const Polygon& hull, double flatness) {
         while (k < n && isFlat(kept.back(), k + 1))
             ++k;
     }
-    if (kept.size() > 2 && isFlat(kept.back(), kept[1] + n)) kept.erase(kept.begin()); // began inside an edge
+    // The first vertex lay inside an edge.
+    if (kept.size() > 2 && isFlat(kept.back(), kept[1] + n)) kept.erase(kept.begin());
     Polygon result;
     for (const std::size_t k : kept)
         result.push_back(hull[k]);
@@ -96,7 +97,7 @@ Polygon convexHull(std::vector<Vector<2>> points, double flatness) {
                 result.pop_back();
             result.push_back(p);
         }
-        result.pop_back(); // the first of the other chain
+        result.pop_back(); // first point of the other chain
         return result;
     };
     Polygon hull = chain(points);
@@ -112,7 +113,7 @@ double distanceToSegment(const Vector<2>& x, const Vector<2>& p, const Vector<2>
     const double t = squared > 0 ? std::clamp((x - p).dot(chord) / squared, 0.0, 1.0) : 0;
     const Vector<2> rest = x - p - t * chord;
     const double distance = rest.norm();
-    return distance > 0x1p-500 ? distance : rest.stableNorm(); // squares underflow
+    return distance > 0x1p-500 ? distance : rest.stableNorm(); // stable norm, since squares underflow
 }
 
 double area(const Polygon& polygon) {

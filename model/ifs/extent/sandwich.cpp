@@ -38,13 +38,14 @@ void Sandwich::settleCorners(const Polygon& polygon) {
         if (!m_stop.stop_requested()) add(outward, ask(outward, 0));
     };
     const std::size_t n = polygon.size();
-    for (std::size_t k = 0; n == 2 && k < n; ++k) // the ends of a segment
+    for (std::size_t k = 0; n == 2 && k < n; ++k) // ends of a segment
         settle((polygon[k] - polygon[1 - k]).normalized());
-    constexpr std::size_t maxCorners = 255; // more are those of a curve, which only the tolerance makes
+    // Limit; more corners belong to a curve and depend on the tolerance.
+    constexpr std::size_t maxCorners = 255;
     for (std::size_t k = 0; n > 2 && n <= maxCorners && k < n; ++k) {
         const Vector<2> before = (polygon[k] - polygon[(k + n - 1) % n]).normalized(),
                         after = (polygon[(k + 1) % n] - polygon[k]).normalized();
-        constexpr double minTurn = 1e-4; // less is a point that the tolerance left inside an edge
+        constexpr double minTurn = 1e-4; // limit below which a point inside an edge is left by the tolerance
         if (cross(before, after) < minTurn && before.dot(after) > 0) continue;
         const Vector<2> along = before + after;
         if (along.norm() < 1e-6) continue;

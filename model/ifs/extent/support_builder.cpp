@@ -16,8 +16,8 @@ namespace ifs {
 
 namespace {
 
-constexpr int maxDepth = 4;          // of the fan
-constexpr std::size_t fewMaps = 256; // not worth asking which of them matter
+constexpr int maxDepth = 4;          // depth of the fan
+constexpr std::size_t fewMaps = 256; // number of maps below which all are kept
 
 template <int Dim> AffineMap<Dim> meanMap(std::span<const AffineMap<Dim>> maps) {
     AffineMap<Dim> mean{Matrix<Dim>::Zero(), Vector<Dim>::Zero()};
@@ -36,7 +36,8 @@ Ellipsoid<Dim> enclosingEllipsoid(std::span<const AffineMap<Dim>> maps, const Co
     std::vector<double> reach;
     for (const auto& map : maps)
         reach.push_back(1 / (1 - spectralNorm<Dim>(norm.root * map.linear * unroot)));
-    if (std::ranges::any_of(reach, [](double r) { return !(r > 0 && std::isfinite(r)); })) // longer words
+    // Only longer words contract.
+    if (std::ranges::any_of(reach, [](double r) { return !(r > 0 && std::isfinite(r)); }))
         std::ranges::fill(reach, norm.equivalence / (1 - norm.contractivity));
     const auto radius = [&](const Vector<Dim>& centre) {
         double result = 0;
@@ -133,8 +134,8 @@ public:
     }
 
 private:
-    // The container by those alone of many maps that can lead to the hull. Where that leaves as many, more
-    // directions may tell more.
+    // Container built from the few of many maps that can lead to the hull. If it keeps as many maps, more
+    // directions may help.
     std::shared_ptr<const Container> ofOuterMaps(std::vector<std::size_t> all) const {
         std::vector<Vector<2>> points = outerFixedPoints(m_maps);
         const auto ofEllipsoid = [&](const Vector<2>& v) {
@@ -165,7 +166,7 @@ private:
         return result;
     }
 
-    // Inside one that is known, in finer directions than the work for so many maps allows.
+    // Container inside a known one, in finer directions than the budget for so many maps allows.
     std::shared_ptr<const Container> inside(const Container& known, std::vector<std::size_t> indices,
                                             int finer) const {
         const auto result = empty(std::move(indices), finer);
@@ -206,9 +207,9 @@ private:
         if (Dim == 2 && container.isLoose()) fitDirections(container);
     }
 
-    // Over the directions in which a norm of the transposed maps is largest, where the sum of the shares of
-    // A_iᵀg is below 1: so bounds do not grow however slowly the maps contract. Along the directions that
-    // a cycle of maps leaves as they are, nothing is lost at all; they show when the container is solved.
+    // Chooses directions in which a norm of the transposed maps is largest and the shares of A_iᵀg sum to
+    // less than 1: then bounds do not grow, however slowly the maps contract. Directions that a cycle of maps
+    // keeps lose nothing at all; solving the container finds them.
     void fitDirections(Container& container) const {
         constexpr int rounds = 12;
         constexpr std::size_t maxDirections = 400;
@@ -258,8 +259,8 @@ private:
     }
 
     std::span<const AffineMap<Dim>> m_maps;
-    Ellipsoid<Dim> m_ellipsoid; // about the attractor
-    double m_radius;            // of a ball about the ellipsoid
+    Ellipsoid<Dim> m_ellipsoid; // ellipsoid around the attractor
+    double m_radius;            // radius of a ball around the ellipsoid
     Vector<Dim> m_anchor;
     double m_contractivity;
     double m_mergeLimit;

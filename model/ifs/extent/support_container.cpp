@@ -13,13 +13,13 @@ namespace ifs {
 
 namespace {
 
-constexpr std::size_t minSweeps = 2; // of shrink(), however many the maps
+constexpr std::size_t minSweeps = 2; // sweeps of shrink(), for any number of maps
 
 // Precomputed data for map i in direction g. Only the heights change between sweeps, so the position of A_iᵀg
 // in the fan is found once.
 template <int Dim> struct PulledBack {
-    double offset;      // ⟨g,offset_i⟩
-    double ofEllipsoid; // the bound of A_iᵀg that does not depend on the heights
+    double offset;      // offset ⟨g, offset_i⟩
+    double ofEllipsoid; // bound of A_iᵀg that does not depend on the heights
     typename DirectionFan<Dim>::Combination parts;
 
     double bound(const std::vector<double>& heights) const {
@@ -83,7 +83,7 @@ template <int Dim> bool SupportContainer<Dim>::solve() {
     const std::vector<double> margin = solved([](std::size_t, std::size_t) { return 1.0; }, 1e-9);
     const double widest = std::ranges::max(margin);
     if (!(widest > 0 && std::isfinite(widest))) return false;
-    const double widening = std::max(1e-9 * radius, 2 * rounding() * widest); // as much as rounding costs
+    const double widening = std::max(1e-9 * radius, 2 * rounding() * widest); // cost of rounding
     for (std::size_t g = 0; g < directions.size(); ++g)
         solution[g] += widening * margin[g] / widest;
     for (std::size_t g = 0; g < directions.size(); ++g) {
@@ -105,7 +105,7 @@ template <int Dim> void SupportContainer<Dim>::shrink(std::size_t maxWork) {
         const Vector<Dim> v = transposed[i] * directions[g];
         return PulledBack<Dim>{directions[g].dot(offsets[i]), ellipsoid.bound(v), fan.combination(v)};
     };
-    std::vector<PulledBack<Dim>> known; // of few maps, which take many sweeps
+    std::vector<PulledBack<Dim>> known; // kept for few maps, which take many sweeps
     if (sweepWork <= maxTableWork)
         for (std::size_t g = 0; g < directions.size(); ++g)
             for (std::size_t i = 0; i < offsets.size(); ++i)
@@ -219,7 +219,8 @@ Vector<2> leadingDirection(const Matrix<2>& matrix) {
 
 template <int Dim> std::vector<std::vector<std::size_t>> SupportContainer<Dim>::cycles() const {
     std::vector<std::vector<std::size_t>> result;
-    std::vector<std::size_t> way(m_successor.size(), 0); // on which each direction was first met, from 1
+    // Number of the walk, from 1, that first met each direction.
+    std::vector<std::size_t> way(m_successor.size(), 0);
     for (std::size_t g = 0; g < m_successor.size(); ++g) {
         std::size_t k = g;
         for (; way[k] == 0; k = m_successor[k])

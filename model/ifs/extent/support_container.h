@@ -34,16 +34,16 @@ template <int Dim> struct Ellipsoid {
 // x ↦ A x + offset; vectors u travel by the transposed matrices. docs/mathematics.md, "Support table".
 template <int Dim> struct SupportContainer {
     Vector<Dim> centre;
-    std::vector<std::size_t> indices; // of these maps among all
+    std::vector<std::size_t> indices; // indices of these maps among all
     std::vector<Matrix<Dim>> transposed;
     std::vector<Vector<Dim>> offsets;
-    Vector<Dim> anchor; // a point of the attractor
+    Vector<Dim> anchor; // point of the attractor
     Ellipsoid<Dim> ellipsoid;
-    double radius = 0;  // about the centre
-    double longest = 1; // of the ‖A_i‖ and 1
+    double radius = 0;  // radius about the centre
+    double longest = 1; // maximum of 1 and all ‖A_i‖
     DirectionFan<Dim> fan;
-    std::vector<double> heights;     // the H_g
-    std::vector<Vector<Dim>> points; // of the attractor, far out in each direction
+    std::vector<double> heights;     // heights H_g
+    std::vector<Vector<Dim>> points; // points of the attractor, far out in each direction
     // States of a search that are this close, relative to |v|, can never be one below the other.
     double mergeLimit = 0;
 
@@ -103,7 +103,7 @@ private:
     AffineMap<Dim> map(std::size_t i) const { return {transposed[i].transpose(), offsets[i]}; }
     template <class Constant> std::vector<double> solved(Constant constant, double tie) const;
 
-    std::vector<std::vector<std::size_t>> cycles() const; // of directions
+    std::vector<std::vector<std::size_t>> cycles() const; // cycles of directions
     // For each direction, the map and the direction whose point it takes to this one's.
     std::vector<std::size_t> m_symbol, m_successor;
 };

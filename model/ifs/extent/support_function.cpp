@@ -19,11 +19,11 @@ namespace ifs {
 
 namespace {
 
-// The Frobenius norm, also where squares underflow.
+// The Frobenius norm, also where squares underflow. (Eigen 3.4 asserts in stableNorm() of a matrix.)
 template <class Figure> double lengthOf(const Figure& figure) {
     constexpr double tiny = 0x1p-400;
     const double length = figure.norm();
-    return length > tiny ? length : figure.stableNorm();
+    return length > tiny ? length : figure.reshaped().stableNorm();
 }
 
 } // namespace
@@ -56,7 +56,8 @@ std::optional<SupportFunction<Dim>> SupportFunction<Dim>::through(const Conditio
     if (!existence.hasFactor()) return std::nullopt;
     const auto support = of(better.maps, existence);
     if (!support) return std::nullopt;
-    // The exact maps take every point within `error` of the attractor of the rounded ones to another such.
+    // Radius of points considered: the exact maps take every point within `error` of the attractor of the
+    // rounded maps to another such point.
     const double reach = support->centre().norm() + support->radius();
     const double growth = support->normEquivalence() / (1 - support->contractivity());
     const double error = 2 * growth * better.rounding(reach);
@@ -148,7 +149,7 @@ SupportValue<Dim> SupportFunction<Dim>::operator()(const Vector<Dim>& u, double 
         result.error = size == 0 ? 0 : std::numeric_limits<double>::infinity();
         return result;
     }
-    // A power of two, so that scaling rounds nothing.
+    // Power of two, so that scaling is exact.
     int exponent = 0;
     std::frexp(size, &exponent);
     Vector<Dim> scaled;
@@ -156,9 +157,9 @@ SupportValue<Dim> SupportFunction<Dim>::operator()(const Vector<Dim>& u, double 
         scaled[k] = std::ldexp(u[k], -exponent);
     const double smallest = 8 * roundingUnit * m_radius * scaled.norm();
     const double wanted = std::max(std::ldexp(tolerance, -exponent), smallest);
-    // Codes whose digits were rounded have near ties by the thousand. If merging at a quarter of the
-    // tolerance does not settle them within half of the nodes, coarser and coarser merging does, at a price
-    // that the error states.
+    // Merging for codes with rounded digits, which have thousands of near ties. If merging at a quarter of
+    // the tolerance does not settle them within half of the nodes, it becomes coarser, and the error states
+    // the price.
     const double fineness = 16 * m_radius * scaled.norm() / (wanted * m_container->mergeLimit);
     const int withinTolerance = fineness < 0x1p43 ? std::max(14, std::ilogb(fineness) + 1) : exactMerging;
     double minError = std::numeric_limits<double>::infinity();
@@ -180,7 +181,7 @@ SupportValue<Dim> SupportFunction<Dim>::operator()(const Vector<Dim>& u, double 
     for (const auto& [mergeBits, share] : {std::pair{withinTolerance, 2}, {26, 4}, {14, 4}})
         if (mergeBits <= withinTolerance && search(*m_container, known, mergeBits, maxNodes / share))
             return result;
-    constexpr double goodEnough = 1e-7; // of the size
+    constexpr double goodEnough = 1e-7; // relative to the size
     if (minError > std::max(wanted, goodEnough * m_radius * scaled.norm()))
         if (const auto* finer = finerContainer())
             for (const int mergeBits : {withinTolerance, 26})
@@ -215,7 +216,7 @@ template <int Dim> double SupportFunction<Dim>::Conditioning::errorOf(double dis
 template <int Dim> double SupportFunction<Dim>::Conditioning::rounding() const {
     const double reach = support.centre().norm() + support.radius();
     const double size = lengthOf(image.translation) + lengthOf(image.linear) * reach;
-    // The last is what the smallest numbers are rounded by.
+    // The last term covers rounding of the smallest numbers.
     return 8 * Dim * (roundingUnit * size + (size > 0 ? std::numeric_limits<double>::denorm_min() : 0));
 }
 

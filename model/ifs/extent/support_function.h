@@ -43,7 +43,7 @@ public:
     // A ⊂ Ball(centre, radius).
     const Vector<Dim>& centre() const { return m_centre; }
     double radius() const { return m_radius; }
-    Vector<Dim> pointOfAttractor() const; // the fixed point of the first map
+    Vector<Dim> pointOfAttractor() const; // fixed point of the first map
     const std::vector<AffineMap<Dim>>& maps() const { return m_maps; }
     // Indices of those maps that can lead to extreme points: of many in the plane, the outer ones.
     const std::vector<std::size_t>& mapsToTheHull() const;
@@ -67,7 +67,7 @@ private:
                                              const Existence& existence);
     static std::optional<SupportFunction> through(const Conditioned<Dim>& better,
                                                   std::span<const AffineMap<Dim>> maps);
-    const SupportContainer<Dim>* finerContainer() const; // nullptr where there is none
+    const SupportContainer<Dim>* finerContainer() const; // nullptr if there is none
     Vector<Dim> follow(const std::vector<int>& address, const Vector<Dim>& start) const;
 
     std::vector<AffineMap<Dim>> m_maps;
@@ -77,20 +77,20 @@ private:
     double m_normEquivalence = 1;
     std::shared_ptr<const SupportContainer<Dim>> m_container;
     struct LazyOutline;
-    std::shared_ptr<LazyOutline> m_outline; // the result of outline(), after the first call
+    std::shared_ptr<LazyOutline> m_outline; // set by the first call of outline()
     struct LazyContainer;
-    std::shared_ptr<LazyContainer> m_finer; // the result of finerContainer(), after the first call
+    std::shared_ptr<LazyContainer> m_finer; // set by the first call of finerContainer()
     std::shared_ptr<const Conditioning> m_conditioning;
 };
 
 template <int Dim> struct SupportFunction<Dim>::Conditioning {
-    SupportFunction support; // of the attractor in the coordinates y
+    SupportFunction support; // support of the attractor in coordinates y
     AffineMap<Dim> image;    // x = image(y)
-    double error = 0;        // rounding has moved no y farther than that
+    double error = 0;        // bound of the rounding error in y
 
     SupportValue<Dim> ask(const Vector<Dim>& u, double tolerance, int maxNodes, const Outline* known) const;
-    double errorOf(double distance) const; // in the coordinates x, of a distance in y
-    double rounding() const;               // of an image
+    double errorOf(double distance) const; // error in coordinates x for a distance in y
+    double rounding() const;               // rounding error of an image
 };
 
 } // namespace ifs

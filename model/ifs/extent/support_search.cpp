@@ -11,7 +11,7 @@ namespace ifs {
 
 namespace {
 
-constexpr std::size_t consideredPerNode = 8; // children that are dropped at once cost less than nodes
+constexpr std::size_t consideredPerNode = 8; // children per node, because dropped children cost less
 constexpr std::size_t consideredPerMap = 40;
 
 // The state of an address σ: v = A_σᵀu and o = ⟨u, w_σ(0)⟩, so that h_A(u) = max over all σ of one length of
@@ -45,7 +45,7 @@ template <int Dim> class StateTable {
 public:
     explicit StateTable(int bits) : m_bits(bits), m_slots(1 << 10) {}
 
-    // The slot of the key: the state there, or `free`.
+    // Slot of the key: contains its state, or `free`.
     std::int32_t& operator[](const Vector<Dim>& v) {
         if (2 * ++m_used > m_slots.size()) grow();
         return slot(key(v));
@@ -129,7 +129,7 @@ public:
                 .isFinished = isFinished()};
     }
 
-    // The one of the known points where the best address begins.
+    // Index of the known point at which the best address begins.
     std::size_t bestPoint() const { return m_bestPoint; }
 
 private:
@@ -176,20 +176,20 @@ private:
         m_states.push_back(state);
     }
 
-    // Loss by merging: no more than all costs together, and no more than the costs along one address, where
-    // the lengths |v| form a geometric series.
+    // Loss from merging: at most all costs together, and at most the costs along one address, where the
+    // lengths |v| form a geometric series.
     double slack() const {
         if (m_cell >= m_container.mergeLimit) return m_slack;
         const double alongOneAddress = m_cell * m_length / (m_container.mergeLimit - m_cell);
         return std::min(m_slack, m_container.radius * alongOneAddress + m_merged * rounding());
     }
 
-    // Difference of exact ties by rounding.
+    // Difference of exact ties caused by rounding.
     double rounding() const { return 8 * roundingUnit * m_container.radius * m_length; }
 
-    // Returns true if an earlier state with nearly the same v and hardly a smaller o stands for this one.
-    // Whatever h_A the two differ by, radius·|v − v'| bounds it. A state may not stand for its own
-    // descendant: in ‖·‖_* a descendant is shorter by the contractivity, so states that are closer than
+    // Returns true if an earlier state with nearly the same v and an offset that is hardly smaller represents
+    // this one. Their values h_A differ by at most radius·|v − v'|. A state must not represent its own
+    // descendant: in ‖·‖_* a descendant is shorter by the contractivity, so that states closer than
     // `mergeLimit` are unrelated.
     bool isMerged(const State<Dim>& state) {
         std::int32_t& index = m_known[state.v];
@@ -214,7 +214,7 @@ private:
     const Known& m_brackets;
     double m_tolerance;
     StateTable<Dim> m_known;
-    double m_cell; // how far apart, relative to |v|, states may be merged; 0 for exact ties
+    double m_cell; // distance relative to |v| within which states may be merged; 0: exact ties only
     double m_length;
     std::vector<State<Dim>> m_states;
     std::priority_queue<Open> m_frontier;

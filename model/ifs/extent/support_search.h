@@ -16,12 +16,13 @@ inline constexpr int exactMerging = 43;
 // The farthest point of the attractor in a direction u, as found by a search over addresses. Everything is
 // relative to the centre of the container.
 template <int Dim> struct FoundAddress {
-    std::vector<int> address;               // the best one: indices among all maps, outermost first
-    Vector<Dim> start;                      // its maps take this point of the attractor farthest out
-    std::optional<std::size_t> direction{}; // whose point in the container `start` is, unless of the outline
-    double upperBound = 0;                  // of h_A(u), apart from rounding
-    int depth = 0;                          // length of the longest address that was considered
-    bool isFinished = false;                // the best is within the tolerance
+    std::vector<int> address; // best address: indices among all maps, outermost first
+    Vector<Dim> start;        // point of the attractor that the maps of `address` take farthest out
+    // Direction whose point in the container is `start`; nullopt: a point of the outline.
+    std::optional<std::size_t> direction{};
+    double upperBound = 0;   // bound of h_A(u), without rounding
+    int depth = 0;           // length of the longest address considered
+    bool isFinished = false; // true if the best is within the tolerance
 };
 
 // Branch and bound over addresses until the best is within `tolerance` or `maxNodes` words are open. States

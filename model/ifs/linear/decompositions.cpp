@@ -32,7 +32,7 @@ template <int Dim>
 std::optional<Eigen::Matrix<double, Dim, Dim>>
 eigendirections(const Eigen::Matrix<double, Dim, Dim>& square) {
     using Fixed = Eigen::Matrix<double, Dim, Dim>;
-    // Saves one instantiation; the digits are the same for 2×2, but for 3×3 zeros change their signs.
+    // Saves an instantiation. Results are identical for 2×2; for 3×3, zeros would change their signs.
     using Solved = std::conditional_t<Dim == 2, Eigen::MatrixXd, Fixed>;
     const Eigen::EigenSolver<Solved> solved{Solved(square)};
     if (solved.info() != Eigen::Success) return std::nullopt;

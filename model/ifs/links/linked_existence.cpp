@@ -24,7 +24,7 @@ template <int Dim> class WordSearch {
 public:
     WordSearch(const ActiveMaps<Dim>& active, int maxProducts) : m_active(active), m_left(maxProducts) {}
 
-    // The verdict on the words of these maps, which no others may follow.
+    // Verdict on the words of these maps, which no other map may follow.
     Existence result(const std::vector<std::size_t>& maps) {
         std::vector<Word> open;
         for (const std::size_t i : maps)
@@ -57,18 +57,18 @@ private:
     struct Word {
         std::vector<int> symbols; // outermost first
         Matrix<Dim> linear;
-        double error = 0;                        // of its rounding, in the Frobenius norm
-        std::optional<ExactMatrix<Dim>> exact{}; // where rounding would take a share of it
+        double error = 0;                        // rounding error in the Frobenius norm
+        std::optional<ExactMatrix<Dim>> exact{}; // set if rounding would be too large a share
     };
     static constexpr int maxLength = 64;
     static constexpr double margin = 1 - 1e-9;
-    static constexpr double negligible = 0x1p-40; // of a product: far below the margin
+    static constexpr double negligible = 0x1p-40; // relative to a product; far below the margin
 
-    bool follows(int before, int after) const { // in the order in which they are applied
+    bool follows(int before, int after) const { // in the order of application
         return m_active.links[std::size_t(before) * m_active.maps.size() + std::size_t(after)] > 0;
     }
 
-    // A word that may be repeated for ever and is proved not to contract.
+    // Word that may be repeated for ever and is proved not to contract.
     const Word* expanding(const std::vector<Word>& words) {
         const auto found = std::ranges::find_if(words, [this](const Word& word) {
             return follows(word.symbols.front(), word.symbols.back()) && expansionOf(word) == Expansion::Yes;
@@ -112,17 +112,17 @@ private:
         return result;
     }
 
-    // The error grows with the norms of the factors, however short their product is: where they cancel, it
-    // is worked out without rounding, as far as that does not take too long.
+    // The error grows with the norms of the factors, however short their product is. If they cancel, the
+    // product is computed without rounding, within the time allowed.
     void lengthen(Word& word, std::size_t map) {
-        constexpr double tiny = 0x1p-900; // no share of anything
+        constexpr double tiny = 0x1p-900; // negligible in any sum
         const Matrix<Dim>& factor = m_active.maps[map].linear;
         word.symbols.push_back(int(map));
         const double terms = (word.linear.cwiseAbs() * factor.cwiseAbs()).maxCoeff();
-        word.error = word.error * factor.stableNorm() + Dim * Dim * roundingUnit * terms;
+        word.error = word.error * factor.reshaped().stableNorm() + Dim * Dim * roundingUnit * terms;
         word.error = word.error * (1 + 0x1p-48) + underflow;
         word.linear = word.linear * factor;
-        const bool isKnown = word.error <= std::max(tiny, negligible * word.linear.stableNorm());
+        const bool isKnown = word.error <= std::max(tiny, negligible * word.linear.reshaped().stableNorm());
         const int work = word.exact ? 1 : int(word.symbols.size());
         if ((isKnown && !word.exact) || m_exactLeft < work) return word.exact.reset();
         m_exactLeft -= work;
@@ -143,8 +143,8 @@ private:
 
     const ActiveMaps<Dim>& m_active;
     int m_left;
-    int m_exactLeft = 4'000;   // factors that are multiplied without rounding
-    int m_askedLeft = 100'000; // letters of words whose expansion is decided without rounding
+    int m_exactLeft = 4'000;   // factors still allowed without rounding
+    int m_askedLeft = 100'000; // letters of words still allowed for exact decisions
     double m_worst = 1e-3;
     double m_longest = 1;
     std::vector<int> m_witness;

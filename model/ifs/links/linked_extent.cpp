@@ -22,12 +22,12 @@ namespace ifs {
 
 namespace {
 
-constexpr std::size_t maxNodes = 20'000;     // open at once
-constexpr std::size_t maxChildren = 400'000; // of the open ones, looked at together
+constexpr std::size_t maxNodes = 20'000;     // open nodes
+constexpr std::size_t maxChildren = 400'000; // children of open nodes considered together
 constexpr int maxLevels = 20'000;
 constexpr double unit = std::numeric_limits<double>::epsilon();
 constexpr int maxExact = 600;     // letters of words without rounding
-constexpr double grain = 0x1p-46; // of |u|: vectors as close as this are merged
+constexpr double grain = 0x1p-46; // relative to |u|; distance within which vectors are merged
 
 // The rounding of w(centre) − centre.
 double shiftRounding(const AffineMap<2>& map, const Vector<2>& centre) {
@@ -59,12 +59,12 @@ ExactMap<2> composed(const ExactMap<2>& outer, const AffineMap<2>& inner) {
 } // namespace
 
 struct LinkedExtent::Node {
-    std::size_t last = 0;                       // the innermost map of the word σ
-    AffineMap<2> map{};                         // w_σ, from the centre
+    std::size_t last = 0;                       // innermost map of the word σ
+    AffineMap<2> map{};                         // w_σ relative to the centre
     Vector<2> v = Vector<2>::Zero();            // A_σᵀu
     double offset = 0;                          // ⟨u, w_σ(0)⟩
-    double loose = 0;                           // by how much rounding may move the heights of what follows
-    std::shared_ptr<const ExactMap<2>> exact{}; // w_σ, where its maps cancel
+    double loose = 0;                           // rounding error of the heights that follow
+    std::shared_ptr<const ExactMap<2>> exact{}; // w_σ, if its maps cancel
 };
 
 std::optional<LinkedExtent> LinkedExtent::of(const ActiveMaps<2>& active, const Existence& existence) {
@@ -82,7 +82,7 @@ std::optional<LinkedExtent> LinkedExtent::of(const ActiveMaps<2>& active, const 
         result.m_points.push_back(point);
         known = std::max(known, error);
     }
-    // Maps in a circle make one point each.
+    // True for maps in a circle, where each part is one point.
     result.m_arePoints =
         std::ranges::all_of(result.m_before, [](const auto& maps) { return maps.size() == 1; });
     double longest = 1;
@@ -102,7 +102,7 @@ std::optional<LinkedExtent> LinkedExtent::of(const ActiveMaps<2>& active, const 
             rounding = std::max(rounding, shiftRounding(active.maps[i], centre));
         }
         result.m_pointError = known + unit * (centre.norm() + reach(result.m_points));
-        constexpr double negligible = 0x1p-36; // against what rounding adds to every height
+        constexpr double negligible = 0x1p-36; // compared with the rounding of every height
         if (!(rounding <= negligible * farthest)) farthest += rounding;
         if (result.m_arePoints) return reach(result.m_seen) + result.m_pointError;
         return farthest * existence.normEquivalence / (1 - existence.contractivity);
@@ -156,7 +156,7 @@ double between(const std::vector<double>& bounds, const Vector<2>& v) {
 
 // Returns true if the error of the ball's bound is large in direction u.
 bool LinkedExtent::isWide(const Vector<2>& u) const {
-    constexpr double wide = 1e-6; // of the radius
+    constexpr double wide = 1e-6; // relative to the radius
     return (*this)(u).error > wide * m_radius;
 }
 
@@ -164,7 +164,7 @@ bool LinkedExtent::isWide(const Vector<2>& u) const {
 // Every one of these numbers is a bound, wherever the iteration ends.
 void LinkedExtent::boundParts() {
     constexpr std::size_t maxWork = 20'000'000;
-    constexpr double settled = 1e-7; // of the radius
+    constexpr double settled = 1e-7; // relative to the radius
     const std::size_t n = parts();
     std::size_t links = 0;
     for (const auto& before : m_before)
@@ -211,7 +211,7 @@ LinkedExtent::Height LinkedExtent::search(std::vector<Node> open, const Vector<2
     best.value = -std::numeric_limits<double>::infinity();
     const double rounding = 64 * unit * (m_radius + m_centre.norm()) * u.norm();
     const auto looseness = [this](const Node& node) { return node.loose + node.v.norm() * m_pointError; };
-    // If it varies widely, each word answers for its own.
+    // Error of each word separately, if errors vary widely.
     const auto allowance = [&](const Node& node) { return m_isCancelling ? looseness(node) : 0; };
     const auto reach = [&](const Node& node) { return node.offset + boundOfRest(node) + allowance(node); };
     double most = best.value, apart = 0, loose = 0;

@@ -26,7 +26,7 @@ public:
     struct Height {
         double value = 0;
         double error = 0;
-        Vector<2> point = Vector<2>::Zero(); // of the attractor, where the value is reached
+        Vector<2> point = Vector<2>::Zero(); // point of the attractor at which the value is reached
     };
     // The error may be as large as `tolerance`, which ends the search sooner.
     Height operator()(const Vector<2>& u, double tolerance = 0) const;
@@ -35,7 +35,7 @@ public:
     const Vector<2>& centre() const { return m_centre; } // A lies in Ball(centre, radius)
     double radius() const { return m_radius; }
     std::size_t parts() const { return m_active.maps.size(); }
-    const Vector<2>& pointOf(std::size_t part) const { return m_points[part]; } // of the part
+    const Vector<2>& pointOf(std::size_t part) const { return m_points[part]; } // point of the part
 
 private:
     struct Node;
@@ -48,18 +48,18 @@ private:
     Node child(const Node& node, std::size_t map, const Vector<2>& u, int& exactLeft) const;
     bool isWide(const Vector<2>& u) const;
     void boundParts();
-    double boundOfRest(const Node& node) const; // of ⟨v,x⟩ over the x that may follow a word
+    double boundOfRest(const Node& node) const; // bound of ⟨v, x⟩ over the points x that may follow a word
     Height ofPoint(std::size_t part, const Vector<2>& u) const;
     Height search(std::vector<Node> open, const Vector<2>& u, double tolerance) const;
 
-    ActiveMaps<2> m_active;                         // with centre() as the origin
+    ActiveMaps<2> m_active;                         // active maps with centre() as the origin
     std::vector<std::vector<std::size_t>> m_before; // the maps i with P_ij > 0, for each j
-    std::vector<AffineMap<2>> m_maps;               // as they are
-    std::vector<Vector<2>> m_points;                // one of each part
-    double m_pointError = 0;                        // none of which is farther from such a point
-    std::vector<Vector<2>> m_seen;                  // the same from the centre
-    bool m_arePoints = false;                       // each part is one
-    bool m_isCancelling = false;                    // words are much longer than the maps make them
+    std::vector<AffineMap<2>> m_maps;               // unchanged maps
+    std::vector<Vector<2>> m_points;                // one point of each part
+    double m_pointError = 0;                        // error bound of m_points
+    std::vector<Vector<2>> m_seen;                  // m_points relative to the centre
+    bool m_arePoints = false;                       // true if every part is a single point
+    bool m_isCancelling = false;                    // true if words are much longer than their maps make them
     Vector<2> m_centre = Vector<2>::Zero();
     double m_radius = 0;
     // Bounds of the heights of each part from the centre, in directions of equal angle; empty where the ball
@@ -75,6 +75,6 @@ CanonicalSimplex<2> minimalCanonicalSimplex(const LinkedExtent& extent);
 std::vector<std::optional<BoundingBox<2>>>
 boxesOfParts(const ActiveMaps<2>& active, const Existence& existence, std::size_t maps, std::size_t copies);
 std::optional<ConvexHull> convexHull(const LinkedExtent& extent, double tolerance,
-                                     const std::stop_token& stop = {}); // nullopt when stopped
+                                     const std::stop_token& stop = {}); // nullopt if stopped
 
 } // namespace ifs

@@ -20,7 +20,7 @@ constexpr double epsilon = std::numeric_limits<double>::epsilon();
 
 struct Solved {
     DynamicVector value;
-    double error = 0; // of each component
+    double error = 0; // error of each component
 };
 
 // x = operator·x + constant, with |x − x̃| ≤ ‖R‖·‖residual‖/(1 − ‖I − R(I − operator)‖) for R near the
@@ -38,7 +38,7 @@ std::optional<Solved> fixedVector(const DynamicMatrix& map, const DynamicVector&
     for (int n2 = 0; n2 < 3; ++n2)
         x += inverse * (constant - complement * x);
     const double size = x.cwiseAbs().maxCoeff();
-    // The entries of the operator and of the constant are sums of products of a few numbers each.
+    // The operator and the constant have entries that are sums of products of a few numbers each.
     const double entries = 32 * epsilon * (norm(map) * size + constant.cwiseAbs().maxCoeff());
     const double residual = (constant - complement * x).cwiseAbs().maxCoeff() +
                             2 * n * epsilon * (norm(complement) * size + constant.cwiseAbs().maxCoeff());
@@ -95,13 +95,13 @@ private:
         return fixedVector(map, constant);
     }
 
-    // S_j = Σ_i Q_ji (A_j S_i A_jᵀ + A_j m_i t_jᵀ + t_j m_iᵀ A_jᵀ + t_j t_jᵀ), by columns
+    // S_j = Σ_i Q_ji (A_j S_i A_jᵀ + A_j m_i t_jᵀ + t_j m_iᵀ A_jᵀ + t_j t_jᵀ), column by column
     std::optional<Solved> secondMoments(const Solved& first) const {
         constexpr int size = Dim * Dim;
         const std::size_t n = m_chain.size;
         DynamicMatrix map = DynamicMatrix::Zero(Eigen::Index(n) * size, Eigen::Index(n) * size);
         DynamicVector constant(Eigen::Index(n) * size);
-        double spread = 0; // by which an error of the m_i moves the constant
+        double spread = 0; // factor from errors of the m_i to the error of the constant
         for (std::size_t j = 0; j < n; ++j) {
             const AffineMap<Dim>& w = m_active.maps[j];
             Vector<Dim> mean = Vector<Dim>::Zero();
@@ -147,7 +147,7 @@ double rootOf(const std::vector<double>& ratios, std::span<const double> forward
               const std::vector<std::size_t>& part) {
     const auto height = [&](double s) { return std::log(spectralRadiusAt(s, ratios, forward, part)); };
     double low = 0, atLow = height(0);
-    if (!(atLow > 1e-13)) return 0; // a cycle: finitely many points
+    if (!(atLow > 1e-13)) return 0; // cycle: finitely many points
     double high = 1, atHigh = height(1);
     while (atHigh > 0) {
         low = high;

@@ -10,7 +10,7 @@
 // the backward chain Q, and of their attractor. docs/mathematics.md, "Linked maps".
 namespace ifs {
 
-inline constexpr std::size_t maxLinkedStates = 128; // beyond, nothing here is worked out
+inline constexpr std::size_t maxLinkedStates = 128; // limit; nothing here is computed for more
 
 // Exact up to the bounds given; `longRunCovariance` is not a number. Asks that the maps have an attractor.
 // nullopt where the linear systems are too large or too badly conditioned for a proof.

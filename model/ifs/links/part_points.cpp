@@ -96,7 +96,7 @@ std::vector<PartPoint> pointsOfParts(std::span<const AffineMap<2>> maps,
                                      const std::vector<std::size_t>& before) {
     constexpr double telling = 0x1p-24;
     constexpr std::size_t maxLetters = 64;
-    std::size_t left = 2'000; // letters of exact words
+    std::size_t left = 2'000; // letters of exact words still allowed
     std::vector<PartPoint> result;
     for (std::size_t part = 0; part < maps.size(); ++part) {
         const Address address = addressOf(before, part);

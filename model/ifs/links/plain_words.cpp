@@ -16,7 +16,8 @@ public:
     Chains(const ActiveMaps<2>& active, std::size_t most)
         : m_size(active.maps.size()), m_links(active.links), m_chain(transitions(active)), m_most(most) {}
 
-    // Chains end where no round of maps is left once those go that end chains, or lead only to such.
+    // Returns true if chains end: no cycle of maps is left without the maps that end chains or lead only to
+    // such maps.
     bool end() const {
         std::vector<bool> ends(m_size);
         for (bool goesOn = true; goesOn;) {
@@ -57,7 +58,7 @@ private:
         return true;
     }
 
-    // Whatever was applied before, each map that ends a word has one probability to come next.
+    // True if each map that ends a word has a single probability of coming next, whatever preceded it.
     bool isMemoryless() const {
         constexpr double tolerance = 1e-12;
         return std::ranges::all_of(m_found.words, [&](const std::vector<std::size_t>& word) {
@@ -70,7 +71,7 @@ private:
     }
 
     bool follow(const std::vector<std::size_t>& word, double probability) {
-        if (word.size() > m_size) return false; // round and round
+        if (word.size() > m_size) return false; // cycle
         const std::size_t innermost = word.back();
         if (followsAll(innermost)) {
             if (m_found.words.size() == m_most) return false;

@@ -14,8 +14,8 @@ namespace ifs {
 // all, A is the attractor of the words of these chains. docs/mathematics.md, "Linked maps".
 struct PlainWords {
     std::vector<std::vector<std::size_t>> words; // positions in the active maps, outermost first
-    std::vector<double> weights;                 // how often the chaos game ends with the word; sum 1
-    bool keepsMeasure = false;                   // and not the attractor alone, with these weights
+    std::vector<double> weights; // frequency with which the chaos game ends with the word; sum 1
+    bool keepsMeasure = false;   // true if these weights give the same measure, not only the same attractor
 };
 
 // nullopt where a chain has no such end, or where there would be more than `most` words.

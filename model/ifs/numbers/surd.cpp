@@ -102,7 +102,7 @@ Surd Surd::decimal(std::string_view digits) {
 // √(p/n) = √(pn)/n, with the squares taken out of pn. Once the factors up to the cube root are divided out,
 // two are left at most.
 Surd Surd::root(const Surd& number) {
-    constexpr std::int64_t most = std::int64_t(1) << 40; // 10⁴ divisions
+    constexpr std::int64_t most = std::int64_t(1) << 40; // limit for 10⁴ divisions
     if (!number.hasValue() || !number.isRational() || number.m_whole < 0) return none();
     const Wide product = Wide(number.m_whole) * number.m_denominator;
     if (product > most) return none();
@@ -130,7 +130,7 @@ int Surd::sign() const {
                                       : 0;
     if (ofWhole == ofRoot || ofRoot == 0) return ofWhole;
     if (ofWhole == 0) return ofRoot;
-    // p² and q²d are never the same, since d has no square factor.
+    // p² ≠ q²d, since d is square-free.
     return Wide(m_whole) * m_whole / m_radicand < Wide(m_factor) * m_factor ? ofRoot : ofWhole;
 }
 
@@ -165,7 +165,7 @@ Surd operator*(const Surd& a, const Surd& b) {
     const Wide denominator = Wide(a.m_denominator) * b.m_denominator;
     if (!a.isRational() && !b.isRational() && a.m_radicand != b.m_radicand) {
         if (a.m_whole != 0 || b.m_whole != 0) return Surd::none();
-        const Surd root = Surd::root(Surd(a.m_radicand) * Surd(b.m_radicand)); // √2·√3
+        const Surd root = Surd::root(Surd(a.m_radicand) * Surd(b.m_radicand)); // such as √2·√3
         return Surd::made(Wide(a.m_factor) * b.m_factor, 0, 0, denominator) * root;
     }
     Wide ofRoots = Wide(a.m_factor) * b.m_factor;

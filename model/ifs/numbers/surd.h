@@ -16,13 +16,13 @@ public:
     Surd(std::int64_t whole) : m_whole(whole) {}
 
     static Surd none();
-    static Surd stored(double number);            // without value where its digits are too many
-    static Surd decimal(std::string_view digits); // "0.25", "1e-3": as written, not as rounded
-    static Surd root(const Surd& number);         // the square root, of rationals ≥ 0
+    static Surd stored(double number);            // without value if it has too many digits
+    static Surd decimal(std::string_view digits); // exact value of the digits: "0.25", "1e-3"
+    static Surd root(const Surd& number);         // square root of a rational ≥ 0
 
     bool hasValue() const { return m_denominator != 0; }
     bool isZero() const { return hasValue() && m_whole == 0 && m_factor == 0; }
-    int sign() const; // of its value
+    int sign() const; // sign of the value
     double rounded() const;
     // The value of a whole number; nullopt for any other.
     std::optional<std::int64_t> whole() const;
@@ -31,7 +31,7 @@ public:
     friend Surd operator+(const Surd& a, const Surd& b);
     friend Surd operator-(const Surd& a, const Surd& b) { return a + -b; }
     friend Surd operator*(const Surd& a, const Surd& b);
-    friend Surd operator/(const Surd& a, const Surd& b); // by 0: without value
+    friend Surd operator/(const Surd& a, const Surd& b); // without value for b = 0
     // Numbers without value differ from all others.
     friend bool operator==(const Surd& a, const Surd& b);
 
@@ -42,8 +42,8 @@ private:
     bool isRational() const { return m_factor == 0; }
 
     std::int64_t m_whole = 0, m_factor = 0;
-    std::int64_t m_radicand = 0;    // without square factors, at least 2; 0 of rationals
-    std::int64_t m_denominator = 1; // positive; 0: without value
+    std::int64_t m_radicand = 0;    // square-free, at least 2; 0 for rationals
+    std::int64_t m_denominator = 1; // > 0; 0: without value
 };
 
 } // namespace ifs

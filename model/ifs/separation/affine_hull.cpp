@@ -19,7 +19,7 @@ template <int Dim> using Direction = std::array<Dyadic, std::size_t(Dim)>;
 // Independent directions, in echelon form.
 template <int Dim> class Directions {
 public:
-    // Adds the direction; false if it is in the span already.
+    // Adds the direction; false if it is already in the span.
     bool add(Direction<Dim> direction) {
         for (const auto& [known, pivot] : m_known) {
             const Dyadic factor = direction[pivot];
@@ -64,7 +64,7 @@ template <int Dim> std::optional<AffineHull> affineHull(std::span<const AffineMa
         exact.push_back(exactWord<Dim>(maps, {int(i)}));
     const auto first = exactFixedPoint(exact.front());
     if (first.denominator.sign() == 0) return std::nullopt;
-    for (const auto& map : exact) { // w(x) − x, for x the fixed point of the first
+    for (const auto& map : exact) { // w(x) − x at the fixed point of the first map
         const auto moved = image(map, first);
         Direction<Dim> way;
         for (std::size_t k = 0; k < Dim; ++k)

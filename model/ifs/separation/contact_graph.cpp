@@ -64,7 +64,7 @@ std::optional<ContactGraph::Radius> ContactGraph::radiusOf(const std::vector<std
     constexpr int maxRounds = 20'000;
     constexpr double tight = 1e-11, tightest = 1e-14;
     std::optional<Radius> best;
-    int last = maxRounds; // to be still tighter is worth as long again, and no longer
+    int last = maxRounds; // limit of refinement, at most as long as the search so far
     std::vector<std::size_t> index(m_edges.size(), part.size());
     for (std::size_t k = 0; k < part.size(); ++k)
         index[part[k]] = k;

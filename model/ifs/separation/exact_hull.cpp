@@ -11,7 +11,7 @@ namespace ifs {
 namespace {
 
 constexpr std::size_t maxVertices = 64;
-constexpr std::size_t maxLetters = 24; // of an address
+constexpr std::size_t maxLetters = 24; // letters of an address
 constexpr std::size_t maxTurns = 50'000;
 
 using Point = ExactPoint<2>;
@@ -21,7 +21,7 @@ bool isLeftOrOn(const Point& a, const Point& b, const Point& c) {
     const auto cross = [](const Point& p, const Point& q) {
         return p.numerator[0] * q.numerator[1] - p.numerator[1] * q.numerator[0];
     };
-    // The determinant of the rows (x, y, 1), times the denominators.
+    // Determinant of the rows (x, y, 1), times the denominators.
     const Dyadic determinant =
         cross(b, c) * a.denominator - cross(a, c) * b.denominator + cross(a, b) * c.denominator;
     return determinant.sign() * a.denominator.sign() * b.denominator.sign() * c.denominator.sign() >= 0;
@@ -29,7 +29,7 @@ bool isLeftOrOn(const Point& a, const Point& b, const Point& c) {
 
 // Returns true if c, on the line through a and b, lies between them.
 bool isBetween(const Point& a, const Point& b, const Point& c) {
-    Dyadic product; // of c − a and c − b, times the denominators
+    Dyadic product; // product of c − a and c − b, times the denominators
     for (std::size_t k = 0; k < 2; ++k)
         product = product + (c.numerator[k] * a.denominator - a.numerator[k] * c.denominator) *
                                 (c.numerator[k] * b.denominator - b.numerator[k] * c.denominator);
@@ -70,7 +70,7 @@ bool isExactHull(std::span<const AffineMap<2>> maps,
             if (!isLeftOrOn(polygon[k], polygon[(k + 1) % polygon.size()], x)) return false;
         return polygon.size() > 2 || isBetween(polygon.front(), polygon.back(), x);
     };
-    if (!std::ranges::all_of(polygon, holds)) return false; // convex, and run through counter-clockwise
+    if (!std::ranges::all_of(polygon, holds)) return false; // convex and counter-clockwise
     return std::ranges::all_of(maps, [&](const AffineMap<2>& map) {
         const ExactMap<2> exact = exactWord<2>({&map, 1}, {0});
         return std::ranges::all_of(polygon, [&](const Point& vertex) { return holds(image(exact, vertex)); });
@@ -79,14 +79,14 @@ bool isExactHull(std::span<const AffineMap<2>> maps,
 
 double roundingOf(std::span<const AffineMap<2>> maps,
                   const std::vector<std::optional<PeriodicPoint>>& points) {
-    double distance = 0; // along either axis
+    double distance = 0; // maximum over both axes
     for (const auto& address : points) {
         const auto exact = exactPointOf(maps, address);
         if (!exact) return std::numeric_limits<double>::infinity();
         while (!isWithin(*exact, address->point, distance))
             distance = std::max(2 * distance, 0x1p-54 * address->point.cwiseAbs().maxCoeff() + 0x1p-1000);
     }
-    return 2 * distance; // more than √2
+    return 2 * distance; // factor greater than √2
 }
 
 } // namespace ifs

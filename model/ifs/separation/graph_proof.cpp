@@ -36,7 +36,7 @@ bool isGraphOf(const NeighbourGraph& graph, std::span<const SurdMap> typed) {
         inverses.push_back(inverse(map));
     std::vector<std::optional<SurdMap>> known(graph.found());
     known[0] = identity(maps->front().dimension());
-    // The first step to a map comes from one that was found before it.
+    // The first step to each map comes from a map found before it.
     for (const auto& [from, i, j, to] : graph.steps()) {
         if (!known[from]) return false;
         SurdMap image = inverses[i] * (*known[from] * (*maps)[j]);
@@ -55,7 +55,7 @@ void prove(PieceContacts& contacts, std::span<const SurdMap> typed, bool isGraph
         const SurdMap first = word(typed, overlap.first), second = word(typed, overlap.second);
         overlap.isExact = first.hasValue() && first == second;
     }
-    // Found of the stored coefficients without rounding, and so of others.
+    // Proved for the stored coefficients without rounding, and therefore for others.
     if (contacts.connectedness == Connectedness::Connected && typed.size() > 1 && !isGraphProved)
         contacts.connectedness = Connectedness::ConnectedToRounding;
 }

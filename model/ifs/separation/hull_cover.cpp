@@ -48,7 +48,7 @@ Sides sidesOf(const std::vector<Triple>& corners) {
 // The part to the left of a line; empty where that has no area.
 Sides leftOf(const Triple& line, const Sides& polygon) {
     const std::size_t count = polygon.size();
-    std::vector<int> sides; // of the corners in which the sides begin
+    std::vector<int> sides; // indices of the corners at which the sides begin
     for (std::size_t k = 0; k < count; ++k)
         sides.push_back(sideOf(line, crossed(polygon[(k + count - 1) % count], polygon[k])));
     if (std::ranges::none_of(sides, [](int side) { return side > 0; })) return {};
@@ -60,7 +60,7 @@ Sides leftOf(const Triple& line, const Sides& polygon) {
         result.push_back(polygon[k]);
         if (!isKept((k + 1) % count)) result.push_back(line);
     }
-    // If all sides are kept, two of them end on the line.
+    // Keeps two sides with ends on the line, if all sides are kept.
     if (std::ranges::find(result, line) == result.end())
         for (std::size_t k = 0; k < count; ++k)
             if (sides[(k + 1) % count] < 0) {
@@ -133,7 +133,7 @@ bool imagesCoverHull(std::span<const AffineMap<2>> maps,
             ++k;
             continue;
         }
-        corners.erase(corners.begin() + std::ptrdiff_t(k)); // between its neighbours
+        corners.erase(corners.begin() + std::ptrdiff_t(k)); // collinear with its neighbours
         exact.erase(exact.begin() + std::ptrdiff_t(k));
     }
     std::vector<Sides> images;

@@ -3,6 +3,7 @@
 
 #include "ifs/existence/invariant_form.h"
 #include "ifs/linear/decompositions.h"
+#include "ifs/linear/inverse.h"
 #include "ifs/linear/rounding.h"
 #include "ifs/linear/symmetric_matrices.h"
 #include "ifs/separation/affine_hull.h"
@@ -20,19 +21,19 @@ namespace ifs {
 
 namespace {
 
-constexpr double tolerance = 1e-9; // of the size of things that may be taken for larger
+constexpr double tolerance = 1e-9; // relative size of errors that enlarge a set
 constexpr std::size_t maxNeighbourMaps = 64;
 constexpr std::size_t maxEdges = 60'000;
 
 // Products of three numbers like that, and their sums, are doubles without rounding.
-bool isShort(double value) {
-    constexpr double steps = 256, maxSize = 256;
+bool isShort(long double value) {
+    constexpr long double steps = 256, maxSize = 256;
     return std::abs(value) <= maxSize && value * steps == std::round(value * steps);
 }
 
-template <int Dim> bool isShort(const AffineMap<Dim>& map) {
-    return std::ranges::all_of(map.linear.reshaped(), [](double value) { return isShort(value); }) &&
-           std::ranges::all_of(map.translation, [](double value) { return isShort(value); });
+template <class Map> bool hasShortNumbers(const Map& map) {
+    return std::ranges::all_of(map.linear.reshaped(), [](auto value) { return isShort(value); }) &&
+           std::ranges::all_of(map.translation, [](auto value) { return isShort(value); });
 }
 
 template <int Dim> std::vector<AffineMap<Dim>> inversesOf(std::span<const AffineMap<Dim>> maps) {
@@ -48,14 +49,37 @@ template <int Dim> std::vector<AffineMap<Dim>> inversesOf(std::span<const Affine
 template <int Dim>
 bool areShort(std::span<const AffineMap<Dim>> maps, const std::vector<AffineMap<Dim>>& inverses) {
     for (std::size_t i = 0; i < maps.size(); ++i)
-        if (!isShort(maps[i]) || !isShort(inverses[i]) || !(maps[i] * inverses[i] == AffineMap<Dim>{}))
+        if (!hasShortNumbers(maps[i]) || !hasShortNumbers(inverses[i]) ||
+            !(maps[i] * inverses[i] == AffineMap<Dim>{}))
             return false;
     return true;
 }
 
+// A map in numbers whose own rounding hides little of what that of the stored coefficients makes of it.
+template <int Dim> struct LongMap {
+    using Linear = Eigen::Matrix<long double, Dim, Dim>;
+    using Shift = Eigen::Matrix<long double, Dim, 1>;
+
+    LongMap() = default;
+    LongMap(const Linear& matrix, const Shift& vector) : linear(matrix), translation(vector) {}
+    explicit LongMap(const AffineMap<Dim>& map)
+        : linear(map.linear.template cast<long double>()),
+          translation(map.translation.template cast<long double>()) {}
+
+    LongMap operator*(const LongMap& inner) const {
+        return {linear * inner.linear, linear * inner.translation + translation};
+    }
+    AffineMap<Dim> rounded() const {
+        return {linear.template cast<double>(), translation.template cast<double>()};
+    }
+
+    Linear linear = Linear::Identity();
+    Shift translation = Shift::Zero();
+};
+
 // A map with its error, which arises because the maps it is made of are stored as doubles.
 template <int Dim> struct Rounded {
-    AffineMap<Dim> map;
+    LongMap<Dim> map{};
     double linear = 0, shift = 0; // in the norms of a frame
 };
 
@@ -65,35 +89,37 @@ public:
     explicit Frame(const Matrix<Dim>& root)
         : m_root(root),
           m_unroot(root.inverse()),
+          m_rootSize(m_root.cwiseAbs()),
+          m_unrootSize(m_unroot.cwiseAbs()),
           m_size(root.norm()),
           m_condition(m_size * m_unroot.norm()) {}
 
-    double norm(const Matrix<Dim>& linear) const { return spectralNorm<Dim>(m_root * linear * m_unroot); }
-    double length(const Vector<Dim>& v) const { return (m_root * v).norm(); }
-
     Rounded<Dim> stored(const AffineMap<Dim>& map) const {
         const auto rounding = StoredRounding<Dim>::of(map);
-        return {map, m_condition * rounding.linear.norm(), m_size * rounding.translation.norm()};
+        return {LongMap<Dim>(map), spectralNorm<Dim>(m_rootSize * rounding.linear * m_unrootSize),
+                (m_rootSize * rounding.translation).norm()};
     }
 
     // A change δ of A changes A⁻¹ by A⁻¹δA⁻¹.
-    Rounded<Dim> inverse(const AffineMap<Dim>& map, const AffineMap<Dim>& inverse) const {
+    Rounded<Dim> inverse(const AffineMap<Dim>& map) const {
         const Rounded<Dim> known = stored(map);
-        const double stretch = norm(inverse.linear);
+        const typename LongMap<Dim>::Linear back = inverseOf<Dim>(known.map.linear);
+        const double stretch = norm(back);
         const double linear = stretch * stretch * (known.linear + few * m_condition * map.linear.norm());
-        return {inverse, linear,
-                linear * length(map.translation) +
+        return {{back, -(back * known.map.translation)},
+                linear,
+                linear * length(known.map.translation) +
                     stretch * (known.shift + few * m_size * map.translation.norm())};
     }
 
     Rounded<Dim> product(const Rounded<Dim>& a, const Rounded<Dim>& b) const {
-        const double stretch = norm(a.map.linear);
-        const double size = a.map.linear.norm();
+        const AffineMap<Dim> outer = a.map.rounded(), inner = b.map.rounded();
+        const double stretch = norm(a.map.linear), size = outer.linear.norm();
         return {a.map * b.map,
                 a.linear * norm(b.map.linear) + stretch * b.linear +
-                    few * m_condition * size * b.map.linear.norm(),
+                    few * m_condition * size * inner.linear.norm(),
                 a.shift + a.linear * length(b.map.translation) + stretch * b.shift +
-                    few * m_size * (size * b.map.translation.norm() + a.map.translation.norm())};
+                    few * m_size * (size * inner.translation.norm() + outer.translation.norm())};
     }
 
     bool isSame(const Rounded<Dim>& a, const Rounded<Dim>& b) const {
@@ -101,15 +127,23 @@ public:
                norm(a.map.linear - b.map.linear) <= a.linear + b.linear;
     }
 
-    // Returns true if so little is lost to rounding that maps that agree to rounding error are the same.
+    // Returns true if rounding is small enough to identify maps that agree up to rounding error.
     bool isTelling(const Rounded<Dim>& h, const Vector<Dim>& size) const {
         constexpr double most = 0x1p-36;
-        return h.linear <= most && h.shift <= most * length(size);
+        return h.linear <= most && h.shift <= most * (m_root * size).norm();
     }
 
 private:
-    static constexpr double few = 4 * roundingUnit;
-    Matrix<Dim> m_root, m_unroot;
+    static constexpr double few = 2 * double(std::numeric_limits<long double>::epsilon());
+
+    double norm(const typename LongMap<Dim>::Linear& linear) const {
+        return spectralNorm<Dim>(m_root * linear.template cast<double>() * m_unroot);
+    }
+    double length(const typename LongMap<Dim>::Shift& v) const {
+        return (m_root * v.template cast<double>()).norm();
+    }
+
+    Matrix<Dim> m_root, m_unroot, m_rootSize, m_unrootSize;
     double m_size, m_condition;
 };
 
@@ -131,7 +165,8 @@ std::optional<Matrix<Dim>> rootOfOneRatio(std::span<const AffineMap<Dim>> maps, 
     }
     const auto form = invariantForm<Dim>(maps);
     if (!form) return std::nullopt;
-    const double least = singularValues<Dim>(*form)[Dim - 1]; // the largest is 1, but for a factor
+    // Lower bound, since the largest is 1 up to a factor.
+    const double least = singularValues<Dim>(*form)[Dim - 1];
     constexpr double few = 64 * roundingUnit, flat = 1e-12;
     if (!(least > flat)) return std::nullopt;
     for (const auto& map : maps) {
@@ -150,7 +185,7 @@ std::optional<std::vector<AffineMap<Dim>>> spanning(std::span<const AffineMap<Di
     const auto hull = affineHull<Dim>(maps);
     if (!hull || hull->dimension == 0) return std::nullopt;
     if (hull->dimension == Dim) {
-        // Points of the attractor, far apart: far from a plane or line, too, if their spread is.
+        // Widely spaced points of the attractor: far from a plane or line, too, if the attractor is.
         constexpr double flat = 1e-6;
         Matrix<Dim> spread = Matrix<Dim>::Zero();
         for (const auto& outer : maps)
@@ -196,13 +231,14 @@ public:
         m_isExact = areShort<Dim>(maps, inverses);
         for (std::size_t i = 0; i < maps.size(); ++i) {
             m_maps.push_back(m_frame.stored(maps[i]));
-            m_inverses.push_back(m_frame.inverse(maps[i], inverses[i]));
+            m_inverses.push_back(m_frame.inverse(maps[i]));
+            if (m_isExact) m_inverses.back().map = LongMap<Dim>(inverses[i]);
         }
         m_found.push_back({});
         m_ways.emplace_back();
     }
 
-    // nullopt where there is no end of them.
+    // Returns nullopt if the graph is infinite.
     std::optional<NeighbourGraph> graph(double ratio, std::vector<int> axes) {
         NeighbourGraph result;
         result.m_axes = std::move(axes);
@@ -234,7 +270,7 @@ private:
         std::size_t from = 0, i = 0, j = 0;
     };
 
-    // Leaves the maps with h(A) ∩ A ≠ ∅: those from which a walk goes on for ever.
+    // Keeps the maps with h(A) ∩ A ≠ ∅: those from which an infinite walk starts.
     void keepMeeting(NeighbourGraph& result) const {
         ContactGraph contacts(m_found.size());
         for (const auto& edge : result.m_edges)
@@ -265,17 +301,18 @@ private:
     }
 
     bool isSame(const Rounded<Dim>& a, const Rounded<Dim>& b) const {
-        return m_isExact ? a.map == b.map : m_frame.isSame(a, b);
+        if (m_isExact) return a.map.linear == b.map.linear && a.map.translation == b.map.translation;
+        return m_frame.isSame(a, b);
     }
 
-    // The number of a map; `none` where the pieces are too far from each other. nullopt where there are too
-    // many.
+    // Index of a map; `none` if the pieces are too far apart. Returns nullopt if there are too many maps.
     std::optional<std::size_t> place(const Rounded<Dim>& h) {
-        const Vector<Dim> reach = (m_size + h.map.linear.cwiseAbs() * m_size) / 2;
-        const Vector<Dim> apart = (h.map(m_centre) - m_centre).cwiseAbs();
+        const AffineMap<Dim> seen = h.map.rounded();
+        const Vector<Dim> reach = (m_size + seen.linear.cwiseAbs() * m_size) / 2;
+        const Vector<Dim> apart = (seen(m_centre) - m_centre).cwiseAbs();
         const double slack = tolerance * m_size.maxCoeff();
         if (((1 + tolerance) * reach - apart).minCoeff() < -slack) return none;
-        m_isExact = m_isExact && isShort(h.map);
+        m_isExact = m_isExact && hasShortNumbers(h.map);
         if (!m_isExact && !m_frame.isTelling(h, m_size)) return std::nullopt;
         for (std::size_t k = 0; k < m_found.size(); ++k)
             if (isSame(m_found[k], h)) return k;
@@ -288,8 +325,8 @@ private:
     std::vector<Rounded<Dim>> m_maps, m_inverses;
     Vector<Dim> m_centre, m_size;
     bool m_isExact = false;
-    std::vector<Rounded<Dim>> m_found; // the identity first
-    std::vector<Way> m_ways;           // how each was found
+    std::vector<Rounded<Dim>> m_found; // identity first
+    std::vector<Way> m_ways;           // origin of each map
 };
 
 ContactGraph NeighbourGraph::contacts() const {

@@ -54,7 +54,7 @@ private:
     Certainty m_certainty = Certainty::Exact;
     double m_ratio = 0;
     std::size_t m_maps = 0, m_count = 0;
-    std::vector<Edge> m_edges; // by `from` and `i`
+    std::vector<Edge> m_edges; // sorted by `from` and `i`
     std::size_t m_found = 0;
     std::vector<Edge> m_steps;
     std::vector<int> m_axes;

@@ -17,7 +17,7 @@ struct HausdorffDimension {
     enum class Proof { OpenSetCondition, FiniteType };
 
     double value = 0;
-    double error = 0; // by which it may be off
+    double error = 0; // error bound
     Proof proof = Proof::OpenSetCondition;
     Certainty certainty = Certainty::Exact;
 };
@@ -25,9 +25,10 @@ struct HausdorffDimension {
 // Proved facts about the relative positions of the pieces. docs/mathematics.md, "Neighbours".
 struct OpenSetFacts {
     OpenSetCondition condition = OpenSetCondition::Unknown;
-    Certainty certainty = Certainty::Exact; // unless it is unknown
-    std::optional<std::size_t> neighbours{}; // maps h = w_σ⁻¹w_τ ≠ 1 between pieces that meet, of finite type
-    std::optional<HausdorffDimension> dimension{}; // of similarities
+    Certainty certainty = Certainty::Exact; // meaningless if `condition` is Unknown
+    // Number of maps h = w_σ⁻¹w_τ ≠ 1 between pieces that meet, if of finite type.
+    std::optional<std::size_t> neighbours{};
+    std::optional<HausdorffDimension> dimension{}; // similarities only
 };
 
 // `contacts`, and `graph` where it is known, are those of the same maps.

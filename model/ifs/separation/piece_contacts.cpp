@@ -64,7 +64,7 @@ public:
     PieceContacts found() {
         PieceContacts result;
         if (m_maps.size() < 2) {
-            result.separation = Separation::Strong; // a point, of one piece
+            result.separation = Separation::Strong; // single point or piece
             result.connectedness = Connectedness::Connected;
             return result;
         }
@@ -84,12 +84,12 @@ public:
     }
 
 private:
-    // Words whose maps agree, of which the first maps differ.
+    // Pairs of words with equal maps and different first maps.
     std::vector<Overlap> overlaps() const {
         constexpr std::size_t maxWords = 3'000, longest = 8;
         auto words = shortWords<Dim>(m_maps, maxWords, longest);
         words.erase(words.begin());
-        // Numbers that agree to rounding lie next to each other, in one order or the other.
+        // Sort key: maps that agree up to rounding are adjacent in one of the orders.
         const auto place = [](const Composed<Dim>& word) {
             double result = 0.3137 * word.map.translation.sum();
             for (int k = 0; k < Dim; ++k)
@@ -111,7 +111,7 @@ private:
         return shortest(words, near);
     }
 
-    // Longer ones follow from these, or are not worth the room.
+    // Shortest pairs; longer ones follow from these or are not worth the room.
     std::vector<Overlap> shortest(const std::vector<Composed<Dim>>& words,
                                   std::vector<std::pair<std::size_t, std::size_t>>& near) const {
         constexpr std::size_t maxListed = 4;
@@ -155,7 +155,7 @@ private:
         return true;
     }
 
-    // Nearly, and by less than a millionth of the size of the piece.
+    // True if they differ by less than a millionth of the size of the piece.
     bool agree(const AffineMap<Dim>& a, const AffineMap<Dim>& b) const {
         const double size = a.linear.cwiseAbs().maxCoeff();
         return (a.linear - b.linear).cwiseAbs().maxCoeff() <= 1e-12 * size &&
@@ -164,9 +164,9 @@ private:
 
     std::size_t pairIndex(std::size_t i, std::size_t j) const { return i * m_maps.size() + j; }
 
-    // The pairs i < j whose pieces are proved apart.
+    // Marks the pairs i < j whose pieces are proved to be disjoint.
     std::vector<bool> piecesApart() const {
-        constexpr int maxWork = 400'000, maxPairWork = 40'000; // balls, altogether and for one pair
+        constexpr int maxWork = 400'000, maxPairWork = 40'000; // balls in total, and for one pair
         const int maps = int(m_maps.size());
         const int allowed = std::clamp(2 * maxWork / (maps * maps), 4 * maps, maxPairWork);
         std::vector<bool> result(m_maps.size() * m_maps.size(), true);
@@ -176,7 +176,7 @@ private:
         return result;
     }
 
-    // A ball about a piece.
+    // Ball around a piece.
     struct Cover {
         AffineMap<Dim> map;
         Vector<Dim> centre;
@@ -185,14 +185,14 @@ private:
 
     Cover cover(const AffineMap<Dim>& map) const {
         const double reach = m_seen.radius() + m_seen.centre().norm() + m_off;
-        // The rounding of all the products that have led to the map.
+        // Rounding error of all products that have led to the map.
         const double rounding = 1024 * roundingUnit * (map.linear.norm() * reach + map.translation.norm());
         return {map, map(m_seen.centre()),
                 spectralNorm<Dim>(map.linear) * (m_seen.radius() + m_off) * (1 + 1e-12) + rounding};
     }
 
-    // Pairs of pieces of i and j in balls that still meet become smaller, until none is left. The maps that
-    // are seen may be off by rounding, which moves no point of the attractor by more than m_off.
+    // Divides pairs of pieces of i and j in balls that still meet, until none is left. The maps may be off by
+    // rounding, which moves no point of the attractor by more than m_off.
     bool areApart(std::size_t i, std::size_t j, int allowed) const {
         const auto& maps = m_seen.maps();
         std::vector<std::pair<Cover, Cover>> open{{cover(maps[i]), cover(maps[j])}};
@@ -200,7 +200,7 @@ private:
         while (!open.empty()) {
             auto [a, b] = std::move(open.back());
             open.pop_back();
-            const double distance = (a.centre - b.centre).norm(); // infinite where its square overflows
+            const double distance = (a.centre - b.centre).norm(); // infinite if its square overflows
             if (std::isfinite(distance) && distance * (1 - 1e-12) > a.radius + b.radius + 2 * m_off) continue;
             if (allowed <= 0 || std::max(a.radius, b.radius) < smallest) return false;
             if (a.radius < b.radius) std::swap(a, b);
@@ -211,7 +211,7 @@ private:
         return true;
     }
 
-    // Returns true if the pairs for which the predicate holds connect all maps.
+    // Returns true if the pairs that satisfy the predicate connect all maps.
     template <class Joined> bool joinsAll(Joined joined) const {
         std::vector<std::size_t> group(m_maps.size());
         std::iota(group.begin(), group.end(), std::size_t(0));
@@ -228,7 +228,7 @@ private:
         if (!joinsAll([&](std::size_t i, std::size_t j) { return !apart[pairIndex(i, j)]; }))
             return Connectedness::Disconnected;
         if (m_neighbours && m_neighbours->certainty() == Certainty::Exact) return byNeighbours();
-        // Two pieces cannot be disjoint where those of a neighbourhood cannot.
+        // Two pieces cannot be disjoint if all pieces of a neighbourhood meet.
         if (m_maps.size() == 2 && fillSpace<Dim>(m_maps)) return Connectedness::Connected;
         const auto points = knownPoints();
         std::vector<bool> exact(apart.size()), rounded(apart.size());
@@ -255,7 +255,7 @@ private:
     struct KnownPoint {
         Word prefix, period;
         Vector<Dim> point;
-        Vector<Dim> rounding; // see StoredRounding
+        Vector<Dim> rounding; // error bounds: see StoredRounding
     };
 
     std::vector<KnownPoint> knownPoints() const {
@@ -327,9 +327,9 @@ private:
     const NeighbourGraph* m_neighbours;
     const std::vector<AffineMap<Dim>>& m_maps;
     const SupportFunction<Dim>& m_seen;
-    double m_off;     // by which a point of the attractor is off where it is seen
-    double m_near;    // what rounding may move a point by, generously
-    double m_telling; // where rounding moves points farther, nothing follows from places that agree
+    double m_off;     // error bound of a displayed point of the attractor
+    double m_near;    // generous bound of the rounding of a point
+    double m_telling; // rounding above this proves nothing about places that agree
 };
 
 } // namespace

@@ -14,26 +14,26 @@ namespace ifs {
 // set condition fails.
 struct Overlap {
     Word first, second;
-    bool isExact = false; // the coefficients as they are; else as far as their rounding tells
+    bool isExact = false; // true: holds for the exact coefficients; false: up to their rounding
 };
 
 enum class Separation {
     Unknown,
-    Strong,      // proved: no two pieces have a common point (strong separation condition)
-    Overlapping, // an overlap was found
+    Strong,      // proved strong separation condition: no two pieces have a common point
+    Overlapping, // proved overlap
 };
 
 enum class Connectedness {
     Unknown,
-    Connected,           // proved: pieces with a common point join all of them (Hata)
-    ConnectedToRounding, // the same, where common points agree to rounding only
-    Disconnected,        // proved: the pieces fall into two classes without a common point
+    Connected,           // proved: pieces with a common point join all pieces (Hata)
+    ConnectedToRounding, // Connected, with common points that agree only up to rounding
+    Disconnected,        // proved: two classes of pieces have no common point
 };
 
 struct PieceContacts {
     Separation separation = Separation::Unknown;
     Connectedness connectedness = Connectedness::Unknown;
-    std::vector<Overlap> overlaps; // the shortest, a few of them
+    std::vector<Overlap> overlaps; // a few of the shortest
 };
 
 // Bounded work: Unknown where it leaves a question open, and always for more than 64 maps. `neighbours`, if

@@ -12,7 +12,7 @@ template <int Dim> struct StoredRounding {
     Matrix<Dim> linear = Matrix<Dim>::Zero();
     Vector<Dim> translation = Vector<Dim>::Zero();
 
-    static constexpr double share = 0x1p-52; // of a coefficient
+    static constexpr double share = 0x1p-52; // rounding error relative to a coefficient
 
     static StoredRounding of(const AffineMap<Dim>& stored) {
         return {share * stored.linear.cwiseAbs(), share * stored.translation.cwiseAbs()};

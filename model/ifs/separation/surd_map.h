@@ -14,18 +14,18 @@ namespace ifs {
 
 // x ↦ Ax + b in 1 to 3 dimensions, without rounding.
 struct SurdMap {
-    std::vector<std::vector<Surd>> linear; // by rows
+    std::vector<std::vector<Surd>> linear; // row by row
     std::vector<Surd> translation;
 
     std::size_t dimension() const { return translation.size(); }
-    bool hasValue() const; // each of its numbers
+    bool hasValue() const; // true if all its numbers have values
 
     friend bool operator==(const SurdMap&, const SurdMap&) = default;
 };
 
 SurdMap identity(std::size_t dimension);
 SurdMap operator*(const SurdMap& outer, const SurdMap& inner);
-SurdMap inverse(const SurdMap& map); // without value where there is none
+SurdMap inverse(const SurdMap& map); // without value if singular
 // The s² of a map with AᵀA = s²I; nullopt where it is no similarity.
 std::optional<Surd> squaredRatio(const SurdMap& map);
 Surd determinant(const SurdMap& map);

@@ -64,7 +64,7 @@ template <int Dim> double determinant(const Matrix<Dim>& linear) {
     constexpr double unit = 0x1p-53;
     const double result = linear.determinant();
     const Matrix<Dim> m = linear.cwiseAbs();
-    double terms = 0, rounding = 0; // of the coefficients of a product, and of the arithmetic
+    double terms = 0, rounding = 0; // errors from the coefficients of a product, and from its arithmetic
     if constexpr (Dim == 2) {
         terms = m(0, 0) * m(1, 1) + m(0, 1) * m(1, 0);
         rounding = (2 + 2) * unit * terms;
@@ -80,8 +80,8 @@ template <int Dim> double determinant(const Matrix<Dim>& linear) {
 template <> Vector<2> singularValues<2>(const Matrix<2>& linear) {
     const double size = magnitude<2>(linear);
     if (size == 0 || !std::isfinite(size)) return Vector<2>::Constant(size);
-    // A z = αz + βz̄: the singular values are |α| + |β| and ||α| − |β||, the small one from det for its
-    // digits.
+    // A z = αz + βz̄: the singular values are |α| + |β| and ||α| − |β||; the smaller one is accurate only
+    // when computed from det.
     const Matrix<2> m = linear / size;
     const double alpha = norm(m(0, 0) + m(1, 1), m(1, 0) - m(0, 1)) / 2;
     const double beta = norm(m(0, 0) - m(1, 1), m(1, 0) + m(0, 1)) / 2;
@@ -93,7 +93,7 @@ template <> Vector<2> singularValues<2>(const Matrix<2>& linear) {
 template <> Vector<3> singularValues<3>(const Matrix<3>& linear) {
     const double size = magnitude<3>(linear);
     if (size == 0 || !std::isfinite(size)) return Vector<3>::Constant(size);
-    // One-sided Jacobi: columns are turned until each two are orthogonal; then their lengths are the singular
+    // One-sided Jacobi: rotates pairs of columns until all are orthogonal; their lengths are the singular
     // values.
     Matrix<3> m = linear / size;
     constexpr int maxSweeps = 12;

@@ -32,7 +32,7 @@ template <int Dim> AffineMap<Dim> operator*(const AffineMap<Dim>& outer, const A
 
 template <int Dim> bool isFinite(const AffineMap<Dim>& map);
 
-template <int Dim> double determinant(const Matrix<Dim>& linear); // 0 when within its own rounding error
+template <int Dim> double determinant(const Matrix<Dim>& linear); // 0 within its own rounding error
 
 // Singular values, largest first. In the plane from |α| ± |β|, where A z = αz + βz̄. All infinite when a
 // coefficient is no finite number, so that such a map never counts as a contraction.

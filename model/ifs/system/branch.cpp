@@ -85,7 +85,7 @@ IteratedFunctionSystem<Dim> withBranchChanged(const IteratedFunctionSystem<Dim>&
                                               const AffineMap<Dim>& change) {
     const ActiveMaps<Dim> active = activeMaps(system);
     IteratedFunctionSystem<Dim> result;
-    // Maps of the beginnings at which words of the cut set leave the branch: without their last symbol.
+    // Maps of the words at which words of the cut set leave the branch: without their last symbol.
     std::vector<AffineMap<Dim>> beginnings(1);
     std::vector<double> chances{1};
     for (const int symbol : branch) {
@@ -94,9 +94,10 @@ IteratedFunctionSystem<Dim> withBranchChanged(const IteratedFunctionSystem<Dim>&
     }
     const std::vector<Departure> others = departures(branch, active.maps.size());
     result.maps.reserve(1 + others.size());
-    // Not by append(), which looks for a free number among all before.
+    // Avoids append(), which searches all maps for a free id.
     const auto add = [&](const AffineMap<Dim>& map, double probability) {
-        // A product of many small ones is 0 in doubles, which would switch the map off.
+        // Positive, because a product of many small probabilities underflows to 0, which would switch the map
+        // off.
         result.maps.push_back({.id = MapId{std::uint32_t(result.maps.size() + 1)},
                                .map = map,
                                .weight = std::max(probability, std::numeric_limits<double>::min())});
@@ -130,7 +131,8 @@ std::vector<AffineMap<Dim>> pieceMaps(std::span<const MovedBranch<Dim>> pieces,
 
 template <int Dim>
 const MovedBranch<Dim>& pieceOf(std::span<const MovedBranch<Dim>> pieces, const Word& address) {
-    // No word begins another, so that the one with which the address begins is the last one not after it.
+    // No word begins another, so that the last word not after the address is the one that the address begins
+    // with.
     return *std::prev(std::ranges::upper_bound(pieces, address, {}, &MovedBranch<Dim>::word));
 }
 
@@ -156,7 +158,7 @@ std::vector<Word> overCutSet(const Word& word, const Word& branch, std::size_t m
             const int symbol = rest[kept];
             indices.push_back(1 + withoutFirst(kept + 1) + symbol - (symbol > branch[kept] ? 1 : 0));
             rest = rest.subspan(kept + 1);
-        } else { // the branch goes on: all that does not leave it before
+        } else { // continues with the rest of the branch
             std::vector<Word> result(std::size_t(1 + withoutFirst(kept)), indices);
             for (std::size_t k = 0; k < result.size(); ++k)
                 result[k].push_back(int(k));

@@ -30,7 +30,7 @@ struct Departure {
     std::size_t kept;
     int symbol;
 };
-std::vector<Departure> departures(const Word& word, std::size_t mapCount); // those with most kept first
+std::vector<Departure> departures(const Word& word, std::size_t mapCount); // those that keep most maps first
 
 // σ, then all words that leave σ, as departures() has them: every address begins with exactly one of them.
 // For three maps and σ = 12 (counted from 1): 12, 11, 13, 2, 3.

@@ -16,7 +16,7 @@ namespace {
 
 // Relative tolerance for a map to be a similarity, and for a rank to be missing.
 constexpr double relativeTolerance = 1e-12;
-constexpr double rankRounding = 4e-15; // of the largest singular value: smaller ones are rounding
+constexpr double rankRounding = 4e-15; // relative to the largest singular value; smaller ones are rounding
 
 Matrix<2> rotationByRadians(double angle) {
     Matrix<2> result;
@@ -29,10 +29,10 @@ Matrix<2> rotationByRadians(double angle) {
 RotationScaleShear rotationScaleShear(const Matrix<2>& linear) {
     const double a = linear(0, 0), b = linear(0, 1), c = linear(1, 0), d = linear(1, 1);
     const double scaleX = std::hypot(a, c);
-    if (scaleX == 0) // no first column to take the angle from: the second one stands at a right angle to it
+    if (scaleX == 0) // angle from the second column if the first one vanishes
         return {b == 0 && d == 0 ? 0 : std::atan2(-b, d), 0, std::hypot(b, d), 0};
     const double cosine = a / scaleX, sine = c / scaleX;
-    // Columns at a right angle have no shear, not one of the size of rounding.
+    // Orthogonal columns have no shear, not one of the size of rounding.
     const double along = cosine * b + sine * d;
     const bool isRight = std::abs(along) <= 4e-16 * (std::abs(cosine * b) + std::abs(sine * d));
     return {std::atan2(c, a), scaleX, cosine * d - sine * b, isRight ? 0 : along / scaleX};
@@ -91,7 +91,8 @@ template <int Dim> PolarPair<Dim> polarPair(const Matrix<Dim>& from, const Matri
     if (!isFromOpen && !isToOpen) return {polar<Dim>(from), polar<Dim>(to)};
     const Polar<Dim> first = polarNear<Dim>(from, isToOpen ? none : polar<Dim>(to).rotation);
     const Polar<Dim> last = polarNear<Dim>(to, first.rotation);
-    return {polarNear<Dim>(from, last.rotation), last}; // a point turns as the line that it becomes
+    // Rotation of a point: that of the line from which it shrinks.
+    return {polarNear<Dim>(from, last.rotation), last};
 }
 
 template PolarPair<2> polarPair<2>(const Matrix<2>&, const Matrix<2>&);
@@ -121,7 +122,7 @@ RotationScaleShear3 rotationScaleShear(const Matrix<3>& linear) {
     if (!linear.allFinite()) return {Matrix<3>::Identity(), linear.diagonal(), Matrix<3>::Identity()};
     Matrix<3> q = orthogonalFactor(independent(linear));
     Matrix<3> r = q.transpose() * linear;
-    // Signs move from R to Q so that Q turns and only the last scale may reflect.
+    // Moves signs from R to Q, so that Q rotates and only the last scale may reflect.
     for (int k = 0; k < 2; ++k)
         if (r(k, k) < 0) {
             r.row(k) *= -1;
@@ -131,7 +132,7 @@ RotationScaleShear3 rotationScaleShear(const Matrix<3>& linear) {
         r.row(2) *= -1;
         q.col(2) *= -1;
     }
-    // Entries below the rounding of their own column count as 0.
+    // Clears entries below the rounding error of their column.
     for (int column = 0; column < 3; ++column)
         for (int row = 0; row <= column; ++row)
             if (std::abs(r(row, column)) <= 4e-15 * linear.col(column).norm()) r(row, column) = 0;
@@ -150,7 +151,7 @@ Matrix<3> linearPart(const RotationScaleShear3& parts) {
 
 AxisAngle axisAngle(const Matrix<3>& rotation) {
     const Eigen::AngleAxisd turn(rotation);
-    // The less it turns, the less is known of the axis.
+    // Uncertainty of the axis, greater for smaller rotations.
     const double rounding = 8 * std::numeric_limits<double>::epsilon() / std::sin(turn.angle() / 2);
     const auto known = [&](double x) { return std::abs(x) <= rounding && rounding < 1 ? 0 : x; };
     return {turn.axis().unaryExpr(known), turn.angle()};

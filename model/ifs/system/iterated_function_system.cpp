@@ -66,7 +66,7 @@ template <int Dim> ActiveMaps<Dim> activeListed(const IteratedFunctionSystem<Dim
     const bool everyWeightGiven = weights.size() == active.maps.size();
     active.probabilities =
         everyWeightGiven ? shares(std::move(weights)) : determinantWeights<Dim>(active.maps);
-    // Beside a weight of 3e38, the share of 1e-300 is 0 in doubles; the map takes part all the same.
+    // Positive minimum: beside a weight of 3e38, the share of 1e-300 would be 0, although the map takes part.
     for (double& probability : active.probabilities)
         probability = std::max(probability, std::numeric_limits<double>::min());
     if (isLinked) active.links = activeLinks(system, active.index);
@@ -80,12 +80,12 @@ std::vector<double> shares(std::vector<double> masses, double floor) {
         if (!(mass > 0 && std::isfinite(mass))) mass = 0;
     const double largest = masses.empty() ? 0 : std::ranges::max(masses);
     if (largest == 0) return equalWeights(masses.size());
-    // A power of two goes first: a sum of finite masses may overflow, and this scaling rounds nothing.
+    // Power of two, because a sum of finite masses may overflow, and this scaling is exact.
     const int exponent = std::ilogb(largest);
     for (double& mass : masses)
         mass = std::ldexp(mass, -exponent);
     const auto normalise = [&masses] {
-        // A sum that is a power of two but for rounding is taken as one: .7, .2 and .1 stay as they are.
+        // Rounds a sum that is almost a power of two: .7, .2 and .1 stay as they are.
         double sum = std::accumulate(masses.begin(), masses.end(), 0.0);
         const double power = std::ldexp(1, int(std::lround(std::log2(sum))));
         if (std::abs(sum - power) <= 0x1p-53 * power * double(masses.size())) sum = power;
@@ -105,7 +105,7 @@ template <int Dim> std::vector<MapId> freshIds(const IteratedFunctionSystem<Dim>
     std::uint32_t largest = 0;
     for (const auto& map : system.maps)
         largest = std::max(largest, std::uint32_t(map.id));
-    for (const Link& link : system.links) // also those of maps that were deleted
+    for (const Link& link : system.links) // includes links of deleted maps
         largest = std::max({largest, std::uint32_t(link.from), std::uint32_t(link.to)});
     std::vector<MapId> ids;
     if (count <= std::numeric_limits<std::uint32_t>::max() - largest) {

@@ -22,7 +22,7 @@ template <int Dim> struct WeightedMap {
     // The weight as given: not normalised, possibly 0 or negative; nullopt when the source gives none.
     std::optional<double> weight;
     bool enabled = true;
-    TypedCoefficients typed{}; // of `map`
+    TypedCoefficients typed{}; // typed texts of `map`
 
     friend bool operator==(const WeightedMap&, const WeightedMap&) = default;
 };
@@ -43,8 +43,8 @@ template <int Dim> bool isOff(const WeightedMap<Dim>& map);
 // attractor is symmetric: it is the attractor of {γ∘w_i : γ ∈ Γ}. Links hold for all copies of a map.
 template <int Dim> struct IteratedFunctionSystem {
     std::vector<WeightedMap<Dim>> maps;
-    Symmetry<Dim> symmetry{};  // valid
-    std::vector<Link> links{}; // those other than 1; see ifs/system/links.h
+    Symmetry<Dim> symmetry{};  // must be valid
+    std::vector<Link> links{}; // links other than 1; see ifs/system/links.h
 
     friend bool operator==(const IteratedFunctionSystem&, const IteratedFunctionSystem&) = default;
 };
@@ -80,7 +80,7 @@ template <int Dim> struct ActiveMaps {
     std::vector<AffineMap<Dim>> maps;
     std::vector<double> probabilities;
     std::vector<std::size_t> index;
-    std::vector<double> links{}; // P_ij by rows; empty where all weights of a row are alike
+    std::vector<double> links{}; // P_ij row by row; empty if all weights within each row are equal
 
     bool isLinked() const { return !links.empty(); }
 };

@@ -44,7 +44,7 @@ public:
 private:
     struct Visit {
         std::size_t state;
-        std::size_t next; // successor to look at
+        std::size_t next; // next successor to visit
     };
 
     void enter(std::size_t state) {

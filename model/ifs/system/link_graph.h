@@ -13,10 +13,10 @@ namespace ifs {
 // Role of a map in the chaos game.
 enum class LinkState {
     TakesPart, // applied again and again
-    Off,       // its weight is 0
-    Ends,      // after it, the chaos game ends: no map may follow for ever
-    Unreached, // no map that is reached leads to it
-    Left,      // the chaos game leaves it and never returns
+    Off,       // weight 0
+    Ends,      // end of the chaos game: no infinite sequence of maps may follow
+    Unreached, // unreachable from the maps that are reached
+    Left,      // left by the chaos game for ever
 };
 
 // States of maps that are on or not, with the matrix of their links by rows.

@@ -41,7 +41,7 @@ struct Transitions {
     std::vector<double> forward;                  // T_ij: map j follows map i
     std::vector<double> stationary;               // π_i, sum 1
     std::vector<double> backward;                 // π_i T_ij / π_j at (j, i): map i came before map j
-    std::vector<std::vector<std::size_t>> closed; // parts that the chain never leaves; all maps are in one
+    std::vector<std::vector<std::size_t>> closed; // parts that the chain never leaves; each map is in one
 };
 // Stationary chain of the active maps. If it has several closed parts, each gets the weights of its maps.
 // Unlinked maps give π = p.

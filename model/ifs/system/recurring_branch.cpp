@@ -8,10 +8,10 @@ namespace ifs {
 
 namespace {
 
-constexpr double unseen = 1e-7; // of the attractor
+constexpr double unseen = 1e-7; // relative to the attractor
 constexpr std::size_t maxWord = 256;
 constexpr std::size_t maxPieces = 1U << 15;
-constexpr double maxCondition = 1e9; // rounding then moves points by less than a pixel
+constexpr double maxCondition = 1e9; // limit at which rounding moves points by less than a pixel
 
 } // namespace
 

@@ -28,11 +28,11 @@ Turn turn(int k, int n) {
         const Turn other = turn(n - k, n);
         return {other.cosine, -other.sine};
     }
-    if (4 * k > n) { // 180° − it
+    if (4 * k > n) { // supplement to 180°
         const Turn other = turn(n - 2 * k, 2 * n);
         return {-other.cosine, other.sine};
     }
-    if (8 * k > n) { // 90° − it
+    if (8 * k > n) { // complement to 90°
         const Turn other = turn(n - 4 * k, 4 * n);
         return {other.sine, other.cosine};
     }
@@ -93,7 +93,7 @@ std::vector<Matrix<3>> signedPermutations(bool onlyEven) {
 // corners (0, ±1, ±φ) and their cyclic permutations.
 std::vector<Matrix<3>> icosahedralGroup() {
     constexpr double phi = std::numbers::phi;
-    Matrix<3> fifth; // all its entries are ±½, ±φ/2 and ±1/2φ
+    Matrix<3> fifth; // entries are ±½, ±φ/2 and ±1/2φ
     fifth << 1 / phi, -phi, 1, phi, 1, 1 / phi, -1, 1 / phi, phi;
     fifth /= 2;
     std::vector<Matrix<3>> result;

@@ -20,10 +20,10 @@ enum class SymmetryGroup { None, Mirror, Rotation, Dihedral, Tetrahedral, Octahe
 // axes of coordinates.
 template <int Dim> struct Symmetry {
     SymmetryGroup group = SymmetryGroup::None;
-    int order = 1;    // n of Rotation and Dihedral; 1 for all others
-    double angle = 0; // degrees; of Mirror and Dihedral the direction of a mirror
+    int order = 1;    // n for Rotation and Dihedral; 1 for all others
+    double angle = 0; // degrees; direction of a mirror for Mirror and Dihedral
     Vector<Dim> centre = Vector<Dim>::Zero();
-    Matrix<Dim> frame = Matrix<Dim>::Identity(); // invertible; anything but the identity comes from baking
+    Matrix<Dim> frame = Matrix<Dim>::Identity(); // invertible; other than the identity only after baking
 
     friend bool operator==(const Symmetry& a, const Symmetry& b) {
         return a.group == b.group && a.order == b.order && a.angle == b.angle && a.centre == b.centre &&
@@ -35,7 +35,8 @@ constexpr int minSymmetryOrder = 2;
 constexpr int maxSymmetryOrder = 24;
 // A system of more maps than this, counted with the symmetry, is not drawn with it.
 constexpr std::size_t maxSymmetricMaps = 100'000;
-constexpr std::size_t maxSymmetricLinkedMaps = 1024; // whose links are a matrix
+// Smaller limit for linked maps, whose links form a matrix.
+constexpr std::size_t maxSymmetricLinkedMaps = 1024;
 
 // Returns true if the group exists in this dimension, its order is allowed, the numbers are finite and the
 // frame can be inverted.
@@ -50,8 +51,8 @@ template <int Dim> std::vector<AffineMap<Dim>> elements(const Symmetry<Dim>& sym
 // keeps angles leaves the frame the identity, where the group allows it.
 template <int Dim> Symmetry<Dim> conjugate(const AffineMap<Dim>& transformation, Symmetry<Dim> symmetry);
 
-Symmetry<2> flipped(Symmetry<2> symmetry);   // seen with y as −y, exact
-Symmetry<3> lifted(const Symmetry<2>& flat); // the same about the axis through (centre, 0) along z
+Symmetry<2> flipped(Symmetry<2> symmetry);   // exact picture under y ↦ −y
+Symmetry<3> lifted(const Symmetry<2>& flat); // same symmetry about the axis through (centre, 0) along z
 
 // The symmetries of the plane that consist of exactly these maps, to `tolerance` in every coefficient: what a
 // list of isometries that contains the identity stands for. The centre is the point that all of them fix.

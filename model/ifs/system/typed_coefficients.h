@@ -15,8 +15,8 @@ namespace ifs {
 
 // A coefficient as it was typed, such as 1/3 or √3/6, beside the double that the map holds.
 struct TypedCoefficient {
-    int which = 0; // 0 … Dim² − 1 of the matrix by rows, then those of the vector: the letters a, b, …
-    double number = 0; // counts only while the coefficient is this double
+    int which = 0;     // 0 … Dim² − 1 for the matrix row by row, then the vector: the letters a, b, …
+    double number = 0; // valid only while the coefficient equals this double
     Surd value{};
     std::string text{};
 
@@ -33,7 +33,7 @@ template <int Dim> double coefficient(const AffineMap<Dim>& map, int which) {
 // drag.
 class TypedCoefficients {
 public:
-    TypedCoefficients() noexcept = default; // said, because GCC 12 fails to find it out in some places
+    TypedCoefficients() noexcept = default; // explicit noexcept, because GCC 12 does not always deduce it
     bool isEmpty() const { return !m_list; }
     void set(TypedCoefficient typed) {
         std::vector<TypedCoefficient> list = without(typed.which);
@@ -69,7 +69,7 @@ private:
         if (!list.empty()) m_list = std::make_shared<const std::vector<TypedCoefficient>>(std::move(list));
     }
 
-    std::shared_ptr<const std::vector<TypedCoefficient>> m_list; // by `which`; null: none
+    std::shared_ptr<const std::vector<TypedCoefficient>> m_list; // sorted by `which`; null: none
 };
 
 } // namespace ifs

@@ -18,7 +18,7 @@ namespace ifs {
 
 namespace {
 
-using Turn = std::array<Integers, 2>; // a matrix by rows
+using Turn = std::array<Integers, 2>; // matrix, row by row
 
 Integers operator*(const Turn& m, const Integers& v) {
     return {m[0][0] * v[0] + m[0][1] * v[1], m[1][0] * v[0] + m[1][1] * v[1]};
@@ -178,7 +178,7 @@ std::optional<TurningDigits> turningDigits(std::span<const AffineMap<2>> maps) {
 // The turns R that E⁻¹ and the maps make of 1, R ↦ E R E⁻¹ R_i. Empty where they are too many, or not
 // integers.
 std::vector<Turn> turnsOf(const TurningDigits& system) {
-    constexpr std::size_t mostTurns = 12; // a group that keeps a lattice has no more
+    constexpr std::size_t mostTurns = 12; // order of the largest group that keeps a lattice
     std::vector<Turn> result{Motion{}.turn};
     for (std::size_t k = 0; k < result.size(); ++k) {
         const auto seen = quotient(system.expansion * result[k], system.expansion);
@@ -301,7 +301,7 @@ public:
     bool hold(const Integers& v) const { return m_points.contains(v); }
     const std::map<Integers, bool>& all() const { return m_points; }
 
-    // h⁻¹ of a point.
+    // Image of a point under h⁻¹.
     Integers seenBy(const Motion& h, const Integers& v) const {
         return inverseTurn(h.turn) * (v - Integers{m_q * h.shift[0], m_q * h.shift[1]});
     }
@@ -339,7 +339,7 @@ std::optional<std::size_t> copiesAt(const Integers& point, std::int64_t q, const
     std::size_t result = 0;
     for (const Turn& turn : turns)
         for (const auto& [v, isPoint] : points.all()) {
-            const Integers shift = point - turn * v; // q times the shift that takes v/q to the point
+            const Integers shift = point - turn * v; // q times the translation that takes v/q to the point
             if (shift[0] % q != 0 || shift[1] % q != 0) continue;
             if (!isInside(v)) return std::nullopt;
             ++result;

@@ -14,7 +14,7 @@ using Integers = std::array<std::int64_t, 2>;
 // The lattice that some vectors generate, if they do.
 class Lattice {
 public:
-    explicit Lattice(double size); // of the vectors
+    explicit Lattice(double size); // `size` of the vectors
 
     bool isFull() const { return m_rank == 2; }
     const Matrix<2>& basis() const { return m_basis; }

@@ -44,7 +44,7 @@ std::optional<Tile> tile(std::span<const AffineMap<2>> maps, const BoundingBox<2
                          const NeighbourGraph* neighbours) {
     if (maps.size() < 2 || maps.size() > maxMaps || !box.min.allFinite() || !box.max.allFinite())
         return std::nullopt;
-    Dyadic excess(-1); // of Σ|det A_i|, without rounding
+    Dyadic excess(-1); // Σ|det A_i| − 1, without rounding
     double rounding = 0;
     for (const auto& map : maps) {
         if (!isFinite(map) || determinant<2>(map.linear) == 0) return std::nullopt;

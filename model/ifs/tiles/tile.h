@@ -13,10 +13,10 @@
 namespace ifs {
 
 struct Tile {
-    std::optional<double> area;              // of a tile whose copies cover the plane equally often
-    std::optional<double> boundaryDimension; // where all maps are similarities of one ratio
-    double boundaryDimensionError = 0;       // by which it may be off
-    bool isExact = false; // proved of the coefficients as they are; else as far as their rounding tells
+    std::optional<double> area;              // area of a tile whose copies cover the plane equally often
+    std::optional<double> boundaryDimension; // known if all maps are similarities of one ratio
+    double boundaryDimensionError = 0;       // error bound
+    bool isExact = false; // true: proved for the exact coefficients; false: up to their rounding
 };
 
 // The tile, or nullopt where neither kind is proved within bounded work. Box and neighbours, if known, are

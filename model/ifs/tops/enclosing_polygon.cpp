@@ -10,8 +10,8 @@ namespace ifs {
 
 namespace {
 
-constexpr double looseness = 1e-9;  // of the support values, in radii
-constexpr double roundness = 1e-13; // more than rounding takes away from their hull
+constexpr double looseness = 1e-9;  // radii; error of the support values
+constexpr double roundness = 1e-13; // exceeds the rounding of their hull
 constexpr std::size_t sides = EnclosingPolygon::sides;
 
 double farthestApart(const EnclosingPolygon::Corners& a, const EnclosingPolygon::Corners& b) {
@@ -30,7 +30,7 @@ const std::array<Vector<2>, sides>& EnclosingPolygon::directions() {
         const double c = std::sqrt(2 + std::sqrt(2.0)) / 2, s = std::sqrt(2 - std::sqrt(2.0)) / 2;
         std::array<Vector<2>, sides> result{Vector<2>(1, 0), Vector<2>(c, s), Vector<2>(half, half),
                                             Vector<2>(s, c)};
-        for (std::size_t k = 4; k < sides; ++k) // a quarter of a turn farther on
+        for (std::size_t k = 4; k < sides; ++k) // quarter turns of the first directions
             result[k] = {-result[k - 4].y(), result[k - 4].x()};
         return result;
     }();
@@ -43,7 +43,7 @@ EnclosingPolygon::EnclosingPolygon(const SupportFunction<2>& attractor) {
         const SupportValue<2> value = attractor(normals[k], looseness * attractor.radius());
         heights[k] = value.value + value.error + roundness * attractor.radius();
     }
-    Polygon meetings(sides); // of each line with the next one, not in order where another line cuts them off
+    Polygon meetings(sides); // intersections of adjacent lines, unordered if other lines cut them off
     for (std::size_t k = 0; k < sides; ++k) {
         const std::size_t next = (k + 1) % sides;
         const Vector<2>&u = normals[k], &v = normals[next];

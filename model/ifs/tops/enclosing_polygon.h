@@ -24,7 +24,7 @@ struct EnclosingPolygon {
     // last one.
     Corners corners;
 
-    Corners image(const AffineMap<2>& map) const; // of the corners
+    Corners image(const AffineMap<2>& map) const; // image of the corners
 };
 
 EnclosingPolygon::Heights heightsOf(const EnclosingPolygon::Corners& corners);

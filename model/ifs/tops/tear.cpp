@@ -14,18 +14,18 @@ namespace ifs {
 namespace {
 
 constexpr std::size_t maxPieces = 1U << 18;
-constexpr double slack = 1 + 1e-12; // for rounding
+constexpr double slack = 1 + 1e-12; // allowance for rounding
 
 // Both pieces of a word.
 struct Piece {
     AffineMap<2> from, to;
-    EnclosingPolygon::Heights heights{}; // of the piece of F
-    double diameter = 0;                 // of that
-    std::uint32_t children = 0;          // the first of them; 0: none yet
+    EnclosingPolygon::Heights heights{}; // heights of the piece of F
+    double diameter = 0;                 // diameter of that piece
+    std::uint32_t children = 0;          // index of the first child; 0: none yet
 };
 
 struct Pair {
-    double bound; // of the diameter of the union in G
+    double bound; // bound of the diameter of the union in G
     std::uint32_t a, b;
 
     bool operator<(const Pair& other) const { return bound < other.bound; }
@@ -107,7 +107,7 @@ private:
         m_open.push({std::min(bound, outer), a, b});
     }
 
-    // Returns true if the pieces are apart by more than ε in one of the directions.
+    // Returns true if the pieces are more than ε apart in some direction.
     bool areApart(const Piece& a, const Piece& b) const {
         constexpr std::size_t half = EnclosingPolygon::sides / 2;
         const double allowed = m_epsilon + 1e-12 * (m_from.radius() + m_from.centre().norm());

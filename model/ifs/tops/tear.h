@@ -16,9 +16,9 @@ namespace ifs {
 struct Tear {
     double size = 0;
     std::optional<std::array<Vector<2>, 2>>
-        place;               // a point of F in each piece; none where no pieces are near
-    bool isCutShort = false; // of pieces that are larger than ε: a bound all the same
-    double whole = 0;        // the same for all of A_G, which no jump can exceed
+        place;               // one point of F in each piece; nullopt: no pieces are near
+    bool isCutShort = false; // true if pieces are larger than ε; `size` is a bound all the same
+    double whole = 0;        // diameter for all of A_G, which no jump can exceed
 };
 
 // Both systems must have equally many maps, which correspond by their indices. ε > 0. About `maxPairs` pairs

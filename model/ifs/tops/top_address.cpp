@@ -13,8 +13,8 @@ namespace {
 
 constexpr int maxVisits = 4'000'000;
 constexpr std::size_t longest = 4096;
-constexpr double leafSize = 0.25;  // tolerances: the radius of a piece that is a point
-constexpr double settledSize = 64; // tolerances: pieces that no rounding chooses between
+constexpr double leafSize = 0.25;  // tolerances; radius of a piece that counts as a point
+constexpr double settledSize = 64; // tolerances; size of pieces between which rounding cannot choose
 constexpr std::size_t maxPeriod = 64;
 
 // Distance by which rounding may move a point of a composed map, including the error of the coefficients.

@@ -13,9 +13,9 @@
 namespace ifs {
 
 struct TopAddress {
-    Word word;              // as many symbols as doubles carry
-    std::size_t period = 0; // > 0: the last so many symbols repeat without end; else the first map does
-    Vector<2> point;        // w_word of the point that repeats, on the attractor
+    Word word;              // all symbols that doubles determine
+    std::size_t period = 0; // > 0: number of last symbols that repeat for ever; 0: the first map repeats
+    Vector<2> point;        // image under w_word of the repeating point, on the attractor
 };
 
 // The first `count` symbols of the address without end.
@@ -32,14 +32,15 @@ public:
 
     // `isCutShort`: the search was given up, and nothing is known.
     struct Answer {
-        std::optional<TopAddress> top; // none: x is farther than reach() from the attractor
+        std::optional<TopAddress> top; // nullopt: x is farther than reach() from the attractor
         bool isCutShort = false;
     };
     // The address of x, or of the point of the attractor nearest to it.
     Answer at(const Vector<2>& x) const;
 
-    double reach() const { return 1e-9 * m_size; }   // of the attractor's size, the diagonal of its box
-    double tolerance() const { return m_tolerance; } // within which points count as the same
+    // Distance relative to the size of the attractor, the diagonal of its box.
+    double reach() const { return 1e-9 * m_size; }
+    double tolerance() const { return m_tolerance; } // distance within which points are regarded as equal
     const SupportFunction<2>& attractor() const { return m_attractor; }
 
 private:

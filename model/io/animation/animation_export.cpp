@@ -23,7 +23,7 @@ namespace {
 
 constexpr std::uint64_t samplesPerPixel = 100;
 constexpr std::uint64_t minSamples = 1'000'000;
-constexpr double shareOfFrames = 0.9; // of the progress of a video; the rest is finishing
+constexpr double shareOfFrames = 0.9; // share of the frames in the progress of a video; the rest is finishing
 
 // The entry as it is, in the view of its camera keys or else of all frames.
 class PlainFrames : public FrameSource {

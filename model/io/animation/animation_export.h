@@ -20,13 +20,13 @@ namespace io {
 // Frames of an entry in its own look, in the view of its camera keys or else of all frames, as a video or as
 // pictures. They are what `barycage-cli animate` draws with options().
 struct AnimationExport {
-    document::Fractal entry;           // animated; embedded as text
+    document::Fractal entry;           // animated entry; embedded as text
     std::optional<VideoFormat> format; // nullopt: PNG pictures
     QSize size;
-    std::optional<std::uint64_t> points; // of each frame; nullopt: 100 a pixel
-    std::optional<int> supersample{};    // of a solid, 1 … 4; nullopt: 2
+    std::optional<std::uint64_t> points; // points of each frame; nullopt: 100 a pixel
+    std::optional<int> supersample{};    // solids only, 1 … 4; nullopt: 2
     FrameOptions frames;
-    int first = 0; // frames, counted from 0
+    int first = 0; // counted from 0
     int last = 0;
     // Whence the frames show all of a solid whose camera has no keys; withViewKeyed() makes it one.
     std::optional<attractor::OrbitCamera> seenFrom{};

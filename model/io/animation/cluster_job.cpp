@@ -75,7 +75,7 @@ Failure writeScript(const QDir& folder, const QString& name, const QByteArray& t
     const QString path = folder.filePath(name);
     if (const Failure failure = saveFile(path, text)) return failure;
     QFile::setPermissions(path,
-                          runnable); // where the drive knows no such thing, bash reads them all the same
+                          runnable); // fallback: bash can also read files without this flag
     return std::nullopt;
 }
 

@@ -9,7 +9,7 @@ namespace io {
 // several machines share, and can be carried to another one.
 struct ClusterJob {
     AnimationExport animation;
-    int tasks = 8; // at most that share the frames
+    int tasks = 8; // most tasks that share the frames
 };
 
 struct WrittenJob {

@@ -13,7 +13,7 @@ namespace io {
 
 namespace {
 
-constexpr int shutterProbes = 8; // moments at which motion is measured while the shutter is open
+constexpr int shutterProbes = 8; // moments within the open shutter at which motion is measured
 
 PictureFormat formatOf(const PlaneExport& picture) {
     const attractor::RenderRequest& request = picture.request;
@@ -83,7 +83,7 @@ SpaceExport FrameDrawing::spaceFrame(int frame, const std::stop_token& stop) {
     SpaceExport picture = m_source->spaceAt(animation::moment(frame));
     if (attractor::showsCloud(picture.look)) picture.exposure = exposureAt(frame, stop);
     picture.moments = momentsOf<attractor::SpaceRequest>(frame, [&](const animation::Moment& moment) {
-        attractor::SpaceRequest request = picture.request; // its look
+        attractor::SpaceRequest request = picture.request; // request with the look of the picture
         const attractor::SpaceRequest then = m_source->spaceAt(moment).request;
         request.system = then.system;
         request.cage = then.cage;
@@ -130,7 +130,7 @@ void FrameDrawing::measurePilots(const document::BetweenPilots& between, const s
     std::future<std::optional<attractor::Exposure>> second;
     try {
         if (!isOne) second = std::async(std::launch::async, work.back());
-    } catch (const std::system_error&) { // no thread is to be had: one after the other
+    } catch (const std::system_error&) { // no thread available: sequential
     }
     for (std::size_t i = 0; i < wanted.size(); ++i)
         if (const auto measured = i == 1 && second.valid() ? second.get() : work[i]())
@@ -202,7 +202,7 @@ ExportOutcome FrameDrawing::encodeLater(const QString& path, const PictureFormat
     const auto encode = [file, format, image = picture.image] { return encoded(*file, format, image); };
     try {
         m_written = std::async(std::launch::async, encode);
-    } catch (const std::system_error&) { // no thread is to be had
+    } catch (const std::system_error&) { // no thread available
         outcome.failure = encode();
     }
     return outcome;
@@ -231,7 +231,7 @@ bool FrameDrawing::isTransparent(int frame) const {
 
 bool FrameDrawing::isTransparent(const std::vector<int>& frames) const {
     const auto* solid = document::space(m_source->entry());
-    const bool isSteady = solid && solid->animation->look.empty(); // and a frame in space takes its time
+    const bool isSteady = solid && solid->animation->look.empty(); // constant look; frames in space are slow
     const std::size_t looked = isSteady ? std::min<std::size_t>(frames.size(), 1) : frames.size();
     return std::any_of(frames.begin(), frames.begin() + std::ptrdiff_t(looked),
                        [this](int frame) { return isTransparent(frame); });

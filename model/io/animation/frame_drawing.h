@@ -27,9 +27,9 @@ inline constexpr const char* frameNumberKeyword = "barycage:frame";
 
 // Brightness of the frames.
 enum class Exposing {
-    Smooth, // follows the whole animation, without flicker
-    Fixed,  // that of frame 0
-    Each,   // measured for every frame by itself
+    Smooth, // one exposure that follows the whole animation, without flicker
+    Fixed,  // exposure of frame 0
+    Each,   // separate exposure for each frame
 };
 
 struct FrameOptions {
@@ -42,7 +42,7 @@ struct FrameOptions {
 class FrameSource {
 public:
     virtual ~FrameSource() = default;
-    virtual const document::Fractal& entry() const = 0; // animated
+    virtual const document::Fractal& entry() const = 0; // animated entry
     virtual PlaneExport planeAt(const animation::Moment& moment) const = 0;
     virtual SpaceExport spaceAt(const animation::Moment& moment) const = 0;
 };
@@ -57,12 +57,12 @@ public:
     ExportOutcome writePng(int frame, const QString& path, const FrameHashes& hashes,
                            const Progress& progress, const std::stop_token& stop);
     Failure finish();                                    // waits for the last picture
-    const QString& failedPath() const { return m_path; } // of the picture that cannot be written
+    const QString& failedPath() const { return m_path; } // path of the picture that cannot be written
     // The same pixels with 8 bits per channel; null when stopped. Throws bad_alloc where there is no room for
     // it.
     Picture draw(int frame, const Progress& progress, const std::stop_token& stop);
 
-    bool isTransparent(int frame) const; // some of it may be
+    bool isTransparent(int frame) const; // true if the frame may have transparent pixels
     // Returns true if any frame is transparent.
     bool isTransparent(const std::vector<int>& frames) const;
 
@@ -87,9 +87,9 @@ private:
     FrameOptions m_options;
     document::AnimationFacts m_facts;
     std::vector<animation::Moment> m_pilots;
-    std::map<std::size_t, attractor::Exposure> m_exposures; // of pilots
-    QString m_path;                                         // of the newest picture
-    std::future<Failure> m_written;                         // while it is encoded
+    std::map<std::size_t, attractor::Exposure> m_exposures; // exposures of the pilots
+    QString m_path;                                         // path of the newest picture
+    std::future<Failure> m_written;                         // result of the picture being encoded
 };
 
 } // namespace io

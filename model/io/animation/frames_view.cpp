@@ -61,7 +61,7 @@ FrameSupport supportOf(const document::Shape<3>& shape) {
                 false};
     const auto shared = std::make_shared<const ifs::SupportFunction<3>>(*std::move(support));
     return {[=](const ifs::Vector<3>& u) {
-        constexpr double tolerance = 1e-4; // of the size: a margin is hundreds of times wider
+        constexpr double tolerance = 1e-4; // relative to the size; margins are hundreds of times wider
         return farthest([&](const ifs::AffineMap<3>& placed) {
             const ifs::Vector<3> inner = placed.linear.transpose() * u;
             const auto value = (*shared)(inner, tolerance * shared->radius() * inner.norm());
@@ -133,7 +133,7 @@ attractor::Support supportBefore(std::span<const animation::CameraTurn> turns, a
 attractor::OrbitCamera cameraOfFrame(const attractor::OrbitCamera& atRest,
                                      std::span<const animation::CameraTurn> turns,
                                      const attractor::Support& allFrames, double margin) {
-    if (animation::motionOf(turns)) // also of no turns
+    if (animation::motionOf(turns)) // also true for no turns
         return animation::orbited(attractor::fitted(atRest, allFrames, margin), turns);
     return attractor::fitted(animation::orbited(atRest, turns), allFrames, margin);
 }
@@ -147,8 +147,8 @@ attractor::OrbitCamera cameraOfFrames(document::Fractal entry, const attractor::
             aboutTarget.push_back(orbit);
     attractor::Support all = supportOfFrames(entry);
     if (aboutTarget.empty()) return attractor::fitted(camera, all);
-    // The target is free to choose: the middle. What is seen about it is taken as the same to all sides, so
-    // that it is in the middle of the view, too.
+    // The target can be any point on the axis: the middle. Extents around it are made equal on all sides, so
+    // that it is also in the middle of the view.
     ifs::Vector<3> middle;
     for (int i = 0; i < 3; ++i)
         middle[i] = (all(ifs::Vector<3>::Unit(i)) - all(-ifs::Vector<3>::Unit(i))) / 2;

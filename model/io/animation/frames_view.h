@@ -14,7 +14,7 @@ namespace io {
 struct ViewBox {
     ifs::Vector<2> min;
     ifs::Vector<2> max;
-    bool certified = true; // false: where orbits spend most of their time
+    bool certified = true; // false: region in which orbits spend most of their time
 };
 
 // Box in the plane, as displayed, of the picture under its cage and with its shadow.
@@ -42,6 +42,6 @@ attractor::OrbitCamera cameraOfFrame(const attractor::OrbitCamera& atRest,
 // goes round.
 attractor::OrbitCamera cameraOfFrames(document::Fractal entry, const attractor::OrbitCamera& camera);
 
-bool hasCameraKeys(const document::Fractal& entry); // which then say what is shown
+bool hasCameraKeys(const document::Fractal& entry); // true if camera keys determine the view
 
 } // namespace io

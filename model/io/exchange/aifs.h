@@ -19,7 +19,7 @@ namespace io {
 // "Affine invariant form".
 using RowStochastic = ifs::RowStochastic<2>;
 struct AffineInvariantForm {
-    ifs::Simplex<2> simplex; // an affine basis
+    ifs::Simplex<2> simplex; // vertices of an affine basis
     std::vector<RowStochastic> maps;
 };
 AffineInvariantForm affineInvariantForm(const document::System2& system, const ifs::Simplex<2>& simplex);

@@ -38,8 +38,8 @@ bool isIdentifier(QByteArrayView text) {
 }
 
 struct Map {
-    std::vector<double> translation; // as many as the dimension
-    std::vector<double> linear;      // its square
+    std::vector<double> translation; // number of entries: the dimension
+    std::vector<double> linear;      // number of entries: the dimension squared
 };
 
 // A block, read line by line.
@@ -87,7 +87,7 @@ public:
         return entry;
     }
 
-    // Returns true for a block of mere settings: the head of a file.
+    // Returns true for a block of settings only: the head of a file.
     bool isEmpty() const { return m_maps.isEmpty() && m_order.isEmpty() && !m_failure; }
 
 private:
@@ -157,9 +157,9 @@ private:
     QString m_name;
     int m_dimension = 2;
     QHash<QByteArray, Map> m_maps;
-    QByteArrayList m_order; // of the union
+    QByteArrayList m_order; // order of the union
     std::vector<double> m_weights;
-    std::optional<Problem> m_failure; // the first
+    std::optional<Problem> m_failure; // first failure
 };
 
 // "@id:" alone on a line.

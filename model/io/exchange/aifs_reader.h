@@ -13,6 +13,6 @@ namespace io {
 // "# weights: …", as writeAifs() has it.
 document::FractalFile readAifs(const QByteArray& bytes);
 
-bool looksLikeAifs(const QByteArray& bytes); // the first line that says anything is "@id:" or a setting
+bool looksLikeAifs(const QByteArray& bytes); // true if the first significant line is "@id:" or a setting
 
 } // namespace io

@@ -15,7 +15,7 @@ namespace io {
 namespace {
 
 constexpr QByteArrayView scheme = "barycage:";
-constexpr int withoutHeader = -15; // the bits of zlib's window, negative for a raw stream
+constexpr int withoutHeader = -15; // window bits of zlib; negative for a raw stream
 // Characters: more than any text within the limit needs, even where it cannot be compressed.
 constexpr qsizetype maxPacked = 2 * maxLinkedText;
 constexpr qsizetype longestAddress = 4096;

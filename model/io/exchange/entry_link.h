@@ -13,7 +13,7 @@
 // docs/formats.md, “Links”; app/web/page/link.js does the same in pages.
 namespace io {
 
-constexpr qsizetype maxLinkedText = 1'000'000; // bytes of the text of an entry
+constexpr qsizetype maxLinkedText = 1'000'000; // bytes
 
 // Why there is no link to the entry, in a sentence; empty where there may be one.
 QString linkObstacle(const document::Fractal& fractal);

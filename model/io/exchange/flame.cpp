@@ -34,12 +34,12 @@ using document::Problem;
 
 constexpr qsizetype maxXforms = 100'000; // per flame
 constexpr qsizetype maxFlames = 200'000; // per file
-constexpr qsizetype maxRefusals = 100;   // told one by one
+constexpr qsizetype maxRefusals = 100;   // limit for separate messages
 
 class Reader {
 public:
     Reader(const QString& text, FlameAxis axis) : m_xml(text), m_axis(axis) {
-        // A flame needs nothing from a document type: an entity is refused, not expanded.
+        // Refuses entities, since a flame needs nothing from a document type.
         m_xml.setEntityExpansionLimit(0);
     }
 
@@ -104,7 +104,7 @@ private:
         final.linear = 1;
         m_remarks.clear();
         bool isInXform = false;
-        // Skips deeper elements, in which programs keep things of their own, such as earlier versions.
+        // Skips nested elements, in which programs keep data of their own, such as earlier versions.
         for (int depth = 0; !m_xml.atEnd();) {
             m_xml.readNext();
             if (m_xml.isEndElement() && --depth < 0) break;
@@ -113,7 +113,7 @@ private:
             const bool isRead = depth == 1 || (depth == 2 && isInXform && m_xml.name() == u"motion");
             if (!isRead || !refusal.isEmpty()) continue;
             if (readColours(colours)) {
-                if (m_xml.isEndElement()) --depth; // read to its end
+                if (m_xml.isEndElement()) --depth; // already read to its end
             } else if (m_xml.name() == u"xform")
                 refusal = addXform(xforms, symmetry);
             else if (m_xml.name() == u"finalxform")
@@ -142,7 +142,7 @@ private:
         if (std::size_t(m_file.entries.size()) > before) m_times.push_back(time);
     }
 
-    // Returns true if the final xform leaves all points of the plane where they are.
+    // Returns true if the final xform leaves the plane unchanged.
     static bool isNoFinal(const Xform& final) { return final.inPlane() == ifs::AffineMap<2>(); }
 
     QString readFinal(Xform& final) const {
@@ -172,7 +172,7 @@ private:
                    : Text::tr("its symmetry is not of a kind from −%1 to %1").arg(ifs::maxSymmetryOrder);
     }
 
-    // Reads an element of colours; false for any other. That of a transform is read as well, but gives false.
+    // Reads an element of colours; false for others. An xform's colours are read, too, but return false.
     bool readColours(FlameColourReader& colours) {
         const QXmlStreamAttributes attributes = m_xml.attributes();
         if (m_xml.name() == u"xform")
@@ -220,7 +220,7 @@ private:
 
     static ifs::MapId idOf(std::size_t index) { return static_cast<ifs::MapId>(index + 1); }
 
-    // Rows of the matrix, each as long as there are transforms; what a row leaves out is 1.
+    // Rows of the matrix, one entry for each transform; missing entries are 1.
     static void link(document::System2& system, const std::vector<Xform>& xforms) {
         const std::size_t n = xforms.size();
         std::vector<double> matrix;
@@ -257,13 +257,13 @@ private:
         return shape;
     }
 
-    // The parts of a flame that remain when all of it has been read.
+    // Parts of a flame that are needed after all of it has been read.
     struct Flame {
         QString name;
-        std::vector<Xform> xforms; // that are maps
+        std::vector<Xform> xforms; // xforms that are maps
         bool keepsZ = false;
         ifs::Symmetry<2> symmetry;
-        ifs::AffineMap<2> final; // F: the picture is F(A), the attractor of F w F⁻¹
+        ifs::AffineMap<2> final; // F; the attractor of F w F⁻¹ is F(A)
     };
 
     void addEntry(const Flame& flame, const FlameColourReader& colours) {
@@ -278,7 +278,7 @@ private:
         }
         document::Fractal fractal;
         fractal.name = nameOnce(name.isEmpty() ? QStringLiteral("flame") : name);
-        // A name that a collection cannot hold goes behind the brace.
+        // Names that a collection cannot hold become the comment behind the brace.
         if (document::uniqueName({}, name) != name) fractal.headerComment = name;
         if (std::ranges::any_of(xforms, &Xform::isSpatial))
             fractal.shape = spaceOf(xforms, keepsZ);
@@ -302,7 +302,7 @@ private:
         m_file.entries << entry;
     }
 
-    // Whole, with a number where another flame has the name.
+    // Whole name, with a number if another flame has the same.
     QString nameOnce(const QString& name) {
         QString candidate = name;
         int& number = m_numbers[name.toCaseFolded()];
@@ -315,10 +315,10 @@ private:
     QXmlStreamReader m_xml;
     FlameAxis m_axis;
     document::FractalFile m_file;
-    std::vector<std::optional<double>> m_times; // of every entry
+    std::vector<std::optional<double>> m_times; // times of all entries
     QSet<QString> m_names;                      // case-folded
-    QHash<QString, int> m_numbers;              // the one to try next behind a name
-    document::Problems m_remarks;               // on the weights of the flame at hand
+    QHash<QString, int> m_numbers;              // next number to try behind each name
+    document::Problems m_remarks;               // remarks on the weights of the current flame
     qsizetype m_refused = 0;
 };
 
@@ -364,11 +364,11 @@ void writeSymmetryTransforms(QXmlStreamWriter& xml, const ifs::Symmetry<2>& symm
 
 void writeOne(QXmlStreamWriter& xml, const document::Fractal& fractal, const document::System2& system,
               FlameAxis axis) {
-    constexpr int side = 1000; // pixels of the frame that the flame's scale and centre speak of
+    constexpr int side = 1000; // pixels of the frame for the flame's scale and centre
     attractor::Camera camera;
     camera.width = camera.height = side;
     document::Fractal code = fractal;
-    document::plane(code)->cage.reset(); // a flame holds the code; the placement is not part of it
+    document::plane(code)->cage.reset(); // flames hold the code without a placement
     if (const auto box = document::displayedBox(code)) camera = attractor::fitted(camera, box->min, box->max);
     const double up = axis == FlameAxis::Flipped ? -1 : 1;
 
@@ -430,7 +430,7 @@ bool looksLikeFlame(const QByteArray& bytes) {
     head = head.trimmed();
     if (!head.startsWith('<')) return false;
     if (head.contains("<flame") || head.contains("<jwf-flame") || head.contains("<Flames")) return true;
-    QXmlStreamReader xml(bytes); // long comments may come first
+    QXmlStreamReader xml(bytes); // accepts long comments before the first element
     return xml.readNextStartElement() && xml.name().startsWith(QLatin1String("flame"), Qt::CaseInsensitive);
 }
 

@@ -20,7 +20,7 @@ using attractor::Palette;
 using attractor::Rgba;
 
 constexpr std::size_t last = flameColours - 1;
-constexpr const char* colourByKey = "barycage_colour"; // which only Barycage reads
+constexpr const char* colourByKey = "barycage_colour"; // attribute for Barycage only
 
 struct ColourByName {
     ColourBy colourBy;
@@ -85,7 +85,7 @@ std::vector<Rgba> distinct(const std::vector<Rgba>& colours) {
     std::vector<Rgba> found;
     for (const Rgba& colour : colours) {
         if (std::ranges::find(found, colour) == found.end()) found.push_back(colour);
-        if (found.size() > flameColours) break; // more than a palette holds: it need not know how many
+        if (found.size() > flameColours) break; // more than a palette holds; the exact number is irrelevant
     }
     return found;
 }
@@ -155,12 +155,12 @@ void FlameColourReader::readColours(const QString& data) {
 }
 
 void FlameColourReader::readXform(const QXmlStreamAttributes& attributes) {
-    // Older flames have two coordinates of colour, of which the first is the one in use.
+    // First of two coordinates in older flames, the only one in use.
     const QStringView text = attributes.value(QLatin1String("color")).trimmed();
     const qsizetype end = text.indexOf(u' ');
     const auto position = share(parseNumber(end < 0 ? text : text.first(end)));
     auto speed = share(parseNumber(attributes.value(QLatin1String("color_speed"))));
-    const auto symmetry = parseNumber(attributes.value(QLatin1String("symmetry"))); // the older form
+    const auto symmetry = parseNumber(attributes.value(QLatin1String("symmetry"))); // older form
     if (!speed && symmetry) speed = share((1 - *symmetry) / 2);
     m_xforms.push_back(
         {position, speed, document::mapNameOf(attributes.value(QLatin1String("name")).toString())});
@@ -201,7 +201,7 @@ bool FlameColourReader::colourMaps(attractor::Appearance& appearance, const docu
         if (!xform.position || (m_colourBy == ColourBy::Blend && !xform.speed)) continue;
         const double position = *xform.position * double(m_colours.size() - 1);
         appearance.mapColours[system.maps[i].id] =
-            m_colours[std::size_t(std::lround(position))]; // as it was written, without the error of stops
+            m_colours[std::size_t(std::lround(position))]; // original colour, without the error of stops
         isAny = true;
     }
     return isAny;
@@ -224,7 +224,7 @@ void FlameColourReader::applyTo(document::Fractal& fractal) const {
     if (m_colours.empty()) return;
     appearance.palette = paletteThrough(m_colours, fractal.name);
     if (m_colourBy) appearance.colourBy = *m_colourBy;
-    // Barycage gives places in order where colours go neither by maps nor by their blends.
+    // True if places are free, because colours depend neither on maps nor on their blends.
     const bool hasPlaces = !m_colourBy || *m_colourBy == ColourBy::Map || *m_colourBy == ColourBy::Blend;
     if (system != nullptr && hasPlaces && colourMaps(appearance, *system) && !m_colourBy)
         appearance.colourBy = ColourBy::Blend;
@@ -275,7 +275,7 @@ void writeFlameLook(QXmlStreamWriter& xml, const attractor::Appearance& appearan
     write("background", levels.join(' '));
     for (const ColourByName& known : colourByNames)
         if (known.colourBy == appearance.colourBy) write(colourByKey, known.name);
-    const attractor::Appearance usual; // as flames are without these attributes
+    const attractor::Appearance usual; // defaults of flames without these attributes
     if (appearance.contrast != usual.contrast) write("contrast", formatNumber(appearance.contrast));
     if (appearance.vibrancy != usual.vibrancy) write("vibrancy", formatNumber(appearance.vibrancy));
 }

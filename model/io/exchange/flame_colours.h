@@ -17,16 +17,16 @@ class QXmlStreamWriter;
 // XML".
 namespace io {
 
-constexpr std::size_t flameColours = 256; // in a palette
+constexpr std::size_t flameColours = 256; // colours of a palette
 
 // Collects the settings of one flame, then applies them to the fractal that was read from it.
 class FlameColourReader {
 public:
-    void readFlame(const QXmlStreamAttributes& attributes);  // of <flame>
-    void readPalette(const QString& hex, int channels);      // the text of <palette>; 3 or 4 channels
-    void readColour(const QXmlStreamAttributes& attributes); // of <color>: index, rgb
-    void readColours(const QString& data);                   // of <colors>: 00RRGGBB for each
-    void readXform(const QXmlStreamAttributes& attributes);  // the next xform
+    void readFlame(const QXmlStreamAttributes& attributes);  // attributes of <flame>
+    void readPalette(const QString& hex, int channels);      // text of <palette>, with 3 or 4 channels
+    void readColour(const QXmlStreamAttributes& attributes); // attributes of <color>: index, rgb
+    void readColours(const QString& data);                   // text of <colors>: 00RRGGBB for each
+    void readXform(const QXmlStreamAttributes& attributes);  // attributes of the next xform
     // Ascending: those of xforms that turned out to be no maps.
     void forgetXforms(const std::vector<std::size_t>& indices);
 
@@ -48,7 +48,7 @@ private:
     std::vector<attractor::Rgba> m_colours;
     std::vector<Xform> m_xforms;
     std::optional<attractor::Rgba> m_background;
-    std::optional<attractor::ColourBy> m_colourBy; // as Barycage writes it
+    std::optional<attractor::ColourBy> m_colourBy; // value written by Barycage
     std::optional<double> m_contrast;
     std::optional<double> m_vibrancy;
     bool m_isForeign = false;
@@ -58,10 +58,10 @@ private:
 struct FlameColours {
     std::array<attractor::Rgba, flameColours> palette;
     std::vector<double> positions;             // 0 … 1, one per map
-    std::vector<std::optional<double>> speeds; // one per map; nullopt: the usual one
-    bool isPalette = true;       // false: made of the colours of the maps, which are not on the palette
-    bool holdsMapColours = true; // false: more different ones than a palette holds, or not drawn
-    bool holdsMapBlends = true;  // false: the colours of the maps are in their place
+    std::vector<std::optional<double>> speeds; // one per map; nullopt: default
+    bool isPalette = true;       // false: composed of the colours of the maps, which are not on the palette
+    bool holdsMapColours = true; // false: more map colours than a palette holds, or map colours not shown
+    bool holdsMapBlends = true;  // false: map colours take their place
 };
 FlameColours flameColoursOf(const document::Fractal& fractal);
 

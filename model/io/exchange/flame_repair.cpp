@@ -108,7 +108,7 @@ private:
                                   sentence};
     }
 
-    // The flame with its tags mended, one by one.
+    // Flame with repaired tags.
     QString mended(const QString& flame) {
         static const QRegularExpression tag(QStringLiteral(
             "<([A-Za-z][\\w:.-]*)((?:\\s*[A-Za-z_][\\w:.-]*\\s*=\\s*(?:\"[^\"]*\"|'[^']*'))*)(\\s*/?>)"));
@@ -169,7 +169,10 @@ private:
 } // namespace
 
 RepairedFlames repairedFlames(const QString& source) {
-    const QString text = withoutSingleLayers(source);
+    // Quotation marks as a word processor or a page sets them.
+    static const QRegularExpression quoted(QStringLiteral("=\\s*[“”„″]([^“”„″\"<>]*)[“”″]"));
+    QString text = withoutSingleLayers(source);
+    if (text.contains(quoted) && flawOf(text)) text.replace(quoted, QStringLiteral("=\"\\1\""));
     if (text.contains(QStringLiteral("<!DOCTYPE"), Qt::CaseInsensitive) || !flawOf(text) ||
         !text.contains(QStringLiteral("<flame")))
         return {text, {}};

@@ -8,7 +8,7 @@
 namespace io {
 
 struct RepairedFlames {
-    QString text;                // XML with the same lines
+    QString text;                // repaired XML with the same lines
     document::Problems problems; // repairs, and flames that could not be repaired
 };
 

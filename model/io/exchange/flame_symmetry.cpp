@@ -9,7 +9,7 @@ namespace io {
 
 namespace {
 
-constexpr double tolerance = 1e-5; // flames often have six digits
+constexpr double tolerance = 1e-5; // accepts six digits, as usual in flames
 constexpr std::size_t maxElements = 2 * ifs::maxSymmetryOrder;
 
 bool isNear(const ifs::AffineMap<2>& a, const ifs::AffineMap<2>& b) {

@@ -92,7 +92,7 @@ void readAmounts(const QXmlStreamAttributes& attributes, Xform& xform) {
             else if (name != u"var1")
                 (name == u"linear" ? xform.linear : xform.linear3D) += values.first();
             else if (values.first() == 0)
-                xform.linear += 1; // the old form names the variation by its index; 0 is linear
+                xform.linear += 1; // older form: index of a variation; 0 is linear
             else
                 *refusal = Text::tr("it uses a variation other than linear");
         } else if (name == u"var") {
@@ -186,7 +186,8 @@ Xform readXform(const QXmlStreamAttributes& attributes) {
     if (!ok || std::ranges::any_of(xform.chaos, [](double v) { return !(v >= 0); }))
         xform.refusal = Text::tr("its “chaos” is not a list of numbers from 0 upwards");
     xform.opacity = parseNumber(attributes.value(QLatin1String("opacity"))).value_or(1);
-    if (xform.opacity == 0 || attributes.value(QLatin1String("plotmode")) == u"off") // as flam3
+    // Same behaviour as flam3.
+    if (xform.opacity == 0 || attributes.value(QLatin1String("plotmode")) == u"off")
         xform.refusal = Text::tr("it is active but not drawn (opacity 0)");
     if (attributes.hasAttribute(QLatin1String("weight"))) {
         const auto weight = parseNumber(attributes.value(QLatin1String("weight")));

@@ -15,7 +15,7 @@ namespace io {
 
 namespace {
 
-constexpr double figureSize = 8; // cm, the longer side
+constexpr double figureSize = 8; // cm of the longer side
 
 // A number as mathematics is set: 1.5·10⁻⁵ instead of 1.5e-05. Exact to the last digit.
 QByteArray set(double value) {
@@ -41,7 +41,7 @@ public:
         return number.latex;
     }
 
-    // The text, preceded by a remark when something was rounded.
+    // Text, preceded by a remark if something was rounded.
     QByteArray withRemark(const QByteArray& text) const {
         return m_isRounded ? "% rounded to six significant digits\n" + text : text;
     }
@@ -170,7 +170,7 @@ QByteArray figure(const document::Fractal& fractal, const document::System2& sys
     }
     const Sheet sheet(polygons);
     QByteArray text = "\\begin{tikzpicture}\n  \\draw[thick] " + sheet.path(cage) + ";\n";
-    QByteArray marks; // over all images
+    QByteArray marks; // marks on top of all images
     for (std::size_t k = 0; k < drawn.size(); ++k) {
         const std::size_t i = drawn[k];
         const QByteArray number = QByteArray::number(qulonglong(i) + 1);

@@ -18,9 +18,9 @@ QByteArray writeLatex(const QList<std::shared_ptr<const document::Fractal>>& fra
 // Parts of it to be pasted, each empty for an entry that holds none of it. Only maps that take part. Numbers
 // are those of readableNumber(), with a comment where any is rounded; what does not fit a page is in several
 // environments.
-QByteArray latexTable(const document::Fractal& fractal);         // a tabular of coefficients and shares
-QByteArray latexMatrices(const document::Fractal& fractal);      // an align* of the formulas
-QByteArray latexInvariantForm(const document::Fractal& fractal); // of the plane: matrices S_i of the triangle
-QByteArray tikzFigure(const document::Fractal& fractal);         // of the plane
+QByteArray latexTable(const document::Fractal& fractal);         // tabular of coefficients and shares
+QByteArray latexMatrices(const document::Fractal& fractal);      // align* of the formulas
+QByteArray latexInvariantForm(const document::Fractal& fractal); // plane only: matrices S_i of the triangle
+QByteArray tikzFigure(const document::Fractal& fractal);         // plane only
 
 } // namespace io

@@ -67,7 +67,7 @@ private:
 
     const PointCloud& m_cloud;
     attractor::PreparedSystem m_system;
-    ifs::Placement m_display; // bent where the cage is
+    ifs::Placement m_display; // bends if the cage does
     QByteArray m_bytes;
 };
 
@@ -93,7 +93,7 @@ namespace {
 template <class Add>
 void addAll(const PointCloud& cloud, const Add& add, const Progress& progress, const std::stop_token& stop,
             ExportOutcome& outcome) {
-    constexpr std::uint64_t between = 1 << 16; // points between two looks at the clock
+    constexpr std::uint64_t between = 1 << 16; // points between two checks of the time
     for (std::uint64_t i = 0; i < cloud.points && !outcome.stopped; ++i) {
         add();
         if (i % between != 0) continue;

@@ -110,7 +110,7 @@ struct SpacePoints::State {
         return point;
     }
 
-    // The place of a point of the orbit, as its branch is moved.
+    // Displayed place of a point of the orbit, in its possibly moved branch.
     ifs::Vector<3> shown(const ifs::Vector<3>& x) const {
         return address.empty() ? x : ifs::pieceOf<3>(pieces, address).change(x);
     }
@@ -120,9 +120,9 @@ struct SpacePoints::State {
     attractor::PreparedSpace system;
     attractor::SpaceOrbit orbit;
     std::vector<ifs::MovedBranch<3>> pieces = ifs::pieces<3>(system.moved, system.maps.size());
-    ifs::Word address; // as much of the newest point's as tells its piece
+    ifs::Word address; // address of the newest point, long enough to determine its piece
     ifs::AffineMap<3> placement;
-    std::optional<ifs::CageDeformation> bend; // in place of it; normals are those of the placement
+    std::optional<ifs::CageDeformation> bend; // replaces the placement, which still gives the normals
     Surroundings surroundings;
     QByteArray bytes;
 };

@@ -43,12 +43,12 @@ template <TableSeparator separator> QByteArray tableOf(const Fractals& held, con
 struct Kind {
     TextFormat format;
     const char* title;              // null: not in the list of the window
-    const char* word;               // on the command line
-    std::vector<const char*> names; // the suffix first
+    const char* word;               // name on the command line
+    std::vector<const char*> names; // suffix first
     QByteArray (*write)(const Fractals& held, const TextOptions& options);
     bool holdsOneSystem = false;
     bool holdsSolids = true;
-    bool holdsSymmetry = false; // otherwise its maps are listed
+    bool holdsSymmetry = false; // false: maps are listed
 };
 
 const Kind& kindOf(TextFormat format) {
@@ -66,7 +66,7 @@ const Kind& kindOf(TextFormat format) {
              .write = [](const Fractals& held,
                          const TextOptions& options) { return writeFlame(held, options.axis); },
              .holdsSolids = false,
-             .holdsSymmetry = true}, // and lists it itself if need be
+             .holdsSymmetry = true}, // expands the symmetry itself if necessary
         Kind{.format = TextFormat::Aifs,
              .title = QT_TRANSLATE_NOOP("Text", "IFStile (.aifs)"),
              .word = "aifs",

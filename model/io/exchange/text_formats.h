@@ -22,9 +22,9 @@ inline constexpr std::array textFormats{TextFormat::Fractint, TextFormat::Flame,
 // The format with this file suffix or other name, in any case.
 std::optional<TextFormat> textFormat(const QString& name);
 QString suffixOf(TextFormat format);
-const char* wordOf(TextFormat format);  // on the command line
-const char* titleOf(TextFormat format); // in the list of the window, for Text::tr(); null: not there
-bool holdsOneSystem(TextFormat format); // tables have no place for a second
+const char* wordOf(TextFormat format);  // name on the command line
+const char* titleOf(TextFormat format); // title in the list of the window, for Text::tr(); null: not listed
+bool holdsOneSystem(TextFormat format); // true if a file has no place for a second system
 
 struct TextOptions {
     FlameAxis axis = FlameAxis::Flipped;

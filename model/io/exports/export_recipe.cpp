@@ -16,7 +16,7 @@ namespace io {
 namespace {
 
 constexpr int maxSide = 100'000;
-constexpr int previewSamples = 100; // per pixel
+constexpr int previewSamples = 100; // samples per pixel
 
 bool isWithin(double value, double least, double most) {
     return value >= least && value <= most; // false for NaN
@@ -161,7 +161,7 @@ SpaceExport exportOf(const SpaceRecipe& recipe, const document::Fractal& fractal
     attractor::OrbitCamera camera = recipe.camera;
     camera.size = recipe.size;
     camera.size.width = std::max(1, recipe.size.width / picturesAcross(picture.stereo));
-    // The visible part is kept: a narrower picture shows more above and below.
+    // Keeps the visible part: a narrower picture shows more above and below.
     const double before = double(recipe.camera.size.width) / recipe.camera.size.height;
     const double after = double(camera.size.width) / camera.size.height;
     if (after < before) camera.height *= before / after;

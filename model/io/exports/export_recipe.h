@@ -17,10 +17,10 @@ namespace io {
 
 // Recipes: the settings of an export, as plain values that can be kept, without the entry.
 
-struct PixelRecipe { // of the plane
+struct PixelRecipe { // picture of pixels in the plane
     attractor::Camera camera;
     PictureFile file = PictureFile::Png;
-    PictureFormat::Depth depth = PictureFormat::Depth::Bits8; // one that the file takes
+    PictureFormat::Depth depth = PictureFormat::Depth::Bits8; // must be a depth of the file
     int samplesPerPixel = 100;
     int supersample = 1;
     double dotsPerInch = 300;
@@ -30,11 +30,11 @@ struct PixelRecipe { // of the plane
     friend bool operator==(const PixelRecipe&, const PixelRecipe&) = default;
 };
 
-struct ShapeRecipe { // of the plane
+struct ShapeRecipe { // picture of shapes in the plane
     attractor::Camera camera;
     ShapeFile file = ShapeFile::Svg;
     ShapeStyle style = ShapeStyle::Structured;
-    std::optional<int> depth; // of the copies; nullopt: as many as a pixel needs
+    std::optional<int> depth; // depth of copies; nullopt: as many levels as a pixel needs
     int points = int(SvgFormat().points);
     double dotsPerInch = SvgFormat().dotsPerInch;
     CageVisibility cage = CageVisibility::Hidden;
@@ -44,11 +44,11 @@ struct ShapeRecipe { // of the plane
 };
 
 struct SpaceRecipe {
-    attractor::OrbitCamera camera; // as on the screen; what is seen there stays in the picture
-    attractor::RasterSize size;    // of the picture, both eyes side by side included
+    attractor::OrbitCamera camera; // camera of the screen; everything visible there stays in the picture
+    attractor::RasterSize size;    // size of the picture, including both eyes side by side
     PictureFile file = PictureFile::Png;
-    std::optional<ShapeFile> page;                            // that a PNG of 8 bits is embedded in
-    PictureFormat::Depth depth = PictureFormat::Depth::Bits8; // one that the file takes
+    std::optional<ShapeFile> page;                            // page in which a PNG of 8 bits is embedded
+    PictureFormat::Depth depth = PictureFormat::Depth::Bits8; // must be a depth of the file
     Stereo stereo = Stereo::None;
     int supersample = 2;
     double dotsPerInch = 300;
@@ -57,7 +57,7 @@ struct SpaceRecipe {
     friend bool operator==(const SpaceRecipe&, const SpaceRecipe&) = default;
 };
 
-struct BodyRecipe { // of a system in space
+struct BodyRecipe { // printable body of a system in space
     MeshFormat format = MeshFormat::Stl;
     double longest = 80; // mm
     int resolution = 128;
@@ -69,7 +69,7 @@ struct BodyRecipe { // of a system in space
 
 using ExportRecipe = std::variant<PixelRecipe, ShapeRecipe, SpaceRecipe, BodyRecipe>;
 
-bool isInSpace(const ExportRecipe& recipe); // whether it is for entries in space
+bool isInSpace(const ExportRecipe& recipe); // true for entries in space
 // Returns true if every number is in the range that the dialogs have.
 bool isUsable(const ExportRecipe& recipe);
 // Returns true if the suffix of the file name belongs to the recipe's format.

@@ -13,14 +13,14 @@ namespace io {
 
 // An export that waits for its turn, with all it needs: later edits do not change it.
 struct ExportTask {
-    QString path;     // of the file to write, absolute
-    QString name;     // of the entry, for the user
-    QByteArray entry; // its text, as writeEntry() gives it
+    QString path;     // absolute path of the file to write
+    QString name;     // name of the entry for messages
+    QByteArray entry; // text of the entry from writeEntry()
     ExportRecipe recipe;
-    bool mayReplace = false; // the file at `path` now; the user was asked
-    qint64 place = 0;        // among the others, the smallest first
-    int begun = 0;           // how often it was begun by a process that ended before it did
-    QString failure;         // why it was not written, in a sentence; empty: it waits
+    bool mayReplace = false; // true if the user agreed to replace the file at `path`
+    qint64 place = 0;        // position in the queue, smallest first
+    int begun = 0;           // number of attempts by processes that ended before the export did
+    QString failure;         // reason of failure, as a sentence; empty: waiting
 
     friend bool operator==(const ExportTask&, const ExportTask&) = default;
 };
@@ -29,7 +29,7 @@ struct ExportTask {
 QByteArray taskFile(const ExportTask& task);
 struct ReadTask {
     std::optional<ExportTask> task;
-    Failure failure; // why there is none, in a sentence without the file's name
+    Failure failure; // reason of failure, as a sentence without the file's name
 };
 // Never fails in another way, whatever the bytes; every value of the task is in its range.
 ReadTask taskIn(const QByteArray& bytes);

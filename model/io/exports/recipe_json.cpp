@@ -43,7 +43,7 @@ public:
     }
     void read(const char* key, int& value) {
         constexpr int none = -1'000'000;
-        value = at(key).toInt(none); // of a fraction, too
+        value = at(key).toInt(none); // none for fractions, too
         check(value != none);
     }
     void read(const char* key, bool& value) {

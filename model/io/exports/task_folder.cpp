@@ -61,7 +61,7 @@ bool TaskFolder::write(const QString& id, const ExportTask& task) {
     if (!file.open(QIODevice::WriteOnly)) return false;
     file.setPermissions(QFile::ReadOwner | QFile::WriteOwner);
     const QByteArray data = taskFile(task);
-    // commit() would not notice that bytes still in memory find no room.
+    // Flushes first, because commit() would not notice that buffered bytes find no room.
     return file.write(data) == data.size() && file.flush() && file.commit();
 }
 
@@ -78,7 +78,7 @@ void TaskFolder::letGo() {
 // file, and its new name is locked before anybody else knows it.
 void TaskFolder::claim(const QString& path, TakenOver& taken) {
     const std::unique_ptr<document::ProcessLock> gone = document::processLock(path);
-    if (!gone) return; // its process lives
+    if (!gone) return; // its process still runs
     const QString id = newId();
     if (!own(id)) return;
     if (!QFile::rename(path, pathOf(id))) {
@@ -104,12 +104,12 @@ TaskFolder::TakenOver TaskFolder::takeOver() {
     const auto everything = QDir::Files | QDir::System | QDir::Hidden;
     for (const QString& name : folder.entryList({u'*' + ending}, everything))
         if (!m_locks.contains(name.chopped(ending.size()))) claim(folder.filePath(name), taken);
-    // Removes partly written files of killed processes: QSaveFile adds letters behind the name.
+    // Removes temporary files of killed processes: QSaveFile appends letters to the name.
     for (const QString& name : folder.entryList({u'*' + ending + QStringLiteral(".*")}, everything)) {
         const QString path = folder.filePath(name.left(name.indexOf(ending) + ending.size()));
         const bool isOurs = m_locks.contains(QFileInfo(path).fileName().chopped(ending.size()));
         if (isOurs) continue;
-        const auto gone = document::processLock(path); // a lock that is left goes with this one
+        const auto gone = document::processLock(path); // removes a leftover lock, too
         if (gone && folder.filePath(name) != document::lockFileOf(path)) QFile::remove(folder.filePath(name));
     }
     std::ranges::stable_sort(taken.tasks,

@@ -20,8 +20,8 @@ namespace io {
 // and belongs to one process at a time: docs/decisions/0025-exports-wait-in-files.md. One thread at a time.
 class TaskFolder {
 public:
-    explicit TaskFolder(const QString& folder); // made when it is needed
-    ~TaskFolder();                              // remaining tasks belong to the next owner
+    explicit TaskFolder(const QString& folder); // creates the folder on demand
+    ~TaskFolder();                              // leaves remaining tasks to the next owner
 
     TaskFolder(const TaskFolder&) = delete;
     TaskFolder& operator=(const TaskFolder&) = delete;
@@ -31,7 +31,7 @@ public:
     // A task of ours, new or changed; false where it cannot be kept.
     bool write(const QString& id, const ExportTask& task);
     void remove(const QString& id);
-    void letGo(); // all of them: they belong to whoever comes next
+    void letGo(); // releases all tasks for the next owner
 
     // Tasks of processes that are gone, which are ours from now on, in their order; and what is no task, in
     // sentences. Its file gets another name, so that it is said once.
@@ -51,7 +51,7 @@ private:
     void claim(const QString& path, TakenOver& taken);
 
     QString m_folder;
-    std::map<QString, std::unique_ptr<document::ProcessLock>> m_locks; // of our tasks, by id
+    std::map<QString, std::unique_ptr<document::ProcessLock>> m_locks; // locks of our tasks by id
 };
 
 } // namespace io

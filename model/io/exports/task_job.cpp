@@ -26,7 +26,7 @@ namespace {
 void yieldToOthers() {
 #ifdef Q_OS_LINUX
     constexpr int nice = 10;
-    ::setpriority(PRIO_PROCESS, 0, nice); // of this thread alone
+    ::setpriority(PRIO_PROCESS, 0, nice); // affects this thread only
 #endif
 }
 
@@ -37,7 +37,7 @@ void yielding(const std::function<void()>& work) {
             yieldToOthers();
             work();
         }).join();
-    } catch (const std::system_error&) { // no thread to be had
+    } catch (const std::system_error&) { // no thread available
         work();
     }
 }

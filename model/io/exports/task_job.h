@@ -14,16 +14,16 @@ namespace io {
 class TaskJob {
 public:
     struct Outcome {
-        Failure failure;      // why nothing was written
-        bool stopped = false; // on request; nothing was written
-        bool isTaken = false; // a failure: there is a file now that nobody was asked about
+        Failure failure;      // reason why nothing was written
+        bool stopped = false; // true if stopped on request; nothing was written
+        bool isTaken = false; // true if the file exists by now and nobody agreed to replace it
     };
     // `progress` (0 … 1) and `finished` are called in that thread, not after the end of this; `finished`
     // exactly once.
     TaskJob(const ExportTask& task, Progress progress, std::function<void(const Outcome&)> finished);
 
     void stop() { m_work.stop(); }
-    void setPaused(bool paused); // as soon as it has got on a little
+    void setPaused(bool paused); // takes effect after a little more progress
 
 private:
     struct Gate;

@@ -16,7 +16,7 @@ namespace io {
 class TaskStore {
 public:
     explicit TaskStore(const QString& folder);
-    ~TaskStore(); // what is not written yet is so later, if the disk answers
+    ~TaskStore(); // lets pending writes finish later, if the disk answers
 
     void write(const QString& id, const ExportTask& task, std::function<void(bool isKept)> done = {});
     void remove(const QString& id);
@@ -26,7 +26,7 @@ public:
     bool finishes(std::chrono::milliseconds patience) const { return m_writer.finishes(patience); }
 
 private:
-    std::shared_ptr<TaskFolder> m_folder; // used by the thread alone
+    std::shared_ptr<TaskFolder> m_folder; // accessed only by the writing thread
     std::shared_ptr<document::Listener> m_listener = std::make_shared<document::Listener>();
     document::WorkInOrder m_writer;
 };

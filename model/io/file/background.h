@@ -22,13 +22,13 @@ using document::Lane;
 // of other work. Cancelling the future tells the work to end; work whose result nobody waits for any more
 // goes on, perhaps beyond the end of the program, so it must hold nothing but values.
 template <class Result, class Work> QFuture<Result> inBackground(Lane lane, Work work) {
-    const auto promise = std::make_shared<QPromise<Result>>(); // a function that may be copied holds it
+    const auto promise = std::make_shared<QPromise<Result>>(); // shared, since std::function must be copyable
     QFuture<Result> future = promise->future();
     promise->start();
     document::startInLane(lane, [promise, work = std::move(work)]() mutable {
         try {
             work(*promise);
-        } catch (...) { // memory may be short
+        } catch (...) { // such as std::bad_alloc
             promise->setException(std::current_exception());
         }
         promise->finish();

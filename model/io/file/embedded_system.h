@@ -10,7 +10,7 @@ namespace io {
 // The `.ifs` text that a picture carries.
 struct EmbeddedSystem {
     QByteArray text;
-    Failure failure; // why there is no text
+    Failure failure; // reason why there is no text
 };
 
 } // namespace io

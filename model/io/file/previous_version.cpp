@@ -101,7 +101,7 @@ KeptVersion keepPreviousVersion(const QString& path, const QByteArray& own) {
         const Loaded kept = fs::is_regular_file(there) ? loadFile(previousVersionOf(path)) : Loaded();
         if (!fs::is_regular_file(there) || kept.failure) return {Keeping::Foreign, {}};
         const QByteArray other = digestOfVersion(kept.bytes);
-        if (other == digest) return {Keeping::Kept, digest}; // from a save that was cancelled
+        if (other == digest) return {Keeping::Kept, digest}; // kept by a save that was cancelled
         if (other != own) return {Keeping::Foreign, {}};
     }
     const bool isKept =

@@ -10,14 +10,14 @@ namespace io {
 QString previousVersionOf(const QString& path);
 
 enum class Keeping {
-    Nothing, // there is no file yet
+    Nothing, // no file yet
     Kept,
-    Foreign, // another file has the name, and stays
-    Refused  // by the file system
+    Foreign, // other file of that name, which stays
+    Refused  // error of the file system
 };
 struct KeptVersion {
     Keeping outcome = Keeping::Nothing;
-    QByteArray digest; // SHA-256 of what was kept, by which the next call knows its own file
+    QByteArray digest; // SHA-256 of the kept version, by which the next call recognises its own file
 };
 
 // Keeps the file as it is now, with its permissions. A file that has the name already is replaced only if it

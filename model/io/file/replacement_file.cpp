@@ -121,7 +121,7 @@ QByteArray folderOf(const QByteArray& path) {
 }
 
 constexpr char whole[] = ".barycage-";
-constexpr char part[] = ".barycage-part-"; // while it is written
+constexpr char part[] = ".barycage-part-"; // infix of a file being written
 
 // Tries names in the folder until one is free: call(name) is then 0 or more. Empty when none is.
 template <class Call> QByteArray freeName(const QByteArray& folder, const char* beginning, Call call) {
@@ -142,7 +142,7 @@ QByteArray linkOf(int file) {
 // Returns true for a partly written file of this user whose program has ended: nobody has it locked, nor has
 // just made it.
 bool isAbandoned(const QByteArray& name, time_t now) {
-    constexpr time_t justNow = 60; // seconds, of the same clock, which may have been set back since
+    constexpr time_t justNow = 60; // seconds; the clock may have been set back since
     const Descriptor file(::open(name.constData(), O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC));
     struct stat status {};
     return file.isOpen() && ::fstat(file.number(), &status) == 0 && S_ISREG(status.st_mode) &&
@@ -178,10 +178,10 @@ int createPart(const QByteArray& folder, int access, mode_t mode, QByteArray& na
 // Creates the replacement of `path` beside it; without a name where the system can do that, so that nothing
 // stays of it whatever ends the program. At no moment can others read what they may not.
 int createBeside(const QByteArray& folder, const QByteArray& path, QByteArray* name) {
-    const mode_t mode = ::access(path.constData(), F_OK) == 0 ? 0600 : 0666; // the umask is taken from it
+    const mode_t mode = ::access(path.constData(), F_OK) == 0 ? 0600 : 0666; // permissions before the umask
     int file = -1;
 #ifdef O_TMPFILE
-    file = ::open(folder.constData(), O_TMPFILE | O_RDWR | O_CLOEXEC, mode); // to be copied, perhaps
+    file = ::open(folder.constData(), O_TMPFILE | O_RDWR | O_CLOEXEC, mode); // may need to be copied
     if (file >= 0 && ::access(linkOf(file).constData(), F_OK) == 0) return file;
     if (file >= 0) ::close(file);
 #endif
@@ -247,8 +247,8 @@ struct ReplacementFile::State {
         return !name.isEmpty() || isCopiedUnderName();
     }
 
-    // Some systems create files without a name, and refuse to name them later: a copy has a name from the
-    // start.
+    // Returns true if the file needs a name from the start: some systems create files without a name, but
+    // cannot name them later.
     bool isCopiedUnderName() {
         const int copy = createPart(folder, O_WRONLY, 0600, name);
         if (copy < 0) return false;
@@ -261,7 +261,7 @@ struct ReplacementFile::State {
         return error == 0;
     }
 
-    // A new file needs no other name on the way.
+    // A new file needs no temporary name.
     bool becomesTarget() {
         return name.isEmpty() && ::linkat(AT_FDCWD, linkOf(file.number()).constData(), AT_FDCWD,
                                           target.constData(), AT_SYMLINK_FOLLOW) == 0;
@@ -271,7 +271,7 @@ struct ReplacementFile::State {
         isRenamed = ::fsync(file.number()) == 0 &&
                     (becomesTarget() || (hasName() && ::rename(name.constData(), target.constData()) == 0));
         error = isRenamed ? 0 : errno;
-        // The name must survive a power cut as well; some file systems refuse to sync a folder, which is no
+        // Syncs the folder, so that the name survives a power cut. Some file systems refuse; that is no
         // failure.
         const Descriptor directory(::open(folder.constData(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
         if (directory.isOpen()) ::fsync(directory.number());
@@ -298,9 +298,9 @@ struct ReplacementFile::State {
     }
 
     QByteArray target, folder;
-    QByteArray name; // none yet, perhaps
+    QByteArray name; // empty before naming
     Descriptor file;
-    int error = 0; // of the last call
+    int error = 0; // error of the last call
     bool isRenamed = false;
 };
 
@@ -358,7 +358,7 @@ bool ReplacementFile::write(qint64 position, const char* data, qint64 size) {
     return m_error.kind == SystemError::Kind::None;
 }
 
-qint64 ReplacementFile::read(qint64, char*, qint64) { // QSaveFile cannot
+qint64 ReplacementFile::read(qint64, char*, qint64) { // unsupported, as in QSaveFile
     m_error = m_state->errorUnless(false);
     return -1;
 }

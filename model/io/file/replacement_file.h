@@ -12,7 +12,7 @@ namespace io {
 struct SystemError {
     enum class Kind { None, DiskFull, Denied, NameTooLong, Other };
     Kind kind = Kind::None;
-    QString text; // in the system's own words
+    QString text; // message of the system
 };
 
 // A new file in the folder of `target` that replaces it once it is complete. From the start it has the

@@ -52,7 +52,7 @@ struct End {
 // Resolves links that the system may follow. Step by step as the system does it: "..", after a link to a
 // folder, is not the folder that the link lies in.
 fs::path followed(const fs::path& given) {
-    constexpr int maxLinks = 40; // as many as the kernel follows
+    constexpr int maxLinks = 40; // limit of the kernel
     std::error_code error;
     fs::path at = given;
     for (int i = 0; i < maxLinks && fs::is_symlink(fs::symlink_status(at, error)); ++i) {
@@ -60,7 +60,7 @@ fs::path followed(const fs::path& given) {
         if (error) return given;
         const fs::path link = fs::read_symlink(at, error);
         if (error) return given;
-        at = folder / link; // or `link`, if it begins at the root
+        at = folder / link; // equals `link` for an absolute one
     }
     return at;
 }
@@ -81,14 +81,14 @@ End target(const QString& path) {
 #ifdef O_PATH
     const int end = ::open(given.c_str(), O_PATH | O_CLOEXEC);
     if (end < 0) {
-        if (errno == ENOENT) return {followed(given)}; // it dangles
+        if (errno == ENOENT) return {followed(given)}; // dangling link
         return {given, errno == EACCES};
     }
     const fs::path resolved = fs::read_symlink("/proc/self/fd/" + std::to_string(end), error);
     struct stat opened {};
     struct stat named {};
     const bool isRegular = ::fstat(end, &opened) == 0 && S_ISREG(opened.st_mode);
-    // False without /proc, or after the file was removed.
+    // False without /proc, and after the file was removed.
     const bool isNamed = !error && ::stat(resolved.c_str(), &named) == 0 && named.st_dev == opened.st_dev &&
                          named.st_ino == opened.st_ino;
     ::close(end);
@@ -147,7 +147,7 @@ QString notSaved(const QString& path, const QString& why) {
 Failure whyClosed(const End& end) {
     if (!end.isRefused) return whyClosed(end.file);
     const fs::path hidden = followed(end.file);
-    const Failure closed = endsInLink(hidden) ? std::nullopt : whyClosed(hidden); // a folder on the way
+    const Failure closed = endsInLink(hidden) ? std::nullopt : whyClosed(hidden); // folder on the way
     if (closed) return closed;
     return Text::
         tr("The system does not follow the symbolic link “%1”, because another user may have put it there. "
@@ -248,7 +248,8 @@ qint64 NewFile::readData(char* data, qint64 size) {
             count = ::pread(m_waiting, data, std::size_t(size), off_t(pos()));
         while (count < 0 && errno == EINTR);
     }
-    // Readers of their own output may ignore the result, as FFmpeg's writer of MP4 does.
+    // Sets the failure, since callers that read their own output may ignore the result, as FFmpeg's writer of
+    // MP4 does.
     if (count < 0) fail();
     return count;
 }
@@ -298,7 +299,7 @@ document::Opened openRegular(QFile& file, const QString& path) {
 
 Loaded load(const QString& path, Opening* open) {
     const fs::path native(nativeName(path).toStdString());
-    std::error_code error; // what cannot be asked about is not there
+    std::error_code error; // ignored: unreadable paths count as missing
     if (isLost(path)) return {{}, notUtf8(path)};
     const bool isResource = path.startsWith(u':');
     if (const Failure closed = isResource ? std::nullopt : whyClosed(target(path))) return {{}, closed};
@@ -322,7 +323,7 @@ Loaded load(const QString& path, Opening* open) {
         return {{}, Text::tr("“%1” is not a regular file and cannot be opened.").arg(shown(path))};
     if (!opened.isOpen()) return {{}, Text::tr("“%1” cannot be read: %2.").arg(shown(path), opened.error)};
     Loaded loaded;
-    // A pipe does not know its size beforehand, and one read of the limit would reserve as much memory.
+    // Initial size: pipes do not know theirs, and one read of the limit would reserve as much memory.
     const qint64 expected = std::max<qint64>(size, 1 << 16);
     while (loaded.bytes.size() <= maxFile) {
         const QByteArray piece = file.read(expected);

@@ -24,10 +24,10 @@ using Failure = std::optional<QString>;
 // on any file.
 class NewFile : public QIODevice {
 public:
-    explicit NewFile(const QString& path); // or standardOutputPath()
+    explicit NewFile(const QString& path); // `path` may be standardOutputPath()
     ~NewFile() override;
 
-    const Failure& failure() const { return m_failure; } // the first
+    const Failure& failure() const { return m_failure; } // first failure
     [[nodiscard]] Failure commit();
     bool seek(qint64 position) override;
 
@@ -38,9 +38,9 @@ protected:
 private:
     void fail();
 
-    QString m_path; // behind symbolic links
+    QString m_path; // path behind symbolic links
     std::unique_ptr<ReplacementFile> m_replacement;
-    int m_waiting = -1; // a file without a name, for standard output
+    int m_waiting = -1; // descriptor of a file without a name, for standard output; −1: none
     Failure m_failure;
 };
 
@@ -52,7 +52,7 @@ struct Loaded {
     Failure failure;
 };
 // Both refuse more than 256 MB with a message.
-Loaded loadFile(const QString& path);   // also what is no regular file: it might never come to an end
-Loaded loadSource(const QString& path); // named by a user of the command line, also a pipe
+Loaded loadFile(const QString& path);   // refuses files that are not regular, which might never end
+Loaded loadSource(const QString& path); // named by a user of the command line, who may give a pipe
 
 } // namespace io

@@ -37,7 +37,7 @@ public:
         const std::scoped_lock lock(m_mutex);
         return m_asked.contains(path);
     }
-    // Waits for an answer about all of them, or until it is late.
+    // Waits for answers about all paths, up to the limit.
     void wait(const QStringList& paths, std::chrono::milliseconds patience) {
         std::unique_lock lock(m_mutex);
         m_answered.wait_for(lock, patience, [&] {
@@ -77,10 +77,10 @@ std::optional<bool> answerSoon(std::function<bool()> question, std::chrono::mill
 }
 
 QStringList withoutGone(const QStringList& paths, std::chrono::milliseconds patience) {
-    static auto* const presence = new Presence; // threads may come back to it at the very end
+    static auto* const presence = new Presence; // never destroyed, because threads may use it to the end
     QStringList asked;
     for (const QString& path : paths) {
-        if (presence->isAsked(path)) continue; // it did not answer in time before
+        if (presence->isAsked(path)) continue; // still unanswered
         presence->ask(path);
         asked << path;
     }

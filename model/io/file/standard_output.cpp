@@ -37,7 +37,7 @@ bool printBytes(const char* data, std::size_t size) {
         const ssize_t written = ::write(STDOUT_FILENO, data + done, size - done);
         if (written >= 0) {
             done += std::size_t(written);
-        } else if (errno == EAGAIN || errno == EWOULDBLOCK) { // a pipe that is full
+        } else if (errno == EAGAIN || errno == EWOULDBLOCK) { // full pipe
             pollfd output{STDOUT_FILENO, POLLOUT, 0};
             if (::poll(&output, 1, -1) < 0 && errno != EINTR) return false;
         } else if (errno != EINTR) {

@@ -93,7 +93,7 @@ QByteArrayList numbersOf(const std::vector<ifs::MapId>& ids, const document::Sha
     QByteArrayList numbers;
     const auto& maps = shape.system.maps;
     for (const ifs::MapId id : ids) {
-        if (id == ifs::MapId::None) numbers << "0"; // before the address of a branch: document::recurs()
+        if (id == ifs::MapId::None) numbers << "0"; // mark before the address of a branch: document::recurs()
         const auto found = std::ranges::find(maps, id, &ifs::WeightedMap<Dim>::id);
         if (found != maps.end()) numbers << QByteArray::number(qlonglong(found - maps.begin()) + 1);
     }

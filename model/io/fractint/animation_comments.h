@@ -35,7 +35,7 @@ public:
     // Needs the system and the cage in place.
     template <int Dim> Outcome applyTo(document::Shape<Dim>& shape) const;
 
-    std::vector<std::size_t> lines() const; // of all animations
+    std::vector<std::size_t> lines() const; // lines of all animations
 
 private:
     struct Block {

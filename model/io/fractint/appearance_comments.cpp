@@ -15,7 +15,7 @@ namespace {
 
 using attractor::Appearance, attractor::AppearanceNumber;
 
-constexpr std::size_t maxStops = 4096; // a hostile file must not make a palette of a million colours
+constexpr std::size_t maxStops = 4096; // limit against malicious files
 constexpr const char* beforeLook = "look ";
 
 QByteArrayList paletteLines(const QByteArray& before, const attractor::Palette& palette) {
@@ -57,13 +57,13 @@ QByteArrayList appearanceComments(const Appearance& appearance) {
 QByteArrayList lookComments(const animation::Look& look) {
     QByteArrayList lines = commonLines(look, beforeLook, true);
     if (!look.inSpace) return lines;
-    if (look.inSpace->look == attractor::SpaceAppearance().look) // one line at least
+    if (look.inSpace->look == attractor::SpaceAppearance().look) // at least one line
         lines << metadataLine("look space-look", ifs::nameOf(look.inSpace->look));
     return lines << byteLines(notation::spaceLines(*look.inSpace, beforeLook));
 }
 
 bool AppearanceComments::read(const QByteArray& key, const QByteArrayList& values) {
-    if (key == "palette") { // it may have no name
+    if (key == "palette") { // name optional
         m_paletteName = values.join(' ').toStdString();
         return true;
     }

@@ -24,7 +24,7 @@ public:
     void applyTo(document::Fractal& fractal) const;
 
 private:
-    std::map<int, std::vector<double>> m_blends; // coordinate and speed by map, 1-based
+    std::map<int, std::vector<double>> m_blends; // coordinate and speed by 1-based map
 };
 
 } // namespace io

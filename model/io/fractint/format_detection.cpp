@@ -18,7 +18,7 @@ constexpr qsizetype sampleSize = 4096;
 
 bool isBinary(QByteArrayView bytes) {
     QByteArrayView head = bytes.first(std::min<qsizetype>(bytes.size(), 512));
-    // DOS filled the last block of a text with anything, after ^Z.
+    // Bytes after ^Z are arbitrary: DOS filled the last block of a text.
     if (const qsizetype end = head.indexOf('\x1a'); end > 0) head = head.first(end);
     const auto odd = std::count_if(head.begin(), head.end(), [](char c) {
         const auto byte = static_cast<unsigned char>(c);

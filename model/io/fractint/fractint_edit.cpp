@@ -85,10 +85,10 @@ public:
 
 private:
     struct Slot {
-        std::size_t first = 0; // token
+        std::size_t first = 0; // index of the first token
         std::size_t last = 0;
-        bool isOwnLine = false; // nothing but this row, perhaps with a comment after it, stands on its lines
-        Span line;              // with the line end; from the first line to the last
+        bool isOwnLine = false; // true if its lines contain only this row, perhaps followed by a comment
+        Span line;              // first to last line, including the line end
     };
 
     void rename();
@@ -123,7 +123,7 @@ private:
     const Fractal& m_after;
     bool m_isUtf8;
     char m_lineEnd;
-    qsizetype m_longestLine; // on which a row may stand
+    qsizetype m_longestLine; // longest line permitted for a row
     QByteArray m_indent;
     bool m_writesWeights = true;
     std::vector<Slot> m_slots;
@@ -238,7 +238,7 @@ std::vector<Edit::Slot> Edit::rowSlots() const {
     const auto length = static_cast<std::size_t>(m_layout.rowLength);
     std::vector<Slot> rows;
     Span line;
-    const auto lineOf = [&](qsizetype position) { // all rows may share one: it is looked for once
+    const auto lineOf = [&](qsizetype position) { // cached, because all rows may share one line
         if (position < line.begin || position >= line.end)
             line = {lineBegin(position), std::min(lineEnd(m_text, position, m_lineEnd) + 1, m_text.size())};
         return line;
@@ -273,8 +273,8 @@ void Edit::editRows() {
     for (std::size_t i = 0; i < before.size(); ++i)
         indexBefore[static_cast<std::uint32_t>(before[i].id)] = i;
     std::vector<bool> isKept(before.size(), false);
-    std::vector<std::size_t> kept;  // in their old order: the slots that stay
-    std::vector<const Row*> wanted; // the rows that go into them, in the new order
+    std::vector<std::size_t> kept;  // slots that stay, in their old order
+    std::vector<const Row*> wanted; // rows for these slots, in the new order
     for (const Row& row : after)
         if (const auto known = indexBefore.find(static_cast<std::uint32_t>(row.id));
             known != indexBefore.end()) {
@@ -292,7 +292,7 @@ void Edit::editRows() {
         permute(kept, wanted);
 
     std::sort(kept.begin(), kept.end());
-    std::size_t passed = 0; // kept rows so far
+    std::size_t passed = 0; // kept rows passed
     std::vector<const Row*> added;
     const auto flush = [&] {
         const std::size_t slot = passed > 0 ? kept[passed - 1] : kept.empty() ? 0 : kept.front();
@@ -429,7 +429,7 @@ void Edit::insertRows(const std::vector<Slot>::const_iterator& slot, bool before
 
 QByteArray Edit::encoded(const QString& text) const {
     if (m_isUtf8) return text.toUtf8();
-    const QByteArray latin1 = text.toLatin1(); // the encoding of the bytes around it
+    const QByteArray latin1 = text.toLatin1(); // encoding of the surrounding bytes
     return decoded(latin1) == text ? latin1 : text.toUtf8();
 }
 
@@ -445,7 +445,7 @@ EntrySource withBraces(const EntrySource& bare) {
     source.text = storedName(bare.fractal.name).toUtf8() + " {" + bare.lineEnd + bare.text;
     if (!source.text.endsWith(lineEndByteOf(bare))) source.text += bare.lineEnd;
     source.text += '}' + bare.lineEnd;
-    // Numbers without a gap between them are understood in a bare file only.
+    // Numbers without a gap between them are valid only in a bare file.
     const auto reread = parsed(source.text, lineEndByteOf(bare), false);
     if (!reread || !document::isSameSystem(reread->fractal, bare.fractal))
         source.text = writeEntry(bare.fractal, bare.lineEnd);
@@ -466,10 +466,10 @@ QByteArray editedText(const EntrySource& source, const Fractal& fractal) {
                           document::dimension(original->fractal) == document::dimension(before);
     const auto isRead = [&](const QByteArray& text) {
         auto reread = parsed(text, lineEndByteOf(source), bare);
-        if (reread && bare) reread->fractal.name = before.name; // it has none of its own
+        if (reread && bare) reread->fractal.name = before.name; // bare files have no name
         return reread && reread->fractal == expected(fractal, before);
     };
-    // Rows in space are only known by their lines where their entry is not marked as one of space.
+    // True if the entry is marked as one of space, or its rows are recognisable from their lines.
     if (canPatch)
         for (const qsizetype longestLine : {maxLine, std::numeric_limits<qsizetype>::max()}) {
             const QByteArray text = Edit(source, original->layout, fractal, longestLine).text();

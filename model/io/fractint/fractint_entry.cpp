@@ -235,7 +235,7 @@ void EntryParser::explainShape() {
         return;
     }
     const auto& tokens = m_rows.bodyTokens.empty() ? m_rows.headerTokens : m_rows.bodyTokens;
-    // The first line whose numbers are not whole rows is where the user should look.
+    // Token to report: the first on a line whose numbers are not whole rows.
     const RowToken* odd = &tokens.front();
     std::size_t oddCount = 0;
     for (std::size_t i = 0; i < tokens.size() && oddCount == 0;) {
@@ -313,7 +313,7 @@ void EntryParser::warnAboutReading(const RowReading& chosen) {
                  "read this entry.")
                  .arg(layout.rowLength));
     if (chosen.isByLines) {
-        constexpr double tolerance = 0.02; // weights are often given to two digits
+        constexpr double tolerance = 0.02; // accepts weights with two digits
         const std::size_t lines = layout.numbers.size() / static_cast<std::size_t>(layout.rowLength);
         const std::size_t sevens = layout.numbers.size() / 7;
         warn(first,
@@ -355,7 +355,7 @@ void EntryParser::warnAboutWeights() {
     if (rowLength % 2 == 0) return;
     const auto check = [&](const auto& maps) {
         double sum = 0;
-        bool isNone = true; // above 0: then there are no proportions
+        bool isNone = true; // true: no weight above 0, hence no proportions
         for (std::size_t i = 0; i < maps.size(); ++i) {
             const Token& token = layout.numbers[i * rowLength + rowLength - 1];
             sum += token.value;

@@ -20,14 +20,14 @@ using notation::maxMaps;
 struct Token {
     Span span;
     double value = 0;
-    int line = 0; // of the entry, 0-based
+    int line = 0; // line of the entry, 0-based
 };
 
 struct Comment {
-    Span line;                 // from the line's first byte to past its line end
-    Span text;                 // after the semicolon, trimmed
-    bool isOwn = false;        // "barycage:" …
-    bool isUnderstood = false; // … with a key and values we know, for a system of this dimension
+    Span line;                 // includes the line end
+    Span text;                 // trimmed text after the semicolon
+    bool isOwn = false;        // true for "barycage:" …
+    bool isUnderstood = false; // true for known keys and values that suit a system of this dimension
 };
 
 // Byte offsets in the entry's text; a row is `rowLength` successive tokens.
@@ -36,9 +36,9 @@ struct Layout {
     int rowLength = 0; // 6, 7, 12 or 13; 0 for an entry without a system
     bool decimalComma = false;
     std::vector<Token> numbers;
-    qsizetype headerEnd = 0;     // of the header line: its line end, or the closing brace
-    qsizetype bodyBegin = 0;     // the first byte after the header line; at most block.close
-    qsizetype headerTextEnd = 0; // of numbers on the header line that count: a comment may stand after it
+    qsizetype headerEnd = 0;     // line end of the header line, or the closing brace
+    qsizetype bodyBegin = 0;     // first byte after the header line; at most block.close
+    qsizetype headerTextEnd = 0; // end of the numbers that count on the header line, before a comment
     qsizetype headerSemicolon = -1;
     Span headerComment; // without the semicolon
     std::vector<Comment> comments;
@@ -47,7 +47,7 @@ struct Layout {
 struct ParsedEntry {
     Layout layout;
     document::Fractal fractal;
-    document::Problems problems; // relative to the text: its first byte is line 1, column 1
+    document::Problems problems; // positions relative to the text: its first byte is line 1, column 1
 };
 
 // `text` begins where block.all begins (offset 0). Never fails: an entry that cannot be read has no system.
@@ -57,6 +57,6 @@ ParsedEntry parseEntry(QByteArrayView text, const Block& block, char lineEndByte
 QString decoded(QByteArrayView bytes);
 
 constexpr qsizetype maxEntries = 200'000; // per file
-constexpr qsizetype maxProblems = 10;     // told per entry
+constexpr qsizetype maxProblems = 10;     // problems reported for each entry
 
 } // namespace io::fractint

@@ -85,7 +85,7 @@ private:
     char m_lineEnd;
     LineCounter m_lines;
     FractalFile m_file;
-    qsizetype m_taken = 0; // bytes that belong to an entry, or to the head
+    qsizetype m_taken = 0; // bytes that belong to entries or to the head
     QHash<QByteArray, int> m_lineOfName;
     qsizetype m_parameterSets = 0;
     bool m_isParameterFile = false;
@@ -167,7 +167,7 @@ bool FileReader::readBare() {
     if (!fractint::holdsOnlyRows(rest, m_lineEnd)) return false;
     Block block;
     block.all = {begin, m_bytes.size()};
-    // Text behind ^Z stays in the tail, before which new entries go.
+    // Text after ^Z stays in the tail; new entries go before it.
     if (const qsizetype ctrlZ = m_bytes.indexOf('\x1a', begin); ctrlZ >= 0) block.all.end = ctrlZ;
     block.name = {begin, begin};
     block.close = block.all.end;

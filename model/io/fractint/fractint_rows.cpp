@@ -14,7 +14,7 @@ namespace io::fractint {
 namespace {
 
 template <int Dim> std::vector<Row> rows(const ifs::IteratedFunctionSystem<Dim>& system) {
-    auto unlinked = system; // links travel in comments, and leave the rows as they are
+    auto unlinked = system; // links are stored in comments and leave the rows unchanged
     unlinked.links.clear();
     const std::vector<double> probabilities = ifs::probabilities(unlinked);
     const std::vector<double> written = exportWeights(system);

@@ -25,9 +25,9 @@ struct Row {
     double probability = 0;
 };
 
-std::vector<Row> rowsOf(const document::Fractal& fractal); // none for an entry without a system
+std::vector<Row> rowsOf(const document::Fractal& fractal); // empty for an entry without a system
 
-QByteArray numberText(double value); // finite, and within what readers accept
+QByteArray numberText(double value); // finite text within the range that readers accept
 
 // The number of a row that begins a second line, where one line cannot hold all of them.
 std::size_t secondLine(std::size_t numbers);
@@ -41,7 +41,7 @@ QByteArrayList brokenRows(const std::vector<std::vector<QByteArray>>& rows);
 // Rows like alignedRows, but with single blanks.
 QByteArrayList closeRows(const std::vector<std::vector<QByteArray>>& rows);
 
-QString storedName(const QString& name);       // one word that hides no brace, comment or prefix
-QString storedComment(const QString& comment); // one line that is not taken for one of ours
+QString storedName(const QString& name);       // one word without brace, comment or prefix
+QString storedComment(const QString& comment); // one line that cannot be mistaken for one of Barycage's own
 
 } // namespace io::fractint

@@ -25,7 +25,7 @@ using document::Problem;
 using fractint::Row;
 
 constexpr qsizetype maxStrictLine = 199;
-constexpr qsizetype maxTitle = 100; // behind the opening brace
+constexpr qsizetype maxTitle = 100; // characters after the opening brace
 constexpr std::size_t maxMaps = 63;
 constexpr std::size_t maxMapsBefore18 = 31;
 constexpr qsizetype maxEntries = 2000;
@@ -46,8 +46,7 @@ class StrictWriter {
 public:
     StrictText write(const FractalFile& file, const QSet<document::EntryId>& only) && {
         if (only.isEmpty()) addText(file.head);
-        if (!m_text.bytes.isEmpty())
-            m_text.bytes += '\n'; // what a blank line parts from an entry is the head
+        if (!m_text.bytes.isEmpty()) m_text.bytes += '\n'; // blank line between head and entry
         for (const Entry& entry : file.entries)
             if (only.isEmpty() || only.contains(entry.id)) append(entry);
         if (only.isEmpty()) addTail(file.tail);
@@ -69,7 +68,7 @@ private:
         const QByteArray name = strictName(fractal.name);
         ++m_text.entries;
         if (m_text.entries > 1) m_text.bytes += '\n';
-        // Comments go before the entry: Fractint 16–18 accept none inside.
+        // Comments precede the entry: Fractint 16–18 accept none inside.
         if (entry.source) addText(entry.source->before);
         for (const QString& comment : document::userComments(fractal.comments))
             addComment(comment);
@@ -92,20 +91,21 @@ private:
             m_text.bytes += "; " + line + '\n';
     }
 
-    // The words of a comment on as many lines as they need; a word that is longer than a line is cut.
+    // Words of a comment on as many lines as necessary; words longer than a line are cut.
     static QByteArrayList pieces(const QByteArray& text, qsizetype room) {
         QByteArrayList lines;
         for (QByteArrayView rest = QByteArrayView(text).trimmed(); !rest.isEmpty(); rest = rest.trimmed()) {
             const qsizetype blank = rest.size() > room ? rest.first(room + 1).lastIndexOf(' ') : -1;
             const qsizetype end = blank > 0 ? blank : std::min(room, rest.size());
-            // A line that now begins as one of ours is none.
+            // Escaped if it now looks like a line of Barycage.
             lines << fractint::storedComment(QString::fromLatin1(rest.first(end))).toLatin1();
             rest = rest.sliced(end);
         }
         return lines;
     }
 
-    // Comments between entries stay, and other lines become comments. Blocks of parameters and formulas go.
+    // Keeps comments between entries and turns other lines into comments. Drops blocks of parameters and
+    // formulas.
     void addText(const QByteArray& text) {
         qsizetype lost = 0;
         bool isBlock = false;
@@ -129,7 +129,7 @@ private:
         if (before > 0 && m_text.bytes.size() > before) m_text.bytes.insert(before, '\n');
     }
 
-    // Adds the text behind the numbers of a row, or behind the closing brace.
+    // Adds text behind the numbers of a row, or behind the closing brace.
     void addCommentsOfRows(const QByteArray& text) {
         bool isBody = false;
         for (const QByteArray& line : linesOf(text)) {
@@ -139,7 +139,7 @@ private:
         }
     }
 
-    // Lines that hold something, without blanks, a byte order mark and ^Z.
+    // Lines with contents, without blanks, byte order mark and ^Z.
     static QByteArrayList linesOf(QByteArray text) {
         if (text.startsWith("\xef\xbb\xbf")) text.remove(0, 3);
         QByteArrayList lines;
@@ -152,7 +152,7 @@ private:
         std::vector<Row> rows = fractint::rowsOf(fractal);
         const std::size_t all = rows.size();
         std::erase_if(rows, [](const Row& row) { return !(row.probability > 0); });
-        // Others read single precision, and some stop at a weight of 0.
+        // Single precision for other readers, some of which stop at a weight of 0.
         for (Row& row : rows)
             row.probability = std::max<double>(row.probability, std::numeric_limits<float>::min());
         if (rows.size() < all && !rows.empty())
@@ -170,7 +170,7 @@ private:
         return legal.toLatin1();
     }
 
-    // Weights sum to 1, the last one taking the remainder if that is more than the rounding of the sum.
+    // Weights with sum 1; the last one takes the remainder if that exceeds the rounding of the sum.
     static QByteArrayList rowText(const std::vector<Row>& rows) {
         double rest = 1;
         std::vector<std::vector<QByteArray>> cells;
@@ -213,7 +213,7 @@ private:
 
     document::UniqueNames m_names;
     StrictText m_text;
-    int m_line = 0; // of the entry in the file it was read from
+    int m_line = 0; // line of the entry in the original file
 };
 
 } // namespace

@@ -12,7 +12,7 @@ namespace io {
 // of our comments. Limits of other programs that are exceeded are reported in `problems`.
 struct StrictText {
     QByteArray bytes;
-    qsizetype entries = 0; // written; for those that are not, an error is among the problems
+    qsizetype entries = 0; // number written; each other entry has an error among the problems
     document::Problems problems;
 };
 // Writes all entries with the head and tail of the file, or those of `only` alone.

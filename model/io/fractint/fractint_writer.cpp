@@ -43,7 +43,7 @@ public:
             append(entry);
             previous = &entry;
         }
-        // Bare rows go up to ^Z, be it in a comment.
+        // True for bare rows cut by ^Z, be it in a comment.
         const bool isCut =
             m_file.entries.size() == 1 && isBare(m_file.entries.first()) && m_file.tail.startsWith('\x1a');
         if (previous != nullptr && !isCut && isLineOpen(m_bytes) && !m_file.tail.isEmpty() && m_endsInComment)
@@ -77,7 +77,7 @@ private:
             add(isUntouched ? entry.source->text : fractint::editedText(*entry.source, *entry.fractal));
     }
 
-    // Only new bytes are searched for line ends, because all entries may share one line.
+    // Searches only new bytes for line ends, because all entries may share one line.
     void add(const QByteArray& bytes) {
         const qsizetype line = std::max(bytes.lastIndexOf('\n'), bytes.lastIndexOf('\r')) + 1;
         m_endsInComment = (m_endsInComment && line == 0) || bytes.indexOf(';', line) >= 0;
@@ -86,7 +86,7 @@ private:
 
     const FractalFile& m_file;
     QByteArray m_bytes;
-    bool m_endsInComment = false; // a semicolon stands on the last line
+    bool m_endsInComment = false; // true for a semicolon on the last line
 };
 
 } // namespace

@@ -16,7 +16,7 @@ namespace {
 
 constexpr const char* nameKey = "map-name";
 constexpr const char* lockKey = "locked";
-constexpr qsizetype maxWritten = 4096; // bytes of a name: each may be three
+constexpr qsizetype maxWritten = 4096; // bytes of a name, each of which may take three
 constexpr qsizetype escaped = 3;       // bytes
 
 QByteArray escapeOf(const QByteArray& bytes) {

@@ -28,7 +28,7 @@ public:
     void applyTo(document::Fractal& fractal) const;
 
 private:
-    std::map<int, QByteArray> m_names; // as they are written, by map, 1-based
+    std::map<int, QByteArray> m_names; // names as written, by 1-based map
     std::vector<int> m_locked;
 };
 

@@ -25,8 +25,8 @@ public:
     bool read(const QByteArray& key, const QByteArrayList& values, std::size_t line);
 
     struct Outcome {
-        QString sentence;  // about links that do not fit the system; empty: all do
-        bool kept = false; // the lines are to stay as they are
+        QString sentence;  // sentence about links that do not fit the system; empty: all do
+        bool kept = false; // true if the lines stay as they are
     };
     // Needs the symmetry in place.
     template <int Dim> Outcome applyTo(ifs::IteratedFunctionSystem<Dim>& system) const;
@@ -34,7 +34,7 @@ public:
     const std::vector<std::size_t>& lines() const { return m_lines; }
 
 private:
-    std::map<int, std::vector<double>> m_rows; // by map, 1-based
+    std::map<int, std::vector<double>> m_rows; // rows by 1-based map
     std::vector<std::size_t> m_lines;
 };
 

@@ -21,11 +21,11 @@ namespace {
 
 constexpr const char* prefix = metadataPrefix;
 constexpr qsizetype maxLine = maxMetadataLine;
-constexpr const char* continued = " \\"; // at the end of a line: more coordinates follow
-constexpr int maxVertices = 4096;        // a hostile file must not make a cage of a million corners
+constexpr const char* continued = " \\"; // end of a line that is continued by more coordinates
+constexpr int maxVertices = 4096;        // limit against malicious files
 constexpr std::size_t maxBranches = 1024;
 constexpr std::size_t maxWord = 64;
-constexpr std::size_t maxPieces = 100'000; // of what is shown
+constexpr std::size_t maxPieces = 100'000; // displayed pieces
 
 QByteArray line(const char* key, const QByteArray& values) {
     return metadataLine(key, values);
@@ -175,7 +175,7 @@ document::Fractal asStored(document::Fractal fractal) {
 bool isOwnComment(QByteArrayView comment) {
     const QByteArrayView text = comment.trimmed();
     if (!text.startsWith(prefix)) return false;
-    // Lines of a fractal transformation and of saved views stay among the comments of the entry:
+    // Keeps lines of a fractal transformation and of saved views among the comments of the entry:
     // document/tops/kept_theft and document/saved_views.
     const QByteArrayView key = text.sliced(qsizetype(std::strlen(prefix))).trimmed();
     return !key.startsWith("partner") && !key.startsWith("view");
@@ -273,7 +273,7 @@ bool MetadataComments::readBranch(const QByteArray& key, const QByteArrayList& v
         for (const QByteArray& value : values)
             symbols.push_back(value.toInt());
         std::vector<int>& word = m_branches.back().word;
-        // 0 begins the address of one that changes inside itself.
+        // Leading 0: a branch that changes inside itself.
         const auto first = symbols.begin() + (word.empty() && values.value(0) == "0" ? 1 : 0);
         if (first == symbols.end() || *std::min_element(first, symbols.end()) < 1 ||
             word.size() + symbols.size() > maxWord)
@@ -366,7 +366,7 @@ void MetadataComments::applyToMaps(ifs::IteratedFunctionSystem<Dim>& system,
             map->weight.reset();
     }
     std::vector<MapSetting> colours = m_colours;
-    std::ranges::stable_sort(colours, {}, &MapSetting::map); // as their ids are; the last one counts
+    std::ranges::stable_sort(colours, {}, &MapSetting::map); // order of the ids; the last one counts
     for (const MapSetting& setting : colours)
         if (const auto* map = mapAt(setting.map)) mapColours[map->id] = setting.colour;
     for (const MapSetting& setting : m_off) {
@@ -379,8 +379,8 @@ void MetadataComments::applyToMaps(ifs::IteratedFunctionSystem<Dim>& system,
         map->enabled = false;
         map->weight = setting.weight;
     }
-    // A row that another program has switched off stays off; without a map that lacks one, rows hold the
-    // weights themselves.
+    // Rows switched off by another program stay off. If no map lacks a weight, the rows hold the weights
+    // themselves.
     if (std::ranges::none_of(maps, lacksWeight<Dim>)) return;
     for (const MapSetting& setting : m_weights)
         if (auto* map = mapAt(setting.map); map && map->enabled && map->weight.value_or(0) > 0)

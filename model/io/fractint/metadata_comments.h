@@ -39,7 +39,7 @@ public:
     bool read(QByteArrayView comment);
 
     struct Outcome {
-        QStringList sentences; // one for everything that did not fit the system
+        QStringList sentences; // one sentence for each part that did not fit the system
         // Own comments that are kept as they are, counted from 0 among those read, ascending: lines of a cage
         // or a branch that is not of the system's dimension, and of an animation or a symmetry that is not
         // valid.
@@ -50,22 +50,22 @@ public:
     Outcome applyTo(document::Fractal& fractal) const;
 
 private:
-    using Lines = std::vector<std::size_t>; // of the own comments read, counted from 0
+    using Lines = std::vector<std::size_t>; // 0-based indices of the own comments read
 
     struct Point {
         std::vector<double> coordinates;
         Lines lines;
-        bool isOpen = false; // the last line says that more coordinates follow
+        bool isOpen = false; // true if the last line announces further coordinates
 
         std::size_t dimension() const { return isOpen ? 0 : coordinates.size(); }
     };
     struct Branch {
-        std::vector<int> word; // of maps, 1-based; 0 first: document::recurs()
-        Lines lines;           // of the word
+        std::vector<int> word; // 1-based maps; 0 first: document::recurs()
+        Lines lines;           // lines of the word
         std::vector<Point> by; // rows of the linear part, then the translation
     };
     struct MapSetting {
-        int map = 0; // 1-based; 0: all of them
+        int map = 0; // 1-based; 0: all maps
         std::optional<double> weight;
         attractor::Rgba colour;
     };
@@ -79,7 +79,7 @@ private:
     void applyToMaps(ifs::IteratedFunctionSystem<Dim>& system, attractor::MapColours& colours,
                      QStringList& sentences) const;
 
-    std::size_t m_ownComments = 0; // read so far
+    std::size_t m_ownComments = 0; // number read so far
     std::vector<Point> m_rest;
     std::vector<Point> m_current;
     ifs::Deformation m_deformation = ifs::Deformation::Bend;

@@ -10,7 +10,7 @@ namespace io {
 
 namespace {
 
-constexpr std::size_t maxFrameNumbers = 9; // of a frame in space
+constexpr std::size_t maxFrameNumbers = 9; // numbers of a frame in space
 
 template <int Dim>
 std::optional<ifs::Symmetry<Dim>> symmetryOf(const QByteArray& name, const std::vector<double>& centre,

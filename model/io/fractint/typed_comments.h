@@ -14,7 +14,7 @@
 namespace io {
 
 inline constexpr std::size_t maxTypedLines =
-    100'000; // of an entry, whose lines have a limit; more are left out
+    100'000; // lines of an entry, whose total is limited; further ones are left out
 
 template <int Dim> QByteArrayList typedComments(const ifs::IteratedFunctionSystem<Dim>& system);
 
@@ -33,7 +33,7 @@ public:
 
 private:
     struct Line {
-        std::size_t map = 0; // from 1
+        std::size_t map = 0; // 1-based
         int which = 0;
         QString text;
     };

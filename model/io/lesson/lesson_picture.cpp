@@ -9,6 +9,9 @@
 #include "io/picture/plane_export.h"
 #include "io/picture/space_export.h"
 
+#include <algorithm>
+#include <utility>
+
 namespace io {
 
 namespace {
@@ -17,7 +20,10 @@ using document::LessonConstruction;
 using document::LessonState;
 
 constexpr std::uint64_t samplesOfPixel = 40;
-constexpr double margin = 0.05; // of the picture
+constexpr double margin = 0.05;             // of the picture
+constexpr double playedSeconds = 20;        // of a chaos game that runs: a picture stands still
+constexpr std::uint64_t fewPoints = 50'000; // that are drawn as dots
+constexpr int dotsInWidth = 300;            // of the picture
 
 PictureOverlay overlayOf(const LessonState& state) {
     PictureOverlay overlay;
@@ -55,6 +61,41 @@ attractor::Camera cameraInPlane(const document::Fractal& fractal, const LessonSt
     return fitted(camera, low, high, margin);
 }
 
+std::uint64_t playedPoints(const LessonConstruction& construction) {
+    const double played = double(construction.points) + construction.speed * playedSeconds;
+    return std::uint64_t(std::min(played, double(document::maxLessonPoints)));
+}
+
+// The side of a point of the attractor, in pixels of the picture: a single one is lost in a large picture.
+int dotOf(const LessonConstruction& construction, const QSize& size) {
+    const bool areDots =
+        construction.mode == LessonConstruction::Mode::ChaosGame && playedPoints(construction) <= fewPoints;
+    return areDots ? std::max(1, size.width() / dotsInWidth) : 1;
+}
+
+// The numbers of the corners, as on the canvas.
+void addCornerNumbers(OverlayMarks& marks, const document::Fractal& fractal,
+                      const attractor::Camera& camera) {
+    constexpr double share = 0.018; // of the height of the picture
+    const ifs::ControlCage<2> cage = document::effectiveCage(fractal);
+    for (std::size_t i = 0; i < cage.current.size(); ++i) {
+        const ifs::Vector<2> pixel = attractor::toPixel(camera, cage.current[i]);
+        OverlayMark disc;
+        disc.centre = {pixel.x(), pixel.y()};
+        disc.radius = std::max(6.0, share * camera.height);
+        disc.fill = Qt::white;
+        disc.stroke = Qt::black;
+        disc.width = disc.radius / 6;
+        OverlayMark digits;
+        digits.centre = disc.centre;
+        digits.word = QString::number(i + 1);
+        digits.letterSize = 1.1 * disc.radius;
+        digits.fill = Qt::black;
+        marks.push_back(std::move(disc));
+        marks.push_back(std::move(digits));
+    }
+}
+
 attractor::RenderRequest requestOf(const document::Fractal& fractal, const LessonState& state,
                                    const attractor::Camera& camera) {
     attractor::RenderRequest request = document::renderRequest(fractal, camera);
@@ -70,7 +111,7 @@ attractor::RenderRequest requestOf(const document::Fractal& fractal, const Lesso
         request.cage = document::effectiveCage(fractal);
     } else {
         request.algorithm = attractor::Algorithm::ChaosGame;
-        request.samples = construction.points;
+        request.samples = playedPoints(construction);
     }
     return request;
 }
@@ -79,14 +120,19 @@ QImage inPlane(const document::Fractal& fractal, const LessonState& state, const
                const std::stop_token& stop) {
     const PictureOverlay overlay = overlayOf(state);
     const attractor::Camera camera = cameraInPlane(fractal, state, overlay, size);
-    attractor::Rendering rendering(requestOf(fractal, state, camera));
+    const attractor::Camera coarse =
+        cameraInPlane(fractal, state, overlay, size / dotOf(state.construction, size));
+    attractor::Rendering rendering(requestOf(fractal, state, coarse));
     if (!rendering.refine(stop)) return {};
     attractor::Frame frame = rendering.frame({}, stop);
     if (stop.stop_requested()) return {};
-    QImage picture = QImage(reinterpret_cast<const uchar*>(frame.pixels.data()), camera.width, camera.height,
+    QImage picture = QImage(reinterpret_cast<const uchar*>(frame.pixels.data()), coarse.width, coarse.height,
                             QImage::Format_ARGB32_Premultiplied)
-                         .copy();
-    paintOverlay(picture, overlayMarks(fractal, camera, overlay), 0);
+                         .copy()
+                         .scaled(size);
+    OverlayMarks marks = overlayMarks(fractal, camera, overlay);
+    if (overlay.cage) addCornerNumbers(marks, fractal, camera);
+    paintOverlay(picture, marks, 0);
     return picture;
 }
 

@@ -255,7 +255,7 @@ bool readEntry(const QString& value, LessonState& state) {
 
 struct Setting {
     QLatin1String key;
-    bool (*read)(const QString& value, LessonState& state); // false: it makes no sense, in whole or in part
+    bool (*read)(const QString& value, LessonState& state); // false: value makes no sense, wholly or in part
 };
 constexpr Setting knownSettings[] = {
     {QLatin1String("entry"), readEntry},   {QLatin1String("view"), readView},
@@ -286,11 +286,11 @@ private:
 
     LessonFile m_file;
     Part m_part = Part::Head;
-    QString m_text; // of the step
+    QString m_text; // text of the step
     int m_line = 0;
     bool m_isLesson = false;
     bool m_isTextCut = false;
-    bool m_isFull = false; // no more steps are taken
+    bool m_isFull = false; // true: further steps are ignored
 };
 
 void Reader::warn(const QString& sentence) {

@@ -18,7 +18,7 @@ template <class Value> struct LessonWord {
 std::span<const LessonWord<document::LessonTool>> lessonTools();
 std::span<const LessonWord<attractor::ColourBy>> lessonColours();
 std::span<const LessonWord<document::Outline>> lessonOutlines();
-std::span<const LessonWord<bool document::LessonState::*>> lessonMarks();  // that can be hidden
-std::span<const LessonWord<bool document::LessonState::*>> lessonExtras(); // that can be shown besides
+std::span<const LessonWord<bool document::LessonState::*>> lessonMarks();  // marks that can be hidden
+std::span<const LessonWord<bool document::LessonState::*>> lessonExtras(); // marks that can be added
 
 } // namespace io

@@ -12,7 +12,7 @@ void paintCage(QImage& rows, const document::Fractal& fractal, const attractor::
     QPainter painter(&rows);
     painter.setRenderHint(QPainter::Antialiasing);
     painter.translate(0, -firstRow);
-    paint(painter, {cageMarks(fractal, camera).back()}); // the current one
+    paint(painter, {cageMarks(fractal, camera).back()}); // current cage
 }
 
 } // namespace io

@@ -19,14 +19,14 @@ namespace io {
 // A polygon, a disc or a word, in this order of preference: empty ones are not drawn.
 struct OverlayMark {
     QPolygonF polygon;
-    QPointF centre; // of the disc and of the word
+    QPointF centre; // centre of the disc and of the word
     double radius = 0;
     QString word; // bold
     double letterSize = 0;
-    QColor fill;   // not valid: none; of the word, its colour
-    QColor stroke; // not valid: none
+    QColor fill;   // colour of the word, if any; invalid: none
+    QColor stroke; // invalid: none
     double width = 0;
-    QList<qreal> dashes{}; // in widths of the line
+    QList<qreal> dashes{}; // multiples of the line width
     Qt::PenCapStyle cap = Qt::RoundCap;
 };
 using OverlayMarks = std::vector<OverlayMark>;

@@ -10,11 +10,11 @@ namespace io {
 
 namespace {
 
-constexpr double pdfBaseline = 0.36;   // below the middle of a digit, in sizes of the letters
-constexpr double digitWidth = 0.556;   // of Helvetica-Bold, which every viewer has
-constexpr double circleArm = 0.552285; // 4 (√2 − 1) / 3: of the curve that is a quarter of a circle
+constexpr double pdfBaseline = 0.36;   // letter sizes below the middle of a digit
+constexpr double digitWidth = 0.556;   // letter sizes; digits of Helvetica-Bold, available in every viewer
+constexpr double circleArm = 0.552285; // 4 (√2 − 1) / 3, for curves that are quarters of a circle
 
-QByteArray text(double number) { // to a thousandth of a pixel; PDF knows no exponents
+QByteArray text(double number) { // rounded to thousandths of a pixel; PDF has no exponents
     return QByteArray::number(std::round(number * 1000) / 1000, 'f', 3);
 }
 

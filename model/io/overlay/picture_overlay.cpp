@@ -56,8 +56,8 @@ public:
 
 private:
     struct Map {
-        std::size_t number = 0; // from 1; 0: none
-        QPolygonF image;        // of the cage
+        std::size_t number = 0; // 1-based; 0: none
+        QPolygonF image;        // image of the cage
         QColor colour;
         bool takesPart = true;
         bool hasFixedPoint = false;
@@ -75,8 +75,8 @@ private:
 
     attractor::Camera m_camera;
     std::vector<Map> m_maps;
-    QColor m_ink, m_halo; // on this background
-    double m_width = 1;   // of a line, in pixels
+    QColor m_ink, m_halo; // colours for the background
+    double m_width = 1;   // pixels; width of a line
     OverlayMarks m_marks;
 };
 
@@ -127,7 +127,7 @@ void Shapes::addDisc(const QPointF& centre, double radius, const QColor& fill, c
 
 // Within a tenth of a pixel, and bent with the cage.
 void Shapes::addHull(const document::Fractal& fractal) {
-    constexpr int parts = 16; // of an edge that bends
+    constexpr int parts = 16; // parts of a bent edge
     const auto support = document::supportFunction(fractal);
     if (!support) return;
     const ifs::Placement placement = document::placement(fractal);

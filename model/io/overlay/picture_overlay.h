@@ -18,12 +18,12 @@ namespace io {
 
 // Parts drawn over a picture to explain it.
 struct PictureOverlay {
-    bool maps = false;        // the image of the cage under each map, in the map's colour
-    bool hull = false;        // the convex hull of the attractor
-    bool cage = false;        // the current polygon, and the rest polygon dashed where it differs
-    bool fixedPoints = false; // of the maps
-    bool numbers = false;     // of the maps, each in its image of the cage
-    bool isCageInked = false; // in the ink of the hull: a map may have the colour of the cage
+    bool maps = false;        // image of the cage under each map, in the map's colour
+    bool hull = false;        // convex hull of the attractor
+    bool cage = false;        // current polygon, and the rest polygon dashed where it differs
+    bool fixedPoints = false; // fixed points of the maps
+    bool numbers = false;     // numbers of the maps, each in its image of the cage
+    bool isCageInked = false; // cage in the ink of the hull, since a map may have the colour of the cage
 
     friend bool operator==(const PictureOverlay&, const PictureOverlay&) = default;
 };

@@ -56,7 +56,7 @@ public:
                 m_marks.push_back(std::move(mark));
             }
     }
-    // A number in a disc.
+    // Adds a number in a disc.
     void addNumber(const ifs::Vector<3>& point, std::size_t number, const QColor& disc, const QColor& rim) {
         const double radius = 7.5 * m_width;
         const auto centre = addDisc(point, radius, disc, rim);
@@ -96,7 +96,7 @@ private:
     }
 
     attractor::OrbitCamera m_camera;
-    double m_width; // of a line, in pixels
+    double m_width; // pixels; width of a line
     QColor m_ink, m_halo;
     OverlayMarks m_marks;
 };

@@ -10,9 +10,9 @@ namespace io {
 
 namespace {
 
-constexpr double baseline = 0.36; // below the middle of a digit, in sizes of the letters
+constexpr double baseline = 0.36; // letter sizes below the middle of a digit
 
-QString text(double number) { // to a thousandth of a pixel
+QString text(double number) { // rounded to thousandths of a pixel
     return QString::number(std::round(number * 1000) / 1000, 'g', 12);
 }
 

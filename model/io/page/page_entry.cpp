@@ -138,7 +138,7 @@ void writeAppearance(JsonWriter& json, const document::Fractal& fractal) {
     json.key("appearance");
     json.beginObject();
     json.member("colourBy", int(appearance.colourBy));
-    for (const auto& number : attractor::appearanceNumbers) // the engine of pages draws no shadow
+    for (const auto& number : attractor::appearanceNumbers) // pages draw no shadow
         if (number.part == attractor::AppearanceNumber::Part::Tone)
             json.member(number.key, appearance.*number.member);
     json.member("supersample", appearance.supersample);
@@ -171,7 +171,7 @@ void writeSolid(JsonWriter& json, const document::Fractal& fractal) {
     json.member("fog", inSpace.fog);
     if (inSpace.clip) {
         json.key("clip");
-        // An infinite number is null, and the page knows on which side.
+        // Infinite numbers are null; the page knows their sign.
         const ifs::Vector<3>& normal = inSpace.clip->normal;
         writeArray(json, std::vector<double>{normal.x(), normal.y(), normal.z(), inSpace.clip->lowest,
                                              inSpace.clip->highest});

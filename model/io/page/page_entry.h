@@ -4,7 +4,7 @@
 #include "document/fractal/fractal.h"
 #include "io/report/json_writer.h"
 
-// An entry as web pages hold it: app/web/page/engine.js says what each member is.
+// An entry as web pages hold it: app/web/page/types.d.ts says what each member is.
 namespace io {
 
 // Initial view of an entry on web pages: the share of the picture that stays free on each side, and the

@@ -32,8 +32,8 @@ namespace io {
 
 namespace {
 
-constexpr int stillWidth = 640, stillHeight = 480;     // of the picture for readers without JavaScript
-constexpr int stillQualities[] = {72, 60, 48, 36, 24}; // the first by which it is small enough
+constexpr int stillWidth = 640, stillHeight = 480;     // pixels of the picture for readers without JavaScript
+constexpr int stillQualities[] = {72, 60, 48, 36, 24}; // qualities to try until it is small enough
 constexpr qsizetype stillBytes = 26'000;
 constexpr std::uint64_t stillSamples = 4'000'000;
 
@@ -195,6 +195,58 @@ QByteArray textsIn(const QString& language, const QJsonObject& all) {
     return embedded(QJsonDocument(texts).toJson(QJsonDocument::Compact));
 }
 
+// JSON that is the same in every encoding of a script: that of the article that loads it.
+QByteArray inAscii(const QJsonObject& object) {
+    QByteArray text;
+    for (const QChar character : QString::fromUtf8(QJsonDocument(object).toJson(QJsonDocument::Compact))) {
+        const ushort code = character.unicode();
+        text += code < 128 ? QByteArray(1, char(code))
+                           : "\\u" + QByteArray::number(code, 16).rightJustified(4, '0');
+    }
+    return text;
+}
+
+const QString& titleOf(const PageExport& page) {
+    return page.entries.isEmpty() ? page.fractal.name : page.title;
+}
+
+using Fields = std::map<std::string, std::string, std::less<>>;
+
+// What stands in the template.
+Fields fieldsOf(const PageExport& page) {
+    const char* extra = !page.steps.isEmpty() ? "lesson.js" : page.entries.isEmpty() ? "" : "gallery.js";
+    const QByteArray script = joinedScript(notation::pageModules(extra)), style = styleOf(page);
+    const auto isSolid = [](const auto& fractal) { return document::space(*fractal) != nullptr; };
+    const bool knowsSpace = document::space(page.fractal) || std::ranges::any_of(page.entries, isSolid);
+    const char* engine = knowsSpace ? "engine.wasm.gz" : "engine_plane.wasm.gz";
+    const QString language = page.language.isEmpty() ? QStringLiteral("en") : page.language;
+    const QJsonObject texts = QJsonDocument::fromJson(pagePart("texts.json")).object();
+    const std::pair<const char*, QByteArray> parts[]{
+        {"language", language.toLatin1()},
+        {"title", titleOf(page).toHtmlEscaped().toUtf8()},
+        {"caption", page.caption.toHtmlEscaped().toUtf8()},
+        {"plain", texts[language][u"plain"].toString().toUtf8()}, // where no script runs
+        {"texts", textsIn(page.language, texts)},
+        {"show", ifs::nameOf(page.parts)},
+        {"style", style},
+        {"style-hash", hashOf(style)},
+        {"still", stillAddress(page.fractal)},
+        {"content", contentOf(page)},
+        {"engine", pagePart(engine).toBase64()},
+        {"worker", joinedScript(notation::workerModules())},
+        {"script", script},
+        {"script-hash", hashOf(script)},
+    };
+    Fields fields;
+    for (const auto& [name, text] : parts)
+        fields.emplace(name, text.toStdString());
+    return fields;
+}
+
+QByteArray filledPage(const Fields& fields) {
+    return QByteArray::fromStdString(notation::filled(pagePart("page.html").toStdString(), fields));
+}
+
 } // namespace
 
 QString pageObstacle(const document::Fractal& fractal) {
@@ -209,34 +261,16 @@ QString pageObstacle(const document::Fractal& fractal) {
 }
 
 QByteArray pageOf(const PageExport& page) {
-    const char* extra = !page.steps.isEmpty() ? "lesson.js" : page.entries.isEmpty() ? "" : "gallery.js";
-    const QByteArray script = joinedScript(notation::pageModules(extra)), style = styleOf(page);
-    const auto isSolid = [](const auto& fractal) { return document::space(*fractal) != nullptr; };
-    const bool knowsSpace = document::space(page.fractal) || std::ranges::any_of(page.entries, isSolid);
-    const char* engine = knowsSpace ? "engine.wasm.gz" : "engine_plane.wasm.gz";
-    const QString& title = page.entries.isEmpty() ? page.fractal.name : page.title;
-    const QString language = page.language.isEmpty() ? QStringLiteral("en") : page.language;
-    const QJsonObject texts = QJsonDocument::fromJson(pagePart("texts.json")).object();
-    const std::pair<const char*, QByteArray> parts[]{
-        {"language", language.toLatin1()},
-        {"title", title.toHtmlEscaped().toUtf8()},
-        {"caption", page.caption.toHtmlEscaped().toUtf8()},
-        {"plain", texts[language][u"plain"].toString().toUtf8()}, // where no script runs
-        {"texts", textsIn(page.language, texts)},
-        {"show", ifs::nameOf(page.parts)},
-        {"style", style},
-        {"style-hash", hashOf(style)},
-        {"still", stillAddress(page.fractal)},
-        {"content", contentOf(page)},
-        {"engine", pagePart(engine).toBase64()},
-        {"worker", joinedScript(notation::workerModules())},
-        {"script", script},
-        {"script-hash", hashOf(script)},
-    };
-    std::map<std::string, std::string, std::less<>> fields;
-    for (const auto& [name, text] : parts)
-        fields.emplace(name, text.toStdString());
-    return QByteArray::fromStdString(notation::filled(pagePart("page.html").toStdString(), fields));
+    return filledPage(fieldsOf(page));
+}
+
+QByteArray scriptOf(const PageExport& page) {
+    Fields fields = fieldsOf(page);
+    QJsonObject figures{{QStringLiteral("title"), titleOf(page)}};
+    for (const char* shared : {"engine", "worker"}) // by all figures
+        figures[QLatin1String(shared)] = QString::fromStdString(fields.extract(shared).mapped());
+    figures[QStringLiteral("page")] = QString::fromUtf8(filledPage(fields));
+    return joinedScript({"embed.js"}, "embed(" + inAscii(figures) + ");\n");
 }
 
 } // namespace io

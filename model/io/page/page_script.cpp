@@ -14,11 +14,11 @@ QByteArray pagePart(const std::string& name) {
     return file.readAll();
 }
 
-QByteArray joinedScript(const std::vector<std::string>& modules) {
+QByteArray joinedScript(const std::vector<std::string>& modules, const QByteArray& end) {
     std::vector<std::string> texts;
     for (const std::string& module : modules)
         texts.push_back(pagePart(module).toStdString());
-    return QByteArray::fromStdString(notation::joinedScript(texts));
+    return QByteArray::fromStdString(notation::joinedScript(texts, end.toStdString()));
 }
 
 } // namespace io

@@ -13,6 +13,6 @@ namespace io {
 QByteArray pagePart(const std::string& name);
 
 // notation::joinedScript() of the files of these names.
-QByteArray joinedScript(const std::vector<std::string>& modules);
+QByteArray joinedScript(const std::vector<std::string>& modules, const QByteArray& end = {});
 
 } // namespace io

@@ -10,7 +10,7 @@ namespace io {
 
 // Palettes read from a file, whichever program wrote it.
 struct PaletteFile {
-    std::vector<attractor::Palette> palettes; // empty only with an error among the problems
+    std::vector<attractor::Palette> palettes; // empty only if there is an error among the problems
     document::Problems problems;
 };
 

@@ -20,7 +20,7 @@ using attractor::Rgba;
 using document::Problem;
 
 constexpr qsizetype maxSegments = 4096;
-constexpr int colours = 1024; // that are looked at
+constexpr int colours = 1024; // samples of a gradient
 
 using Colour = std::array<double, 3>; // sRGB, 0 … 1
 

@@ -43,7 +43,7 @@ std::vector<Rgba> hexColours(const QByteArray& bytes) {
     static const QRegularExpression address(
         QStringLiteral("^\\s*(?:https?://)?[\\w.-]+\\.[a-z]{2,6}/[\\w./-]*?/"));
     QString text = QString::fromUtf8(bytes);
-    // Gradients of Ultra Fractal have words and braces around whole numbers.
+    // Excludes gradients of Ultra Fractal, which have words and braces around whole numbers.
     if (!text.contains(QStringLiteral("gradient:")))
         if (auto colours = all(text, marked); colours.size() >= 2) return colours;
     text.remove(remark).remove(address);

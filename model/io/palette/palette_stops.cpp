@@ -14,7 +14,7 @@ using attractor::linearLight;
 using attractor::Palette;
 using attractor::Rgba;
 
-struct Band { // linear light of the level below, of the level, of the level above
+struct Band { // linear light of three levels: below, at, and above
     double low = 0;
     double middle = 0;
     double high = 0;
@@ -78,7 +78,7 @@ std::vector<Palette::Stop> stopsThrough(std::span<const Rgba> colours) {
     };
     std::vector<Palette::Stop> stops{{0, colours[0]}};
     for (std::size_t at = 0; at < last;) {
-        std::size_t near = 1; // so far is possible
+        std::size_t near = 1; // greatest known feasible distance
         while (at + near < last && reaches(at, std::min(last, at + 2 * near)))
             near = std::min(last - at, 2 * near);
         for (std::size_t step = near / 2; step > 0; step /= 2)

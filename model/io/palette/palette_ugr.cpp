@@ -16,7 +16,7 @@ using attractor::Palette;
 using attractor::Rgba;
 using document::Problem;
 
-constexpr int circle = 400; // colours on it
+constexpr int circle = 400; // colours on the circle
 constexpr std::size_t maxPalettes = 4000;
 constexpr qsizetype maxUgrProblems = 10;
 
@@ -40,7 +40,7 @@ public:
         return m_text.sliced(begin, m_at - begin);
     }
     int line() const { return m_wordLine; }
-    QByteArray restOfLine() { // up to a brace or a comment
+    QByteArray restOfLine() { // ends at a brace or a comment
         const qsizetype begin = m_at;
         while (m_at < m_text.size() && m_text[m_at] != '\n' && m_text[m_at] != '{' && m_text[m_at] != ';')
             ++m_at;
@@ -50,7 +50,7 @@ public:
 private:
     static bool blank(char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\n'; }
     static bool ends(char c) { return blank(c) || c == '{' || c == '}' || c == ';'; }
-    void skipQuoted() { // to the closing quote, which is on the same line
+    void skipQuoted() { // ends at the closing quote on the same line
         qsizetype end = m_at + 1;
         while (end < m_text.size() && m_text[end] != '"' && m_text[end] != '\n')
             ++end;
@@ -77,7 +77,7 @@ struct Gradient {
     int line = 0;
     bool smooth = false;
     int rotation = 0;
-    std::map<int, Rgba> knots; // by index on the circle
+    std::map<int, Rgba> knots; // colours by index on the circle
 };
 
 int onCircle(long long index) {

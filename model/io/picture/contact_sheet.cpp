@@ -89,7 +89,7 @@ struct Band {
     enum class Kind { Space, Title, Heading, Row } kind = Kind::Space;
     int height = 0;
     const ContactSheet::Section* section = nullptr;
-    qsizetype first = 0; // fractal of a row
+    qsizetype first = 0; // index of the first fractal of a row
 };
 
 std::vector<Band> bandsOf(const ContactSheet& sheet, const Layout& layout) {
@@ -117,7 +117,7 @@ public:
     const Layout& layout() const { return m_layout; }
     QColor paper() const { return m_inks.paper; }
 
-    // Paints with the upper left corner of the band in the origin. False when stopped.
+    // Paints with the upper left corner of the band at the origin. Returns false if stopped.
     bool paint(QPainter& painter, const Band& band) {
         m_painter = &painter;
         painter.setRenderHints(QPainter::Antialiasing | QPainter::TextAntialiasing);
@@ -182,7 +182,7 @@ private:
         paintText(label, Qt::AlignHCenter | Qt::AlignVCenter, font(m_layout.text), m_inks.text, fractal.name);
     }
 
-    // Null when there is nothing to draw.
+    // Returns null if there is nothing to draw.
     QImage drawn(const document::Fractal& fractal) const {
         if (document::space(fractal)) return drawnInSpace(fractal);
         constexpr std::size_t cells = 64U << 20; // bytes
@@ -200,7 +200,7 @@ private:
         return drawPicture(picture, {}, m_stop).image;
     }
 
-    // Draws as `render` does without options.
+    // Same picture as that of `render` without options.
     QImage drawnInSpace(const document::Fractal& fractal) const {
         constexpr double azimuth = 30, elevation = 20;
         if (!document::spaceSupport(fractal)) return {};
@@ -222,14 +222,14 @@ private:
                std::uint64_t(m_sheet.samplesPerPixel);
     }
 
-    static constexpr double margin = 0.06; // of a tile, around the picture
+    static constexpr double margin = 0.06; // share of a tile around the picture
 
     const ContactSheet& m_sheet;
     Layout m_layout;
     Inks m_inks;
     const Progress& m_progress;
     const std::stop_token& m_stop;
-    QPainter* m_painter = nullptr; // of the band at hand
+    QPainter* m_painter = nullptr; // painter of the current band
     qsizetype m_count = 0, m_done = 0;
 };
 
@@ -308,7 +308,7 @@ QSize sizeOf(const ContactSheet& sheet) {
 }
 
 Failure whyImpossible(const ContactSheet& sheet, PictureFile file) {
-    constexpr int maxWidth = 32'767; // that can be painted on
+    constexpr int maxWidth = 32'767; // limit of QPainter
     const PictureFormat format = formatOf(sheet);
     if (format.width > maxWidth)
         return Text::tr("The sheet would have %1 by %2 pixels; the limit is %3 pixels in width. Use smaller "
@@ -346,7 +346,7 @@ ExportOutcome exportSheetPdf(const ContactSheet& sheet, const QPageSize& page, c
     QPainter painter(&writer);
     const double scale = double(writer.width()) / layout.width();
     const double pageHeight = writer.height() / scale;
-    double y = pageHeight; // none is begun
+    double y = pageHeight; // beyond the page, to begin a new one
     bool isFirst = true;
     for (const std::vector<Band>& block : blocksOf(bandsOf(sheet, layout))) {
         if (block.empty()) continue;

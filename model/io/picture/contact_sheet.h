@@ -20,13 +20,13 @@ namespace io {
 struct ContactSheet {
     enum class Paper { Dark, Light };
     struct Section {
-        QString title; // none: no heading
+        QString title; // heading; empty: none
         QList<std::shared_ptr<const document::Fractal>> fractals;
     };
 
-    QString title; // over the whole; none: no line for it
+    QString title; // heading of the whole sheet; empty: no line for it
     QList<Section> sections;
-    int columns = 0;      // 0: as many as make the sheet about as wide as a screen
+    int columns = 0;      // 0: about as many as fill the width of a screen
     QSize tile{240, 240}; // pixels
     Paper paper = Paper::Dark;
     int samplesPerPixel = 120;

@@ -11,14 +11,15 @@
 
 namespace io {
 
-using Progress = std::function<void(double fraction)>; // 0 … 1, called in the thread that works
+// Fraction from 0 to 1; called in the thread that works.
+using Progress = std::function<void(double fraction)>;
 
 struct ExportOutcome {
     Failure failure;
-    bool stopped = false; // on request; nothing was written
+    bool stopped = false; // true if stopped on request; nothing was written
     attractor::RenderNote note = attractor::RenderNote::None;
     bool isShortOfMemory = false;
-    bool isCoarse = false; // of a solid: so many pieces lie on each other that parts may be missing
+    bool isCoarse = false; // true if pieces of a solid overlap so often that parts may be missing
 };
 
 // Writes the output of `draw` to a file: `path` appears whole, or not at all if drawing fails or is stopped.

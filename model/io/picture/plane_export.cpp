@@ -147,7 +147,7 @@ std::uint64_t memoryFor(const PlaneExport& picture) {
     const auto rows =
         std::uint64_t(attractor::BandedRendering::rowsWithin(picture.request, picture.bandBytes));
     const auto width = std::uint64_t(std::max(1, picture.request.camera.width));
-    const std::uint64_t whole = // WebP keeps the picture, and its encoder as much again
+    const std::uint64_t whole = // WebP holds the picture, and its encoder as much again
         picture.file == PictureFile::WebP
             ? 3 * width * std::uint64_t(std::max(1, picture.request.camera.height)) * sizeof(std::uint32_t)
             : 0;

@@ -21,21 +21,22 @@ namespace io {
 // A picture of an entry in the plane, in any kind of file that is made of pixels.
 struct PlaneExport {
     document::Fractal fractal;        // embedded in the picture as text
-    attractor::RenderRequest request; // its samples are those of the whole picture
+    attractor::RenderRequest request; // number of samples of the whole picture
     std::optional<double> dotsPerInch;
     CageVisibility cage = CageVisibility::Hidden;
     PictureFormat::Depth depth = PictureFormat::Depth::Bits8;
-    std::optional<attractor::DividedPicture> divided{};     // the share that is drawn here
-    std::vector<std::pair<QByteArray, QByteArray>> texts{}; // further ones, as in PictureFormat
+    std::optional<attractor::DividedPicture> divided{};     // share drawn here
+    std::vector<std::pair<QByteArray, QByteArray>> texts{}; // further texts for PictureFormat
     // The moments seen by an open shutter, in place of the request's own; see BandedRendering::openShutter().
     std::vector<attractor::RenderRequest> moments{};
-    std::optional<attractor::Exposure> exposure{}; // mean density included; else that of the picture itself
-    PictureFile file = PictureFile::Png;           // a kind of file that takes this depth
-    std::optional<int> quality{};                  // as in PictureFormat
+    // Includes the mean density; nullopt: exposure of the picture itself.
+    std::optional<attractor::Exposure> exposure{};
+    PictureFile file = PictureFile::Png; // must take this depth
+    std::optional<int> quality{};        // same meaning as in PictureFormat
     PictureOverlay overlay{};
-    bool withLegend = false; // the table of maps to the right, which makes the picture wider: mapLegend()
-    std::shared_ptr<const document::Fractal> explained{}; // by these two; null: the fractal
-    std::size_t bandBytes = 256U << 20; // for the cells of the rows that are drawn at a time; same picture
+    bool withLegend = false; // table of maps to the right, which widens the picture: mapLegend()
+    std::shared_ptr<const document::Fractal> explained{}; // subject of overlay and legend; null: the fractal
+    std::size_t bandBytes = 256U << 20; // memory for the cells of rows drawn together; no effect on pixels
 };
 
 // Draws and writes the picture, of whatever kind of file, some rows at a time; `path` appears whole or not at

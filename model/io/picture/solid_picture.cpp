@@ -18,8 +18,8 @@ namespace {
 
 using attractor::Rgba16;
 
-constexpr int bandRows = 64;    // of the picture, lit and written at a time
-constexpr int rowsOfLight = 13; // of the raster to either side, on which the light at a row depends
+constexpr int bandRows = 64;    // rows of the picture lit and written at a time
+constexpr int rowsOfLight = 13; // rows of the raster on either side that influence the light of a row
 
 // Pixels drawn along each side of one of the picture.
 int sideOf(const SolidPicture& picture) {

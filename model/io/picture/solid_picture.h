@@ -16,8 +16,8 @@ struct SolidPicture {
     attractor::SpaceRequest request;
     attractor::SolidAppearance appearance;
     PictureFormat::Depth depth = PictureFormat::Depth::Bits8;
-    int supersample = 1; // 1 … 4; the looks that are numbers, Depth and Normals, have none
-    std::uint64_t bandBytes = std::uint64_t{1} << 28; // of depths that are kept at a time, about
+    int supersample = 1; // 1 … 4; ignored by Depth and Normals, whose pixels are numbers
+    std::uint64_t bandBytes = std::uint64_t{1} << 28; // approximate memory for the depths held at a time
 };
 
 // Rows of the picture that are drawn together.

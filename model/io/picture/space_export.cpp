@@ -24,7 +24,7 @@ namespace {
 
 using attractor::LookInSpace;
 
-constexpr std::size_t fewRows = 16; // between two checks of the stop token
+constexpr std::size_t fewRows = 16; // rows between two checks of the stop token
 
 template <class Writer, class Pixel>
 void write(Writer& writer, std::span<const Pixel> pixels, int width, ExportOutcome& outcome,
@@ -82,7 +82,7 @@ ExportOutcome drawDepths(const SpaceExport& picture, QIODevice& device, const Pr
                          const std::stop_token& stop) {
     attractor::SolidRendering rendering(picture.request);
     ExportOutcome outcome;
-    outcome.stopped = !rendering.drawRows(0, 0, stop); // how far the depths reach
+    outcome.stopped = !rendering.drawRows(0, 0, stop); // depth range only
     if (outcome.stopped) return outcome;
     PngWriter writer(device, formatOfDepths(picture, rendering.raster()));
     const auto width = std::size_t(picture.request.camera.size.width);
@@ -104,7 +104,7 @@ ExportOutcome drawDepths(const SpaceExport& picture, QIODevice& device, const Pr
 }
 
 constexpr std::uint64_t slice = std::uint64_t{1}
-                                << 26; // whole sample sets, between two looks at the progress
+                                << 26; // complete sample sets between two updates of the progress
 
 // The samples of one moment.
 bool refineAll(attractor::CloudRendering& rendering, std::uint64_t samples, const Progress& progress,
@@ -309,7 +309,8 @@ std::uint64_t memoryFor(const SpaceExport& picture) {
     const std::uint64_t pixels = width * std::uint64_t(rowsTogether(picture));
     if (picture.look == LookInSpace::Depth) return pixels * (sizeof(std::uint32_t) + sizeof(std::uint16_t));
     const std::uint64_t stereo = picture.stereo == Stereo::None ? 0 : 4 * pixels * sizeof(attractor::Rgba16);
-    const bool isWhole = paintsMarks(picture) || !picture.legend.isNull(); // before it is written
+    // Marks and legend need the whole picture.
+    const bool isWhole = paintsMarks(picture) || !picture.legend.isNull();
     const std::uint64_t marked = isWhole ? pixels * sizeof(attractor::Rgba16) : 0;
     if (!attractor::showsCloud(picture.look)) return stereo + marked + memoryFor(solidOf(picture));
     const auto side = std::uint64_t(picture.request.appearance.supersample);
@@ -350,7 +351,7 @@ ExportOutcome exportSpace(const SpaceExport& picture, const QString& path, const
 ExportOutcome drawSpacePage(const SpaceExport& picture, PdfFile& file, const Progress& progress,
                             std::stop_token stop) {
     SpaceExport page = picture;
-    page.page = ShapeFile::Pdf; // marks are shapes
+    page.page = ShapeFile::Pdf; // for marks as shapes
     const auto writer = [&](const PictureFormat& format) { return pageWriter(page.marks, file, format); };
     return drawRows(page, writer, progress, stop);
 }

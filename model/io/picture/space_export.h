@@ -25,32 +25,33 @@ using attractor::Stereo;
 
 struct SpaceExport {
     document::Fractal fractal;                                   // embedded in the picture as text
-    attractor::SpaceRequest request;                             // of one eye
+    attractor::SpaceRequest request;                             // request of one eye
     attractor::LookInSpace look = attractor::LookInSpace::Cloud; // Depth: 16-bit grey
-    attractor::SolidAppearance solid;                            // of the looks that are solids
-    Stereo stereo = Stereo::None;                                // not of Depth
-    int supersample = 2;                                         // of a solid, 1 … 4
-    PictureFormat::Depth depth = PictureFormat::Depth::Bits8;    // of a cloud or a solid
+    attractor::SolidAppearance solid;                            // solid looks only
+    Stereo stereo = Stereo::None;                                // ignored by Depth
+    int supersample = 2;                                         // solids only, 1 … 4
+    PictureFormat::Depth depth = PictureFormat::Depth::Bits8;    // clouds and solids only
     std::optional<double> dotsPerInch;
-    std::vector<std::pair<QByteArray, QByteArray>> texts{}; // further ones, as in PictureFormat
+    std::vector<std::pair<QByteArray, QByteArray>> texts{}; // further texts for PictureFormat
     // The moments seen by an open shutter, in place of the request's own: requests that differ from it in
     // system, cage and camera only. Not for depths.
     std::vector<attractor::SpaceRequest> moments{};
-    std::optional<attractor::Exposure> exposure{}; // of a cloud, mean density included; else its own
-    PictureFile file = PictureFile::Png;           // of Depth: PNG
-    std::optional<int> quality{};                  // as in PictureFormat
-    OverlayMarks marks{};                          // drawn over it, but not over Depth or in stereo
+    // Clouds only, mean density included; nullopt: exposure of the picture itself.
+    std::optional<attractor::Exposure> exposure{};
+    PictureFile file = PictureFile::Png; // must be PNG for Depth
+    std::optional<int> quality{};        // same meaning as in PictureFormat
+    OverlayMarks marks{};                // drawn over the picture, except over Depth and in stereo
     std::optional<ShapeFile>
-        page{};      // that a PNG of 8 bits is embedded in, with the marks as shapes; not Depth
-    QImage legend{}; // as high as the picture, to its right in the file, but not beside Depth
+        page{};      // page in which a PNG of 8 bits is embedded, with the marks as shapes; not for Depth
+    QImage legend{}; // picture of equal height, placed to the right in the file; not for Depth
     // The share of a cloud that is drawn here, when the rest is drawn elsewhere. Not in stereo, nor with
     // moments.
     std::optional<attractor::DividedPicture> divided{};
-    std::uint64_t bandBytes = std::uint64_t{1} << 28; // of a solid, as in SolidPicture
+    std::uint64_t bandBytes = std::uint64_t{1} << 28; // solids only; same meaning as in SolidPicture
 };
 
 // The format of its file.
-PictureFormat formatOf(const SpaceExport& picture); // but for the texts of Depth
+PictureFormat formatOf(const SpaceExport& picture); // without the texts of Depth
 PictureFormat formatOfDepths(const SpaceExport& picture, const attractor::DepthRaster& raster);
 // The pixel of Depth for the nearest point there.
 std::uint16_t depthValue(std::uint32_t key);

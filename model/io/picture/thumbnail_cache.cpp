@@ -39,7 +39,7 @@ ThumbnailCache::ThumbnailCache(const QString& folder, qint64 maxBytes)
     : m_folder(folder), m_maxBytes(maxBytes) {}
 
 QString ThumbnailCache::pathOf(const document::Fractal& fractal, int side) const {
-    document::Fractal shown = fractal; // what it is called changes no pixel
+    document::Fractal shown = fractal; // without names, which change no pixel
     shown.name = QStringLiteral("x");
     shown.headerComment.clear();
     shown.comments.clear();
@@ -53,7 +53,7 @@ QImage ThumbnailCache::find(const document::Fractal& fractal, int side) const {
     QFile file;
     if (!document::openRegular(file, QFile::encodeName(path)).isOpen()) return {};
     const auto fits = [side](const QSize& size) { return size == QSize(side, side) || size == QSize(1, 1); };
-    const qint64 largest = qint64{8} * side * side + (1 << 16); // of a file, not even compressed
+    const qint64 largest = qint64{8} * side * side + (1 << 16); // upper bound of the size of a file
     const QByteArray bytes = file.read(largest);
     if (!fits(pngSize(bytes))) return {};
     const QImage picture = decodedPicture(bytes).image;
@@ -65,16 +65,16 @@ QImage ThumbnailCache::find(const document::Fractal& fractal, int side) const {
 void ThumbnailCache::keep(const document::Fractal& fractal, int side, const QImage& picture) {
     QBuffer png;
     if (!picture.save(&png, "PNG")) return;
-    if (m_bytes < 0) { // the first one; the thread of the windows does not wait for the disk
+    if (m_bytes < 0) { // first call; in this thread, because the GUI thread must not wait for the disk
         QDir().mkpath(m_folder);
         QFile::setPermissions(m_folder, QFile::ReadOwner | QFile::WriteOwner | QFile::ExeOwner);
     }
-    // Renamed when it is whole, so that no reader sees a part; a cache need not survive a power cut.
+    // Renamed when complete, so that no reader sees a part. A cache need not survive a power cut.
     const QString path = pathOf(fractal, side);
     QFile file(path + QStringLiteral(".part"));
     if (!file.open(QIODevice::WriteOnly)) return;
     bool isWritten = file.write(png.data()) == png.size();
-    file.close(); // what is left in memory is written only now
+    file.close(); // writes buffered bytes
     isWritten = isWritten && file.error() == QFileDevice::NoError;
     if (isWritten) QFile::remove(path);
     if (isWritten && file.rename(path))
@@ -84,7 +84,7 @@ void ThumbnailCache::keep(const document::Fractal& fractal, int side, const QIma
 }
 
 void ThumbnailCache::makeRoom(qint64 added) {
-    if (m_bytes < 0) { // not known yet; what was added is among them
+    if (m_bytes < 0) { // unknown; the new file is included
         m_bytes = 0;
         for (const QFileInfo& file : picturesIn(m_folder))
             m_bytes += file.size();
@@ -92,7 +92,7 @@ void ThumbnailCache::makeRoom(qint64 added) {
         m_bytes += added;
     }
     if (m_bytes <= m_maxBytes) return;
-    for (const QFileInfo& file : picturesIn(m_folder)) { // the oldest first
+    for (const QFileInfo& file : picturesIn(m_folder)) { // oldest first
         if (m_bytes <= m_maxBytes - m_maxBytes / 4) break;
         if (QFile::remove(file.filePath())) m_bytes -= file.size();
     }

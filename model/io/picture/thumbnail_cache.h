@@ -31,7 +31,7 @@ private:
 
     QString m_folder;
     qint64 m_maxBytes;
-    qint64 m_bytes = -1; // in the folder, about; −1 until it was looked at
+    qint64 m_bytes = -1; // approximate bytes in the folder; −1: unknown
 };
 
 // The same for a thread that has to go on: what the disk does not answer soon counts as not there, and
@@ -47,7 +47,7 @@ private:
     struct Search;
     bool isLate();
 
-    std::shared_ptr<ThumbnailCache> m_cache; // for one thread at a time
+    std::shared_ptr<ThumbnailCache> m_cache; // guarded: one thread at a time
     document::WorkInOrder m_disk;
     std::shared_ptr<Search> m_late;
 };

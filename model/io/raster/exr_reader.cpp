@@ -20,12 +20,12 @@ namespace io {
 
 namespace {
 
-constexpr std::uint64_t maxBlock = std::uint64_t{512} << 20; // bytes that are decompressed at once
-constexpr std::uint64_t maxAll = std::uint64_t{4} << 30;     // and altogether
+constexpr std::uint64_t maxBlock = std::uint64_t{512} << 20; // bytes decompressed at a time
+constexpr std::uint64_t maxAll = std::uint64_t{4} << 30;     // bytes in total
 
 // Values of a header, read before the library, which allocates as much as they say.
 struct Header {
-    QRect pixels, seen; // the windows of data and display
+    QRect pixels, seen; // data window and display window
     std::uint64_t channels = 0;
     std::uint64_t rowsTogether = 1;
     std::uint64_t tileWidth = 0, tileHeight = 0; // 0: no tiles
@@ -94,7 +94,7 @@ bool isWithin(const QRect& window, qint64 maxPixels) {
 }
 
 std::uint64_t blockOf(const Header& header) {
-    constexpr std::uint64_t farthest = 1 << 30; // as far as windows go, so that nothing overflows
+    constexpr std::uint64_t farthest = 1 << 30; // limit of windows against overflow
     const auto width = std::max(std::uint64_t(header.pixels.width()), std::min(header.tileWidth, farthest));
     const auto rows = std::max(std::min(header.rowsTogether, std::uint64_t(header.pixels.height())),
                                std::min(header.tileHeight, farthest));
@@ -141,7 +141,7 @@ QRgb straight(const Imf::Rgba& pixel) {
 
 // Null of one that has neither colours nor luminance, such as a map of depths.
 QImage imageOf(Stream& stream, const Header& header, const std::stop_token& stop) {
-    constexpr int noThreads = 0; // but this one
+    constexpr int noThreads = 0; // no threads but the calling one
     Imf::RgbaInputFile file(stream, noThreads);
     QImage image;
     if (!(file.channels() & Imf::WRITE_RGB) && !(file.channels() & Imf::WRITE_Y)) return image;
@@ -152,7 +152,7 @@ QImage imageOf(Stream& stream, const Header& header, const std::stop_token& stop
     const std::size_t width = std::size_t(header.pixels.width());
     std::vector<Imf::Rgba> row(width);
     constexpr std::size_t sameRow = 0;
-    // The library counts pixels from the origin.
+    // Origin of the pixels, from which the library counts.
     file.setFrameBuffer(row.data() - header.pixels.left(), 1, sameRow);
     for (int y = shared.top(); y <= shared.bottom(); ++y) {
         if (stop.stop_requested()) throw std::runtime_error("stopped");
@@ -177,7 +177,7 @@ RasterPicture readExr(const QByteArray& bytes, qint64 maxPixels, const std::stop
     try {
         Stream stream(bytes);
         return {imageOf(stream, *header, stop), size, Unreadable};
-    } catch (const std::bad_alloc&) { // the library throws it of strange headers, too
+    } catch (const std::bad_alloc&) { // also thrown by the library for malformed headers
         return {{}, size, Unreadable};
     } catch (const std::exception&) {
         return {{}, size, Damaged};

@@ -74,14 +74,14 @@ struct ExrWriter::State {
     Imf::PixelType type;
     PictureFormat format;
     std::unique_ptr<Imf::OutputFile> output;
-    std::vector<float> light; // of every code
+    std::vector<float> light; // linear light of each code
     std::vector<float> row;   // red, green, blue, alpha
 };
 
 template <class Number> void ExrWriter::State::writeAs() {
     std::vector<Number> numbers(row.begin(), row.end());
     constexpr std::size_t pixel = 4 * sizeof(Number);
-    constexpr std::size_t rowStride = 0; // wherever the row at hand is in the picture
+    constexpr std::size_t rowStride = 0; // same buffer for every row
     char* first = reinterpret_cast<char*>(numbers.data());
     Imf::FrameBuffer frame;
     const char* names[]{"R", "G", "B", "A"};

@@ -17,7 +17,7 @@ public:
     ExrWriter(QIODevice& device, PictureFile file, const PictureFormat& format);
     ~ExrWriter() override;
 
-    Failure writeRows(std::span<const std::uint32_t> pixels) override; // never
+    Failure writeRows(std::span<const std::uint32_t> pixels) override; // must not be called
     Failure writeRows(std::span<const attractor::Rgba16> pixels) override;
     Failure finish() override;
 

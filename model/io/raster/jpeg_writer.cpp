@@ -89,7 +89,7 @@ bool JpegWriter::State::start() {
     jpeg_set_quality(&jpeg, format.quality.value_or(usualQuality), TRUE);
     jpeg.comp_info[0].h_samp_factor = 1;
     jpeg.comp_info[0].v_samp_factor = 1;
-    jpeg.optimize_coding = FALSE; // it would keep the whole picture
+    jpeg.optimize_coding = FALSE; // would hold the whole picture
     if (format.dotsPerInch) {
         jpeg.density_unit = 1; // dots per inch
         jpeg.X_density = jpeg.Y_density = UINT16(std::clamp(*format.dotsPerInch + 0.5, 1.0, 65535.0));

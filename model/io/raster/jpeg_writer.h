@@ -18,7 +18,7 @@ public:
     ~JpegWriter() override;
 
     Failure writeRows(std::span<const std::uint32_t> pixels) override;
-    Failure writeRows(std::span<const attractor::Rgba16> pixels) override; // never
+    Failure writeRows(std::span<const attractor::Rgba16> pixels) override; // must not be called
     Failure finish() override;
 
 private:

@@ -22,22 +22,22 @@ enum class PictureFile {
     WebP,
     Tiff,
     ExrHalf,  // OpenEXR: linear light, 16-bit floating point
-    ExrFloat, // the same with 32 bits
+    ExrFloat, // OpenEXR: linear light, 32-bit floating point
 };
 
 struct PictureFormat {
-    enum class Pixels { Opaque, Transparent, Grey }; // Grey: one channel, of numbers rather than light
-    enum class Depth { Bits8, Bits16 };              // a channel, as rows are given to the writer
+    enum class Pixels { Opaque, Transparent, Grey }; // Grey: one channel of numbers, not light
+    enum class Depth { Bits8, Bits16 };              // bits per channel of the rows given to the writer
 
     int width = 0;
     int height = 0;
-    Pixels pixels = Pixels::Opaque; // Opaque drops the alpha channel
+    Pixels pixels = Pixels::Opaque; // Opaque: without the alpha channel
     Depth depth = Depth::Bits8;
     std::optional<double> dotsPerInch;
     QByteArray systemText; // UTF-8, embedded for readPictureSystem(); empty: nothing
     // Further texts, Latin-1: keyword (1 to 79 characters) and value.
     std::vector<std::pair<QByteArray, QByteArray>> texts{};
-    std::optional<int> quality{}; // 1 … 100; none: 92 of JPEG, and a WebP without loss
+    std::optional<int> quality{}; // 1 … 100; nullopt: 92 for JPEG, lossless for WebP
 };
 
 // Writes a picture row by row. Any failure is remembered, and the calls that follow return it at once.
@@ -52,7 +52,7 @@ public:
     virtual Failure writeRows(std::span<const std::uint32_t> pixels) = 0;
     // … or of 16.
     virtual Failure writeRows(std::span<const attractor::Rgba16> pixels) = 0;
-    virtual Failure finish() = 0; // after the last row
+    virtual Failure finish() = 0; // called after the last row
 };
 
 } // namespace io

@@ -11,13 +11,13 @@ namespace io {
 struct RasterPicture {
     enum class Flaw {
         Damaged,
-        TooLarge, // more pixels than asked for
+        TooLarge, // more pixels than permitted
         Animated,
-        Unreadable, // of a kind that is not read
+        Unreadable, // unsupported kind
     };
-    QImage image;              // null where there is none; with its colour space where the file names one
-    QSize size{};              // as far as it is known
-    Flaw flaw = Flaw::Damaged; // where there is no image
+    QImage image;              // null if there is none; has the colour space of the file, if any
+    QSize size{};              // empty if unknown
+    Flaw flaw = Flaw::Damaged; // valid if there is no image
 };
 
 } // namespace io

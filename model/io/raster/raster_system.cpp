@@ -28,7 +28,7 @@ EmbeddedText jpegText(const QByteArray& picture) {
     for (std::uint64_t at = 2;;) {
         if (bytes.number<std::uint8_t>(at) != 0xff) return std::nullopt;
         const auto marker = bytes.number<std::uint8_t>(at + 1);
-        if (marker == 0xff) { // filling
+        if (marker == 0xff) { // fill bytes
             ++at;
             continue;
         }
@@ -64,7 +64,7 @@ EmbeddedText webpText(const QByteArray& picture) {
         const auto data = size ? bytes.piece(at + 8, *size) : std::nullopt;
         if (!data) return std::nullopt;
         if (*kind == QByteArrayView("XMP ")) {
-            if (*size > 2 * maxText) return std::nullopt; // &lt; for <
+            if (*size > 2 * maxText) return std::nullopt; // allows for escapes such as &lt;
             return systemOfXmp(*data);
         }
         at += 8U + std::uint64_t(*size) + (*size & 1U);

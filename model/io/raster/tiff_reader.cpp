@@ -17,7 +17,7 @@ namespace io {
 namespace {
 
 constexpr tmsize_t maxAllocation = tmsize_t{512} << 20; // bytes of one strip or tile, and of any table
-constexpr std::uint16_t maxSamples = 16;                // for a pixel
+constexpr std::uint16_t maxSamples = 16;                // samples per pixel
 // Limits of all strips or tiles together, which may be the same ones again and again: as they are in the
 // file, and decompressed.
 constexpr std::uint64_t maxStored = std::uint64_t{512} << 20, maxUnpacked = std::uint64_t{2} << 30;
@@ -144,7 +144,8 @@ RasterPicture readTiff(const QByteArray& bytes, qint64 maxPixels, const std::sto
     char reason[1024];
     if (samples > maxSamples || !TIFFRGBAImageOK(tiff.get(), reason)) return {{}, size, Unreadable};
     if (isTooMuch(tiff.get())) return {{}, size, Unreadable};
-    TIFFSetField(tiff.get(), TIFFTAG_ORIENTATION, ORIENTATION_TOPLEFT); // libtiff mirrors, but does not turn
+    // Libtiff mirrors, but does not rotate.
+    TIFFSetField(tiff.get(), TIFFTAG_ORIENTATION, ORIENTATION_TOPLEFT);
     constexpr int stopsAtErrors = 1;
     std::vector<std::uint32_t> packed(std::size_t(width) * height);
     if (!TIFFReadRGBAImageOriented(tiff.get(), width, height, packed.data(), ORIENTATION_TOPLEFT,

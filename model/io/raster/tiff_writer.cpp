@@ -20,10 +20,10 @@ struct TiffWriter::State {
 
     TIFF* tiff = nullptr;
     LibraryDevice device;
-    toff_t size = 0; // of the file so far
+    toff_t size = 0; // size of the file so far
     PictureFormat format;
-    std::vector<std::uint16_t> row; // room for either depth
-    std::uint32_t rows = 0;         // written
+    std::vector<std::uint16_t> row; // either depth
+    std::uint32_t rows = 0;         // rows written
     Failure failure;
 
     ~State() { close(); }
@@ -36,7 +36,7 @@ struct TiffWriter::State {
     }
     bool finish() {
         const bool isWritten = TIFFWriteDirectory(tiff) == 1;
-        close(); // which returns no error
+        close(); // reports no error
         return isWritten && !device.isFailed();
     }
     bool writeTags();
@@ -49,7 +49,7 @@ struct TiffWriter::State {
 
 namespace {
 
-constexpr std::uint64_t bigTiff = std::uint64_t{3} << 30; // bytes of pixels; 4 GB are the limit of the file
+constexpr std::uint64_t bigTiff = std::uint64_t{3} << 30; // bytes of pixels; classic TIFF files end at 4 GB
 
 } // namespace
 
@@ -58,7 +58,7 @@ void TiffWriter::State::open() {
                                 (withAlpha() ? 4 : 3) * (isDeep() ? 2 : 1);
     const std::unique_ptr<TIFFOpenOptions, decltype(&TIFFOpenOptionsFree)> options(TIFFOpenOptionsAlloc(),
                                                                                    TIFFOpenOptionsFree);
-    // Some errors are told here only, as those of a file that is closed.
+    // Receives errors that are reported nowhere else, such as those of a closed file.
     const auto onError = [](TIFF*, void* state, const char*, const char*, va_list) {
         static_cast<State*>(state)->device.fail();
         return 1;

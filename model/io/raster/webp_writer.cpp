@@ -34,7 +34,7 @@ WebPConfig configOf(const PictureFormat& format) {
     WebPConfigInit(&config);
     if (format.quality) {
         config.quality = float(*format.quality);
-        config.use_sharp_yuv = 1; // thin lines keep their colours
+        config.use_sharp_yuv = 1; // keeps the colours of thin lines
         return config;
     }
     constexpr int effort = 4; // 0 … 9: more takes much longer and saves a few per cent

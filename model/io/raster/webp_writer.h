@@ -15,7 +15,7 @@ public:
     WebPWriter(QIODevice& device, PictureFormat format);
 
     Failure writeRows(std::span<const std::uint32_t> pixels) override;
-    Failure writeRows(std::span<const attractor::Rgba16> pixels) override; // never
+    Failure writeRows(std::span<const attractor::Rgba16> pixels) override; // must not be called
     Failure finish() override;
 
 private:
@@ -23,7 +23,7 @@ private:
 
     LibraryDevice m_device;
     PictureFormat m_format;
-    std::vector<std::uint8_t> m_bytes; // of the rows so far
+    std::vector<std::uint8_t> m_bytes; // bytes of the rows so far
     Failure m_failure;
 };
 

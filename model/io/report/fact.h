@@ -23,9 +23,9 @@ namespace io {
 // Data that the rows read.
 template <int Dim> struct FactSource {
     const ifs::Facts<Dim>& facts;
-    const document::Analysis* analysis = nullptr; // in the panel
-    const document::Shape<Dim>* shape = nullptr;  // in a report
-    bool withAffinityDimension = true;            // whether it was asked for
+    const document::Analysis* analysis = nullptr; // source in the panel
+    const document::Shape<Dim>* shape = nullptr;  // source in a report
+    bool withAffinityDimension = true;            // true if it was requested
 
     // Returns true if no part of the analysis is still under way.
     bool isComplete() const { return !analysis || analysis->isComplete; }
@@ -37,8 +37,8 @@ struct Figures {
     QString (*text)(double value, double error, double size);
     QString (*count)(std::size_t number);
     QString (*bound)(double error);
-    int digits = 0;          // in which an error shows, or else is not said
-    bool isAbridged = false; // long lists are cut short
+    int digits = 0;          // significant digits of an error; fewer are not shown
+    bool isAbridged = false; // true: long lists are shortened
 
     QString operator()(double value, double error = 0, double size = 0) const {
         return text(value, error, size);
@@ -73,18 +73,18 @@ public:
 
     explicit Fact(QString name) : label(std::move(name)) {}
 
-    QString label; // in the report
+    QString label; // label in the report
     // The line in the report: "unknown" if the text is empty, no line for nullopt.
     Text value{};
-    std::function<void(FactLines&)> lines{}; // of the report, instead of a value
+    std::function<void(FactLines&)> lines{}; // lines of the report, in place of a value
     std::vector<std::function<void(JsonMembers&)>> members{};
-    std::optional<ifs::LongFact> lateWith{}; // without which there is no value
+    std::optional<ifs::LongFact> lateWith{}; // fact without which there is no value
     Late late = Late::Silent;
-    QString title{}, definition{}; // in the panel, where there are any
-    Text shown{};                  // there, unless as in the report
+    QString title{}, definition{}; // texts of the panel, if any
+    Text shown{};                  // value in the panel; null: same as in the report
     FactGroup group = FactGroup::Pieces;
-    bool takesLong = false; // is worked out last, as all that is said of pieces
-    QString absence{};      // why there is no value where there is an attractor
+    bool takesLong = false; // true if computed last, as all facts about pieces are
+    QString absence{};      // reason why there is no value although there is an attractor
 
     template <class Source>
     Fact& written(const Source& source, std::optional<QString> (*text)(const Source&, const Figures&)) {

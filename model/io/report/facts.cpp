@@ -32,7 +32,7 @@ std::vector<LateMember> findLateMembers() {
             list(members);
         for (const auto& member : object.members)
             if (member.isRequired) found.push_back({*row.lateWith, member.key});
-        if (row.lateWith == ifs::LongFact::Hull) // a part of it
+        if (row.lateWith == ifs::LongFact::Hull) // part of the hull
             found.push_back({ifs::LongFact::ExtremePoints, QStringLiteral("addresses")});
     }
     return found;

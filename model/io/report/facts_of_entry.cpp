@@ -93,7 +93,7 @@ template <int Dim> QString mapLine(const ReportedMap<Dim>& listed, double size) 
 
 struct ReportedExistence {
     ifs::Existence existence;
-    std::vector<std::size_t> rows; // of the active maps
+    std::vector<std::size_t> rows; // rows of the active maps
 };
 
 // The contraction factor is known only where one was proved, or disproved by a witness.
@@ -113,7 +113,7 @@ void members(JsonMembers& out, const ReportedExistence& reported) {
         "A word that contracts in no norm: its spectral radius is proved to be at least 1.");
 }
 
-constexpr std::size_t maxListed = 24; // maps of which an abridged line says something
+constexpr std::size_t maxListed = 24; // maps mentioned in an abridged line
 
 template <class Item> QString list(std::size_t count, const Figures& number, Item textOf) {
     const std::size_t listed = number.isAbridged ? std::min(count, maxListed) : count;
@@ -126,7 +126,7 @@ template <class Item> QString list(std::size_t count, const Figures& number, Ite
 
 template <int Dim> struct FixedPoint {
     ifs::Vector<Dim> point;
-    double error; // large where a map nearly keeps a direction
+    double error; // large for maps that nearly keep a direction
 };
 
 template <int Dim> double errorOf(const ifs::Vector<Dim>& fixedPoint, const ifs::AffineMap<Dim>& map) {
@@ -334,7 +334,7 @@ template <int Dim> void addEntryFacts(FactRows& rows, const FactSource<Dim>& sou
                      "The group under which the attractor is symmetric; null without one. The maps are those "
                      "listed in the file; all other facts are those of the system with |elements| maps for "
                      "each of them, and words number the maps as convert --expand lists them.");
-    const bool isLinked = !system.links.empty(); // else any map may follow any other as its weight says
+    const bool isLinked = !system.links.empty(); // false: any map may follow any other
     add(rows)
         .inLines(source, addLinkLines<Dim>)
         .member(

@@ -220,8 +220,8 @@ template <int Dim> std::optional<QString> radiusText(const FactSource<Dim>& sour
     const auto radius = radiusOf(source);
     if (!radius) return std::nullopt;
     const auto [least, most] = *radius;
-    constexpr double rounding = 1e-15;         // of exact radii
-    const bool isOne = least < 1 && most >= 1; // one side or the other matters
+    constexpr double rounding = 1e-15;         // relative error of exact radii
+    const bool isOne = least < 1 && most >= 1; // shown as 1 only if that does not change its meaning
     if (!isOne && most - least <= rounding * most && number(least) == number(most)) return number(most);
     return Text::tr("between %1 and %2").arg(lowerDigits(least), upperDigits(most));
 }
@@ -231,7 +231,7 @@ std::optional<QString> shortRadiusText(const FactSource<Dim>& source, const Figu
     const auto radius = radiusOf(source);
     if (!radius) return std::nullopt;
     const auto [least, most] = *radius;
-    constexpr double tight = 1e-8; // not to be told apart at short digits
+    constexpr double tight = 1e-8; // limit below which short numbers coincide
     if (most - least < (number.isAbridged ? tight : std::numeric_limits<double>::min())) return number(most);
     if (!number.isAbridged) return Text::tr("between %1 and %2").arg(number(least), number(most));
     return Text::tr("between %1 and %2")
@@ -307,7 +307,7 @@ template <int Dim> void addDimensions(FactRows& rows, const FactSource<Dim>& sou
                           "Only where it is true: the affinity dimension is larger than that of space, which "
                           "stands for it.")
                     .isLateWith(ifs::LongFact::AffinityDimension, Late::Said);
-    if (Dim == 3) return; // the others are worked out in the plane
+    if (Dim == 3) return; // plane only from here on
     row.inPanel(FactGroup::Dimensions, Panel::tr("Affinity dimension"),
                 Panel::tr("Falconer’s dimension, at most 2: the exponent at which the sum of the singular "
                           "value functions of all words of one length neither grows nor shrinks as the words "

@@ -115,7 +115,7 @@ template <int Dim> JsonSchema entrySchema() {
     const ifs::Facts<Dim> none;
     listFacts<Dim>(out, {.facts = none, .shape = &empty});
     for (std::size_t k = head; k < schema.members.size(); ++k) // of an entry that could not be read
-        schema.members[k].schema.isNullable |= schema.members[k].isRequired;
+        schema.members[k].isNullable |= schema.members[k].isRequired;
     out("moved_branches", reportedBranches(empty));
     out("animation", document::animationFacts({}), "Of the entry, also with --frame.");
     return schema;

@@ -17,16 +17,16 @@ namespace io {
 
 // Subject of a report.
 struct InfoSubject {
-    QString fileName; // as the user gave it
+    QString fileName; // name as given by the user
     QString format;   // "fractint", "png", "svg" …
     QList<document::Entry> entries;
     document::Problems problems;
     std::optional<double> hullTolerance;
-    ifs::FactLimits limits = {};                               // for each entry
-    std::optional<ifs::ProcessorClock::time_point> end = {};   // no fact of any entry begins after it
-    std::optional<animation::Moment> moment = {};              // all facts are those of this one
-    std::function<void(qsizetype)> begun = {};                 // the entry of this index
-    std::function<void(const document::Problem&)> remark = {}; // about requests that were not met
+    ifs::FactLimits limits = {};                             // limits of each entry
+    std::optional<ifs::ProcessorClock::time_point> end = {}; // time after which no fact of any entry is begun
+    std::optional<animation::Moment> moment = {};            // moment of all facts
+    std::function<void(qsizetype)> begun = {};               // called with the index of each entry
+    std::function<void(const document::Problem&)> remark = {}; // called for requests that were not met
 };
 
 // The facts of the system of an entry, with a remark where the hull is not as near as it was asked to be.

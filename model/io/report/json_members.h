@@ -59,7 +59,8 @@ public:
 private:
     void describe(const char* key, JsonSchema schema, const char* remark) {
         if (*remark) schema.remark = QString::fromUtf8(remark);
-        m_schema->members.push_back({QString::fromUtf8(key), std::move(schema)});
+        schema.key = QString::fromUtf8(key);
+        m_schema->members.push_back(std::move(schema));
     }
 
     JsonWriter* m_json = nullptr;

@@ -9,12 +9,12 @@ namespace {
 
 void writeSchema(JsonWriter& json, const JsonSchema& schema);
 
-void writeObject(JsonWriter& json, const std::vector<JsonSchema::Member>& members) {
+void writeObject(JsonWriter& json, const std::vector<JsonSchema>& members) {
     json.key("properties");
     json.beginObject();
     for (const auto& member : members) {
         json.key(member.key.toUtf8().constData());
-        writeSchema(json, member.schema);
+        writeSchema(json, member);
     }
     json.endObject();
     json.key("required");
@@ -87,7 +87,7 @@ void collectDefinitions(const JsonSchema& schema, std::vector<const JsonSchema*>
     for (const JsonSchema& alternative : schema.alternatives)
         collectDefinitions(alternative, found);
     for (const auto& member : schema.members)
-        collectDefinitions(member.schema, found);
+        collectDefinitions(member, found);
 }
 
 } // namespace
@@ -105,14 +105,14 @@ JsonSchema either(JsonSchema first, const JsonSchema& second) {
     for (std::size_t i = 0; i < first.items.size() && i < second.items.size(); ++i)
         first.items[i] = either(first.items[i], second.items[i]);
     for (auto& member : first.members) {
-        const auto other = std::ranges::find(second.members, member.key, &JsonSchema::Member::key);
+        const auto other = std::ranges::find(second.members, member.key, &JsonSchema::key);
         if (other == second.members.end())
             member.isRequired = false;
         else
-            member.schema = either(std::move(member.schema), other->schema);
+            member = either(std::move(member), *other);
     }
-    for (JsonSchema::Member member : second.members)
-        if (std::ranges::find(first.members, member.key, &JsonSchema::Member::key) == first.members.end()) {
+    for (JsonSchema member : second.members)
+        if (std::ranges::find(first.members, member.key, &JsonSchema::key) == first.members.end()) {
             member.isRequired = false;
             first.members.push_back(std::move(member));
         }

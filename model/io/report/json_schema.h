@@ -14,8 +14,6 @@ namespace io {
 
 // The part of JSON Schema (draft 2020-12) that describes what JsonMembers writes.
 struct JsonSchema {
-    struct Member;
-
     QString name{};        // of a definition that is referred to; empty: described where it occurs
     QString description{}; // of all values of this type
     QString remark{};      // on the value in this place
@@ -23,19 +21,15 @@ struct JsonSchema {
     QString pattern{};
     std::optional<double> minimum{}, maximum{};
     std::optional<int> minItems{}, maxItems{};
-    QList<QByteArray> choices{};     // as they are written; nothing else is allowed
-    std::vector<JsonSchema> items{}; // one, of an array
-    std::vector<Member> members{};   // of an object, which has no others
+    QList<QByteArray> choices{};       // as they are written; nothing else is allowed
+    std::vector<JsonSchema> items{};   // one, of an array
+    std::vector<JsonSchema> members{}; // of an object, which has no others
     std::vector<JsonSchema> alternatives{};
     bool isNullable = false;
+    QString key{};          // of a member
+    bool isRequired = true; // as a member
 
     static JsonSchema oneOf(const QStringList& words);
-};
-
-struct JsonSchema::Member {
-    QString key;
-    JsonSchema schema;
-    bool isRequired = true;
 };
 
 // The schema of what fits one of the two. A member that only one of them has is not required.

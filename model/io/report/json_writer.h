@@ -13,7 +13,7 @@ namespace io {
 // and cuts numbers). A number that is not finite and an absent value become null.
 class JsonWriter {
 public:
-    enum class Layout { Lines, Inline }; // of an object's or array's members
+    enum class Layout { Lines, Inline }; // layout of the members of an object or array
 
     void beginObject(Layout layout = Layout::Lines) { begin('{', layout); }
     void endObject() { end('}'); }
@@ -27,7 +27,7 @@ public:
     void value(bool truth);
     void value(const QString& text);
     void null();
-    void token(const QByteArray& text) { raw(text); } // a value as it is written
+    void token(const QByteArray& text) { raw(text); } // text of a JSON value
 
     template <typename Value> void member(const char* name, const Value& v) {
         key(name);
@@ -43,7 +43,7 @@ private:
     };
     void begin(char bracket, Layout layout);
     void end(char bracket);
-    void separate(); // from what was written before
+    void separate(); // writes the comma or line end before the next value
     void newLine();
     void raw(const QByteArray& token);
 

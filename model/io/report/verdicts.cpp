@@ -106,7 +106,7 @@ QString roundingNote(bool isExact) {
 }
 
 template <int Dim> QString openSetNote(const ifs::Facts<Dim>& facts) {
-    if (facts.similarityDimension == 0.0) return {}; // nothing is less
+    if (facts.similarityDimension == 0.0) return {}; // no lower value
     const ifs::Invariants& invariants = facts.invariants;
     if (facts.similarityDimension && ifs::exceedsSpace(*facts.similarityDimension, Dim))
         return u' ' + Text::tr("(upper bound: the open set condition fails)");

@@ -86,9 +86,10 @@ void writeStl(const PrintableSolid& solid, const QString& /*name*/, Stream& stre
 }
 
 void writeObj(const PrintableSolid& solid, const QString& name, Stream& stream) {
-    constexpr int digits = 9; // all of a float
+    constexpr int digits = 9; // all digits of a float
     QString object = document::oneLine(name.simplified());
-    object.replace(u' ', u'_').replace(u'\\', u'_'); // at the end of a line, one joins it with the next
+    // A backslash at the end of a line would join it with the next.
+    object.replace(u' ', u'_').replace(u'\\', u'_');
     stream.addText("# Barycage, millimetres\no " + object.toUtf8() + '\n');
     for (std::uint32_t i = 0; i < solid.mesh.points.size(); ++i) {
         QByteArray line = "v";

@@ -15,9 +15,9 @@ namespace io {
 // scale. Axes are those of the system: y up.
 enum class MeshFormat { Stl, Obj, Glb, Ply };
 
-std::optional<MeshFormat> meshFormat(const QString& suffix); // in any case
+std::optional<MeshFormat> meshFormat(const QString& suffix); // ignores case
 QString suffixOf(MeshFormat format);
-const char* titleOf(MeshFormat format); // in lists; for Text::tr()
+const char* titleOf(MeshFormat format); // title in lists, for Text::tr()
 
 // False when the device took less, or the mesh is stopped in the middle.
 bool writeMesh(const PrintableSolid& solid, MeshFormat format, const QString& name, QIODevice& device,

@@ -13,12 +13,12 @@ namespace io {
 // The maps of a fractal in space as an OpenSCAD program: one multmatrix for each, applied `depth` times to
 // the certified box of the attractor. The text grows with the number of maps alone.
 struct OpenScad {
-    static constexpr std::uint64_t maxParts = 100'000; // that OpenSCAD would have to join
+    static constexpr std::uint64_t maxParts = 100'000; // parts that OpenSCAD would have to join
 
     QByteArray text;
     Failure failure;
     int depth = 0;
-    double bound = 0; // no part goes farther than this from the attractor, in units of the system
+    double bound = 0; // bound of the distance from the parts to the attractor, in units of the system
 };
 
 // `detail` > 0: as deep as makes every part at most so large, in units of the system; else as deep as keeps

@@ -31,7 +31,7 @@ struct Box {
 
 Box boxOf(const ifs::SupportFunction<3>& support, const ifs::AffineMap<3>& placement,
           const std::vector<ifs::AffineMap<3>>& pieces) {
-    constexpr double fine = 1e-7; // of the size
+    constexpr double fine = 1e-7; // relative to the size
     const auto reach = [&](const ifs::Vector<3>& u) {
         double farthest = -HUGE_VAL;
         for (const ifs::AffineMap<3>& piece : pieces) {
@@ -118,8 +118,8 @@ private:
         m_box = boxOf(*support, m_placement, document::shownPieces(*shape));
         const double longest = (m_box.max - m_box.min).maxCoeff();
         if (!(longest < HUGE_VAL)) return Text::tr("“%1” is too large for a solid.").arg(m_fractal.name);
-        // A common fixed point of all maps is found up to rounding, which grows with the distance from the
-        // origin.
+        // True up to rounding, which grows with the distance from the origin: a common fixed point of all
+        // maps.
         const double farthest = m_box.max.cwiseAbs().cwiseMax(m_box.min.cwiseAbs()).maxCoeff();
         if (!(longest > 1e-13 * farthest) && (m_options.voxel == 0 || m_options.longest > 0))
             return Text::tr("“%1” is a single point: only the size of its voxel can be chosen.")
@@ -139,10 +139,33 @@ private:
 
     bool fits(double voxel) {
         m_side = gridShare * voxel;
-        const double thicker = std::ceil((m_options.wall / m_side - 1) / 2);
+        const double thicker = std::ceil((m_options.wall * mostGrowth() / m_side - 1) / 2);
         if (!(thicker < double(SolidOptions::maxResolution))) return false;
         m_dilation = std::max(0, int(thicker));
         return attractor::fitsGrid(request());
+    }
+
+    // Bound of the longest side of the mesh relative to that of the attractor, which takes the wall's room
+    // and that of the voxels at both ends. The mesh shrinks by so much at most, and its walls with it.
+    double mostGrowth() const {
+        if (!(m_options.longest > 0)) return 1;
+        const double room = 1 - m_options.wall / m_longest;
+        return room > 0 ? (1 + 4 * m_side / m_longest) / room : HUGE_VAL;
+    }
+
+    // The longest side is what was asked, though the mesh is larger than the attractor.
+    void shrink() {
+        SolidFacts& facts = m_solid.facts;
+        const double longest = facts.size.maxCoeff();
+        if (!(m_options.longest > 0) || !(longest > 0)) return;
+        const double factor = m_options.longest / longest;
+        m_solid.origin *= factor;
+        m_solid.unit *= factor;
+        facts.size *= factor;
+        for (double* length : {&facts.voxel, &facts.dilation, &facts.bound})
+            *length *= factor;
+        for (double* volume : {&facts.volume, &facts.cavityVolume})
+            *volume *= factor * factor * factor;
     }
 
     QString excess() {
@@ -150,7 +173,7 @@ private:
         if (m_options.voxel > 0)
             return Text::tr("The solid of “%1” would need more than %2 million voxels. Choose larger voxels.")
                 .arg(m_fractal.name, millions);
-        int most = 0; // that fits; 0: none does
+        int most = 0; // largest that fits; 0: none
         for (int excessive = std::max(1, m_options.resolution); excessive - most > 1;) {
             const int middle = std::midpoint(most, excessive);
             if (fits(voxelAt(middle)))
@@ -188,6 +211,7 @@ private:
         facts.triangles = m_solid.mesh.triangles.size();
         facts.volume = enclosedVolume(m_solid.mesh) * std::pow(m_solid.unit, 3);
         facts.size = sizeOf();
+        shrink();
         if (m_solid.mesh.triangles.empty() || flawOf(m_solid.mesh) != attractor::SurfaceFlaw::None)
             m_solid.failure =
                 Text::tr("The surface of “%1” is not closed, so it was not written.").arg(m_fractal.name);
@@ -214,10 +238,10 @@ private:
     const SolidOptions& m_options;
     PrintableSolid m_solid;
     attractor::PreparedSpace m_system;
-    ifs::AffineMap<3> m_placement; // the code's coordinates → mm
+    ifs::AffineMap<3> m_placement; // coordinates of the code → mm
     Box m_box;
-    double m_longest = 0; // of the sides of the box, mm
-    double m_side = 1;    // of a voxel, mm
+    double m_longest = 0; // mm; longest side of the box
+    double m_side = 1;    // mm; side of a voxel
     int m_dilation = 0;   // voxels
 };
 

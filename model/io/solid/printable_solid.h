@@ -15,10 +15,10 @@ namespace io {
 // Settings that turn a fractal in space into a body to print. Lengths are millimetres.
 struct SolidOptions {
     static constexpr int maxResolution = 4096;
-    static constexpr int leastOffered = 8; // resolution: with less, nothing can be made out
+    static constexpr int leastOffered = 8; // least resolution at which anything is recognisable
 
-    double longest = 0;   // of the sides of the attractor's box; 0: one unit of the system is a millimetre
-    double voxel = 0;     // h; 0: by the resolution
+    double longest = 0;   // of the sides of the mesh; 0: one unit of the system is a millimetre
+    double voxel = 0;     // h, or a little less with a longest side; 0: by the resolution
     int resolution = 128; // h is the longest side divided by this
     double wall = 0;      // every point of the body lies in a ball of this diameter within it
     bool fillsCavities = false;
@@ -30,14 +30,14 @@ struct SolidFacts {
     ifs::Vector<3> size = ifs::Vector<3>::Zero(); // mm
     double volume = 0;                            // mm³
     double voxel = 0;                             // h
-    double dilation = 0;                          // for the wall
+    double dilation = 0;                          // growth that makes the walls thick enough
     double bound = 0;                             // √3 h + dilation
-    std::uint64_t islands = 0;                    // bodies that do not touch
-    std::uint64_t cavities = 0;                   // closed off from outside, filled or not
+    std::uint64_t islands = 0;                    // connected bodies
+    std::uint64_t cavities = 0;                   // cavities without a way out, filled or not
     double cavityVolume = 0;                      // mm³
     std::uint64_t triangles = 0;
 };
-QString summaryOf(const SolidFacts& facts, const SolidOptions& options); // lines, each with its end
+QString summaryOf(const SolidFacts& facts, const SolidOptions& options); // complete lines
 
 // A body in millimetres: point i is origin + unit·mesh.points[i].
 struct PrintableSolid {

@@ -10,7 +10,7 @@ namespace io {
 
 ExportOutcome exportSolid(const SolidExport& what, const QString& path, const Progress& progress,
                           std::stop_token stop) {
-    constexpr double shareOfVoxels = 0.8; // of the progress; the rest is writing
+    constexpr double shareOfVoxels = 0.8; // share of the voxels in the progress; the rest is writing
     ExportOutcome outcome;
     const auto onVoxels = [&progress](double share) {
         if (progress) progress(shareOfVoxels * share);

@@ -17,7 +17,7 @@ namespace io {
 struct PictureSums {
     PlaneExport picture;
     std::vector<std::uint64_t> passes;
-    std::vector<SumShare> drawn;     // at most one of each pass, all of the same rows; none is in the files
+    std::vector<SumShare> drawn; // at most one share of each pass, all of the same rows; none is in the files
     std::shared_ptr<SumFiles> files; // nullptr: none
 };
 

@@ -20,8 +20,8 @@ using attractor::CellSums;
 using attractor::LookInSpace;
 using attractor::Rgba16;
 
-constexpr std::uint64_t maxBytes = std::uint64_t{4} << 30; // of memory for one picture
-constexpr int bandRows = 16 * TileGrid::tileRows;          // of a solid, drawn or put together at a time
+constexpr std::uint64_t maxBytes = std::uint64_t{4} << 30; // memory for one picture
+constexpr int bandRows = 16 * TileGrid::tileRows;          // rows of a solid drawn or combined at a time
 
 bool isCloud(const SpaceSums& sums) {
     return attractor::showsCloud(sums.picture.look);
@@ -179,7 +179,7 @@ ExportOutcome writeSolid(const SpaceSums& sums, QIODevice& file, const Progress&
     ExportOutcome outcome;
     if (sums.picture.look == LookInSpace::Depth) {
         attractor::SolidRendering rendering(sums.picture.request);
-        rendering.drawRows(0, 0, stop); // how far the depths reach
+        rendering.drawRows(0, 0, stop); // depth range only
         PngWriter writer(file, formatOfDepths(sums.picture, rendering.raster()));
         const auto write = [&](const CellSums& cells, int row) { return writeDepths(cells, row, writer); };
         outcome = putTogether(sums, write, progress, stop);

@@ -14,8 +14,8 @@ namespace io {
 
 struct SpaceSums {
     SpaceExport picture;
-    std::vector<std::uint64_t> passes; // of a solid: one, of 1
-    std::vector<SumShare> drawn;       // as in PictureSums
+    std::vector<std::uint64_t> passes; // solids: a single pass of 1
+    std::vector<SumShare> drawn;       // same meaning as in PictureSums
     std::shared_ptr<SumFiles> files;   // nullptr: none
 };
 
@@ -30,7 +30,7 @@ LoadedSpaceSums spaceSumsIn(const std::shared_ptr<SumFiles>& files, int threads)
 
 // Like those for the plane. For a solid, `part` is all of the rows.
 SpaceSums partOf(const SpaceExport& picture, int firstRow, int endRow, const attractor::PicturePart& part);
-void addPass(SpaceSums& sums, std::uint64_t samples); // to a cloud
+void addPass(SpaceSums& sums, std::uint64_t samples); // clouds only
 
 ExportOutcome exportSums(const SpaceSums& sums, const QString& path, const Progress& progress = {},
                          std::stop_token stop = {});

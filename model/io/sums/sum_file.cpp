@@ -17,10 +17,11 @@ namespace {
 
 const QByteArray magic = QByteArrayLiteral("BaryCSum");
 constexpr int version = 1;
-constexpr std::uint32_t end = 0xFFFFFFFF; // in place of a tile number
+constexpr std::uint32_t end = 0xFFFFFFFF; // end mark in place of a tile number
 constexpr std::uint32_t maxHeader = 256U << 20;
-constexpr std::uint32_t maxTile = 1U << 20; // of a block: 4096 cells of four numbers of ten bytes, and some
-constexpr std::size_t maxLines = 1U << 14;  // of passes or shares
+// Bytes of a block: 4096 cells of four numbers of ten bytes, with reserve.
+constexpr std::uint32_t maxTile = 1U << 20;
+constexpr std::size_t maxLines = 1U << 14; // passes or shares
 constexpr std::int64_t maxCells = std::int64_t{1} << 40;
 
 // The checksum of a block and the number of its tile; that of the header is 0.
@@ -46,7 +47,7 @@ public:
         : m_at(bytes.data()), m_end(bytes.data() + bytes.size()) {}
 
     std::optional<std::uint64_t> next() {
-        if (m_at != m_end && *m_at < 0x80) return *m_at++; // most are small
+        if (m_at != m_end && *m_at < 0x80) return *m_at++; // fast path for small numbers
         std::uint64_t value = 0;
         for (int shift = 0; m_at != m_end && shift < 64; shift += 7) {
             const std::uint8_t byte = *m_at++;
@@ -65,7 +66,7 @@ private:
 
 // Returns true if codes for single bytes would save less than a quarter.
 bool isNoise(std::span<const std::uint8_t> bytes) {
-    constexpr double bitsOfNoise = 6; // a byte
+    constexpr double bitsOfNoise = 6; // bits per byte
     std::array<std::size_t, 256> counts{};
     for (const std::uint8_t byte : bytes)
         ++counts[byte];

@@ -17,10 +17,10 @@ namespace io {
 
 // Units of one pass that were counted, in some rows.
 struct SumShare {
-    int firstRow = 0; // of pixels
+    int firstRow = 0; // row of pixels
     int endRow = 0;
     std::size_t pass = 0;
-    attractor::PicturePart part; // its units count from the first pass on
+    attractor::PicturePart part; // share whose units count from the first pass on
 
     friend bool operator==(const SumShare&, const SumShare&) = default;
 };
@@ -28,19 +28,19 @@ struct SumShare {
 struct SumHeader {
     QByteArray request; // pictureRequest()
     attractor::CellKind kind = attractor::CellKind::Count;
-    int columns = 0; // cells of the whole picture
+    int columns = 0; // number of cells of the whole picture
     int rows = 0;
-    std::vector<std::uint64_t> passes; // samples of each
-    std::vector<SumShare> shares;      // contained in the sums
+    std::vector<std::uint64_t> passes; // samples of each pass
+    std::vector<SumShare> shares;      // shares contained in the sums
 };
 
 // The sums of 256 × 16 cells, fewer at the right and lower edge, row by row: the samples of each cell, with
 // CellKind::Colour followed by its red, green and blue.
 struct SumTile {
-    std::uint32_t number = 0; // row by row from the top left corner of the whole picture
+    std::uint32_t number = 0; // index, row by row from the top left corner of the whole picture
     std::vector<std::uint64_t> values;
 
-    SumTile& operator+=(const SumTile& other); // of the same number
+    SumTile& operator+=(const SumTile& other); // requires the same number
 };
 
 // Positions of tiles, in cells.
@@ -78,9 +78,9 @@ std::optional<SumTile> tileIn(const TileGrid& grid, std::uint32_t number, const 
 // failure of the device is the device's to remember.
 class SumWriter {
 public:
-    SumWriter(QIODevice& device, const SumHeader& header); // the device outlives the writer
+    SumWriter(QIODevice& device, const SumHeader& header); // `device` must outlive the writer
     void write(const SumTile& tile);
-    void writeStored(const QByteArray& tile); // storedTile()
+    void writeStored(const QByteArray& tile); // text from storedTile()
     void finish();
 
 private:
@@ -94,12 +94,12 @@ public:
     // Reads and checks all of the file. The device is open, random access, and outlives the reader.
     explicit SumReader(QIODevice& device);
 
-    const Failure& failure() const { return m_failure; } // the first
+    const Failure& failure() const { return m_failure; } // first failure
     const SumHeader& header() const { return m_header; }
     // Offsets of the tiles that the file holds.
     const std::map<std::uint32_t, qint64>& tiles() const { return m_tiles; }
     std::optional<SumTile> read(std::uint32_t number);         // nullopt: not in the file, or a failure
-    std::optional<QByteArray> readBlock(std::uint32_t number); // the same for tileIn()
+    std::optional<QByteArray> readBlock(std::uint32_t number); // nullopt likewise; block for tileIn()
 
 private:
     bool readHeader();

@@ -167,7 +167,7 @@ bool SumFiles::writeTo(SumWriter& writer, int threads, const Progress& progress,
         shares.run(workers, {}, [&](std::size_t job, std::size_t) { add(tiles[job]); });
         for (const Merged& tile : tiles) {
             if (tile.damaged) {
-                tile.damaged->reader->read(tile.number); // says so
+                tile.damaged->reader->read(tile.number); // records the failure
                 return failed(*tile.damaged);
             }
             writer.writeStored(tile.stored);

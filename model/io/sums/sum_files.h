@@ -16,14 +16,14 @@ namespace io {
 // Files of sums of one picture, which share no unit.
 class SumFiles {
 public:
-    explicit SumFiles(const QStringList& paths); // opens and checks them all
+    explicit SumFiles(const QStringList& paths); // opens and checks all files
 
-    const Failure& failure() const { return m_failure; }         // the first; it names the file
-    bool isUnreadable() const { return m_isUnreadable; }         // the failure is that of a file or a disk
-    const SumHeader& header() const { return m_header; }         // of their union
-    const QString& name() const { return m_parts.front().path; } // of the first
+    const Failure& failure() const { return m_failure; }         // first failure, with the name of its file
+    bool isUnreadable() const { return m_isUnreadable; }         // true if a file or disk failed
+    const SumHeader& header() const { return m_header; }         // header of the union
+    const QString& name() const { return m_parts.front().path; } // path of the first file
 
-    bool addTo(attractor::CellSums& sums); // in the rows of its window; false on a failure
+    bool addTo(attractor::CellSums& sums); // adds to the rows of its window; false on a failure
     // Tile by tile, in memory for a few tiles of each file. False when stopped or on a failure.
     bool writeTo(SumWriter& writer, int threads, const Progress& progress, const std::stop_token& stop);
 
@@ -48,7 +48,7 @@ private:
 
     SumHeader m_header;
     std::vector<Part> m_parts;
-    std::vector<QString> m_names; // of the files that the shares of the header come from
+    std::vector<QString> m_names; // name of the file for each share of the header
     Failure m_failure;
     bool m_isUnreadable = false;
 };

@@ -3,8 +3,11 @@
 
 #include "io/text/latex_text.h"
 
+#include <QRegularExpression>
+
 #include <algorithm>
 #include <array>
+#include <utility>
 
 namespace io {
 
@@ -46,9 +49,9 @@ std::pair<QString, qsizetype> entityAt(QStringView text) {
 }
 
 struct Tag {
-    QString name; // in small letters, "/td" of an end
+    QString name; // lower case; "/td" for an end tag
     QStringView attributes;
-    qsizetype end = 0; // behind it
+    qsizetype end = 0; // end of the tag
 };
 
 // The tag at the beginning of the text; an empty name where there is none.
@@ -142,7 +145,7 @@ private:
     QStringView m_text;
     qsizetype m_at = 0;
     int m_line = 1;
-    qsizetype m_cell = -1; // where its text begins
+    qsizetype m_cell = -1; // beginning of the cell's text; −1: none
     int m_columns = 1;
     MarkupRow m_row;
     QList<MarkupTable> m_tables;
@@ -156,7 +159,7 @@ QList<MarkupTable> htmlTables(const QString& text) {
 }
 
 QString textOfHtml(QStringView text) {
-    // Formulas carry their source; without it, their letters are read one by one.
+    // Source of a formula in an annotation; without it, the letters are read one by one.
     const qsizetype note = text.indexOf(u"<annotation");
     if (const qsizetype begin = note < 0 ? -1 : text.indexOf(u'>', note); begin >= 0) {
         const qsizetype end = text.indexOf(u"</annotation", begin);
@@ -179,6 +182,28 @@ QString textOfHtml(QStringView text) {
     }
     if (result.contains(QStringLiteral("\\(")) || result.contains(u'$')) result = plainLatex(result);
     return result.simplified();
+}
+
+QString preformattedText(const QString& page) {
+    static const QRegularExpression block(QStringLiteral("<(pre|code|textarea)\\b[^>]*>(.*?)</\\1\\s*>"),
+                                          QRegularExpression::DotMatchesEverythingOption |
+                                              QRegularExpression::CaseInsensitiveOption);
+    QString text;
+    for (auto found = block.globalMatch(page); found.hasNext();) {
+        for (const QStringView line : found.next().capturedView(2).split(u'\n')) {
+            QString plain;
+            for (qsizetype i = 0; i < line.size();) {
+                const Tag tag = line[i] == u'<' ? tagAt(line.sliced(i)) : Tag();
+                const auto [sign, length] = line[i] == u'&'       ? entityAt(line.sliced(i))
+                                            : !tag.name.isEmpty() ? std::pair(QString(), tag.end)
+                                                                  : std::pair(QString(line[i]), qsizetype(1));
+                plain += sign;
+                i += length;
+            }
+            text += plain + u'\n';
+        }
+    }
+    return text;
 }
 
 } // namespace io

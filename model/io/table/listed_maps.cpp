@@ -14,6 +14,7 @@
 #include "io/text/export_weights.h"
 #include "io/text/literal_lists.h"
 #include "io/text/number.h"
+#include "io/text/shaped_lists.h"
 #include "io/text/yaml_lists.h"
 
 #include <QRegularExpression>
@@ -33,15 +34,15 @@ using Kind = Literal::Kind;
 using Numbers = std::vector<double>;
 
 constexpr qsizetype maxSystems = 1000;
-constexpr qsizetype maxNumbers = 16; // of a map, with its weight
-constexpr int maxNesting = 4;        // of the lists of a map
+constexpr qsizetype maxNumbers = 16; // numbers of a map including its weight
+constexpr int maxNesting = 4;        // nested lists of a map
 constexpr std::array weightKeys{"p",    "w",     "weight",      "weights",
                                 "prob", "probs", "probability", "probabilities"};
 constexpr std::array matrixKeys{"linear",    "matrix", "m",      "mat",         "a",
                                 "transform", "coefs",  "coeffs", "coefficients"};
 constexpr std::array vectorKeys{"translation", "translate", "offset", "shift", "vector", "t", "b", "v"};
 
-constexpr std::array sumKeys{"cumulative", "cum"}; // of weights up to each map
+constexpr std::array sumKeys{"cumulative", "cum"}; // keys of weights summed up to each map
 
 template <typename Keys> bool isOneOf(const QString& key, const Keys& keys) {
     return std::ranges::any_of(
@@ -89,10 +90,10 @@ std::optional<std::vector<Numbers>> rowsOf(const Literal& list) {
 
 // A map as its matrix, row by row, and its vector.
 struct Map {
-    QStringList names; // of the numbers; empty: nothing says what they are
+    QStringList names; // names of the numbers; empty: unknown
     Numbers numbers;
     bool hasWeight = false;
-    bool isNamed = false; // its numbers had these names in the text
+    bool isNamed = false; // true if the text names the numbers
 };
 
 QStringList letters(std::size_t count) {
@@ -148,6 +149,21 @@ bool isOfWeights(const QString& key) {
 
 std::optional<Map> mapOf(const Literal& literal, int nesting = 0);
 
+// matrix(a, b, c, d, e, f) of SVG and CSS, and the like of other graphics, whose matrix is column by column.
+bool isByColumns(const QString& name) {
+    static const QRegularExpression names(
+        QStringLiteral("^(matrix|(\\w+\\.)?(setTransform|AffineTransform|CGAffineTransform(Make)?))$"));
+    return name.contains(names);
+}
+
+// bezierCurveTo(…) of a picture takes six numbers, too.
+bool isCallThatDraws(const QString& name) {
+    static const QRegularExpression names(
+        QStringLiteral("curve|bezier|arc|line|rect|triangle|quad|ellipse|colou?r|rgb|print|plot"),
+        QRegularExpression::CaseInsensitiveOption);
+    return name.contains(names);
+}
+
 // The numbers a … l of a map in space, brought into this order.
 std::optional<Map> inSpace(const QStringList& names, const Numbers& numbers) {
     Map map{letters(12), {}, false, true};
@@ -174,7 +190,7 @@ std::optional<Map> ofKeys(const Literal& object, int nesting) {
         else if (item.kind == Kind::List && !matrix && isOneOf(key, matrixKeys))
             matrix = &item;
         else if (isNumber(item) && isOfWeights(key)) {
-            if (weight && isOneOf(key, sumKeys)) continue; // beside the weights themselves
+            if (weight && isOneOf(key, sumKeys)) continue; // redundant: the weights themselves are there
             weight = item.number;
             isSum = isOneOf(key, sumKeys);
         } else if (isNumber(item) && ((key.size() == 1 && QStringLiteral("abcdefghijklrs").contains(key)) ||
@@ -203,6 +219,8 @@ std::optional<Map> mapOf(const Literal& literal, int nesting) {
     if (auto flat = fewNumbersOf(list)) {
         const std::size_t count = flat->size();
         if (count != 6 && count != 7 && count != 12 && count != 13) return std::nullopt;
+        if (isCallThatDraws(list.text)) return std::nullopt;
+        if (count == 6 && isByColumns(list.text)) std::swap((*flat)[1], (*flat)[2]);
         return Map{{}, *std::move(flat), count % 6 == 1, false};
     }
     if (const auto rows = rowsOf(list); rows && rows->front().size() > 2) return ofAugmented(*rows);
@@ -229,14 +247,14 @@ public:
         search(root, {});
         return std::move(m_found);
     }
-    // Maps one after the other, each with a name of its own: A1 = [[…]], b1 = […], A2 = …
+    // Sequence of maps with names of their own: A1 = [[…]], b1 = […], A2 = …
     QList<ListedMaps> findSequence(const Literal& root) && {
         takeSequence(root);
         return std::move(m_found);
     }
 
 private:
-    // Tries each list a few times at most, however deep it lies: the time grows in proportion to the text.
+    // Tries each list a few times at most, at any depth: the time is proportional to the length of the text.
     void search(const Literal& list, const QString& name) {
         const QString own = nameIn(list, name);
         if (takeLetters(list, own)) return;
@@ -254,7 +272,7 @@ private:
     void takeSequence(const Literal& root) {
         std::vector<Map> maps;
         const Literal* weights = nullptr;
-        Weights chances; // p1 = 0.25
+        Weights chances; // weights such as p1 = 0.25
         for (qsizetype i = 0; i < root.items.size(); ++i) {
             const Literal& item = root.items[i];
             static const QRegularExpression digits(QStringLiteral("_?\\d+$"));
@@ -265,7 +283,7 @@ private:
                 chances.numbers.push_back(item.number);
             }
             if (item.kind != Kind::List) continue;
-            auto map = mapOf(item); // w1 = [six numbers] is one
+            auto map = mapOf(item); // w1 = [six numbers] is a map
             if (!map && isWeight && numbersOf(bare(item))) {
                 weights = &item;
                 continue;
@@ -284,7 +302,7 @@ private:
         m_found << ListedMaps{{}, tableOf(maps), qsizetype(maps.size()), Notation::Lists, {}, unused};
     }
 
-    // A list of numbers under the name of each column, all of one length.
+    // Lists of numbers under the names of columns, all of one length.
     bool takeLetters(const Literal& list, const QString& name) {
         if (list.items.size() < 2) return false;
         QStringList names;
@@ -337,13 +355,13 @@ private:
         return otherwise;
     }
 
-    // A list of maps alike; one alone only under names, since six numbers may be anything.
+    // List of similar maps; a single map only with names, since six numbers may be anything.
     bool take(const Literal& list, const QString& name, const Literal* weights) {
         if (list.kind != Kind::List || list.items.isEmpty()) return false;
         const Literal& inner = bare(list);
         if (m_useless.contains(&inner)) return false;
         if (takeMaps(inner, &inner != &list, name, weights)) return true;
-        if (&inner != &list) m_useless << &inner; // each list around it holds the same
+        if (&inner != &list) m_useless << &inner; // lists around it contain the same
         return false;
     }
 
@@ -366,7 +384,7 @@ private:
         Numbers numbers;
     };
 
-    // Unless they have weights. Those of which there are more or fewer are not used.
+    // Gives maps without weights these; ignores them if their number differs.
     static UnusedWeights weigh(std::vector<Map>& maps, const Weights& chances) {
         if (std::ranges::any_of(maps, &Map::hasWeight)) return {};
         if (chances.numbers.size() != maps.size()) return {chances.name, chances.numbers.size()};
@@ -375,7 +393,7 @@ private:
         return {};
     }
 
-    // But for weights, of which some may be missing.
+    // True if the maps differ at most in a missing weight.
     static bool areAlike(const Map& a, const Map& b) {
         const auto count = [](const Map& map) { return map.numbers.size() - (map.hasWeight ? 1 : 0); };
         const auto names = [](const Map& map) {
@@ -385,7 +403,7 @@ private:
                (!a.hasWeight || !b.hasWeight || a.names == b.names);
     }
 
-    // The maps of a list; none unless all items are maps of one kind.
+    // Maps of a list; empty unless all items are maps of one kind.
     static std::vector<Map> mapsAlike(const Literal& list) {
         std::vector<Map> maps;
         for (const Literal& item : list.items) {
@@ -413,7 +431,7 @@ private:
                                          "ifs",  "system",     "attractor",       "transform", "data",
                                          "rules"};
     QList<ListedMaps> m_found;
-    QSet<const Literal*> m_useless; // what lists around one alone hold, which is no list of maps
+    QSet<const Literal*> m_useless; // lists that contain nothing but one useless list
 };
 
 Notation notationOf(Markup markup) {
@@ -445,7 +463,7 @@ QList<ListedMaps> markedUp(const QString& text) {
         }
         const Table table = readTable(listed.table, std::nullopt, TableMaps::PlaneOrSpace);
         const bool isBad = hasErrors(table) && !isOrderOpen(listed.table);
-        listed.maps = qsizetype(table.rows.size() + table.spaceRows.size());
+        listed.maps = std::ssize(table.rows) + std::ssize(table.spaceRows);
         if (table.isTable && good.size() < maxSystems) (isBad ? bad : good) << listed;
     }
     return good.isEmpty() ? bad.first(std::min<qsizetype>(bad.size(), 1)) : good;
@@ -478,12 +496,13 @@ QList<ListedMaps> sequenceIn(const Literals& literals) {
 // Rows between semicolons or ends of lines, as Matlab and Julia write them, as lists: [1 2; 3 4] is
 // [[1,2],[3,4]], and a column [1; 2] is [1,2]. Empty where there are none.
 QString rowsAsLists(QString text) {
+    static const QRegularExpression continued(QStringLiteral("\\.\\.\\.[^\n]*\n"));
     static const QRegularExpression comment(QStringLiteral("%[^\n]*"));
     static const QRegularExpression rows(
         QStringLiteral(R"(\[([^\[\](){};\n]*+(?:[;\n][^\[\](){};\n]*+)++)\])"));
     static const QRegularExpression blanks(QStringLiteral(R"([\s,]+)"));
     static const QRegularExpression rowEnd(QStringLiteral("[;\n]"));
-    text.remove(comment);
+    text.replace(continued, QStringLiteral(" ")).remove(comment);
     QString lists;
     qsizetype before = 0;
     auto found = rows.globalMatch(text);
@@ -520,7 +539,7 @@ QList<ListedMaps> oneBelowTheOther(const QString& text) {
     for (const TitledTable& titled : severalTables(text)) {
         const Table table = readTable(titled.table, std::nullopt, TableMaps::PlaneOrSpace);
         if (hasErrors(table) || !table.isTable) return {};
-        const auto maps = qsizetype(table.rows.size() + table.spaceRows.size());
+        const qsizetype maps = std::ssize(table.rows) + std::ssize(table.spaceRows);
         found << ListedMaps{titled.title, titled.table, maps, Notation::Lists, {}};
     }
     return found;
@@ -534,7 +553,8 @@ QList<ListedMaps> listedMaps(const QString& text) {
     const bool isGood = !nearly.isEmpty() && nearly.first().maps > 0;
     if (isGood) return nearly;
     if (auto found = written(matrixMaps(text), Notation::LatexMatrices); !found.isEmpty()) return found;
-    const Literals literals = literalsIn(text);
+    Literals literals = literalsIn(text);
+    shapeMatrices(literals.root);
     const QString semicolons = rowsAsLists(text);
     const Literals lists = semicolons.isEmpty() ? Literals() : literalsIn(semicolons);
     if (auto found = listsIn(literals, Notation::Lists); !found.isEmpty()) return found;

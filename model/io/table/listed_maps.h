@@ -12,9 +12,9 @@ namespace io {
 
 // Notation of a text with maps.
 enum class Notation {
-    Lists, // of JSON, Python and their like
+    Lists, // lists of JSON, Python and similar languages
     Yaml,
-    Gimp, // IFS Fractal of GIMP
+    Gimp, // IFS Fractal plug-in of GIMP
     LatexTable,
     HtmlTable,
     MarkdownTable,
@@ -25,19 +25,20 @@ enum class Notation {
 
 // A list beside maps that would hold their weights if it had as many numbers as there are maps.
 struct UnusedWeights {
-    QString name; // empty: there is none
+    QString name; // empty: none
     std::size_t numbers = 0;
 };
 
 // A system that stands in another notation, as a table.
 struct ListedMaps {
-    QString name;  // as the text calls it; may be empty
-    QString table; // for readTable(): a row for every map, with a header where the text says what is what
+    QString name;  // name in the text; may be empty
+    QString table; // table for readTable(): a row for each map, with a header if the text names its columns
     qsizetype maps = 0;
     Notation notation = Notation::Lists;
-    std::vector<int> lines; // of the text, from 1, for every line of `table`; empty where it is not known
+    std::vector<int> lines; // 1-based lines of the text for the lines of `table`; empty if unknown
     UnusedWeights unused{};
-    std::optional<std::size_t> withoutWeight{}; // the first of the maps, from 0, where others have one
+    // 0-based index of the first map without weight, if others have one.
+    std::optional<std::size_t> withoutWeight{};
 };
 
 // The systems of affine maps in a text.

@@ -10,8 +10,8 @@ namespace io {
 enum class Markup { Latex, Html, Markdown, Wiki };
 
 struct MarkupRow {
-    QStringList cells; // as plain text; numbers as they can be read
-    int line = 0;      // of the text, from 1
+    QStringList cells; // plain text; numbers in readable notation
+    int line = 0;      // line of the text, 1-based
 };
 struct MarkupTable {
     Markup markup = Markup::Latex;

@@ -21,7 +21,7 @@ namespace io {
 
 namespace {
 
-constexpr qsizetype fewestCells = 6; // of a row that stands alone
+constexpr qsizetype fewestCells = 6; // cells of a single row
 
 class Lines {
 public:
@@ -37,7 +37,7 @@ private:
     std::vector<qsizetype> m_feeds;
 };
 
-constexpr qsizetype longestArgument = 1000; // of what opens an environment or ends a row
+constexpr qsizetype longestArgument = 1000; // characters of an argument of an environment or of a row end
 
 // Behind the group that opens here, if it is no longer than an argument.
 qsizetype endOfGroup(QStringView text, qsizetype open) {
@@ -61,7 +61,7 @@ qsizetype endOfOption(QStringView text, qsizetype open) {
 
 struct Environment {
     QString name;
-    qsizetype begin = 0; // of \begin
+    qsizetype begin = 0; // position of \begin
     qsizetype body = 0;
     qsizetype bodyEnd = -1;
     qsizetype end = -1;
@@ -82,10 +82,10 @@ std::vector<Environment> allEnvironments(const QString& text) {
     static const QRegularExpression tag(QStringLiteral(
         R"(\\(begin|end)\{((?:tabular[xy]?|longtable|tabu|tblr|array|[pbBvV]?(?:small)?matrix)\*?)\})"));
     std::vector<Environment> all;
-    QHash<QString, std::vector<std::size_t>> open; // of each name, the inner ones last
+    QHash<QString, std::vector<std::size_t>> open; // positions by name, innermost last
     for (auto tags = tag.globalMatch(text); tags.hasNext() && all.size() < std::size_t(maxTableRows);) {
         const auto match = tags.next();
-        if (!all.empty() && match.capturedStart() < all.back().body) continue; // in an argument
+        if (!all.empty() && match.capturedStart() < all.back().body) continue; // inside an argument
         std::vector<std::size_t>& same = open[match.captured(2)];
         if (match.capturedView(1) == u"begin") {
             same.push_back(all.size());
@@ -107,7 +107,8 @@ std::vector<Environment> allEnvironments(const QString& text) {
 QList<Environment> environments(const QString& text, bool isNested) {
     constexpr std::size_t deepest = 8;
     QList<Environment> found;
-    std::priority_queue<qsizetype, std::vector<qsizetype>, std::greater<>> ends; // of those around
+    // Ends of the enclosing environments.
+    std::priority_queue<qsizetype, std::vector<qsizetype>, std::greater<>> ends;
     for (const Environment& one : allEnvironments(text)) {
         while (!ends.empty() && ends.top() <= one.begin)
             ends.pop();
@@ -124,7 +125,7 @@ public:
 
     struct Raw {
         QList<QStringView> cells;
-        qsizetype end = 0; // of its last sign, in the text
+        qsizetype end = 0; // position of its last sign in the text
     };
 
     QList<Raw> split(bool linesEndRows) && {
@@ -148,7 +149,7 @@ private:
         const QStringView rest = m_text.sliced(m_at);
         if (rest.startsWith(u"\\begin{")) {
             ++m_depth;
-            m_at += 6 - 1; // the brace counts by itself
+            m_at += 6 - 1; // stops at the brace, which is counted separately
         } else if (rest.startsWith(u"\\end{")) {
             --m_depth;
             m_at += 4 - 1;
@@ -165,7 +166,7 @@ private:
         }
     }
 
-    // "*" and "[2pt]" behind the end of a row. m_at is on its last sign.
+    // Skips "*" and "[2pt]" behind the end of a row, whose last sign is at m_at.
     void skipOption() {
         if (m_at + 1 < m_text.size() && m_text[m_at + 1] == u'*') ++m_at;
         if (m_at + 1 >= m_text.size() || m_text[m_at + 1] != u'[') return;
@@ -342,9 +343,9 @@ private:
         }
     }
 
-    // {{math|0.5}}, [[target|text]] and '''bold''' without their marks.
+    // Contents of {{math|0.5}}, [[target|text]] and '''bold''' without markup.
     static QString textOfWiki(QString cell) {
-        if (cell.size() > longestArgument) return cell; // no number
+        if (cell.size() > longestArgument) return cell; // too long for a number
         static const QRegularExpression model(QStringLiteral(R"(\{\{(?:[^{}|]*\|)?([^{}|]*)[^{}]*\}\})"));
         static const QRegularExpression link(QStringLiteral(R"(\[\[(?:[^\]|]*\|)?([^\]]*)\]\])"));
         static const QRegularExpression math(QStringLiteral("<math[^>]*>(.*?)</math>"));

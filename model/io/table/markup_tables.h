@@ -17,7 +17,7 @@ QList<MarkupTable> markupTables(const QString& text);
 // A matrix or a column of numbers in LaTeX, with its place in the text.
 struct LatexMatrix {
     QList<QStringList> rows;
-    qsizetype begin = 0, end = 0; // of the environment
+    qsizetype begin = 0, end = 0; // extent of the environment
 };
 QList<LatexMatrix> latexMatrices(const QString& text);
 

@@ -23,7 +23,7 @@ struct Matrix {
 
     double at(std::size_t row, std::size_t column) const { return numbers[row * columns + column]; }
     bool isVector() const { return columns == 1 && (rows == 2 || rows == 3); }
-    // 0 … 0 1 below.
+    // True for a last row 0 … 0 1.
     bool isHomogeneous() const {
         if (rows != columns || rows < 3) return false;
         for (std::size_t column = 0; column < columns; ++column)
@@ -59,6 +59,31 @@ double factorBefore(QStringView source) {
     const QString factor = text.sliced(begin).trimmed();
     if (factor == u"-") return -1;
     return numberOf(factor).value_or(factor.startsWith(u'-') ? -1 : 1);
+}
+
+// A matrix in place of a mere factor, as in S(x) = \tfrac13 x + …; lines stay. Alone, x' = x/3 is an
+// equation.
+QString withFactorsAsMatrices(const QString& text) {
+    static const QRegularExpression factor(QStringLiteral(
+        R"((\)\s*&?\s*)?=\s*&?\s*)"
+        R"((\\[tdcs]?frac\s*(?:\{[^{}]{1,40}\}|\d)\s*(?:\{[^{}]{1,40}\}|\d)|[-\d./]+|\([-\d./]+\))?)"
+        R"(\s*(?:\\cdot|\\,|\*)?\s*)"
+        R"((?:(\\(?:mathbf|vec|boldsymbol|bm|mathrm|underline)\s*(?:\{\s*[a-z]\s*\}|[a-z]))|\bx\b))"
+        R"((\s*/\s*\d+)?(?=\s*(?:[+,;&.$)]|\\\\|\\end|\\quad|\n|$)))"));
+    QString matrices;
+    qsizetype before = 0;
+    for (auto found = factor.globalMatch(text); found.hasNext();) {
+        const auto match = found.next();
+        const bool isOfPoint = !match.captured(1).isEmpty() || !match.captured(3).isEmpty();
+        const QString one = match.captured(2).isEmpty() ? QStringLiteral("1") : match.captured(2);
+        const QString number = (one + match.captured(4)).simplified();
+        if (!isOfPoint || number == u"1" || !numberOf(plainLatex(number))) continue;
+        matrices += QStringView(text).sliced(before, match.capturedStart() - before);
+        matrices += match.captured(1);
+        matrices += QStringLiteral("=\\begin{pmatrix}%1&0\\\\0&%1\\end{pmatrix}x").arg(number);
+        before = match.capturedEnd();
+    }
+    return matrices + text.sliced(before);
 }
 
 std::vector<Matrix> matricesOfNumbers(const QString& text) {
@@ -106,8 +131,9 @@ std::optional<std::vector<double>> numbersOf(const Matrix& matrix, const Matrix*
 
 } // namespace
 
-std::vector<WrittenMap> matrixMaps(const QString& text) {
-    if (!text.contains(QStringLiteral("\\begin{"))) return {};
+std::vector<WrittenMap> matrixMaps(const QString& source) {
+    if (!source.contains(QStringLiteral("\\begin{"))) return {};
+    const QString text = withFactorsAsMatrices(source);
     const std::vector<Matrix> matrices = matricesOfNumbers(text);
     std::vector<WrittenMap> maps;
     QStringList between;

@@ -34,7 +34,7 @@ QStringList ordered(const QStringList& wanted, const QStringList& names, const Q
 
 QList<MarkupRow> namedNumbers(const QString& text) {
     static const QRegularExpression pair(
-        QStringLiteral(R"((?<![\p{L}\d_.])(\p{L}+)(?:_?\{?\d{1,3}\}?)?\s*[:=]\s*([^\s,;|&=]+))"),
+        QStringLiteral(R"((?<![\p{L}\d_.])(\p{L}+)(?:_?\{?\d{1,3}\}?)?\s*[:=]\s*([^\s,;|&=:]++)(?!\s*[:=]))"),
         QRegularExpression::UseUnicodePropertiesOption);
     if (text.size() > longestText) return {};
     QList<MarkupRow> rows;

@@ -35,7 +35,7 @@ QList<TitledTable> severalTables(const QString& text) {
             tables << TitledTable{title, line + u'\n'};
             isInside = true;
         } else if (words.isEmpty()) {
-            isInside = isInside && tables.last().table.count(u'\n') < 2; // a line between header and rows
+            isInside = isInside && tables.last().table.count(u'\n') < 2; // rule between header and rows
         } else if (isInside) {
             tables.last().table += line + u'\n';
         }

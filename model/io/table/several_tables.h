@@ -7,8 +7,8 @@
 namespace io {
 
 struct TitledTable {
-    QString title; // the line above its header, if that is no part of the table before
-    QString table; // for readTable(), with its header
+    QString title; // line above the header, unless it belongs to the previous table
+    QString table; // table for readTable(), including its header
 };
 
 // The tables of a text, as a paper or a page has them one below the other, each under a header of its own

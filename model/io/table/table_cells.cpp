@@ -4,6 +4,8 @@
 #include "io/text/number.h"
 #include "io/text/plain_signs.h"
 
+#include <QRegularExpression>
+
 #include <algorithm>
 #include <cmath>
 
@@ -53,7 +55,7 @@ public:
         : m_text(text), m_line(line), m_dialect(dialect) {}
 
     Row read(qsizetype most) && {
-        bool isField = false; // whether the field that begins here has a cell
+        bool isField = false; // true if the current field has a cell
         skipBlanks();
         while (!atEnd() && m_cells.size() <= most) {
             if (isSeparator(m_text[m_at], m_dialect.separator)) {
@@ -78,16 +80,17 @@ private:
         return m_at >= m_text.size() ||
                (m_text[m_at] == u';' && m_dialect.separator != Separator::Semicolon) || atComment();
     }
-    // Behind as many numbers as a map has. Directly behind a number, "%" belongs to it.
+    // True behind as many numbers as a map has. Directly behind a number, "%" belongs to the number.
     bool atComment() const {
         constexpr qsizetype fewest = 6;
         const QChar c = m_text[m_at];
-        if (c != u'#' && c != u'%' && c != u'/') return false;
+        if (c != u'#' && c != u'%' && c != u'/' && c != u'-') return false;
         const bool isParted =
             m_at > 0 && (m_text[m_at - 1].isSpace() || isSeparator(m_text[m_at - 1], m_dialect.separator));
         if (m_cells.size() + (isParted ? 0 : 1) < fewest) return false;
         if (c == u'/') return m_at + 1 < m_text.size() && m_text[m_at + 1] == u'/';
         if (c == u'#') return true;
+        if (c == u'-') return isParted && m_text.sliced(m_at).startsWith(u"-- ");
         const QStringView rest = m_text.sliced(m_at + 1);
         return isParted && !rest.trimmed().isEmpty() && !isSeparator(rest.front(), m_dialect.separator);
     }
@@ -95,7 +98,7 @@ private:
 
     void advance() {
         const char16_t c = m_text[m_at++].unicode();
-        // Halves of a surrogate pair make 4 bytes together.
+        // Bytes in UTF-8; halves of a surrogate pair have 4 bytes together.
         m_column += c < 0x80 ? 1 : c < 0x800 || QChar::isSurrogate(c) ? 2 : 3;
     }
 
@@ -114,7 +117,7 @@ private:
         return cell;
     }
 
-    // "" inside is a quotation mark. Without an end it is text like any other.
+    // "" inside stands for a quotation mark. Without a closing mark, it is ordinary text.
     Cell quoted() {
         const qsizetype from = m_at;
         Cell cell = cellHere();
@@ -143,19 +146,37 @@ private:
 
 // Names of columns such as “e” and “phi” are constants as well; no column is called “pi”.
 bool isName(QStringView text) {
-    if (!text.isEmpty() && QStringView(u"°º˚").contains(text.back())) text.chop(1); // φ° names a column
+    // Φ° is the name of a column.
+    if (!text.isEmpty() && QStringView(u"°º˚").contains(text.back())) text.chop(1);
     const bool isWord = std::ranges::all_of(text, [](QChar c) { return c.isLetter(); });
     return isWord && text != u"π" && text.compare(u"pi", Qt::CaseInsensitive) != 0;
 }
 
 } // namespace
 
+QString withoutOrnaments(QString text) {
+    static const QRegularExpression ornament(
+        QStringLiteral("^[ \\t]*(?:\\[\\d+,\\]|(?:\\[,\\d+\\][ \\t]*)+$|[*•‣▪◦●·][ \\t]+(?=[-+−.\\d])|"
+                       "(?:\\d+[ \\t]+)?DATA[ \\t]+(?=[-+.\\d])|(?:\\d+[ \\t]+)?REM\\b[^\\n]*|"
+                       "\\d+[x×]\\d+ [A-Z][^\\n:]{0,80}:$)"),
+        QRegularExpression::MultilineOption);
+    const auto mayBeOne = [](QChar c) { return QStringView(u"[*•‣▪◦●·Dx×R").contains(c); };
+    if (std::ranges::none_of(text, mayBeOne)) return text;
+    const QString source = text;
+    for (auto found = ornament.globalMatch(source); found.hasNext();) {
+        const auto match = found.next();
+        for (qsizetype i = match.capturedStart(); i < match.capturedEnd(); ++i)
+            text[i] = u' ';
+    }
+    return text;
+}
+
 QList<Dialect> dialectsOf(QStringView text) {
     constexpr qsizetype minSeparators = 5;
     bool semicolons = false;
     bool tabs = false;
-    bool commas = false; // outside of comments
-    bool blanks = false; // between two signs that are no commas
+    bool commas = false; // true for commas outside comments
+    bool blanks = false; // true for blanks between two signs other than commas
     for (const QStringView line : text.tokenize(u'\n')) {
         semicolons = semicolons || line.count(u';') >= minSeparators;
         tabs = tabs || line.trimmed().count(u'\t') >= minSeparators;
@@ -179,14 +200,14 @@ Row cellsOf(QStringView text, int line, const Dialect& dialect, qsizetype most) 
 
 std::optional<double> numberIn(const Cell& cell, const Dialect& dialect, NumberUnit unit) {
     QString text = plainSigns(cell.text);
-    // Between commas only quotation marks let one into a cell: it is decimal.
+    // Decimal comma: between separating commas, only quotation marks could enclose it.
     if (dialect.decimalComma || dialect.separator == Separator::Comma) {
         if (dialect.decimalComma && text.contains(u'.')) return std::nullopt;
         if (text.contains(u'.') && text.contains(u',')) return std::nullopt;
         text.replace(u',', u'.');
     }
     const qsizetype sign = text.startsWith(u'-') || text.startsWith(u'+') ? 1 : 0;
-    if (text.size() == sign + 1) { // ½ → 1⁄2; 1½ is none
+    if (text.size() == sign + 1) { // ½ → 1⁄2; 1½ is not a fraction
         const QString parts = text.normalized(QString::NormalizationForm_KD);
         if (parts.contains(QChar(0x2044))) text = parts;
     }

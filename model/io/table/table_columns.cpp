@@ -74,7 +74,35 @@ constexpr std::array columnsByName{Name{"a", A},
                                    Name{"t1", E},
                                    Name{"t2", F},
                                    Name{"tx", E},
-                                   Name{"ty", F}};
+                                   Name{"ty", F},
+                                   Name{"m11", A},
+                                   Name{"m12", B},
+                                   Name{"m21", C},
+                                   Name{"m22", D},
+                                   Name{"xx", A},
+                                   Name{"xy", B},
+                                   Name{"yx", C},
+                                   Name{"yy", D},
+                                   Name{"x0", E},
+                                   Name{"y0", F},
+                                   Name{"dx", E},
+                                   Name{"dy", F},
+                                   Name{"e1", E},
+                                   Name{"e2", F}};
+
+// Words of other languages, and words with others behind: "Prob. (p)", "probabilité", "kumuliert".
+std::optional<TableColumn> columnInWords(const QString& name) {
+    static const QRegularExpression sum(QStringLiteral("\\b(cumul|kumul|acumul|кумул|running (sum|total))"),
+                                        QRegularExpression::CaseInsensitiveOption |
+                                            QRegularExpression::UseUnicodePropertiesOption);
+    static const QRegularExpression weight(
+        QStringLiteral(
+            "^(prob(\\b|a)|wahrsch|weight\\b|gewicht|poids\\b|peso\\b|веројат|вероят|тежин|chance)"),
+        QRegularExpression::CaseInsensitiveOption | QRegularExpression::UseUnicodePropertiesOption);
+    if (name.size() < 4) return std::nullopt;
+    if (name.contains(sum)) return Cumulative;
+    return name.contains(weight) ? std::optional(Weight) : std::nullopt;
+}
 
 bool isPolar(TableColumn column) {
     return column >= R && column <= Phi;
@@ -84,7 +112,7 @@ bool isPolar(TableColumn column) {
 QString bareName(QString name) {
     static const QRegularExpression unit(QStringLiteral("\\s*([(\\[](%|deg|degrees?|[°º])[)\\]]|[°º]| %)$"));
     static const QRegularExpression index(QStringLiteral("^([a-zA-Zθφϕϑ])(_?[ijkn]|_\\{[ijkn]\\}|[ₙᵢⱼₖ])$"));
-    static const QRegularExpression lowered(QStringLiteral("^([abt])_\\{?(\\d\\d?)\\}?$"));
+    static const QRegularExpression lowered(QStringLiteral("^([abemtxy])_\\{?(\\d\\d?|[xy])\\}?$"));
     name = name.trimmed().remove(u'$').remove(u'*').remove(unit);
     return name.replace(index, QStringLiteral("\\1")).replace(lowered, QStringLiteral("\\1\\2"));
 }
@@ -95,7 +123,7 @@ std::optional<TableColumn> columnOf(const QString& text) {
         std::find_if(columnsByName.begin(), columnsByName.end(), [&name](const Name& candidate) {
             return name.compare(QString::fromUtf8(candidate.name), Qt::CaseInsensitive) == 0;
         });
-    return known == columnsByName.end() ? std::nullopt : std::optional(known->column);
+    return known == columnsByName.end() ? columnInWords(name) : std::optional(known->column);
 }
 
 bool isComplete(TableColumns columns) {

@@ -27,7 +27,7 @@ inline bool isWeight(TableColumn column) {
 // Cumulative.
 using TableColumns = std::vector<TableColumn>;
 
-TableColumns fractintColumns(); // a b c d e f p
+TableColumns fractintColumns(); // order a b c d e f p
 
 // The column of that name: "a", "a_i", "a11", "theta", "h" (another name for e), "p (%)".
 std::optional<TableColumn> tableColumn(const QString& name);

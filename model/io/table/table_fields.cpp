@@ -3,7 +3,12 @@
 
 #include "io/text/plain_signs.h"
 
+#include <QRegularExpression>
+
 #include <algorithm>
+#include <array>
+#include <map>
+#include <utility>
 
 namespace io {
 
@@ -15,6 +20,55 @@ bool isNoFiniteNumber(const QString& text) {
     });
 }
 
+// "a11" to "a33" and "b1" to "b3" as letters; other names as they are.
+QString letterInSpace(const QString& name) {
+    static const QRegularExpression element(QStringLiteral("^[am]_?\\{?([123])([123])\\}?$"));
+    static const QRegularExpression shift(QStringLiteral("^[bt]_?\\{?([123xyz])\\}?$"));
+    const QString small = name.trimmed().toLower().remove(u'$');
+    if (const auto match = element.match(small); match.hasMatch())
+        return QChar(u'a' + 3 * (match.captured(1).toInt() - 1) + match.captured(2).toInt() - 1);
+    if (const auto match = shift.match(small); match.hasMatch()) {
+        const QChar index = match.captured(1)[0];
+        return QChar(u'j' + (index.isDigit() ? index.unicode() - u'1' : index.unicode() - u'x'));
+    }
+    return name;
+}
+
+bool isOnlyInSpace(const QString& name) {
+    const QString letter = letterInSpace(name);
+    return letter != name && QStringLiteral("cfghil").contains(letter);
+}
+
+// The letters a … l in any order, or names for them.
+std::optional<Picks> pickedInSpace(const QStringList& names, qsizetype first, bool hasWeight) {
+    Picks picks;
+    picks.width = names.size();
+    std::map<QString, qsizetype> fields; // by their letters
+    std::optional<qsizetype> weight;
+    const bool isNumbered = std::any_of(names.begin() + first, names.end(), isOnlyInSpace);
+    for (qsizetype i = first; i < names.size(); ++i) {
+        const QString letter = isNumbered ? letterInSpace(names[i]) : names[i].toLower();
+        if (letter.size() == 1 && QStringLiteral("abcdefghijkl").contains(letter)) {
+            if (!fields.emplace(letter, i).second) return std::nullopt;
+        } else if (const auto column = tableColumn(names[i]);
+                   column && isWeight(*column) && !(hasWeight && column == TableColumn::Cumulative)) {
+            if (weight) return std::nullopt;
+            weight = i;
+        }
+    }
+    QStringList letters;
+    for (const auto& [letter, field] : fields) {
+        letters << letter;
+        picks.fields.push_back(field);
+    }
+    if (weight) {
+        letters << names[*weight];
+        picks.fields.push_back(*weight);
+    }
+    picks.space = spaceHeader(letters);
+    return picks.isSpace() ? std::optional(picks) : std::nullopt;
+}
+
 // Picks the fields whose names are known, from `first` on.
 std::optional<Picks> picked(const QStringList& names, qsizetype first) {
     Picks picks;
@@ -22,39 +76,25 @@ std::optional<Picks> picked(const QStringList& names, qsizetype first) {
     QStringList known;
     constexpr qsizetype most = 1000;
     if (names.size() > most || names.contains(QStringLiteral("|")) || names.contains(QStringLiteral("&")))
-        return std::nullopt; // of a table in another notation, or of none
+        return std::nullopt; // table in another notation, or no table
     const bool hasWeight = std::any_of(names.begin() + first, names.end(), [](const QString& name) {
         return tableColumn(name) == TableColumn::Weight;
     });
+    bool isWeighed = false;
     for (qsizetype i = first; i < names.size(); ++i) {
         const auto column = tableColumn(names[i]);
         if (!column || (hasWeight && column == TableColumn::Cumulative)) continue;
+        if (isWeight(*column) && std::exchange(isWeighed, true)) continue; // "p" and "probability in %"
         known << names[i];
         picks.fields.push_back(i);
     }
-    if (const auto columns = tableColumns(known)) {
+    const bool isInSpace = std::any_of(names.begin() + first, names.end(), isOnlyInSpace);
+    if (const auto columns = isInSpace ? std::nullopt : tableColumns(known)) {
         picks.columns = *columns;
-        picks.columns.resize(picks.fields.size()); // without a weight that is not there
+        picks.columns.resize(picks.fields.size()); // drops a missing weight
         return picks;
     }
-    picks.fields.clear();
-    QStringList letters;
-    std::optional<qsizetype> weight;
-    for (qsizetype i = first; i < names.size(); ++i)
-        if (names[i].size() == 1 && QStringLiteral("abcdefghijkl").contains(names[i].toLower())) {
-            letters << names[i];
-            picks.fields.push_back(i);
-        } else if (const auto column = tableColumn(names[i]);
-                   column && isWeight(*column) && !(hasWeight && column == TableColumn::Cumulative)) {
-            if (weight) return std::nullopt;
-            weight = i;
-        }
-    if (weight) {
-        letters << names[*weight];
-        picks.fields.push_back(*weight);
-    }
-    picks.space = spaceHeader(letters);
-    return picks.isSpace() ? std::optional(picks) : std::nullopt;
+    return pickedInSpace(names, first, hasWeight);
 }
 
 } // namespace
@@ -141,7 +181,38 @@ bool nameAllColumns(const QStringList& names) {
 
 std::optional<Picks> pickedByName(const QStringList& names) {
     if (auto picks = picked(names, 0)) return picks;
-    return names.isEmpty() ? std::nullopt : picked(names, 1); // "f" over the labels is no coefficient
+    return names.isEmpty() ? std::nullopt : picked(names, 1); // "f" above the labels is no coefficient
+}
+
+bool isSum(const Row& cells) {
+    static const QRegularExpression word(QStringLiteral("^(sum|total|summe|somme|suma|сума|Σ|∑)\\s?[:=]?$"),
+                                         QRegularExpression::CaseInsensitiveOption |
+                                             QRegularExpression::UseUnicodePropertiesOption);
+    return cells.size() <= 3 && cells.first().text.contains(word);
+}
+
+bool countMaps(const QList<Row>& table, const Dialect& dialect) {
+    double next = 0;
+    int counted = 0;
+    int fewest = 3;
+    for (const Row& row : table) {
+        const auto isNumber = [&](const Cell& cell) { return numberIn(cell, dialect).has_value(); };
+        if (counted == 0 && std::ranges::none_of(row, isNumber)) {
+            const QStringList names = textsOf(row);
+            if (!nameAllColumns(names)) continue;
+            if (names.size() % 6 != 0) return false; // the weight has a name
+            fewest = 2;
+            continue;
+        }
+        const auto number = numberIn(row.first(), dialect);
+        if (!number || (row.size() != 7 && row.size() != 13) || row.size() != table.last().size())
+            return false;
+        const bool isNext = counted == 0 ? *number == 0 || *number == 1 : *number == next;
+        if (!isNext) return false;
+        next = *number + 1;
+        ++counted;
+    }
+    return counted >= fewest;
 }
 
 Picks pickedByOrder(const TableColumns& columns) {
@@ -153,7 +224,7 @@ Picks pickedByOrder(const TableColumns& columns) {
         picks.columns.push_back(column);
         picks.fields.push_back(i);
     }
-    // A weight that nobody named comes last, and is not there.
+    // Drops the weight, which nobody named, from the end.
     if (std::ranges::count_if(picks.columns, isWeight) == 0) picks.columns.push_back(TableColumn::Weight);
     return picks;
 }

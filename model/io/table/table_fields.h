@@ -26,8 +26,8 @@ Row withSignsJoined(Row cells, const Dialect& dialect);
 
 // The cells between two separators each; between blanks every cell by itself.
 QList<Row> fieldsOf(const Row& cells);
-QStringList textsOf(const Row& cells);  // of each cell
-QStringList namesOf(const Row& header); // of each field, its words together
+QStringList textsOf(const Row& cells);  // text of each cell
+QStringList namesOf(const Row& header); // name of each field, words joined
 
 // Names of the columns a … l of a map in space, alone, or with its weight or the sum up to it behind them.
 enum class SpaceHeader { None, Plain, Weighted, Cumulative };
@@ -37,10 +37,10 @@ bool nameAllColumns(const QStringList& names);
 
 // Fields that hold the columns of a map, in a table with others.
 struct Picks {
-    TableColumns columns; // of a map in the plane, as many as fields
+    TableColumns columns; // columns of a map in the plane, one for each field
     SpaceHeader space = SpaceHeader::None;
     std::vector<qsizetype> fields;
-    qsizetype width = 0; // fields of the header
+    qsizetype width = 0; // number of fields of the header
 
     bool isSpace() const { return space != SpaceHeader::None; }
     bool areAdjacent() const { return fields.back() - fields.front() + 1 == qsizetype(fields.size()); }
@@ -48,6 +48,11 @@ struct Picks {
 // Picks by name: every column once, and any others. Beside weights, their running sum is another. nullopt if
 // the names do not say it.
 std::optional<Picks> pickedByName(const QStringList& names);
+// "Sum: 1.00" below a table.
+bool isSum(const Row& cells);
+// Returns true if all rows begin with a number that counts them, before six numbers or twelve:
+// "1 .5 0 0 .5 0 0". As a coefficient, it would expand. Two rows are enough under a header of six names.
+bool countMaps(const QList<Row>& table, const Dialect& dialect);
 // Picks by the chosen order, which may hold TableColumn::Other.
 Picks pickedByOrder(const TableColumns& columns);
 

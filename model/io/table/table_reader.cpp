@@ -9,8 +9,6 @@
 #include "io/text/plain_signs.h"
 #include "io/text/typed_coefficient.h"
 
-#include <QStringList>
-
 #include <algorithm>
 #include <cmath>
 
@@ -21,11 +19,12 @@ namespace {
 using document::Problem;
 
 constexpr qsizetype maxRow =
-    maxTableRows + 1; // cells: a label, and of a table that has a column for every map
+    maxTableRows + 1; // label and one cell for each map, in a table with a column for each
 constexpr qsizetype maxProblems = 10;
 
-QString withLineFeeds(QString text) {
-    return text.replace(QStringLiteral("\r\n"), QStringLiteral("\n")).replace(u'\r', u'\n');
+QString plainLinesOf(QString text) {
+    text.replace(QStringLiteral("\r\n"), QStringLiteral("\n")).replace(u'\r', u'\n');
+    return withoutOrnaments(std::move(text));
 }
 
 class TableParser {
@@ -42,6 +41,7 @@ public:
     }
 
     bool beginsWithMatrices() && { return beginsWithACount(rows(5)); }
+    bool countsItsMaps() && { return countMaps(rows(maxTransposed + 1), m_dialect); }
 
     Table read() && {
         const QList<Row> beginning = rows(maxTransposed + 1);
@@ -52,8 +52,9 @@ public:
             for (const Row& row : *turned)
                 readRow(row);
         } else {
+            m_isCounted = !m_chosen && countMaps(beginning, m_dialect);
             startOver();
-            qsizetype words = 0; // rows of them before the first map
+            qsizetype words = 0; // rows of words before the first map
             for (QList<Row> row = rows(1); !row.isEmpty() && m_table.problems.size() < maxProblems;
                  row = rows(1)) {
                 readRow(row.first());
@@ -70,20 +71,20 @@ public:
     }
 
 private:
-    static constexpr qsizetype maxTransposed = 12; // rows of a table that has a column for every map
+    static constexpr qsizetype maxTransposed = 14; // rows of a table that has a column for every map
     static constexpr qsizetype maxWords = 100'000; // rows: a table begins before
     static constexpr qsizetype planeNumbers = 6;   // of a map without its weight
     static constexpr qsizetype spaceNumbers = 12;
 
     std::optional<double> value(const Cell& cell) const { return numberIn(cell, m_dialect); }
-    // The unit of a number in a row with that many.
+    // Unit of a number in a row of `count` numbers.
     NumberUnit unitOf(std::size_t number, std::size_t count) const {
         return count < std::size_t(spaceNumbers) ? unitOfNumber(m_columns, number, count) : NumberUnit::None;
     }
 
     void startOver() { m_next = m_line = 0; }
 
-    // The next rows that are not empty, at most so many.
+    // Next rows that are not empty, at most `most`.
     QList<Row> rows(qsizetype most) {
         QList<Row> found;
         while (m_next < m_text.size() && found.size() < most) {
@@ -92,19 +93,20 @@ private:
             Row cells =
                 cellsOf(QStringView(m_text).sliced(m_next, end - m_next), ++m_line, m_dialect, maxRow);
             cells = withSignsJoined(std::move(cells), m_dialect);
-            if (!cells.isEmpty() && !isRemark(cells) && !isRule(cells)) found << std::move(cells);
+            if (!cells.isEmpty() && !isRemark(cells) && !isRule(cells) && !isSum(cells))
+                found << std::move(cells);
             m_next = end + 1;
         }
         return found;
     }
 
-    // "# …" is a comment, unless it names the columns; and so are "% …" and "// …".
+    // "# …" is a comment, unless it names the columns or is a label, "#1"; and so are "% …" and "// …".
     static bool isRemark(Row& cells) {
         const QString& first = cells.first().text;
-        const qsizetype mark = first.startsWith(u'#') || first.startsWith(u'%') ? 1
-                               : first.startsWith(QStringLiteral("//"))         ? 2
-                                                                                : 0;
-        if (mark == 0 || looksLikeNumberSign(first) || (first == u"%" && cells.size() == 7)) return false;
+        const bool isDouble = first.startsWith(QStringLiteral("//")) || first == u"--";
+        const qsizetype mark = first.startsWith(u'#') || first.startsWith(u'%') ? 1 : isDouble ? 2 : 0;
+        if (mark == 0 || (first.size() > 1 && first[1].isDigit()) || (first == u"%" && cells.size() == 7))
+            return false;
         Row named = cells;
         named.first().text.remove(0, mark);
         if (named.first().text.isEmpty()) named.removeFirst();
@@ -113,23 +115,22 @@ private:
         return false;
     }
 
-    // "#1" as a label.
-    static bool looksLikeNumberSign(const QString& text) { return text.size() > 1 && text[1].isDigit(); }
-
     bool isHeader(const Row& cells) const {
         return std::none_of(cells.begin(), cells.end(),
                             [this](const Cell& cell) { return value(cell).has_value(); });
     }
 
-    // The rows of a table with a column per map: every row begins with the name of its values. A row above
-    // may name the maps, and rows of words may follow.
+    // Rows of a table with a column for each map: every row begins with the name of its values. A row of map
+    // names may precede them, and rows of words may follow.
     std::optional<QList<Row>> transposed(QList<Row> table) const {
-        if (!table.isEmpty() && pickedByName(textsOf(table.first()))) return std::nullopt; // names columns
+        if (!table.isEmpty() && pickedByName(textsOf(table.first()))) return std::nullopt; // names of columns
         for (Row& row : table)
             if (row.size() > 1 && row[1].text == u"=") row.remove(1);
         if (!table.isEmpty() && !tableColumn(nameOfRow(table.first()))) table.removeFirst();
-        table.removeIf([](const Row& row) { return !tableColumn(nameOfRow(row)); });
-        if (table.size() < planeNumbers || table.size() > planeNumbers + 1 || table.first().size() < 2)
+        const bool isSpace = isInSpace(table);
+        if (!isSpace) table.removeIf([](const Row& row) { return !tableColumn(nameOfRow(row)); });
+        const qsizetype fewest = isSpace ? spaceNumbers : planeNumbers;
+        if (table.size() < fewest || table.size() > fewest + 1 || table.first().size() < 2)
             return std::nullopt;
         QStringList names;
         for (Row& row : table) {
@@ -137,12 +138,19 @@ private:
             names << nameOfRow(row);
             row.first().text = names.last();
         }
-        if (!tableColumns(names)) return std::nullopt;
+        if (!nameAllColumns(names)) return std::nullopt;
         QList<Row> turned(table.first().size());
         for (const Row& row : table)
             for (qsizetype i = 0; i < row.size(); ++i)
                 turned[i] << row[i];
         return turned;
+    }
+
+    static bool isInSpace(const QList<Row>& table) {
+        QStringList names;
+        for (const Row& row : table)
+            names << nameOfRow(row);
+        return spaceHeader(names) != SpaceHeader::None;
     }
 
     static QString nameOfRow(const Row& row) {
@@ -152,8 +160,8 @@ private:
         return name;
     }
 
-    // "3", then for every map a line with its weight and three lines of a matrix that ends in 0 0 1; or all
-    // ten on a line.
+    // True for "3" followed by a line with the weight of each map and three lines of a matrix that ends in 0
+    // 0 1, or by all ten numbers on a line.
     bool beginsWithACount(const QList<Row>& table) const {
         if (table.size() < 2 || table[0].size() != 1 || !value(table[0][0])) return false;
         return table[1].size() == 10 || (table.size() >= 5 && table[1].size() == 1 && table[2].size() == 3);
@@ -194,7 +202,7 @@ private:
         m_isOrderKnown = takeNames(names);
         const auto first = tableColumn(names.first());
         const bool isOverLabels = !first || !isWeight(*first);
-        if (!m_isOrderKnown && isOverLabels && names.size() > planeNumbers) { // perhaps in words
+        if (!m_isOrderKnown && isOverLabels && names.size() > planeNumbers) { // possibly named in words
             names.remove(0, wordsOfField(cells));
             m_isOrderKnown = takeNames(names);
             m_labels = m_isOrderKnown ? Labels::Named : Labels::Unknown;
@@ -216,8 +224,8 @@ private:
         m_picks = std::move(picks);
     }
 
-    // Picks columns if there are more than the chosen order has: those with its names, or else those that
-    // hold numbers in the first row.
+    // Picks columns if there are more than the chosen order has: those with its names, or else those with
+    // numbers in the first row.
     void pickForOrder() {
         const QStringList names = namesOf(m_header);
         if (m_picks || names.size() <= qsizetype(m_columns.size()) + 1) return;
@@ -243,7 +251,7 @@ private:
         if (fits(picks)) take(std::move(picks));
     }
 
-    // The numbers of the columns that are meant, in a row that has others.
+    // Reads the chosen columns of a row with others.
     void readPicked(const Row& cells) {
         const Picks& picks = *m_picks;
         const QList<Row> fields = fieldsOf(cells);
@@ -271,8 +279,8 @@ private:
         addRow(chosen);
     }
 
-    // Number of cells by which the label of a row is longer than the header's, between blanks; negative if it
-    // is shorter.
+    // Number of cells by which the label of a row is longer than the header's, if blanks separate cells;
+    // negative if it is shorter.
     qsizetype shiftOf(const Row& cells, bool mayEndEarly) const {
         const qsizetype first = m_picks->fields.front();
         const qsizetype needed = qsizetype(m_picks->fields.size()) - (mayEndEarly ? 1 : 0);
@@ -287,14 +295,14 @@ private:
         return 0;
     }
 
-    // Columns of numbers that are no label, once.
+    // Reports columns of numbers that are neither read nor labels, once.
     void sayWhatIsNotRead(const QList<Row>& fields, qsizetype shift) {
         if (m_table.rows.size() + m_table.spaceRows.size() > 0 || m_header.isEmpty()) return;
         const QList<Row> names = fieldsOf(m_header);
         QStringList unread;
         for (qsizetype i = 1; i < std::min(names.size(), fields.size() - shift); ++i)
             if (std::ranges::count(m_picks->fields, i) == 0 && i + shift >= 0 &&
-                value(fields[i + shift].first()) && names[i].first().text != u"")
+                weightOf(fields[i + shift].first()) && names[i].first().text != u"")
                 unread << textsOf(names[i]).join(u' ');
         if (!unread.isEmpty())
             m_table.problems.append({Problem::Severity::Warning,
@@ -305,7 +313,7 @@ private:
                                          .arg(unread.join(QStringLiteral(", ")))});
     }
 
-    // Returns true if the names say which column is which.
+    // Returns true if the names determine the columns.
     bool takeNames(const QStringList& names) {
         if (const SpaceHeader space = spaceHeader(names); space != SpaceHeader::None) {
             if (m_wanted == TableMaps::Plane) return false;
@@ -334,24 +342,25 @@ private:
         if (isHeader(all)) return readHeader(all);
         if (m_isToPick) pickNumbers(all);
         if (m_picks) return readPicked(all);
-        const Row cells = withoutWords(all);
+        const Row cells = withLoneSignsJoined(withoutWords(all));
         if (!m_chosen && !m_isOrderKnown && !m_header.isEmpty()) {
             const bool isParted = m_dialect.separator != Separator::Blank;
             const qsizetype names = isParted ? fieldsOf(m_header).size() : m_header.size();
             const bool isOverIt = isParted ? fieldsOf(cells).size() >= names : cells.size() == names;
             if (isOverIt && names >= planeNumbers) return failOrder();
-            m_header.clear(); // a title
+            m_header.clear(); // title
         }
         const auto start = beginOfNumbers(cells);
         const qsizetype count = cells.size() - start.value_or(0);
         if (!start || (!isExpected(count) && !isWithoutItsWeight(count))) return failCount(cells, count);
+        const bool isUnnamed = m_header.isEmpty() || (m_isOrderKnown && m_labels != Labels::Named);
         if (*start > 0 && !isNextLabel(cells.first()))
-            return m_header.isEmpty() ? failCount(cells, cells.size()) : failOrder();
+            return isUnnamed ? failCount(cells, cells.size()) : failOrder();
         if (m_labels == Labels::Unknown) m_labels = *start > 0 ? Labels::Found : Labels::None;
         addRow(cells.sliced(*start));
     }
 
-    // The row without the words behind as many numbers as a row has.
+    // Row without the words behind its numbers.
     Row withoutWords(const Row& cells) const {
         const auto isNumber = [this](const Cell& cell) { return weightOf(cell).has_value(); };
         const auto first = std::find_if(cells.begin(), cells.end(), isNumber);
@@ -360,6 +369,18 @@ private:
             return cells;
         const qsizetype count = end - first;
         return isExpected(count) || isExpected(count - 1) ? cells.first(end - cells.begin()) : cells;
+    }
+
+    // "- 0.04" between blanks, where the row has too many cells otherwise.
+    Row withLoneSignsJoined(Row cells) const {
+        if (m_dialect.separator != Separator::Blank || isExpected(cells.size())) return cells;
+        Row joined = cells;
+        for (qsizetype i = 0; i + 1 < joined.size(); ++i)
+            if (joined[i].text.size() == 1 && isDash(joined[i].text[0]) && value(joined[i + 1])) {
+                joined[i].text += joined[i + 1].text;
+                joined.removeAt(i + 1);
+            }
+        return isExpected(joined.size()) || isExpected(joined.size() - 1) ? joined : cells;
     }
 
     // "85 %" is 0.85.
@@ -378,20 +399,22 @@ private:
                 (count == spaceNumbers || count == spaceNumbers + 1));
     }
 
-    // ".5,0,0,.5,0,0," under a header: separators show that it is the last cell that is empty.
+    // True for ".5,0,0,.5,0,0," under a header: separators show that the last cell is empty.
     bool isWithoutItsWeight(qsizetype count) const {
         return m_dialect.separator != Separator::Blank && m_columns.back() == TableColumn::Weight &&
                m_most > 0 && count == m_most - 1;
     }
 
-    // The index of the first number. Text before it is a label only where it cannot be a number gone wrong,
-    // and where as many numbers are left as a row has. nullopt: it could be both.
+    // Index of the first number. Text before it is a label only if it cannot be a mistyped number, and if as
+    // many numbers remain as a row has. nullopt: both are possible.
     std::optional<qsizetype> beginOfNumbers(const Row& cells) const {
         if (m_labels == Labels::None) return 0;
         if (m_labels == Labels::Named) return wordsOfField(cells);
         if (value(cells.first())) {
+            if (m_isCounted) return 1;
             if (isExpected(cells.size())) return m_labels == Labels::Found ? std::nullopt : std::optional(0);
-            return m_header.isEmpty() && !m_dialect.isMixed ? 1 : 0;
+            const bool isUnderNames = m_isOrderKnown && isExpected(cells.size() - 1); // as R prints tables
+            return (m_header.isEmpty() || isUnderNames) && !m_dialect.isMixed ? 1 : 0;
         }
         const qsizetype words = wordsOfLabel(cells);
         return looksLikeLabel(cells.first().text) && isExpected(cells.size() - words) ? words : 0;
@@ -403,16 +426,16 @@ private:
         return next - cells.begin();
     }
 
-    // Words of the label: two in "map 1,0.5,0 …", one in "w1 0.5,0 …"; 0 in what could be both.
+    // Number of words of the label: two in "map 1,0.5,0 …", one in "w1 0.5,0 …"; 0 if both are possible.
     qsizetype wordsOfLabel(const Row& cells) const {
         const qsizetype words = wordsOfField(cells);
-        if (words == 1) return 1;
+        if (words == 1 || QStringView(u"):=").contains(cells.first().text.back())) return 1;
         const bool one = isExpected(cells.size() - 1);
         const bool all = isExpected(cells.size() - words);
         return one && all ? 0 : all ? words : 1;
     }
 
-    // Labels that are numbers count the maps.
+    // True for labels that count the maps.
     bool isNextLabel(const Cell& cell) {
         const auto number = value(cell);
         if (!number) return true;
@@ -469,7 +492,7 @@ private:
             m_table.isOrdered = true;
     }
 
-    // Fractions and roots, where the cell is the coefficient itself.
+    // Keeps fractions and roots if the cell is the coefficient itself.
     template <int Dim> void keepTyped(ifs::WeightedMap<Dim>& map, const Row& cells) const {
         const auto count = std::size_t(cells.size());
         for (std::size_t i = 0; i < count; ++i) {
@@ -507,21 +530,22 @@ private:
         m_table.problems.append({Problem::Severity::Error, {}, where.line, where.column, message});
     }
 
-    // Named: the header has a column for them. Found: the first row had one, so every row has.
+    // Named: header with a column of labels. Found: label in the first row, and so in every row.
     enum class Labels { Unknown, None, Found, Named };
 
-    const QString& m_text; // lines end in LF
+    const QString& m_text; // line ends are LF
     Dialect m_dialect;
     bool m_chosen;
     TableMaps m_wanted;
     TableColumns m_columns;
     SpaceHeader m_space = SpaceHeader::None;
-    qsizetype m_next = 0; // where the next line begins
-    int m_line = 0;       // lines before it
+    qsizetype m_next = 0; // beginning of the next line
+    int m_line = 0;       // number of lines before it
     Row m_header;
     bool m_isOrderKnown = false;        // from the header
     std::optional<Picks> m_picks;       // there are other columns as well
     bool m_isToPick = false;            // by the numbers of the first row
+    bool m_isCounted = false;           // every row begins with its number
     qsizetype m_fewest = 0, m_most = 0; // numbers of a row that the header allows; 0: nothing is known
     Labels m_labels = Labels::Unknown;
     std::optional<double> m_lastLabel;
@@ -541,7 +565,7 @@ Table readTable(const QString& text, const std::optional<TableColumns>& columns,
              Text::tr("The text is larger than 64 MB, which is the limit for a table of numbers.")});
         return table;
     }
-    const QString lines = withLineFeeds(text);
+    const QString lines = plainLinesOf(text);
     const QList<Dialect> dialects = dialectsOf(lines);
     Table table = TableParser(lines, dialects.first(), columns, wanted).read();
     if (dialects.size() == 1) return table;
@@ -557,42 +581,18 @@ Table readTable(const QString& text, const std::optional<TableColumns>& columns,
     return other;
 }
 
-bool hasErrors(const Table& table) {
-    return std::any_of(table.problems.begin(), table.problems.end(),
-                       [](const Problem& problem) { return problem.severity == Problem::Severity::Error; });
-}
-
-namespace {
-
-template <int Dim> ifs::IteratedFunctionSystem<Dim> numbered(const std::vector<ifs::WeightedMap<Dim>>& rows) {
-    ifs::IteratedFunctionSystem<Dim> system{rows};
-    std::uint32_t number = 0;
-    for (auto& map : system.maps)
-        map.id = static_cast<ifs::MapId>(++number);
-    return system;
-}
-
-} // namespace
-
 bool isOrderOpen(const QString& text) {
     const Table table = readTable(text);
     return table.isTable && !table.isOrdered && !hasErrors(readTable(text, fractintColumns()));
 }
 
-ifs::IteratedFunctionSystem<2> systemOf(const Table& table) {
-    return numbered(table.rows);
-}
-
-ifs::IteratedFunctionSystem<3> spaceSystemOf(const Table& table) {
-    return numbered(table.spaceRows);
-}
-
 bool isTableToFractintUnknown(const QString& beginning) {
     if (beginning.contains(u'{')) return false;
-    const QString lines = withLineFeeds(beginning);
+    const QString lines = plainLinesOf(beginning);
     const Dialect dialect = dialectsOf(lines).first();
     if (TableParser(lines, dialect, std::nullopt, TableMaps::PlaneOrSpace).beginsWithMatrices()) return true;
     const QString whole = lines.left(lines.lastIndexOf(u'\n') < 0 ? lines.size() : lines.lastIndexOf(u'\n'));
+    if (TableParser(whole, dialect, std::nullopt, TableMaps::PlaneOrSpace).countsItsMaps()) return true;
     return dialect.separator == Separator::Semicolon &&
            !hasErrors(TableParser(whole, dialect, std::nullopt, TableMaps::PlaneOrSpace).read());
 }

@@ -6,6 +6,7 @@
 
 #include <QString>
 
+#include <algorithm>
 #include <optional>
 #include <vector>
 
@@ -17,25 +18,25 @@ namespace io {
 // matrix. The order of the columns is the one given, else the header's, else Fractint's "a b c d e f [p]". A
 // row that is not understood in one way alone is an error.
 struct Table {
-    std::vector<ifs::WeightedMap<2>> rows;      // without ids
-    std::vector<ifs::WeightedMap<3>> spaceRows; // or these
-    std::vector<int> lines;                     // of the text, for every row
-    document::Problems problems;                // any error: nothing is to be pasted
-    bool isTable = false;                       // there was a row that could be read, or a header over one
-    bool isCumulative = false; // its weights were running sums, and are their differences now
-    bool isOrdered = false;    // the text itself says what its columns are, or the caller did
+    std::vector<ifs::WeightedMap<2>> rows;      // maps without ids
+    std::vector<ifs::WeightedMap<3>> spaceRows; // maps in space, in place of `rows`
+    std::vector<int> lines;                     // 1-based line of the text for each row
+    document::Problems problems;                // any error: nothing can be pasted
+    bool isTable = false;                       // true if there was a readable row, or a header over one
+    bool isCumulative = false; // true if weights were running sums; their differences are stored
+    bool isOrdered = false;    // true if the text or the caller named the columns
 };
-enum class TableMaps { Plane, PlaneOrSpace }; // which are wanted; others are an error
+enum class TableMaps { Plane, PlaneOrSpace }; // accepted maps; others are an error
 Table readTable(const QString& text, const std::optional<TableColumns>& columns = std::nullopt,
                 TableMaps wanted = TableMaps::Plane);
-bool hasErrors(const Table& table);
+inline bool hasErrors(const Table& table) {
+    return std::ranges::any_of(table.problems, [](const document::Problem& problem) {
+        return problem.severity == document::Problem::Severity::Error;
+    });
+}
 // Returns true if the text is a table that does not say what its columns are, and can be read once they are
 // given.
 bool isOrderOpen(const QString& text);
-
-// The rows as a system, numbered from 1.
-ifs::IteratedFunctionSystem<2> systemOf(const Table& table);
-ifs::IteratedFunctionSystem<3> spaceSystemOf(const Table& table);
 
 constexpr qsizetype maxTable = 64 * 1024 * 1024; // characters
 

@@ -12,7 +12,7 @@ namespace io {
 struct WrittenMap {
     std::vector<double> numbers;
     std::optional<double> weight;
-    int line = 0; // of the text, from 1
+    int line = 0; // line of the text, 1-based
 };
 
 // Rows for readTable() under a header. A map in the plane among those of space makes them none.

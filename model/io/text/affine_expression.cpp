@@ -5,6 +5,8 @@
 #include "io/text/number.h"
 #include "io/text/plain_signs.h"
 
+#include <QRegularExpression>
+
 #include <algorithm>
 #include <cmath>
 
@@ -82,9 +84,13 @@ private:
             skipBlanks();
             const bool hasSign = (isDivided || isTimed) && isDash(at());
             if (hasSign) ++m_at;
+            if (!isDivided && !isTimed && at() == u'[') { // "x[0]" is a coordinate of a point
+                m_at = before;
+                return product;
+            }
             const bool isApart = m_at > before && !isDivided && !isTimed;
             auto factor = !isDivided && !isTimed && at().isDigit() ? std::nullopt : readFactor(depth);
-            if (!factor || (isApart && factor->isConstant())) { // the number of an equation: "x (2)"
+            if (!factor || (isApart && factor->isConstant())) { // number of an equation: "x (2)"
                 m_at = before;
                 break;
             }
@@ -184,7 +190,8 @@ private:
         bool hasPoint = false; // another one ends the sentence
         for (; letter(end).isDigit() || (letter(end) == u'.' && !hasPoint); ++end)
             hasPoint = hasPoint || letter(end) == u'.';
-        if (letter(end).toLower() == u'e') {
+        const bool isDouble = letter(end).toLower() == u'd'; // 0.85d0 of Fortran
+        if (letter(end).toLower() == u'e' || isDouble) {
             const qsizetype digits = end + (letter(end + 1) == u'-' || letter(end + 1) == u'+' ? 2 : 1);
             if (letter(digits).isDigit()) {
                 end = digits;
@@ -192,14 +199,16 @@ private:
                     ++end;
             }
         }
-        const auto value = parseNumber(m_text.sliced(m_at, end - m_at));
+        QString number = m_text.sliced(m_at, end - m_at).toString();
+        if (isDouble) number.replace(QChar(u'd'), QChar(u'e'), Qt::CaseInsensitive);
+        const auto value = parseNumber(number);
         if (!value) return std::nullopt;
         m_at = end;
-        if (at() == u'f' && !at(1).isLetterOrNumber()) ++m_at; // 0.85f
+        if (at() == u'f' && !at(1).isLetterOrNumber()) ++m_at; // suffix of a float: 0.85f
         return constant(*value);
     }
 
-    std::optional<Value> readFraction() { // ½
+    std::optional<Value> readFraction() { // character such as ½
         const auto value = at().isNull() ? std::nullopt : fractionOf(at());
         if (!value) return std::nullopt;
         ++m_at;
@@ -225,7 +234,7 @@ private:
         return std::nullopt;
     }
 
-    // A letter with its index, or a function of a number.
+    // Reads a letter with its index, or a function of a number.
     std::optional<Value> readWord(int depth) {
         const qsizetype begin = m_at;
         const qsizetype dot =
@@ -236,7 +245,7 @@ private:
         while (end < m_text.size() && (m_text[end].isLetterOrNumber() || m_text[end] == u'_'))
             ++end;
         const QString word = m_text.sliced(begin + dot, end - begin - dot).toString().toLower();
-        // "xy" would be a product of two.
+        // Reads a single variable; "xy" would be a product of two.
         for (const auto& [letter, index] : {std::pair{u'x', 0}, {u'y', 1}, {u'z', 2}})
             if (isLetterWithIndex(word, letter)) {
                 m_at = end;
@@ -269,19 +278,15 @@ private:
                index == u"0" || index == u"_0" || index == u"_t";
     }
 
-    // x_{n}, x[n], xₙ, x(n) and x_{n-1}.
+    // x_{n}, x[i], xₙ, x(n) and x_{n-1}; no point, x[0], and no product, x(2).
     void skipIndex() {
-        if (at() == u'ₙ' || at() == u'ₖ') {
-            ++m_at;
-            return;
-        }
-        const QStringView rest = m_text.sliced(m_at);
-        for (const QStringView index :
-             {u"{n}", u"[n]", u"(n)", u"[i]", u"(t)", u"_{n}", u"{n-1}", u"[n-1]", u"[i-1]", u"{k}", u"[-1]"})
-            if (rest.startsWith(index)) {
-                m_at += index.size();
-                return;
-            }
+        static const QRegularExpression index(QStringLiteral(
+            R"(_?(?:\([ijknt](?:\s?[-−]\s?1)?\)|\[(?:[ijknt](?:\s?[-−]\s?1)?|-1)\]|\{[ijknt](?:\s?[-−]\s?1)?\})|[ₙₖ])"));
+        constexpr qsizetype longest = 10;
+        const QString near = m_text.sliced(m_at, std::min(longest, m_text.size() - m_at)).toString();
+        const auto match = index.match(near, 0, QRegularExpression::NormalMatch,
+                                       QRegularExpression::AnchorAtOffsetMatchOption);
+        if (match.hasMatch()) m_at += match.capturedLength();
     }
 
     QStringView m_text;

@@ -13,7 +13,7 @@ struct AffineExpression {
     std::array<double, 3> factors{};
     double shift = 0;
     bool usesZ = false;
-    qsizetype end = 0; // of its part of the text
+    qsizetype end = 0; // end of its part of the text
 
     bool isConstant() const { return factors == std::array<double, 3>{}; }
 };

@@ -5,7 +5,7 @@
 namespace io {
 
 template <int Dim> std::vector<double> exportWeights(const ifs::IteratedFunctionSystem<Dim>& system) {
-    auto unlinked = system; // a map to which no link leads has a weight all the same
+    auto unlinked = system; // keeps weights of maps to which no link leads
     unlinked.links.clear();
     const std::vector<double> probabilities = ifs::probabilities(unlinked);
     bool allGiven = true;

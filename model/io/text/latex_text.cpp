@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "io/text/latex_text.h"
 
+#include <QRegularExpression>
 #include <QStringList>
 
 #include <algorithm>
@@ -15,7 +16,7 @@ constexpr qsizetype longestOption = 1000;
 
 struct Command {
     const char* name;
-    const char* text; // in its place
+    const char* text; // replacement
 };
 constexpr std::array replaced{Command{"cdot", "*"},
                               Command{"times", "*"},
@@ -119,7 +120,7 @@ private:
         }
     }
 
-    // 0{,}5 and {-}1, but also mere groups.
+    // Adds groups such as 0{,}5 and {-}1, and groups without a meaning.
     void addGroup() {
         const QString text = argument();
         m_text += text == u"," ? QStringLiteral(".") : text;
@@ -167,7 +168,7 @@ private:
         }
     }
 
-    // "\," and the like part nothing; "\%" is a sign.
+    // Reads a sign: "\," and the like separate nothing; "\%" is a sign.
     void sign() {
         const QChar c = at();
         ++m_at;
@@ -178,7 +179,7 @@ private:
     void fraction() {
         const QString above = argument().trimmed();
         const QString below = argument().trimmed();
-        if (!m_text.isEmpty() && m_text.back().isDigit()) m_text += u' '; // 1½ could be a product as well
+        if (!m_text.isEmpty() && m_text.back().isDigit()) m_text += u' '; // 1½ might also be a product
         m_text += isOfDigits(above) && isOfDigits(below) ? above + u'/' + below
                                                          : QStringLiteral("((%1)/(%2))").arg(above, below);
     }
@@ -191,7 +192,7 @@ private:
                                    : QStringLiteral("((%2)^(1/(%1)))").arg(degree, of);
     }
 
-    // Reads the argument of a function, where no parentheses follow.
+    // Reads the argument of a function without parentheses.
     void function(const QString& name) {
         skipBlanks();
         if (!m_text.isEmpty() && m_text.back().isDigit()) m_text += u'*';
@@ -222,7 +223,7 @@ private:
             ++m_at;
     }
 
-    // The next group, command or sign, as text.
+    // Next group, command or sign, as text.
     QString argument() {
         skipBlanks();
         if (at() == u'{') {
@@ -272,7 +273,12 @@ private:
 } // namespace
 
 QString plainLatex(QStringView source) {
-    return Converter(source, 0).convert();
+    // 2.75 · 10⁻⁵ at once: the product is rounded.
+    static const QRegularExpression power(
+        QStringLiteral(R"((?<![\w.^/])(\d+\.?\d*|\.\d+)\s?\*\s?10\^(?:\((-?\d{1,3})\)|(\d)))"));
+    QString text = Converter(source, 0).convert();
+    if (text.contains(QStringLiteral("10^"))) text.replace(power, QStringLiteral("\\1e\\2\\3"));
+    return text;
 }
 
 QString withoutLatexComments(QString source) {

@@ -4,6 +4,8 @@
 #include "io/text/number.h"
 #include "io/text/plain_signs.h"
 
+#include <QRegularExpression>
+
 #include <algorithm>
 #include <optional>
 #include <utility>
@@ -32,7 +34,7 @@ public:
         Literals literals;
         while (!isAtEnd()) {
             readItems(literals.root, QChar(), 0);
-            ++m_at; // a bracket that closes nothing
+            ++m_at; // unmatched closing bracket
         }
         literals.isCut = m_isCut;
         return literals;
@@ -44,10 +46,10 @@ private:
         return m_at + offset < m_text.size() ? m_text[m_at + offset] : QChar();
     }
 
-    // Up to what closes the list, or any bracket that closes none.
+    // Reads up to the end of the list, or to an unmatched closing bracket.
     void readItems(Literal& list, QChar end, int depth) {
         QString key;
-        QString word; // the last one, which may name a list or be a key
+        QString word; // last word, which may name a list or be a key
         const auto flush = [&] {
             if (!word.isEmpty() && depth > 0) add(list, {Literal::Kind::Other, 0, key, word, {}});
             if (!word.isEmpty()) key.clear();
@@ -57,13 +59,14 @@ private:
             const QChar c = at();
             if (c == u')' || c == u']' || c == u'}') break;
             if (c.isSpace() || c == u',' || c == u';') {
-                if (c == u',' || c == u';' || c == u'\n') flush(); // "k :" and "f (…)" have a blank
+                // Blanks in "k :" and "f (…)" do not end an item.
+                if (c == u',' || c == u';' || c == u'\n') flush();
                 ++m_at;
             } else if (c == u':' || c == u'=' || (c == u'<' && at(1) == u'-')) {
                 key = word.isEmpty() ? nameOfDimensions(list) : std::exchange(word, {});
                 while (QStringView(u":=<>").contains(at()) || (at() == u'-' && m_text[m_at - 1] == u'<'))
                     ++m_at;
-            } else if (c == u'#' || (c == u'/' && (at(1) == u'/' || at(1) == u'*'))) {
+            } else if (beginsComment()) {
                 skipComment();
             } else if (c == u'"' || c == u'\'') {
                 flush();
@@ -87,7 +90,7 @@ private:
         if (at() == end && !end.isNull()) ++m_at;
     }
 
-    // "a[4] = …" and "a[] = …" name the following list, and hold nothing.
+    // Name in "a[4] = …" and "a[] = …" of the following list; the brackets have no contents.
     static QString nameOfDimensions(Literal& list) {
         QString name;
         while (!list.items.isEmpty()) {
@@ -125,14 +128,14 @@ private:
         add(list, std::move(item));
     }
 
-    // A key if a colon follows; else the text itself, where the line ends it.
+    // Reads a key if a colon follows, else a text, which ends with the line.
     void readText(Literal& list, QString& key, QString& word) {
         const QChar mark = at();
         qsizetype end = m_at + 1;
         while (m_at >= m_openUntil && end < m_text.size() && m_text[end] != mark && m_text[end] != u'\n')
             end += m_text[end] == u'\\' ? 2 : 1;
         if (m_at < m_openUntil || end >= m_text.size() || m_text[end] != mark) {
-            m_openUntil = std::max(m_openUntil, end); // an apostrophe: this line is not looked through again
+            m_openUntil = std::max(m_openUntil, end); // apostrophe: avoids another search of this line
             ++m_at;
             return;
         }
@@ -143,6 +146,8 @@ private:
             ++next;
         if (next < m_text.size() && (m_text[next] == u':' || m_text[next] == u'='))
             word = text;
+        else if (const auto number = parseNumber(text)) // "0.5" of a form
+            add(list, {Literal::Kind::Number, *number, std::exchange(key, {}), text, {}});
         else
             add(list, {Literal::Kind::Text, 0, std::exchange(key, {}), text, {}});
     }
@@ -154,13 +159,21 @@ private:
         return m_text.sliced(begin, m_at - begin).left(maxKey).toString();
     }
 
+    bool beginsComment() const {
+        const QChar c = at();
+        const QChar next = at(1);
+        return c == u'#' || (c == u'/' && (next == u'/' || next == u'*')) || (c == u'(' && next == u'*') ||
+               (c == u'-' && next == u'-' && at(2).isSpace()); // "--" of Lua
+    }
+
     void skipComment() {
-        const bool isBlock = at() == u'/' && at(1) == u'*';
-        const qsizetype end = isBlock ? m_text.indexOf(u"*/", m_at + 2) : m_text.indexOf(u'\n', m_at);
+        const bool isBlock = at(1) == u'*';
+        const QStringView close = at() == u'(' ? u"*)" : u"*/";
+        const qsizetype end = isBlock ? m_text.indexOf(close, m_at + 2) : m_text.indexOf(u'\n', m_at);
         m_at = end < 0 ? m_text.size() : end + (isBlock ? 2 : 0);
     }
 
-    // Digits with a sign, a point and an exponent, perhaps over others, with the f of a float behind.
+    // Reads digits with sign, point and exponent, possibly a fraction, and the suffix f of a float.
     std::optional<double> readNumber() {
         const auto first = digitsAt(m_at);
         if (!first) return std::nullopt;
@@ -174,7 +187,7 @@ private:
         if (end < m_text.size() && (m_text[end] == u'f' || m_text[end] == u'F') &&
             (end + 1 >= m_text.size() || !isWordLetter(m_text[end + 1])))
             ++end;
-        if (end < m_text.size() && isWordLetter(m_text[end])) return std::nullopt; // 2x
+        if (end < m_text.size() && isWordLetter(m_text[end])) return std::nullopt; // such as 2x
         m_at = end;
         return value;
     }
@@ -209,14 +222,19 @@ private:
     QStringView m_text;
     qsizetype m_at = 0;
     qsizetype m_items = 0;
-    qsizetype m_openUntil = 0; // quotation marks before are no more than signs
+    qsizetype m_openUntil = 0; // end of the text in which quotation marks are ordinary signs
     bool m_isCut = false;
 };
 
 } // namespace
 
 Literals literalsIn(const QString& text) {
-    return ListParser(text).read();
+    if (!text.contains(u'`') && !text.contains(u"*^")) return ListParser(text).read();
+    // Mathematica writes the digits it vouches for behind a number, 0.16`15, and *^ for an exponent.
+    static const QRegularExpression precision(QStringLiteral("(?<=[\\d.])`+[\\d.]*"));
+    static const QRegularExpression power(QStringLiteral("(?<=[\\d.])\\*\\^(?=-?\\d)"));
+    const QString plain = QString(text).remove(precision).replace(power, QStringLiteral("e"));
+    return ListParser(plain).read();
 }
 
 } // namespace io

@@ -10,14 +10,14 @@ namespace io {
 struct Literal {
     enum class Kind {
         Number,
-        Other, // a name, an expression: no number by itself
-        Text,  // in quotation marks
+        Other, // name or expression, not a single number
+        Text,  // text in quotation marks
         List,  // (…), […] or {…}
     };
     Kind kind = Kind::List;
     double number = 0;
-    QString key;  // before ":", "=" or "=>"; empty without one
-    QString text; // of Text; of a List the name before it, as in array([…])
+    QString key;  // text before ":", "=" or "=>"; empty without one
+    QString text; // contents of a Text; name before a List, as in array([…])
     QList<Literal> items;
 };
 

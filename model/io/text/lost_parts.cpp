@@ -23,7 +23,7 @@ struct Held {
     bool cage = false;
     bool moved = false;
     bool linked = false;
-    bool named = false; // any of its maps
+    bool named = false; // true if any map has a name
 };
 
 // Returns true if links make a difference: between the maps that take part, or by excluding some.

@@ -16,7 +16,7 @@ struct KeptParts {
     bool colourBy = false;
     bool mapColours = false;
     bool tones = false;    // contrast and vibrancy
-    bool symmetry = false; // as a group, not as the maps it stands for
+    bool symmetry = false; // group, in place of the maps it stands for
     bool links = false;
     bool transformation = false; // partner, order, mode and picture
     bool mapNames = false;

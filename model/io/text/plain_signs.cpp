@@ -16,7 +16,7 @@ bool isWithoutWidth(QChar c) {
 QChar plain(QChar c) {
     const char16_t code = c.unicode();
     if (isDash(c)) return u'-';
-    if (code >= 0xff01 && code <= 0xff5e) return QChar(code - 0xfee0); // full width
+    if (code >= 0xff01 && code <= 0xff5e) return QChar(code - 0xfee0); // full-width forms
     if (code == 0x2044 || code == 0x2215) return u'/';
     if (code == 0xfe62) return u'+';
     return c;

@@ -12,7 +12,7 @@ namespace io {
 
 namespace {
 
-constexpr double tolerance = 4e-15; // some sums and products of doubles, beside 1
+constexpr double tolerance = 4e-15; // relative error of a few sums and products of doubles
 constexpr double smallest = 1e-14;
 constexpr int digits = 6;
 

@@ -28,7 +28,7 @@ Failure obstacle(QByteArrayView xml) {
         } else if (rest.startsWith("<?")) {
             at = behind(xml, at, "?>");
         } else if (rest.startsWith("<!")) {
-            return std::nullopt; // a document type: nothing behind it is read
+            return std::nullopt; // document type: ends the search
         } else {
             const bool closes = rest.startsWith("</");
             int attributes = 0;

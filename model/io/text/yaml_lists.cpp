@@ -14,7 +14,7 @@ constexpr qsizetype maxLines = 1'000'000;
 
 struct Line {
     qsizetype indent = 0;
-    QString text; // without its comment
+    QString text; // text without comment
 };
 
 // Lines with something on them. An item on the line of its list, "- - 1", is a line of its own, further in.
@@ -61,7 +61,7 @@ public:
     }
 
 private:
-    // Items or keys that are indented as far.
+    // Reads items or keys of equal indentation.
     Literal block(qsizetype indent, int depth) {
         Literal list;
         if (depth > maxYamlDepth) m_isCut = true;
@@ -85,7 +85,7 @@ private:
         return list;
     }
 
-    // The item behind "- "; its depth is that of its text.
+    // Reads the item behind "- ", which is indented like its text.
     Literal item(Line& line, int depth) {
         QString rest = line.text.sliced(1);
         qsizetype blanks = 0;
@@ -106,7 +106,7 @@ private:
         return block(line.indent, depth + 1);
     }
 
-    // The list of a key may be as far in as the key itself.
+    // Reads the list of a key, which may be indented like the key itself.
     Literal below(qsizetype indent, int depth) {
         if (m_at >= m_lines.size()) return {};
         const Line& next = m_lines[m_at];
@@ -123,7 +123,7 @@ private:
         return list;
     }
 
-    // Brackets may go on over further lines.
+    // Reads a scalar, whose brackets may continue over further lines.
     Literal scalar(QString text) {
         const auto depthOf = [](const QString& s) {
             return s.count(u'[') + s.count(u'{') - s.count(u']') - s.count(u'}');

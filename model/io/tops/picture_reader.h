@@ -15,11 +15,11 @@ namespace io {
 // A picture to steal colours from: what decodedPicture() reads, large ones reduced.
 struct ReadPicture {
     attractor::MipPicture picture;
-    Failure failure; // why there is none
+    Failure failure; // reason why there is none
 };
 ReadPicture readPicture(const QString& path, const std::stop_token& stop = {});
 ReadPicture decodePicture(const QByteArray& bytes, const std::stop_token& stop = {});
 
-attractor::MipPicture mipPicture(QImage image); // not empty, in sRGB
+attractor::MipPicture mipPicture(QImage image); // requires an image in sRGB that is not empty
 
 } // namespace io

@@ -13,7 +13,7 @@ namespace io {
 
 namespace {
 
-constexpr int largestSide = 1024; // to begin with
+constexpr int largestSide = 1024; // first size to try
 constexpr int jpegQuality = 85;
 
 QByteArray encoded(const QImage& image) {

@@ -14,7 +14,7 @@ namespace io {
 // picture.
 struct PictureToEmbed {
     QByteArray bytes;
-    Failure failure; // why there is none
+    Failure failure; // reason why there is none
 };
 PictureToEmbed pictureToEmbed(const QString& path, const std::stop_token& stop = {});
 

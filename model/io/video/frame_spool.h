@@ -17,13 +17,13 @@ public:
     FrameSpool(const FrameSpool&) = delete;
     FrameSpool& operator=(const FrameSpool&) = delete;
 
-    Failure add(const QImage& picture); // ARGB32, all of one size
+    Failure add(const QImage& picture); // requires ARGB32 pictures of one size
     int count() const { return int(m_ends.size()); }
-    QImage read(int index) const; // null when it cannot be read
+    QImage read(int index) const; // null if it cannot be read
 
 private:
     int m_file;
-    std::vector<qint64> m_ends; // of each in the file
+    std::vector<qint64> m_ends; // end of each frame in the file
     QSize m_size;
 };
 

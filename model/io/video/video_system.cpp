@@ -17,7 +17,7 @@ namespace io {
 namespace {
 
 constexpr qsizetype maxText = 8 * 1024 * 1024;
-constexpr const char* mark = "; Barycage\n"; // before the text
+constexpr const char* mark = "; Barycage\n"; // mark before the text
 
 EmbeddedSystem refusal(const char* sentence) {
     return {{}, QCoreApplication::translate("VideoSystem", sentence)};
@@ -82,7 +82,7 @@ std::optional<quint64> takeNumber(QByteArrayView& bytes, bool keepsLength) {
         isUnknown = isUnknown && uchar(bytes[i]) == 0xff;
     }
     bytes = bytes.sliced(length);
-    return isUnknown ? quint64(bytes.size()) : number; // to the end
+    return isUnknown ? quint64(bytes.size()) : number; // unknown size: to the end
 }
 
 struct Element {
@@ -213,14 +213,14 @@ constexpr std::array containers{
         [](const QByteArray& bytes) { return commentOfGif(bytes); }},
     Container{"webp",
               [](const QByteArray& bytes) {
-                  constexpr int isAnimated = 2; // in the flags
+                  constexpr int isAnimated = 2; // bit of the flags
                   return bytes.startsWith("RIFF") && bytes.mid(8, 8) == "WEBPVP8X" && bytes.size() > 20 &&
                          bytes[20] & isAnimated;
               },
               [](const QByteArray& bytes) { return systemOfWebP(bytes).text; }},
     Container{"webm",
               [](const QByteArray& bytes) {
-                  constexpr qsizetype sample = 64; // within which a WebM file says that it is one
+                  constexpr qsizetype sample = 64; // bytes that identify a WebM file
                   return beginsMatroska(bytes) && bytes.left(sample).contains("webm");
               },
               textOfMatroska},

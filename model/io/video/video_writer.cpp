@@ -112,7 +112,7 @@ struct VideoWriter::State {
         if (!failure) failure = file.failure() ? file.failure() : encoder->failure();
     }
 
-    // Waits for the frame that is being encoded; all else is done by one thread at a time.
+    // Waits for the frame being encoded; everything else runs in one thread at a time.
     void await() {
         if (pending.valid()) pending.get();
     }
@@ -122,7 +122,7 @@ struct VideoWriter::State {
         if (failure) return;
         try {
             pending = std::async(std::launch::async, [this, frame] { take(frame); });
-        } catch (const std::system_error&) { // no thread is to be had
+        } catch (const std::system_error&) { // no thread available
             take(frame);
         }
     }
@@ -153,8 +153,8 @@ struct VideoWriter::State {
     NewFile file;
     Failure failure;
     std::unique_ptr<libav::Encoder> encoder;
-    std::unique_ptr<FrameSpool> spool; // of a GIF
-    std::future<void> pending;         // last: works with all the rest
+    std::unique_ptr<FrameSpool> spool; // GIF only
+    std::future<void> pending;         // last member: uses all others
 };
 
 // Null after a failure, which is remembered, or when stopped.

@@ -13,7 +13,7 @@ namespace notation {
 
 namespace {
 
-constexpr std::size_t maxStops = 4096; // a hostile file must not make a palette of a million colours
+constexpr std::size_t maxStops = 4096; // limit against malicious files
 
 std::optional<attractor::Rgba> colourOf(std::string_view text) {
     if (text.size() != 9 || text.front() != '#') return std::nullopt;
@@ -87,7 +87,7 @@ std::vector<std::string> mapBlendLines(const attractor::Appearance& appearance, 
 }
 
 bool LookReader::read(const std::string& key, const std::vector<std::string>& values) {
-    if (key == "palette") { // it may have no name
+    if (key == "palette") { // name optional
         m_paletteName = joined(values);
         return true;
     }

@@ -38,8 +38,8 @@ private:
     attractor::Appearance m_appearance;
     std::optional<std::string> m_paletteName;
     std::vector<attractor::Palette::Stop> m_stops;
-    std::vector<std::pair<int, attractor::Rgba>> m_colours; // by map, 1-based
-    std::map<int, std::vector<double>> m_blends;            // likewise
+    std::vector<std::pair<int, attractor::Rgba>> m_colours; // colours by 1-based map
+    std::map<int, std::vector<double>> m_blends;            // coordinate and speed by 1-based map
 };
 
 } // namespace notation

@@ -18,8 +18,9 @@ namespace notation {
 namespace {
 
 constexpr std::size_t maxLinkedMaps = 256;
-constexpr std::size_t maxTypedLines = 100'000; // of an entry, whose lines have a limit; more are left out
-constexpr std::size_t maxFrameNumbers = 9;     // of a frame in space
+// Lines of an entry, whose total is limited; further ones are left out.
+constexpr std::size_t maxTypedLines = 100'000;
+constexpr std::size_t maxFrameNumbers = 9; // numbers of a frame in space
 
 template <int Dim> constexpr int coefficients = Dim*(Dim + 1);
 
@@ -192,13 +193,12 @@ template <int Dim> void MapReader::applyWeights(ifs::IteratedFunctionSystem<Dim>
     }
     for (const Setting& setting : m_off) {
         auto* map = mapAt(setting.map);
-        if (map == nullptr || (map->weight && *map->weight != 0))
-            continue; // another program has switched it on
+        if (map == nullptr || (map->weight && *map->weight != 0)) continue; // switched on by another program
         map->enabled = false;
         map->weight = setting.weight;
     }
-    // A row that another program has switched off stays off; without a map that lacks one, rows hold the
-    // weights themselves.
+    // Rows switched off by another program stay off. If no map lacks a weight, the rows hold the weights
+    // themselves.
     if (std::ranges::none_of(maps, lacksWeight<Dim>)) return;
     for (const Setting& setting : m_weights)
         if (auto* map = mapAt(setting.map); map && map->enabled && map->weight.value_or(0) > 0)

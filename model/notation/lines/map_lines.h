@@ -32,11 +32,11 @@ public:
 
 private:
     struct Setting {
-        int map = 0; // 1-based; 0: all of them
+        int map = 0; // 1-based; 0: all maps
         std::optional<double> weight;
     };
     struct Typed {
-        std::size_t map = 0; // from 1
+        std::size_t map = 0; // 1-based
         int which = 0;
         std::string text;
     };
@@ -53,11 +53,11 @@ private:
     std::vector<Setting> m_off;
     std::vector<Setting> m_unweighted;
     std::vector<Setting> m_weights;
-    std::string m_symmetry; // its name
+    std::string m_symmetry; // name of the symmetry
     bool m_isSymmetryUnderstood = true;
     std::vector<double> m_centre;
     std::vector<double> m_frame;               // row by row
-    std::map<int, std::vector<double>> m_rows; // of links, by map, 1-based
+    std::map<int, std::vector<double>> m_rows; // links by 1-based map
     std::vector<Typed> m_typed;
 };
 

@@ -13,11 +13,11 @@ namespace notation {
 
 namespace {
 
-constexpr std::string_view continued = " \\"; // at the end of a line: more coordinates follow
-constexpr std::size_t maxVertices = 4096;     // a hostile file must not make a cage of a million corners
+constexpr std::string_view continued = " \\"; // end of a line that is continued by more coordinates
+constexpr std::size_t maxVertices = 4096;     // limit against malicious files
 constexpr std::size_t maxBranches = 1024;
 constexpr std::size_t maxWord = 64;
-constexpr std::size_t maxPieces = 100'000; // of what is shown
+constexpr std::size_t maxPieces = 100'000; // displayed pieces
 
 // A point, on more than one line where its numbers are too long.
 template <int Dim> std::vector<std::string> pointLines(std::string_view key, const ifs::Vector<Dim>& point) {

@@ -23,12 +23,12 @@ public:
 private:
     struct Point {
         std::vector<double> coordinates;
-        bool isOpen = false; // the last line says that more coordinates follow
+        bool isOpen = false; // true if the last line announces further coordinates
 
         std::size_t dimension() const { return isOpen ? 0 : coordinates.size(); }
     };
     struct Branch {
-        std::vector<int> word; // of maps, 1-based; 0 first: it changes inside itself
+        std::vector<int> word; // 1-based maps; 0 first: the change recurs inside itself
         std::vector<Point> by; // rows of the linear part, then the translation
     };
     static bool readPoint(const std::vector<std::string>& values, std::vector<Point>& points);

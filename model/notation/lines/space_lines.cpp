@@ -16,7 +16,7 @@ namespace {
 using attractor::LookInSpace;
 using attractor::SolidColour;
 
-constexpr std::string_view openSide = "-"; // a side of the clip without a plane
+constexpr std::string_view openSide = "-"; // mark of an open side of the clip
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
 std::string bound(double value) {
@@ -75,7 +75,8 @@ bool SpaceReader::read(const std::string& key, const std::vector<std::string>& v
     }
     const bool isRange = key == "clip-range";
     if (!isRange && key != "clip-normal") return false;
-    std::vector<double> into = isRange ? m_range : m_normal; // all of the line, or nothing
+    // Copy, so that a line counts as a whole or not at all.
+    std::vector<double> into = isRange ? m_range : m_normal;
     const std::size_t most = isRange ? 2 : 3;
     for (const std::string& value : values) {
         const bool isOpen = isRange && value == openSide;

@@ -16,8 +16,8 @@ namespace {
 
 using animation::Ease, animation::Loop;
 
-constexpr std::size_t maxAnimationNumbers = 4'000'000; // of one animation
-constexpr std::size_t maxParts = 100'000; // tracks, keys of a track, motions, maps of one of them, stops
+constexpr std::size_t maxAnimationNumbers = 4'000'000; // numbers of one animation
+constexpr std::size_t maxParts = 100'000; // tracks, keys of a track, motions, maps of a motion, stops
 
 std::optional<int> whole(std::string_view text) {
     if (text.starts_with('+') && !text.starts_with("+-")) text.remove_prefix(1);

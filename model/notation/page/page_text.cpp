@@ -34,8 +34,9 @@ std::string plainScript(std::string_view module) {
 } // namespace
 
 std::vector<std::string> pageModules(std::string_view extra) {
-    std::vector<std::string> modules{"numbers.js", "geometry.js", "texts.js",        "dom.js",  "drawing.js",
-                                     "table.js",   "ifs_text.js", "entry_reader.js", "link.js", "figure.js"};
+    std::vector<std::string> modules{"numbers.js",      "geometry.js", "dom.js",   "texts.js",
+                                     "camera.js",       "drawing.js",  "table.js", "ifs_text.js",
+                                     "entry_reader.js", "link.js",     "figure.js"};
     if (!extra.empty()) modules.emplace_back(extra);
     modules.emplace_back("main.js");
     return modules;
@@ -45,11 +46,11 @@ std::vector<std::string> workerModules() {
     return {"engine.js", "worker.js"};
 }
 
-std::string joinedScript(std::span<const std::string> modules) {
+std::string joinedScript(std::span<const std::string> modules, std::string_view end) {
     std::string script = "\"use strict\";\n(() => {\n";
     for (const std::string& module : modules)
         script += plainScript(module);
-    return script + "})();\n";
+    return script.append(end) + "})();\n";
 }
 
 std::string plainStyle(std::string_view style) {

@@ -17,8 +17,8 @@ std::vector<std::string> pageModules(std::string_view extra = {});
 std::vector<std::string> workerModules();
 
 // One script in one scope, so that no two modules may declare the same name, without what belongs to modules
-// and to people.
-std::string joinedScript(std::span<const std::string> modules);
+// and to people. At the end stands what else is to be run.
+std::string joinedScript(std::span<const std::string> modules, std::string_view end = {});
 
 std::string plainStyle(std::string_view style); // without indents
 

@@ -12,13 +12,13 @@ namespace notation {
 struct Number {
     enum class Kind {
         Good,
-        Trailing,   // a number and more: what C takes for one, leaving the rest
+        Trailing,   // number and more: C accepts the beginning and leaves the rest
         NotFinite,  // inf, nan
-        Huge,       // beyond the floats
-        NotANumber, // hexadecimal ones included, which programs read differently
+        Huge,       // beyond the range of float
+        NotANumber, // includes hexadecimal ones, which programs read differently
     };
     Kind kind = Kind::NotANumber;
-    double value = 0; // of a good one; Trailing: what C reads of it
+    double value = 0; // value of a good number; Trailing: of its beginning
 };
 Number readNumber(std::string_view token);
 
@@ -30,9 +30,9 @@ bool isNumberEnd(char c);
 
 // Number of numbers in a row.
 struct RowShape {
-    int rowLength = 0;            // 6, 7, 12 or 13; 0 when the numbers fill no rows
-    bool isMarkMissing = false;   // three-dimensional without (3D)
-    bool isLineLengthOdd = false; // rows of 7 that disagree with the lines: each line has 6, or 13
+    int rowLength = 0;            // 6, 7, 12 or 13; 0 if the numbers fill no rows
+    bool isMarkMissing = false;   // true for three-dimensional rows without (3D)
+    bool isLineLengthOdd = false; // true if rows of 7 disagree with the lines, which have 6 or 13 each
 };
 // The shape that fits the numbers of each line that has any.
 RowShape rowShape(const std::vector<std::size_t>& perLine, bool isMarked3D);

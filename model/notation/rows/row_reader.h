@@ -13,59 +13,59 @@ namespace notation {
 
 constexpr std::size_t maxMaps = 250'000;    // per entry
 constexpr std::size_t maxLines = 1'000'000; // per entry
-constexpr Offset maxLine = 200;             // bytes that Fractint and Iterated Dynamics read of a line
+constexpr Offset maxLine = 200;             // bytes of a line that Fractint and Iterated Dynamics read
 
 struct RowToken {
     Span span;
-    int line = 0; // of the entry, 0-based
+    int line = 0; // line of the entry, 0-based
 };
 
 // A way to take tokens for rows.
 struct RowReading {
     std::vector<RowToken> tokens;
     RowShape shape;
-    bool isValid = true; // every token is a number
+    bool isValid = true; // true if all tokens are numbers
     bool decimalComma = false;
-    bool usesHeader = false;    // the numbers on the line of the brace count
-    bool isByLines = false;     // rows of a bare file that would fill rows of 7 as well
-    double sumOfSevenths = NAN; // of every seventh number, where none of them is negative
+    bool usesHeader = false;    // true if the numbers on the line of the brace count
+    bool isByLines = false;     // true for rows of a bare file that would also fill rows of 7
+    double sumOfSevenths = NAN; // sum of every seventh number; NaN if one of them is negative
 };
 
 enum class RowFlaw {
     None,
     TooManyLines,
     Unclosed,
-    TooManyMaps,     // at the last token
-    NotNumbers,      // some tokens of `refused`
-    NotRows,         // their count
-    CommaOfTwoKinds, // as separator and as decimal point it gives rows
-    CommaOfNoKind,   // it gives rows as neither
+    TooManyMaps,     // found at the last token
+    NotNumbers,      // found at tokens of `refused`
+    NotRows,         // wrong number of numbers
+    CommaOfTwoKinds, // rows with commas as separators, and others with commas as decimal points
+    CommaOfNoKind,   // no rows with either meaning of commas
 };
 
 // A line that holds nothing but a comment.
 struct CommentLine {
-    Span line; // from its first byte to past its line end
-    Span text; // after the semicolon, without blanks at its ends
+    Span line; // includes the line end
+    Span text; // text after the semicolon, without surrounding blanks
 };
 
 // Byte offsets in the text of the entry.
 struct Rows {
-    std::vector<Offset> lineBegins; // at most one more than maxLines
+    std::vector<Offset> lineBegins; // at most maxLines + 1
     bool isMarked3D = false;
-    bool isBraceBelow = false;   // the opening brace is not on the line of the name
-    Offset headerEnd = 0;        // of the header line: its line end, or the closing brace
-    Offset bodyBegin = 0;        // the first byte after the header line; at most the closing brace
-    Offset headerTextEnd = 0;    // of numbers on the header line that count: a comment may stand after it
-    Offset headerSemicolon = -1; // on the header line
-    Span headerComment;          // without the semicolon
-    std::vector<RowToken> headerTokens; // all of them numbers, or none
+    bool isBraceBelow = false;          // true if the opening brace is below the line of the name
+    Offset headerEnd = 0;               // line end of the header line, or the closing brace
+    Offset bodyBegin = 0;               // first byte after the header line; at most the closing brace
+    Offset headerTextEnd = 0;           // end of the numbers that count on the header line, before a comment
+    Offset headerSemicolon = -1;        // semicolon on the header line; −1: none
+    Span headerComment;                 // without the semicolon
+    std::vector<RowToken> headerTokens; // either all are numbers, or there are none
     std::vector<RowToken> bodyTokens;
-    bool hasCommas = false; // or apostrophes
-    Offset longLine = -1;   // the first byte that other programs do not read
-    Offset nul = -1;        // the first one
+    bool hasCommas = false; // true also for apostrophes
+    Offset longLine = -1;   // first byte that other programs do not read
+    Offset nul = -1;        // first NUL byte
     std::vector<CommentLine> comments;
 
-    std::optional<RowReading> chosen; // nullopt where the numbers make no system
+    std::optional<RowReading> chosen; // nullopt if the numbers make no system
     RowFlaw flaw = RowFlaw::None;
     RowToken flawAt{};             // TooManyMaps, CommaOfTwoKinds, CommaOfNoKind
     std::vector<RowToken> refused; // NotNumbers

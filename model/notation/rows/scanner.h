@@ -16,21 +16,21 @@ struct Span {
 
 enum class BlockKind {
     Entry,        // name { … }
-    Unclosed,     // an entry without its closing brace: ends where the next one begins
+    Unclosed,     // entry without closing brace; ends before the next one
     Unnamed,      // { … }
     CommentBlock, // comment { … }
     OtherType,    // frm:name { … }, par:…, lsys:…
-    TwoBraces,    // a line with two opening braces: no reader makes anything of it
+    TwoBraces,    // line with two opening braces, which no reader understands
 };
 
 // Byte offsets of one block.
 struct Block {
     BlockKind kind = BlockKind::Entry;
-    Span all;  // from the name to the closing brace and the rest of that line where it is blank or comment
-    Span name; // without the prefix "ifs:"
-    Offset open = -1;       // the opening brace; −1 in a bare file
-    Offset close = -1;      // the closing brace; the end of the text when there is none
-    bool hasPrefix = false; // "ifs:" stood before the name
+    Span all;          // from the name to the closing brace, and the rest of that line if blank or comment
+    Span name;         // name without the prefix "ifs:"
+    Offset open = -1;  // opening brace; −1 in a bare file
+    Offset close = -1; // closing brace; end of the text if there is none
+    bool hasPrefix = false; // true for "ifs:" before the name
 };
 
 // The block in its own text: where it begins is offset 0.
@@ -39,10 +39,10 @@ Block relative(Block block);
 // '\n', or '\r' for a file that has no other line ends.
 char lineEndByte(Bytes bytes);
 
-bool isBlank(char c); // white space, and the bytes that readers treat like it between entries: NUL, ^Z
+bool isBlank(char c); // true for white space and for NUL and ^Z, which readers skip between entries
 
-Span withoutBlanks(Bytes bytes, Span span);      // at its ends
-Span withoutSpaceMarker(Bytes bytes, Span span); // "(3D)" at its beginning, and blanks
+Span withoutBlanks(Bytes bytes, Span span);      // removes blanks at both ends
+Span withoutSpaceMarker(Bytes bytes, Span span); // removes "(3D)" at the beginning, and blanks
 
 // Offset of the end of the line that holds `position`: of its line end byte, or the size.
 Offset lineEnd(Bytes bytes, Offset position, char lineEndByte);

@@ -7,7 +7,7 @@
 
 namespace notation {
 
-using Offset = long long; // as wide as that of Qt's views
+using Offset = long long; // same width as in Qt's views
 
 // A text as bytes that others own, with signed offsets. What has data() and size(), such as Qt's views,
 // becomes one by itself.

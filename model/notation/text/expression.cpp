@@ -28,7 +28,7 @@ double wholeDegrees(double radians) {
 }
 
 double sine(double x) {
-    const double degrees = std::abs(std::remainder(wholeDegrees(x), 180)); // up to 90
+    const double degrees = std::abs(std::remainder(wholeDegrees(x), 180)); // at most 90
     if (degrees == 0) return 0;
     if (degrees == 30) return std::copysign(0.5, std::sin(x));
     if (degrees == 90) return std::copysign(1, std::sin(x));
@@ -57,11 +57,11 @@ constexpr std::array names{"pi",   "e",    "phi",   "deg",  "sin",  "cos",  "tan
 
 // A number on the way through an expression.
 struct Quantity {
-    double value = 0;   // as everywhere: angles in radians
-    double reading = 0; // without units: 90 for 90°, π/2 for pi/2
-    double degrees = 0; // how often ° is a factor, minus how often a divisor
-    double radians = 0; // the same of π and of inverse functions
-    // Without units and rounding: the value is this · (π/180)^degrees · π^radians. Often there is none.
+    double value = 0;   // value with angles in radians, as everywhere
+    double reading = 0; // value without units: 90 for 90°, π/2 for pi/2
+    double degrees = 0; // exponent of ° as a factor
+    double radians = 0; // exponent of π and of inverse functions
+    // Exact value without units: the value is exact · (π/180)^degrees · π^radians. Often missing.
     ifs::Surd exact = ifs::Surd::none();
 };
 
@@ -245,7 +245,7 @@ protected:
                 return placeOf(together(at(x), at(y), [](double a, double b) { return std::max(a, b); }));
             });
     }
-    void InitConst() override { // places in `constants`
+    void InitConst() override { // values are stored in `constants`
         DefineConst("pi", 0);
         DefineConst("e", 1);
         DefineConst("phi", 2);
@@ -277,7 +277,7 @@ protected:
             });
     }
     void Init() {
-        EnableBuiltInOprt(false); // before those of the same names are defined
+        EnableBuiltInOprt(false); // before functions of the same names are defined
         InitCharSets();
         InitFun();
         InitConst();
@@ -287,7 +287,7 @@ protected:
     }
 
 private:
-    // A decimal number without a sign, as in files.
+    // Reads an unsigned decimal number, as in files.
     static int isNumber(const char* text, int* position, double* value) {
         const std::string_view rest(text);
         if (rest.empty() || !(rest[0] == '.' || (rest[0] >= '0' && rest[0] <= '9'))) return 0;
@@ -304,13 +304,13 @@ private:
 struct Sign {
     std::string_view sign; // UTF-8
     std::string_view plain;
-    bool isFactor = false; // after a number, it is multiplied, as in 2π
+    bool isFactor = false; // true: multiplies a preceding number, as in 2π
 };
 constexpr std::array signs{Sign{"−", "-"},           Sign{"·", "*"},          Sign{"×", "*"},
                            Sign{"÷", "/"},           Sign{"⁄", "/"},          Sign{"π", " pi ", true},
                            Sign{"φ", " phi ", true}, Sign{"√", "sqrt", true}, Sign{"°", " deg "},
-                           Sign{"º", " deg "}, // of ordinals, on Spanish keyboards
-                           Sign{"˚", " deg "}, // a ring
+                           Sign{"º", " deg "}, // ordinal indicator, on Spanish keyboards
+                           Sign{"˚", " deg "}, // ring above
                            Sign{"²", "^2"},          Sign{"³", "^3"},         Sign{"½", "(1/2)"}};
 
 bool isLetterOrDigit(char c) {
@@ -329,7 +329,7 @@ std::string plain(std::string_view text) {
             result += sign->plain;
             text.remove_prefix(sign->sign.size());
             if (sign->plain != "sqrt") continue;
-            const std::string_view under = // the number under it, as in √3/2
+            const std::string_view under = // denominator, as in √3/2
                 text.substr(0, std::min(text.size(), text.find_first_not_of("0123456789.")));
             if (!under.empty()) result += '(' + std::string(under) + ')';
             text.remove_prefix(under.size());

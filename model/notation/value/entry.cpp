@@ -33,7 +33,7 @@ std::vector<ifs::MovedBranch<Dim>> movedBranches(const ifs::IteratedFunctionSyst
                                                  const std::vector<animation::BranchPose<Dim>>& moved) {
     std::vector<ifs::MovedBranch<Dim>> result, inside, again;
     if (moved.empty()) return result;
-    std::map<ifs::MapId, int> indices; // of the maps that addresses name, −1 for those that are gone
+    std::map<ifs::MapId, int> indices; // indices of maps in addresses; −1: removed
     for (const animation::BranchPose<Dim>& branch : moved)
         for (const ifs::MapId id : branch.word)
             indices[id] = -1;
@@ -41,7 +41,7 @@ std::vector<ifs::MovedBranch<Dim>> movedBranches(const ifs::IteratedFunctionSyst
         if (const auto named = indices.find(system.maps[i].id); named != indices.end())
             named->second = int(i);
     const std::vector<ifs::AffineMap<Dim>> maps = ifs::mapsOf(system);
-    std::set<ifs::Word> known; // of several that end up in one branch, the first goes on
+    std::set<ifs::Word> known; // for several changes of one branch, the first counts
     for (const animation::BranchPose<Dim>& branch : moved) {
         const bool recurs = !branch.word.empty() && branch.word.front() == ifs::MapId::None;
         const auto address = addressOf(branch.word, recurs, indices);

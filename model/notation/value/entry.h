@@ -18,9 +18,9 @@ namespace notation {
 
 // The code of an entry, by what it is held, and what of it is shown elsewhere.
 template <int Dim> struct Figure {
-    ifs::IteratedFunctionSystem<Dim> system; // the ids are 1, 2, … in the order of the maps
+    ifs::IteratedFunctionSystem<Dim> system; // ids 1, 2, … in the order of the maps
     std::optional<ifs::ControlCage<Dim>> cage{};
-    std::vector<animation::BranchPose<Dim>> moved{}; // MapId::None first: it changes inside itself
+    std::vector<animation::BranchPose<Dim>> moved{}; // MapId::None first: the change recurs inside itself
 
     friend bool operator==(const Figure&, const Figure&) = default;
 };
@@ -29,19 +29,20 @@ template <int Dim> struct Figure {
 struct Flaw {
     int line = 1;
     int column = 1;
-    std::string sentence; // English
+    std::string sentence; // in English
 
     friend bool operator==(const Flaw&, const Flaw&) = default;
 };
 
 struct Entry {
     std::string name;
-    std::string headerComment;         // what follows the opening brace, without the semicolon
-    std::vector<std::string> comments; // the entry's own comment lines, without the semicolon
+    std::string headerComment;         // text after the opening brace, without the semicolon
+    std::vector<std::string> comments; // comment lines of the entry, without the semicolon
     std::variant<std::monostate, Figure<2>, Figure<3>> figure;
     attractor::Appearance appearance;
-    std::vector<std::string> otherLines; // Barycage's that mean nothing here; those of an animation: moments
-    std::optional<Flaw> flaw;            // of an entry without a figure
+    // Lines of Barycage's without meaning here; those of an animation: notation/moments.
+    std::vector<std::string> otherLines;
+    std::optional<Flaw> flaw; // set for an entry without a figure
 
     friend bool operator==(const Entry&, const Entry&) = default;
 };

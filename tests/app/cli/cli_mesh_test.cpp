@@ -84,12 +84,13 @@ void CliMeshTest::everyNameLeavesAllVertices() {
 void CliMeshTest::resolutionIsThatOfTheLongestSide() {
     const Result result = run("convert tetra.ifs tetra.stl --resolution 20 --longest 40");
     QCOMPARE(result.status, 0);
-    QVERIFY2(result.out.contains("√3 · 2 mm + 0 mm"), result.out.constData());
+    QVERIFY2(result.out.contains("Size: 40 × 40 × 40 mm"), result.out.constData());
+    QVERIFY2(result.out.contains("√3 · 1.92308 mm + 0 mm"), result.out.constData()); // less than 40 / 20
     // Without --wall nothing is thickened, which is what the help says; a voxel of thickness takes more.
     QVERIFY(
         run("convert --help").out.simplified().contains("thinner parts are thickened. By default, none is"));
     QVERIFY(
-        run("convert tetra.ifs walls.stl --resolution 20 --longest 40 --wall 1.5").out.contains("+ 0 mm"));
+        run("convert tetra.ifs walls.stl --resolution 20 --longest 40 --wall 1.2").out.contains("+ 0 mm"));
     QCOMPARE(read("walls.stl"), read("tetra.stl"));
     QVERIFY(!run("convert tetra.ifs walls.stl --resolution 20 --longest 40 --wall 2 --overwrite")
                  .out.contains("+ 0 mm"));

@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "application.h"
+#include "document/fractal/fractal.h"
+#include "io/exchange/entry_link.h"
+#include "main_window.h"
 #include "session/session.h"
 #include "support/named_test.h"
 #include "support/own_settings.h"
@@ -36,6 +39,8 @@ private slots:
     void aLetterAnswersNoQuestion();
     void theWheelNeedsTheFocus();
     void manyFilesAreAskedAboutAtTheStart();
+    void linksAndAddressesAreOpenedAtTheStart();
+    void aDamagedLinkIsSaidAtTheStart();
     void filesAreNotMovedIntoTexts();
     void anEventWithoutMemoryIsSaid_data();
     void anEventWithoutMemoryIsSaid();
@@ -148,6 +153,41 @@ void ApplicationTest::manyFilesAreAskedAboutAtTheStart() {
     QCOMPARE(session::windows().size(), 1);
     QVERIFY(session::windows().first()->path().isEmpty());
     delete session::windows().first();
+}
+
+// As a desktop passes them.
+void ApplicationTest::linksAndAddressesAreOpenedAtTheStart() {
+    support::useOwnSettings();
+    document::Fractal fern = document::sierpinskiTriangle();
+    fern.name = QStringLiteral("Ärger & Co");
+    const io::WrittenLink written = io::linkOf(fern);
+    QVERIFY(!written.failure);
+    const QString file = support::testData(QStringLiteral("shapes.ifs"));
+    QVERIFY(static_cast<Application*>(qApp)->openWindows(
+        {QString::fromUtf8(written.link), QUrl::fromLocalFile(file).toString(QUrl::FullyEncoded)}));
+    QStringList paths, names;
+    for (SessionWindow* window : session::windows()) {
+        paths << window->path();
+        names << static_cast<MainWindow*>(window)->document().entryFractal().name;
+    }
+    paths.sort();
+    QCOMPARE(paths, QStringList({QString(), file}));
+    QVERIFY2(names.contains(QStringLiteral("Ärger_&_Co")),
+             qPrintable(names.join(u'|'))); // as .ifs text holds it
+    for (SessionWindow* window : session::windows())
+        delete window;
+}
+
+void ApplicationTest::aDamagedLinkIsSaidAtTheStart() {
+    support::useOwnSettings();
+    QVERIFY(static_cast<Application*>(qApp)->openWindows({QStringLiteral("barycage:AAAA")}));
+    QCOMPARE(session::windows().size(), 1);
+    SessionWindow* window = session::windows().first();
+    QVERIFY(window->path().isEmpty());
+    const auto boxes = window->findChildren<QMessageBox*>();
+    QCOMPARE(boxes.size(), 1);
+    QVERIFY(!boxes.front()->informativeText().isEmpty()); // why
+    delete window;
 }
 
 // Texts take what is moved to them, and a file manager would delete the file.

@@ -6,6 +6,7 @@
 #include "canvas/canvas_view.h"
 #include "desktop/preferences.h"
 #include "dialogs/export/export_dialog.h"
+#include "dialogs/export/export_size_editor.h"
 #include "dialogs/variations/mutate_dialog.h"
 #include "document/moments/animated_fractal.h"
 #include "messages/first_chips.h"
@@ -123,7 +124,9 @@ void FirstMinuteTest::eachChipDoesWhatItSays() {
     const auto isDone = [&] {
         if (chip == "wind") return document::animationFacts(m_window->document().entryFractal()).has_value();
         if (chip == "mutate") return m_window->findChild<view::MutateDialog*>() != nullptr;
-        return m_window->findChild<view::ExportDialog*>() != nullptr;
+        const auto* dialog = m_window->findChild<view::ExportDialog*>();
+        const auto* size = dialog ? dialog->findChild<view::ExportSizeEditor*>() : nullptr;
+        return size && size->isOnPaper() && size->pixels().width() * size->pixels().height() > 15'000'000;
     };
     QTRY_VERIFY(isDone());
     QTRY_VERIFY(!chips());

@@ -3,18 +3,21 @@
 #include "desktop/preferences.h"
 #include "desktop/settings.h"
 #include "dialogs/command_palette.h"
+#include "document/fractal/fractal_geometry.h"
+#include "panels/collection/collection_panel.h"
 #include "support/languages.h"
 #include "support/named_test.h"
+#include "support/paths.h"
 #include "window_fixture.h"
 
 #include <QDockWidget>
 #include <QMenu>
 #include <QMenuBar>
-#include <QSettings>
 #include <QTabBar>
 #include <QTest>
 #include <QToolBar>
 #include <QToolButton>
+#include <QUndoStack>
 
 #include <algorithm>
 
@@ -31,7 +34,8 @@ private slots:
     void namesOfPanelsAreSeenWhole();
     void theListOfEntriesComesWithEntries();
     void theListOfEntriesStaysAway();
-    void layoutsOfEarlierVersionsStay();
+    void theListOfEntriesComesInEveryWindow();
+    void aChoiceThatIsThereAlreadyIsSelected();
     void whatIsNotSeenIsFound_data();
     void whatIsNotSeenIsFound();
 
@@ -107,17 +111,44 @@ void FirstSightTest::theListOfEntriesStaysAway() {
     QVERIFY(!isThere("entries"));
 }
 
-// They have no mark that the list has appeared: whoever closed it does not want it.
-void FirstSightTest::layoutsOfEarlierVersionsStay() {
-    m_window->findChild<QDockWidget*>(QStringLiteral("entries"))->hide();
-    m_window->close();
+// The layout of the last window says nothing about the next file.
+void FirstSightTest::theListOfEntriesComesInEveryWindow() {
+    m_window->close(); // without the list
     view::finishStoring();
-    QSettings().remove(QStringLiteral("window/entriesAppeared"));
     m_window = std::make_unique<MainWindow>();
     m_window->setAttribute(Qt::WA_DeleteOnClose, false);
-    QVERIFY(m_window->openPath(QFINDTESTDATA("../../../ifs_library/ferns.ifs")));
-    QVERIFY(m_window->document().file().entries.size() > 1);
-    QVERIFY(!isThere("entries"));
+    for (const char* file : {"ferns", "dragons"}) {
+        m_window->findChild<QDockWidget*>(QStringLiteral("entries"))->hide(); // by the program
+        QVERIFY(m_window->openPath(
+            support::sourcePath(QStringLiteral("ifs_library/%1.ifs").arg(QLatin1String(file)))));
+        QVERIFY(m_window->document().file().entries.size() > 1);
+        QVERIFY2(isThere("entries"), file);
+    }
+}
+
+void FirstSightTest::aChoiceThatIsThereAlreadyIsSelected() {
+    document::Document& document = m_window->document();
+    auto* panel = m_window->findChild<view::CollectionPanel*>();
+    document::Fractal own = document.fractal();
+    own.comments << QStringLiteral(" mine");
+    document.edit(QStringLiteral("Write"), own); // so that it is kept
+    const qsizetype before = document.file().entries.size();
+    document::Fractal chosen = document::sierpinskiTriangle();
+    emit panel->chosen({chosen});
+    const document::EntryId added = document.currentId();
+    QCOMPARE(document.file().entries.size(), before + 1);
+    document.setCurrent(document.file().entries.front().id);
+    const int steps = document.undoStack()->index();
+    emit panel->chosen({chosen});
+    QCOMPARE(document.currentId(), added);
+    QCOMPARE(document.undoStack()->index(), steps);
+    // An edited one is no longer what is in the collection.
+    own = document.entryFractal();
+    document::plane(own)->system.maps.front().map.linear *= 0.9;
+    document.edit(QStringLiteral("Edit"), own);
+    emit panel->chosen({chosen});
+    QCOMPARE(document.file().entries.size(), before + 2);
+    document.undoStack()->setClean();
 }
 
 void FirstSightTest::whatIsNotSeenIsFound_data() {

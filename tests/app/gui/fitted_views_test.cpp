@@ -21,6 +21,7 @@ class FittedViewsTest : public WindowFixture {
 private slots:
     void undoOfASymmetryTakesTheViewBack();
     void undoTakesBackAFitAfterTheEdit();
+    void aFitAfterAnotherColourStays();
     void theViewThatTheUserMovedStays();
     void anEditThatLeavesTheViewIsUndoneWithoutIt();
     void solidsAreFittedAgain();
@@ -77,6 +78,22 @@ void FittedViewsTest::undoTakesBackAFitAfterTheEdit() {
     // A step that was never undone is no redo.
     const attractor::Camera fitted = plane().camera();
     scale(3);
+    QCOMPARE(plane().camera(), fitted);
+}
+
+void FittedViewsTest::aFitAfterAnotherColourStays() {
+    plane().fit();
+    const attractor::Camera before = plane().camera();
+    document::Fractal changed = document().fractal();
+    changed.appearance.background.alpha = 0;
+    document().edit(u"Transparent"_s, changed);
+    plane().setFittedToo(document::Box{{-9, -9}, {9, 9}});
+    plane().fit();
+    awaitFit(before);
+    const attractor::Camera fitted = plane().camera();
+    history().undo();
+    QCOMPARE(plane().camera(), fitted);
+    history().redo();
     QCOMPARE(plane().camera(), fitted);
 }
 

@@ -237,16 +237,25 @@ void LessonTest::playingChangesNothing() {
     const auto area = std::get<document::LessonArea>(notebook()->lesson().steps[1].state.view);
     QTRY_COMPARE(canvas()->camera(),
                  document::cameraOf(area, {canvas()->viewport()->width(), canvas()->viewport()->height()}));
+    const auto place = [this] {
+        QCoreApplication::processEvents();
+        const auto* next = card()->findChild<QPushButton*>(u"next"_s);
+        return next->mapTo(m_window.get(), next->rect().bottomRight());
+    };
+    const QPoint before = place();
     QTest::keyClick(canvas(), Qt::Key_PageDown);
+    QCOMPARE(place(), before); // though only this step speaks of the bar
     QVERIFY(bar->isVisible() && !canvas()->options().isGridVisible());
     QTest::keyClick(canvas(), Qt::Key_PageDown); // there is no fourth
     QVERIFY(shownText().contains(u"Two steps."_s));
     QTest::keyClick(canvas(), Qt::Key_PageUp);
-    QVERIFY(shownText().contains(u"Two maps."_s) && bar->isHidden());
+    QVERIFY(shownText().contains(u"Two maps."_s));
+    QCOMPARE(place(), before);
 
     QTest::keyClick(canvas(), Qt::Key_Escape);
     QTRY_VERIFY(!m_window->isFullScreen());
     QVERIFY(!card()->isVisible() && m_window->menuBar()->isVisible() && !maps->isHidden());
+    QVERIFY(bar->isHidden());
     QVERIFY(document().file() == file);
     QCOMPARE(document().undoStack()->index(), index);
     QCOMPARE(document().fractal().name, u"flower"_s);

@@ -4,6 +4,8 @@
 #include "app/gui/window_fixture.h"
 #include "canvas/canvas_view.h"
 #include "desktop/preferences.h"
+#include "dialogs/export/animation_export_dialog.h"
+#include "dialogs/export/export_dialog.h"
 #include "document/edits/entries_edits.h"
 #include "document/edits/timeline/motion_edits.h"
 #include "document/moments/animated_fractal.h"
@@ -11,7 +13,10 @@
 #include "support/events.h"
 #include "support/named_test.h"
 
+#include <QAction>
 #include <QDockWidget>
+#include <QPointer>
+#include <QPushButton>
 #include <QTest>
 
 // An entry that moves plays when it is opened.
@@ -23,6 +28,7 @@ private slots:
     void reducedMotionShowsAStillFrame();
     void undoBringsItBackAtRest();
     void itIsFittedToItsWholeMotion();
+    void itsPictureLeadsToItsAnimation();
 
 private:
     document::Document& document() const { return m_window->document(); }
@@ -109,6 +115,19 @@ void OpenedMotionTest::itIsFittedToItsWholeMotion() {
         return true;
     };
     QTRY_VERIFY(isSeen());
+}
+
+void OpenedMotionTest::itsPictureLeadsToItsAnimation() {
+    document().setFile(twoEntries());
+    document().setCurrent(document().file().entries.back().id);
+    m_window->findChild<QAction*>(QStringLiteral("export-picture"))->trigger();
+    const QPointer<view::ExportDialog> dialog = m_window->findChild<view::ExportDialog*>();
+    QVERIFY(dialog);
+    auto* button = dialog->findChild<QPushButton*>(QStringLiteral("animation"));
+    QVERIFY(button);
+    button->click();
+    QTRY_VERIFY(m_window->findChild<view::AnimationExportDialog*>());
+    QTRY_VERIFY(!dialog || dialog->isHidden());
 }
 
 BARYCAGE_TEST(OpenedMotionTest, QApplication);

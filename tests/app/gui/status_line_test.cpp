@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "stage/status_line.h"
 
+#include "document/document.h"
 #include "support/named_test.h"
 #include "widgets/text/elided_label.h"
 #include "widgets/tooltips.h"
@@ -12,9 +13,11 @@
 #include <QShortcut>
 #include <QTest>
 #include <QToolTip>
+#include <QUndoStack>
 #include <QVBoxLayout>
 
 #include <memory>
+#include <utility>
 
 namespace {
 
@@ -94,6 +97,48 @@ private slots:
         inner->showMessage(error);
         QTest::keyClick(field, Qt::Key_Escape);
         QCOMPARE(inner->currentMessage(), answer);
+    }
+
+    // What is said with a step, before it or after it, is of this step.
+    void whatIsSaidOfAStepGoesWithTheNext() {
+        document::Document document;
+        m_line->follow(document);
+        const QString said = QStringLiteral("2 keys deleted.");
+        const auto step = [&document] {
+            document::Fractal fractal = document.fractal();
+            document::plane(fractal)->system.maps[0].map.linear *= 0.5;
+            document.edit(QStringLiteral("Step"), std::move(fractal));
+        };
+        step();
+        m_line->showMessage(said);
+        QCOMPARE(m_line->currentMessage(), said);
+        QCoreApplication::processEvents();
+        document.undoStack()->undo();
+        QVERIFY(m_line->currentMessage().isEmpty());
+        m_line->showMessage(said);
+        step();
+        QCOMPARE(m_line->currentMessage(), said);
+        QCoreApplication::processEvents();
+        step();
+        QVERIFY(m_line->currentMessage().isEmpty());
+    }
+
+    // The end of a drag is a step; what was said during it is read after it.
+    void whatIsSaidDuringADragStays() {
+        document::Document document;
+        m_line->follow(document);
+        const QString said = QStringLiteral("The cage is folded.");
+        document::EditGesture gesture = document.beginGesture(QStringLiteral("Drag"));
+        document::Fractal fractal = document.fractal();
+        document::plane(fractal)->system.maps[0].map.linear *= 0.5;
+        gesture.preview(fractal);
+        m_line->showMessage(said);
+        QCoreApplication::processEvents();
+        gesture.commit();
+        QCOMPARE(document.undoStack()->count(), 1);
+        QCOMPARE(m_line->currentMessage(), said);
+        document.undoStack()->undo();
+        QVERIFY(m_line->currentMessage().isEmpty());
     }
 
     void thePositionIsReadInFull() {

@@ -4,7 +4,10 @@
 #include "app/gui/window_fixture.h"
 #include "canvas/geometry/canvas_geometry.h"
 #include "canvas/items/note_item.h"
+#include "dialogs/export/export_dialog.h"
+#include "document/edits/timeline/motion_edits.h"
 #include "document/fractal/fractal_geometry.h"
+#include "panels/maps/maps_panel.h"
 #include "panels/timeline/timeline_panel.h"
 #include "support/events.h"
 #include "support/forget_settings.h"
@@ -13,8 +16,14 @@
 
 #include <QAction>
 #include <QApplication>
+#include <QDockWidget>
 #include <QGraphicsScene>
+#include <QLabel>
+#include <QMenu>
 #include <QPushButton>
+#include <QScrollBar>
+#include <QTableView>
+#include <QTemporaryDir>
 #include <QTest>
 #include <QUndoStack>
 
@@ -32,6 +41,11 @@ private slots:
     void theFirstHintGoesWithTheTour();
     void theCardCoversNothingTheCanvasSays();
     void theCardCoversNoCorner();
+    void theWindIsThereWhateverMoves();
+    void theDialogKeepsTheKeyboard();
+    void afterItAllIsAsBefore();
+    void theCardCoversNoPanelItSpeaksOf();
+    void theCardCanBeDragged();
     void theWindowMayCloseMeanwhile();
 
 private:
@@ -104,6 +118,10 @@ void TourTest::sixStepsAreDoneByTheHand() {
     m_window->findChild<view::TimelinePanel*>()->motions().front()->trigger();
     QTRY_COMPARE(tour()->step(), 5);
     m_window->findChild<QAction*>(QStringLiteral("export-picture"))->trigger();
+    settle();
+    QCOMPARE(tour()->step(), 5); // nothing is saved yet
+    const QTemporaryDir folder;
+    m_window->findChild<view::ExportDialog*>()->exportTo(folder.filePath(QStringLiteral("a.png")));
     QTRY_COMPARE(tour()->step(), 6);
     QVERIFY(isShown("go-on"));
     cleanUp();
@@ -142,7 +160,8 @@ void TourTest::stepsCanBeSkipped() {
         QAbstractButton* skip = button("skip");
         QVERIFY(skip);
         const QPoint place = skip->mapTo(m_window.get(), skip->rect().bottomRight());
-        if (step > 0) QCOMPARE(place, nextCorner); // under the pointer that has just clicked it
+        const bool yields = step >= 4; // to the timeline, which takes its room from the canvas
+        if (step > 0 && !yields) QCOMPARE(place, nextCorner); // under the pointer that has just clicked it
         nextCorner = place;
         skip->click();
     }
@@ -231,6 +250,103 @@ void TourTest::theCardCoversNoCorner() {
     settle();
     QTRY_VERIFY(tour()->geometry().center().x() > m_window->centralWidget()->geometry().center().x());
     QVERIFY(tour()->geometry().center().y() < m_window->centralWidget()->geometry().center().y());
+}
+
+void TourTest::theWindIsThereWhateverMoves() {
+    start();
+    for (int step = 0; step < 4; ++step)
+        next()->click();
+    settle();
+    const auto* timeline = m_window->findChild<view::TimelinePanel*>();
+    QVERIFY(!timeline->showsTracks());
+    const QString still = tour()->accessibleDescription();
+    const auto moving = document::withTurn(document().entryFractal(), {});
+    QVERIFY(moving);
+    tour()->findChild<QAbstractButton*>(QStringLiteral("back"))->click();
+    document().editEntry(QStringLiteral("Turn"), *moving);
+    next()->click();
+    QTRY_VERIFY(timeline->showsTracks());
+    QTRY_VERIFY(tour()->accessibleDescription() != still);
+    const QString name = timeline->motionMenu()->title().remove(u'&');
+    QVERIFY2(tour()->accessibleDescription().contains(name), qPrintable(name)); // where the wind is now
+    document().undoStack()->undo();
+    QTRY_COMPARE(tour()->accessibleDescription(), still);
+    cleanUp();
+}
+
+// Whatever the tour does meanwhile.
+void TourTest::theDialogKeepsTheKeyboard() {
+    start();
+    for (int step = 0; step < 5; ++step)
+        next()->click();
+    m_window->findChild<QAction*>(QStringLiteral("export-picture"))->trigger();
+    auto* dialog = m_window->findChild<view::ExportDialog*>();
+    QVERIFY(QTest::qWaitForWindowActive(dialog));
+    next()->click();
+    settle();
+    QVERIFY(dialog->isActiveWindow());
+}
+
+void TourTest::afterItAllIsAsBefore() {
+    const auto shown = [this] {
+        QStringList panels;
+        for (const auto* panel : m_window->findChildren<QDockWidget*>())
+            if (!panel->isHidden()) panels << panel->objectName();
+        panels.sort();
+        return panels;
+    };
+    const auto* table = m_window->findChild<view::MapsPanel*>()->table();
+    const QStringList before = shown();
+    QVERIFY(table->isColumnHidden(view::MapsModel::Contraction));
+    const auto tool = canvas().tool();
+    start();
+    for (int step = 0; step < 9; ++step)
+        next()->click();
+    QTRY_VERIFY(!table->isColumnHidden(view::MapsModel::Contraction));
+    QVERIFY(shown() != before);
+    button("done")->click();
+    QTRY_VERIFY(!tour());
+    QCOMPARE(canvas().tool(), tool);
+    QVERIFY(table->isColumnHidden(view::MapsModel::Contraction));
+    QCOMPARE(table->horizontalScrollBar()->value(), 0);
+    QCOMPARE(shown(), before);
+}
+
+void TourTest::theCardCoversNoPanelItSpeaksOf() {
+    for (const int height : {800, 700}) {
+        m_window->resize(1280, height);
+        start();
+        for (int step = 0; step < 9; ++step) {
+            settle();
+            if (tour()->target() != &canvas()) {
+                const auto covers = [this] {
+                    const QWidget* panel = tour()->target();
+                    return tour()->geometry().intersects(
+                        {panel->mapTo(m_window.get(), QPoint()), panel->size()});
+                };
+                QTRY_VERIFY2(!covers(), qPrintable(QStringLiteral("%1, step %2").arg(height).arg(step)));
+            }
+            next()->click();
+        }
+        tour()->close();
+        QTRY_VERIFY(!tour());
+    }
+}
+
+void TourTest::theCardCanBeDragged() {
+    start();
+    QTRY_VERIFY(tour()->isVisible());
+    settle();
+    const QPoint before = tour()->pos();
+    QWidget* title = tour()->findChild<QLabel*>(QStringLiteral("progress"));
+    const QPoint grip = title->rect().center();
+    QTest::mousePress(title, Qt::LeftButton, {}, grip);
+    QTest::mouseMove(title, grip + QPoint(-60, 40));
+    QTest::mouseRelease(title, Qt::LeftButton, {}, grip + QPoint(-60, 40));
+    QCOMPARE(tour()->pos(), before + QPoint(-60, 40));
+    next()->click();
+    settle();
+    QCOMPARE(tour()->pos(), before + QPoint(-60, 40)); // where the user wants it
 }
 
 void TourTest::theWindowMayCloseMeanwhile() {

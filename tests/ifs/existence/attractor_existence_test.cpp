@@ -271,6 +271,15 @@ private slots:
         }
     }
 
+    // The segment from (0, 0) to (0, 2) is the union of its images, but draws no other point to it.
+    void anInvariantSetIsNotEnough() {
+        const Existence existence =
+            classify<2>(Maps2{affineMap(2, 0, 0, .5, 0, 0), affineMap(2, 0, 0, .5, 0, 1)});
+        QCOMPARE(existence.verdict, Verdict::None);
+        QCOMPARE(existence.witness.size(), std::size_t(1));
+        QCOMPARE(existence.contractivity, 2.0);
+    }
+
     void rotationsInSpaceAreDecided() {
         Random random(5);
         for (int n = 0; n < 1000; ++n) {

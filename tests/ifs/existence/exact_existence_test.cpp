@@ -353,6 +353,17 @@ private slots:
             const auto norm = contractingNorm<2>(maps, existence);
             QVERIFY(norm.contractivity >= scale / 2);
         }
+        // A² is q times the identity, with q less than 1 by little more than what rounding takes from it.
+        Random random(14);
+        for (int n = 0; n < 200; ++n) {
+            const double a = 30 + uniform(random), b = 30 + uniform(random), c = (1 - 2e-12 - a * a) / b;
+            const Dyadic q = Dyadic(a) * Dyadic(a) + Dyadic(b) * Dyadic(c);
+            const Existence existence = classify<2>(Maps2{affineMap(a, b, c, -a, 1, 0)});
+            QVERIFY(exists(existence));
+            if (existence.norm != NormKind::Words || existence.wordLength != 2) continue;
+            const Dyadic square = Dyadic(existence.contractivity) * Dyadic(existence.contractivity);
+            QVERIFY2((square + Dyadic(0x1p-50) - q).sign() >= 0, qPrintable(QString::number(n)));
+        }
     }
 };
 

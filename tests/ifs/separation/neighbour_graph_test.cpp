@@ -12,6 +12,7 @@
 #include <QtTest>
 
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <set>
 
@@ -224,6 +225,30 @@ private slots:
         QVERIFY(!other || !other->overlap());
     }
 
+    // What differs by more than two units in the last place of each coefficient is different.
+    void roundingIsAFewUlps() {
+        constexpr bool isLong =
+            std::numeric_limits<long double>::digits > std::numeric_limits<double>::digits;
+        for (const double typed : {.618034, .61803398874988, .6180339887499}) {
+            if (!isLong && std::abs(typed - golden) < 1e-12) continue;
+            const Invariants found = invariantsFor<2>(towards(typed, {{0, 0}, {1, 0}}));
+            QVERIFY(found.contacts->overlaps.empty());
+            QVERIFY(found.openSet->condition != OpenSetCondition::Fails || 2 * typed * typed > 1);
+            QVERIFY(!found.openSet->dimension);
+        }
+        for (const double rounded : {golden, std::nextafter(golden, 0), std::nextafter(golden, 1)}) {
+            const Invariants found = invariantsFor<2>(towards(rounded, {{0, 0}, {1, 0}}));
+            QCOMPARE(found.openSet->condition, OpenSetCondition::Fails);
+            QCOMPARE(found.openSet->certainty, Certainty::ToRounding);
+            QVERIFY(near(found.openSet->dimension->value, 1, 1e-13));
+        }
+        for (const double gap : {0x1p-40, 0x1p-46, 0x1p-48}) {
+            if (!isLong && gap < 0x1p-42) continue;
+            const auto dust = invariantsFor<2>(onALine(.5 - gap, {0, 1})).contacts->connectedness;
+            QVERIFY(dust != Connectedness::Connected && dust != Connectedness::ConnectedToRounding);
+        }
+    }
+
     void meetingPieces() {
         const auto dragon = invariantsFor<2>(heighway());
         QCOMPARE(dragon.contacts->connectedness, Connectedness::Connected);
@@ -241,6 +266,12 @@ private slots:
         const Maps2 half = sierpinskiRight();
         QCOMPARE(jointSpectralRadius<2>(half, classify<2>(half)).least, .5);
         QCOMPARE(jointSpectralRadius<2>(half, classify<2>(half)).most, .5);
+        for (const double tiny : {1e-160, 1e-200, 1e-310}) { // squares underflow
+            const Maps2 maps{affineMap(tiny, 0, 0, tiny, 0, 0), affineMap(tiny, 0, 0, tiny, 1, 0)};
+            const auto radius = jointSpectralRadius<2>(maps, classify<2>(maps));
+            QVERIFY(radius.least <= tiny && radius.most >= tiny);
+            QVERIFY(radius.least > .999 * tiny && radius.most < 1.001 * tiny);
+        }
     }
 };
 

@@ -73,6 +73,14 @@ private slots:
             QCOMPARE(shares(p), p);
     }
 
+    // max(q/Σq, δ), and these are shares again.
+    void noShareIsBelowTheFloor() {
+        QVERIFY(near(shares({8, 1, 1, 0}, .2), {.8 / 1.4, .2 / 1.4, .2 / 1.4, .2 / 1.4}, 1e-15));
+        QVERIFY(near(
+            determinantWeights<2>(Maps2{affineMap(.5, 0, 0, .5, 0, 0), affineMap(.5, 0, 0, 0, 1, 0)}, .01),
+            {1 / 1.01, .01 / 1.01}, 1e-15));
+    }
+
     void sharesSurviveAnyMasses() {
         QVERIFY(near(shares({1e308, 1e308}), {.5, .5}, 0));
         QVERIFY(near(shares({1e-320, 3e-320}), {.25, .75}, 1e-3));

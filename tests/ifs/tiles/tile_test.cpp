@@ -57,6 +57,11 @@ private slots:
         QVERIFY(near(ninths->area, 1) && near(ninths->boundaryDimension, 1));
     }
 
+    void largeOnesAreLeft() {
+        QVERIFY(tileOf(squares(8)) && near(tileOf(squares(8))->area, 1));
+        QVERIFY(!tileOf(squares(9)));
+    }
+
     // Gaps that other pieces fill: digits 0, 1, 8, 9 in base 4 make two intervals of length 1.
     void tilesMayBeInPieces() {
         Maps maps;

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "io/collection_reader.h"
 #include "io/exchange/flame.h"
 #include "support/named_test.h"
 
@@ -13,6 +14,7 @@ private slots:
     void whatIsLinearInThePlaneIsRead();
     void oneLayerIsAFlame();
     void damagedFlamesAreMended();
+    void flamesOfPagesAreRead();
     void timesAreKeys();
 };
 
@@ -79,6 +81,24 @@ void WildFlamesTest::damagedFlamesAreMended() {
     QVERIFY(errors[0] >= 6 && errors[0] <= 7);
     QCOMPARE(warnings.first(), 2); // the ampersand
     QVERIFY(warnings.contains(3) && warnings.contains(11));
+}
+
+// With the quotation marks of a word processor, and as the listing of a page.
+void WildFlamesTest::flamesOfPagesAreRead() {
+    const QByteArray flame = "<flame name=\"a\"><xform weight=\"1\" linear=\"1\" "
+                             "coefs=\".5 0 0 .25 1 2\"/></flame>\n";
+    QByteArray quoted = flame;
+    quoted.replace('"', "”");
+    QByteArray listing = flame;
+    listing.replace('<', "&lt;").replace('>', "&gt;").replace('"', "&quot;");
+    for (const QByteArray& text :
+         {quoted, "<html><body><p>My flame:</p><pre>" + listing + "</pre></body></html>"}) {
+        const io::Collection collection = io::readCollection(text);
+        QCOMPARE(collection.format, QStringLiteral("flame"));
+        QCOMPARE(collection.file.entries.size(), 1);
+        QVERIFY(document::system2(*collection.file.entries[0].fractal)->maps[0].map ==
+                ifs::affineMap(.5, 0, 0, .25, 1, -2));
+    }
 }
 
 // Control points of an animation.

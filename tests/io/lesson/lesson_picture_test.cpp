@@ -70,6 +70,28 @@ private slots:
         QVERIFY(more > 100 && more <= 200);
     }
 
+    // A picture stands still: a game that has just begun would show nothing.
+    void aGameThatRunsHasBeenPlayed() {
+        LessonState state = plain();
+        state.construction.mode = document::LessonConstruction::Mode::ChaosGame;
+        state.construction.speed = 10;
+        const int points = inked(io::lessonPicture(triangle(), state, size));
+        QVERIFY2(points > 100 && points <= 200, qPrintable(QString::number(points)));
+        // They are as large as can be seen, however fine the picture is.
+        const int fine = inked(io::lessonPicture(triangle(), state, 10 * size));
+        QVERIFY2(fine > 10 * points, qPrintable(QString::number(fine)));
+    }
+
+    void cornersHaveTheirNumbers() {
+        LessonState state = plain();
+        state.construction.mode = document::LessonConstruction::Mode::ChaosGame;
+        state.view = document::LessonArea{{}, 100}; // all of the cage is one spot
+        const int bare = inked(io::lessonPicture(triangle(), state, size));
+        state.showsCage = true;
+        const int numbered = inked(io::lessonPicture(triangle(), state, size));
+        QVERIFY2(numbered > bare + 60, qPrintable(QString::number(numbered))); // a disc
+    }
+
     void marksAreThoseOfTheStep() {
         LessonState state = plain();
         state.view = document::LessonArea{{{0.5, 0.5}, 1.5}, 1.5};

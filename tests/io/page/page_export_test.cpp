@@ -18,6 +18,8 @@
 #include <QRegularExpression>
 #include <QSet>
 
+#include <algorithm>
+
 // What is written into a web page. How it behaves in a browser is for tests/web/page_test.mjs.
 class PageExportTest : public QObject {
     Q_OBJECT
@@ -31,6 +33,7 @@ private slots:
     void optionsAreWritten();
     void everyLanguageHasEveryText();
     void scriptsAreInOnePiece();
+    void aScriptForArticlesHoldsTheEngineOnce();
     void entriesThatCannotBeShown();
 };
 
@@ -232,6 +235,25 @@ void PageExportTest::scriptsAreInOnePiece() {
         }
         QVERIFY(names.size() > 5);
     }
+}
+
+void PageExportTest::aScriptForArticlesHoldsTheEngineOnce() {
+    io::PageExport what;
+    what.fractal = entryOf(gasket("gasket"));
+    what.fractal.name = QStringLiteral("Ж </script> “é”");
+    const QByteArray script = io::scriptOf(what);
+    QVERIFY(std::ranges::all_of(script, [](char c) { return static_cast<unsigned char>(c) < 128; }));
+    const QJsonObject figures = QJsonDocument::fromJson(inside(script, "\nembed(", ");\n})();")).object();
+    QCOMPARE(figures[u"title"].toString(), what.fractal.name);
+    QCOMPARE(figures[u"engine"].toString().toLatin1(), io::pagePart("engine_plane.wasm.gz").toBase64());
+    QVERIFY(!figures[u"worker"].toString().isEmpty());
+    const QByteArray page = figures[u"page"].toString().toUtf8();
+    QCOMPARE(contentOf(page), contentOf(io::pageOf(what)));
+    QVERIFY(inside(page, R"(id="engine">)", "</script>").isEmpty());
+    QVERIFY(inside(page, R"(id="worker">)", "</script>").isEmpty());
+    QVERIFY(page.contains("sha256-" + QCryptographicHash::hash(inside(page, "<script>", "</script>"),
+                                                               QCryptographicHash::Sha256)
+                                          .toBase64()));
 }
 
 void PageExportTest::entriesThatCannotBeShown() {

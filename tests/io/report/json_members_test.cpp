@@ -105,9 +105,12 @@ private slots:
         const auto polygon = io::JsonOf<io::AtLeast3<io::Whole<>, 3>>::schema({});
         const auto polyhedron = io::JsonOf<io::AtLeast3<io::Whole<>, 4>>::schema({});
         io::JsonSchema flat{.type = "object"}, solid{.type = "object"};
-        flat.members = {{QStringLiteral("corners"), polygon}, {QStringLiteral("area"), {.type = "number"}}};
-        solid.members = {{QStringLiteral("corners"), polyhedron},
-                         {QStringLiteral("volume"), {.type = "number"}}};
+        const auto member = [](const char* key, io::JsonSchema schema) {
+            schema.key = QString::fromLatin1(key);
+            return schema;
+        };
+        flat.members = {member("corners", polygon), member("area", {.type = "number"})};
+        solid.members = {member("corners", polyhedron), member("volume", {.type = "number"})};
         const QJsonObject root = schema(io::either(flat, solid))[QStringLiteral("root")].toObject();
         QCOMPARE(root[QStringLiteral("required")].toArray(),
                  QJsonArray::fromStringList({QStringLiteral("corners")}));

@@ -86,6 +86,37 @@ private slots:
         QVERIFY2(share() > 0.7 && share() < 1, qPrintable(QString::number(share())));
     }
 
+    // However flat a cage is dragged, and wherever its picture lies on it then, its corners are in the view.
+    void fitShowsAFlatCage_data() {
+        QTest::addColumn<int>("corner");
+        QTest::addColumn<double>("place"); // on the opposite side
+        for (const int corner : {0, 1, 2})
+            for (const double place : {0.0, 0.3, 0.5, 1.0, 4.0})
+                QTest::addRow("corner %d at %.1f", corner + 1, place) << corner << place;
+    }
+    void fitShowsAFlatCage() {
+        QFETCH(int, corner);
+        QFETCH(double, place);
+        document::Fractal fractal = m_document->fractal();
+        document::System2 upright; // a line, which may become very short
+        for (const Vector<2>& end : {Vector<2>(0.5, 0), Vector<2>(0.5, 1)}) {
+            ifs::AffineMap<2> map;
+            map.linear *= 0.5;
+            map.translation = end / 2;
+            ifs::append(upright, map, 0.5);
+        }
+        document::plane(fractal)->system = upright;
+        ifs::ControlCage<2> cage = ifs::cageAtRest<2>({Vector<2>(0, 0), Vector<2>(1, 0), Vector<2>(0.5, 1)});
+        const Vector<2>& from = cage.rest[std::size_t(corner + 1) % 3];
+        const Vector<2>& to = cage.rest[std::size_t(corner + 2) % 3];
+        cage.current[std::size_t(corner)] = from + place * (to - from);
+        document::plane(fractal)->cage = cage;
+        m_document->edit(QStringLiteral("Flat"), fractal);
+        key(Qt::Key_F);
+        const QRect view = m_canvas->viewport()->rect();
+        QTRY_VERIFY(view.contains(vertex(0)) && view.contains(vertex(1)) && view.contains(vertex(2)));
+    }
+
     // A window that changes its size shows the moment that was fitted again, even where there is no
     // attractor.
     void resizingLeavesTheViewOfAnAnimation() {
@@ -192,6 +223,27 @@ private slots:
         QTRY_COMPARE(m_canvas->camera(), fitted);
         QVERIFY(arrows().empty());
         QCOMPARE(steps(), 0);
+    }
+
+    // Corners of the selected maps are handles, too, with the tool that moves maps.
+    void anArrowShowsACornerOfAMap() {
+        document::Fractal fractal = m_document->fractal();
+        ifs::ControlCage<2> cage = document::effectiveCage(fractal);
+        cage.rest[2] = cage.current[2] = Vector<2>(40, 7); // so are the corners of the maps
+        document::plane(fractal)->cage = cage;
+        m_document->edit(QStringLiteral("A cage from afar"), fractal);
+        m_canvas->setTool(CanvasView::Tool::Maps);
+        m_canvas->selectMaps({system().maps[0].id, system().maps[1].id});
+        m_canvas->fit();
+        QTRY_VERIFY(!arrows().empty());
+        const auto areVisible = [this] {
+            for (const QGraphicsItem* item : scene().items())
+                if (dynamic_cast<const view::BorderArrowsItem*>(item)) return item->isVisible();
+            return false;
+        };
+        QVERIFY(areVisible());
+        for (const view::BorderArrow& arrow : arrows())
+            QVERIFY(arrow.vertex < 3); // numbered as the corners of the cage are
     }
 
     // Where F leaves out a corner that is very far away, its arrow leads there nevertheless.

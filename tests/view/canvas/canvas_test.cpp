@@ -493,7 +493,7 @@ private slots:
             m_document->setFile(document::fileOf(next));
             key(Qt::Key_Insert);
             QCOMPARE(steps(), 0);
-            QVERIFY(said.takeLast().first().toString().startsWith(QStringLiteral("To insert a vertex")));
+            QVERIFY(said.takeLast().first().toString().startsWith(QStringLiteral("To insert a corner")));
         }
     }
 

@@ -80,7 +80,7 @@ QTransform turnedTransform(const attractor::Camera& from, const attractor::Camer
     const double scale = to.pixelsPerUnit / from.pixelsPerUnit;
     const double down = to.yAxis == attractor::YAxis::Up ? -1 : 1;
     ifs::Matrix<2> linear = attractor::screenTurn(to.rotation - from.rotation);
-    if (from.yAxis != to.yAxis) { // turning, then mirroring, is mirroring, then turning the other way
+    if (from.yAxis != to.yAxis) { // a mirror reverses the direction of rotation
         linear = attractor::screenTurn(to.rotation + from.rotation);
         linear.col(1) *= -1;
     }
@@ -114,7 +114,7 @@ attractor::Camera deviceCamera(const attractor::Camera& view, double ratio) {
     device.width = std::max(1, int(std::lround(view.width * ratio)));
     device.height = std::max(1, int(std::lround(view.height * ratio)));
     device.pixelsPerUnit = view.pixelsPerUnit * ratio;
-    // Rounding the size must not shift the picture by a part of a pixel.
+    // Keeps rounding of the size from shifting the picture by a part of a pixel.
     if (device.width != view.width * ratio || device.height != view.height * ratio)
         device.centre = worldAt(view, QPointF(device.width / (2 * ratio), device.height / (2 * ratio)));
     return device;

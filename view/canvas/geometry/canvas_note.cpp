@@ -29,8 +29,8 @@ QString number(double value) {
 // The witness of a verdict, in the numbers that the user counts by.
 struct Witness {
     QString word;
-    QString stretch; // its largest singular value
-    QString radius;  // its spectral radius
+    QString stretch; // largest singular value
+    QString radius;  // spectral radius
 };
 
 template <int Dim>
@@ -139,7 +139,7 @@ QString noteOn(const document::Fractal& fractal, attractor::RenderNote note) {
     const document::System2* system = document::system2(fractal);
     if (!system)
         return document::dimension(fractal) == 3
-                   ? QString() // the window into space shows it
+                   ? QString() // already visible in the view of space
                    : Notes::tr("This entry could not be read. Its text is kept unchanged in the file.");
     switch (provedNote(*system, note)) {
     case attractor::RenderNote::None:
@@ -154,14 +154,14 @@ QString noteOn(const document::Fractal& fractal, attractor::RenderNote note) {
     case attractor::RenderNote::Undecided:
         return doubtful(*system);
     case attractor::RenderNote::TooDeep:
-    case attractor::RenderNote::TooFar: // only of solids
+    case attractor::RenderNote::TooFar: // solids only
         return Notes::tr(
             "This is the limit of numerical precision: zoom out a little for an accurate picture.");
     case attractor::RenderNote::FewerIterations:
         return Notes::tr("Drawn with fewer iterations than requested: more would exceed the memory limit.");
     case attractor::RenderNote::Degenerate:
         return Notes::tr(
-            "The cage is flat, and so is the picture. Drag a vertex to open it: nothing is lost.");
+            "The cage is flat, and so is the picture. Drag a corner to open it: nothing is lost.");
     }
     return {};
 }
@@ -197,7 +197,7 @@ QString noteInSpace(const document::Fractal& fractal, attractor::RenderNote note
                          "little for an accurate picture.");
     case attractor::RenderNote::Degenerate:
         return Notes::tr(
-            "The cage is flat, and so is the picture. Drag a vertex to open it: nothing is lost.");
+            "The cage is flat, and so is the picture. Drag a corner to open it: nothing is lost.");
     }
     return {};
 }

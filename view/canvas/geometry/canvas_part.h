@@ -8,8 +8,8 @@ struct CanvasPart {
     enum class Kind { None, Vertex, Edge, Inside, Pivot, Rotate, Scale };
 
     Kind kind = Kind::None;
-    int index = 0; // of the vertex, or of the edge's first vertex, from 0
-    int map = -1;  // index in the system of the map that the image belongs to; −1: none
+    int index = 0; // 0-based index of the vertex, or of the edge's first vertex
+    int map = -1;  // index in the system of the map of the image; −1: none
 
     friend bool operator==(const CanvasPart&, const CanvasPart&) = default;
 };

@@ -37,7 +37,8 @@ QString CoordinateText::text(double value) const {
 
 QString CoordinateText::label(double value) const {
     if (m_decimals <= maxPlainDecimals) return QString::number(value, 'g', 14);
-    // Rounded to what neighbouring pixels differ in: the difference of two long numbers has digits beyond it.
+    // Rounded to the difference of neighbouring pixels, since a difference of two long numbers has further
+    // digits.
     const double unit = std::pow(10, -m_decimals);
     const double offset = std::round((value - m_base) / unit) * unit;
     return offset == 0 ? QStringLiteral("0") : QString::number(offset, 'g', 5);

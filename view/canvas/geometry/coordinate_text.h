@@ -14,15 +14,16 @@ class CoordinateText {
 public:
     CoordinateText(const attractor::Camera& camera, int axis);
 
-    QString text(double value) const;  // always as many digits
-    QString label(double value) const; // of an axis: without zeros at the end; the offset alone
-    QString base() const;              // "0.123456789 + …"; empty where labels are whole coordinates
+    QString text(double value) const; // constant number of digits
+    // Label of an axis: without trailing zeros; only the offset if there is a base.
+    QString label(double value) const;
+    QString base() const; // "0.123456789 + …"; empty if labels are whole coordinates
     static constexpr int maxPlainDecimals = 9;
 
 private:
     QString offset(double value) const;
 
-    int m_decimals = 0; // that neighbouring pixels differ in
+    int m_decimals = 0; // decimals that distinguish neighbouring pixels
     int m_baseDecimals = 0;
     double m_base = 0;
 };

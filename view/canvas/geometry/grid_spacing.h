@@ -7,9 +7,9 @@ namespace view {
 
 // Distances between the lines of the grid, 1, 2 or 5 times a power of ten.
 struct GridSpacing {
-    double major = 1; // labelled
+    double major = 1; // distance between labelled lines
     double minor = 0.2;
-    int subdivisions = 5; // minor steps in a major one: 5, or 4 when the major step is 2·10^k
+    int subdivisions = 5; // number of minor steps in a major one: 5, or 4 for major steps of 2·10^k
 };
 
 // Major lines at least 100 pixels apart and less than 250, minor ones a fourth or a fifth of that.

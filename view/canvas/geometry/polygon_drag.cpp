@@ -9,7 +9,7 @@ namespace view {
 
 namespace {
 
-constexpr double minArm = 40; // pixels; a press nearer to the pivot acts as one at this distance
+constexpr double minArm = 40; // pixels; a press nearer to the pivot counts as one at this distance
 
 // v + D(v − pivot): exactly v where the difference D of the transformation from the identity is zero.
 DragResult transformed(const PolygonDrag& drag, const ifs::Matrix<2>& difference) {
@@ -26,7 +26,7 @@ double constrainedAngle(double angle, Constraint constraint) {
 }
 
 double angleOf(const PolygonDrag& drag, const ifs::Vector<2>& offset, double pixelsPerUnit) {
-    constexpr double tooNear = 4; // pixels: a press without a direction
+    constexpr double tooNear = 4; // pixels; a nearer press has no direction
     constexpr double perPixel = std::numbers::pi / 360;
     const ifs::Vector<2> from = drag.press - drag.pivot;
     if (from.norm() * pixelsPerUnit < tooNear) return -offset.x() * pixelsPerUnit * perPixel;
@@ -59,7 +59,7 @@ DragResult snapping(const PolygonDrag& drag, ifs::Vector<2> offset, Constraint c
     const auto index = static_cast<std::size_t>(drag.snapVertex);
     const ifs::Vector<2> start = drag.points[index];
     Snapped snap = snapped(targets, start + offset);
-    // The direction that Shift keeps is kept by the snap too.
+    // Snaps along the direction that Shift keeps.
     if (constraint == Constraint::Constrained && (snap.x || snap.y)) {
         const int fixed = offset.x() == 0 ? 0 : 1;
         snap.point[fixed] = start[fixed];

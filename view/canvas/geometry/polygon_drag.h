@@ -19,10 +19,10 @@ struct PolygonDrag {
 
     Mode mode = Mode::Move;
     std::vector<ifs::Vector<2>> points;
-    std::vector<int> vertices; // those of the points that move
+    std::vector<int> vertices; // points that move
     ifs::Vector<2> pivot = ifs::Vector<2>::Zero();
-    ifs::Vector<2> press = ifs::Vector<2>::Zero(); // the point under the pointer
-    int snapVertex = 0;                            // the vertex that is drawn to snap targets
+    ifs::Vector<2> press = ifs::Vector<2>::Zero(); // point under the pointer
+    int snapVertex = 0;                            // vertex that snaps
 };
 
 enum class Constraint {
@@ -32,8 +32,8 @@ enum class Constraint {
 
 struct DragResult {
     std::vector<ifs::Vector<2>> points;
-    ifs::AffineMap<2> change; // of the vertices that move
-    Snapped snap;             // of the snap vertex; snapped nowhere for Rotate and Scale
+    ifs::AffineMap<2> change; // change of the vertices that move
+    Snapped snap;             // target of the snap vertex; none for Rotate and Scale
 };
 
 // The points after the pointer has moved by `offset` in the plane. Equal to drag.points when the offset is

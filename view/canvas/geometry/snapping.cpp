@@ -15,7 +15,7 @@ std::optional<double> line(const SnapTargets& targets, double coordinate, double
     if (targets.snapping.testFlag(SnapTo::Axes) && std::abs(coordinate) <= near) return 0.0;
     if (!targets.snapping.testFlag(SnapTo::Grid)) return std::nullopt;
     const double step = gridSpacing(targets.camera.pixelsPerUnit).minor;
-    // Through the text of the label, so that the tenth line of 0.1 is 1 and the third 0.3.
+    // Converted like the text of the label, so that the tenth line of 0.1 is 1 and the third 0.3.
     const double nearest = gridLabel(step, std::round(coordinate / step)).toDouble();
     if (std::abs(nearest - coordinate) > near) return std::nullopt;
     return nearest;

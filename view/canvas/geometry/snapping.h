@@ -13,7 +13,7 @@ namespace view {
 // Targets that attract a dragged point.
 enum class SnapTo {
     Grid = 1,     // lines of the visible grid
-    Vertices = 2, // other vertices of the cage, both current and at rest
+    Vertices = 2, // other vertices of the cage, current and at rest
     Axes = 4,     // x = 0 and y = 0
 };
 Q_DECLARE_FLAGS(Snapping, SnapTo)
@@ -22,7 +22,7 @@ Q_DECLARE_OPERATORS_FOR_FLAGS(Snapping)
 struct SnapTargets {
     Snapping snapping;
     attractor::Camera camera;
-    std::vector<ifs::Vector<2>> vertices; // in the plane
+    std::vector<ifs::Vector<2>> vertices; // coordinates in the plane
 };
 
 // A snapped point, and the coordinates that a target decided.

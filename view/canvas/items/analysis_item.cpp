@@ -57,7 +57,8 @@ void AnalysisItem::setView(const attractor::Camera& camera) {
 
 void AnalysisItem::setStyle(const OverlayStyle& style) {
     OverlayItem::setStyle(style);
-    m_style.halo.setAlpha(std::max(230, m_style.halo.alpha())); // thin coloured lines, over any picture
+    // Keeps thin coloured lines visible on any picture.
+    m_style.halo.setAlpha(std::max(230, m_style.halo.alpha()));
 }
 
 void AnalysisItem::layoutShapes() {
@@ -66,14 +67,14 @@ void AnalysisItem::layoutShapes() {
     m_bounds = {};
     for (const auto& shape : m_shapes) {
         m_pixels.push_back(toPixels(m_camera, shape.points));
-        // A rectangle without area would vanish in the union.
+        // Enlarged, because a rectangle without area would vanish in the union.
         m_bounds |= m_pixels.back().boundingRect().adjusted(-9, -9, 9, 9);
     }
     update();
 }
 
 void AnalysisItem::paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidget*) {
-    // Thousands of cylinders are drawn for every frame of a drag: thin, and without a halo each.
+    // Limit for halos and thick lines: a drag may draw thousands of cylinders per frame.
     constexpr std::size_t fewToOutline = 200;
     constexpr std::size_t fewToSmooth = 2000;
     const bool many = m_shapes.size() > fewToOutline;

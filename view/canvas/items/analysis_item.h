@@ -14,7 +14,7 @@ namespace view {
 // Results of an analysis drawn over the picture: box, hull, simplex, fixed points, ellipse, cylinders.
 class AnalysisItem : public OverlayItem {
 public:
-    void setShapes(std::vector<document::OutlineShape> shapes); // in the plane
+    void setShapes(std::vector<document::OutlineShape> shapes); // coordinates in the plane
     void setView(const attractor::Camera& camera);
     void setStyle(const OverlayStyle& style) override;
 
@@ -25,7 +25,7 @@ private:
     void layoutShapes();
 
     std::vector<document::OutlineShape> m_shapes;
-    std::vector<QPolygonF> m_pixels; // of the shapes
+    std::vector<QPolygonF> m_pixels; // shapes in pixels
     QRectF m_bounds;
     attractor::Camera m_camera;
 };

@@ -15,8 +15,8 @@ namespace view {
 
 namespace {
 
-constexpr double square = 8;    // of the checkerboard, pixels
-constexpr double maxZoom = 256; // beyond this an old picture is only a few blurred pixels
+constexpr double square = 8;    // pixels; side of a square of the checkerboard
+constexpr double maxZoom = 256; // limit beyond which an old picture consists of a few blurred pixels
 
 // Returns true if the picture falls on the pixels of the screen one to one.
 bool isAligned(const QTransform& toDevice) {
@@ -73,7 +73,7 @@ void AttractorItem::paintWithGrid(QPainter& painter, const QImage& picture) cons
 void AttractorItem::paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidget*) {
     painter->save();
     painter->setRenderHint(QPainter::Antialiasing, false);
-    // An opaque picture of just this view is copied; nothing below it is worth a pass over the memory.
+    // True if the picture is opaque and has exactly this view: it is copied, and nothing below it is painted.
     const bool covers = m_frame && m_frame->opaque && m_frame->camera == deviceCamera(m_camera, m_ratio) &&
                         m_frame->camera.width >= m_camera.width * m_ratio &&
                         m_frame->camera.height >= m_camera.height * m_ratio;

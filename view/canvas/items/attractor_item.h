@@ -15,7 +15,8 @@ class AttractorItem : public OverlayItem {
 public:
     void setFrame(std::shared_ptr<const attractor::Frame> frame);
     void setView(const attractor::Camera& camera, double devicePixelRatio);
-    void setGrid(GridItem* grid) { m_grid = grid; } // painted just after this item, of the same view
+    // Item of the same view that is painted just after this one.
+    void setGrid(GridItem* grid) { m_grid = grid; }
 
     QRectF boundingRect() const override;
     void paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidget*) override;
@@ -25,7 +26,7 @@ private:
     void paintWithGrid(QPainter& painter, const QImage& picture) const;
 
     std::shared_ptr<const attractor::Frame> m_frame;
-    attractor::Camera m_camera; // of the view, device independent
+    attractor::Camera m_camera; // device-independent camera of the view
     double m_ratio = 1;
     GridItem* m_grid = nullptr;
 };

@@ -14,10 +14,10 @@ namespace view {
 
 namespace {
 
-constexpr double arrowInset = 22; // from the border to the middle of an arrow
-constexpr double arrowApart = 26; // least distance between two
+constexpr double arrowInset = 22; // pixels from the border to the middle of an arrow
+constexpr double arrowApart = 26; // pixels; least distance between two arrows
 constexpr double arrowRadius = 10;
-constexpr double tipLength = 17; // from the middle
+constexpr double tipLength = 17; // pixels from the middle
 
 // The point of `area` nearest to the corner, where an edge that ends there leaves the view, or nearly so.
 QPointF nearestIn(const QRectF& area, const QPointF& corner) {
@@ -28,7 +28,7 @@ QPointF nearestIn(const QRectF& area, const QPointF& corner) {
 // A disc with a tip towards the right.
 QPainterPath drop() {
     QPainterPath path(QPointF(tipLength, 0));
-    constexpr double spread = 48; // degrees from the tip to where it touches the disc
+    constexpr double spread = 48; // degrees from the tip to the point where it touches the disc
     path.arcTo(QRectF(-arrowRadius, -arrowRadius, 2 * arrowRadius, 2 * arrowRadius), spread,
                360 - 2 * spread);
     path.closeSubpath();

@@ -13,10 +13,10 @@ namespace view {
 
 // A pointer to a corner of the cage outside the view.
 struct BorderArrow {
-    QPointF at;      // the middle of the arrow, just inside the border
-    QPointF towards; // the corner, of length 1
-    int vertex = 0;  // the first of those that lie there
-    int others = 0;  // corners behind the same arrow
+    QPointF at;      // middle of the arrow, just inside the border
+    QPointF towards; // unit vector towards the corner
+    int vertex = 0;  // first of the corners at this place
+    int others = 0;  // number of further corners behind the arrow
 };
 
 // Arrows at the border of `view`, one for each corner outside; corners in nearly the same place share one.
@@ -34,7 +34,7 @@ public:
     // The arrow under a position, within `reach` pixels of its middle.
     std::optional<BorderArrow> arrowAt(const QPointF& position, double reach) const;
     static constexpr double mouseReach = 14, fingerReach = 22;
-    void setHovered(int vertex); // its arrow is lit; −1: none
+    void setHovered(int vertex); // vertex whose arrow is lit; −1: none
     int hovered() const { return m_hovered; }
 
     QRectF boundingRect() const override { return m_view; }

@@ -62,14 +62,14 @@ void CageItem::setQuiet(bool quiet) {
 }
 
 QRectF CageItem::boundingRect() const {
-    return m_polygon.boundingRect().adjusted(-16, -16, 16, 16); // with the sides of a flat one
+    return m_polygon.boundingRect().adjusted(-16, -16, 16, 16); // room for the sides of a flat cage
 }
 
 void CageItem::paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidget*) {
     if (m_polygon.isEmpty()) return;
     painter->setRenderHint(QPainter::Antialiasing);
     QPainterPath outline;
-    // The edges of a flat cage would hide the picture, which lies on them.
+    // Parallel lines for a flat cage, whose edges would hide the picture on them.
     const QList<QLineF> sides = sidesOfFlat(m_polygon);
     for (const QLineF& side : sides) {
         outline.moveTo(side.p1());

@@ -22,7 +22,7 @@ public:
     void setMarks(CanvasPart hovered, CanvasPart pressed, CanvasPart focused) override;
     void setStyle(const OverlayStyle& style) override;
     void setSelected(const std::vector<std::size_t>& vertices);
-    void setQuiet(bool quiet); // pale and without handles: something else is held
+    void setQuiet(bool quiet); // true: pale and without handles, while something else is held
 
     QRectF boundingRect() const override;
     void paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidget*) override;

@@ -8,7 +8,7 @@ namespace view {
 
 namespace {
 
-constexpr double guide = 28; // pixels each way
+constexpr double guide = 28; // pixels to either side
 
 } // namespace
 
@@ -96,7 +96,7 @@ void BandItem::paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidget
     QColor fill = m_style.accent;
     fill.setAlphaF(0.12F);
     painter->fillRect(m_band, fill);
-    // A thin line of black and white pieces, seen on any picture.
+    // A thin line of black and white dashes, visible on any picture.
     painter->setBrush(Qt::NoBrush);
     painter->setPen(QPen(m_style.halo, 1));
     painter->drawRect(m_band);

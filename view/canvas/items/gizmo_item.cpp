@@ -10,11 +10,11 @@ namespace view {
 
 namespace {
 
-constexpr double distance = 26;    // from the cage
-constexpr double gizmoMargin = 20; // to the edge of the view
-constexpr double gizmoApart = 34;  // least distance between handles
+constexpr double distance = 26;    // pixels from the cage
+constexpr double gizmoMargin = 20; // pixels to the edge of the view
+constexpr double gizmoApart = 34;  // pixels; least distance between handles
 constexpr double gizmoRadius = 9;
-constexpr double pivotReach = 13; // to a vertex whose number it would hide
+constexpr double pivotReach = 13; // pixels to a vertex whose number it would hide
 
 QPointF clamped(const QPointF& p, const QRectF& area) {
     return {std::clamp(p.x(), area.left(), std::max(area.left(), area.right())),

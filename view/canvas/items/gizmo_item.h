@@ -12,7 +12,7 @@ struct GizmoLayout {
     QPointF pivot;
     QPointF rotate;
     QPointF scale;
-    bool isPivotCovered = false; // a vertex lies there, which comes first
+    bool isPivotCovered = false; // true if a vertex lies there, which is hit first
 };
 
 // Places the handles beside the right corners of the cage, kept inside the view and apart from each other and

@@ -31,7 +31,7 @@ Multiples multiplesBetween(double a, double b, double step) {
 
 // nullopt where the line does not meet the rectangle.
 std::optional<QLineF> partWithin(const QRectF& area, const QLineF& line) {
-    double from = 0, to = 1; // of the way along the line
+    double from = 0, to = 1; // visible section, as shares of the line
     const auto clip = [&](double start, double change, double low, double high) {
         if (change == 0) {
             if (start < low || start > high) to = -1;
@@ -197,7 +197,7 @@ void GridItem::paintTurnedLines(QPainter& painter) const {
             const bool isAxis = index == 0 && m_axes;
             if (!m_grid && !isAxis) continue;
             const bool isMajor = std::fmod(index, spacing.subdivisions) == 0;
-            constexpr double hairline = 0; // one pixel of the device
+            constexpr double hairline = 0; // one device pixel
             painter.setPen(isAxis ? QPen(m_style.axis, 1)
                                   : QPen(isMajor ? m_style.gridMajor : m_style.gridMinor, hairline));
             painter.drawLine(line);
@@ -214,7 +214,7 @@ void GridItem::paintTurnedLabels(QPainter& painter) const {
     const QRectF area = boundingRect();
     const QRectF room = area.adjusted(4, metrics.ascent() + 3, -4, -metrics.descent() - 3);
     std::vector<QRectF> taken{paintBase(painter)};
-    const auto paint = [&](const QString& text, const QPointF& by) { // false where something stands already
+    const auto paint = [&](const QString& text, const QPointF& by) { // false if something is there already
         const double right = std::max(room.left(), room.right() - metrics.horizontalAdvance(text));
         const QPointF at(std::clamp(by.x() + 4, room.left(), right),
                          std::clamp(by.y() - 3, room.top(), std::max(room.top(), room.bottom())));
@@ -227,7 +227,7 @@ void GridItem::paintTurnedLabels(QPainter& painter) const {
     };
     for (const int axis : {0, 1}) {
         const CoordinateText numbers(m_camera, axis);
-        const bool isAxisSeen = std::ranges::any_of( // that on which this coordinate runs
+        const bool isAxisSeen = std::ranges::any_of( // true if the axis that shows this coordinate is visible
             turnedLines(1 - axis, step), [](const TurnedLine& other) { return other.index == 0; });
         for (const auto& [index, line] : turnedLines(axis, step)) {
             ifs::Vector<2> onAxis = ifs::Vector<2>::Zero();
@@ -239,8 +239,8 @@ void GridItem::paintTurnedLabels(QPainter& painter) const {
                 paint(number, by);
                 continue;
             }
-            // The label is at the lowest end of a line of x, and at the leftmost of one of y, or else at the
-            // other.
+            // Label at the lowest end of a line of x, at the leftmost end of a line of y, or else at the
+            // other end.
             const bool isFirst = axis == 0 ? line.y1() > line.y2() : line.x1() < line.x2();
             const QString text = (axis == 0 ? QStringLiteral("x ") : QStringLiteral("y ")) + number;
             if (!paint(text, isFirst ? line.p1() : line.p2())) paint(text, isFirst ? line.p2() : line.p1());

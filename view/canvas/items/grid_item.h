@@ -32,20 +32,20 @@ public:
 
 private:
     struct Line {
-        int at; // its first device pixel
+        int at; // first device pixel of the line
         int thickness;
         QColor colour;
     };
     struct TurnedLine {
-        double index; // of the multiple of the step
-        QLineF line;  // the part in view
+        double index; // multiple of the step
+        QLineF line;  // visible part
     };
     std::vector<Line> linesAlong(int axis, double ratio) const;
     void paintLines(QPainter& painter);
     void paintLabels(QPainter& painter) const;
     void paintTurnedLines(QPainter& painter) const;
     void paintTurnedLabels(QPainter& painter) const;
-    QRectF paintBase(QPainter& painter) const; // where it stands
+    QRectF paintBase(QPainter& painter) const; // returns the area of the text
     std::vector<TurnedLine> turnedLines(int axis, double step) const;
 
     attractor::Camera m_camera;

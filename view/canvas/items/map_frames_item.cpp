@@ -16,14 +16,14 @@ namespace {
 
 using Kind = CanvasPart::Kind;
 
-constexpr double frameRadius = 8; // of a corner of a selected frame
-constexpr double frameDot = 3.5;  // of any other
+constexpr double frameRadius = 8; // pixels; corner of a selected frame
+constexpr double frameDot = 3.5;  // pixels; corner of any other frame
 constexpr double frameFocusRadius = 13;
-constexpr double minSide = 8;          // of a frame whose corners can be told apart
-constexpr std::ptrdiff_t maxHeld = 50; // selected frames that show their handles however small
+constexpr double minSide = 8;          // pixels; least side of a frame with distinguishable corners
+constexpr std::ptrdiff_t maxHeld = 50; // selected frames that show their handles at any size
 // Amounts that can be painted for every move of a drag: frames with corners, and outlines of frames in pixels
 // of the screen, filled, with corners, and thin; beyond these, only every n-th frame.
-constexpr std::ptrdiff_t minWhole = 8; // selected ones, whatever it takes
+constexpr std::ptrdiff_t minWhole = 8; // selected frames that are always drawn
 constexpr std::size_t maxWhole = 250;
 constexpr double maxFilled = 16'000;
 constexpr double maxOutlined = 48'000;
@@ -102,7 +102,7 @@ CanvasPart framePartAt(const std::vector<MapFrame>& frames, const QPointF& posit
         if (!frame.outline.containsPoint(position, Qt::OddEvenFill) &&
             distanceToOutline(frame.outline, position) > edge)
             continue;
-        // The selected frame wins where frames cover each other.
+        // Prefers the selected frame if frames cover each other.
         if (const double a = area(frame.outline) * (frame.selected ? 0.99 : 1); a < least) {
             least = a;
             smallest = {Kind::Inside, 0, frame.index};
@@ -121,7 +121,8 @@ void MapFramesItem::setFrames(std::vector<MapFrame> frames, Mode mode) {
 QRectF MapFramesItem::boundingRect() const {
     QRectF all;
     for (const MapFrame& frame : m_frames)
-        all |= frame.outline.boundingRect().adjusted(-20, -20, 20, 20); // a flat frame has an empty box
+        // Enlarged, because a flat frame has an empty box.
+        all |= frame.outline.boundingRect().adjusted(-20, -20, 20, 20);
     return all;
 }
 
@@ -218,8 +219,9 @@ void MapFramesItem::paint(QPainter* painter, const QStyleOptionGraphicsItem*, QW
             strokeOutline(*painter, frame->outline, m_style, m_style.accent, m_style.lineWidth, Qt::DotLine);
         return;
     }
-    const QRectF near = QRectF(painter->viewport()).adjusted(-8, -8, 8, 8); // a fill costs by its height
-    for (const MapFrame* frame : whole) // below all lines, which they would make fainter
+    // Clipped, because the cost of a fill depends on its height.
+    const QRectF near = QRectF(painter->viewport()).adjusted(-8, -8, 8, 8);
+    for (const MapFrame* frame : whole) // painted below all lines, which it would make fainter
         if (length <= maxFilled || isHeld(frame))
             painter->fillPath(closed(clippedTo(near, frame->outline)),
                               withOpacity(frame->colour, frame->selected || isHovered(*frame) ? 0.16 : 0.05));

@@ -12,16 +12,16 @@ namespace view {
 
 // The image of the cage under one map, in pixels of the view.
 struct MapFrame {
-    int index = 0; // of the map in the system
+    int index = 0; // index of the map in the system
     QPolygonF corners;
-    QPolygonF outline; // the same with its edges bent where the cage bends
+    QPolygonF outline; // polygon with edges bent like the cage
     QColor colour;
     bool selected = false;
     bool takesPart = true;
-    bool isLocked = false; // its corners are there to be seen, not to be taken
+    bool isLocked = false; // true: corners are shown, but cannot be dragged
 };
 
-const MapFrame* frameOf(const std::vector<MapFrame>& frames, int index); // by index; nullptr: none
+const MapFrame* frameOf(const std::vector<MapFrame>& frames, int index); // nullptr: none
 
 // The part of the frames taken by a press at `position`: a corner within `corner` pixels, those of selected
 // frames first; else the smallest frame that holds the position or has it within `edge` of its outline.
@@ -35,7 +35,7 @@ public:
     enum class Mode { Hint, Held };
 
     void setFrames(std::vector<MapFrame> frames, Mode mode);
-    const std::vector<MapFrame>& frames() const { return m_frames; } // by index
+    const std::vector<MapFrame>& frames() const { return m_frames; } // sorted by index
 
     QRectF boundingRect() const override;
     void paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidget*) override;

@@ -14,7 +14,7 @@ namespace view {
 class MotionPathItem : public OverlayItem {
 public:
     struct Way {
-        QPolygonF points; // pixels of the view, as the keys
+        QPolygonF points; // pixels of the view, like the keys
         QPolygonF keys;
         friend bool operator==(const Way&, const Way&) = default;
     };
@@ -27,7 +27,7 @@ public:
 
 private:
     std::vector<Way> m_ways;
-    std::vector<QPolygonF> m_ghosts; // closed
+    std::vector<QPolygonF> m_ghosts; // closed polygons
 };
 
 } // namespace view

@@ -12,11 +12,11 @@ namespace {
 
 constexpr double notePadding = 10;
 constexpr double noteMargin = 14;
-constexpr double crossSize = 4;  // half of that of the cross that puts a note away
-constexpr double crossRoom = 18; // beside the sentence
+constexpr double crossSize = 4;  // pixels; half the size of the cross that dismisses a note
+constexpr double crossRoom = 18; // pixels beside the sentence
 constexpr double widest = 560;
-constexpr double reach = 12; // of a handle about its middle
-constexpr int places = 30;   // in the middle, left and right, in rows from the edge on
+constexpr double reach = 12; // pixels around the middle of a handle
+constexpr int places = 30;   // places in the middle, left and right, in rows from the edge on
 constexpr int noteFlow = Qt::AlignCenter | Qt::TextWordWrap;
 
 } // namespace
@@ -83,7 +83,7 @@ QRectF NoteItem::boxAt(int place) const {
     QRectF text = QFontMetricsF(m_font).boundingRect(QRectF(0, 0, width, 4000), noteFlow, m_text);
     text = QRectF(0, 0, text.width() + 1, text.height() + 1)
                .adjusted(-notePadding, -notePadding * 0.7, notePadding, notePadding * 0.7);
-    if (m_isDismissible) text.setWidth(text.width() + 2 * crossRoom); // the sentence stays in the middle
+    if (m_isDismissible) text.setWidth(text.width() + 2 * crossRoom); // keeps the sentence centred
     const double left = m_view.left() + noteMargin, right = m_view.right() - noteMargin - text.width();
     const double x = place % 3 == 0 ? m_view.center().x() - text.width() / 2 : place % 3 == 1 ? left : right;
     const double inwards = noteMargin + (place / 3) * text.height();

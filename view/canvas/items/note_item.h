@@ -18,7 +18,7 @@ public:
 
     void setText(const QString& text);
     const QString& text() const { return m_text; }
-    void setDismissible(bool dismissible); // shows that a click puts it away
+    void setDismissible(bool dismissible); // shows that a click dismisses the note
     void setView(const QRectF& view);
     void setFont(const QFont& font);
     // Points that must stay in sight, in pixels, and a box that the note must not cover.

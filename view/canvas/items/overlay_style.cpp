@@ -50,8 +50,8 @@ OverlayStyle overlayStyle(const attractor::Rgba& background, const QPalette& pal
     style.gridMajor = translucent(ink, strong ? 0.36 : 0.11);
     style.axis = translucent(ink, strong ? 0.9 : 0.34);
     style.label = translucent(ink, strong ? 1 : 0.55);
-    // Side by side, black and white leave no colour to which neither has a contrast of 4.5 to 1; no other two
-    // tones do.
+    // Black and white, because any colour has a contrast of 4.5 to 1 with one of them; no other two tones
+    // have this property.
     const QColor black(0, 0, 0);
     const QColor white(255, 255, 255);
     style.halo = dark ? black : white;
@@ -84,7 +84,7 @@ QList<QLineF> straightLines(const QPainterPath& path) {
 void stroke(QPainter& painter, const QPainterPath& path, const QColor& colour, double width,
             Qt::PenStyle pattern = Qt::SolidLine) {
     const QList<QLineF> lines = straightLines(path);
-    // Other ends would close the gaps, in which the line below is seen.
+    // Other ends would close the gaps, which show the line below.
     const Qt::PenCapStyle cap = pattern != Qt::SolidLine ? Qt::FlatCap
                                 : lines.isEmpty()        ? Qt::RoundCap
                                                          : Qt::SquareCap;
@@ -96,7 +96,7 @@ void stroke(QPainter& painter, const QPainterPath& path, const QColor& colour, d
         painter.drawLines(lines);
 }
 
-constexpr double haloWidth = 1.5; // on either side
+constexpr double haloWidth = 1.5; // pixels on either side
 
 } // namespace
 
@@ -108,7 +108,7 @@ void strokeWithHalo(QPainter& painter, const QPainterPath& path, const OverlaySt
 
 void strokeSeen(QPainter& painter, const QPainterPath& path, const OverlayStyle& style, const QColor& colour,
                 double width, Qt::PenStyle pattern) {
-    // The halo is seen between dashes; beside a solid line it takes room of its own.
+    // A halo shows between dashes; beside a solid line it gets room of its own.
     strokeWithHalo(painter, path, style, style.line,
                    pattern == Qt::SolidLine ? width + 2 * haloWidth : width);
     stroke(painter, path, colour, width, pattern);
@@ -116,7 +116,7 @@ void strokeSeen(QPainter& painter, const QPainterPath& path, const OverlayStyle&
 
 QList<QLineF> sidesOfFlat(const QPolygonF& outline) {
     constexpr double thin = 7;  // pixels of height that the edges on both sides would cover
-    constexpr double aside = 6; // of either side from the middle
+    constexpr double aside = 6; // pixels from the middle to either side
     QLineF longest;
     for (const QPointF& a : outline)
         for (const QPointF& b : outline)
@@ -137,7 +137,7 @@ QList<QLineF> sidesOfFlat(const QPolygonF& outline) {
 
 void strokeOutline(QPainter& painter, const QPolygonF& outline, const OverlayStyle& style,
                    const QColor& colour, double width, Qt::PenStyle pattern) {
-    constexpr double beside = 2; // so wide, and some pixel is covered wholly at every slope
+    constexpr double beside = 2; // pixels; wide enough to cover some pixel wholly at any slope
     double doubledArea = 0;
     double length = 0;
     QList<QLineF> edges;
@@ -167,7 +167,8 @@ void strokeOutline(QPainter& painter, const QPolygonF& outline, const OverlaySty
     const auto shifted = [&edges](double by) {
         QList<QLineF> lines;
         for (const QLineF& edge : edges) {
-            const QLineF normal = edge.unitVector().normalVector(); // anticlockwise as seen, y being down
+            // Anticlockwise on the screen, where y points down.
+            const QLineF normal = edge.unitVector().normalVector();
             lines.append(edge.translated(-by * normal.dx(), -by * normal.dy()));
         }
         return lines;

@@ -16,23 +16,23 @@ namespace view {
 // Colours of everything drawn over the picture. They follow the background of the picture, not only the
 // desktop's palette: a handle must be visible on both.
 struct OverlayStyle {
-    QColor backdrop; // behind the picture
-    QColor checker;  // the other squares behind a transparent picture; invalid when it is opaque
+    QColor backdrop; // background of the picture
+    QColor checker;  // other squares behind a transparent picture; invalid if it is opaque
     QColor gridMinor;
     QColor gridMajor;
     QColor axis;
     QColor label;
-    QColor halo; // wide and under every line
+    QColor halo; // wide line under every line
     QColor line; // cage and gizmo
-    QColor core; // of a handle
+    QColor core; // inside of a handle
     QColor rim;
     QColor number;
     QColor accent;   // hover, selection, focus, snap
-    QColor onAccent; // text on it
+    QColor onAccent; // text on the accent
     QColor noteBackground;
     QColor noteText;
     double lineWidth = 2;
-    bool onDark = false; // the backdrop is dark
+    bool onDark = false; // true for a dark backdrop
 };
 
 OverlayStyle overlayStyle(const attractor::Rgba& background, const QPalette& palette);

@@ -11,9 +11,9 @@ namespace view {
 namespace {
 
 constexpr double readoutPadding = 7;
-constexpr double across = 22; // pixels from the pointer: clear of the handle and of the hand that holds it
+constexpr double across = 22; // pixels from the pointer, outside the handle and the hand
 constexpr double down = 24;
-constexpr double readoutMargin = 4; // to the edges of the view
+constexpr double readoutMargin = 4; // pixels to the edges of the view
 constexpr int readoutFlow = Qt::AlignLeft | Qt::AlignVCenter | Qt::TextWordWrap;
 
 } // namespace
@@ -46,7 +46,7 @@ QRectF ReadoutItem::box() const {
     if (corner.x() + size.width() > m_view.right()) corner.setX(m_pointer.x() - across - size.width());
     if (corner.y() + size.height() > m_view.bottom()) corner.setY(m_pointer.y() - down - size.height());
     if (m_view.isEmpty()) return {corner, size};
-    // With room on neither side, the box goes over or under the pointer.
+    // Above or below the pointer if there is room on neither side.
     corner.setX(std::max(m_view.left() + readoutMargin,
                          std::min(corner.x(), m_view.right() - readoutMargin - size.width())));
     corner.setY(std::max(m_view.top() + readoutMargin,

@@ -13,9 +13,9 @@ class ReadoutItem : public OverlayItem {
 public:
     void setText(const QString& text, const QPointF& pointer); // pixels of the view
     const QString& text() const { return m_text; }
-    void setView(const QRectF& view); // it stays inside
+    void setView(const QRectF& view); // area that contains the text
     void setFont(const QFont& font);
-    QRectF box() const; // beside the pointer, never under it
+    QRectF box() const; // area beside the pointer, never under it
 
     QRectF boundingRect() const override;
     void paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidget*) override;

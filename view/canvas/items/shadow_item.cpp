@@ -50,7 +50,7 @@ void ShadowItem::paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidg
     painter->drawEllipse(disc);
     painter->setPen(Qt::NoPen);
     painter->setBrush(m_style.rim);
-    constexpr int sixteenths = 16; // of a degree
+    constexpr int sixteenths = 16; // parts of a degree
     painter->drawChord(disc.adjusted(1, 1, -1, -1), 45 * sixteenths, 180 * sixteenths);
 }
 

@@ -9,8 +9,8 @@ namespace view {
 
 // Handle of a shadow, in pixels of the view.
 struct ShadowMarks {
-    QPointF foot; // of a stick that is as high as the picture
-    QPointF tip;  // of its shadow: the handle
+    QPointF foot; // foot of a stick as high as the picture
+    QPointF tip;  // tip of its shadow: the handle
 
     friend bool operator==(const ShadowMarks&, const ShadowMarks&) = default;
 };
@@ -19,7 +19,7 @@ struct ShadowMarks {
 class ShadowItem : public OverlayItem {
 public:
     void setMarks(const std::optional<ShadowMarks>& marks);
-    std::optional<QPointF> knob() const; // nullopt without a shadow, and while it is hidden
+    std::optional<QPointF> knob() const; // nullopt if there is no shadow or it is hidden
     void setHeld(bool held);
 
     QRectF boundingRect() const override;

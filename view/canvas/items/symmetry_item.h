@@ -13,9 +13,9 @@ namespace view {
 // Handles of a symmetry, in pixels of the view.
 struct SymmetryMarks {
     QPointF centre;
-    QPointF knob; // the handle of the centre, beside it so that neither hides the other handles there
+    QPointF knob; // handle of the centre, set off from it so as not to cover other handles
     std::vector<QLineF> mirrors;
-    QPolygonF spokes; // ends of lines from the centre that the rotations take into each other
+    QPolygonF spokes; // ends of lines from the centre that are images of each other under the rotations
 
     friend bool operator==(const SymmetryMarks&, const SymmetryMarks&) = default;
 };

@@ -8,7 +8,7 @@ namespace view {
 
 namespace {
 
-constexpr double newest = 6; // radius of where the point is now: the disc of a jump lies on it
+constexpr double newest = 6; // pixels; radius of the newest point, below the disc of a jump
 
 } // namespace
 

@@ -10,7 +10,7 @@ namespace view {
 // The last jumps of a chaos game: fading lines to where its point is now.
 class TrailItem : public OverlayItem {
 public:
-    void setPoints(const QPolygonF& points); // pixels of the view, the newest last
+    void setPoints(const QPolygonF& points); // pixels of the view, newest last
 
     QRectF boundingRect() const override;
     void paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWidget*) override;

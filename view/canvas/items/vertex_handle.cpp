@@ -33,7 +33,7 @@ void VertexHandle::paint(QPainter* painter, const QStyleOptionGraphicsItem*, QWi
         m_state & (HandleStates(HandleState::Hovered) | HandleState::Pressed | HandleState::Selected);
     const double grown = m_state.testFlag(HandleState::Hovered) ? vertexRadius + 1 : vertexRadius;
     QColor core = m_style.core;
-    if (m_state.testFlag(HandleState::Hidden) && !lit) core.setAlphaF(0.4F); // hollow, and its number is read
+    if (m_state.testFlag(HandleState::Hidden) && !lit) core.setAlphaF(0.4F); // hollow, with a readable number
     painter->setPen(Qt::NoPen);
     painter->setBrush(core);
     painter->drawEllipse(QPointF(), grown + 2, grown + 2);

@@ -12,7 +12,7 @@ enum class HandleState {
     Pressed = 2,
     Focused = 4,
     Selected = 8,
-    Hidden = 16, // something is in front of it: hollow
+    Hidden = 16, // hollow, because something is in front of it
 };
 Q_DECLARE_FLAGS(HandleStates, HandleState)
 Q_DECLARE_OPERATORS_FOR_FLAGS(HandleStates)

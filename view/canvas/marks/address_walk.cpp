@@ -15,10 +15,10 @@ namespace view {
 
 namespace {
 
-constexpr int piecesOfEdge = 12; // where the cage bends
-constexpr double minNamed = 26;  // pixels: in smaller images a word would hide them
+constexpr int piecesOfEdge = 12; // pieces of an edge if the cage bends
+constexpr double minNamed = 26;  // pixels; words would hide smaller images
 constexpr int letterSize = 12;
-constexpr double maxCoordinate = 1e6; // the painter's own overflow where a deep zoom puts corners
+constexpr double maxCoordinate = 1e6; // pixels; QPainter overflows beyond, as in a deep zoom
 
 QString subscript(int number) {
     static const QString digits = QStringLiteral("₀₁₂₃₄₅₆₇₈₉");
@@ -42,7 +42,7 @@ void paintWord(QPainter& painter, const OverlayStyle& style, const QPolygonF& im
     font.setBold(true);
     painter.setFont(font);
     const QSizeF size = QFontMetricsF(font).size(Qt::TextSingleLine, word) + QSizeF(8, 2);
-    // Words stand outside the highest corner, so that those of nested images stand apart.
+    // Outside the highest corner, which separates the words of nested images.
     const QPointF top = *std::ranges::min_element(image, {}, &QPointF::y);
     const QRectF room(
         QPointF(std::clamp(top.x() - size.width() / 2, box.left(), box.right()), top.y() - size.height() - 3),
@@ -96,7 +96,7 @@ void AddressWalk::paintOver(QPainter& painter, const CanvasScene& canvas, const 
     std::vector<QPolygonF> images;
     for (std::size_t k = 0; k < walk.size(); ++k) {
         const auto index = std::size_t(word[k]);
-        if (!system || index >= system->maps.size()) break; // maps may have gone since the analysis
+        if (!system || index >= system->maps.size()) break; // maps removed since the analysis
         images.push_back(nearView(pixelsOf(canvas.camera(), walk[k])));
         const attractor::Rgba face = mapColour(fractal.appearance, system->maps[index].id, index);
         const QColor colour(face.red, face.green, face.blue);

@@ -12,8 +12,8 @@ namespace view {
 
 namespace {
 
-constexpr double large = 3.2; // radius of the first points,
-constexpr double small = 1;   // and of so many that they are a picture of their own
+constexpr double large = 3.2; // pixels; radius of the first points
+constexpr double small = 1;   // pixels; radius of so many points that they form a picture
 constexpr double ring = 4;
 constexpr double manyPoints = 3000;
 

@@ -9,7 +9,8 @@ namespace view {
 // io::PictureOverlay draws them on pictures. Off at first.
 class MapNumbers : public SceneMark {
 public:
-    static constexpr std::size_t maxMaps = 200; // more numbers would hide the picture and each other
+    // Limit, beyond which numbers would hide the picture and each other.
+    static constexpr std::size_t maxMaps = 200;
 
     MapNumbers() { setVisible(false); }
 

@@ -10,7 +10,7 @@ namespace view {
 
 namespace {
 
-constexpr double level = 3.5; // over the grid, the analysis and the trail, under the handles
+constexpr double level = 3.5; // above the grid, the analysis and the trail, below the handles
 
 } // namespace
 

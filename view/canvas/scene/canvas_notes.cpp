@@ -8,8 +8,8 @@ namespace view {
 
 namespace {
 
-constexpr double readable = 220; // pixels that a sentence is wide at least, rather than below what covers it
-constexpr double edge = 56;      // pixels of the canvas where a sentence stands
+constexpr double readable = 220; // pixels; least width of a sentence beside a covered area
+constexpr double edge = 56;      // pixels from the edge of the canvas to a sentence
 
 } // namespace
 
@@ -58,7 +58,7 @@ void CanvasNotes::avoid(const std::vector<QPointF>& handles) {
     };
     const bool isTop = m_covered.top() < m_view.top() + edge;
     const bool isBottom = m_covered.bottom() > m_view.bottom() - edge;
-    if (!place(m_noteItem, isTop, {})) place(m_noteItem, true, {}); // of many lines
+    if (!place(m_noteItem, isTop, {})) place(m_noteItem, true, {}); // fallback for many lines
     if (!place(m_promptItem, isBottom, m_noteItem.box())) place(m_promptItem, true, m_noteItem.box());
 }
 

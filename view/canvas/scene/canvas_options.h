@@ -18,7 +18,7 @@ public:
     bool areAxesVisible() const { return m_scene.grid().areAxesVisible(); }
     void setOverlaysVisible(bool visible); // all but the picture
     bool overlaysVisible() const { return m_scene.overlaysVisible(); }
-    void setMapNumbersVisible(bool visible); // and fixed points
+    void setMapNumbersVisible(bool visible); // includes fixed points
     bool areMapNumbersVisible() const { return m_areMapNumbersVisible; }
     void setSnapping(Snapping snapping) { m_scene.setSnapping(snapping); }
     Snapping snapping() const { return m_scene.snapping(); }

@@ -26,8 +26,8 @@ using Kind = CanvasPart::Kind;
 
 namespace {
 
-constexpr std::size_t maxAvoided = 300; // handles that a sentence makes way for
-constexpr std::size_t maxCorners = 60;  // of maps that are not selected, in addition
+constexpr std::size_t maxAvoided = 300; // handles that sentences avoid
+constexpr std::size_t maxCorners = 60;  // corners of maps that are not selected, in addition
 constexpr double keyReach = 7;          // pixels from the middle of a diamond
 
 // Returns true if every pixel is one of the background. A picture with content is recognised after a few
@@ -141,13 +141,13 @@ void CanvasScene::follow(const document::Change& change) {
         requestLayout();
     }
     const bool hasPaths = !m_paths.vertices.empty() || !m_paths.maps.empty();
-    if (hasPaths && change.parts & Change::Time) requestLayout();          // the neighbouring keys are others
-    if (change.parts & Change::Name) requestLayout();                      // with the names, what is locked
-    if (change.parts & (Change::Appearance | Change::Time)) layoutKnobs(); // there may be a shadow now
+    if (hasPaths && change.parts & Change::Time) requestLayout(); // other neighbouring keys
+    if (change.parts & Change::Name) requestLayout();             // locks may have changed with the names
+    if (change.parts & (Change::Appearance | Change::Time)) layoutKnobs(); // a shadow may have appeared
     if (change.parts & (Change::System | Change::Cage | Change::Current | Change::File)) {
         requestLayout();
-        m_selection.setMaps(m_selection.maps());   // those that are left
-        if (vertices != m_handles.vertexCount()) { // others have the numbers now
+        m_selection.setMaps(m_selection.maps());   // selected maps that still exist
+        if (vertices != m_handles.vertexCount()) { // vertices have been renumbered
             m_selection.setVertices({});
             if (m_selection.focused().map < 0) m_selection.setFocused({});
         }
@@ -209,7 +209,11 @@ void CanvasScene::requestLayout() {
 void CanvasScene::layoutItems() {
     m_isLayoutStale = false;
     m_cageItem->setPolygon(cagePolygon());
-    m_marks.borderArrows().setArrows(borderArrows(cagePolygon(), sceneRect()));
+    // Corners of several maps have the numbers of those of the cage.
+    std::vector<BorderArrow> arrows = borderArrows(pixelsOf(m_camera, m_handles.heldPoints()), sceneRect());
+    for (BorderArrow& arrow : arrows)
+        arrow.vertex %= int(m_handles.vertexCount());
+    m_marks.borderArrows().setArrows(std::move(arrows));
     layoutFrames();
     layoutPaths();
     layoutKnobs();
@@ -357,7 +361,7 @@ void CanvasScene::updateVisibility() {
         item->setVisible(m_overlaysVisible);
     const bool cage = m_overlaysVisible && m_cageVisible && m_handles.cage();
     m_cageItem->setVisible(cage);
-    m_marks.borderArrows().setVisible(cage && m_handles.target() == HandleTarget::Cage);
+    m_marks.borderArrows().setVisible(cage);
     m_mapFrames->setVisible(cage);
     m_pathItem->setVisible(cage);
     m_symmetryItem->setVisible(cage);

@@ -58,15 +58,16 @@ public:
     Knobs knobs() const { return {*m_symmetryItem, *m_shadowItem}; }
 
     QPolygonF cagePolygon() const;
-    const std::vector<MapFrame>& frames() const { return m_mapFrames->frames(); } // by index
-    bool areMapsThinnedOut() const { return m_isThinnedOut; } // there are too many to have a frame each
+    const std::vector<MapFrame>& frames() const { return m_mapFrames->frames(); } // sorted by index
+    // True if there are too many maps to show each frame.
+    bool areMapsThinnedOut() const { return m_isThinnedOut; }
     HitTester hitTester() const { return {m_handles, m_camera, m_gizmoLayout, frames()}; }
-    CanvasPart partAt(const QPointF& position, Reach reach) const; // none while the handles are hidden
+    CanvasPart partAt(const QPointF& position, Reach reach) const; // none if the handles are hidden
     QPointF positionOf(const CanvasPart& part) const { return hitTester().positionOf(part); }
     // The key whose diamond on a path is at the position and not covered by a handle, and the part it moves.
     struct KeyOnPath {
         int frame = 0;
-        CanvasPart part; // a vertex of the cage, or the inside of a map
+        CanvasPart part; // vertex of the cage, or the inside of a map
     };
     std::optional<KeyOnPath> keyAt(const QPointF& position, Reach reach) const;
 
@@ -80,7 +81,7 @@ public:
 
     void setOverlaysVisible(bool visible);
     bool overlaysVisible() const { return m_overlaysVisible; }
-    void setCageVisible(bool visible); // off while another triangle is being defined
+    void setCageVisible(bool visible); // false while a triangle is being defined
 
     // Defers the layout of the items: while a batch exists they stay, and at its end they are laid out once
     // if necessary.
@@ -100,11 +101,11 @@ private:
     void changeTarget();
     void dropWhatIsGone();
     void requestLayout();
-    void layoutItems(); // all that depends on camera, cage and maps
+    void layoutItems(); // places all items that depend on camera, cage and maps
     void layoutFrames();
     void layoutPaths();
-    void layoutKnobs();                                     // of symmetry and shadow
-    const std::vector<document::MotionPath>& paths() const; // of what is in hand
+    void layoutKnobs();                                     // places the knobs of symmetry and shadow
+    const std::vector<document::MotionPath>& paths() const; // paths of the selected object
     std::vector<QPolygonF> ghosts() const;
     std::vector<QPointF> handlePositions() const;
     void mark();
@@ -132,7 +133,7 @@ private:
     int m_batches = 0;
 
     std::unique_ptr<AttractorItem> m_attractor;
-    document::MotionPaths m_paths; // of the animation
+    document::MotionPaths m_paths; // paths of the animation
     std::unique_ptr<GridItem> m_grid;
     std::unique_ptr<MotionPathItem> m_pathItem;
     std::unique_ptr<SymmetryItem> m_symmetryItem;

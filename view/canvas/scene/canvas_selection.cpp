@@ -45,7 +45,7 @@ void CanvasSelection::setMapIndices(const std::vector<std::size_t>& indices) {
 std::vector<std::size_t> CanvasSelection::mapIndices() const {
     std::vector<std::size_t> indices;
     const auto& all = systemMaps();
-    auto next = m_maps.begin(); // they are in the order of the system
+    auto next = m_maps.begin(); // both are in the order of the system
     for (std::size_t index = 0; index < all.size() && next != m_maps.end(); ++index)
         if (all[index].id == *next) {
             indices.push_back(index);

@@ -17,12 +17,12 @@ class CanvasSelection : public QObject {
 public:
     explicit CanvasSelection(const document::Document& document) : m_document(document) {}
 
-    const std::vector<ifs::MapId>& maps() const { return m_maps; } // in the system's order
-    void setMaps(const std::vector<ifs::MapId>& maps);             // those of them that the system has
-    std::vector<std::size_t> mapIndices() const;                   // in the system
+    const std::vector<ifs::MapId>& maps() const { return m_maps; } // in the order of the system
+    void setMaps(const std::vector<ifs::MapId>& maps); // ignores ids that the system does not have
+    std::vector<std::size_t> mapIndices() const;       // indices in the system
     void setMapIndices(const std::vector<std::size_t>& indices);
     bool isMapSelected(int index) const;
-    int mapCount() const; // of the system, selected or not
+    int mapCount() const; // number of maps in the system, selected or not
 
     // The map that the pointer is at elsewhere in the window; none mostly.
     ifs::MapId pointed() const { return m_pointed; }
@@ -39,15 +39,15 @@ public:
     void setPressed(CanvasPart part);
     void setFocused(CanvasPart part);
 
-    void clear(); // but for what is pressed and hovered
+    void clear(); // keeps what is pressed and hovered
 
 signals:
     void mapsChanged();
     void pointedChanged();
     void verticesChanged();
-    void marksChanged(); // hovered, pressed or focused
+    void marksChanged(); // sent for hovered, pressed and focused parts
     void focusChanged();
-    void focusMoved(); // the part in focus is elsewhere
+    void focusMoved(); // sent when the part in focus has moved
 
 private:
     const std::vector<ifs::WeightedMap<2>>& systemMaps() const;

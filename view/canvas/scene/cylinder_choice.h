@@ -24,8 +24,8 @@ public:
 private:
     const document::OutlineShape* find(const ifs::Word& word) const;
 
-    std::vector<document::OutlineShape> m_shapes; // the outer ones as well
-    std::size_t m_first = 0;                      // of those that are outlined
+    std::vector<document::OutlineShape> m_shapes; // includes the outer ones
+    std::size_t m_first = 0;                      // index of the first outlined shape
     ifs::Word m_word;                             // empty: none
 };
 

@@ -14,7 +14,7 @@ namespace {
 
 // The most frames of maps; more, and their moves, would take longer than an event of a drag may.
 constexpr std::size_t maxFrames = 10'000;
-constexpr std::size_t maxSelected = 1000; // that are never left out
+constexpr std::size_t maxSelected = 1000; // selected maps that are never left out
 
 class Builder {
 public:
@@ -67,7 +67,8 @@ private:
                                    maps.maps()[index].enabled});
     }
 
-    // Maps to show: of too many, those near the view, and if these are too many, every so many of them.
+    // Maps to show. If there are too many, those near the view; if these are too many, every n-th one of
+    // them.
     std::vector<std::size_t> shown(const document::MapHandles& maps) {
         std::vector<std::size_t> indices(maps.count());
         std::iota(indices.begin(), indices.end(), std::size_t(0));
@@ -82,7 +83,7 @@ private:
         const std::vector<document::Box> boxes = maps.boxes();
         std::erase_if(indices, [&](std::size_t index) {
             const QRectF box = pixelsOf(m_camera, boxes[index].min, boxes[index].max)
-                                   .adjusted(-1, -1, 1, 1); // a flat one is empty
+                                   .adjusted(-1, -1, 1, 1); // enlarged, because flat boxes are empty
             return mayGo(index) && !near.intersects(box);
         });
         const std::size_t stride = (indices.size() + maxFrames - 1) / maxFrames;

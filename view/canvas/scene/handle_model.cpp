@@ -113,7 +113,7 @@ ifs::Word HandleModel::addressAt(const ifs::Vector<2>& point, double precision) 
 }
 
 const document::Addresses& HandleModel::addresses() const {
-    if (!knownAddresses()) m_addresses = m_finding.result(); // waits
+    if (!knownAddresses()) m_addresses = m_finding.result(); // blocks until found
     return *m_addresses;
 }
 

@@ -37,13 +37,13 @@ public:
 
     HandleTarget target() const { return m_target; }
     void setTarget(HandleTarget target);
-    const document::MapHandles* maps() const;      // nullptr: there is no cage
-    const document::MapHandles* branchMap() const; // the branch as it is shown, at index 0; nullptr: none
+    const document::MapHandles* maps() const;      // nullptr: no cage
+    const document::MapHandles* branchMap() const; // displayed branch, at index 0; nullptr: none
 
     // Maps of a partner look like their counterparts. Empty: like themselves.
     void setFaces(document::MapFaces faces);
     const document::MapFaces& faces() const { return m_faces; }
-    attractor::Rgba colourOf(std::size_t map) const; // by index in the system
+    attractor::Rgba colourOf(std::size_t map) const; // `map`: index in the system
 
     // The branch that is held, by indices in the system; empty: none.
     const ifs::Word& branch() const { return m_branch; }
@@ -59,21 +59,21 @@ public:
     int childCount() const;
     std::vector<ifs::Vector<2>> corners(int child) const;
     std::vector<ifs::Vector<2>> heldPoints() const;
-    bool isAnythingHeld() const; // that can be moved: not where all selected maps are locked
+    bool isAnythingHeld() const; // false if all selected maps are locked
 
     // The point about which the handles turn and scale: the mean of the vertices until it is put elsewhere.
     ifs::Vector<2> pivot() const;
-    void setPivot(const std::optional<ifs::Vector<2>>& pivot); // nullopt: the mean again
+    void setPivot(const std::optional<ifs::Vector<2>>& pivot); // nullopt: mean of the vertices
     bool hasOwnPivot() const { return m_pivot.has_value(); }
 
-    bool exists(const CanvasPart& part) const; // none does always
-    std::vector<CanvasPart> parts() const;     // those the keyboard walks through, in that order
+    bool exists(const CanvasPart& part) const; // always true for no part
+    std::vector<CanvasPart> parts() const;     // order of the keyboard focus
     // Vertices that stay while `moving` of the part move.
     std::vector<ifs::Vector<2>> stillPoints(const CanvasPart& part, const std::vector<int>& moving) const;
 
 signals:
     void targetChanged();
-    void changed(); // the branch, the pivot or the faces
+    void changed(); // sent for the branch, the pivot or the faces
     void addressesFound();
 
 private:

@@ -65,7 +65,7 @@ CanvasPart HitTester::partAt(const QPointF& position, Reach reach) const {
         gizmo.consider(Kind::Scale, 0, m_gizmo.scale);
         gizmo.consider(Kind::Rotate, 0, m_gizmo.rotate);
     }
-    // The pivot may lie anywhere, also where vertices are dragged, so it never comes before one of them.
+    // Vertices come before the pivot, which may lie anywhere.
     const CanvasPart vertex = vertexAt(position, handle);
     const bool isVertexFirst = gizmo.part().kind == Kind::None || gizmo.part().kind == Kind::Pivot ||
                                QLineF(positionOf(vertex), position).length() <= gizmo.distance();
@@ -120,7 +120,7 @@ std::vector<std::size_t> HitTester::mapsWithin(const QRectF& band) const {
     std::vector<std::size_t> indices;
     const document::MapHandles* maps = m_handles.maps();
     if (!maps) return indices;
-    std::vector<document::Box> boxes; // of those without frames
+    std::vector<document::Box> boxes; // boxes of maps without frames
     if (m_frames.size() < maps->count()) boxes = maps->boxes();
     for (std::size_t index = 0; index < maps->count(); ++index) {
         const MapFrame* frame = frameOf(m_frames, int(index));

@@ -17,13 +17,13 @@ public:
               const std::vector<MapFrame>& frames)
         : m_handles(handles), m_camera(camera), m_gizmo(gizmo), m_frames(frames) {}
 
-    CanvasPart partAt(const QPointF& position, Reach reach) const; // the part that a press would hold
+    CanvasPart partAt(const QPointF& position, Reach reach) const; // part that a press would hold
     QPointF positionOf(const CanvasPart& part) const;
     // The maps whose frames, the images of the cage, lie in `band`.
     std::vector<std::size_t> mapsWithin(const QRectF& band) const;
 
 private:
-    CanvasPart vertexAt(const QPointF& position, double reach) const; // of the cage, or of a map
+    CanvasPart vertexAt(const QPointF& position, double reach) const; // vertex of the cage or of a map
 
     const HandleModel& m_handles;
     const attractor::Camera& m_camera;

@@ -14,9 +14,9 @@ namespace view {
 
 namespace {
 
-constexpr double spoke = 26;   // pixels, as all lengths here
-constexpr double mirror = 110; // half of a line
-const QPointF aside(30, -30);  // from the centre to its handle
+constexpr double spoke = 26;   // pixels, like all lengths here
+constexpr double mirror = 110; // half the length of a line
+const QPointF aside(30, -30);  // offset of the handle from the centre
 
 QPointF unit(const QPointF& direction) {
     const double length = std::hypot(direction.x(), direction.y());
@@ -35,7 +35,7 @@ std::optional<SymmetryMarks> symmetryLayout(const document::Fractal& fractal,
     SymmetryMarks marks;
     marks.centre = pixelOf(camera, placement(symmetry.centre));
     marks.knob = marks.centre + aside;
-    // The direction on the screen of a line with this angle in the standard position of the group.
+    // Direction on the screen of a line at this angle in the standard position of the group.
     const auto direction = [&](double degrees) {
         const double angle = (symmetry.angle + degrees) * std::numbers::pi / 180;
         const ifs::Vector<2> along =

@@ -35,7 +35,7 @@ std::vector<OverlayItem*> TransientMarks::itemsAboveHandles() const {
 void TransientMarks::setView(const attractor::Camera& camera) {
     m_camera = camera;
     m_analysisItem->setView(camera);
-    m_snapMark->setRotation(-attractor::degreesOf(camera.rotation)); // its guides follow the grid
+    m_snapMark->setRotation(-attractor::degreesOf(camera.rotation)); // parallel to the grid
     const QRectF area(0, 0, camera.width, camera.height);
     m_readoutItem->setView(area);
     m_borderArrows->setView(area);

@@ -34,18 +34,18 @@ public:
     std::vector<OverlayItem*> itemsAboveHandles() const;
     void setView(const attractor::Camera& camera);
 
-    BorderArrowsItem& borderArrows() { return *m_borderArrows; } // to corners that are out of view
+    BorderArrowsItem& borderArrows() { return *m_borderArrows; } // arrows to corners outside the view
     void showSnap(const std::optional<Snapped>& snap);
-    void showReadout(const QString& text, const QPointF& pointer); // in pixels; empty: none
+    void showReadout(const QString& text, const QPointF& pointer); // pixels; empty: none
     const QString& readout() const;
     void setFont(const QFont& font);
-    void showBand(const QRectF& band); // that selects, in pixels; empty: none
+    void showBand(const QRectF& band); // rectangle of a selection in pixels; empty: none
     void showRubber(const std::vector<ifs::Vector<2>>& clicked, const std::optional<ifs::Vector<2>>& pointer);
     // Outlines of an analysis; `outer` contain the cylinders among the shapes.
     void showOutlines(std::vector<document::OutlineShape> shapes, std::vector<document::OutlineShape> outer);
-    bool chooseCylinderAt(const QPointF& position); // in pixels; whether another is chosen, or none any more
+    bool chooseCylinderAt(const QPointF& position); // pixels; true if the choice changes
     std::vector<const document::OutlineShape*> cylinderWalk() const { return m_cylinders.walk(); }
-    void showTrail(const std::vector<ifs::Vector<2>>& points); // of a chaos game, the newest last
+    void showTrail(const std::vector<ifs::Vector<2>>& points); // points of a chaos game, newest last
 
 private:
     attractor::Camera m_camera;

@@ -14,7 +14,7 @@ namespace view {
 namespace {
 
 constexpr std::size_t maxChosen = 200; // a hundred drags
-constexpr int notch = 120;             // of a wheel, in eighths of a degree
+constexpr int notch = 120;             // eighths of a degree in a notch of the wheel
 
 // The branch chosen in that fractal; empty if it is not known.
 ifs::Word knownIn(const auto& chosen, const std::shared_ptr<const document::Fractal>& fractal) {
@@ -32,9 +32,9 @@ BranchChoice::BranchChoice(document::Document& document) : m_document(document) 
 void BranchChoice::follow(const document::Change& change) {
     using document::Change;
     const bool isAnother = change.parts & (Change::Current | Change::File);
-    if (isAnother) m_before.reset(); // a drag has ended with its entry
+    if (isAnother) m_before.reset(); // the drag has ended together with its entry
     if (!(isAnother || change.parts & Change::System) || m_before) return;
-    if (change.parts & Change::Time && !isAnother) return; // the same maps, elsewhere
+    if (change.parts & Change::Time && !isAnother) return; // same maps in other places
     const ifs::Word known = knownIn(m_chosen, m_document.sharedFractal());
     if (known.empty() && m_address.empty()) return;
     choose(known);
@@ -122,7 +122,7 @@ void BranchChoice::cancelDrag() {
     const auto before = std::exchange(m_before, nullptr);
     if (!before) return;
     const auto now = m_document.sharedFractal();
-    choose(*now == *before ? m_addressAtPress : knownIn(m_chosen, now)); // undo may have ended it
+    choose(*now == *before ? m_addressAtPress : knownIn(m_chosen, now)); // undo may have ended the drag
 }
 
 QString BranchChoice::endDrag() {

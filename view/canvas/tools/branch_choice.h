@@ -25,21 +25,22 @@ public:
 
     explicit BranchChoice(document::Document& document);
 
-    int depth() const { return m_depth; } // symbols of the branch's address
+    int depth() const { return m_depth; } // address length of the branch
     void setDepth(int depth);
-    void turnDepth(int angle);                           // by a wheel, in eighths of a degree
-    bool pressDepthKey(int key);                         // Page Down and Page Up; false: another key
-    document::BranchEdit edit() const { return m_edit; } // of later drags
+    void turnDepth(int angle);                           // wheel angle in eighths of a degree
+    bool pressDepthKey(int key);                         // Page Down and Page Up; false for other keys
+    document::BranchEdit edit() const { return m_edit; } // kind of later drags
     void setEdit(document::BranchEdit edit);
     // The whole address of the point that was clicked, of which the branch is the beginning.
     const ifs::Word& address() const { return m_address; }
-    ifs::Word branch() const; // by indices in the system; empty: none
+    ifs::Word branch() const; // indices in the system; empty: none
     void choose(const ifs::Word& address);
     // "Branch 3 2", for the status bar; empty without one.
     QString text() const;
     QString prompt() const; // effect of a click while nothing is chosen; else empty
     QString stepText(DragMode mode,
-                     std::optional<std::size_t> corner) const; // of a drag of it, or of a corner
+                     // Text for a drag of the branch or of one of its corners.
+                     std::optional<std::size_t> corner) const;
     // Why it cannot be dragged, as a sentence: the map that would change, or be divided, is locked, or a map
     // that would be divided has keys. Empty: it can.
     QString obstacle() const;
@@ -47,21 +48,23 @@ public:
     // Makes the branch follow the drag alone until it ends, whatever becomes of the document. A repeated call
     // returns to the branch of the first.
     void beginDrag();
-    void showDragged(bool hasMoved); // by a preview
-    QString endDrag();               // a message if the branch is now map 1; else empty
+    void showDragged(bool hasMoved); // called for each preview
+    QString endDrag();               // message if the branch has become map 1; else empty
     void cancelDrag();
-    const std::shared_ptr<const document::Fractal>& before() const { return m_before; } // null: no drag
+    // State before the drag; null: no drag.
+    const std::shared_ptr<const document::Fractal>& before() const { return m_before; }
 
 signals:
-    void changed();   // depth, address or edit
-    void announced(); // after changed(): the depth, or by the document, so that it has to be said
+    void changed(); // sent for depth, address or edit
+    // Sent after changed(), if the user should be told: for the depth, or changes by the document.
+    void announced();
 
 private:
     void follow(const document::Change& change);
 
     document::Document& m_document;
     int m_depth = 2;
-    int m_turned = 0; // of a notch that is not complete
+    int m_turned = 0; // part of a notch, in eighths of a degree
     document::BranchEdit m_edit = document::BranchEdit::OwnMap;
     ifs::Word m_address;
     ifs::Word m_addressAtPress;

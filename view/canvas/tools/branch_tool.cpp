@@ -113,7 +113,7 @@ void BranchTool::abandoned() {
 
 void BranchTool::ended() {
     MapsTool::ended();
-    if (const QString said = m_choice.endDrag(); !said.isEmpty()) { // the table shows the map that it is now
+    if (const QString said = m_choice.endDrag(); !said.isEmpty()) { // the table shows the new map
         selection().setMapIndices({0});
         emit message(said);
     }

@@ -36,7 +36,7 @@ protected:
 
 private:
     void showChoice();
-    bool selectAt(const QPointF& position); // false: no branch is there
+    bool selectAt(const QPointF& position); // false if no branch is there
     void ask();
     void say();
 

@@ -102,7 +102,7 @@ bool CageTool::keyPress(const QKeyEvent& event) {
     if (isBareKey(event, Qt::Key_Delete)) {
         const std::vector<std::size_t> vertices = together(selection().focused());
         if (vertices.empty())
-            emit message(tr("Select a vertex first."));
+            emit message(tr("Select a corner first."));
         else if (const auto failure = removeVertices(scene().document(), vertices))
             emit message(*failure);
         return true;
@@ -127,7 +127,7 @@ void CageTool::insertVertex() {
     else if (focused.kind == Kind::Vertex || focused.kind == Kind::Edge)
         insertVertexAt(focused.index, scene().positionOf({Kind::Edge, focused.index}));
     else
-        emit message(tr("To insert a vertex, point to an edge or select a vertex."));
+        emit message(tr("To insert a corner, point to an edge or select a corner."));
 }
 
 void CageTool::insertVertexAt(int edge, const QPointF& position) {

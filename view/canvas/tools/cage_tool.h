@@ -31,8 +31,8 @@ private:
     std::vector<std::size_t> together(const CanvasPart& part) const;
     void insertVertex();
 
-    ifs::ControlCage<2> m_cage; // at the press
-    CanvasPart m_focusedBefore; // the press
+    ifs::ControlCage<2> m_cage; // cage at the press
+    CanvasPart m_focusedBefore; // focus before the press
     QPointF m_pointer;          // pixels
 };
 

@@ -23,7 +23,7 @@ void DefineTool::stop() {
 }
 
 void DefineTool::press(const Pointer& pointer) {
-    constexpr double apart = 4; // pixels; a double click is not two vertices
+    constexpr double apart = 4; // pixels; prevents a double click from setting two vertices
     const Snapped point = snapped(m_scene.snapTargets(), worldAt(m_scene.camera(), pointer.position));
     for (const ifs::Vector<2>& other : m_points)
         if ((point.point - other).norm() * m_scene.camera().pixelsPerUnit < apart) return;
@@ -75,13 +75,13 @@ void DefineTool::show(const std::optional<ifs::Vector<2>>& pointer) {
     switch (m_points.size()) {
     case 0:
         m_scene.notes().setPrompt(
-            tr("Click the first of the three vertices. The picture stays where it is; Esc cancels."));
+            tr("Click the first of the three corners. The picture stays where it is; Esc cancels."));
         break;
     case 1:
-        m_scene.notes().setPrompt(tr("Click the second vertex. Backspace removes the last point."));
+        m_scene.notes().setPrompt(tr("Click the second corner. Backspace removes the last point."));
         break;
     default:
-        m_scene.notes().setPrompt(tr("Click the third vertex. Backspace removes the last point."));
+        m_scene.notes().setPrompt(tr("Click the third corner. Backspace removes the last point."));
         break;
     }
 }

@@ -19,7 +19,7 @@ public:
     void move(const Pointer& pointer) override;
     void release(const Pointer&) override {}
     void leave() override;
-    bool keyPress(const QKeyEvent& event) override; // Backspace takes back the last point
+    bool keyPress(const QKeyEvent& event) override; // Backspace removes the last point
     bool cancel() override;                         // always leaves the tool
     bool isBusy() const override { return !m_points.empty(); }
     void start() override;
@@ -31,7 +31,7 @@ private:
     void show(const std::optional<ifs::Vector<2>>& pointer);
 
     CanvasScene& m_scene;
-    std::vector<ifs::Vector<2>> m_points; // in the plane: zooming between clicks is allowed
+    std::vector<ifs::Vector<2>> m_points; // points in the plane, so that zooming between clicks is possible
 };
 
 } // namespace view

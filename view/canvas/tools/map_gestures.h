@@ -24,7 +24,7 @@ QString mapsStepText(DragMode mode, std::size_t count, std::size_t number, std::
 // Delete and Insert, Ctrl+A, and Alt with a digit, on the maps that are selected.
 struct MapKey {
     bool isTaken = false;
-    std::vector<ifs::MapId> selected{}; // from now on; empty: the same as before
+    std::vector<ifs::MapId> selected{}; // new selection; empty: unchanged
     QString message{};
 };
 MapKey pressMapKey(const QKeyEvent& event, document::Document& document,

@@ -45,7 +45,8 @@ void MapsTool::clicked(const CanvasPart& part, const Pointer& pointer) {
 }
 
 std::optional<std::vector<std::size_t>> MapsTool::selectedItems() const {
-    if (handles().target() != HandleTarget::Maps) return std::nullopt; // one branch, by its point
+    // A single branch, dragged by its point.
+    if (handles().target() != HandleTarget::Maps) return std::nullopt;
     return selection().mapIndices();
 }
 
@@ -70,7 +71,7 @@ MapsTool::HeldMaps MapsTool::hold(const CanvasPart& part) {
         emit message(locked);
         return {};
     }
-    std::erase_if(indices, isLocked); // the others of a selection move
+    std::erase_if(indices, isLocked); // keeps the unlocked maps of a selection
     return {document::MapHandles(fractal, *handles().cage()), std::move(indices)};
 }
 
@@ -126,7 +127,7 @@ void MapsTool::dismissStop() {
 }
 
 PolygonTool::Shown MapsTool::preview(const std::function<DragResult(double)>& resultAt) {
-    std::optional<Shown> shown; // the last that was asked for, mostly the one to show
+    std::optional<Shown> shown; // result of the last call, usually the one to show
     document::Fractal fractal;
     const auto at = [&](double share) -> const document::Fractal& {
         if (!shown || shown->share != share) {

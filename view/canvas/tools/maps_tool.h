@@ -20,7 +20,7 @@ public:
     // The share of a change, after(0) to after(1), that may be shown: all of it, or as much as leaves an
     // attractor. Then the canvas says why. The result of `after` must live until the next call.
     virtual double shareToShow(const std::function<const document::Fractal&(double)>& after);
-    void dismissStop(); // takes that sentence away
+    void dismissStop(); // removes the sentence of the last stop
 
     bool walk(int step) override;
     bool keyPress(const QKeyEvent& event) override;
@@ -51,8 +51,8 @@ private:
     void selectOnly(int index);
 
     bool m_allowsNoAttractor = false;
-    HeldMaps m_held;                     // at the press
-    std::optional<std::size_t> m_corner; // when only this one of the first map moves
+    HeldMaps m_held;                     // state at the press
+    std::optional<std::size_t> m_corner; // corner of the first map, if it moves alone
 };
 
 } // namespace view

@@ -46,7 +46,7 @@ PolygonTool::~PolygonTool() = default;
 
 void PolygonTool::press(const Pointer& pointer) {
     end();
-    // A press on the key of a path shows its moment, so that the keyed part can be dragged there.
+    // A press on a key of a path shows its moment, so that the keyed part can be dragged there.
     const auto key = m_scene.keyAt(pointer.position, pointer.reach);
     if (key) m_scene.document().setMoment(animation::moment(key->frame));
     m_part = key ? key->part : m_scene.partAt(pointer.position, pointer.reach);
@@ -127,11 +127,12 @@ void PolygonTool::turnInto(PolygonDrag::Mode mode) {
     m_session.cancel();
     restorePivot();
     const ifs::Vector<2> press = m_drag.press;
-    if (open(m_part, mode, m_session.pressedAt())) m_drag.press = press; // whatever the view has become since
+    // Independent of later changes of the view.
+    if (open(m_part, mode, m_session.pressedAt())) m_drag.press = press;
 }
 
 void PolygonTool::dragTo(const Pointer& pointer) {
-    if (!m_session.isOpen()) { // the document has moved on without us
+    if (!m_session.isOpen()) { // ended by another change of the document
         settle();
         end();
         m_state = State::Cancelled;
@@ -139,7 +140,7 @@ void PolygonTool::dragTo(const Pointer& pointer) {
     }
     const CanvasScene::Batch batch(m_scene);
     m_pointer = pointer.position;
-    // Zooming in the middle of a drag changes what a pixel means: then the plane is the reference.
+    // Reference in the plane, because zooming during a drag changes the size of a pixel.
     const ifs::Vector<2> offset =
         m_camera == m_scene.camera()
             ? worldOffset(m_camera, pointer.position - m_session.pressedAt())
@@ -149,7 +150,7 @@ void PolygonTool::dragTo(const Pointer& pointer) {
     SnapTargets targets = m_scene.snapTargets(m_part, m_drag.vertices);
     const Snapping snapping = targets.snapping;
     show([&](double share) {
-        targets.snapping = share < 1 ? Snapping() : snapping; // on the way nothing is drawn aside
+        targets.snapping = share < 1 ? Snapping() : snapping; // no snapping before the requested position
         return dragged(m_drag, offset * share, constraint, targets);
     });
 }
@@ -327,7 +328,7 @@ void PolygonTool::nudge(const CanvasPart& part, const QPointF& way, Qt::Keyboard
 }
 
 DragResult PolygonTool::nudged(const QPointF& by) const {
-    const double amount = by.x() - by.y(); // right and up are more
+    const double amount = by.x() - by.y(); // increases to the right and upwards
     if (m_drag.mode == PolygonDrag::Mode::Rotate) return rotated(m_drag, -amount * std::numbers::pi / 180);
     if (m_drag.mode == PolygonDrag::Mode::Scale)
         return scaled(m_drag, ifs::Vector<2>::Constant(std::pow(1.01, amount)));

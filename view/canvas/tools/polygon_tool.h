@@ -35,28 +35,29 @@ public:
     virtual bool walk(int step);
 
 signals:
-    void dragStarted(); // a gesture has begun
+    void dragStarted(); // sent at the beginning of a gesture
 
 protected:
     // Points moved by a drag of a part.
     struct DragSubject {
-        QString text; // of the undo step
+        QString text; // text of the undo step
         std::vector<ifs::Vector<2>> points;
-        std::vector<int> vertices; // those of the points that move
+        std::vector<int> vertices; // indices of the points that move
     };
     virtual std::optional<DragSubject> dragSubject(const CanvasPart& part,
-                                                   PolygonDrag::Mode mode) = 0; // nullopt: it stays
+                                                   PolygonDrag::Mode mode) = 0; // nullopt: cannot be dragged
     struct Shown {
-        double share = 1; // of what is asked for
+        double share = 1; // share of the requested change
         DragResult result;
     };
     // Shows the result of the gesture so far. resultAt(1) is the requested one, resultAt(0) the beginning.
     // Each call computes; the result shown is requested once.
     virtual Shown preview(const std::function<DragResult(double)>& resultAt) = 0;
-    virtual void pressed(const CanvasPart&, Qt::KeyboardModifiers) {} // perhaps to be dragged
-    virtual void clicked(const CanvasPart&, const Pointer&) {}        // pressed and let go where it was
-    virtual void abandoned() {} // undone in the middle; ended() comes next
-    virtual void ended() {}     // nothing is held any more
+    // Called for a press that may become a drag.
+    virtual void pressed(const CanvasPart&, Qt::KeyboardModifiers) {}
+    virtual void clicked(const CanvasPart&, const Pointer&) {} // called for a press and release in place
+    virtual void abandoned() {} // called after an undo within a gesture, before ended()
+    virtual void ended() {}     // called at the end of a gesture
 
     // Selectable items of the polygons, by numbers of the tool's own: by a rectangle drawn from the empty
     // canvas, and by clicks. nullopt if nothing can be selected.
@@ -65,10 +66,11 @@ protected:
     virtual std::vector<std::size_t> enclosedBy(const QRectF&) const { return {}; } // pixels
     // Delete, Insert and the like, while nothing is held.
     bool isBareKey(const QKeyEvent& event, Qt::Key key) const;
-    void selectClicked(std::size_t item, Qt::KeyboardModifiers modifiers); // alone, or one more or less
+    // Selects the item alone, or adds or removes it.
+    void selectClicked(std::size_t item, Qt::KeyboardModifiers modifiers);
 
     static constexpr Qt::KeyboardModifiers adding =
-        Qt::ControlModifier | Qt::ShiftModifier; // to the selection
+        Qt::ControlModifier | Qt::ShiftModifier; // modifiers that add to the selection
 
     CanvasScene& scene() const { return m_scene; }
     CanvasSelection& selection() const { return m_scene.selection(); }
@@ -80,12 +82,12 @@ protected:
 private:
     enum class State {
         Idle,
-        Pressed, // not yet moved far enough to mean a drag
+        Pressed, // not yet moved far enough for a drag
         Dragging,
         MovingPivot,
-        Selecting, // by a rectangle
-        Nudging,   // an arrow key is held
-        Cancelled  // waits for the button to go up
+        Selecting, // selection by a rectangle
+        Nudging,   // arrow key held
+        Cancelled  // waiting for the release of the button
     };
 
     void dragTo(const Pointer& pointer);
@@ -106,12 +108,12 @@ private:
     State m_state = State::Idle;
     CanvasPart m_part;
     PolygonDrag m_drag;
-    QPointF m_pointer;          // pixels, of a drag
-    attractor::Camera m_camera; // at the press
+    QPointF m_pointer;          // pixels, in a drag
+    attractor::Camera m_camera; // camera at the press
     ifs::Vector<2> m_pivotAtPress = ifs::Vector<2>::Zero();
     bool m_ownPivotAtPress = false;
     std::vector<std::size_t> m_selectionAtPress;
-    QPointF m_nudge; // pixels, degrees or percent so far
+    QPointF m_nudge; // sum in pixels, degrees or percent
     DragSession m_session;
 };
 

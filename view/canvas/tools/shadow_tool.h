@@ -33,7 +33,7 @@ private:
 
     CanvasScene& m_scene;
     DragSession m_session;
-    std::optional<document::ShadowStick> m_stick; // at the press
+    std::optional<document::ShadowStick> m_stick; // stick at the press
 };
 
 } // namespace view

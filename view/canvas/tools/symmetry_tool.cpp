@@ -34,7 +34,7 @@ void SymmetryTool::move(const Pointer& pointer) {
         *m_displayed + worldOffset(m_scene.camera(), pointer.position - m_session.pressedAt());
     const Snapped point = snapped(m_scene.snapTargets(), asked);
     const auto centre = ifs::preimage(document::placement(fractal), point.point, symmetry.centre);
-    if (!centre) return; // under a cage that takes nothing there
+    if (!centre) return; // no preimage under the cage
     m_scene.marks().showSnap(point);
     symmetry.centre = *centre;
     m_session.gesture().preview(document::withSymmetry(std::move(fractal), symmetry));

@@ -16,7 +16,7 @@ class SymmetryTool : public CanvasTool {
 public:
     explicit SymmetryTool(CanvasScene& scene) : m_scene(scene), m_session(scene.document()) {}
 
-    bool isAt(const Pointer& pointer) const; // a press there would take the handle
+    bool isAt(const Pointer& pointer) const; // true if a press there would take the handle
 
     void press(const Pointer& pointer) override;
     void move(const Pointer& pointer) override;
@@ -31,7 +31,7 @@ private:
 
     CanvasScene& m_scene;
     DragSession m_session;
-    std::optional<ifs::Vector<2>> m_displayed; // the centre, at the press
+    std::optional<ifs::Vector<2>> m_displayed; // centre at the press
 };
 
 } // namespace view

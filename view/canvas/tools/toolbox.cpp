@@ -56,10 +56,10 @@ PolygonTool* Toolbox::polygonTool() {
 
 void Toolbox::setTool(Tool tool) {
     if (tool == m_tool) return;
-    const bool isInSpace = document::space(m_document->fractal()); // where they have their own
+    const bool isInSpace = document::space(m_document->fractal()); // such entries have their own tools
     if (tool != Tool::Cage && !isInSpace && !document::system2(m_document->fractal())) {
         emit message(m_scene.notes().note());
-        emit toolChanged(m_tool); // a button that was pressed goes back
+        emit toolChanged(m_tool); // restores a pressed button
         return;
     }
     if (tool == Tool::DefineTriangle && !isInSpace && !isPlacementInvertible(m_document->fractal())) {

@@ -24,11 +24,11 @@ public:
     // A tool that cannot be used now is refused: message() or definingRefused() says why.
     void setTool(Tool tool);
     Tool tool() const { return m_tool; }
-    void stop(); // and releases the held part
+    void stop(); // also releases the held part
     CanvasTool& active();
     // The tool that a press there goes to: the one in use, or that of the handle of a symmetry or a shadow.
     CanvasTool& toolAt(const Pointer& pointer);
-    PolygonTool* polygonTool(); // the tool in use when it takes polygons, else nullptr
+    PolygonTool* polygonTool(); // tool in use if it edits polygons, else nullptr
 
     CageTool& cageTool() { return m_cageTool; }
     MapsTool& mapsTool() { return m_mapsTool; }
@@ -38,10 +38,10 @@ public:
     void setAllowsNoAttractor(bool allows);
 
 signals:
-    void toolChanged(view::Toolbox::Tool tool); // also when a tool was refused
-    void used();                                // another tool is in use, or a gesture has begun
-    void definingRefused();                     // the placement is flat
-    void message(const QString& sentence);      // for the status bar
+    void toolChanged(view::Toolbox::Tool tool); // also sent when a tool is refused
+    void used();                                // sent for another tool and for the beginning of a gesture
+    void definingRefused();                     // sent because the placement is flat
+    void message(const QString& sentence);      // sentence for the status bar
     void cursorChanged();
 
 private:

@@ -20,7 +20,7 @@ namespace view {
 
 namespace {
 
-constexpr int letters = 40; // beside each other: room for the title and for what is wrong
+constexpr int letters = 40; // width in letters, with room for the title and for messages
 
 } // namespace
 

@@ -26,7 +26,7 @@ constexpr int mostSide = 16'384;
 QSpinBox* sideBox(const QString& name, const QString& explanation, QWidget* parent) {
     auto* box = new WholeNumberBox(parent);
     box->setRange(leastSide, mostSide);
-    box->setKeyboardTracking(false); // a side that is half typed would change the other one
+    box->setKeyboardTracking(false); // a half-typed side would change the other one
     box->setAccessibleName(name);
     box->setWhatsThis(explanation);
     return box;

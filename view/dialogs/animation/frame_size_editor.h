@@ -19,11 +19,11 @@ public:
     explicit FrameSizeEditor(QWidget* parent = nullptr);
 
     QSize size() const;
-    void setFrameSize(const QSize& size); // as it is, also against the lock
+    void setFrameSize(const QSize& size); // exact size, even against the lock
 
 signals:
     void changed();
-    void edited(); // by the user
+    void edited(); // sent for edits by the user
 
 private:
     void addNamedSizes();
@@ -31,7 +31,7 @@ private:
     void takeHeight(int height);
     void show(const QSize& size);
 
-    QSize m_locked; // has the proportions that are kept
+    QSize m_locked; // size with the locked proportions
     QComboBox* m_named;
     QSpinBox* m_width;
     QSpinBox* m_height;

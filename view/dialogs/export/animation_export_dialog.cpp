@@ -35,7 +35,7 @@ namespace view {
 namespace {
 
 constexpr int usualPointsPerPixel = 100;
-constexpr int usualSupersample = 2; // of solids
+constexpr int usualSupersample = 2; // solids only
 // The name of a format in the settings.
 QString formatName(AnimationExportDialog::Format format) {
     return format ? io::videoSuffix(*format) : QStringLiteral("pictures");
@@ -124,12 +124,12 @@ void AnimationExportDialog::createFormat() {
     addChoice(m_section, tr("The whole animation"), Section::Animation);
     for (int saved = 0; saved < int(m_views.size()); ++saved)
         addChoice(m_section, tr("The view “%1”").arg(m_views[std::size_t(saved)].name), saved);
-    if (document::space(m_entry)) setSection(Section::Animation); // a camera that goes round shows it all
+    if (document::space(m_entry)) setSection(Section::Animation); // all of it, even if the camera orbits
     m_form->addRow(tr("Sect&ion:"), m_section);
     m_form->setRowVisible(m_section, !io::hasCameraKeys(m_entry));
     createSize();
     connect(m_format, &QComboBox::currentIndexChanged, this, [this] {
-        say({}); // what it says is of another file
+        say({}); // message about another file
         proposeSize();
         update();
     });
@@ -266,7 +266,8 @@ ExportShell::Unfinished AnimationExportDialog::unfinished() const {
 
 void AnimationExportDialog::reject() {
     const bool wasIdle = !isBusy();
-    if (mayClose() && (wasIdle || isBusy())) QDialog::reject(); // what has ended meanwhile shows its outcome
+    // An export that has ended meanwhile shows its outcome.
+    if (mayClose() && (wasIdle || isBusy())) QDialog::reject();
 }
 
 void AnimationExportDialog::setSection(Section section) {
@@ -340,13 +341,13 @@ void AnimationExportDialog::update() {
 
 void AnimationExportDialog::adoptEnding(const QString& path) {
     const auto format = io::videoFormat(QFileInfo(path).suffix());
-    m_isSizeProposed = false; // what was shown is what is written
+    m_isSizeProposed = false; // keeps the size shown
     if (format && !isPictures()) chooseValue(m_format, format);
 }
 
 QString AnimationExportDialog::chosenFile() {
     WantedFile wanted{.title = tr("Export Animation"), .suffix = suffix(), .asksToReplace = !isPictures()};
-    // The first picture is asked for; mayReplace() looks for all of them.
+    // Asks about the first picture; mayReplace() checks all of them.
     if (isPictures())
         wanted.name = [this](const QString& name) {
             return io::framePath(name, m_first->value(), m_last->value());
@@ -407,7 +408,7 @@ QString AnimationExportDialog::sentenceFor(const io::ExportOutcome& outcome, con
 }
 
 void AnimationExportDialog::chooseFolder() {
-    if (!m_form->isRowVisible(m_tasks)) { // Slurm was not found: the folder is for another computer
+    if (!m_form->isRowVisible(m_tasks)) { // Slurm not found: the folder is for another computer
         m_form->setRowVisible(m_tasks, true);
         m_tasks->setFocus();
         return say(tr("Choose how many tasks share the frames, then click On a Cluster… again."));

@@ -32,17 +32,17 @@ class AnimationExportDialog : public ExportShell {
     Q_OBJECT
 
 public:
-    using Camera = std::variant<attractor::View, attractor::OrbitCamera>; // of the canvas
+    using Camera = std::variant<attractor::View, attractor::OrbitCamera>; // camera of the canvas
     AnimationExportDialog(document::Document* document, const Camera& camera, QWidget* parent = nullptr);
     ~AnimationExportDialog() override;
 
     enum class Section { View = -2, Animation = -1 }; // saved views have the numbers from 0
-    void setSection(Section section);                 // the view without camera keys
-    using Format = std::optional<io::VideoFormat>;    // nullopt: a picture for each frame
+    void setSection(Section section);              // fixed part; the default is the view, without camera keys
+    using Format = std::optional<io::VideoFormat>; // nullopt: one picture for each frame
     void setFormat(Format format);
     void exportTo(const QString& path) override;
-    void prepareCluster(const QString& folder); // for On a Cluster, after a folder is chosen
-    void escape() override { reject(); }        // which asks first
+    void prepareCluster(const QString& folder); // prepares On a Cluster after the choice of a folder
+    void escape() override { reject(); }        // asks first
     void reject() override;
 
 protected:
@@ -62,33 +62,33 @@ private:
     void proposeSize();
     void showPreview();
     void createButtons();
-    void adoptEnding(const QString& path); // a video of the format that the file is named after
+    void adoptEnding(const QString& path); // video format from the suffix of the file
     io::AnimationExport chosen() const;
     document::Fractal entryInView() const;
     QString suffix() const;
     void update();
-    bool mayReplace(const QString& path); // asks the user where pictures would replace others
+    bool mayReplace(const QString& path); // asks the user if pictures would be replaced
     void chooseFolder();
 
-    document::Fractal m_entry; // as it was when the dialog opened
+    document::Fractal m_entry; // entry at the opening of the dialog
     Camera m_camera;
     std::vector<document::SavedView> m_views;
     QFormLayout* m_form = nullptr;
     QComboBox* m_format = nullptr;
     QComboBox* m_section = nullptr;
     FrameSizeEditor* m_size = nullptr;
-    bool m_isSizeProposed = true; // not chosen by the user
+    bool m_isSizeProposed = true; // false once the user has chosen a size
     QSpinBox* m_first = nullptr;
     QSpinBox* m_last = nullptr;
     QComboBox* m_quality = nullptr;
-    QSpinBox* m_supersample = nullptr; // of a lit solid
+    QSpinBox* m_supersample = nullptr; // lit solids only
     QSpinBox* m_shutter = nullptr;
     QComboBox* m_exposure = nullptr;
-    QSpinBox* m_tasks = nullptr; // shown where there is Slurm, or once a cluster was asked for
+    QSpinBox* m_tasks = nullptr; // visible if Slurm is installed or a cluster was requested before
     ExportPreview* m_preview = nullptr;
-    QSlider* m_previewed = nullptr; // frame
+    QSlider* m_previewed = nullptr; // number of the previewed frame
     QLabel* m_plan = nullptr;
-    QLabel* m_lost = nullptr; // says when there is no attractor
+    QLabel* m_lost = nullptr; // message about frames without an attractor
     QPushButton* m_cluster = nullptr;
     ClusterQueue* m_queue = nullptr;
     AttractorWatch* m_watch;

@@ -106,7 +106,7 @@ void ClusterQueue::takeSubmitted(int exitCode, QProcess::ExitStatus status) {
 }
 
 void ClusterQueue::ask() {
-    if (m_question.state() != QProcess::NotRunning) return; // it takes its time
+    if (m_question.state() != QProcess::NotRunning) return; // still running
     m_question.start(QStringLiteral("squeue"),
                      {QStringLiteral("--noheader"), QStringLiteral("--array"), QStringLiteral("--states=all"),
                       QStringLiteral("--jobs=") + m_jobs.join(u','), QStringLiteral("--format=%F %T")});
@@ -125,7 +125,7 @@ void ClusterQueue::takeStates(int exitCode) {
     QString text = drawingText(drawing);
     bool isDone = drawing.done == drawing.all();
     bool isOver = drawing.running + drawing.waiting == 0;
-    if (m_jobs.size() > 1 && (isDone || !isOver)) { // where frames are missing there is no video
+    if (m_jobs.size() > 1 && (isDone || !isOver)) { // no video without all frames
         const Counts video = counted(jobs[m_jobs[1]]);
         text += u' ' + videoText(video);
         isDone = video.done > 0;

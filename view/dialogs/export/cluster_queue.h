@@ -23,8 +23,8 @@ public:
     void submit(const QString& folder);
 
 signals:
-    void stateChanged(const QString& sentence); // by Slurm, or why nothing could be submitted
-    void finished(bool isDone);                 // false: some of it failed, or could not be submitted
+    void stateChanged(const QString& sentence); // state in Slurm, or reason why nothing could be submitted
+    void finished(bool isDone);                 // false: some part failed or could not be submitted
 
 private:
     void takeSubmitted(int exitCode, QProcess::ExitStatus status);
@@ -35,7 +35,7 @@ private:
     QProcess m_submission;
     QProcess m_question;
     QTimer m_timer;
-    QStringList m_jobs; // the tasks that draw, and the job that makes the video if there is one
+    QStringList m_jobs; // jobs of the tasks, and of the video if there is one
 };
 
 } // namespace view

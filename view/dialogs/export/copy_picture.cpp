@@ -20,11 +20,11 @@ void copyPicture(document::Document* document, const attractor::Camera& camera, 
         io::inBackground<QByteArray>([fractal = document->fractal(), camera](QPromise<QByteArray>& promise) {
             promise.addResult(io::structuredSvg(fractal, camera));
         });
-    // A picture without shapes is still a picture.
+    // The picture is copied even without shapes.
     if (waitFor(QFuture<void>(writing), ExportDialog::tr("Copying the picture…"), parent))
         if (const QByteArray svg = writing.takeResult(); !svg.isEmpty())
             data->setData(QStringLiteral("image/svg+xml"), svg);
-    QGuiApplication::clipboard()->setMimeData(data.release()); // the clipboard owns it
+    QGuiApplication::clipboard()->setMimeData(data.release()); // owned by the clipboard
 }
 
 } // namespace view

@@ -22,7 +22,7 @@ Enqueued enqueue(ExportQueue& queue, const document::Fractal& fractal, const io:
     task.name = fractal.name;
     task.entry = io::writeEntry(fractal);
     task.recipe = recipe;
-    // The user has agreed to replace an existing file only.
+    // True only for a file that exists now, about which the user was asked.
     task.mayReplace = io::answerSoon([path] { return QFileInfo::exists(path); }).value_or(true);
     queue.add(std::move(task));
     return {true, Text::tr("Added to the queue: %1.").arg(name)};

@@ -13,7 +13,7 @@ namespace view {
 // going to write is refused. The user was asked about one that is there.
 struct Enqueued {
     bool isAdded = false;
-    QString sentence; // about the outcome
+    QString sentence; // outcome for the user
 };
 Enqueued enqueue(ExportQueue& queue, const document::Fractal& fractal, const io::ExportRecipe& recipe,
                  const QString& path);

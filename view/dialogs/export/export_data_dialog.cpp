@@ -130,7 +130,7 @@ void ExportDataDialog::chooseFormat(const Format& remembered) {
         items->item(row)->setEnabled(holds(format));
         if (!first && holds(format)) first = format;
     }
-    chooseValue(m_format, holds(remembered) ? remembered : *first); // points are always held
+    chooseValue(m_format, holds(remembered) ? remembered : *first); // points are always possible
 }
 
 ExportDataDialog::Format ExportDataDialog::format() const {
@@ -170,7 +170,7 @@ QString ExportDataDialog::loss() const {
     if (!format) return {};
     document::Fractal written = *fractalToExport();
     if (auto* shape = document::plane(written); shape && m_baked && m_bake->isChecked())
-        shape->cage.reset(); // it has done its work
+        shape->cage.reset(); // no longer needed
     if (auto* shape = document::space(written); shape && m_baked && m_bake->isChecked()) shape->cage.reset();
     return io::lossOf(*format, written).value_or(QString());
 }
@@ -200,7 +200,7 @@ void ExportDataDialog::update() {
 
 // Previews in the background, because the text of many maps takes long.
 void ExportDataDialog::startPreview() {
-    constexpr qsizetype maxShown = 8000; // bytes; a palette is long
+    constexpr qsizetype maxShown = 8000; // bytes, since palettes are long
     constexpr std::chrono::milliseconds patience{30};
     const auto work = io::inBackground<QByteArray>(
         [make = textMaker()](QPromise<QByteArray>& result) { result.addResult(make().left(maxShown)); });

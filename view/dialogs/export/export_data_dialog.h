@@ -50,7 +50,7 @@ private:
     io::PointFormat pointFormat() const;
     QString suffix() const;
     std::shared_ptr<const document::Fractal> fractalToExport() const;
-    std::function<QByteArray()> textMaker() const; // of the text in the file, for any thread
+    std::function<QByteArray()> textMaker() const; // thread-safe function that returns the text of the file
     QString loss() const;
     void update();
     void startPreview();
@@ -58,8 +58,8 @@ private:
     void copy();
     QString withLoss(const QString& sentence) const;
 
-    const document::Fractal m_fractal;                // as it was when the dialog opened
-    std::shared_ptr<const document::Fractal> m_baked; // null where there is nothing to bake, or it cannot be
+    const document::Fractal m_fractal;                // fractal at the opening of the dialog
+    std::shared_ptr<const document::Fractal> m_baked; // null if it needs no baking, or cannot be baked
     QFormLayout* m_form = nullptr;
     QComboBox* m_format = nullptr;
     ColumnOrders* m_columns = nullptr;
@@ -67,7 +67,7 @@ private:
     QCheckBox* m_turnY = nullptr;
     QCheckBox* m_bake = nullptr;
     QPlainTextEdit* m_preview = nullptr;
-    QFutureWatcher<QByteArray> m_previewed; // the beginning of the text
+    QFutureWatcher<QByteArray> m_previewed; // beginning of the text
     QPushButton* m_copy = nullptr;
     bool m_isPossible = true;
 };

@@ -6,6 +6,7 @@
 #include "dialogs/export/export_size_editor.h"
 #include "dialogs/export/large_export.h"
 #include "document/fractal/fractal_geometry.h"
+#include "document/moments/animated_fractal.h"
 #include "document/text/text.h"
 #include "ifs/copies/copy_hierarchy.h"
 #include "io/file/background.h"
@@ -21,6 +22,7 @@
 #include <QFormLayout>
 #include <QLabel>
 #include <QLocale>
+#include <QPushButton>
 #include <QSpinBox>
 
 #include <algorithm>
@@ -31,12 +33,12 @@ namespace view {
 
 namespace {
 
-constexpr int maxFirstWidth = 780; // of the dialog: it fits the smallest screens
+constexpr int maxFirstWidth = 780; // pixels of the dialog; fits the smallest screens
 
 struct Kind {
     ExportDialog::File file;
     const char* title;    // for Text::tr()
-    QStringList suffixes; // the usual one first
+    QStringList suffixes; // default first
 };
 
 QList<Kind> kinds() {
@@ -60,6 +62,26 @@ std::optional<Kind> kindOf(const QString& path) {
     return std::nullopt;
 }
 
+// Pixels as they are, or in millimetres on paper.
+QString lengthOf(double pixels, const ExportSizeEditor& size) {
+    return size.isOnPaper() ? ExportDialog::tr("%1 mm").arg(25.4 * pixels / size.dotsPerInch(), 0, 'f', 3)
+                            : ExportDialog::tr("%1 px").arg(pixels, 0, 'f', 2);
+}
+
+// A maker measures the shape, not the page around it. Empty where its box is not known or not all of it is
+// on the page.
+QString sizeOfShape(const document::Fractal& fractal, const attractor::Camera& camera,
+                    const ExportSizeEditor& size) {
+    const auto box = camera.rotation == 0 ? document::displayedBox(fractal) : std::nullopt;
+    if (!box) return {};
+    const ifs::Vector<2> page = ifs::Vector<2>(camera.width, camera.height) / camera.pixelsPerUnit;
+    const ifs::Vector<2> low = camera.centre - page / 2, high = camera.centre + page / 2;
+    if ((box->min.array() < low.array()).any() || (box->max.array() > high.array()).any()) return {};
+    const ifs::Vector<2> pixels = camera.pixelsPerUnit * (box->max - box->min);
+    return ExportDialog::tr(" The shape itself measures %1 × %2.")
+        .arg(lengthOf(pixels.x(), size), lengthOf(pixels.y(), size));
+}
+
 } // namespace
 
 ExportDialog::ExportDialog(document::Document* document, const attractor::Camera& camera, QWidget* parent)
@@ -73,6 +95,9 @@ ExportDialog::ExportDialog(document::Document* document, const attractor::Camera
     createFormat();
     lay(m_options, m_preview, Qt::Horizontal);
     setStartHelp(tr("Asks for a file name and writes the file. You can keep working in the meantime."));
+    if (document::animationFacts(document->entryFractal()))
+        addButton(Text::tr("&Animation…"), Text::tr("Exports the motion instead, as GIF, MP4 and others."))
+            ->setObjectName(QStringLiteral("animation"));
     addQueueButton(tr("Asks for a file name and adds the picture to the queue in the Exports panel. "
                       "The queue continues after a restart."));
     m_planTimer.setSingleShot(true);
@@ -99,7 +124,7 @@ void ExportDialog::createFormat() {
     m_format->setWhatsThis(
         tr("SVG and PDF are made of shapes, which stay sharp at every size; the others are made of pixels. "
            "If the file name has the ending of another format, that format is written."));
-    const double ratio = devicePixelRatioF(); // as many pixels as the screen shows
+    const double ratio = devicePixelRatioF(); // resolution of the screen
     m_size = new ExportSizeEditor({std::max(1, int(std::lround(m_camera.width * ratio))),
                                    std::max(1, int(std::lround(m_camera.height * ratio)))},
                                   m_options);
@@ -108,7 +133,7 @@ void ExportDialog::createFormat() {
     m_transparent = new QCheckBox(tr("&Transparent background"), m_options);
     m_transparent->setChecked(m_fractal.appearance.background.alpha == 0);
     m_transparent->setWhatsThis(tr("The picture has no background and can be placed over another."));
-    m_triangle = new QCheckBox(tr("Include the control t&riangle"), m_options);
+    m_triangle = new QCheckBox(tr("Include the ca&ge"), m_options);
     m_triangle->setWhatsThis(tr("Draws the cage over the picture."));
     m_form = new QFormLayout(m_options);
     m_form->setContentsMargins({});
@@ -123,7 +148,7 @@ void ExportDialog::createFormat() {
     m_form->addRow(tr("&Format:"), m_format);
     m_form->addRow(tr("Sect&ion:"), m_section);
     m_form->addRow(tr("Size:"), m_size);
-    setTabOrder(m_format, m_section); // as they stand
+    setTabOrder(m_format, m_section); // order of their positions
     m_form->addRow(QString(), m_transparent);
     m_form->addRow(QString(), m_triangle);
     createPngOptions();
@@ -190,6 +215,8 @@ void ExportDialog::createSvgOptions() {
     m_plan->setWordWrap(true);
     m_plan->setAlignment(Qt::AlignTop | Qt::AlignLeft);
     m_plan->setAccessibleName(tr("Description of the picture"));
+    if (const auto style = ifs::named<io::ShapeStyle>(last().more.toStdString()))
+        chooseValue(m_style, *style);
     m_form->addRow(tr("S&hapes:"), m_style);
     m_form->addRow(tr("&Points:"), m_points);
     m_form->addRow(tr("&Depth:"), m_depth);
@@ -199,7 +226,7 @@ void ExportDialog::createSvgOptions() {
 
 void ExportDialog::connectOptions() {
     connect(m_format, &QComboBox::currentIndexChanged, this, [this] {
-        say({}); // what it says is of another file
+        say({}); // message about another file
         update();
     });
     connect(m_section, &QComboBox::currentIndexChanged, this, &ExportDialog::update);
@@ -210,7 +237,7 @@ void ExportDialog::connectOptions() {
     connect(m_style, &QComboBox::currentIndexChanged, this, &ExportDialog::update);
     connect(m_autoDepth, &QCheckBox::toggled, this, &ExportDialog::update);
     connect(m_transparent, &QCheckBox::toggled, this, &ExportDialog::showPreview);
-    connect(m_triangle, &QCheckBox::toggled, this, &ExportDialog::update); // it may take a larger section
+    connect(m_triangle, &QCheckBox::toggled, this, &ExportDialog::update); // may enlarge the section
     connect(m_quality, &QComboBox::currentIndexChanged, this, &ExportDialog::showPreview);
 }
 
@@ -247,7 +274,7 @@ attractor::Camera ExportDialog::camera() const {
     if (const int saved = chosenValue<int>(m_section); saved >= 0)
         return attractor::cameraOf(std::get<attractor::View>(m_views[std::size_t(saved)].camera),
                                    {camera.width, camera.height});
-    std::optional<document::Box> box = m_extent.result(); // waits
+    std::optional<document::Box> box = m_extent.result(); // blocks until found
     if (!box) return camera;
     if (m_triangle->isChecked())
         for (const ifs::Vector<2>& corner : document::effectiveCage(m_fractal).current) {
@@ -306,7 +333,7 @@ void ExportDialog::update() {
     const auto takes = [this](io::PictureFormat::Depth depth) {
         return pixels() && io::takes(*pixels(), depth);
     };
-    m_form->setRowVisible(m_depthOfColour, // where there is a choice
+    m_form->setRowVisible(m_depthOfColour, // visible if there is a choice
                           takes(io::PictureFormat::Depth::Bits8) && takes(io::PictureFormat::Depth::Bits16));
     for (QWidget* field : std::initializer_list<QWidget*>{m_style, m_plan})
         m_form->setRowVisible(field, isSvg());
@@ -353,16 +380,21 @@ void ExportDialog::showSvgPlan() {
         const QSignalBlocker quiet(m_depth);
         m_depth->setValue(plan.depth);
     }
+    const bool isOneColour = m_fractal.appearance.colourBy == attractor::ColourBy::Density;
+    const QString colours =
+        isOneColour ? tr(" Shades of density need pixels: the shapes have one colour.") : QString();
     if (style() == io::ShapeStyle::Points) {
-        showPlan(tr("One dot for every visible point of the chaos game."));
+        showPlan(tr("One dot for every visible point of the chaos game.") + colours);
         return;
     }
-    const QString accuracy =
-        m_size->isOnPaper() ? tr("%1 mm").arg(25.4 * plan.errorInPixels / m_size->dotsPerInch(), 0, 'f', 3)
-                            : tr("%1 px").arg(plan.errorInPixels, 0, 'f', 2);
-    showPlan(tr("Guaranteed accuracy: %2. Copies drawn by programs that open the file: %1 (the limit is %3).")
-                 .arg(groupedNumber(double(plan.references)), accuracy,
-                      groupedNumber(double(ifs::CopyHierarchy::maxReferences))) +
+    const bool isOutline = style() == io::ShapeStyle::Outline;
+    const QString accuracy = lengthOf(plan.errorInPixels, *m_size);
+    const QString text = isOutline ? tr("Guaranteed accuracy: %1.").arg(accuracy)
+                                   : tr("Guaranteed accuracy: %2. Copies drawn by programs that open the "
+                                        "file: %1 (the limit is %3).")
+                                         .arg(groupedNumber(double(plan.references)), accuracy,
+                                              groupedNumber(double(ifs::CopyHierarchy::maxReferences)));
+    showPlan(text + (isOutline ? sizeOfShape(m_fractal, camera(), *m_size) : colours) +
              (plan.isCutShort
                   ? tr(" More levels would be more accurate, but programs would take long to draw them.")
                   : QString()) +
@@ -379,7 +411,7 @@ void ExportDialog::showPlan(const QString& text) {
 
 // The window grows with it.
 void ExportDialog::makeRoomForPlan() {
-    const int usual = 3 * m_plan->fontMetrics().lineSpacing(); // so that it seldom does
+    const int usual = 3 * m_plan->fontMetrics().lineSpacing(); // rarely exceeded
     m_plan->setMinimumHeight(std::max(usual, m_plan->heightForWidth(m_plan->width())));
 }
 
@@ -390,6 +422,11 @@ void ExportDialog::resizeEvent(QResizeEvent* event) {
 
 void ExportDialog::setSection(Section section) {
     chooseValue(m_section, section);
+}
+
+void ExportDialog::beginAsPoster() {
+    chooseValue(m_format, File(io::PictureFile::Png));
+    m_size->chooseLargestSheet();
 }
 
 bool ExportDialog::isPossible() const {
@@ -405,7 +442,8 @@ QString ExportDialog::chosenFile() {
     const QString filter =
         QStringLiteral("%1 (*.%2)").arg(suffix.toUpper(), suffixes.join(QStringLiteral(" *.")));
     const QString path = chooseFile({.title = tr("Export Picture"), .suffix = suffix, .filter = filter});
-    if (const auto kind = kindOf(path)) remember({kind->suffixes.first(), m_size->choice()}, path);
+    const QString shapes = isSvg() ? QString::fromLatin1(ifs::nameOf(style())) : QString();
+    if (const auto kind = kindOf(path)) remember({kind->suffixes.first(), m_size->choice(), shapes}, path);
     return path;
 }
 

@@ -35,9 +35,10 @@ public:
     ExportDialog(document::Document* document, const attractor::Camera& camera, QWidget* parent = nullptr);
     ~ExportDialog() override;
 
-    using File = std::variant<io::PictureFile, io::ShapeFile>; // the format
+    using File = std::variant<io::PictureFile, io::ShapeFile>; // chosen format
     enum class Section { View = -2, Attractor = -1 };          // saved views have the numbers from 0
     void setSection(Section section);                          // the part shown; the view at first
+    void beginAsPoster();                                      // as pixels for the largest sheet
     void exportTo(const QString& path) override;               // the ending of the name decides the format
     const ExportPreview& preview() const { return *m_preview; }
 
@@ -54,8 +55,8 @@ private:
     void createSvgOptions();
     void connectOptions();
 
-    std::optional<io::PictureFile> pixels() const; // the chosen format, if it is made of them
-    bool isSvg() const;                            // or PDF: shapes
+    std::optional<io::PictureFile> pixels() const; // chosen format, if it consists of pixels
+    bool isSvg() const;                            // true for shapes: SVG or PDF
     bool isTransparent() const;
     io::PictureFormat::Depth depthOfColour() const;
     io::ShapeStyle style() const;
@@ -64,13 +65,13 @@ private:
     std::uint64_t memory() const;
     void update();
     void showPreview();
-    void updateSvgPlan(); // beside the window
+    void updateSvgPlan(); // computes in the background
     void showSvgPlan();
     void showPlan(const QString& text);
     void makeRoomForPlan();
-    bool takeFormat(const QString& path); // says so if the name determines none
+    bool takeFormat(const QString& path); // reports names that determine no format
 
-    document::Fractal m_fractal; // as it was when the dialog opened, with what the camera showed
+    document::Fractal m_fractal; // fractal at the opening of the dialog, with the camera of the canvas
     attractor::Camera m_camera;
     std::vector<document::SavedView> m_views;
     QComboBox* m_format = nullptr;
@@ -91,9 +92,10 @@ private:
     QLabel* m_plan = nullptr;
     QWidget* m_options = nullptr;
     QTimer m_planTimer;
-    QFutureWatcher<std::optional<document::Box>> m_extent; // of what is exported, found in the background
+    // Extent of the exported fractal, found in the background.
+    QFutureWatcher<std::optional<document::Box>> m_extent;
     QFutureWatcher<io::SvgPlan> m_planning;
-    bool m_isPlanOld = false; // the plan being computed is no longer wanted
+    bool m_isPlanOld = false; // true if the plan being computed is obsolete
 };
 
 } // namespace view

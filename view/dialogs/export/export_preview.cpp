@@ -14,9 +14,9 @@ namespace {
 
 using namespace std::chrono_literals;
 
-constexpr int margin = 1;       // for the outline
-constexpr double square = 8;    // of the chequer, in pixels of the widget
-constexpr int maxPixels = 2000; // on a side, however large the window is
+constexpr int margin = 1;       // pixels for the outline
+constexpr double square = 8;    // pixels of the widget; side of a square of the chequer
+constexpr int maxPixels = 2000; // pixels on a side, in windows of any size
 
 // A chequerboard, by which paint programs show transparency, in light and dark windows.
 void paintChequer(QPainter& painter, const QRect& area) {

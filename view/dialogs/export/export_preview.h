@@ -26,9 +26,9 @@ public:
 
     // Shows a picture of this size, > 0; without a drawing it is not known yet.
     void show(const QSize& size, Drawing drawing);
-    const QImage& picture() const { return m_picture; } // null before the first
+    const QImage& picture() const { return m_picture; } // null before the first one
     bool isBusy() const { return m_work.isBusy(); }
-    QRect frame() const; // of the picture, in pixels of this widget
+    QRect frame() const; // area of the picture, in pixels of this widget
 
     QSize sizeHint() const override;
 
@@ -42,15 +42,15 @@ protected:
 private:
     struct Drawn {
         QImage picture;
-        QSize of; // of the export
+        QSize of; // size of the export
     };
     void draw();
 
     QSize m_size{1, 1};
     Drawing m_drawing;
     QImage m_picture;
-    QSize m_shown;  // the size that the picture was drawn for
-    QTimer m_delay; // while fields and edges move
+    QSize m_shown;  // size for which the picture was drawn
+    QTimer m_delay; // delay while fields and edges move
     QTimer m_patience;
     NewestWork<Drawn> m_work;
 };

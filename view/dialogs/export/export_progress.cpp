@@ -9,8 +9,8 @@ namespace view {
 
 namespace {
 
-constexpr double enough = 0.01;  // done, to tell how fast it goes
-constexpr qint64 patience = 700; // milliseconds; what ends sooner says nothing
+constexpr double enough = 0.01;  // share that reveals the speed
+constexpr qint64 patience = 700; // milliseconds; shorter exports show no time
 
 QString timeText(qint64 milliseconds) {
     const qint64 seconds = (milliseconds + 999) / 1000;
@@ -28,13 +28,13 @@ ExportProgress::ExportProgress(QWidget* parent)
     m_bar->setTextVisible(false);
     m_bar->setAccessibleName(tr("Progress of the export"));
     m_left->setAccessibleName(tr("Time left"));
-    m_left->setMinimumHeight(fontMetrics().lineSpacing()); // empty, too: nothing moves when there is a text
+    m_left->setMinimumHeight(fontMetrics().lineSpacing()); // constant height, even without text
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins({});
     layout->addWidget(m_bar);
     layout->addWidget(m_left);
     QSizePolicy policy = sizePolicy();
-    policy.setRetainSizeWhenHidden(true); // no button moves away when it begins
+    policy.setRetainSizeWhenHidden(true); // keeps the buttons in place
     setSizePolicy(policy);
     setVisible(false);
 }

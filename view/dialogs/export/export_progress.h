@@ -16,14 +16,14 @@ class ExportProgress : public QWidget {
 public:
     explicit ExportProgress(QWidget* parent);
 
-    void begin(const QString& firstStep = {}); // shown until the time left can be told
+    void begin(const QString& firstStep = {}); // text until the remaining time can be estimated
     void setFraction(double fraction);         // 0 … 1
     void end();
 
 private:
     QProgressBar* m_bar = nullptr;
-    QLabel* m_left = nullptr; // time
-    QElapsedTimer m_clock;    // since the work began
+    QLabel* m_left = nullptr; // remaining time
+    QElapsedTimer m_clock;    // time since the work began
 };
 
 } // namespace view

@@ -33,7 +33,7 @@ ExportShell::ExportShell(const QString& kind, const QString& entry, QWidget* par
       m_progress(new ExportProgress(this)),
       m_buttons(new QDialogButtonBox(this)) {
     m_message->setWordWrap(true);
-    m_message->setTextFormat(Qt::PlainText); // it quotes names and paths
+    m_message->setTextFormat(Qt::PlainText); // quotes names and paths
     m_message->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
     m_message->setAccessibleName(tr("Result"));
     m_message->hide();
@@ -79,7 +79,7 @@ void ExportShell::lay(QWidget* options, QWidget* preview, Qt::Orientation orient
         new QBoxLayout(orientation == Qt::Horizontal ? QBoxLayout::LeftToRight : QBoxLayout::TopToBottom);
     top->addWidget(options);
     if (preview != nullptr) top->addWidget(preview, 1);
-    auto* result = new QGridLayout; // in one place: of an export that has begun nothing is said yet
+    auto* result = new QGridLayout; // one cell, because a running export has no outcome yet
     result->addWidget(m_message, 0, 0);
     result->addWidget(m_progress, 0, 0);
     auto* layout = new QVBoxLayout(this);
@@ -102,7 +102,7 @@ void ExportShell::setStartHelp(const QString& text) const {
 QPushButton* ExportShell::addButton(const QString& text, const QString& help) const {
     QPushButton* button = m_buttons->addButton(text, QDialogButtonBox::ActionRole);
     button->setWhatsThis(help);
-    if (m_showInFolder != nullptr) m_showInFolder->hide(); // the box shows all buttons when it gets one more
+    if (m_showInFolder != nullptr) m_showInFolder->hide(); // adding a button shows all buttons of the box
     return button;
 }
 

@@ -35,16 +35,16 @@ public:
     // Exports to a chosen file, after the user has agreed to replace an existing one.
     virtual void exportTo(const QString& path) = 0;
     void addToQueue(const QString& path);
-    void setQueue(ExportQueue* queue); // which outlives it; without one, there is no Add to Queue
-    QString message() const;           // about the outcome
+    void setQueue(ExportQueue* queue); // must outlive the dialog; without a queue there is no Add to Queue
+    QString message() const;           // outcome for the user
     bool canExport() const;
     bool isBusy() const { return bool(m_work); }
-    bool mayClose();                           // asks the user while an export is under way
-    void suggestFolderOf(const QString& path); // before the first export, if one can write there
+    bool mayClose();                           // asks the user during an export
+    void suggestFolderOf(const QString& path); // default before the first export, if the folder is writable
 
 signals:
     void exported(const QString& path);
-    void queued(); // the export was added
+    void queued(); // sent when the export has been added to the queue
     void failed(const QString& sentence);
 
 protected:
@@ -56,16 +56,16 @@ protected:
     void lay(QWidget* options, QWidget* preview, Qt::Orientation orientation);
     void lay(QFormLayout* options, QWidget* preview, Qt::Orientation orientation);
     void setStartHelp(const QString& text) const;
-    QPushButton* addButton(const QString& text, const QString& help) const; // between Export and Close
+    QPushButton* addButton(const QString& text, const QString& help) const; // placed between Export and Close
     QPushButton* addQueueButton(const QString& help);
 
     // Asks for a file. Empty: none was chosen, or something has to be put right first.
     virtual QString chosenFile() = 0;
     struct WantedFile {
-        QString title;                             // of the chooser
-        QString suffix;                            // the usual one of the format
-        QString filter = {};                       // empty: files with that suffix
-        std::function<QString(QString)> name = {}; // of the file that is suggested; null: as the entry
+        QString title;                             // title of the chooser
+        QString suffix;                            // default suffix of the format
+        QString filter = {};                       // empty: files with `suffix`
+        std::function<QString(QString)> name = {}; // name to suggest; null: name of the entry
         bool asksToReplace = true;
     };
     QString chooseFile(const WantedFile& wanted);
@@ -74,7 +74,7 @@ protected:
     // The recipe to queue under this name; nullopt if it cannot be queued, after the user was told why.
     virtual std::optional<io::ExportRecipe> recipeFor(const QString& path);
     virtual const document::Fractal* queuedFractal() const { return nullptr; }
-    virtual bool isPossible() const { return true; } // whether the options make sense
+    virtual bool isPossible() const { return true; } // false if the options contradict each other
     virtual bool isQueueable() const { return true; }
     virtual QString sentenceFor(const io::ExportOutcome& outcome, const QString& path) const;
     // Texts of mayClose(): the export under way, and the effect of stopping it.
@@ -83,19 +83,19 @@ protected:
         QString ifStopped;
     };
     virtual Unfinished unfinished() const;
-    virtual void whenFinished() {} // once it is idle again, before the outcome is said
+    virtual void whenFinished() {} // called when the dialog is idle again, before the outcome is shown
 
-    void say(const QString& sentence); // empty: nothing; with room for it
-    virtual void escape();             // for Esc: like the button, stops before it closes
+    void say(const QString& sentence); // makes room for the sentence; empty: none
+    virtual void escape();             // handler of Esc, which like the button stops before it closes
     bool event(QEvent* event) override;
     void keyPressEvent(QKeyEvent* event) override;
     void enableButtons();
     using Work = std::function<io::ExportOutcome(const io::Progress& progress, const std::stop_token& stop)>;
-    void start(Work work, const QString& path, const QString& firstStep = {}); // in a thread of its own
+    void start(Work work, const QString& path, const QString& firstStep = {}); // runs in a background thread
     void start(io::Export what, const QString& path, const QString& firstStep = {});
-    void writeText(const QByteArray& text, const QString& path); // at once
+    void writeText(const QByteArray& text, const QString& path); // writes synchronously
     void finish(const io::ExportOutcome& outcome, const QString& path);
-    void offerFolderOf(const QString& path); // of what was written
+    void offerFolderOf(const QString& path); // folder of the written file
 
 private:
     void closeOrStop();
@@ -111,10 +111,10 @@ private:
     QPushButton* m_enqueue = nullptr;
     QPushButton* m_close = nullptr;
     QPushButton* m_showInFolder = nullptr; // visible once something was written
-    QString m_written;                     // its file
+    QString m_written;                     // path of the written file
     ExportQueue* m_queue = nullptr;
-    QPointer<QMessageBox> m_question;       // whether to stop; nobody need answer once the work has ended
-    std::unique_ptr<io::ExportWork> m_work; // last: stops before the rest goes
+    QPointer<QMessageBox> m_question;       // asks whether to stop; closed when the work ends
+    std::unique_ptr<io::ExportWork> m_work; // last member: its thread uses the others
 };
 
 } // namespace view

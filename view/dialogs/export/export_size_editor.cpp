@@ -24,9 +24,9 @@ namespace {
 
 constexpr int maxSide = 100'000;
 constexpr int printed = 300;              // dots per inch
-constexpr int multiples[] = {1, 2, 4, 8}; // of the screen
+constexpr int multiples[] = {1, 2, 4, 8}; // multiples of the size on the screen
 using Unit = ExportSizeEditor::Unit;
-enum Role { Size = Qt::UserRole, IsPaper, Multiple }; // of a named size
+enum Role { Size = Qt::UserRole, IsPaper, Multiple }; // data of a named size
 
 QDoubleSpinBox* lengthField(const QString& name, QWidget* parent) {
     auto* field = new NumberBox(parent);
@@ -50,7 +50,7 @@ QComboBox* unitBox(QWidget* parent) {
 
 QToolButton* lockButton(QWidget* parent) {
     auto* button = new QToolButton(parent);
-    button->setIcon(icon(QStringLiteral("lock"))); // the text would widen the dialogs beyond small screens
+    button->setIcon(icon(QStringLiteral("lock"))); // a text would widen the dialogs beyond small screens
     button->setAccessibleName(ExportSizeEditor::tr("Lock proportions"));
     button->setCheckable(true);
     button->setChecked(true);
@@ -180,7 +180,7 @@ bool ExportSizeEditor::isOnPaper() const {
 }
 
 QString ExportSizeEditor::choice() const {
-    const int multiple = m_named->currentData(Multiple).toInt(); // 0: not by the screen
+    const int multiple = m_named->currentData(Multiple).toInt(); // 0: independent of the screen
     QStringList numbers;
     for (const int number : {multiple, m_pixels.width(), m_pixels.height(), int(chosenValue<Unit>(m_unit)),
                              m_resolution->value()})
@@ -199,6 +199,19 @@ void ExportSizeEditor::choose(const QString& choice) {
     chooseValue(m_unit, std::clamp(Unit(numbers[3]), Unit::Pixels, Unit::Inches));
     m_locked = size;
     setPixels(size);
+}
+
+void ExportSizeEditor::chooseLargestSheet() {
+    int largest = -1;
+    const auto area = [this](int row) {
+        const QSize size = m_named->itemData(row, Size).toSize();
+        return size.width() * size.height();
+    };
+    for (int row = 0; row < m_named->count(); ++row)
+        if (m_named->itemData(row, IsPaper).toBool() && (largest < 0 || area(row) > area(largest)))
+            largest = row;
+    m_named->setCurrentIndex(largest);
+    takeNamedSize();
 }
 
 void ExportSizeEditor::setResolutionVisible(bool visible) {
@@ -233,7 +246,7 @@ void ExportSizeEditor::showSize() {
     m_width->setValue(m_pixels.width() / unitInPixels());
     m_height->setValue(m_pixels.height() / unitInPixels());
     if (chooseValue(m_named, m_pixels)) return;
-    // A sheet that was chosen for another screen may stand where this one lies.
+    // True for a sheet chosen for a screen of the other orientation.
     const bool isTurnedSheet =
         chooseValue(m_named, m_pixels.transposed()) && m_named->currentData(IsPaper).toBool();
     if (!isTurnedSheet) chooseValue(m_named, QSize());

@@ -19,15 +19,16 @@ class ExportSizeEditor : public QWidget {
 public:
     explicit ExportSizeEditor(const QSize& screen, QWidget* parent = nullptr);
 
-    enum class Unit { Pixels, Millimetres, Inches }; // numbered as the settings have them
+    enum class Unit { Pixels, Millimetres, Inches }; // values are stored in the settings
 
     QSize pixels() const { return m_pixels; }
-    void setPixels(const QSize& size); // as they are, also against the lock
+    void setPixels(const QSize& size); // exact size, even against the lock
     double dotsPerInch() const;
-    bool isOnPaper() const; // in millimetres or inches
+    bool isOnPaper() const; // true for millimetres and inches
     // The choice as a text for choose(): a size by the screen is that of another screen then.
     QString choice() const;
     void choose(const QString& choice); // ignores texts that are no choice
+    void chooseLargestSheet();          // of paper
     void setResolutionVisible(bool visible);
 
 signals:
@@ -41,11 +42,11 @@ private:
     void showSize();
     void takeWidth(double width);
     void takeHeight(double height);
-    QSize inShape(double factor) const; // the locked proportions, both sides within the limit
+    QSize inShape(double factor) const; // size with the locked proportions, both sides within the limit
 
     QSize m_screen;
     QSize m_pixels;
-    QSize m_locked; // has the proportions that are kept
+    QSize m_locked; // size with the locked proportions
     QDoubleSpinBox* m_width;
     QDoubleSpinBox* m_height;
     QComboBox* m_unit;

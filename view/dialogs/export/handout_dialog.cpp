@@ -30,7 +30,7 @@ namespace view {
 
 namespace {
 
-constexpr double areaMargin = 0.04; // around everything that is shown
+constexpr double areaMargin = 0.04; // margin around the visible area
 
 int longSideOf(const HandoutOptions& options) {
     return options.perPage <= 2 ? 1400 : 900;
@@ -188,7 +188,7 @@ io::PlaneExport handoutPicture(const document::Fractal& fractal, const HandoutOp
             for (const auto& map : displayed->maps)
                 if (map.enabled) include(map.map);
     }
-    if (!((high - low).maxCoeff() > 0)) { // a single point
+    if (!((high - low).maxCoeff() > 0)) { // single point
         low.array() -= 0.5;
         high.array() += 0.5;
     }
@@ -231,18 +231,18 @@ void HandoutDialog::showPreview() {
     const HandoutOptions wanted = options();
     m_message->clear();
     std::vector<HandoutItem> items;
-    const QPointer<HandoutDialog> self(this); // it may be closed meanwhile
+    const QPointer<HandoutDialog> self(this); // the dialog may close meanwhile
     for (const auto& fractal : chosen()) {
         HandoutItem item{fractal, {}};
         if (wanted.kind == HandoutOptions::Kind::Handout) {
             item.picture = document::plane(*fractal)
                                ? drawnForPaper(handoutPicture(*fractal, wanted), this)
                                : drawnInSpace(handoutPictureInSpace(*fractal, wanted), this);
-            if (!self || item.picture.isNull()) return; // the user has changed their mind
+            if (!self || item.picture.isNull()) return; // cancelled by the user
         }
         items.push_back(std::move(item));
     }
-    constexpr double paperMargin = 15; // mm: printers and hole punches need some
+    constexpr double paperMargin = 15; // mm, for printers and hole punches
     const auto paint = [items = std::move(items), wanted](QPainter& painter, const QRectF& page,
                                                           const std::function<void()>& newPage) {
         paintHandout(painter, page, items, wanted, newPage);

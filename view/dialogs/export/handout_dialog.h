@@ -23,23 +23,23 @@ class HandoutDialog : public QDialog {
     Q_OBJECT
 
 public:
-    static constexpr int maxEntries = 60;  // on paper; their pictures are held at once
-    static constexpr int maxListed = 2000; // more rows than anybody reads
+    static constexpr int maxEntries = 60;  // limit for one print, whose pictures are held at once
+    static constexpr int maxListed = 2000; // limit of the list
 
     explicit HandoutDialog(const document::Document* document, QWidget* parent = nullptr);
 
-    void setName(const QString& name) { m_name = name; } // of the document, instead of that of its entry
+    void setName(const QString& name) { m_name = name; } // name of the document, in place of its entry's
     QString printedName() const;
     HandoutOptions options() const;
     std::vector<std::shared_ptr<const document::Fractal>> chosen() const; // in the order of the file
-    void showPreview(); // in the background, while progress is shown
+    void showPreview(); // prepared in the background, with progress
 
 private:
     void createEntries(const document::Document& document);
     void createOptions();
     void update();
 
-    std::vector<std::shared_ptr<const document::Fractal>> m_fractals; // by row of the list
+    std::vector<std::shared_ptr<const document::Fractal>> m_fractals; // indexed by row of the list
     QString m_name;
     QListWidget* m_entries;
     QComboBox* m_kind;
@@ -47,7 +47,7 @@ private:
     QCheckBox* m_maps;
     QCheckBox* m_formulas;
     QCheckBox* m_nameLine;
-    QLabel* m_message; // of what was printed
+    QLabel* m_message; // message about the last print
     QPushButton* m_preview = nullptr;
 };
 
@@ -57,7 +57,7 @@ io::PlaneExport handoutPicture(const document::Fractal& fractal, const HandoutOp
 // The same of an entry in space, seen as at first.
 struct HandoutPictureInSpace {
     io::SpaceExport picture;
-    io::OverlayMarks marks; // over it
+    io::OverlayMarks marks; // drawn over the picture
 };
 HandoutPictureInSpace handoutPictureInSpace(const document::Fractal& fractal, const HandoutOptions& options);
 

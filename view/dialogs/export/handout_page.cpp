@@ -21,12 +21,12 @@ namespace view {
 namespace {
 
 constexpr double lineSpacing = 1.15;
-constexpr double textShare = 0.72; // of the height of a line, where the text is not too wide for that
-constexpr double minScale = 0.6;   // of a text that is; what is still too wide is broken
+constexpr double textShare = 0.72; // share of a line's height, unless the text is too wide
+constexpr double minScale = 0.6;   // least scale of a wide text, which is then broken
 constexpr double brokenScale = 0.75;
-constexpr int maxRows = 12;        // of an empty table
-constexpr double gridLines = 900;  // the grid is as dense as on a canvas of so many pixels
-constexpr double cageMargin = 0.3; // of the cage's size, around it on the grid
+constexpr int maxRows = 12;        // rows of an empty table
+constexpr double gridLines = 900;  // pixels of a canvas with the same density of grid lines
+constexpr double cageMargin = 0.3; // share of the cage's size around it on the grid
 
 QString subscript(std::size_t number) {
     static const QString digits = QStringLiteral("₀₁₂₃₄₅₆₇₈₉");
@@ -96,7 +96,7 @@ public:
         const QPointF corner(picture.left() + (picture.width() - size.width()) / 2, picture.top());
         m_painter.setRenderHint(QPainter::SmoothPixmapTransform);
         m_painter.drawImage(QRectF(corner, size), item.picture);
-        // Below a picture that is flat there is more room.
+        // A flat picture leaves more room for the text.
         if (text.top() >= picture.bottom()) text.setTop(corner.y() + size.height() + 0.7 * m_line);
         if (hasText) paintFormulas(text, *item.fractal);
     }
@@ -106,7 +106,7 @@ private:
         m_painter.setFont(printedFont(m_painter, share * m_line, bold));
     }
 
-    // The rooms for the picture and for the text.
+    // Rooms for the picture and for the text.
     std::pair<QRectF, QRectF> divided(const QRectF& room, bool hasText) const {
         if (!hasText) return {room, QRectF()};
         const double gap = m_line;
@@ -148,7 +148,7 @@ private:
         paintMaps(room, formulas<2>(displayed ? *displayed : *document::system2(fractal)));
     }
 
-    // The lines of each text: one or, if any of the texts would be too wide, as many as it takes.
+    // Lines of each text: one, or as many as necessary if any text would be too wide.
     QList<QStringList> broken(const QStringList& texts, double width) {
         const auto fitAt = [&](double scale) {
             setFont(textShare * scale);
@@ -171,7 +171,7 @@ private:
         return lines;
     }
 
-    // Formulas that do not fit are counted.
+    // Counts formulas that do not fit.
     void paintMaps(const QRectF& room, const QStringList& formulas) {
         const QList<QStringList> maps = broken(formulas, room.width());
         const qsizetype fit = linesIn(room);
@@ -188,8 +188,8 @@ private:
         return qsizetype(std::max(0.0, room.height() / (lineSpacing * m_line)));
     }
 
-    // The largest with which all lines fit, down to `minScale`. Widths of letters are not quite in proportion
-    // to their size.
+    // Largest font, down to `minScale`, in which all lines fit; by search, because widths of letters are not
+    // quite proportional to their size.
     void setFontFor(const QStringList& lines, double width) {
         constexpr double step = 0.02;
         const auto fits = [this, width](const QString& line) {
@@ -203,7 +203,7 @@ private:
         }
     }
 
-    // Paints as many lines as there is room for. Returns where they end.
+    // Paints as many lines as fit; returns the y coordinate of their end.
     double paintTexts(const QRectF& room, QStringList lines) {
         const double height = lineSpacing * m_line;
         lines = lines.first(std::min(lines.size(), linesIn(room)));
@@ -216,7 +216,7 @@ private:
         return room.top() + double(lines.size()) * height;
     }
 
-    // The cage in space as a solid is seen at first, its corners numbered.
+    // Cage in space, in the first view of a solid, with numbered corners.
     void paintCage(const QRectF& room, const document::Fractal& fractal) {
         const document::Fractal printed = onPaper(fractal);
         io::PictureOverlay overlay;
@@ -234,7 +234,7 @@ private:
         m_painter.restore();
     }
 
-    // The cage as it is displayed, with its corners named, on a grid with the numbers of its lines.
+    // Displayed cage with named corners, on a grid with the numbers of its lines.
     void paintGrid(const QRectF& whole, const document::Fractal& fractal) {
         const std::vector<ifs::Vector<2>> cage = document::effectiveCage(fractal).current;
         ifs::Vector<2> low = cage.front(), high = cage.front();
@@ -243,7 +243,7 @@ private:
             high = high.cwiseMax(corner);
         }
         const double extent = (high - low).maxCoeff() > 0 ? (high - low).maxCoeff() : 1;
-        const QRectF room = whole.adjusted(1.6 * m_line, 0, 0, -m_line); // beside the numbers
+        const QRectF room = whole.adjusted(1.6 * m_line, 0, 0, -m_line); // room beside the numbers
         const ifs::Vector<2> size = high - low + ifs::Vector<2>::Constant(2 * cageMargin * extent);
         const double scale = std::min(room.width() / size.x(), room.height() / size.y());
         if (!(scale > 0) || !std::isfinite(scale)) return;
@@ -305,7 +305,7 @@ private:
         }
     }
 
-    // A row for each map, to be filled in by hand.
+    // Row for each map, to be filled in by hand.
     void paintEmptyTable(const QRectF& room, const document::Fractal& fractal) {
         const document::System3* solid = document::system3(fractal);
         const std::size_t active =
@@ -315,7 +315,7 @@ private:
         const auto columns = int(names.size());
         const double row = std::min(1.8 * m_line, 0.14 * room.height());
         const int rows = std::clamp(maps, 1, std::max(1, int(room.height() / row) - 1));
-        constexpr double narrow = 0.5; // the numbers of the maps
+        constexpr double narrow = 0.5; // column of map numbers
         const double column = room.width() / (columns - 1 + narrow);
         m_painter.setPen(QPen(Qt::black, 0.04 * m_line));
         const double bottom = room.top() + row * (rows + 1);
@@ -371,7 +371,7 @@ template QString formulaText(const ifs::AffineMap<3>& map, std::size_t number);
 QStringList onLines(const QString& formula, const std::function<bool(const QString&)>& fits) {
     static const QRegularExpression breaks(QStringLiteral("(?<=, )|(?= [+−] )|(?=   \\S)"));
     static const QRegularExpression firstLetter(QStringLiteral("\\S")), endBlanks(QStringLiteral(" +$"));
-    const qsizetype begin = formula.indexOf(QStringLiteral(" = ")); // behind the arguments
+    const qsizetype begin = formula.indexOf(QStringLiteral(" = ")); // end of the arguments
     QStringList pieces = formula.sliced(std::max<qsizetype>(0, begin)).split(breaks);
     pieces.first().prepend(formula.first(std::max<qsizetype>(0, begin)));
     QStringList lines{pieces.takeFirst()};
@@ -425,7 +425,7 @@ HandoutGrid handoutGrid(int perPage, std::size_t items, bool isLandscape) {
 
 void paintHandout(QPainter& painter, const QRectF& page, std::span<const HandoutItem> items,
                   const HandoutOptions& options, const std::function<void()>& newPage) {
-    if (page.isEmpty()) return; // of a printer that is not set up
+    if (page.isEmpty()) return; // printer not set up
     painter.setRenderHint(QPainter::Antialiasing);
     const auto [columns, rows] = handoutGrid(options.perPage, items.size(), page.width() > page.height());
     const double line = std::max(page.width(), page.height()) / (columns * rows <= 2 ? 62 : 78);

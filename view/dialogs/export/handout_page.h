@@ -18,18 +18,18 @@ namespace view {
 struct HandoutOptions {
     enum class Kind {
         Handout,   // picture with cage and maps, and the formulas
-        TaskSheet, // the cage on a grid, and an empty table of maps
+        TaskSheet, // cage on a grid, and an empty table of maps
     };
     Kind kind = Kind::Handout;
     int perPage = 2;          // 1, 2, 4 or 6
-    bool showsMaps = true;    // of the picture of a handout: the cage and its images, numbered
-    bool hasFormulas = true;  // of a handout
-    bool hasNameLine = false; // for pupils to write their names on
+    bool showsMaps = true;    // handouts only: numbered images of the cage in the picture
+    bool hasFormulas = true;  // handouts only
+    bool hasNameLine = false; // line for the pupil's name
 };
 
 struct HandoutItem {
-    std::shared_ptr<const document::Fractal> fractal; // a system of the plane or in space
-    QImage picture;                                   // of a handout
+    std::shared_ptr<const document::Fractal> fractal; // system in the plane or in space
+    QImage picture;                                   // handouts only
 };
 
 // The entries from the top of `page` down, as many on each page as the options say: `newPage` begins another

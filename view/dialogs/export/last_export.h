@@ -11,7 +11,7 @@ namespace view {
 struct LastExport {
     QString format;
     QString size;
-    QString more{}; // further choices; empty: as it is
+    QString more{}; // further choices; empty: default
 };
 
 LastExport lastExport(const QString& kind);

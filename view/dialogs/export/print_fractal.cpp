@@ -22,21 +22,21 @@ namespace view {
 
 namespace {
 
-constexpr double maxShare = 0.62; // of the page for the picture
+constexpr double maxShare = 0.62; // share of the page for the picture
 constexpr int linesOnPage = 60;
-constexpr double wholeWidth = 8; // columns: tables with as many are as wide as the page
-constexpr int longSide = 2400;   // of the picture, in pixels
+constexpr double wholeWidth = 8; // columns of a table as wide as the page
+constexpr int longSide = 2400;   // pixels of the longer side
 
 // The withoutMargins() of a view that is turned: there the box around the box counts.
 attractor::Camera withoutTurnedMargins(const document::Box& box, attractor::Camera camera) {
-    constexpr double margin = 0.01;   // of the canvas
-    constexpr double narrowest = 0.1; // of the canvas
+    constexpr double margin = 0.01;   // share of the canvas
+    constexpr double narrowest = 0.1; // share of the canvas
     const QRectF room(0, 0, camera.width, camera.height);
     const QRectF shown = pixelsOf(camera, box.min, box.max)
                              .adjusted(-margin * camera.width, -margin * camera.height, margin * camera.width,
                                        margin * camera.height);
     const QRectF kept = shown.intersected(room);
-    if (kept.isEmpty()) return camera; // nothing is in view
+    if (kept.isEmpty()) return camera; // nothing in view
     camera.centre = worldAt(camera, kept.center());
     camera.width = std::max(1, int(std::lround(std::max(kept.width(), narrowest * room.width()))));
     camera.height = std::max(1, int(std::lround(std::max(kept.height(), narrowest * room.height()))));
@@ -50,10 +50,10 @@ attractor::Camera withoutMargins(const document::Fractal& fractal, attractor::Ca
     if (camera.rotation != 0) return withoutTurnedMargins(*box, camera);
     const ifs::Vector<2> half = ifs::Vector<2>(camera.width, camera.height) / (2 * camera.pixelsPerUnit);
     constexpr double margin = 0.02;
-    constexpr double narrowest = 0.1; // of the canvas: a line has no width
+    constexpr double narrowest = 0.1; // share of the canvas, because a line has no width
     ifs::Vector<2> low = (camera.centre - half).cwiseMax(box->min - margin * half);
     ifs::Vector<2> high = (camera.centre + half).cwiseMin(box->max + margin * half);
-    if (!((high - low).minCoeff() > 0)) return camera; // nothing is in view
+    if (!((high - low).minCoeff() > 0)) return camera; // nothing in view
     const ifs::Vector<2> size = (high - low).cwiseMax(2 * narrowest * half);
     camera.centre = (low + high) / 2;
     camera.width = std::max(1, int(std::lround(size.x() * camera.pixelsPerUnit)));
@@ -91,7 +91,7 @@ std::pair<std::vector<PrintedTable>, bool> tablesOf(const document::Fractal& fra
 void paintTables(QPainter& painter, const QRectF& page, double top, const std::vector<PrintedTable>& tables,
                  const std::function<void()>& newPage) {
     const double line = page.height() / linesOnPage;
-    std::size_t lines = 0; // of what is still to come, a free one behind each table
+    std::size_t lines = 0; // remaining lines, with an empty one behind each table
     for (const PrintedTable& table : tables)
         lines += table.rows.size() + 2;
     QRectF room(QPointF(page.left(), top), page.bottomRight());
@@ -102,15 +102,15 @@ void paintTables(QPainter& painter, const QRectF& page, double top, const std::v
             newPage();
             room = page;
         }
-        // Lines that follow take their share of the page where it is large enough.
+        // Reserves a share of a large page for the following lines.
         const double share = room.height() * own / double(lines - 1);
         QRectF place = share < own * line ? room : QRectF(room.topLeft(), QSizeF(room.width(), share));
-        // Wide columns of few numbers would be hard to read across.
+        // Limits the width, because wide columns of few numbers are hard to read across.
         const double width = std::min(1.0, double(table.names.size()) / wholeWidth) * page.width();
         place.setWidth(width);
         Printed printed = paintTable(painter, place, line, table, 0);
         std::size_t done = printed.rows;
-        while (done < table.rows.size() && page.height() > 0) { // paper without height would never end
+        while (done < table.rows.size() && page.height() > 0) { // ends even for paper without height
             newPage();
             room = page;
             printed =

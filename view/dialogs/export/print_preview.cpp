@@ -8,6 +8,7 @@
 #include <QPainter>
 #include <QPrintPreviewDialog>
 #include <QPrinter>
+#include <QToolBar>
 
 #include <memory>
 
@@ -36,10 +37,13 @@ void showPrintPreview(const PrintedPages& pages, QWidget* parent,
     auto* preview = new QPrintPreviewDialog(printer.get(), parent);
     preview->setAttribute(Qt::WA_DeleteOnClose);
     preview->setWindowTitle(titleText(pages.title));
+    // Print comes last in the bar of Qt, where a small screen has no room for it.
+    if (auto* bar = preview->findChild<QToolBar*>(); bar && bar->actions().size() > 1)
+        bar->insertAction(bar->actions().first(), bar->actions().last());
     QObject::connect(preview, &QPrintPreviewDialog::paintRequested, preview,
                      [paint = pages.paint, printer](QPrinter* device) {
                          QPainter painter(device);
-                         if (!painter.isActive()) return; // a file that cannot be written
+                         if (!painter.isActive()) return; // file that cannot be written
                          const QSizeF size = device->pageRect(QPrinter::DevicePixel).size();
                          paint(painter, QRectF(QPointF(0, 0), size), [device] { device->newPage(); });
                      });

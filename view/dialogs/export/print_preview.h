@@ -12,9 +12,9 @@ class QWidget;
 namespace view {
 
 struct PrintedPages {
-    QString title;     // of the preview
-    QString name;      // of the document; print dialogs take it for that of the file that they write
-    double margin = 0; // in millimetres; 0: what the printer needs
+    QString title;     // title of the preview
+    QString name;      // name of the document, which print dialogs suggest as the name of a file
+    double margin = 0; // millimetres; 0: least margin of the printer
     std::function<void(QPainter& painter, const QRectF& page, const std::function<void()>& newPage)> paint;
 };
 

@@ -14,7 +14,7 @@ namespace view {
 
 namespace {
 
-constexpr std::size_t maxMaps = 1000; // nobody reads more on paper
+constexpr std::size_t maxMaps = 1000; // limit on paper
 
 QImage drawn(QFuture<QImage> drawing, QWidget* parent) {
     if (!waitFor(QFuture<void>(drawing), Text::tr("Drawing the picture…"), parent)) return {};
@@ -35,7 +35,7 @@ QStringList coefficientNames(int dimension) {
 }
 
 template <int Dim> PrintedTable coefficientTable(const ifs::IteratedFunctionSystem<Dim>& system) {
-    constexpr int digits = Dim == 2 ? 8 : 6; // in space there are twice as many columns
+    constexpr int digits = Dim == 2 ? 8 : 6; // fewer in space, where there are twice as many columns
     PrintedTable table{coefficientNames(Dim), {}};
     const auto number = [](double value) { return QString::number(value == 0 ? 0.0 : value, 'g', digits); };
     const auto probabilities = ifs::probabilities(system);
@@ -79,7 +79,7 @@ Printed paintTable(QPainter& painter, const QRectF& room, double minHeight, cons
     std::span<const QStringList> rows = std::span(table.rows).subspan(first);
     rows = rows.first(std::min(rows.size(), std::size_t(std::max(0.0, room.height() / minHeight - 1))));
     const double rowHeight = std::min(room.height() / double(rows.size() + 1), room.width() / 32);
-    constexpr double narrow = 0.4; // the numbers of the rows
+    constexpr double narrow = 0.4; // column of row numbers
     const double columnWidth = room.width() / (double(table.names.size()) - 1 + narrow);
     double pixels = 0.7 * rowHeight;
     painter.setFont(printedFont(painter, pixels, false));
@@ -108,7 +108,7 @@ document::Fractal onPaper(document::Fractal fractal) {
     attractor::Appearance& look = fractal.appearance;
     if (look.background.alpha == 255 && lightness(look.background) > 0.5) return fractal;
     look.background = {255, 255, 255, 255};
-    // The light makes a solid dark or bright, and needs its colour.
+    // True for solids, whose ink depends on the light and needs their colour.
     const bool isSolid = document::space(fractal) && !attractor::showsCloud(fractal.inSpace.look);
     if (!isSolid && lightness(look.plain) > 0.5) look.plain = {20, 20, 20, 255};
     const auto& stops = look.palette.stops;

@@ -19,14 +19,14 @@ class QWidget;
 namespace view {
 
 struct PrintedTable {
-    QStringList names; // of the columns; the first has the numbers of the rows
+    QStringList names; // names of the columns; the first has the numbers of the rows
     std::vector<QStringList> rows;
 };
 // Number, a to f or, in space, a to l, and p.
 QStringList coefficientNames(int dimension);
 // Tables of as many maps as anybody reads on paper.
 template <int Dim> PrintedTable coefficientTable(const ifs::IteratedFunctionSystem<Dim>& system);
-PrintedTable cornerTable(const ifs::ControlCage<3>& cage); // where they are now
+PrintedTable cornerTable(const ifs::ControlCage<3>& cage); // current corners
 
 struct Printed {
     std::size_t rows = 0;

@@ -5,6 +5,7 @@
 #include "dialogs/export/export_size_editor.h"
 #include "dialogs/export/large_export.h"
 #include "document/fractal/space_geometry.h"
+#include "document/moments/animated_fractal.h"
 #include "document/text/stereo_modes.h"
 #include "document/text/text.h"
 #include "io/exports/recipe_json.h"
@@ -21,6 +22,7 @@
 #include <QFormLayout>
 #include <QJsonDocument>
 #include <QJsonObject>
+#include <QPushButton>
 #include <QSpinBox>
 
 #include <algorithm>
@@ -29,12 +31,12 @@ namespace view {
 
 namespace {
 
-constexpr int theCanvas = -1; // among the saved views
+constexpr int theCanvas = -1; // replacement for the index of a saved view
 
 struct BodyKind {
     SpaceExportDialog::Format format;
     QString title;
-    QString suffix; // the usual one
+    QString suffix; // default suffix
 };
 
 QList<BodyKind> bodyKinds() {
@@ -59,7 +61,7 @@ QString endings() {
 }
 
 std::optional<SpaceExportDialog::Format> formatOf(const QString& ending) {
-    if (const auto file = io::pictureFileOf(ending)) return *file; // of several endings
+    if (const auto file = io::pictureFileOf(ending)) return *file; // one of several suffixes
     for (const BodyKind& kind : bodyKinds())
         if (kind.suffix == ending) return kind.format;
     return std::nullopt;
@@ -86,6 +88,9 @@ SpaceExportDialog::SpaceExportDialog(document::Document* document, const attract
     m_preview = new ExportPreview(this);
     lay(m_form, m_preview, Qt::Horizontal);
     setStartHelp(tr("Asks for a file name and writes the file."));
+    if (document::animationFacts(document->entryFractal()))
+        addButton(Text::tr("&Animation…"), Text::tr("Exports the motion instead, as GIF, MP4 and others."))
+            ->setObjectName(QStringLiteral("animation"));
     addQueueButton(tr("Asks for a file name and adds the file to the queue in the Exports panel. "
                       "The queue continues after a restart."));
     setFormat(formatOf(last().format).value_or(io::PictureFile::Png));

@@ -37,7 +37,7 @@ public:
     // Pixels, alone or in a page of shapes; a body; or a program.
     using Format = std::variant<io::PictureFile, io::ShapeFile, io::MeshFormat, OpenScad>;
     void setFormat(const Format& format);
-    void exportTo(const QString& path) override; // the ending of the name decides the format
+    void exportTo(const QString& path) override; // format from the suffix of the name
     const ExportPreview& preview() const { return *m_preview; }
 
 protected:
@@ -47,33 +47,33 @@ protected:
     bool isPossible() const override { return !m_obstacle; }
     bool isQueueable() const override {
         return !std::holds_alternative<OpenScad>(format());
-    } // it is there at once
+    } // false for OpenSCAD programs, which are written at once
     QString sentenceFor(const io::ExportOutcome& outcome, const QString& path) const override;
 
 private:
     void createPicture();
     void createBody();
     void showBody(const QString& text);
-    QString bodyText() const; // its settings; empty of a picture
+    QString bodyText() const; // settings of the body; empty for a picture
     Format format() const;
     std::optional<io::PictureFile> pictureFile() const; // nullopt: no picture
-    std::optional<io::ShapeFile> page() const;          // that it is embedded in
+    std::optional<io::ShapeFile> page() const; // page in which the picture is embedded; nullopt: none
     bool isBody() const { return std::holds_alternative<io::MeshFormat>(format()); }
     QString suffix() const;
     attractor::OrbitCamera camera() const;
-    std::optional<io::ExportRecipe> recipe() const; // nullopt of a program, which takes no time
-    io::Failure obstacle() const;                   // why nothing can be written in this format
+    std::optional<io::ExportRecipe> recipe() const; // nullopt for OpenSCAD programs
+    io::Failure obstacle() const;                   // reason why nothing can be written in this format
     void update();
-    void check(); // whether it can be written, and says so
+    void check(); // shows whether it can be written
     void showPreview();
-    bool takeFormat(const QString& path); // says so if the name determines none
+    bool takeFormat(const QString& path); // reports names that determine no format
 
-    document::Fractal m_fractal; // as it was when the dialog opened
+    document::Fractal m_fractal; // fractal at the opening of the dialog
     attractor::OrbitCamera m_camera;
     std::vector<document::SavedView> m_views;
     QFormLayout* m_form = nullptr;
     QComboBox* m_format = nullptr;
-    QComboBox* m_section = nullptr; // the canvas, then the saved views
+    QComboBox* m_section = nullptr; // canvas, then the saved views
     ExportSizeEditor* m_size = nullptr;
     ExportPreview* m_preview = nullptr;
     QSpinBox* m_supersample = nullptr;

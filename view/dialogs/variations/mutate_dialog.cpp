@@ -25,7 +25,7 @@ namespace view {
 
 namespace {
 
-constexpr int smallSide = 56; // of the pictures of the line
+constexpr int smallSide = 56; // pixels of a picture of the line
 constexpr int strengthSteps = 100;
 constexpr int controlsWidth = 230;
 constexpr quint64 partnerKey = quint64{1} << 40;
@@ -63,7 +63,7 @@ MutateDialog::MutateDialog(document::Document* document, QWidget* parent, const 
     auto* controls = new QWidget(this);
     controls->setLayout(createControls());
     controls->layout()->setContentsMargins({});
-    columns->addWidget(new VerticalScrollArea(controls, this)); // in large fonts it needs more height
+    columns->addWidget(new VerticalScrollArea(controls, this)); // scrolls, since large fonts need more height
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Cancel, this);
     m_use = buttons->addButton(tr("&Use This One"), QDialogButtonBox::AcceptRole);
     m_use->setObjectName(QStringLiteral("use"));
@@ -298,7 +298,7 @@ void MutateDialog::showChild(int child) {
     if (!m_sheet->fractal(child)) return;
     Thumbnail picture = m_sheet->picture(child);
     if (picture.pixmap.isNull() && picture.state == Thumbnail::State::Pending)
-        picture.pixmap = m_ring->childPicture(child); // in the size before
+        picture.pixmap = m_ring->childPicture(child); // picture in the previous size
     m_ring->showChild(child, picture, tr("Variation %1").arg(child + 1));
 }
 
@@ -326,7 +326,7 @@ void MutateDialog::showLine(quint64 key) {
     if (generation >= m_descent->count()) return;
     const Thumbnail thumbnail = m_small->thumbnail(key, m_line[key].fractal);
     QIcon icon(thumbnail.pixmap);
-    icon.addPixmap(thumbnail.pixmap, QIcon::Selected); // in its own colours
+    icon.addPixmap(thumbnail.pixmap, QIcon::Selected); // own colours, without highlight
     m_descent->item(generation)->setIcon(icon);
 }
 

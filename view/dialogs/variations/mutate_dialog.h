@@ -35,11 +35,11 @@ public:
     using FractalPointer = Thumbnails::FractalPointer;
     struct Generation {
         FractalPointer fractal;
-        int seed = 1; // of the sheet that it was left with
-        QPixmap seen; // its picture, in whatever size
+        int seed = 1; // seed of its last sheet
+        QPixmap seen; // picture of any size
     };
     struct Descent {
-        std::vector<Generation> line; // the entry first
+        std::vector<Generation> line; // entry first
         int middle = 0;
     };
 
@@ -48,7 +48,7 @@ public:
     MutateDialog(document::Document* document, QWidget* parent, const Descent& left);
     ~MutateDialog() override;
 
-    void accept() override; // the fractal in the middle becomes the document's
+    void accept() override; // makes the fractal in the middle the document's
     Descent descent() const { return {m_line, m_generation}; }
 
 private:
@@ -59,7 +59,7 @@ private:
     void addSeed(QFormLayout* form);
     document::Mutation mutation() const;
 
-    void makeSheet(); // from the seed, in the background
+    void makeSheet(); // starts the sheet of the seed in the background
     void take(int child);
     void goTo(int generation);
     void startFrom(const Descent& left);
@@ -68,16 +68,16 @@ private:
     void showParent();
     void showPartner();
     void showLine(quint64 key);
-    void redraw(); // in the size there is now
-    void follow(); // buttons and the hint
+    void redraw(); // redraws in the present size
+    void follow(); // updates buttons and the hint
     const FractalPointer& middle() const { return m_line[std::size_t(m_generation)].fractal; }
 
     document::Document* m_document;
-    std::vector<Generation> m_line; // the entry first
-    int m_generation = 0;           // in the middle
+    std::vector<Generation> m_line; // entry first
+    int m_generation = 0;           // index of the generation in the middle
     SheetMaker* m_sheet;
-    Thumbnails* m_large; // of the middle
-    Thumbnails* m_small; // of the line and the partner
+    Thumbnails* m_large; // pictures of the middle
+    Thumbnails* m_small; // pictures of the line and the partner
     QTimer m_resized;
     VariationRing* m_ring;
     QListWidget* m_descent = nullptr;

@@ -15,8 +15,8 @@ class PictureTiles : public QStyledItemDelegate {
 public:
     using QStyledItemDelegate::QStyledItemDelegate;
 
-    static constexpr int margin = 6;                    // around a picture
-    static constexpr int chosenRole = Qt::UserRole + 1; // chosen without being selected
+    static constexpr int margin = 6;                    // pixels around a picture
+    static constexpr int chosenRole = Qt::UserRole + 1; // true: chosen without being selected
 
     static void show(QAbstractItemModel* model, const QModelIndex& index, const Thumbnail& thumbnail);
     static Thumbnail shown(const QModelIndex& index);

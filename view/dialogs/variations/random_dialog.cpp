@@ -28,10 +28,10 @@ namespace view {
 
 namespace {
 
-constexpr int side = 132; // of a picture, at least
+constexpr int side = 132; // pixels; least side of a picture
 constexpr int cell = side + 2 * PictureTiles::margin;
 constexpr int columns = 4;
-constexpr int slack = 8; // of a row, or the last tile goes to the next one
+constexpr int slack = 8; // pixels of a row that keep the last tile from wrapping
 constexpr int usualOrder = 5;
 
 } // namespace
@@ -91,7 +91,8 @@ void RandomDialog::createGrid() {
     m_grid->setMouseTracking(true);
     m_grid->setIconSize({side, side});
     m_grid->setGridSize({cell, cell});
-    m_grid->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff); // or the layout keeps room for them
+    // Otherwise the layout reserves room for them.
+    m_grid->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     m_grid->setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     m_grid->setMinimumSize(columns * cell + 2 * m_grid->frameWidth() + slack,
                            count / columns * cell + 2 * m_grid->frameWidth() + slack);
@@ -162,7 +163,7 @@ void RandomDialog::createControls(QGridLayout* layout) {
 
 void RandomDialog::addSeed(QGridLayout* layout) {
     m_seed->setRange(1, 999'999);
-    m_seed->setValue(QRandomGenerator::global()->bounded(1, 1'000'000)); // another sheet each time
+    m_seed->setValue(QRandomGenerator::global()->bounded(1, 1'000'000)); // different sheet each time
     m_seed->setAccessibleName(tr("Seed of the random numbers"));
     m_seed->setToolTip(tr("The same seed gives the same sheet again"));
     m_seed->setWhatsThis(
@@ -215,7 +216,7 @@ void RandomDialog::makeSheet() {
     m_grid->clear();
     for (int i = 0; i < count; ++i) {
         auto* item = new QListWidgetItem(m_grid);
-        item->setSizeHint(m_grid->gridSize()); // before its picture is there
+        item->setSizeHint(m_grid->gridSize()); // fixed before its picture exists
     }
     const auto prepare = [choice = choice()]() -> SheetMaker::Make {
         return [choice](std::uint64_t seed, const std::stop_token&) {
@@ -232,7 +233,7 @@ void RandomDialog::showPicture(int index) {
     const QModelIndex tile = m_grid->model()->index(index, 0);
     Thumbnail picture = m_sheet->picture(index);
     if (picture.pixmap.isNull() && picture.state == Thumbnail::State::Pending)
-        picture.pixmap = PictureTiles::shown(tile).pixmap; // in the size before
+        picture.pixmap = PictureTiles::shown(tile).pixmap; // picture in the previous size
     PictureTiles::show(m_grid->model(), tile, picture);
     m_add->setEnabled(chosen() >= 0);
 }
@@ -246,7 +247,7 @@ int RandomDialog::chosen() const {
 void RandomDialog::accept() {
     if (chosen() < 0) return;
     document::Fractal taken = *m_sheet->fractal(chosen());
-    taken.name = QStringLiteral("random"); // its seed says nothing in the file
+    taken.name = QStringLiteral("random"); // neutral name, since the seed is meaningless in the file
     document::Entry entry;
     entry.fractal = std::make_shared<const document::Fractal>(std::move(taken));
     const document::Inserted added = inserted(m_document->file(), {entry}, m_document->currentId());

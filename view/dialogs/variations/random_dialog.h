@@ -28,7 +28,7 @@ public:
     explicit RandomDialog(document::Document* document, QWidget* parent = nullptr);
     ~RandomDialog() override;
 
-    void accept() override; // adds the chosen one
+    void accept() override; // adds the chosen fractal
 
 protected:
     bool eventFilter(QObject* watched, QEvent* event) override;
@@ -41,10 +41,10 @@ private:
 
     void chooseDimension();
     void chooseSymmetry();
-    void makeSheet(); // from the seed, in the background
+    void makeSheet(); // starts the sheet of the seed in the background
     void showPicture(int index);
-    void fitTiles();    // to the room there is
-    void redraw();      // in the size there is now
+    void fitTiles();    // fits the tiles to the available room
+    void redraw();      // redraws in the present size
     int chosen() const; // −1: none
 
     document::Document* m_document;

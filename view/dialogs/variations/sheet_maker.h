@@ -29,25 +29,25 @@ public:
     ~SheetMaker() override;
 
     int count() const { return m_count; }
-    void setSide(int side, qreal devicePixelRatio); // of the pictures; made() asks for them anew
+    void setSide(int side, qreal devicePixelRatio); // size of the pictures; made() requests them anew
 
     // `prepare` is called once, in the background too.
     void make(const std::function<Make()>& prepare, std::uint64_t firstSeed);
-    void clear(); // an empty sheet
+    void clear(); // empties the sheet
 
-    FractalPointer fractal(int index) const; // null until it is made
-    Thumbnail picture(int index);            // asks for it if it is not there
+    FractalPointer fractal(int index) const; // null until it has been made
+    Thumbnail picture(int index);            // requests a missing picture
 
 signals:
-    void made(int index);  // a fractal
-    void drawn(int index); // its picture
+    void made(int index);  // sent for each fractal
+    void drawn(int index); // sent for each picture
 
 private:
     quint64 key(int index) const { return m_sheet * quint64(m_count) + quint64(index); }
     void take(int index);
 
     const int m_count;
-    quint64 m_sheet = 0; // grows, so that no picture is taken for that of an earlier sheet
+    quint64 m_sheet = 0; // number of the sheet, which distinguishes the pictures of all sheets
     std::vector<FractalPointer> m_fractals;
     std::stop_source m_stop;
     QFutureWatcher<FractalPointer> m_making;

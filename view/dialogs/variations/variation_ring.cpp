@@ -15,7 +15,7 @@ namespace view {
 
 namespace {
 
-constexpr int cells = 4; // along each side; the parent takes the four in the middle
+constexpr int cells = 4; // cells along each side; the parent takes the four in the middle
 constexpr int usualCell = 138;
 constexpr int minCell = 72;
 

@@ -13,16 +13,16 @@ class VariationRing : public QTableWidget {
     Q_OBJECT
 
 public:
-    static constexpr int count = 12; // children
+    static constexpr int count = 12; // number of children
 
     explicit VariationRing(QWidget* parent = nullptr);
 
-    int childSide() const; // of the pictures, in pixels of the window
+    int childSide() const; // side of the pictures in pixels of the window
     int parentSide() const;
 
     void showParent(const Thumbnail& thumbnail, const QString& description);
     void showChild(int child, const Thumbnail& thumbnail, const QString& description);
-    QPixmap childPicture(int child) const; // that is shown
+    QPixmap childPicture(int child) const; // picture as shown
     QTableWidgetItem* parentItem() const;
     QTableWidgetItem* childItem(int child) const;
 
@@ -30,7 +30,7 @@ public:
 
 signals:
     void chosen(int child);
-    void used(); // the variation in the middle
+    void used(); // sent to use the variation in the middle
     void resized();
 
 protected:
@@ -42,10 +42,10 @@ protected:
 
 private:
     void choose(const QModelIndex& index);
-    int cell() const; // its shorter side
+    int cell() const; // shorter side of a cell
 
     QPersistentModelIndex m_pressed;
-    bool m_hasChosen = false; // by the last click
+    bool m_hasChosen = false; // true if the last click chose a child
 };
 
 } // namespace view

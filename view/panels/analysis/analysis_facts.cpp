@@ -26,7 +26,7 @@ constexpr int shownDigits = 5, allDigits = 15;
 
 // A figure with more digits than usual if things of that size lie far from 0.
 QString shortFigure(double value, double error, double size) {
-    constexpr double far = 1e4; // sizes
+    constexpr double far = 1e4; // multiples of the size
     const bool isFar = size > 0 && std::abs(value) > far * size;
     return isFar ? io::figure(value, error, size, shownDigits) : shortNumber(value);
 }
@@ -58,9 +58,13 @@ QString absenceOf(const ifs::Existence& existence, const QString& reason) {
 
 // Data that the rows refer to, for as long as a line is shown.
 template <int Dim> struct Shown {
+    Shown(std::shared_ptr<const Analysis> given, const io::FactSource<Dim>& known)
+        : analysis(std::move(given)), source(known), rows(io::facts(source)) {}
+    Q_DISABLE_COPY_MOVE(Shown)
+
     std::shared_ptr<const Analysis> analysis;
     io::FactSource<Dim> source;
-    std::vector<io::Fact> rows = io::facts(source);
+    std::vector<io::Fact> rows; // these refer to `source`
 };
 
 template <int Dim>

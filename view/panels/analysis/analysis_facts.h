@@ -14,11 +14,11 @@ namespace view {
 // A line about a picture.
 struct Fact {
     QString name;
-    QString value;                  // short digits; empty: not known
-    std::function<QString()> exact; // all digits, to copy
+    QString value;                  // few digits; empty: unknown
+    std::function<QString()> exact; // all digits, for copying
     QString definition;
-    bool isPending = false; // still being worked out
-    QString absence{};      // why there is no value, once that is worked out
+    bool isPending = false; // true while it is being computed
+    QString absence{};      // reason why there is no value, after the computation
 };
 
 // The same lines in the same order for every system of the plane, and for every system in space.

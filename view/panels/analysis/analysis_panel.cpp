@@ -31,9 +31,9 @@ namespace view {
 
 namespace {
 
-constexpr int deepest = 12; // symbols of a cylinder; where there are too many, they stay longer
+constexpr int deepest = 12; // symbols of a cylinder; fewer if there are too many cylinders
 
-constexpr int lineSpacing = 8; // between facts
+constexpr int lineSpacing = 8; // pixels between facts
 
 // The line as it is on the canvas.
 QIcon swatch(const QColor& colour, const QColor& backdrop) {
@@ -78,7 +78,7 @@ AnalysisPanel::AnalysisPanel(document::Document* document, AnalysisBridge* bridg
     setAccessibleName(tr("Analysis"));
     setWidgetResizable(true);
     setFrameShape(QFrame::NoFrame);
-    setFocusPolicy(Qt::NoFocus); // what can be done is in its fields
+    setFocusPolicy(Qt::NoFocus); // its fields take the focus
     auto* content = new QWidget(this);
     m_notice = new QLabel(content);
     m_notice->setWordWrap(true);
@@ -86,7 +86,7 @@ AnalysisPanel::AnalysisPanel(document::Document* document, AnalysisBridge* bridg
     m_box = new QWidget(content);
     m_grid = new QGridLayout(m_box);
     m_grid->setContentsMargins(0, 0, 0, 0);
-    m_grid->setVerticalSpacing(0); // a value may stand right below its name
+    m_grid->setVerticalSpacing(0); // values may be directly below their names
     m_grid->setHorizontalSpacing(16);
     m_grid->setColumnStretch(1, 1);
     m_plot = new BoxCountingPlot(content);
@@ -246,7 +246,7 @@ void AnalysisPanel::showAnalysis() {
     if (!isVisible()) return;
     const auto analysis = m_bridge->analysis();
     QList<Fact> facts = analysis ? analysisFacts(analysis) : QList<Fact>();
-    // Facts still under way keep the value of a moment ago.
+    // Keeps the previous value of facts still being computed.
     for (qsizetype k = 0; k < facts.size() && k < m_facts.size(); ++k)
         if (facts[k].isPending && facts[k].name == m_facts[k].name) {
             facts[k].value = m_facts[k].value;
@@ -277,7 +277,7 @@ void AnalysisPanel::makeLines(qsizetype count) {
             QMenu menu(value);
             menu.addAction(tr("Copy at Full Precision"),
                            [this, i] { QGuiApplication::clipboard()->setText(m_facts.at(i).exact()); });
-            menu.addAction(tr("Copy All Properties"), this, &AnalysisPanel::copyAll);
+            menu.addAction(tr("Copy All"), this, &AnalysisPanel::copyAll);
             menu.exec(value->mapToGlobal(position));
         });
         m_lines << Line{name, value};
@@ -287,7 +287,7 @@ void AnalysisPanel::makeLines(qsizetype count) {
 void AnalysisPanel::showLines() {
     for (qsizetype row = 0; row < m_lines.size(); ++row) {
         const auto [name, value, isBelow] = m_lines.at(row);
-        const bool isUsed = row < m_facts.size(); // there are fewer lines in space
+        const bool isUsed = row < m_facts.size(); // fewer lines in space
         name->setVisible(isUsed);
         value->setVisible(isUsed);
         if (!isUsed) {
@@ -346,11 +346,12 @@ void AnalysisPanel::arrangeLines() {
     }
 }
 
-void AnalysisPanel::copyAll() const {
+void AnalysisPanel::copyAll() {
     QStringList lines;
     for (const Fact& fact : m_facts)
         if (!fact.value.isEmpty()) lines << fact.name + u'\t' + fact.exact();
     QGuiApplication::clipboard()->setText(lines.join(u'\n'));
+    emit message(tr("Copied."));
 }
 
 } // namespace view

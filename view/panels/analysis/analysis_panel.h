@@ -34,7 +34,10 @@ public:
     // Adds a box that switches the action, and is switched by it.
     void addOutlineAction(QAction* action, const QString& text);
     const BoxCountingPlot& plot() const { return *m_plot; }
-    void copyAll() const; // one "name<tab>value" a line, all digits
+    void copyAll(); // one "name<tab>value" a line, all digits
+
+signals:
+    void message(const QString& text);
 
 protected:
     void showEvent(QShowEvent* event) override;
@@ -46,7 +49,7 @@ private:
     struct Line {
         QLabel* name;
         QLabel* value;
-        std::optional<bool> isBelow = {}; // the value, and not beside its name
+        std::optional<bool> isBelow = {}; // true: value below its name; false: beside it
     };
 
     QWidget* makeOutlines();
@@ -61,7 +64,7 @@ private:
     AnalysisBridge* m_bridge;
     QList<Fact> m_facts;
     QLabel* m_notice;
-    QWidget* m_box; // of the facts
+    QWidget* m_box; // box of the facts
     QGridLayout* m_grid = nullptr;
     QList<Line> m_lines;
     BoxCountingPlot* m_plot;

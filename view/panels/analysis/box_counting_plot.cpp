@@ -80,7 +80,7 @@ void BoxCountingPlot::paintEvent(QPaintEvent*) {
     QColor grid = text;
     grid.setAlphaF(0.12F);
 
-    const int stride = most > 10 ? 5 : 2; // of the marks, so that they stay apart
+    const int stride = most > 10 ? 5 : 2; // distance of marks, so that they stay apart
     painter.setPen(quiet);
     painter.drawText(QRectF(0, 0, width(), line), Qt::AlignLeft | Qt::AlignVCenter, tr("log₂ N"));
     for (int n = 0; n <= int(most); n += stride) {

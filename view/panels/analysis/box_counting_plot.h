@@ -18,7 +18,7 @@ public:
 
     // An older one may be shown, paler, while a new one is under way.
     void setCounting(const std::optional<ifs::BoxCounting>& counting, bool isPending);
-    QString table() const; // one "ε<tab>N" a line, all digits
+    QString table() const; // lines "ε<tab>N" with all digits
 
     QSize sizeHint() const override;
     QSize minimumSizeHint() const override;

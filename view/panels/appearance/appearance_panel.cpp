@@ -34,7 +34,7 @@ using attractor::ColourBy;
 constexpr int labelSpacing = 16;
 constexpr int browserInset = 12;
 constexpr int swatchesPerRow = 7;
-constexpr int maxSwatches = 70; // further maps take their colours in the table
+constexpr int maxSwatches = 70; // limit; further maps have their colours in the table
 
 QString stepText(const QString& name, const attractor::Rgba& colour) {
     return AppearancePanel::tr("%1: %2").arg(name, QColor(colour.red, colour.green, colour.blue).name());
@@ -58,7 +58,7 @@ AppearancePanel::AppearancePanel(document::Document* document, QWidget* parent)
     setAccessibleName(tr("Appearance"));
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(12, 12, 12, 12);
-    auto* form = new WrappingForm; // a narrow window belongs to the picture
+    auto* form = new WrappingForm; // narrow, in favour of the picture
     form->setLabelAlignment(Qt::AlignLeft | Qt::AlignVCenter);
     form->setHorizontalSpacing(labelSpacing);
     form->setVerticalSpacing(10);
@@ -157,7 +157,7 @@ void AppearancePanel::choosePalette() {
     const auto text = [&browser] { return tr("Palette: %1").arg(browser.title()); };
     connect(&browser, &PaletteBrowser::tried, this,
             [&] { preview(text(), [&](Appearance& a) { a.palette = browser.palette(); }); });
-    // The dialog opens at the left, so that most of the picture is visible.
+    // Left of the window, so that most of the picture stays visible.
     const QRect frame = window()->geometry();
     browser.move(frame.left() + browserInset,
                  frame.top() + std::max(0, frame.height() - browser.height()) / 2);
@@ -329,7 +329,7 @@ void AppearancePanel::showMapColours() {
     const auto shown = std::ranges::count_if(m_mapButtons, [](const QWidget* b) { return !b->isHidden(); });
     if (std::size_t(shown) != count) {
         const bool wasShown = !m_mapColours->isHidden();
-        m_mapColours->hide(); // else the window is laid out for every button
+        m_mapColours->hide(); // otherwise every button causes a layout of the window
         for (std::size_t i = 0; i < m_mapButtons.size(); ++i)
             m_mapButtons[i]->setVisible(i < count);
         m_mapColours->setVisible(wasShown);

@@ -52,14 +52,14 @@ private:
     void makeColourRows(QFormLayout* form);
     void makeGradientRows(QFormLayout* form);
     void makeGradientEditor(QFormLayout* form);
-    void choosePalette(); // from all that come with the program
+    void choosePalette(); // choice among all palettes of the program
     void makeToneRows(QFormLayout* form);
     void makeMapColours(QFormLayout* form);
     ColourButton* colourButton(const QString& name, attractor::Rgba attractor::Appearance::*member);
     void follow(const document::Change& change);
     // Groups of settings that affect the picture shown.
     struct Uses {
-        bool colourBy = false; // of a density
+        bool colourBy = false; // densities only
         bool palette = false;
         bool plain = false;
         bool mapColours = false;
@@ -79,7 +79,7 @@ private:
     QFormLayout* m_form;
     SpaceRows* m_space;
     SliceRows* m_slice;
-    std::optional<Uses> m_shownUses; // laying out rows again takes long in a drag
+    std::optional<Uses> m_shownUses; // rows as laid out, because a new layout is slow in a drag
     QHBoxLayout* m_gradientRow;
     QComboBox* m_colourBy;
     GradientChooser* m_gradient;

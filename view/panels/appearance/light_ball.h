@@ -35,7 +35,7 @@ protected:
     bool event(QEvent* event) override;
 
 private:
-    QPointF spot() const; // of the light, in the unit disc, y up
+    QPointF spot() const; // position of the light in the unit disc, y up
     double radius() const;
     void dragTo(const QPointF& position);
     void offer(double azimuth, double elevation);

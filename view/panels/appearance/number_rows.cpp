@@ -22,12 +22,12 @@ struct NumberText {
     double Appearance::*member;
     const char* title;
     const char* tip;
-    const char* explanation;               // null: the tip says it all
-    double lowest, highest;                // of the slider
-    std::optional<NumberRange> typed = {}; // nullopt: what the appearance accepts
+    const char* explanation;               // null: the tip suffices
+    double lowest, highest;                // range of the slider
+    std::optional<NumberRange> typed = {}; // nullopt: range that the appearance accepts
 };
 
-constexpr double leastContrast = 0.01; // beyond, all tones are the middle, or black and white
+constexpr double leastContrast = 0.01; // limit beyond which all tones are the middle one, or black and white
 constexpr double mostContrast = 100;
 
 const std::array numberTexts{
@@ -129,12 +129,15 @@ void NumberRows::setVisible(bool tones, bool shadow) {
     showRows();
 }
 
-// Shows the rows of a shadow only while there is one.
+// Rows of a shadow that is not there stay where they are: one that came would push away what the hand holds.
 void NumberRows::showRows() {
     for (const AppearanceNumber& number : attractor::appearanceNumbers) {
         const bool isTone = number.part == AppearanceNumber::Part::Tone;
         const bool isUsed = m_hasShadow || number.member == &Appearance::shadow;
-        m_form->setRowVisible(slider(number.member), isTone ? m_showsTones : m_showsShadow && isUsed);
+        m_form->setRowVisible(slider(number.member), isTone ? m_showsTones : m_showsShadow);
+        if (isTone) continue;
+        slider(number.member)->setEnabled(isUsed);
+        m_form->labelForField(slider(number.member))->setEnabled(isUsed);
     }
 }
 

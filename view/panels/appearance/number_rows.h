@@ -32,7 +32,7 @@ private:
 
     QFormLayout* m_form;
     document::LiveEdit m_edit;
-    std::vector<AppearanceSlider*> m_sliders; // as in appearanceNumbers
+    std::vector<AppearanceSlider*> m_sliders; // indexed like appearanceNumbers
     bool m_showsTones = true;
     bool m_showsShadow = true;
     bool m_hasShadow = false;

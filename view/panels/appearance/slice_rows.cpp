@@ -22,7 +22,7 @@ namespace {
 using attractor::SpaceClip;
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
-constexpr double usualThickness = 0.1; // of the extent along the normal
+constexpr double usualThickness = 0.1; // share of the extent along the normal
 // Directions in the order of SliceRows::Across.
 const std::array<ifs::Vector<3>, 4> directions{ifs::Vector<3>::UnitX(), ifs::Vector<3>::UnitY(),
                                                ifs::Vector<3>::UnitZ(), ifs::Vector<3>::Ones()};

@@ -25,7 +25,7 @@ public:
     // Adds its rows to the form, on the panel that is the parent.
     SliceRows(QFormLayout* form, document::Document* document, QWidget* parent);
 
-    void follow(bool isLive); // shows what the document has; `isLive`: it goes on changing
+    void follow(bool isLive); // shows the document's values; `isLive`: further changes follow
 
     enum class Kind { Whole, Half, Slice };
     enum class Across { X, Y, Z, Diagonal, Typed };

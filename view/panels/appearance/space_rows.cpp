@@ -21,7 +21,7 @@ using attractor::LookInSpace;
 using attractor::SolidColour;
 using attractor::SpaceAppearance;
 
-constexpr double maxSliderFog = 8; // of the slider; more hides all but the nearest
+constexpr double maxSliderFog = 8; // end of the slider; more fog hides all but the nearest parts
 
 } // namespace
 
@@ -114,7 +114,8 @@ void SpaceRows::follow() {
     const bool isLit = isSpace && (inSpace.look == LookInSpace::Stone || inSpace.look == LookInSpace::Ink);
     m_form->setRowVisible(m_look, isSpace);
     m_form->setRowVisible(m_colourBy, isLit);
-    m_form->setRowVisible(m_light, isSpace && inSpace.look == LookInSpace::Stone); // ink has the eye's alone
+    // Ink has no light but the eye's.
+    m_form->setRowVisible(m_light, isSpace && inSpace.look == LookInSpace::Stone);
     m_form->setRowVisible(m_fog, isLit);
     chooseValue(m_look, inSpace.look);
     chooseValue(m_colourBy, document::solidColour(fractal));

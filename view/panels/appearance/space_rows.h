@@ -23,7 +23,7 @@ public:
     // Adds its rows to the form, on the panel that is the parent.
     SpaceRows(QFormLayout* form, document::Document* document, QWidget* parent);
 
-    void follow(); // shows what the document has
+    void follow(); // shows the document's values
 
     QComboBox* look() const { return m_look; }
     QComboBox* colourBy() const { return m_colourBy; }

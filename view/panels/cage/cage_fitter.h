@@ -21,7 +21,8 @@ public:
 
     void fit(document::SimplexChoice choice);
     void fit(document::PolygonChoice choice, int corners = 4);
-    void fitTetrahedron(const std::optional<ifs::Orientation<3>>& orientation = {}); // in space; the smallest
+    // Space only; nullopt: smallest of all orientations.
+    void fitTetrahedron(const std::optional<ifs::Orientation<3>>& orientation = {});
     void fitBox();
     void fitPolyhedron(document::SpacePolyhedron choice, int corners);
 
@@ -30,10 +31,11 @@ signals:
 
 private:
     void fitInSpace(BackgroundEdit::Find find);
-    void fitTo(std::optional<document::Fractal> fitted, const QString& obstacle); // nullopt: says why
+    // Nullopt: shows the obstacle.
+    void fitTo(std::optional<document::Fractal> fitted, const QString& obstacle);
 
     document::Document* m_document;
-    BackgroundEdit m_fitting; // in space, where very many maps take long
+    BackgroundEdit m_fitting; // fits in space, which are slow for very many maps
 };
 
 } // namespace view

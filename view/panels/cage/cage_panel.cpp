@@ -85,7 +85,7 @@ CagePanel::CagePanel(document::Document* document, QWidget* parent)
     layout->addLayout(makeButtons());
     layout->addWidget(makeDeformation());
     layout->addWidget(makeVertices());
-    m_status = factLabel(tr("State of the cage"), this); // below the fields, which stay where they are
+    m_status = factLabel(tr("State of the cage"), this); // below the fields, so that these keep their places
     layout->addWidget(m_status);
     m_warning = factLabel(tr("Warning about the cage"), this);
     QFont bold = m_warning->font();
@@ -384,7 +384,7 @@ void CagePanel::arrangeRow(std::size_t vertex) {
         NumberField* rest = field(Vertices::Rest, vertex, axis);
         m_grid->removeWidget(current);
         m_grid->removeWidget(rest);
-        current->setVisible(false); // until it is shown with its vertex
+        current->setVisible(false); // hidden until it is shown with its vertex
         rest->setVisible(false);
         if (axis >= m_arrangedFor) continue;
         m_grid->addWidget(current, line, 1 + axis);
@@ -443,7 +443,7 @@ void CagePanel::editRest(ifs::ControlCage<Dim> cage, std::size_t vertex, int axi
                          : tr("The rest cage must be a polygon that does not cross itself."));
         return;
     }
-    // The picture stays; only the points by which it is held are others.
+    // Keeps the picture, and moves only the corners that hold it.
     cage.current[vertex] = placement(cage.rest[vertex]);
     const QString pattern =
         Dim == 3 ? tr("Define vertex %1 at (%2, %3, %4)") : tr("Define vertex %1 at (%2, %3)");
@@ -487,7 +487,7 @@ void CagePanel::showCage() {
     const document::Fractal& fractal = m_document->fractal();
     const bool plane = document::dimension(fractal) == 2;
     setEnabled(document::dimension(fractal) != 0);
-    if (document::space(fractal)) // not yet known of very many maps
+    if (document::space(fractal)) // not yet known for very many maps
         m_cage = document::knownSpaceCage(fractal).value_or(ifs::ControlCage<3>{});
     else
         m_cage = plane ? document::effectiveCage(fractal) : ifs::ControlCage<2>{};
@@ -559,7 +559,7 @@ void CagePanel::showPoint() {
 }
 
 void CagePanel::showSimplex() {
-    if (QGuiApplication::mouseButtons() != Qt::NoButton) return m_settled.start(); // still held
+    if (QGuiApplication::mouseButtons() != Qt::NoButton) return m_settled.start(); // drag not ended
     if (!isVisible()) return;
     m_enclosing.cancel();
     m_enclosing.setFuture(

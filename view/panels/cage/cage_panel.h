@@ -37,8 +37,8 @@ public:
 
     enum class Vertices { Current, Rest };
     NumberField* field(Vertices vertices, std::size_t vertex, int axis) const;
-    QString status() const;      // at rest, placed, mirrored or flat, as a sentence
-    QString barycentric() const; // of the point typed in the panel
+    QString status() const;      // sentence: at rest, placed, mirrored or flat
+    QString barycentric() const; // coordinates of the point typed in the panel
 
     void fit(document::SimplexChoice choice) { m_fitter.fit(choice); }
     void fit(document::PolygonChoice choice, int corners = 4) { m_fitter.fit(choice, corners); }
@@ -55,11 +55,11 @@ public:
     QAction* bakeAction() const { return m_bake; }
     QAbstractButton* modeButton(document::CageMode mode) const;
     QAbstractButton* deformationButton(ifs::Deformation deformation) const;
-    QString warning() const; // of a cage that is concave or folded; empty when it is sound
+    QString warning() const; // warning about a concave or folded cage; empty: none
     NumberField* pointField(int axis) const { return m_point.at(static_cast<std::size_t>(axis)); }
 
 signals:
-    void defineRequested(); // with three clicks on the canvas
+    void defineRequested(); // sent to define a cage with three clicks on the canvas
     void message(const QString& text);
 
 protected:
@@ -85,7 +85,7 @@ private:
     void arrange();
     void stretchColumns();
     void arrangeRow(std::size_t vertex);
-    int dimension() const { return m_cage.index() == 0 ? 2 : 3; } // of the cage shown
+    int dimension() const { return m_cage.index() == 0 ? 2 : 3; } // dimension of the cage shown
     std::size_t vertexCount() const;
     bool isCageKnown() const;
     template <int Dim> void showVertices(const ifs::ControlCage<Dim>& cage);
@@ -106,13 +106,13 @@ private:
     document::Document* m_document;
     document::LiveEdit m_edit;
     CageFitter m_fitter;
-    QMetaObject::Connection m_following; // of the document
-    Cage m_cage;                         // as shown
-    int m_arrangedFor = 0;               // the dimension the fields are arranged for
+    QMetaObject::Connection m_following; // connection to the document
+    Cage m_cage;                         // cage as shown
+    int m_arrangedFor = 0;               // dimension for which the fields are arranged
     QGridLayout* m_grid = nullptr;
     QLabel* m_verticesTitle = nullptr;
     QToolButton* m_restToggle = nullptr;
-    std::array<QLabel*, 3> m_names{}; // over the columns
+    std::array<QLabel*, 3> m_names{}; // labels above the columns
     std::array<QLabel*, 3> m_restNames{};
     std::vector<VertexRow> m_rows;
     bool m_restShown = false;
@@ -133,8 +133,8 @@ private:
     QAction* m_reset = nullptr;
     QAction* m_bake = nullptr;
     QToolButton* m_fit = nullptr;
-    QTimer m_settled;                    // the simplex is computed when the hand rests,
-    QFutureWatcher<QString> m_enclosing; // beside the window
+    QTimer m_settled;                    // delays the computation of the simplex during a drag
+    QFutureWatcher<QString> m_enclosing; // background computation of the simplex
 };
 
 } // namespace view

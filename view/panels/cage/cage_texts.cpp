@@ -22,7 +22,7 @@ namespace {
 
 constexpr std::size_t triangleSize = 3;
 constexpr double roundingShare = 4 * std::numeric_limits<double>::epsilon();
-constexpr double spaceTolerance = 1e-9; // of the simplex in space, relative: finer than its digits
+constexpr double spaceTolerance = 1e-9; // relative to the simplex in space; finer than its digits
 
 struct Texts {
     Q_DECLARE_TR_FUNCTIONS(view::CagePanel)
@@ -91,7 +91,7 @@ template <int Dim> QString barycentricText(const ifs::ControlCage<Dim>& cage, co
     if (!ifs::isAffineBasis<Dim>(simplex))
         return Dim == 2 ? Texts::tr("The triangle is flat: it defines no coordinates.")
                         : Texts::tr("The tetrahedron is flat: it defines no coordinates.");
-    // A point on a face has the weight 0 up to the rounding of the numbers it is worked out from.
+    // Clears weights that are 0 up to rounding, for points on a face.
     ifs::Matrix<Dim> edges;
     double size = point.norm();
     for (int k = 0; k < Dim; ++k) {

@@ -19,7 +19,8 @@ struct PlaneFits {
     std::function<void(document::PolygonChoice, int corners)> polygon;
 };
 struct SpaceFits {
-    std::function<void(const std::optional<ifs::Orientation<3>>&)> tetrahedron; // nullopt: the smallest
+    // Nullopt: smallest of all orientations.
+    std::function<void(const std::optional<ifs::Orientation<3>>&)> tetrahedron;
     std::function<void()> box;
     std::function<void(document::SpacePolyhedron, int corners)> polyhedron;
 };

@@ -20,8 +20,8 @@ namespace {
 
 constexpr double level = 0.5;      // between the attractor and the grid
 constexpr double markRadius = 9;   // pixels
-constexpr double markReach = 14;   // for the pointer
-constexpr int imageOpacity = 70;   // of 255
+constexpr double markReach = 14;   // pixels within which the pointer takes the mark
+constexpr int imageOpacity = 70;   // alpha, 0 … 255
 constexpr double imageLine = 1.75; // pixels
 constexpr int maxScaled = 4096;    // device pixels
 // Rows of a fill. Qt hands longer ones to other threads and waits for them, while they draw the next picture.
@@ -174,7 +174,7 @@ void CollageLayer::paintAgreement(QPainter& painter) const {
     const QTransform onto =
         QTransform::fromScale(there.width() / picture.width(), there.height() / picture.height()) *
         QTransform::fromTranslate(there.x(), there.y());
-    // The visible part only: scaling costs by the pixel, be it empty or out of sight.
+    // Visible part only, because the cost of scaling depends on the number of pixels.
     const QRect source = onto.inverted().mapRect(m_area).toAlignedRect() & used;
     if (!source.isEmpty()) painter.drawImage(onto.mapRect(QRectF(source)), picture, QRectF(source));
 }
@@ -185,7 +185,8 @@ void CollageLayer::paintImages(QPainter& painter) const {
     const auto maps = document::collageMaps(m_document->fractal());
     if (!maps) return;
     const document::System2& system = *document::system2(m_document->fractal());
-    const QRectF near = m_area.adjusted(-8, -8, 8, 8); // a fill costs by its height, seen or not
+    // Clipped, because the cost of a fill depends on its height.
+    const QRectF near = m_area.adjusted(-8, -8, 8, 8);
     for (std::size_t k = 0; k < maps->maps.size(); ++k) {
         const std::size_t index = maps->index[k];
         const attractor::Rgba rgba =

@@ -25,8 +25,8 @@ class CollageLayer : public QGraphicsObject {
 public:
     CollageLayer(document::Document* document, CanvasView* canvas);
 
-    void setTarget(std::shared_ptr<const document::TracedPicture> traced); // null: nothing is shown
-    void setOpacity100(int percent);                                       // of the target
+    void setTarget(std::shared_ptr<const document::TracedPicture> traced); // null: shows nothing
+    void setOpacity100(int percent);                                       // per cent; opacity of the target
     void setMeasured(std::optional<document::MeasuredFractal> measured);
     void setAgreementVisible(bool visible);
     // The position of the mark, in pixels of the canvas; nullopt without one.
@@ -50,23 +50,23 @@ private:
     bool isShown() const;
     bool isOnDark() const;
     bool isOnMark(const QPointF& position) const;
-    QTransform toPixels() const; // from the plane
-    bool isTurned() const;       // the view
+    QTransform toPixels() const; // plane → pixels
+    bool isTurned() const;       // true if the view is rotated
     void paintTurned(QPainter& painter, const QImage& picture, const QRectF& there) const;
     void prepareTarget();
 
     document::Document* m_document;
     CanvasView* m_canvas;
-    QRectF m_area; // of the scene: all of the canvas
+    QRectF m_area; // area of the scene: the whole canvas
     std::shared_ptr<const document::TracedPicture> m_traced;
-    QPainterPath m_outline; // of the target, in the plane
-    QImage m_target;        // as it is blended with the picture
-    QImage m_scaled;        // the same, in device pixels
+    QPainterPath m_outline; // outline of the target in the plane
+    QImage m_target;        // target in the colours that are blended with the picture
+    QImage m_scaled;        // m_target in device pixels
     bool m_targetOnDark = false;
     std::optional<document::MeasuredFractal> m_measured;
     int m_opacity = 40;
     bool m_showsAgreement = true;
-    bool m_isPressed = false; // on the mark
+    bool m_isPressed = false; // true during a press on the mark
 };
 
 } // namespace view

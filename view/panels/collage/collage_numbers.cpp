@@ -46,7 +46,7 @@ QString guarantee(const document::MeasuredFractal& measured) {
     return CollageNumbers::tr("%1 (s = %2)").arg(bound, factor);
 }
 
-constexpr double visibleGrowth = 0.01; // pixels, the last digit shown
+constexpr double visibleGrowth = 0.01; // pixels; last digit shown
 
 QString boundText(const std::optional<double>& bound) {
     return bound ? pixels(*bound) : CollageNumbers::tr("none");
@@ -105,7 +105,7 @@ CollageNumbers::CollageNumbers(QWidget* parent) : QWidget(parent) {
         auto* value = new QLabel(m_values);
         value->setAccessibleName(name);
         value->setToolTip(tip);
-        value->setWordWrap(true); // a guarantee may name another norm
+        value->setWordWrap(true); // a bound may name another norm
         value->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
         grid->addWidget(label, row, 0);
         grid->addWidget(value, row, 1);

@@ -27,7 +27,7 @@ public:
     explicit CollageNumbers(QWidget* parent);
 
     void show(const document::MeasuredFractal& measured);
-    void clear(const QString& sentence); // why there are no numbers; empty: there is nothing to say
+    void clear(const QString& sentence); // reason why there are no numbers; empty: none to give
 
 private:
     QLabel* m_sentence;

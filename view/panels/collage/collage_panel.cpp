@@ -34,7 +34,7 @@ using document::Compared;
 constexpr int progressInterval = 100; // milliseconds
 // Head start of the picture in a drag, before the numbers are measured.
 constexpr int pictureFirst = 8;
-constexpr qsizetype maxLocksNamed = 6; // on the button, which is no wider than the panel
+constexpr qsizetype maxLocksNamed = 6; // names on the button, which is no wider than the panel
 
 QLabel* heading(const QString& text, QWidget* parent) {
     auto* label = new QLabel(text, parent);
@@ -205,8 +205,8 @@ void CollagePanel::connectParts() {
         bringTargetIntoView();
         m_measured.reset();
         forgetResults();
-        m_measuring.cancel();    // it is of another target,
-        m_suggestions->forget(); // and so are these
+        m_measuring.cancel();    // measures another target
+        m_suggestions->forget(); // suggestions for another target
         if (m_running) {
             cancel();
             emit message(tr("The target has changed, so the fit was cancelled."));
@@ -364,7 +364,7 @@ CollagePanel::Work CollagePanel::workFor(Task task, const std::shared_ptr<const 
 
 void CollagePanel::run(Task task) {
     if (m_running || !m_target->traced()) return;
-    // A suggestion, or a cage around the present fractal, needs no maps that can be compared.
+    // Suggestions, and a cage around the present fractal, need no comparable maps.
     if (task != Task::Suggest && task != Task::FitCage)
         if (const QString obstacle = document::collageObstacle(m_document->fractal()); !obstacle.isEmpty())
             return emit message(obstacle);

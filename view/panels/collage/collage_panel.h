@@ -44,18 +44,18 @@ public:
     void showMore(bool shown);
 
 signals:
-    void message(const QString& sentence); // for the status bar
+    void message(const QString& sentence); // sentence for the status bar
 
 private:
     struct Result {
         std::vector<collage::Suggestion> suggestions;
         std::optional<document::Fractal> fractal;
-        std::optional<double> shadesBound = {}; // of fitted weights
+        std::optional<double> shadesBound = {}; // bound for fitted weights
         std::optional<Refinement> refinement = {};
     };
     struct Running {
         FitBox::Task task;
-        QString text; // of the step
+        QString text; // text of the undo step
         std::shared_ptr<const document::Fractal> before;
     };
     using Work = std::function<Result(const std::stop_token&)>;
@@ -79,30 +79,30 @@ private:
     void use(int suggestion);
     void lock(bool lock);
     void showLocks();
-    std::vector<ifs::MapId> fixedMaps() const; // that a fit leaves alone
+    std::vector<ifs::MapId> fixedMaps() const; // maps that a fit must not change
     void updatePossible();
 
     document::Document* m_document;
     CanvasView* m_canvas;
-    QPointer<CollageLayer> m_layer; // the canvas has it, and may go first
+    QPointer<CollageLayer> m_layer; // owned by the canvas, which may be destroyed first
     TargetBox* m_target;
     QComboBox* m_compared;
     CollageNumbers* m_numbers;
     FitBox* m_fit;
-    QLabel* m_refined; // the numbers after the last refinement
-    QLabel* m_shades;  // the guarantee of the weights fitted last
+    QLabel* m_refined; // numbers after the last refinement
+    QLabel* m_shades;  // bound for the weights fitted last
     SuggestionList* m_suggestions;
     QWidget* m_more;
     QToolButton* m_moreButton = nullptr;
-    std::shared_ptr<const document::TracedPicture> m_suggestedFor; // the target
-    document::EntryId m_suggested = document::EntryId::None;       // the entry that one of them was used in
+    std::shared_ptr<const document::TracedPicture> m_suggestedFor; // target of the suggestions
+    document::EntryId m_suggested = document::EntryId::None;       // entry in which one of them was used
     std::optional<document::MeasuredFractal> m_measured;
     std::optional<Running> m_running;
-    std::shared_ptr<std::atomic<double>> m_progress; // of what runs
+    std::shared_ptr<std::atomic<double>> m_progress; // progress of the running computation
     QTimer* m_progressTimer;
-    QTimer* m_liveTimer; // runs while numbers wait for the picture under the hand
+    QTimer* m_liveTimer; // running while numbers wait for the picture in a drag
     NewestWork<document::MeasuredFractal> m_measuring;
-    NewestWork<Result> m_fitting; // last: it stops before the rest goes
+    NewestWork<Result> m_fitting; // last member: its thread uses the others
 };
 
 } // namespace view

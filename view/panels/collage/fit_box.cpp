@@ -26,7 +26,7 @@ namespace view {
 namespace {
 
 constexpr int minMaps = 2, maxMaps = 16;
-constexpr int rangeEnd = 8; // of the numbers of maps that are tried when none is given
+constexpr int rangeEnd = 8; // greatest number of maps that is tried by default
 
 void addRow(QGridLayout* grid, const QString& text, QWidget* field) {
     auto* label = new QLabel(text, field->parentWidget());
@@ -174,7 +174,7 @@ QWidget* FitBox::makeProgress() {
     m_escape = new QShortcut(QKeySequence(Qt::Key_Escape), parentWidget());
     m_escape->setContext(Qt::WidgetWithChildrenShortcut);
     connect(m_escape, &QShortcut::activated, this, [this] {
-        if (QWidget* list = QApplication::activePopupWidget()) // the key is for that
+        if (QWidget* list = QApplication::activePopupWidget()) // the list gets the key
             list->close();
         else
             emit cancelled();
@@ -227,7 +227,7 @@ void FitBox::setLocks(const QString& names, bool areSelectedLocked, bool isAnySe
 
 void FitBox::setProgress(const std::optional<double>& share) {
     m_isBusy = share.has_value();
-    m_progress->setRange(0, share && *share < 0 ? 0 : 100); // below 0: nobody knows how long it takes
+    m_progress->setRange(0, share && *share < 0 ? 0 : 100); // negative: unknown duration
     if (share && *share >= 0) m_progress->setValue(int(100 * *share));
     if (m_isBusy && m_busy->isHidden()) scrollIntoView(m_busy);
     m_busy->setVisible(m_isBusy);

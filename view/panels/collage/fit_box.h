@@ -36,13 +36,13 @@ public:
     bool refinesSelectedOnly() const;
     int cageCorners() const;
 
-    void setPossible(bool possible); // whether there is something to fit
+    void setPossible(bool possible); // true if there is something to fit
     void setLocks(const QString& names, bool areSelectedLocked, bool isAnySelected);
-    void setProgress(const std::optional<double>& share); // nullopt: nothing is under way
+    void setProgress(const std::optional<double>& share); // nullopt: no computation running
 
 signals:
     void requested(view::FitBox::Task task);
-    void lockRequested(bool lock); // the selected maps
+    void lockRequested(bool lock); // sent for the selected maps
     void cancelled();
 
 private:
@@ -67,7 +67,7 @@ private:
     QWidget* m_start = nullptr;
     QWidget* m_busy = nullptr;
     QProgressBar* m_progress = nullptr;
-    QShortcut* m_escape = nullptr; // of the whole panel, while something is under way
+    QShortcut* m_escape = nullptr; // valid in the whole panel during a computation
     std::vector<QPushButton*> m_tasks;
     bool m_isPossible = false;
     bool m_isBusy = false;

@@ -12,7 +12,7 @@ namespace view {
 
 namespace {
 
-constexpr int side = 72; // of a picture
+constexpr int side = 72; // pixels of a picture
 constexpr quint64 perSheet = 64;
 
 QString textOf(const collage::Suggestion& one) {

@@ -39,7 +39,7 @@ private:
     void showPicture(int row);
 
     Thumbnails* m_thumbnails;
-    quint64 m_sheet = 0; // counts them, for the keys of the pictures
+    quint64 m_sheet = 0; // number of the sheet, part of the keys of the pictures
     std::vector<std::shared_ptr<const document::Fractal>> m_fractals;
 };
 

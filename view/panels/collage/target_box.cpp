@@ -39,8 +39,8 @@ namespace view {
 
 namespace {
 
-constexpr int entrySide = 448;  // pixels along the longer side of an attractor that is traced,
-constexpr int entryMargin = 16; // and around it
+constexpr int entrySide = 448;  // pixels along the longer side of a traced attractor
+constexpr int entryMargin = 16; // pixels around it
 constexpr int usualOpacity = 40;
 
 using Shape = document::TraceOptions::Shape;
@@ -56,7 +56,7 @@ QToolButton* button(const QString& text, const QString& tip, QWidget* parent) {
 std::shared_ptr<const collage::GreyPicture> pictureOf(const document::Fractal& fractal, QString& sentence) {
     const auto box = document::displayedBox(fractal);
     const auto shown = document::effectiveSystem(fractal);
-    // Maps that a symmetry stands for count, too.
+    // Includes the maps that a symmetry stands for.
     const auto maps = shown ? ifs::activeMaps(*shown) : ifs::ActiveMaps<2>{};
     if (!box || maps.maps.empty() || maps.isLinked() || collage::contraction(maps.maps) >= 1) {
         sentence = document::collageObstacle(fractal);
@@ -91,7 +91,7 @@ std::function<QByteArray()> pictureIn(const QMimeData& data) {
         const QString type = QStringLiteral("image/") + QLatin1String(kind);
         if (data.hasFormat(type)) return [bytes = data.data(type)] { return bytes; };
     }
-    // Qt decodes data of other programs when it is asked for an image.
+    // Checks first, because asking for an image makes Qt decode data of other programs.
     if (data.inherits("QInternalMimeData") || !data.hasImage()) return nullptr;
     return [image = qvariant_cast<QImage>(data.imageData())] {
         QByteArray bytes;
@@ -248,7 +248,7 @@ void TargetBox::fillEntries(QMenu* menu) {
         const QString& name = entry.fractal->name;
         QAction* action = menu->addAction(menuText(name, menu->fontMetrics()), this,
                                           [this, fractal = entry.fractal] { take(fractal); });
-        action->setToolTip(tooltipText(name)); // else its text, which may look like markup
+        action->setToolTip(tooltipText(name)); // plain text, since the default may look like markup
     }
     menu->setDisabled(menu->isEmpty());
 }
@@ -346,7 +346,7 @@ void TargetBox::submit(const std::function<State(const std::stop_token&)>& readi
 void TargetBox::finishReading(std::optional<Read> read) {
     if (read && read->state.picture)
         m_states[read->entry] = read->state;
-    else if (read) // what was there before stays
+    else if (read) // keeps the previous picture
         m_states[read->entry].sentence = QStringLiteral("%1: %2").arg(read->state.name, read->state.sentence);
     else
         state().sentence = tr("The picture could not be read.");
@@ -362,15 +362,15 @@ void TargetBox::follow(const document::Change& change) {
     if (!(change.parts & (Change::Current | Change::File))) return;
     const document::EntryId before = std::exchange(m_shown, m_document->currentId());
     const bool isSame = m_traced && m_states.value(before).isTracedAs(m_states.value(m_shown));
-    if (isSame) return; // with a suggestion in an entry of its own
-    m_tracing.cancel(); // it is of another entry,
-    m_traced = nullptr; // and so is what it found
+    if (isSame) return; // suggestion used in an entry of its own
+    m_tracing.cancel(); // traces the picture of another entry
+    m_traced = nullptr; // result for another entry
     showState();
 }
 
 void TargetBox::setOptions(const std::function<void(document::TraceOptions&)>& change) {
     if (!state().picture) return;
-    state().sentence.clear(); // of another picture
+    state().sentence.clear(); // about another picture
     change(state().options);
     showState();
 }

@@ -40,11 +40,11 @@ public:
 
     // Reads in the background; a sentence says why a picture cannot be used.
     void read(const QString& path);
-    void take(const std::shared_ptr<const document::Fractal>& entry); // its attractor
+    void take(const std::shared_ptr<const document::Fractal>& entry); // attractor of the entry as the target
 
     const std::shared_ptr<const document::TracedPicture>& traced() const { return m_traced; } // null: none
-    bool hasTargets() const; // for any entry of the file
-    QString name() const;    // of what the current entry has
+    bool hasTargets() const; // true if any entry of the file has one
+    QString name() const;    // name of the current entry's target
     // Gives another entry the target of the current one.
     void share(document::EntryId with) { m_states[with] = state(); }
     bool isBusy() const { return m_reading.isBusy() || m_tracing.isBusy(); }
@@ -58,11 +58,12 @@ private:
     using TracedPointer = std::shared_ptr<const document::TracedPicture>;
     struct State {
         PicturePointer picture;
-        bool isReduced = false; // smaller than in the file, to be traced
+        bool isReduced = false; // true: reduced for tracing
         QString name;
-        QString sentence; // why there is no picture
+        QString sentence; // reason why there is no picture
         document::TraceOptions options;
-        std::optional<document::Box> onto; // the picture when it came: the shape has its size
+        // Box of the attractor when the picture was added, which determines the size of the shape.
+        std::optional<document::Box> onto;
 
         bool isTracedAs(const State& other) const;
     };
@@ -96,7 +97,7 @@ private:
     QToolButton* m_remove = nullptr;
     QLabel* m_name = nullptr;
     TargetPreview* m_preview = nullptr;
-    QWidget* m_controls = nullptr; // of a picture
+    QWidget* m_controls = nullptr; // controls of a picture
     QComboBox* m_shape = nullptr;
     QCheckBox* m_inverted = nullptr;
     QCheckBox* m_automatic = nullptr;

@@ -112,7 +112,7 @@ void TargetPreview::mouseReleaseEvent(QMouseEvent* event) {
     const QRect box = dragged().toAlignedRect() & m_grey.rect();
     m_pressed.reset();
     update();
-    if (box.width() < minCrop || box.height() < minCrop) return; // no more than a click
+    if (box.width() < minCrop || box.height() < minCrop) return; // mere click
     emit cropChosen(
         collage::PixelBox{box.left(), box.top(), box.left() + box.width(), box.top() + box.height()});
 }

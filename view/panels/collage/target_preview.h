@@ -37,11 +37,11 @@ protected:
 
 private:
     QRectF pictureArea() const;
-    QRectF dragged() const; // in pixels of the picture
+    QRectF dragged() const; // pixels of the picture
 
     std::shared_ptr<const collage::GreyPicture> m_picture;
     QImage m_grey;
-    QImage m_shape; // over the crop
+    QImage m_shape; // traced shape over the crop
     std::optional<collage::PixelBox> m_crop;
     std::optional<QPointF> m_pressed;
     QPointF m_pointer;

@@ -15,7 +15,7 @@ namespace view {
 namespace {
 
 constexpr int padding = 4;
-constexpr int smallSide = 100; // pixels: below, names are written smaller
+constexpr int smallSide = 100; // pixels; smaller pictures have smaller names
 
 QFont headingFont(const QFont& font) {
     QFont bold = font;
@@ -88,11 +88,14 @@ void CollectionDelegate::paint(QPainter* painter, const QStyleOptionViewItem& op
 }
 
 QSize CollectionDelegate::sizeHint(const QStyleOptionViewItem& option, const QModelIndex& index) const {
-    if (!isHeading(index)) return {m_side + 2 * padding, m_side + 3 * padding + heights(option.font).name};
-    const int height = heights(option.font).heading + 4 * padding;
     const auto* list = qobject_cast<const QListView*>(option.widget);
-    const int width = list ? list->viewport()->width() - 2 * list->spacing() - 1 : 200;
-    return {qMax(width, m_side), height}; // alone in its row
+    const int spacing = list ? list->spacing() : 0;
+    const int room = list ? list->viewport()->width() - spacing - 1 : 200;
+    if (isHeading(index))
+        return {qMax(room - spacing, m_side), heights(option.font).heading + 4 * padding}; // alone in its row
+    const int least = m_side + 2 * padding;
+    const int columns = qMax(1, room / (least + spacing));
+    return {qMax(least, room / columns - spacing), m_side + 3 * padding + heights(option.font).name};
 }
 
 const CollectionDelegate::Heights& CollectionDelegate::heights(const QFont& font) const {
@@ -114,7 +117,7 @@ void CollectionDelegate::paintHeading(QPainter* painter, const QStyleOptionViewI
 
 void CollectionDelegate::paintEntry(QPainter* painter, QStyleOptionViewItem option,
                                     const QModelIndex& index) const {
-    option.showDecorationSelected = true; // behind picture and name alike
+    option.showDecorationSelected = true; // behind both picture and name
     const QStyle* style = option.widget ? option.widget->style() : QApplication::style();
     style->drawPrimitive(QStyle::PE_PanelItemViewItem, &option, painter, option.widget);
 

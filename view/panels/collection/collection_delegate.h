@@ -18,14 +18,14 @@ public:
     CollectionDelegate(int pictureSide, QObject* parent);
 
     int pictureSide() const { return m_side; }
-    void setFrame(const QModelIndex& index, const QPixmap& frame); // an invalid index: of none
+    void setFrame(const QModelIndex& index, const QPixmap& frame); // invalid index: no entry
 
     void paint(QPainter* painter, const QStyleOptionViewItem& option,
                const QModelIndex& index) const override;
     QSize sizeHint(const QStyleOptionViewItem& option, const QModelIndex& index) const override;
 
 private:
-    struct Heights { // of a line of text; every entry of a long list asks for them
+    struct Heights { // heights of lines of text, cached because a long list needs them for every entry
         QFont font;
         int name = 0;
         int heading = 0;

@@ -9,7 +9,7 @@ namespace view {
 
 void CollectionFilter::setSourceModel(QAbstractItemModel* model) {
     QSortFilterProxyModel::setSourceModel(model);
-    // The titles of entries that come or go change with them.
+    // Titles appear and vanish with their entries.
     connect(model, &QAbstractItemModel::dataChanged, this,
             [this](const QModelIndex&, const QModelIndex&, const QList<int>& roles) {
                 if ((m_part == Part::Favourites && roles.contains(CollectionModel::FavouriteRole)) ||

@@ -14,14 +14,15 @@ public:
     enum class Part {
         All,
         Favourites,
-        Recent, // without titles, the newest first
-        Theme,  // without its title
+        Recent, // newest first, without titles
+        Theme,  // single theme without its title
     };
 
     using QSortFilterProxyModel::QSortFilterProxyModel;
 
     void setWords(const QString& words);
-    void setPart(Part part, const QString& section = {}); // of a theme: CollectionModel::SectionRole
+    // `section`: CollectionModel::SectionRole of a theme.
+    void setPart(Part part, const QString& section = {});
     Part part() const { return m_part; }
     void setSourceModel(QAbstractItemModel* model) override;
 

@@ -35,7 +35,7 @@ CollectionGrid::CollectionGrid(QAbstractItemModel* collection, int pictureSide, 
     setContextMenuPolicy(Qt::CustomContextMenu);
     m_whyEmpty->setAlignment(Qt::AlignCenter);
     m_whyEmpty->setWordWrap(true);
-    m_whyEmpty->setEnabled(false); // as a placeholder is drawn
+    m_whyEmpty->setEnabled(false); // same look as a placeholder
     m_whyEmpty->hide();
     auto* cover = new QVBoxLayout(viewport());
     cover->addWidget(m_whyEmpty);

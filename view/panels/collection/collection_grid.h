@@ -20,11 +20,11 @@ public:
     CollectionGrid(QAbstractItemModel* collection, int pictureSide, QWidget* parent = nullptr);
 
     CollectionDelegate* delegate() const { return m_delegate; }
-    QModelIndex current() const; // of the collection; invalid where none is
+    QModelIndex current() const; // index in the collection; invalid: none
     void setPart(CollectionFilter::Part part, const QString& section = {});
 
 public slots:
-    void search(const QString& words); // chooses the first found, so that Enter opens it
+    void search(const QString& words); // also selects the first result, so that Enter opens it
 
 private:
     void chooseFirst();

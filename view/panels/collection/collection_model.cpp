@@ -26,7 +26,7 @@ bool isReadable(const document::Entry& entry) {
 
 // The title without the part behind a colon: there is room for a few words below a picture.
 QString shortTitle(const QString& title) {
-    return title.section(QLatin1String(": "), 0, 0).trimmed(); // French has a blank before it
+    return title.section(QLatin1String(": "), 0, 0).trimmed(); // removes the blank before a French colon
 }
 
 // In the user's language for the bundled files, which lie in no folder.
@@ -131,7 +131,7 @@ int CollectionModel::rowCount(const QModelIndex& parent) const {
 }
 
 QVariant CollectionModel::data(const QModelIndex& index, int role) const {
-    if (!index.isValid()) return {}; // as views ask when nothing is current
+    if (!index.isValid()) return {}; // asked by views without a current row
     if (!checkIndex(index, CheckIndexOption::ParentIsInvalid)) return {};
     const Row& row = m_rows[index.row()];
     if (role == FolderRole) return row.folder;
@@ -236,7 +236,7 @@ QVariant CollectionModel::entryData(const Row& row, int role) const {
 
 Qt::ItemFlags CollectionModel::flags(const QModelIndex& index) const {
     if (!index.isValid()) return Qt::NoItemFlags;
-    if (!fractalAt(index)) return Qt::ItemNeverHasChildren; // a title is neither chosen nor stepped on
+    if (!fractalAt(index)) return Qt::ItemNeverHasChildren; // titles are neither selectable nor stepped on
     return Qt::ItemIsEnabled | Qt::ItemIsSelectable | Qt::ItemIsDragEnabled | Qt::ItemNeverHasChildren;
 }
 

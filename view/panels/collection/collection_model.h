@@ -15,17 +15,18 @@ class CollectionModel : public QAbstractListModel {
 
 public:
     enum Role {
-        HeadingRole = Qt::UserRole, // bool: the row is the title of a theme
+        HeadingRole = Qt::UserRole, // bool: title of a theme
         ThumbnailStateRole,         // int of Thumbnail::State
-        SearchRole,                 // QString: all that a search looks at
-        FolderRole,    // QString: the user's folder the theme came from, empty for the bundled ones
-        FavouriteRole, // bool; can be set
-        RecentRole,    // int: 0 for the entry used last, then 1, …; −1 for those not used lately
-        MovesRole,     // bool: the entry has an animation
-        SectionRole,   // QString: the theme and its folder, which tell it from themes of the same name
+        SearchRole,                 // QString: searchable text
+        FolderRole,                 // QString: user's folder of the theme; empty for the bundled ones
+        FavouriteRole,              // bool; editable
+        RecentRole,                 // int: 0 for the entry used last, then 1, …; −1 for all others
+        MovesRole,                  // bool: has an animation
+        SectionRole,                // QString: theme and folder, unique even among themes of the same name
     };
 
-    explicit CollectionModel(Thumbnails* thumbnails, QObject* parent = nullptr); // which must outlive it
+    // `thumbnails` must outlive the model.
+    explicit CollectionModel(Thumbnails* thumbnails, QObject* parent = nullptr);
 
     // Themes of different folders, which may come in any order, stand in the order in which their folders
     // were expected.
@@ -45,7 +46,7 @@ public:
     std::shared_ptr<const document::Fractal> fractalAt(const QModelIndex& index) const;
     // Number of an entry, unique while the entry is there; 0 for titles.
     Thumbnails::Key keyAt(const QModelIndex& index) const;
-    QModelIndex indexOf(Thumbnails::Key key) const; // invalid for 0 and for entries that are gone
+    QModelIndex indexOf(Thumbnails::Key key) const; // invalid for 0 and for removed entries
     // The fractal, followed by the partner of its fractal transformation, with the full path of the picture.
     QList<document::Fractal> withPartnerAt(const QModelIndex& index) const;
 
@@ -59,24 +60,24 @@ public:
 private:
     struct Row {
         Thumbnails::Key key = 0;
-        QString file; // of the theme
+        QString file; // file of the theme
         QString theme;
-        QString description; // of the theme; for its title only
+        QString description; // description of the theme; set in its title only
         QString folder;
-        document::Entry entry; // without fractal: the title of a theme
+        document::Entry entry; // no fractal: title of a theme
         bool moves = false;
     };
 
-    int placeFor(const QString& folder) const; // behind what is there
+    int placeFor(const QString& folder) const; // row behind the existing ones
     static QString favouriteKey(const Row& row);
-    static QString formerKey(const Row& row); // of earlier versions
+    static QString formerKey(const Row& row); // key in earlier versions
     bool isFavourite(const Row& row) const;
     QVariant headingData(const Row& row, int role) const;
     QVariant entryData(const Row& row, int role) const;
 
     Thumbnails* m_thumbnails;
     QList<Row> m_rows;
-    QStringList m_folders; // in their order
+    QStringList m_folders; // folders in their order
     QSet<QString> m_favourites;
     QStringList m_recent;
     Thumbnails::Key m_lastKey = 0;

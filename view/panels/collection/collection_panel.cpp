@@ -34,7 +34,7 @@ const QString foldersKey = QStringLiteral("collection/folders");
 const QString favouritesKey = QStringLiteral("collection/favourites");
 const QString recentKey = QStringLiteral("collection/recent");
 constexpr int pictureSide = 76;                    // device-independent pixels
-constexpr std::chrono::milliseconds patience{400}; // before reading is worth a word
+constexpr std::chrono::milliseconds patience{400}; // delay before reading is reported
 
 } // namespace
 
@@ -83,7 +83,7 @@ CollectionPanel::CollectionPanel(QWidget* parent)
 
 CollectionPanel::~CollectionPanel() {
     for (const Reading& reading : std::as_const(m_readings))
-        reading.watcher->cancel(); // the threads need nothing of this
+        reading.watcher->cancel(); // the threads do not use this object
 }
 
 void CollectionPanel::createGrid() {

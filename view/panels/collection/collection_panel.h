@@ -27,16 +27,16 @@ public:
     explicit CollectionPanel(QWidget* parent = nullptr);
     ~CollectionPanel() override;
 
-    void addFolder(const QString& folder); // remembered in the settings
+    void addFolder(const QString& folder); // stored in the settings
     void removeFolder(const QString& folder);
     QStringList folders() const { return m_folders; }
     void browse(); // opens a CollectionWindow
 
 signals:
     // The fractal, and behind it the partner of its fractal transformation.
-    void chosen(const QList<document::Fractal>& fractals);        // by a double click or Enter
-    void openRequested(const QList<document::Fractal>& fractals); // as a document of its own
-    void addRequested(const QList<document::Fractal>& fractals);  // to the open file
+    void chosen(const QList<document::Fractal>& fractals);        // sent for a double click or Enter
+    void openRequested(const QList<document::Fractal>& fractals); // for a document of its own
+    void addRequested(const QList<document::Fractal>& fractals);  // for the open file
 
 protected:
     bool event(QEvent* event) override;
@@ -49,16 +49,16 @@ private:
     QWidget* createProgress();
     void showContextMenu(const QPoint& position);
     using Watcher = QFutureWatcher<io::CollectionTheme>;
-    void read(const QString& folder); // empty: the bundled files
+    void read(const QString& folder); // empty: bundled files
     void endReading(const Watcher* watcher);
-    void showProgress(); // of the first
+    void showProgress(); // shows the progress of the first reading
     void updateProgress();
     void chooseFolder();
     void saveFolders() const;
     void updateActions();
     void showPart();
     void use(void (CollectionPanel::*used)(const QList<document::Fractal>&));
-    QList<document::Fractal> current() const; // nothing, one, or with its partner
+    QList<document::Fractal> current() const; // none, one, or one with its partner
 
     Thumbnails* m_thumbnails;
     CollectionModel* m_model;
@@ -77,10 +77,10 @@ private:
         QString folder;
         Watcher* watcher;
     };
-    QList<Reading> m_readings; // all at the same time: a folder may be on a drive that does not answer
+    QList<Reading> m_readings; // parallel readings, because a folder may be on a drive that does not answer
     QTimer m_patience;
     QProgressBar* m_done = nullptr;
-    QWidget* m_progress; // around m_done; seen when reading takes long
+    QWidget* m_progress; // parent of m_done; visible if reading takes long
 };
 
 } // namespace view

@@ -35,7 +35,7 @@ using Part = CollectionFilter::Part;
 constexpr int partRole = Qt::UserRole;
 constexpr int sectionRole = Qt::UserRole + 1;
 constexpr int linesAbout = 3;
-constexpr int gapHeight = 6; // pixels, between what is the user's own and the themes
+constexpr int gapHeight = 6; // pixels between the user's own parts and the themes
 
 } // namespace
 

@@ -35,7 +35,7 @@ public:
 signals:
     // The fractal, and behind it the partner of its fractal transformation.
     void chosen(const QList<document::Fractal>& fractals);
-    void addRequested(const QList<document::Fractal>& fractals); // to the open file
+    void addRequested(const QList<document::Fractal>& fractals); // for the open file
 
 protected:
     bool event(QEvent* event) override;
@@ -49,7 +49,7 @@ private:
     void showPart();
     void search(const QString& words);
     void updateCurrent();
-    void play(const QModelIndex& index); // of the grid
+    void play(const QModelIndex& index); // index in the grid
     void use(void (CollectionWindow::*used)(const QList<document::Fractal>&));
 
     CollectionModel* m_collection;

@@ -13,7 +13,7 @@ namespace view {
 
 namespace {
 
-constexpr int mostFrames = 96; // 10 MB at 168 pixels
+constexpr int mostFrames = 96; // 10 MB for 168 pixels
 constexpr double framesPerSecond = 12;
 
 } // namespace
@@ -60,13 +60,13 @@ void MovingPicture::drawNext() {
 
 void MovingPicture::take(const std::optional<QImage>& image) {
     if (!isPlaying()) return;
-    if (!image) return stop(); // there is no room for it, or nothing to show
+    if (!image) return stop(); // nothing to show, or no memory
     m_frames << roundedPixmap(*image, m_ratio);
     if (m_frames.size() < m_numbers.size()) drawNext();
 }
 
 void MovingPicture::step() {
-    if (m_next >= m_frames.size()) return; // it is being drawn
+    if (m_next >= m_frames.size()) return; // still being drawn
     emit shown(m_frames[m_next]);
     m_next = (m_next + 1) % m_numbers.size();
 }

@@ -36,19 +36,19 @@ public:
     bool isPlaying() const { return m_previews != nullptr; }
 
 signals:
-    void shown(const QPixmap& frame); // square with rounded corners
+    void shown(const QPixmap& frame); // square picture with rounded corners
 
 private:
     void drawNext();
     void take(const std::optional<QImage>& image);
     void step();
 
-    std::shared_ptr<io::FramePreviews> m_previews; // null: nothing plays
+    std::shared_ptr<io::FramePreviews> m_previews; // null: not playing
     int m_side = 0;
     qreal m_ratio = 1;
-    QList<int> m_numbers;    // of the frames that are shown
-    QList<QPixmap> m_frames; // the first of them, as far as they are drawn
-    qsizetype m_next = 0;    // to be shown
+    QList<int> m_numbers;    // numbers of the frames to show
+    QList<QPixmap> m_frames; // frames drawn so far, from the first on
+    qsizetype m_next = 0;    // index of the next frame to show
     QTimer m_clock;
     NewestWork<QImage> m_drawing;
 };

@@ -17,7 +17,7 @@
 namespace view {
 namespace {
 
-constexpr int maxLine = 198; // bytes; with the semicolon and the line end it still fits what Fractint reads
+constexpr int maxLine = 198; // bytes; with semicolon and line end within what Fractint reads
 
 QLabel* caption(const QString& text, QWidget* buddy, QWidget* parent) {
     auto* label = new QLabel(text, parent);
@@ -65,17 +65,17 @@ EntriesCommentDialog::EntriesCommentDialog(const document::Fractal& fractal, QWi
 
 document::Fractal EntriesCommentDialog::fractal() const {
     document::Fractal after = m_before;
-    // The comment as it will be read from the file: pasted text may hold line ends and tabs.
+    // Comment as the file will return it: pasted text may contain line ends and tabs.
     after.headerComment = io::fractint::storedComment(m_header->text());
     after.comments = lines();
     for (QString& line : after.comments)
         line = io::fractint::storedComment(line);
     if (after.comments == document::userComments(m_before.comments)) {
-        after.comments = m_before.comments; // nothing moves
+        after.comments = m_before.comments; // unchanged
         return after;
     }
     for (const QString& kept : m_before.comments)
-        if (document::isKeptComment(kept)) after.comments << kept; // unseen here
+        if (document::isKeptComment(kept)) after.comments << kept; // not shown here
     return after;
 }
 

@@ -19,10 +19,10 @@ class EntriesCommentDialog : public QDialog {
 public:
     explicit EntriesCommentDialog(const document::Fractal& fractal, QWidget* parent = nullptr);
 
-    document::Fractal fractal() const; // with the comments as edited
+    document::Fractal fractal() const; // fractal with the edited comments
 
 signals:
-    void edited(); // in a way that could be kept
+    void edited(); // sent for edits that can be kept
 
 private:
     QStringList lines() const;

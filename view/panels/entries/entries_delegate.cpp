@@ -108,7 +108,7 @@ void EntriesDelegate::paint(QPainter* painter, const QStyleOptionViewItem& given
                             const QModelIndex& index) const {
     QStyleOptionViewItem option = given;
     initStyleOption(&option, index);
-    option.showDecorationSelected = true; // the whole row, whatever the style prefers
+    option.showDecorationSelected = true; // whole row in every style
     const QStyle* style = option.widget ? option.widget->style() : QApplication::style();
     style->drawPrimitive(QStyle::PE_PanelItemViewItem, &option, painter, option.widget);
 
@@ -162,7 +162,7 @@ QWidget* EntriesDelegate::createEditor(QWidget* parent, const QStyleOptionViewIt
 void EntriesDelegate::setEditorData(QWidget* editor, const QModelIndex& index) const {
     auto* line = qobject_cast<QLineEdit*>(editor);
     const QString name = index.data(Qt::EditRole).toString();
-    // A picture that arrives meanwhile must undo neither the typing nor the selection to type over.
+    // Keeps the typed text and the selection when a picture arrives meanwhile.
     if (line && !line->isModified() && line->text() != name) line->setText(name);
 }
 

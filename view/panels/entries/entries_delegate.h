@@ -33,8 +33,8 @@ public:
     void setModelData(QWidget* editor, QAbstractItemModel* model, const QModelIndex& index) const override;
 
 signals:
-    void nameTyped(const QModelIndex& index, const QString& name) const; // one that is possible
-    void typingEnded() const; // before the model is given the name, and when it is given none
+    void nameTyped(const QModelIndex& index, const QString& name) const; // sent for valid names
+    void typingEnded() const; // sent before the model gets a name, and if it gets none
 
 protected:
     bool eventFilter(QObject* editor, QEvent* event) override;

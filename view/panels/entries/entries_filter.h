@@ -17,7 +17,7 @@ public:
     using QSortFilterProxyModel::QSortFilterProxyModel;
 
     void setText(const QString& text);
-    void setShown(document::EntryId id); // on the canvas
+    void setShown(document::EntryId id); // entry on the canvas, which always passes
 
 protected:
     bool filterAcceptsRow(int row, const QModelIndex& parent) const override;

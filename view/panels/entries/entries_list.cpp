@@ -24,11 +24,11 @@ EntriesList::EntriesList(MimeSource mimeSource, QWidget* parent)
     setVerticalScrollMode(ScrollPerPixel);
     setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     setSelectionMode(ExtendedSelection);
-    setEditTriggers(EditKeyPressed | DoubleClicked); // not by a click that only takes the focus
+    setEditTriggers(EditKeyPressed | DoubleClicked); // no editing by a click that merely takes the focus
     setDragEnabled(true);
     setAcceptDrops(true);
     setDragDropMode(DragDrop);
-    setDropIndicatorShown(false); // drawn here, between the rows
+    setDropIndicatorShown(false); // painted here, between the rows
     setContextMenuPolicy(Qt::CustomContextMenu);
 }
 
@@ -47,7 +47,7 @@ QList<EntryId> EntriesList::selectedIds() const {
 
 void EntriesList::select(const QList<EntryId>& ids) {
     const QSet<EntryId> wanted(ids.begin(), ids.end());
-    QItemSelection selection; // of as few ranges as there are
+    QItemSelection selection; // as few ranges as possible
     const int rows = model()->rowCount();
     qsizetype missing = wanted.size();
     for (int first = 0; first < rows && missing > 0; ++first) {
@@ -82,7 +82,7 @@ void EntriesList::closeEditor(QWidget* editor, QAbstractItemDelegate::EndEditHin
 void EntriesList::startDrag(Qt::DropActions) {
     const QList<EntryId> ids = selectedIds();
     if (ids.isEmpty()) return;
-    auto* drag = new QDrag(this); // Qt deletes it when the drag is over
+    auto* drag = new QDrag(this); // deleted by Qt at the end of the drag
     drag->setMimeData(m_mimeSource(ids).release());
     drag->setPixmap(currentIndex().data(Qt::DecorationRole).value<QPixmap>());
     drag->exec(Qt::CopyAction | Qt::MoveAction, Qt::CopyAction);

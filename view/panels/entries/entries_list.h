@@ -22,10 +22,10 @@ public:
 
     EntriesList(MimeSource mimeSource, QWidget* parent);
 
-    QList<document::EntryId> selectedIds() const; // in the order of the list
+    QList<document::EntryId> selectedIds() const; // order of the list
     void select(const QList<document::EntryId>& ids);
     void setEmptyText(const QString& text);
-    bool isEditing() const { return state() == EditingState; } // a name
+    bool isEditing() const { return state() == EditingState; } // true while a name is being edited
 
 signals:
     void entriesDropped(const QList<document::EntryId>& ids, document::EntryId before);
@@ -42,7 +42,7 @@ protected:
 
 private:
     document::EntryId idAtRow(int row) const;
-    int rowBelow(const QPoint& position) const; // the row in front of which something would fall
+    int rowBelow(const QPoint& position) const; // row before which a drop would be inserted
     bool offer(QDropEvent* event) const;
     void showDropRow(int row);
     void finishDrag();

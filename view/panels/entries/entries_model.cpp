@@ -73,7 +73,7 @@ int EntriesModel::rowCount(const QModelIndex& parent) const {
 }
 
 QVariant EntriesModel::data(const QModelIndex& index, int role) const {
-    if (!index.isValid()) return {}; // as views ask when nothing is current
+    if (!index.isValid()) return {}; // asked by views without a current row
     if (!checkIndex(index, CheckIndexOption::ParentIsInvalid)) return {};
     const Entry& entry = m_shown.entries.at(index.row());
     const auto key = static_cast<Thumbnails::Key>(entry.id);
@@ -183,13 +183,13 @@ void EntriesModel::reorder(const FractalFile& now) {
     QHash<EntryId, qsizetype> indices;
     for (qsizetype index = 0; index < now.entries.size(); ++index)
         indices.insert(now.entries[index].id, index);
-    std::vector<std::pair<qsizetype, int>> order; // index in the file, row of now
+    std::vector<std::pair<qsizetype, int>> order; // index in the file, present row
     for (int row = 0; row < rowCount(); ++row)
         order.emplace_back(indices.value(m_shown.entries.at(row).id), row);
     emit layoutAboutToBeChanged({}, VerticalSortHint);
     std::sort(order.begin(), order.end());
     QList<Entry> sorted;
-    std::vector<int> rows(order.size()); // to come, by the row that is
+    std::vector<int> rows(order.size()); // new rows by present row
     for (const auto& [index, row] : order) {
         rows[static_cast<std::size_t>(row)] = static_cast<int>(sorted.size());
         sorted.append(m_shown.entries.at(row));
@@ -212,7 +212,7 @@ void EntriesModel::insertNew(const FractalFile& now) {
         while (last + 1 < now.entries.size() && now.entries[last + 1].id != next)
             ++last;
         beginInsertRows({}, first, last);
-        if (now.entries.size() - rowCount() == last - first + 1) { // all there are
+        if (now.entries.size() - rowCount() == last - first + 1) { // all rows
             m_shown.entries = now.entries;
         } else {
             const QList<Entry> behind = m_shown.entries.mid(first);
@@ -227,9 +227,10 @@ void EntriesModel::insertNew(const FractalFile& now) {
 
 void EntriesModel::announceDifferences(const FractalFile& before) {
     const FractalFile now = m_shown;
-    const Entry* next = before.entries.constData(); // what is shown next was, as a rule, shown next
+    // Guess: usually the next entry was also shown next before.
+    const Entry* next = before.entries.constData();
     const Entry* const end = next + before.entries.size();
-    QHash<EntryId, const Entry*> known; // when it was not
+    QHash<EntryId, const Entry*> known; // fallback for other orders
     for (int row = 0; row < now.entries.size(); ++row) {
         const Entry& entry = now.entries[row];
         if (next == end || next->id != entry.id) {
@@ -237,7 +238,7 @@ void EntriesModel::announceDifferences(const FractalFile& before) {
                 for (const Entry& each : before.entries)
                     known.insert(each.id, &each);
             const Entry* former = known.value(entry.id);
-            if (!former) continue; // it is new
+            if (!former) continue; // new entry
             next = former;
         }
         if (!shownAlike(*next, entry)) emit dataChanged(index(row), index(row));

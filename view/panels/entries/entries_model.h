@@ -21,7 +21,7 @@ public:
     enum Role {
         IdRole = Qt::UserRole, // document::EntryId as uint
         ThumbnailStateRole,    // int of Thumbnail::State
-        SubtitleRole,          // QString: how many maps, whether they are placed, or why nothing is shown
+        SubtitleRole,          // QString: number of maps, whether they are placed, or why nothing is shown
         ModifiedRole,          // bool: changed since it was read or saved
         SeverityRole,          // int of document::Problem::Severity; invalid without problems
     };
@@ -33,14 +33,15 @@ public:
     int rowCount(const QModelIndex& parent = {}) const override;
     QVariant data(const QModelIndex& index, int role) const override;
     Qt::ItemFlags flags(const QModelIndex& index) const override;
-    bool setData(const QModelIndex& index, const QVariant& value, int role) override; // EditRole renames
+    bool setData(const QModelIndex& index, const QVariant& value, int role) override; // Qt::EditRole renames
 
     document::EntryId idAt(const QModelIndex& index) const;
     QModelIndex indexOf(document::EntryId id) const;
-    bool isSyncing() const { return m_syncing; } // rows are following the document, nobody has clicked
+    // True while rows follow the document, without a click by the user.
+    bool isSyncing() const { return m_syncing; }
 
 signals:
-    void refused(const QString& reason); // an edit that was not possible
+    void refused(const QString& reason); // reason why an edit was not possible
 
 private:
     void follow(const document::Change& change);
@@ -58,8 +59,8 @@ private:
 
     document::Document* m_document;
     Thumbnails* m_thumbnails;
-    document::FractalFile m_shown;     // as known to views; follows the document by row operations
-    document::FractalFile m_savedFile; // as last read or saved
+    document::FractalFile m_shown;     // content known to views; follows the document by row operations
+    document::FractalFile m_savedFile; // state last read or saved
     // The same by id, once it was asked for.
     mutable QHash<document::EntryId, std::shared_ptr<const document::Fractal>> m_saved;
     bool m_syncing = false;

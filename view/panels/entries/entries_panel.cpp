@@ -37,8 +37,8 @@ using document::EntryId;
 namespace {
 
 constexpr int lowest =
-    64; // pixels of the list: on small screens with large letters the picture needs the rest
-constexpr qsizetype maxAtOnce = 1000; // entries that are given ids and names while the window waits
+    64; // pixels of the list; on small screens with large letters the picture needs the rest
+constexpr qsizetype maxAtOnce = 1000; // entries that get ids and names while the window waits
 
 bool isReadable(const Entry& entry) {
     return document::dimension(*entry.fractal) != 0;
@@ -123,7 +123,7 @@ void EntriesPanel::createList() {
             &EntriesPanel::updateActions);
     connect(m_list, &EntriesList::entriesDropped, this, &EntriesPanel::moveEntries);
     connect(m_list, &EntriesList::dataDropped, this, [this](const QMimeData& mimeData, EntryId before) {
-        // Runs after the drop: questions may follow, and the program that it came from waits.
+        // Runs after the drop: questions may follow, and the source of the drag waits.
         QMetaObject::invokeMethod(
             this,
             [this, text = entriesTextIn(mimeData), after = idInFrontOf(m_document->file(), before)] {
@@ -189,7 +189,9 @@ void EntriesPanel::showContextMenu(const QPoint& position) {
 void EntriesPanel::addEntry() {
     Entry entry;
     entry.fractal = std::make_shared<const document::Fractal>(document::sierpinskiTriangle());
-    insertEntries({entry}, m_document->currentId(), tr("Add an entry"));
+    if (insertEntries({entry}, m_document->currentId(), tr("Add an entry")).isEmpty()) return;
+    m_list->setFocus();
+    renameCurrent(); // at once: letters typed now are its name
 }
 
 void EntriesPanel::removeSelected() {
@@ -221,7 +223,7 @@ void EntriesPanel::duplicateSelected() {
 }
 
 void EntriesPanel::renameCurrent() {
-    if (m_list->isEditing()) return; // by a double click on the button, say
+    if (m_list->isEditing()) return; // such as by a double click on the button
     if (m_list->currentIndex().flags() & Qt::ItemIsEditable) m_list->edit(m_list->currentIndex());
 }
 
@@ -293,7 +295,7 @@ void EntriesPanel::paste() {
 
 QList<Entry> EntriesPanel::entriesOf(const QList<EntryId>& ids) const {
     QList<EntryId> wanted = ids;
-    std::sort(wanted.begin(), wanted.end()); // faster than a set where there are very many
+    std::sort(wanted.begin(), wanted.end()); // faster than a set for many entries
     QList<Entry> entries;
     entries.reserve(ids.size());
     for (const Entry& entry : m_document->file().entries)
@@ -312,7 +314,7 @@ QList<EntryId> EntriesPanel::insertEntries(const QList<Entry>& entries, EntryId 
         if (!waitFor(QFuture<void>(inserting), tr("Adding entries…"), this)) return {};
         result = inserting.takeResult();
     }
-    if (result.ids.isEmpty() || m_document->revision() != before) // nothing that was edited meanwhile is lost
+    if (result.ids.isEmpty() || m_document->revision() != before) // the document was edited meanwhile
         result = insertedTogether(m_document->file(), entries, after);
     m_document->editFile(text, result.file, result.ids.front());
     const QString name = m_model->indexOf(result.ids.front()).data().toString();

@@ -27,7 +27,7 @@ public:
     explicit EntriesPanel(document::Document* document, QWidget* parent = nullptr);
 
 public slots:
-    void addEntry(); // a Sierpiński triangle behind the current entry
+    void addEntry(); // adds a Sierpiński triangle behind the current entry
     void removeSelected();
     void duplicateSelected();
     void renameCurrent();
@@ -39,7 +39,7 @@ public slots:
     void paste();
 
 signals:
-    void message(const QString& text); // something the user should know, a whole sentence
+    void message(const QString& text); // whole sentence for the user
     void flamesPasted(const QList<document::EntryId>& ids);
 
 protected:
@@ -74,7 +74,7 @@ private:
     QLineEdit* m_filter;
     EntriesList* m_list;
     bool m_filtering = false;
-    document::LiveEdit m_typing; // a name or a comment that is not finished: it is kept for recovery
+    document::LiveEdit m_typing; // unfinished name or comment, kept for recovery
 
     QAction* m_add = nullptr;
     QAction* m_duplicate = nullptr;

@@ -22,7 +22,7 @@ constexpr int badgeSide = 16;
 using State = QueuedExport::State;
 
 int wrappedHeight(const QFontMetrics& metrics, const QString& text, int width) {
-    constexpr int maxLines = 8; // the rest is in the tool tip
+    constexpr int maxLines = 8; // lines; the rest is in the tool tip
     const QRect room(0, 0, std::max(1, width), maxLines * metrics.lineSpacing());
     return std::min(room.height(), metrics.boundingRect(room, Qt::TextWordWrap, text).height());
 }

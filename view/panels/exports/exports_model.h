@@ -15,8 +15,8 @@ public:
     enum Role {
         IdRole = Qt::UserRole,
         StateRole,    // int of QueuedExport::State
-        SentenceRole, // how far it is, in words
-        ProgressRole, // 0 … 1 of one that is drawn; invalid of others
+        SentenceRole, // QString: progress in words
+        ProgressRole, // double: 0 … 1 while the export is drawn; else invalid
         PathRole,
     };
 

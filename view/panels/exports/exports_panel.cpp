@@ -32,7 +32,7 @@ ExportsPanel::ExportsPanel(ExportQueue* queue, QWidget* parent)
     setAccessibleName(tr("Exports"));
     m_list->setModel(m_model);
     m_list->setItemDelegate(new ExportsDelegate(m_list));
-    m_list->setResizeMode(QListView::Adjust); // what failed is wrapped
+    m_list->setResizeMode(QListView::Adjust); // failures are wrapped
     m_list->setSelectionMode(QAbstractItemView::ExtendedSelection);
     m_list->setVerticalScrollMode(QAbstractItemView::ScrollPerPixel);
     m_list->setContextMenuPolicy(Qt::ActionsContextMenu);
@@ -56,8 +56,7 @@ ExportsPanel::ExportsPanel(ExportQueue* queue, QWidget* parent)
     layout->addWidget(buttonBar(m_actions, m_remove, this));
     layout->addWidget(m_list, 1);
     layout->addWidget(m_empty, 1);
-    // Remembers the selection as it changes: at a reset, which does not announce it, the rows are those of
-    // the new list already.
+    // Records every change of the selection: a reset does not announce it, and replaces the rows first.
     connect(m_list->selectionModel(), &QItemSelectionModel::selectionChanged, this,
             [this] { m_selected = selectedIds(); });
     connect(m_model, &QAbstractItemModel::modelReset, this, &ExportsPanel::keepSelection);

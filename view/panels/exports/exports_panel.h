@@ -31,7 +31,7 @@ private:
     void moveSelected(int by);
     void openFolder();
     void updateActions();
-    void keepSelection(); // over a change of the list
+    void keepSelection(); // keeps the selection during a change of the list
 
     ExportQueue* m_queue;
     ExportsModel* m_model;

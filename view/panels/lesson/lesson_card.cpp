@@ -21,12 +21,13 @@ namespace view {
 
 namespace {
 
-constexpr double linesInHeight = 34; // of text, at most: so it can be read from the back of a room
+// Lines of text in the height of the window; readable from the back of a room.
+constexpr double linesInHeight = 34;
 constexpr double lettersInWidth = 32;
 constexpr double titleScale = 1.35;
 constexpr double smallScale = 0.75;
 constexpr double longestEnlarged =
-    500; // characters: a longer text is set smaller, down to that of the window
+    500; // characters; longer texts get a smaller font, down to that of the window
 
 QLabel* plainLabel(QWidget* parent) {
     auto* label = new QLabel(parent);

@@ -22,10 +22,10 @@ public:
     explicit LessonCard(QWidget* parent = nullptr);
 
     void showStep(const document::Lesson& lesson, int step);
-    void takeFocus(); // to the button that leads on
+    void takeFocus(); // puts the focus on the button that leads on
 
 signals:
-    void nextRequested(); // not on the last step
+    void nextRequested(); // not sent on the last step
     void backRequested();
     void endRequested();
 

@@ -8,7 +8,7 @@ namespace view {
 
 class LessonCommand : public QUndoCommand {
 public:
-    // Commands of the same kind in a row become one; −1: never.
+    // Consecutive commands of the same kind merge; −1: never.
     LessonCommand(LessonNotebook& notebook, const QString& text, LessonNotebook::Page before,
                   LessonNotebook::Page after, int kind)
         : QUndoCommand(text),
@@ -39,7 +39,7 @@ LessonNotebook::LessonNotebook(QObject* parent) : QObject(parent) {
 }
 
 LessonNotebook::~LessonNotebook() {
-    m_history.disconnect(this); // it is cleared when nobody may hear of it any more
+    m_history.disconnect(this); // cleared only after its listeners have gone
 }
 
 const document::LessonStep* LessonNotebook::currentStep() const {
@@ -49,6 +49,7 @@ const document::LessonStep* LessonNotebook::currentStep() const {
 void LessonNotebook::setCurrent(int step) {
     if (step < 0 || step >= m_lesson.steps.size()) return;
     m_isChosen = true;
+    m_isAsOpened = false;
     if (std::exchange(m_current, step) != step) emit changed();
 }
 
@@ -57,6 +58,7 @@ void LessonNotebook::open(document::Lesson lesson, const QString& path) {
     m_lesson = std::move(lesson);
     m_current = m_lesson.steps.isEmpty() ? -1 : 0;
     m_isChosen = false;
+    m_isAsOpened = true;
     m_history.clear();
     emit changed();
 }
@@ -101,10 +103,10 @@ void LessonNotebook::setTitle(const QString& title) {
 void LessonNotebook::addStep(const document::LessonState& state) {
     if (m_lesson.steps.size() >= document::maxLessonSteps) return;
     Page after = page();
-    after.current = m_current + 1;
+    after.current = m_isAsOpened ? int(m_lesson.steps.size()) : m_current + 1;
     after.lesson.steps.insert(after.current, document::LessonStep{{}, {}, state, {}});
     push(tr("Add step"), std::move(after));
-    m_isChosen = false;
+    m_isChosen = m_isAsOpened = false;
 }
 
 void LessonNotebook::setState(const document::LessonState& state) {

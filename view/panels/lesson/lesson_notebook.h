@@ -19,22 +19,23 @@ public:
 
     const document::Lesson& lesson() const { return m_lesson; }
     bool isEmpty() const { return m_lesson.steps.isEmpty() && m_lesson.title.isEmpty(); }
-    int current() const { return m_current; }                      // −1 while there is no step
-    void setCurrent(int step);                                     // as the user chooses
-    int firstToPlay() const { return m_isChosen ? m_current : 0; } // the chosen step, or the first
-    const document::LessonStep* currentStep() const;               // nullptr while there is none
+    int current() const { return m_current; }                      // −1 if there is no step
+    void setCurrent(int step);                                     // step chosen by the user
+    int firstToPlay() const { return m_isChosen ? m_current : 0; } // chosen step, or the first
+    const document::LessonStep* currentStep() const;               // nullptr if there is none
 
-    QString path() const { return m_path; } // empty while it has no file
+    QString path() const { return m_path; } // empty before the first save
     bool isModified() const { return !m_history.isClean(); }
     void open(document::Lesson lesson, const QString& path); // clears the history
     void markSaved(const QString& path);
-    void setFile(const QString& name); // the .ifs file that it belongs to; no step of the history
-    void moveTo(const QString& name);  // to another one, which is not saved yet
+    void setFile(const QString& name); // .ifs file of the lesson; no step of the history
+    void moveTo(const QString& name);  // other .ifs file, not saved yet
 
     QUndoStack* history() { return &m_history; }
     // Edits of one undo step each; typing in one field is one step.
     void setTitle(const QString& title);
-    void addStep(const document::LessonState& state); // after the current one; it becomes current
+    // After the current one or, while none of an opened lesson was chosen, at the end; it becomes current.
+    void addStep(const document::LessonState& state);
     void setState(const document::LessonState& state);
     void setStepTitle(const QString& title);
     void setText(const QString& text);
@@ -42,7 +43,7 @@ public:
     void moveStep(int by);
 
 signals:
-    void changed(); // the lesson, its path, which step is current, or whether it is saved
+    void changed(); // sent for the lesson, its path, the current step, and saving
 
 private:
     friend class LessonCommand;
@@ -58,7 +59,8 @@ private:
 
     document::Lesson m_lesson;
     int m_current = -1;
-    bool m_isChosen = false; // it is not only where the last step was added
+    bool m_isChosen = false;   // it is not only where the last step was added
+    bool m_isAsOpened = false; // the lesson: nobody has said which step is current
     QString m_path;
     QUndoStack m_history;
 };

@@ -22,6 +22,12 @@
 
 namespace view {
 
+namespace {
+
+constexpr int linesOfHint = 6; // in the longest language
+
+} // namespace
+
 LessonPanel::LessonPanel(LessonNotebook* notebook, QWidget* parent)
     : QWidget(parent),
       m_notebook(notebook),
@@ -87,9 +93,7 @@ void LessonPanel::createFields() {
     m_steps->setTextElideMode(Qt::ElideRight);
     m_hint->setWordWrap(true);
     m_hint->setForegroundRole(QPalette::PlaceholderText);
-    QSizePolicy kept = m_hint->sizePolicy();
-    kept.setRetainSizeWhenHidden(true); // nothing moves at the first step
-    m_hint->setSizePolicy(kept);
+    m_hint->setAttribute(Qt::WA_TransparentForMouseEvents); // the list is below it
     m_stepTitle->setPlaceholderText(tr("Title of the step"));
     m_stepTitle->setAccessibleName(m_stepTitle->placeholderText());
     m_stepTitle->setToolTip(tr("Shown in large letters above the text"));
@@ -105,7 +109,7 @@ void LessonPanel::createFields() {
     connect(m_stepTitle, &QLineEdit::textEdited, m_notebook, &LessonNotebook::setStepTitle);
     connect(m_text, &QPlainTextEdit::textChanged, this, &LessonPanel::takeText);
     connect(m_steps, &QListWidget::currentRowChanged, m_notebook, &LessonNotebook::setCurrent);
-    connect(m_steps, &QListWidget::itemClicked, m_notebook, // also the step that is current already
+    connect(m_steps, &QListWidget::itemClicked, m_notebook, // also for the current step
             [this](const QListWidgetItem* item) { m_notebook->setCurrent(m_steps->row(item)); });
     connect(m_steps, &QListWidget::itemActivated, this, &LessonPanel::showRequested);
     connect(m_play, &QPushButton::clicked, this, &LessonPanel::playRequested);
@@ -141,12 +145,14 @@ void LessonPanel::layOut() {
     buttons->addWidget(m_save);
     buttons->addStretch();
     buttons->addWidget(m_play);
+    // In the list as long as that is empty: a panel on a small screen has no room to spare.
+    (new QVBoxLayout(m_steps->viewport()))->addWidget(m_hint, 0, Qt::AlignTop);
+    m_steps->setMinimumHeight(linesOfHint * fontMetrics().lineSpacing());
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(4, 4, 4, 4);
     layout->setSpacing(4);
     layout->addWidget(m_title);
     layout->addWidget(m_steps, 2);
-    layout->addWidget(m_hint);
     layout->addWidget(
         buttonBar({m_add, m_update, m_show, m_remove, m_up, m_down, m_undo, m_redo}, m_undo, this));
     layout->addWidget(m_fields, 3);

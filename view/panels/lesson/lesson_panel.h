@@ -26,12 +26,12 @@ public:
 
     // The panels that a step may show besides the canvas: ids and names.
     void setPanels(const QList<QPair<QString, QString>>& panels);
-    void beginToWrite(); // the current step: what is typed is its title
+    void beginToWrite(); // puts the focus on the title of the current step
 
 signals:
-    void addRequested();    // a step, with the state of the window now
-    void updateRequested(); // the current step takes the state of the window now
-    void showRequested();   // the window takes the state of the current step
+    void addRequested();    // sent to add a step with the present state of the window
+    void updateRequested(); // sent to replace the current step by the present state of the window
+    void showRequested();   // sent to give the window the state of the current step
     void playRequested();
     void saveRequested();
 

@@ -23,10 +23,10 @@ namespace view {
 
 namespace {
 
-constexpr double paperMargin = 15; // millimetres: printers and hole punches need some
+constexpr double paperMargin = 15; // millimetres, for printers and hole punches
 constexpr QSize pictureSize(1200, 900);
 constexpr int linesOnSheet = 62;
-constexpr double pictureShare = 0.34; // of the height of the page
+constexpr double pictureShare = 0.34; // share of the height of the page
 constexpr double stepGap = 1.5;       // lines
 
 // Writes from the top of the page down, page after page.
@@ -43,7 +43,7 @@ public:
     double pictureHeight() const { return pictureShare * m_page.height(); }
     void skip(double height) { m_y += height; }
 
-    // Begins a page where less than that is left of this one.
+    // Begins a new page if less than `height` is left.
     void keepTogether(double height) {
         if (m_y > m_page.top() && m_y + height > m_page.bottom()) breakPage();
     }
@@ -54,7 +54,7 @@ public:
         document.setDefaultFont(printedFont(m_painter, lines * m_line, bold));
         document.setPlainText(text);
         document.setTextWidth(m_page.width());
-        document.size(); // lays it out
+        document.size(); // forces the layout
         m_painter.setPen(Qt::black);
         for (QTextBlock block = document.begin(); block.isValid(); block = block.next())
             for (int i = 0; i < block.layout()->lineCount(); ++i) {
@@ -113,13 +113,13 @@ QList<QImage> picturesOf(const document::Lesson& lesson, const document::Fractal
 
 void paintLesson(QPainter& painter, const QRectF& page, const document::Lesson& lesson,
                  const QList<QImage>& pictures, const std::function<void()>& newPage) {
-    if (page.isEmpty()) return; // of a printer that is not set up
+    if (page.isEmpty()) return; // printer not set up
     LessonPages pages(painter, page, newPage);
     if (!lesson.title.isEmpty()) {
         pages.write(lesson.title, 1.3, true);
         pages.skip(pages.line());
     }
-    constexpr double titleLines = 3, textLines = 3; // that stay with the picture
+    constexpr double titleLines = 3, textLines = 3; // lines that stay with the picture
     for (qsizetype i = 0; i < lesson.steps.size(); ++i) {
         const document::LessonStep& step = lesson.steps[i];
         const QImage picture = pictures.value(i);

@@ -18,7 +18,7 @@ namespace view {
 
 namespace {
 
-constexpr std::size_t manyArrows = 240; // more than this are shown for one map at a time
+constexpr std::size_t manyArrows = 240; // limit; more arrows are shown for one map at a time
 constexpr int usualSide = 240, minSide = 120;
 
 QColor mixed(const QColor& a, const QColor& b, double t) {

@@ -15,19 +15,19 @@ class LinkGraph : public QWidget {
     Q_OBJECT
 
 public:
-    explicit LinkGraph(LinksModel* model, QWidget* parent = nullptr); // which must outlive it
+    explicit LinkGraph(LinksModel* model, QWidget* parent = nullptr); // `model` must outlive the graph
 
     const LinkLayout& graph() const { return m_layout; }
     int currentMap() const { return m_map; }    // −1: none
-    int selectedTarget() const { return m_to; } // of the arrow from the current map; −1: none is selected
-    void select(int from, int to);              // the arrow, or with −1 the map alone
+    int selectedTarget() const { return m_to; } // target of the selected arrow from the current map; −1: none
+    void select(int from, int to);              // arrow, or with −1 the map alone
 
     QSize sizeHint() const override;
     QSize minimumSizeHint() const override;
 
 signals:
-    void selected(int from, int to);   // by the user
-    void editWanted(int from, int to); // the weight of the arrow
+    void selected(int from, int to);   // sent for selections by the user
+    void editWanted(int from, int to); // sent to edit the weight of the arrow
 
 protected:
     void paintEvent(QPaintEvent* event) override;
@@ -42,7 +42,7 @@ protected:
 
 private:
     void lay();
-    void choose(int from, int to); // as the user does
+    void choose(int from, int to); // selects on behalf of the user
     void link(int from, int to);
     void removeSelected();
     void walkMaps(int step);
@@ -59,10 +59,11 @@ private:
     LinkLayout m_layout;
     int m_map = -1;
     int m_to = -1;
-    int m_pulledFrom = -1;  // an arrow is being drawn from this map
-    bool m_hasLeft = false; // this map, so that coming back links it to itself
+    int m_pulledFrom = -1; // source of an arrow being drawn; −1: none
+    // True once the pointer has left m_pulledFrom; returning then links the map to itself.
+    bool m_hasLeft = false;
     QPointF m_pointer;
-    int m_keyTarget = -1; // of the arrow that is being drawn with the keyboard
+    int m_keyTarget = -1; // target of an arrow being drawn with the keyboard; −1: none
 };
 
 } // namespace view

@@ -13,8 +13,8 @@ namespace view {
 namespace {
 
 constexpr double margin = 14, maxRadius = 15, minRadius = 5; // pixels
-constexpr double bend = 0.16;                                // of an arrow, as a share of its length
-constexpr double reach = 6;                                  // of the pointer, pixels
+constexpr double bend = 0.16;                                // share of an arrow's length
+constexpr double reach = 6;                                  // pixels around the pointer
 constexpr int steps = 24;
 
 double lengthOf(const QPointF& v) {
@@ -91,7 +91,7 @@ QPolygonF LinkLayout::loop(int map) const {
 
 void LinkLayout::addArrow(int from, int to, double weight) {
     Arrow arrow{from, to, weight, from == to ? loop(from) : curve(from, to), {}};
-    if (arrow.line.size() < 2) return; // the maps lie over one another
+    if (arrow.line.size() < 2) return; // overlapping maps
     const double width = arrowWidth(weight), length = 4 + 2 * width;
     const QPointF tip = arrow.line.last();
     while (arrow.line.size() > 2 && lengthOf(arrow.line[arrow.line.size() - 2] - tip) < length)

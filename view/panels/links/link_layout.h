@@ -17,7 +17,7 @@ public:
     struct Arrow {
         int from = 0, to = 0;
         double weight = 0;
-        QPolygonF line; // up to the head
+        QPolygonF line; // line up to the head
         QPolygonF head;
     };
 
@@ -27,9 +27,10 @@ public:
 
     int maps() const { return int(m_nodes.size()); }
     QPointF node(int map) const { return m_nodes[std::size_t(map)]; }
-    QPointF outwards(int map) const; // a unit vector from the middle
+    QPointF outwards(int map) const; // unit vector from the middle
     double nodeRadius() const { return m_radius; }
-    double loopReach() const { return m_radius + 2 * m_loop; } // from a node to the far end of its loop
+    // Distance from a node to the far end of its loop.
+    double loopReach() const { return m_radius + 2 * m_loop; }
     const std::vector<Arrow>& arrows() const { return m_arrows; }
 
     int nodeAt(const QPointF& position) const; // −1: none
@@ -48,6 +49,6 @@ private:
     std::vector<Arrow> m_arrows;
 };
 
-double arrowWidth(double weight); // pixels: more for more
+double arrowWidth(double weight); // pixels, increasing with the weight
 
 } // namespace view

@@ -47,7 +47,7 @@ void LinksModel::reload() {
         matrix = ifs::linkMatrix(*document::system2(fractal));
         states = ifs::linkStates(*document::system2(fractal));
     }
-    if (states.size() == m_states.size()) { // what is being edited or selected stays
+    if (states.size() == m_states.size()) { // keeps editors and the selection
         m_matrix = std::move(matrix);
         m_states = std::move(states);
         if (!m_states.empty()) emit dataChanged(index(0, 0), index(rowCount() - 1, columnCount() - 1));

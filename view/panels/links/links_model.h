@@ -32,14 +32,14 @@ public:
     double weight(int from, int to) const {
         return m_matrix[std::size_t(from) * m_states.size() + std::size_t(to)];
     }
-    void setWeight(int from, int to, double weight); // one undo step; none where it is so already
-    void forbid(const QModelIndexList& cells);       // in one undo step; cells of the last column stay
+    void setWeight(int from, int to, double weight); // one undo step; none if nothing changes
+    void forbid(const QModelIndexList& cells);       // one undo step; ignores cells of the last column
     ifs::LinkState state(int map) const { return m_states[std::size_t(map)]; }
-    QString reason(int map) const; // about the role of the map, or why it has none
+    QString reason(int map) const; // role of the map, or reason why it has none
     QColor colour(int map) const;
 
 signals:
-    void refused(const QString& reason); // of the typed text
+    void refused(const QString& reason); // reason why the typed text is invalid
 
 private:
     bool isState(int column) const { return column == rowCount(); }
@@ -47,7 +47,7 @@ private:
     void reload();
 
     document::Document* m_document;
-    std::vector<double> m_matrix; // by rows
+    std::vector<double> m_matrix; // row by row
     std::vector<ifs::LinkState> m_states;
 };
 

@@ -95,6 +95,8 @@ void LinksPanel::showState() {
         notice = tr("Every sequence of maps ends, so nothing is drawn.");
     else if (isLinked && !leavesAChoice(*system))
         notice = tr("No map has a choice of what follows it, so only single points are drawn.");
+    if (obstacle.isEmpty()) // what the numbers of the table mean
+        notice = (notice + u' ' + tr("Row: the map before. Column: the map after.")).trimmed();
     m_notice->setText(notice);
     m_notice->setVisible(!notice.isEmpty());
     m_views->setVisible(obstacle.isEmpty());

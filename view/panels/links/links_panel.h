@@ -42,8 +42,8 @@ private:
     LinksModel* m_model;
     LinkGraph* m_graph;
     QTableView* m_table;
-    QSplitter* m_views; // both
-    QLabel* m_notice;   // why there is no matrix, or what it comes to
+    QSplitter* m_views; // parent of graph and table
+    QLabel* m_notice;   // reason why there is no matrix, or its effect
     QPushButton* m_remove;
 };
 

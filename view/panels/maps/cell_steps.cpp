@@ -62,7 +62,7 @@ bool CellSteps::turn(const QWheelEvent& event) {
         return false;
     if (m_turned != cell) m_wheelRest = 0;
     m_turned = cell;
-    // With Alt held, some platforms turn the wheel sideways.
+    // Alt turns the wheel sideways on some platforms.
     const QPoint delta = event.angleDelta();
     m_wheelRest += std::abs(delta.y()) >= std::abs(delta.x()) ? delta.y() : delta.x();
     const int count = m_wheelRest / QWheelEvent::DefaultDeltasPerStep;
@@ -75,7 +75,7 @@ bool CellSteps::turn(const QWheelEvent& event) {
 }
 
 void CellSteps::step(const QModelIndex& cell, int count, Qt::KeyboardModifiers modifiers, int kind) {
-    if (!cell.isValid()) return; // the map is gone
+    if (!cell.isValid()) return; // map removed
     const double next = stepped(cell.data(Qt::EditRole).toDouble(), stepSize * paceOfSteps(modifiers), count);
     if (numberProblem(fullNumber(next)).isEmpty()) modelOf(m_table)->preview(cell, next, kind);
 }

@@ -19,10 +19,10 @@ class CellSteps : public QObject {
     Q_OBJECT
 
 public:
-    explicit CellSteps(QTableView* table); // with a MapsModel, once it is used
+    explicit CellSteps(QTableView* table); // table of a MapsModel
 
 signals:
-    void refused(const QString& reason); // the map is locked, or switched off by what its weight has become
+    void refused(const QString& reason); // message that the map is locked, or switched off by its new weight
 
 protected:
     bool eventFilter(QObject* watched, QEvent* event) override;
@@ -41,11 +41,11 @@ private:
 
     QTableView* m_table;
     QHeaderView* m_names;
-    QPersistentModelIndex m_turned; // by the wheel
+    QPersistentModelIndex m_turned; // cell turned by the wheel
     int m_wheelRest = 0;            // eighths of a degree not yet worth a step
-    QPersistentModelIndex m_held;   // by its name
+    QPersistentModelIndex m_held;   // cell whose name is being dragged
     bool m_isHeld = false;
-    double m_last = 0; // where the pointer was, in pixels
+    double m_last = 0; // last position of the pointer in pixels
     double m_rest = 0; // steps not yet taken
 };
 

@@ -30,7 +30,7 @@ void paintEye(QPainter& painter, const QRectF& cell, const QColor& colour, Eye e
         painter.setBrush(colour);
         painter.setPen(Qt::NoPen);
         painter.drawEllipse(middle, 2, 2);
-    } else { // the lower lid and its lashes
+    } else { // lower lid with its lashes
         almond.quadTo(middle + QPointF(0, lid), middle + QPointF(half, 0));
         painter.drawPath(almond);
         painter.drawLine(middle + QPointF(0, 3.2), middle + QPointF(0, 5.2));

@@ -42,7 +42,7 @@ QPixmap stripOf(const attractor::Rgba& colour, const QSize& size) {
 
 MapBlendRow::MapBlendRow(document::Document* document, QWidget* parent)
     : QWidget(parent), m_document(document), m_edit(document), m_swatch(new QLabel(this)) {
-    setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Maximum); // names stay at their fields
+    setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Maximum); // keeps names next to their fields
     auto* grid = new QGridLayout(this);
     grid->setContentsMargins(0, 0, 0, 0);
     grid->setHorizontalSpacing(8);

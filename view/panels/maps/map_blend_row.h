@@ -27,9 +27,9 @@ public:
 private:
     NumberField* makeField(QGridLayout* grid, const QString& name, const QString& tip,
                            double attractor::MapBlend::*part);
-    QString placeOf(const NumberField* field) const; // in document::TypedNumbers
+    QString placeOf(const NumberField* field) const; // place in document::TypedNumbers
     void follow();
-    int rowOfMap() const; // -1: none
+    int rowOfMap() const; // −1: none
     attractor::MapBlend blendOf(const document::Fractal& fractal, int row) const;
 
     document::Document* m_document;
@@ -37,7 +37,7 @@ private:
     ifs::MapId m_id = ifs::MapId::None;
     NumberField* m_coordinate;
     NumberField* m_speed;
-    QLabel* m_swatch; // the colour there
+    QLabel* m_swatch; // colour at the coordinate
 };
 
 } // namespace view

@@ -60,7 +60,7 @@ private:
     // Shapes of the maps shown so far: what was typed stays.
     template <int Dim> struct Shapes {
         std::map<ifs::MapId, document::MapShapeIn<Dim>> known;
-        document::MapShapeIn<Dim> before; // of the map being edited, when the edit began
+        document::MapShapeIn<Dim> before; // shape of the edited map at the beginning of the edit
     };
     struct Place {
         int row;
@@ -75,20 +75,20 @@ private:
     void follow();
     void clear();
     template <int Dim> void show(const ifs::IteratedFunctionSystem<Dim>& system);
-    QString placeOf(int dimension, int part) const; // of the map being edited, in document::TypedNumbers
+    QString placeOf(int dimension, int part) const; // place of the edited map in document::TypedNumbers
     void edit(int dimension, int part, double value, const QString& typed = {});
     void commit(int dimension, int part);
     template <int Dim>
     void change(ifs::IteratedFunctionSystem<Dim>& system, int part, double value, const QString& typed);
     void cancel();
-    int rowOfMap() const; // -1: none
+    int rowOfMap() const; // −1: none
 
     document::Document* m_document;
     document::LiveEdit m_edit;
     ifs::MapId m_id = ifs::MapId::None;
     QLabel* m_title;
     MapBlendRow* m_blend;
-    std::array<Form, 2> m_forms{}; // of the plane, of space
+    std::array<Form, 2> m_forms{}; // forms of the plane and of space
     std::tuple<Shapes<2>, Shapes<3>> m_shapes;
 };
 

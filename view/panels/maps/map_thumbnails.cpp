@@ -49,8 +49,8 @@ void MapThumbnails::follow(const document::Change& change) {
     ++m_generation;
     m_points.reset();
     m_wanted.clear();
-    if (change.parts & (Change::Current | Change::File)) m_pictures.clear(); // of other maps
-    emit ready();                                                            // those in sight ask anew
+    if (change.parts & (Change::Current | Change::File)) m_pictures.clear(); // pictures of other maps
+    emit ready(); // visible ones are requested again
 }
 
 QImage MapThumbnails::picture(int row, ifs::MapId map) {
@@ -58,7 +58,7 @@ QImage MapThumbnails::picture(int row, ifs::MapId map) {
     if (m_pictures.size() > maxKept) m_pictures.clear();
     Picture& known = m_pictures[map];
     if (known.generation != m_generation) {
-        known.generation = m_generation; // asked for once
+        known.generation = m_generation; // requested once
         m_wanted.push_back({row, map});
         if (!m_submit.isActive() && !m_work.isBusy()) m_submit.start();
     }
@@ -67,7 +67,7 @@ QImage MapThumbnails::picture(int row, ifs::MapId map) {
 
 void MapThumbnails::submit() {
     if (m_wanted.empty() || m_work.isBusy()) return;
-    if (m_wanted.size() > maxAtOnce) { // those scrolled past are asked for again when they come back
+    if (m_wanted.size() > maxAtOnce) { // those scrolled past are requested again when they come back
         const auto passed = m_wanted.end() - std::ptrdiff_t(maxAtOnce);
         for (auto wanted = m_wanted.begin(); wanted != passed; ++wanted)
             m_pictures[wanted->map].generation = -1;

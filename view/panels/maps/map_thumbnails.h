@@ -41,7 +41,7 @@ signals:
 private:
     struct Picture {
         QImage image;
-        int generation = -1; // of what it shows; another one is out of date
+        int generation = -1; // generation of the picture; obsolete if it differs from the present one
     };
     struct Wanted {
         int row = 0;
@@ -61,7 +61,7 @@ private:
     qreal m_ratio = 1;
     QColor m_faint;
     int m_generation = 0;
-    std::shared_ptr<const document::MapPoints> m_points; // of this generation, once they are found
+    std::shared_ptr<const document::MapPoints> m_points; // points of this generation; null until found
     QHash<ifs::MapId, Picture> m_pictures;
     std::vector<Wanted> m_wanted;
     QTimer m_submit;

@@ -19,11 +19,11 @@ class MapsClipboard : public QObject {
 public:
     MapsClipboard(document::Document* document, QWidget* window);
 
-    bool copy(const document::Rows& rows) const; // false when there is nothing to copy
-    void paste(const document::Rows& rows);      // in place of these; none: as new maps
+    bool copy(const document::Rows& rows) const; // false if there is nothing to copy
+    void paste(const document::Rows& rows);      // replaces these rows; none: adds maps
 
 signals:
-    void pasted(const std::vector<ifs::MapId>& maps); // which are to be selected
+    void pasted(const std::vector<ifs::MapId>& maps); // maps to select
     void message(const QString& text);
 
 private:

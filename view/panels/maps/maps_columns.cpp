@@ -17,13 +17,13 @@ namespace view {
 
 namespace {
 
-constexpr int narrowest = 30;        // of a number column
-constexpr int narrowestInSpace = 20; // where there are twice as many
+constexpr int narrowest = 30;        // pixels of a column of numbers
+constexpr int narrowestInSpace = 20; // pixels in space, where there are twice as many columns
 constexpr int eye = 22;
 constexpr int lock = 18;
 constexpr int picture = 36;
 constexpr int shortestName = 48, longestName = 110;
-constexpr double narrowestFigures = 0.72; // of their usual width
+constexpr double narrowestFigures = 0.72; // share of the usual width
 
 // Digits that must be shown are drawn narrower, as in a drag, rather than left out of sight; the gaps between
 // numbers stay.
@@ -51,7 +51,7 @@ bool MapsColumns::eventFilter(QObject* watched, QEvent* event) {
 // The width of the numbers, and of the letter over them.
 int MapsColumns::widthOf(int column) const {
     const QString name = m_model->headerData(column, Qt::Horizontal).toString();
-    const QAbstractItemView* view = m_table; // where the hint is public
+    const QAbstractItemView* view = m_table; // base class, in which the hint is public
     return std::max({m_model->dimension() == 3 ? narrowestInSpace : narrowest,
                      view->sizeHintForColumn(column),
                      m_table->horizontalHeader()->fontMetrics().horizontalAdvance(name) + 12});
@@ -87,8 +87,7 @@ void MapsColumns::fit() {
         if (std::accumulate(widths.begin(), widths.end(), 0) <= room) break;
     }
     if (decimals < 0) squeeze(widths, room);
-    // The remaining width is for longer names, if all digits are there, then for numbers that come up in a
-    // drag.
+    // Remaining width: for longer names if all digits are there, then for numbers that appear in a drag.
     int left = std::max(0, room - std::accumulate(widths.begin(), widths.end(), 0));
     if (isNamed) {
         const int given = decimals == maxDecimals ? std::min(wantedName - name, left) : 0;

@@ -16,7 +16,7 @@ class MapsColumns : public QObject {
 public:
     MapsColumns(QTableView* table, MapsModel* model);
 
-    void fit(); // to the numbers of now; not in the middle of a drag
+    void fit(); // fits the columns to the present numbers; not during a drag
 
 protected:
     bool eventFilter(QObject* watched, QEvent* event) override;

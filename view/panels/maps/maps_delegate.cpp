@@ -20,11 +20,11 @@ namespace view {
 
 namespace {
 
-constexpr int margin = 4; // left and right of a cell's text
+constexpr int margin = 4; // pixels left and right of the text of a cell
 
 struct NumberParts {
     QString whole;
-    QString fraction; // with its point
+    QString fraction; // decimals including the point
 };
 
 NumberParts split(const QString& number) {
@@ -143,25 +143,25 @@ void MapsDelegate::setEditorData(QWidget* editor, const QModelIndex& index) cons
 }
 
 void MapsDelegate::setModelData(QWidget* editor, QAbstractItemModel*, const QModelIndex& index) const {
-    if (index.column() == MapsModel::Name) return m_model->commitEdit(); // the name is there already
+    if (index.column() == MapsModel::Name) return m_model->commitEdit(); // set while typing
     const auto* field = static_cast<NumberField*>(editor);
-    if (!field->problem().isEmpty()) return; // the cell keeps its value, which is said when the editor goes
+    if (!field->problem().isEmpty()) return; // the cell keeps its value; closing the editor reports it
     m_model->keepTyped(index, field->value(), field->typedText());
-    m_model->commitEdit(); // the value is there already
+    m_model->commitEdit(); // set while typing
     if (const QString remark = m_model->remark(index); !remark.isEmpty()) emit refused(remark);
 }
 
 void MapsDelegate::destroyEditor(QWidget* editor, const QModelIndex& index) const {
     const auto* field = qobject_cast<NumberField*>(editor);
     const QString problem = field ? field->problem() : QString();
-    m_model->cancelEdit(); // nothing to cancel after a commit
+    m_model->cancelEdit(); // no effect after a commit
     QStyledItemDelegate::destroyEditor(editor, index);
     if (!problem.isEmpty()) emit refused(tr("%1 The cell keeps its value.").arg(problem));
 }
 
 void MapsDelegate::updateEditorGeometry(QWidget* editor, const QStyleOptionViewItem& option,
                                         const QModelIndex&) const {
-    // Wide enough for the typed text, even over a narrow column: over those that Tab comes to later.
+    // Wide enough for the typed text, at the cost of columns that Tab reaches later.
     QRect area = option.rect;
     area.setWidth(std::max(area.width(), editor->sizeHint().width()));
     area.moveRight(std::min(area.right(), editor->parentWidget()->width() - 1));
@@ -182,7 +182,7 @@ bool MapsDelegate::editorEvent(QEvent* event, QAbstractItemModel* model, const Q
         event->type() == QEvent::MouseButtonRelease || event->type() == QEvent::MouseButtonDblClick;
     const auto* mouse = isMouse ? static_cast<QMouseEvent*>(event) : nullptr;
     if (mouse && mouse->button() != Qt::LeftButton) return false;
-    if (event->type() == QEvent::MouseButtonDblClick) return true; // its release switches
+    if (event->type() == QEvent::MouseButtonDblClick) return true; // the release toggles
     if (!mouse && !isSpace) return false;
     if (mouse && index.column() == MapsModel::Enabled && mouse->modifiers().testFlag(Qt::AltModifier)) {
         emit soloRequested(index);
@@ -227,7 +227,7 @@ void MapsDelegate::paintMark(QPainter& painter, const QStyleOptionViewItem& opti
                             isOn ? Padlock::Closed : Padlock::Open);
     const ifs::MapId solo = m_model->solo();
     const bool isSolo = solo != ifs::MapId::None && solo == m_model->idAt(index.row());
-    if (isSolo) { // a ring around its eye
+    if (isSolo) { // ring around its eye
         painter.setRenderHint(QPainter::Antialiasing);
         painter.setBrush(faded(colour, 0.15F));
         painter.setPen(QPen(colour, 1));
@@ -303,7 +303,8 @@ QSize MapsDelegate::sizeHint(const QStyleOptionViewItem& given, const QModelInde
     if (!m_model->isNumber(index.column())) {
         const bool warned =
             index.column() != MapsModel::Name && !index.data(MapsModel::WarningRole).toString().isEmpty();
-        const int wide = qCeil(QFontMetricsF(option.font).horizontalAdvance(text)); // or it would be cut off
+        // Otherwise the text would be cut off.
+        const int wide = qCeil(QFontMetricsF(option.font).horizontalAdvance(text));
         return {wide + 2 * margin + (warned ? 18 : 0), height};
     }
     const int fraction = fractionWidth(option.fontMetrics, index.data(MapsModel::DecimalsRole).toInt());

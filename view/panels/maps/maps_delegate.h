@@ -16,11 +16,12 @@ class MapsDelegate : public QStyledItemDelegate {
     Q_OBJECT
 
 public:
-    static constexpr int numberMargin = 3; // left and right of a number
+    static constexpr int numberMargin = 3; // pixels to the left and right of a number
 
     MapsDelegate(MapsModel* model, QObject* parent);
 
-    void setThumbnails(MapThumbnails* thumbnails) { m_thumbnails = thumbnails; } // of the maps' colours
+    // Thumbnails of the Colour column.
+    void setThumbnails(MapThumbnails* thumbnails) { m_thumbnails = thumbnails; }
 
     QWidget* createEditor(QWidget* parent, const QStyleOptionViewItem& option,
                           const QModelIndex& index) const override;
@@ -36,7 +37,7 @@ public:
 signals:
     void colourRequested(const QModelIndex& index);
     void soloRequested(const QModelIndex& index);
-    void refused(const QString& reason) const; // an edit was left with a text that is no number
+    void refused(const QString& reason) const; // sent for an edit that ended with a text that is no number
 
 protected:
     bool editorEvent(QEvent* event, QAbstractItemModel* model, const QStyleOptionViewItem& option,

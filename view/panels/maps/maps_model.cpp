@@ -88,7 +88,7 @@ void MapsModel::follow(const document::Change& change) {
     if (!(change.parts & (Change::System | Change::Cage | Change::Appearance | Change::Entries |
                           Change::Current | Change::File | Change::Name)))
         return;
-    const bool sameCode = isCodeShown(m_document->fractal()); // as while the cage is dragged
+    const bool sameCode = isCodeShown(m_document->fractal()); // true while the cage is dragged
     const bool sameRows = sameCode || areRowsShown(m_document->fractal());
     if (!sameRows || change.parts & (Change::Current | Change::File)) {
         beginResetModel();
@@ -99,7 +99,7 @@ void MapsModel::follow(const document::Change& change) {
     reload(sameCode);
     if (rowCount() == 0) return;
     emit dataChanged(index(0, 0), index(rowCount() - 1, columnCount() - 1));
-    if (!sameCode) emit headerDataChanged(Qt::Vertical, 0, rowCount() - 1); // the warnings
+    if (!sameCode) emit headerDataChanged(Qt::Vertical, 0, rowCount() - 1); // updates the warnings
 }
 
 bool MapsModel::isCodeShown(const document::Fractal& fractal) const {
@@ -260,7 +260,7 @@ ifs::MapId MapsModel::idAt(int row) const {
 }
 
 std::vector<int> MapsModel::rowsOf(const std::vector<ifs::MapId>& ids) const {
-    QHash<ifs::MapId, int> order; // of those asked for, which are seldom as many as there are
+    QHash<ifs::MapId, int> order; // requested maps, usually far fewer than all
     order.reserve(qsizetype(ids.size()));
     std::vector<int> rows(ids.size(), -1);
     for (int i = 0; i < int(ids.size()); ++i)
@@ -401,7 +401,7 @@ QVariant MapsModel::alignment(int column) const {
 }
 
 QVariant MapsModel::data(const QModelIndex& index, int role) const {
-    if (!index.isValid()) return {}; // as views ask when nothing is current
+    if (!index.isValid()) return {}; // asked by views without a current row
     if (!checkIndex(index, CheckIndexOption::ParentIsInvalid)) return {};
     const int row = index.row();
     const int column = index.column();
@@ -507,7 +507,7 @@ QString MapsModel::placeOf(int row, int column) const {
 }
 
 void MapsModel::keepTyped(const QModelIndex& index, double value, const QString& text) {
-    if (!index.isValid() || !m_edit.isOpen()) return; // an editor may be closed after its document
+    if (!index.isValid() || !m_edit.isOpen()) return; // an editor may close after its document
     m_edit.preview(editText(index.row(), index.column(), value),
                    [&](document::Fractal& fractal) { change(fractal, index, value, text); });
     m_document->typedNumbers().keep(m_document->currentId(), placeOf(index.row(), index.column()), value,

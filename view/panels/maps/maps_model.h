@@ -15,7 +15,7 @@
 
 namespace view {
 
-document::Rows rowsIn(const QItemSelection& selection); // of whole rows; sorted
+document::Rows rowsIn(const QItemSelection& selection); // complete rows, sorted
 
 // The maps of the entry being edited, one a row: code, facts, and the effective code under the current cage.
 // Empty for an entry that could not be read.
@@ -28,7 +28,7 @@ public:
     enum Column {
         Enabled,
         Lock,
-        Colour, // and a thumbnail of its image
+        Colour, // includes a thumbnail of its image
         Name,
         A,
         B,
@@ -49,10 +49,9 @@ public:
         ColumnCount,
     };
     enum Role {
-        DecimalsRole =
-            Qt::UserRole, // int: the most decimals a number of this column shows, to align the points
-        WarningRole,      // QString: what is wrong with the map of this row; empty when nothing is
-        LockedRole,       // bool: the map of this row cannot be edited
+        DecimalsRole = Qt::UserRole, // int: most decimals of a number in this column, for aligning the points
+        WarningRole,                 // QString: problem of the map in this row; empty: none
+        LockedRole,                  // bool: map of this row cannot be edited
     };
 
     explicit MapsModel(document::Document* document, QObject* parent = nullptr);
@@ -75,12 +74,12 @@ public:
     QString typedText(const QModelIndex& index) const;
     void cancelEdit() { m_edit.cancel(); }
 
-    void limitDecimals(int decimals); // shown, of code and weights
+    void limitDecimals(int decimals); // most decimals shown for code and weights
     // Why the cell cannot be edited, as a sentence; empty where it can, and where nothing could be in any
     // row.
     QString editObstacle(const QModelIndex& index) const;
-    QString remark(const QModelIndex& index) const; // on a number that may not do what was meant; or empty
-    bool hasNames() const;                          // of any maps
+    QString remark(const QModelIndex& index) const; // remark on a number that may be a mistake; empty: none
+    bool hasNames() const;                          // true if any map has a name
 
     // The map that is shown alone, as its row says; None: no map is.
     ifs::MapId solo() const { return m_solo; }
@@ -91,15 +90,15 @@ public:
     std::vector<int> rowsOf(const std::vector<ifs::MapId>& ids) const;
     int dimension() const { return m_shown.index() == 0 ? 2 : 3; }
     int coefficientCount() const { return dimension() * (dimension() + 1); }
-    int columnOf(Column column) const; // for A, EffectiveA and those that are no coefficients
+    int columnOf(Column column) const; // column of A, EffectiveA and all that are no coefficients
     bool isNumber(int column) const;
     bool isEditable(int column) const { return column >= A && column <= columnOf(Weight); }
 
 private:
     template <int Dim> struct Shown {
         std::vector<ifs::WeightedMap<Dim>> maps;
-        std::vector<ifs::Link> links;               // on which it depends which maps take part
-        std::optional<ifs::AffineMap<Dim>> display; // nullopt while the placement is flat or bends
+        std::vector<ifs::Link> links;               // links, which determine the maps that take part
+        std::optional<ifs::AffineMap<Dim>> display; // nullopt if the placement is flat or bends
     };
     // Content of a column: A or EffectiveA for the coefficient `which`, else the enumerator.
     struct Meaning {
@@ -119,12 +118,12 @@ private:
     QString columnName(int column) const;
     QString columnTip(int column) const;
     QString tip(int row, int column) const;
-    QString warning(int row) const; // about the map; empty when nothing is wrong
+    QString warning(int row) const; // problem of the map; empty: none
     bool isEnabled(int row) const;
     document::MapLabel labelOf(int row) const;
-    QString title(int row) const; // the number and, in parentheses, the name
+    QString title(int row) const; // number and, in parentheses, name
     QString mark(int row, Column column) const;
-    QString spoken(int row, Column column) const; // for screen readers, about a cell without text
+    QString spoken(int row, Column column) const; // text of a cell without text, for screen readers
     bool switchMap(int row, bool on);
     bool colourMap(int row, const QColor& colour);
     std::optional<double> weightOf(int row) const;
@@ -143,7 +142,7 @@ private:
     std::vector<double> m_probabilities;
     int m_maxDecimals = maxDecimals;
     ifs::MapId m_solo = ifs::MapId::None;
-    mutable std::vector<std::optional<int>> m_decimals; // per column, once they are asked for
+    mutable std::vector<std::optional<int>> m_decimals; // one for each column; computed on demand
 };
 
 } // namespace view

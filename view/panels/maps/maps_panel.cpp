@@ -300,11 +300,12 @@ void MapsPanel::hideColumns(Columns group, bool hidden) {
 }
 
 void MapsPanel::showColumns(Columns group, bool shown) {
+    m_columnToggles[group]->setChecked(shown);
     hideColumns(group, !shown);
     const auto [first, last] = columnsOf(group);
-    // The requested maps come into view, and their first column first of all.
+    // Scrolls to the shown columns, above all to the first of them.
     if (shown && m_table->isVisible()) {
-        m_table->doItemsLayout(); // the new width is there to scroll in
+        m_table->doItemsLayout(); // updates the scroll range
         const int row = std::max(0, m_table->currentIndex().row());
         m_table->scrollTo(m_model->index(row, last));
         m_table->scrollTo(m_model->index(row, first));
@@ -566,7 +567,7 @@ void MapsPanel::toggleLock() {
 void MapsPanel::toggleSolo() {
     m_solo->toggle(m_solo->map() != ifs::MapId::None ? m_solo->map()
                                                      : m_model->idAt(m_table->currentIndex().row()));
-    updateActions(); // the button is as pressed as the map is alone
+    updateActions(); // updates the pressed button
 }
 
 void MapsPanel::applyWeights(document::WeightRule rule) {

@@ -45,28 +45,28 @@ public:
     void duplicateMaps();
     void deleteMaps();
     void selectAllMaps();
-    void renameMap(); // types the name of the current map into the table
+    void renameMap(); // opens an editor for the name of the current map in the table
     void toggleLock();
     void toggleSolo();
     void moveMapsUp();
     void moveMapsDown();
     void cutMaps();
     void copyMaps() const;
-    void pasteMaps(); // in place of the selected rows
+    void pasteMaps(); // replaces the selected rows
     void appendPasted();
     void applyWeights(document::WeightRule rule);
     void bake();
 
     enum class Columns { Names, Code, Facts, Effective };
     void showColumns(Columns group, bool shown);
-    void reveal(int column); // in sight, with the others of its group where it was hidden
+    void reveal(int column); // scrolls to the column and shows its group if hidden
 
 signals:
     void message(const QString& text); // a sentence for the status bar
-    void symmetryChosen();             // the attractor may have another size now
+    void symmetryChosen();             // sent because the size of the attractor may have changed
     void selectionChanged();
-    void mapPointed(ifs::MapId id);  // at its row; None: at none
-    void soloChanged(ifs::MapId id); // the map to show alone; None: all of them
+    void mapPointed(ifs::MapId id);  // map at its row; None: none
+    void soloChanged(ifs::MapId id); // map to show alone; None: all maps
 
 private:
     QAction* action(const QString& text, const QString& icon, const QString& shortcut, const QString& tip,
@@ -81,7 +81,7 @@ private:
     QWidget* makeTable();
     QWidget* makeNotice();
     QToolButton* columnToggle(const QString& text, const QString& tip, Columns group, bool shown);
-    std::pair<int, int> columnsOf(Columns group) const; // the first and the last one
+    std::pair<int, int> columnsOf(Columns group) const; // first and last column of the group
 
     void follow(const document::Change& change);
     void hideColumns(Columns group, bool hidden);
@@ -96,11 +96,11 @@ private:
     void keepSelection();
     void restoreSelection();
     void followDimension();
-    void selectRows(document::Rows rows); // the first becomes the current one
+    void selectRows(document::Rows rows); // makes the first row the current one
 
     document::Document* m_document;
-    BackgroundEdit* m_weighing;          // by dimension, which may take long to find
-    QMetaObject::Connection m_following; // of the document
+    BackgroundEdit* m_weighing;          // weights by dimension, which may take long
+    QMetaObject::Connection m_following; // connection to the document
     MapsModel* m_model;
     MapsClipboard* m_clipboard;
     SoloMap* m_solo;
@@ -108,7 +108,7 @@ private:
     MapsTable* m_table;
     MapsColumns* m_columns = nullptr;
     MapsRowHeader* m_rowHeader;
-    QLabel* m_facts = nullptr; // of the current map
+    QLabel* m_facts = nullptr; // facts about the current map
     MapShapeEditor* m_shape;
     QStackedWidget* m_pages;
     QWidget* m_bars;
@@ -129,10 +129,10 @@ private:
     QAction* m_bake;
     QList<QAction*> m_weightActions;
     std::map<Columns, QToolButton*> m_columnToggles;
-    mutable std::optional<document::Rows> m_selectedRows; // until the selection changes
-    std::vector<ifs::MapId> m_kept;                       // selected before the model was reset
+    mutable std::optional<document::Rows> m_selectedRows; // cleared when the selection changes
+    std::vector<ifs::MapId> m_kept;                       // selection before a reset of the model
     int m_keptColumn = MapsModel::A;
-    int m_dimension = 0; // of the maps that the columns are made for
+    int m_dimension = 0; // dimension of the maps that the columns are made for
 };
 
 } // namespace view

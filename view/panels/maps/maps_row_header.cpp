@@ -27,7 +27,7 @@ void MapsRowHeader::putBack(int, int from, int to) {
         const QSignalBlocker blocker(this);
         moveSection(to, from);
     }
-    // Waits until the header has finished with the mouse: the model may reset it.
+    // Queued until the header has handled the mouse, because the model may reset it.
     QMetaObject::invokeMethod(
         this, [this, from, to] { emit rowDragged(from, to); }, Qt::QueuedConnection);
 }

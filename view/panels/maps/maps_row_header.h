@@ -14,8 +14,8 @@ public:
     explicit MapsRowHeader(QWidget* parent = nullptr);
 
 signals:
-    void rowPointed(int row);          // by the pointer; −1: none
-    void rowDragged(int from, int to); // `to`: the row it was dropped at
+    void rowPointed(int row);          // row under the pointer; −1: none
+    void rowDragged(int from, int to); // `to`: row of the drop
 
 protected:
     void paintSection(QPainter* painter, const QRect& area, int row) const override;
@@ -27,7 +27,7 @@ protected:
 private:
     void putBack(int row, int from, int to);
 
-    mutable QSize m_size; // of each section, for so many rows and this font
+    mutable QSize m_size; // size of each section for m_sizedCount rows and m_sizedFont
     mutable int m_sizedCount = -1;
     mutable QFont m_sizedFont;
 };

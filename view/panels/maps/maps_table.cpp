@@ -13,7 +13,7 @@
 namespace view {
 
 MapsTable::MapsTable(QWidget* parent) : QTableView(parent) {
-    QFont small = font(); // seven columns of numbers in a narrow panel
+    QFont small = font(); // smaller, for seven columns of numbers in a narrow panel
     small.setPointSizeF(small.pointSizeF() * 0.92);
     setFont(small);
     setTabKeyNavigation(false); // Tab goes on to the fields below; in an editor, to the next cell
@@ -30,9 +30,9 @@ MapsTable::MapsTable(QWidget* parent) : QTableView(parent) {
     viewport()->setMouseTracking(true);
     QHeaderView* header = horizontalHeader();
     header->setFont(small);
-    header->setMinimumSectionSize(18); // of the locks
+    header->setMinimumSectionSize(18); // pixels of the column of locks
     header->setHighlightSections(false);
-    header->setResizeContentsPrecision(50); // rows, besides those in sight
+    header->setResizeContentsPrecision(50); // rows in addition to the visible ones
     header->setSectionResizeMode(QHeaderView::Interactive);
     header->setWhatsThis(
         tr("Drag the name of a number left or right to change it in the current map: a tenth as fast with "
@@ -43,7 +43,7 @@ MapsTable::MapsTable(QWidget* parent) : QTableView(parent) {
 
 QItemSelection MapsTable::selectionOf(std::vector<int> rows) const {
     std::ranges::sort(rows);
-    QItemSelection selection; // of as few ranges as there are
+    QItemSelection selection; // as few ranges as possible
     for (std::size_t i = 0; i < rows.size(); ++i) {
         const int top = rows[i];
         while (i + 1 < rows.size() && rows[i + 1] <= rows[i] + 1)

@@ -16,11 +16,11 @@ public:
     explicit MapsTable(QWidget* parent = nullptr);
     using QTableView::edit;
 
-    QItemSelection selectionOf(std::vector<int> rows) const; // all of their cells
+    QItemSelection selectionOf(std::vector<int> rows) const; // all cells of the rows
 
 signals:
-    void rowPointed(int row);            // by the pointer; −1: none
-    void refused(const QString& reason); // after an attempt to edit a locked cell
+    void rowPointed(int row);            // row under the pointer; −1: none
+    void refused(const QString& reason); // sent after an attempt to edit a locked cell
 
 protected:
     bool edit(const QModelIndex& index, EditTrigger trigger, QEvent* event) override;

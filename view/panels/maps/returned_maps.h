@@ -23,7 +23,7 @@ private:
     void look();
 
     document::Document* m_document;
-    document::EntryId m_entry = document::EntryId::None; // that was looked at, and its maps
+    document::EntryId m_entry = document::EntryId::None; // entry examined last; its maps are in m_maps
     std::vector<ifs::MapId> m_maps;
 };
 

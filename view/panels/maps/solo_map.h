@@ -15,8 +15,8 @@ class SoloMap : public QObject {
 public:
     SoloMap(document::Document* document, QObject* parent);
 
-    ifs::MapId map() const { return m_map; } // None: all are shown
-    void toggle(ifs::MapId map);             // alone, or all of them where it is alone already
+    ifs::MapId map() const { return m_map; } // None: all maps are shown
+    void toggle(ifs::MapId map);             // shows the map alone or, if it is alone already, all maps
 
 signals:
     void changed();

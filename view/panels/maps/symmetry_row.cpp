@@ -189,7 +189,7 @@ void SymmetryRow::chooseGroup(ifs::SymmetryGroup group, int order, int kind) {
     document::Fractal after = m_document->fractal();
     if (const QString obstacle = document::symmetryObstacle(after, ifs::groupOrder(group, order));
         !obstacle.isEmpty()) {
-        follow(); // back to what it was
+        follow(); // restores the former choice
         emit message(obstacle);
         return;
     }

@@ -34,7 +34,7 @@ public:
 
 signals:
     void message(const QString& text); // a sentence for the status bar
-    void groupChosen();                // the attractor may have another size now
+    void groupChosen();                // sent because the size of the attractor may have changed
 
 private:
     QWidget* makeChoice();
@@ -43,7 +43,8 @@ private:
     void follow();
     void fillGroups(int dimension);
     template <int Dim> void showSymmetry(const ifs::Symmetry<Dim>& symmetry);
-    void chooseGroup(ifs::SymmetryGroup group, int order, int kind = -1); // kind: see EditGesture::describe()
+    // `kind`: see EditGesture::describe().
+    void chooseGroup(ifs::SymmetryGroup group, int order, int kind = -1);
 
     document::Document* m_document;
     document::LiveEdit m_edit;
@@ -55,7 +56,7 @@ private:
     QLabel* m_angleLabel = nullptr;
     std::array<NumberField*, 3> m_centre{};
     std::array<QLabel*, 3> m_centreLabels{};
-    int m_dimension = 0; // that the groups are listed for
+    int m_dimension = 0; // dimension for which the groups are listed
 };
 
 } // namespace view

@@ -7,6 +7,6 @@
 
 namespace view {
 
-QString ruleName(document::WeightRule rule); // as in the menu
+QString ruleName(document::WeightRule rule); // text of the menu
 
 } // namespace view

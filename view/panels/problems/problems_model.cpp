@@ -37,7 +37,7 @@ int ProblemsModel::columnCount(const QModelIndex& parent) const {
 }
 
 QVariant ProblemsModel::data(const QModelIndex& index, int role) const {
-    if (!index.isValid()) return {}; // as views ask when nothing is current
+    if (!index.isValid()) return {}; // asked by views without a current row
     if (!checkIndex(index, CheckIndexOption::IndexIsValid)) return {};
     const document::Problem& problem = m_rows[index.row()].problem;
     const bool error = problem.severity == document::Problem::Severity::Error;
@@ -90,7 +90,7 @@ QList<ProblemsModel::Row> ProblemsModel::collect() const {
     for (const document::Entry& entry : m_document->file().entries)
         count += entry.problems.size();
     QList<Row> rows;
-    rows.reserve(count); // of a large file each entry may have one
+    rows.reserve(count); // up to one for each entry of a large file
     for (const document::Problem& problem : m_document->file().problems)
         rows.append({document::EntryId::None, problem});
     for (const document::Entry& entry : m_document->file().entries)

@@ -22,8 +22,8 @@ public:
     QVariant data(const QModelIndex& index, int role) const override;
     QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
 
-    int attentionCount() const;               // the rows that are more than remarks
-    document::EntryId entryAt(int row) const; // None for the file as a whole
+    int attentionCount() const;               // number of rows that are more than remarks
+    document::EntryId entryAt(int row) const; // None: the file as a whole
     const document::Problem& problemAt(int row) const { return m_rows[row].problem; }
 
 private:

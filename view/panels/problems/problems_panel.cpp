@@ -98,7 +98,7 @@ void ProblemsPanel::showEntry(const QModelIndex& index) {
 
 void ProblemsPanel::updateCount() {
     m_list->setVisible(count() > 0);
-    constexpr int widestName = 24; // characters; a long name leaves room for the problem
+    constexpr int widestName = 24; // characters, which leave room for the problem
     m_list->resizeColumnToContents(ProblemsModel::EntryName);
     m_list->setColumnWidth(ProblemsModel::EntryName, std::min(m_list->columnWidth(ProblemsModel::EntryName),
                                                               widestName * fontMetrics().averageCharWidth()));

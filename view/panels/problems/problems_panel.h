@@ -20,13 +20,13 @@ public:
     explicit ProblemsPanel(document::Document* document, QWidget* parent = nullptr);
 
     int count() const;
-    void setFileName(const QString& fileName); // named in the copied text
+    void setFileName(const QString& fileName); // name for the copied text
 
 public slots:
-    void copySelected(); // one "file:line:column: severity: sentence" per line; without a selection, all
+    void copySelected(); // lines "file:line:column: severity: sentence"; all problems if none is selected
 
 signals:
-    void countChanged(int count); // of those that call for attention
+    void countChanged(int count); // number of problems that call for attention
 
 private:
     void createActions();

@@ -58,7 +58,7 @@ void SnapshotDelegate::paint(QPainter* painter, const QStyleOptionViewItem& give
     const QRect picture = pictureOf(option.rect);
     painter->save();
     painter->setRenderHint(QPainter::Antialiasing);
-    if (isSelected || isUnderPointer) { // the frame says what is shown, so this is quiet
+    if (isSelected || isUnderPointer) { // quiet, because the frame marks the one that is shown
         QColor tint = option.palette.color(QPalette::Text);
         tint.setAlphaF(isSelected ? 0.14F : 0.07F);
         painter->setPen(Qt::NoPen);

@@ -15,8 +15,8 @@ public:
     enum Role {
         KeyRole = Qt::UserRole,
         StateRole,  // Thumbnail::State
-        ShownRole,  // on the canvas
-        MarkedRole, // the one to compare with
+        ShownRole,  // bool: on the canvas
+        MarkedRole, // bool: the one to compare with
     };
 
     using QStyledItemDelegate::QStyledItemDelegate;

@@ -16,7 +16,7 @@ namespace view {
 
 namespace {
 
-constexpr int held = 400; // milliseconds after which a key was not just pressed
+constexpr int held = 400; // milliseconds; longer presses are holds
 // A keyboard repeats a key as a release and a press, which Qt only recognizes where it has read both. On a
 // busy machine it reads the press this much later at most; nobody presses a key again so soon.
 constexpr int repetition = 200;
@@ -40,7 +40,7 @@ const Snapshot* SnapshotLook::shown() const {
 }
 
 void SnapshotLook::toggle(Qt::Key key) {
-    if (QGuiApplication::mouseButtons() != Qt::NoButton) return; // in the middle of a drag
+    if (QGuiApplication::mouseButtons() != Qt::NoButton) return; // within a drag
     if (isOn()) return end();
     if (const QString why = obstacle(); !why.isEmpty()) return emit message(why);
     m_key = key;
@@ -64,7 +64,7 @@ void SnapshotLook::begin() {
     m_shown = m_snapshots->marked()->key;
     CanvasOptions& options = m_canvases.plane->options();
     m_hadOverlays = options.overlaysVisible();
-    options.setOverlaysVisible(false); // handles would not be those of the picture
+    options.setOverlaysVisible(false); // handles would not match the picture
     show();
     qApp->installEventFilter(this);
     emit changed(true);

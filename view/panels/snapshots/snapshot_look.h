@@ -25,7 +25,7 @@ public:
         CanvasView* plane;
         RenderBridge* render;
         FourViews* space;
-        std::function<QString()> obstacle; // why there can be no look now, as a sentence; empty: nothing
+        std::function<QString()> obstacle; // reason why there can be no look now, as a sentence; empty: none
     };
     SnapshotLook(document::Document* document, Snapshots* snapshots, Canvases canvases,
                  QObject* parent = nullptr);
@@ -36,7 +36,7 @@ public:
     void toggle(Qt::Key key = Qt::Key_unknown);
     void end();
     bool isOn() const { return m_shown != 0; }
-    const Snapshot* shown() const; // nullptr while the fractal itself is
+    const Snapshot* shown() const; // nullptr while the fractal itself is shown
 
 signals:
     void changed(bool isOn);
@@ -54,11 +54,11 @@ private:
     document::Document* m_document;
     Snapshots* m_snapshots;
     Canvases m_canvases;
-    quint64 m_shown = 0; // the key of the snapshot; 0: none
+    quint64 m_shown = 0; // key of the snapshot; 0: none
     bool m_hadOverlays = true;
     Qt::Key m_key = Qt::Key_unknown;
-    QElapsedTimer m_held;     // since the key went down
-    QElapsedTimer m_released; // since it came up
+    QElapsedTimer m_held;     // time since the key was pressed
+    QElapsedTimer m_released; // time since the key was released
 };
 
 } // namespace view

@@ -16,10 +16,10 @@ namespace view {
 
 // A state of an entry that the user keeps while working on it.
 struct Snapshot {
-    quint64 key = 0; // of no other one
+    quint64 key = 0; // unique
     QString name;
-    bool isNamed = false;                               // by the user
-    std::shared_ptr<const document::Fractal> fractal{}; // of the entry, with its animation; never null
+    bool isNamed = false;                               // true: named by the user
+    std::shared_ptr<const document::Fractal> fractal{}; // entry with its animation; never null
 };
 
 // The snapshots of the entries of a document. They last as long as the file is open:
@@ -31,39 +31,40 @@ class Snapshots : public QObject {
 public:
     explicit Snapshots(document::Document* document, QObject* parent = nullptr);
 
-    const std::vector<Snapshot>& list() const; // of the current entry, in the order in which they were taken
-    bool isPossible() const;                   // there is an entry, and it could be read
+    const std::vector<Snapshot>& list() const; // snapshots of the current entry, oldest first
+    bool isPossible() const;                   // true if there is a readable entry
 
-    void take();               // the present state, unless it is kept already
-    void restore(quint64 key); // code, cage, appearance and animation; the entry keeps name and comments
+    void take(); // snapshot of the present state, unless one is kept already
+    // Restores code, cage, appearance and animation; the entry keeps name and comments.
+    void restore(quint64 key);
     void rename(quint64 key, const QString& name);
     void remove(quint64 key);
-    void bringBack();             // the one that was removed last
-    QString removed() const;      // its name; empty when there is none
-    void addAsEntry(quint64 key); // behind the current entry, which stays the current one
+    void bringBack();             // restores the snapshot removed last
+    QString removed() const;      // name of the snapshot removed last; empty: none
+    void addAsEntry(quint64 key); // inserted behind the current entry, which stays current
 
     // The one that a comparison shows: the one last taken, restored or marked, which the panel does with the
     // one that is selected. When it is removed, the one that takes its place. nullptr without one.
     const Snapshot* marked() const;
     void mark(quint64 key);
-    std::optional<quint64> present() const; // the one that the entry is like, but for a gesture that is open
+    std::optional<quint64> present() const; // snapshot equal to the entry, apart from an open gesture
     bool isAsNow(const Snapshot& snapshot) const;
     // Snapshots of all entries, deleted ones too, that are like no entry of the file, each with the name of
     // its own: they are lost when the file is closed.
     QStringList unsaved() const;
-    QStringList lostByDiscarding() const; // besides these: they are like entries with unsaved changes
+    QStringList lostByDiscarding() const; // further snapshots, equal to entries with unsaved changes
 
 signals:
-    void changed(); // in what is listed, or marked, or like the entry
+    void changed(); // sent for the list, the mark, and equality with the entry
     void taken();
     void message(const QString& sentence);
 
 private:
     struct Strip {
         std::vector<Snapshot> list;
-        std::vector<Snapshot> removed; // the last one behind
+        std::vector<Snapshot> removed; // newest last
         quint64 marked = 0;
-        int count = 0; // taken so far
+        int count = 0; // number of snapshots taken
     };
     // Snapshots of an entry that is not in the file; it may come back by undo.
     struct Parked {
@@ -82,9 +83,10 @@ private:
 
     document::Document* m_document;
     std::map<document::EntryId, Strip> m_strips;
-    std::map<document::EntryId, std::shared_ptr<const document::Fractal>> m_seen; // of entries with a strip
+    // Last known states of entries with a strip.
+    std::map<document::EntryId, std::shared_ptr<const document::Fractal>> m_seen;
     std::vector<Parked> m_parked;
-    QList<document::Entry> m_saved; // the entries as they were opened or saved
+    QList<document::Entry> m_saved; // entries as opened or saved
     std::optional<quint64> m_present;
     quint64 m_lastKey = 0;
 };

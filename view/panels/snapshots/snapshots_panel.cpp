@@ -60,7 +60,7 @@ void SnapshotsPanel::createList() {
     m_list->setUniformItemSizes(true);
     m_list->setVerticalScrollMode(QAbstractItemView::ScrollPerPixel);
     m_list->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-    m_list->setEditTriggers(QAbstractItemView::NoEditTriggers); // F2 and the menu do
+    m_list->setEditTriggers(QAbstractItemView::NoEditTriggers); // F2 and the menu start editing
     m_list->setContextMenuPolicy(Qt::CustomContextMenu);
     m_list->setItemDelegate(new SnapshotDelegate(m_list));
     m_list->viewport()->setAttribute(Qt::WA_Hover);
@@ -74,7 +74,7 @@ void SnapshotsPanel::createList() {
     connect(m_list, &QListWidget::itemChanged, this, [this](QListWidgetItem* item) {
         if (m_isFollowing) return;
         m_snapshots->rename(item->data(SnapshotDelegate::KeyRole).toULongLong(), item->text());
-        follow(); // a name without letters is not taken
+        follow(); // restores the name if the new one has no letters
     });
     connect(m_list, &QWidget::customContextMenuRequested, this, &SnapshotsPanel::showContextMenu);
 }
@@ -178,7 +178,7 @@ void SnapshotsPanel::showContextMenu(const QPoint& position) {
     menu->setAttribute(Qt::WA_DeleteOnClose);
     menu->setToolTipsVisible(true);
     if (m_list->itemAt(position)) {
-        menu->addActions({m_restore, m_compare}); // it is selected
+        menu->addActions({m_restore, m_compare}); // for the selected snapshot
         menu->addSeparator();
         menu->addActions({m_rename, m_add, m_remove});
         menu->addSeparator();

@@ -36,7 +36,7 @@ private:
     void showTile(QListWidgetItem* item, const Snapshot& snapshot);
     void showContextMenu(const QPoint& position);
     void paintEmpty();
-    quint64 currentKey() const; // 0 without a current tile
+    quint64 currentKey() const; // 0 if no tile is current
 
     Snapshots* m_snapshots;
     SnapshotLook* m_look;
@@ -49,7 +49,7 @@ private:
     QAction* m_add = nullptr;
     QAction* m_remove = nullptr;
     QAction* m_bringBack = nullptr;
-    bool m_isFollowing = false; // changes in the list come from the snapshots
+    bool m_isFollowing = false; // true while the list follows the snapshots
 };
 
 } // namespace view

@@ -21,12 +21,12 @@ public:
 
     const animation::Ease& ease() const { return m_ease; }
     void setEase(const animation::Ease& ease);
-    QPointF handle(int index) const; // 0 or 1, in the widget
+    QPointF handle(int index) const; // `index`: 0 or 1; position in the widget
 
     QSize sizeHint() const override { return {260, 260}; }
 
 signals:
-    void changed(); // by a drag
+    void changed(); // sent for drags
 
 protected:
     void paintEvent(QPaintEvent* event) override;

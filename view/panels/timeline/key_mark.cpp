@@ -9,7 +9,7 @@ namespace view {
 namespace {
 
 constexpr double diamondHalf = 6;
-constexpr double radius = 5; // about as much ink
+constexpr double radius = 5; // similar amount of ink
 
 } // namespace
 

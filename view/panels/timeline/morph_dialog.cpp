@@ -23,7 +23,7 @@ namespace view {
 namespace {
 
 constexpr int momentCount = 5; // pictures of the morph, from its beginning to its end
-constexpr int side = 88;       // of each
+constexpr int side = 88;       // pixels of each picture
 
 template <int Dim>
 std::vector<QColor> coloursIn(const document::Fractal& fractal, const document::Shape<Dim>& shape) {

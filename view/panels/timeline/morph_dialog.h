@@ -28,7 +28,7 @@ public:
     MorphLines* lines() const { return m_lines; }
     QComboBox* target() const { return m_target; }
     bool isSolved() const { return m_outcome.fractal.has_value(); }
-    const document::Fractal& morph() const { return *m_outcome.fractal; } // where it is solved
+    const document::Fractal& morph() const { return *m_outcome.fractal; } // requires a solution
     QString targetName() const;
 
 private:
@@ -36,7 +36,7 @@ private:
 
     void createControls();
     void createMoments();
-    FractalPointer chosenFractal() const; // null: the list is empty
+    FractalPointer chosenFractal() const; // null: empty list
     void takeTarget();
     void solve();
     void takeOutcome();
@@ -48,7 +48,7 @@ private:
     document::MorphOutcome m_outcome;
     std::vector<FractalPointer> m_moments;
     Thumbnails* m_thumbnails;
-    quint64 m_solved = 0; // how often, for the keys of the pictures
+    quint64 m_solved = 0; // number of solutions, part of the keys of the pictures
     QComboBox* m_target = nullptr;
     MorphLines* m_lines = nullptr;
     QLabel* m_sentence = nullptr;

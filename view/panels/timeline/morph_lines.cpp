@@ -18,7 +18,7 @@ namespace {
 constexpr int padding = 6;
 constexpr int swatch = 14;
 constexpr double thinnest = 1.5;
-constexpr double thickest = 14; // if all of the weight went one way
+constexpr double thickest = 14; // pixels for all of the weight
 constexpr int columnsApart = 240;
 constexpr double pinRadius = 4;
 
@@ -75,7 +75,7 @@ QSize MorphLines::sizeHint() const {
 
 QRect MorphLines::rectOf(const Place& place) const {
     const int rows = int(colours(place.column).size());
-    const int top = (height() - rows * rowHeight()) / 2; // the shorter column is centred
+    const int top = (height() - rows * rowHeight()) / 2; // centres the shorter column
     const int left = place.column == From ? 0 : width() - columnWidth();
     return {left, top + place.map * rowHeight(), columnWidth(), rowHeight()};
 }

@@ -27,14 +27,14 @@ public:
 
     explicit MorphLines(QWidget* parent = nullptr);
 
-    void setColumns(std::vector<QColor> from, std::vector<QColor> to); // without pairs and pins
+    void setColumns(std::vector<QColor> from, std::vector<QColor> to); // clears pairs and pins
     void setPairs(std::vector<animation::Shipment> pairs);
     const std::vector<animation::Pin>& pins() const { return m_pins; }
     void clearPins();
 
     const Place& current() const { return m_current; }
     QRect rectOf(const Place& place) const;
-    QString sentence() const; // the fate of the current map
+    QString sentence() const; // fate of the current map
 
     QSize sizeHint() const override;
     QSize minimumSizeHint() const override { return sizeHint(); }
@@ -56,10 +56,10 @@ private:
     std::optional<Place> placeAt(const QPointF& point) const;
     int rowHeight() const;
     int columnWidth() const;
-    QPointF endOf(const Place& place) const; // of its lines
+    QPointF endOf(const Place& place) const; // end of the lines of a place
     bool isPinned(std::size_t from, std::size_t to) const;
     void setCurrent(const Place& place);
-    void choose(const Place& place); // the first or the second of a pair
+    void choose(const Place& place); // first or second place of a pair
     void togglePin(const Place& one, const Place& other);
     void removePins(const Place& place);
     void paintLine(QPainter& painter, const animation::Shipment& pair) const;
@@ -70,8 +70,8 @@ private:
     std::vector<animation::Shipment> m_pairs;
     std::vector<animation::Pin> m_pins;
     Place m_current;
-    std::optional<Place> m_held;   // the first of a pair
-    std::optional<QPointF> m_hand; // where the pointer drags a line from it
+    std::optional<Place> m_held;   // first place of a pair
+    std::optional<QPointF> m_hand; // pointer during the drag of a line from m_held
 };
 
 } // namespace view

@@ -140,7 +140,7 @@ document::Fractal MotionDialog::changed() const {
     document::Fractal safe = document::withSafeStrength(wanted, m_motion);
     const double most =
         document::motionNumbers(safe, m_motion)[std::size_t(strength - m_numbers.begin())].value;
-    // 0 where the attractor is lost without this motion, too.
+    // 0 if the attractor is lost even without this motion.
     if (most == strength->value || most == 0) return wanted;
     const QString limit = strength->kind == document::MotionNumber::Kind::Degrees
                               ? QStringLiteral("%1°").arg(shortNumber(most))

@@ -33,10 +33,10 @@ private:
     // a note about it.
     document::Fractal changed() const;
 
-    document::Fractal m_entry; // as it was
+    document::Fractal m_entry; // entry at the opening of the dialog
     std::size_t m_motion;
-    std::vector<document::MotionNumber> m_numbers; // exact, where the fields show them rounded
-    OrbitRows* m_orbit = nullptr;                  // of an orbit
+    std::vector<document::MotionNumber> m_numbers; // exact values of numbers that the fields show rounded
+    OrbitRows* m_orbit = nullptr;                  // orbits only
     QLabel* m_note = nullptr;
     document::EditGesture m_gesture;
 };

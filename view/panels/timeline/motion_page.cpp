@@ -19,7 +19,7 @@ namespace {
 
 constexpr QSize pictureSize(64, 48);
 constexpr std::chrono::milliseconds nextPicture{80};
-constexpr std::chrono::milliseconds restBeforeDrawing{150}; // while the fractal is dragged, nothing is drawn
+constexpr std::chrono::milliseconds restBeforeDrawing{150}; // delay, so that nothing is drawn during a drag
 
 QToolButton* tile(QAction* action) {
     auto* button = new QToolButton;
@@ -46,10 +46,10 @@ MotionPage::MotionPage(const QList<QAction*>& actions, QWidget* parent) : QWidge
     }
     tiles->addStretch(1);
     auto* keys = new QPushButton(tr("Make Keys"));
-    keys->setToolTip(tr("Show the tracks, to make keys of your own"));
+    keys->setToolTip(tr("Make a first key, and show the tracks"));
     keys->setAutoDefault(false);
     auto* how = new QLabel(tr("Or set a key, move the playhead, and change the fractal."));
-    auto* below = new QHBoxLayout; // to the left, where it is seen in a narrow window
+    auto* below = new QHBoxLayout; // left-aligned, to be visible in a narrow window
     below->addWidget(how);
     below->addWidget(keys);
     below->addStretch(1);
@@ -95,13 +95,13 @@ void MotionPage::draw() {
     m_next = 0;
     m_preview.reset();
     drawNext();
-    // The pictures stand still if the desktop asks for no animations.
+    // Still pictures if the desktop asks for no animations.
     if (style()->styleHint(QStyle::SH_Widget_Animation_Duration, nullptr, this) > 0) m_clock.start();
 }
 
 void MotionPage::drawNext() {
     if (m_next >= std::min(m_tiles.size(), m_motions.size())) return;
-    if (QGuiApplication::mouseButtons() != Qt::NoButton) return m_soon.start(); // the drag comes first
+    if (QGuiApplication::mouseButtons() != Qt::NoButton) return m_soon.start(); // postponed during a drag
     m_after.start();
     if (!m_preview) {
         const Make& make = m_motions[m_next];

@@ -32,11 +32,11 @@ public:
 
     // Makers of the moving pictures, in the order of the actions. Actions without one keep their icons.
     void setMotions(std::vector<Make> motions) { m_motions = std::move(motions); }
-    void renew(); // the fractal has changed
+    void renew(); // called when the fractal has changed
     bool isMoving() const { return m_clock.isActive(); }
 
 signals:
-    void tableWanted(); // the rows, to make keys
+    void tableWanted(); // sent to show the rows of the timeline for making keys
 
 protected:
     void showEvent(QShowEvent* event) override;
@@ -45,7 +45,7 @@ protected:
 
 private:
     void draw();
-    void drawNext(); // one frame of one tile at a time, so that the window stays at hand
+    void drawNext(); // draws one frame of one tile, so that the window stays responsive
     void advance();
 
     struct Tile {
@@ -54,12 +54,12 @@ private:
     };
     std::vector<Tile> m_tiles;
     std::vector<Make> m_motions;
-    QTimer m_soon;  // until the pictures are drawn anew
-    QTimer m_after; // until the next tile is drawn
-    QTimer m_clock; // from one picture to the next
+    QTimer m_soon;  // delay before pictures are redrawn
+    QTimer m_after; // delay before the next tile
+    QTimer m_clock; // interval between two pictures
     std::size_t m_frame = 0;
-    std::size_t m_next = 0;                 // tile to be drawn
-    std::optional<MotionPreview> m_preview; // of this tile
+    std::size_t m_next = 0;                 // index of the next tile to draw
+    std::optional<MotionPreview> m_preview; // preview of the tile being drawn
 };
 
 } // namespace view

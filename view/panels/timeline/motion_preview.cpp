@@ -19,10 +19,10 @@ namespace view {
 namespace {
 
 constexpr int points = 700;
-constexpr int dropped = 20; // until a point is close enough to the attractor
+constexpr int dropped = 20; // jumps until a point is close to the attractor
 constexpr std::size_t maxMaps = 64;
 constexpr double margin = 2;            // pixels
-constexpr double paletteInMiddle = 0.7; // where a point of usual density is in a palette
+constexpr double paletteInMiddle = 0.7; // palette coordinate of points of usual density
 
 // A point as seen from in front and a little from above, through a camera that has gone round.
 QPointF seen(const attractor::OrbitCamera& camera, const ifs::Vector<3>& point) {

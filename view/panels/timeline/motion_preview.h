@@ -20,7 +20,7 @@ bool isPreviewed(const document::Fractal& entry);
 struct PreviewStyle {
     QSize size; // logical pixels
     double pixelRatio = 1;
-    QColor ink; // of the points, unless the palette itself moves
+    QColor ink; // colour of the points, unless the palette itself moves
 };
 
 constexpr int previewFrames = 24;
@@ -32,8 +32,8 @@ class MotionPreview {
 public:
     MotionPreview(document::Fractal entry, const PreviewStyle& style);
 
-    bool findNext(); // the points of one frame more, in a few milliseconds; false when all are found
-    std::vector<QPixmap> pictures() const; // of the frames found
+    bool findNext(); // points of one further frame, in a few milliseconds; false if all are found
+    std::vector<QPixmap> pictures() const; // pictures of the frames found
 
 private:
     struct Frame {

@@ -41,7 +41,7 @@ private:
 
     document::OrbitPlace m_place;
     bool m_isInSpace;
-    std::optional<ifs::Vector<3>> m_centre; // of the attractor
+    std::optional<ifs::Vector<3>> m_centre; // centre of the attractor
     QComboBox* m_axis = nullptr;
     QDoubleSpinBox* m_tilt = nullptr;
     QDoubleSpinBox* m_towards = nullptr;

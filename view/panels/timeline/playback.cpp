@@ -9,7 +9,7 @@ namespace {
 
 constexpr qint64 shortestTick = 1, longestTick = 1000; // milliseconds
 constexpr qint64 second = 1000;
-constexpr double ofTheLatest = 0.25; // its share in the time that a picture takes
+constexpr double ofTheLatest = 0.25; // weight of the newest picture in the average
 
 } // namespace
 
@@ -25,7 +25,7 @@ Playback::Playback(document::Document* document, QObject* parent) : QObject(pare
         if (stands || change.parts & (Change::Current | Change::File))
             setPlaying(false);
         else if (isMovedOtherwise)
-            restart(position()); // at another rate, perhaps
+            restart(position()); // possibly at another rate
     });
 }
 
@@ -46,7 +46,7 @@ void Playback::setPlaying(bool playing) {
         restart(position() >= frames() - 1 ? 0 : position());
     } else {
         m_timer.stop();
-        m_document->setMoment(m_document->moment()); // at rest
+        m_document->setMoment(m_document->moment()); // full refinement
     }
     emit playingChanged(playing);
 }
@@ -69,7 +69,7 @@ void Playback::restart(int frame) {
 
 void Playback::advance() {
     const document::Timing timing = document::timingOf(m_document->entryFractal());
-    const qint64 passed = ahead(timing) * timing.rate.frames / (second * timing.rate.seconds); // in frames
+    const qint64 passed = ahead(timing) * timing.rate.frames / (second * timing.rate.seconds); // frames
     const qint64 count = frames();
     const qint64 frame = m_from + passed;
     if (timing.loop == animation::Loop::Off && frame >= count - 1) {
@@ -81,7 +81,7 @@ void Playback::advance() {
     const animation::Moment moment = animation::moment(frame % count);
     if (!(moment == m_document->moment())) m_asked.start();
     m_document->setMoment(moment, document::Document::Pace::Running);
-    m_timer.setInterval(untilNext(timing)); // which does not start it where it has been stopped
+    m_timer.setInterval(untilNext(timing)); // does not start a stopped timer
 }
 
 // Milliseconds; again before it is due where that is long from now.

@@ -24,12 +24,12 @@ public:
     bool isPlaying() const { return m_timer.isActive(); }
     // Plays from the playhead; from the beginning if it is at the end of an animation without a loop.
     void setPlaying(bool playing);
-    void seek(int frame); // goes on from there if it plays, and shows it
-    int position() const; // counts back and forth: beyond the length on the way back
+    void seek(int frame); // shows the frame; playback continues from there
+    int position() const; // counts both ways: beyond the length on the way back
 
     // A picture of this animation has come onto the screen.
     void countPicture();
-    double picturesPerSecond() const; // of the last second; 0 before two of them
+    double picturesPerSecond() const; // average over the last second; 0 before two pictures
 
 signals:
     void playingChanged(bool playing);
@@ -39,17 +39,18 @@ private:
     void restart(int frame);
     int untilNext(const document::Timing& timing) const;
     qint64
-    ahead(const document::Timing& timing) const; // on the clock, when a picture asked for would be there
-    int frames() const;                          // until it begins anew
+    // Milliseconds on the clock at which a picture requested now would appear.
+    ahead(const document::Timing& timing) const;
+    int frames() const; // number of frames in a round
 
     document::Document* m_document;
     QTimer m_timer;
-    QElapsedTimer m_clock; // since m_from was shown
+    QElapsedTimer m_clock; // time since m_from was shown
     int m_from = 0;
-    QElapsedTimer m_asked;  // since a moment was set whose picture has not come yet; else invalid
-    double m_toPicture = 0; // milliseconds, of late
+    QElapsedTimer m_asked;  // time since the moment whose picture is still missing; else invalid
+    double m_toPicture = 0; // recent milliseconds from request to picture
     QElapsedTimer m_pictureClock;
-    std::deque<qint64> m_pictures; // when they came, in milliseconds
+    std::deque<qint64> m_pictures; // times of recent pictures in milliseconds
 };
 
 } // namespace view

@@ -15,7 +15,7 @@ namespace view {
 namespace {
 
 constexpr double closest = 6; // pixels between ticks
-constexpr int maxParts = 10;  // between two labels
+constexpr int maxParts = 10;  // parts between two labels
 
 double xOf(const RulerPlace& place, double frame) {
     return place.start + frame * place.scale;
@@ -34,7 +34,7 @@ double labelWidth(const RulerPlace& place, const QFontMetricsF& metrics) {
 int labelStep(const RulerPlace& place, double width) {
     const double wanted = width / place.scale;
     int step = 0;
-    for (double least = wanted; step < wanted; least *= 1.5) // whole frames may be a little less
+    for (double least = wanted; step < wanted; least *= 1.5) // whole frames may be a little closer
         step = rulerStep(least, place.timing.rate, place.unit);
     return step;
 }

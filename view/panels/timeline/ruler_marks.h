@@ -20,7 +20,7 @@ namespace view {
 struct RulerPlace {
     QRectF area;
     double start = 0; // x of frame 0
-    double scale = 1; // for one frame
+    double scale = 1; // pixels per frame
     document::Timing timing;
     RulerUnit unit = RulerUnit::Frames;
 };
@@ -28,7 +28,7 @@ struct RulerPlace {
 struct RulerLabel {
     int frame = 0;
     QString text;
-    QRectF room; // around the frame; that of no two labels meets
+    QRectF room; // area around the frame; areas of labels do not overlap
 };
 
 // Labels that are in sight, with the ones that the edges cut.

@@ -22,7 +22,8 @@ bool SpaceTap::eventFilter(QObject* watched, QEvent* event) {
         const bool isSpace = key.key() == Qt::Key_Space && key.modifiers() == Qt::NoModifier;
         const bool wasDown = std::exchange(m_isDown, isSpace && event->type() == QEvent::KeyPress);
         if (wasDown && isSpace && event->type() == QEvent::KeyRelease)
-            QMetaObject::invokeMethod(this, &SpaceTap::tapped, Qt::QueuedConnection); // once it is released
+            // Queued until after the release.
+            QMetaObject::invokeMethod(this, &SpaceTap::tapped, Qt::QueuedConnection);
         break;
     }
     case QEvent::MouseButtonPress:

@@ -12,7 +12,7 @@ class SpaceTap : public QObject {
     Q_OBJECT
 
 public:
-    explicit SpaceTap(QAbstractScrollArea* canvas); // owned by it
+    explicit SpaceTap(QAbstractScrollArea* canvas); // owned by `canvas`
 
 signals:
     void tapped();

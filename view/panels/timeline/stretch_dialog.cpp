@@ -42,7 +42,7 @@ StretchDialog::StretchDialog(std::shared_ptr<const document::Fractal> entry,
     setWindowTitle(tr("Stretch Keys"));
     m_note->setWordWrap(true);
     m_note->setAccessibleName(tr("Note"));
-    m_note->setMinimumHeight(2 * m_note->fontMetrics().lineSpacing()); // so that nothing jumps
+    m_note->setMinimumHeight(2 * m_note->fontMetrics().lineSpacing()); // constant height
     m_note->setAlignment(Qt::AlignTop);
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Cancel, this);
     m_stretch = buttons->addButton(tr("&Stretch"), QDialogButtonBox::AcceptRole);
@@ -93,7 +93,7 @@ void askToStretch(Timeline& timeline, QWidget* parent) {
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     QObject::connect(dialog, &QDialog::accepted, &timeline, [&timeline, dialog, entry] {
         document::Document& document = timeline.document();
-        if (document.currentEntry().fractal != entry) return; // it is another one now
+        if (document.currentEntry().fractal != entry) return; // changed meanwhile
         if (auto after = document::withKeysStretched(*entry, dialog->stretch()))
             document.editEntry(StretchDialog::tr("Stretch keys"), *std::move(after));
     });

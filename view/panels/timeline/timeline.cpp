@@ -64,7 +64,7 @@ void Timeline::follow(const document::Change& change) {
         m_row = m_wantedRow = 0;
         m_selected.clear();
     }
-    // While something is dragged or played, only keys can change what the rows show.
+    // Only keys can change the rows during a drag or playback.
     const bool movesOnly = change.live || change.parts & Change::Time;
     if (isAnother || change.parts & (Change::Animation | Change::Entries) ||
         (!movesOnly && change.parts & (Change::System | Change::Cage | Change::Appearance))) {
@@ -77,7 +77,7 @@ void Timeline::follow(const document::Change& change) {
 void Timeline::read() {
     const auto before = std::exchange(m_read, m_document->currentEntry().fractal);
     const document::Fractal& entry = *m_read;
-    if (before && document::areTracksAlike(*before, entry)) return; // of 50 000 maps, a list takes its time
+    if (before && document::areTracksAlike(*before, entry)) return; // avoids a slow new list for 50 000 maps
     m_maps = mapIds(entry);
     m_tracks = document::tracksOf(entry);
     if (m_tracks.size() > manyMaps)

@@ -23,13 +23,13 @@ class KeyCommands {
 public:
     explicit KeyCommands(Timeline* timeline) : m_timeline(timeline) {}
 
-    void set();           // in the current track at the playhead
-    void setInAll();      // in all tracks that have keys; where none has, in all
-    void toggle(int row); // at the playhead
-    void remove();        // or the current motion
+    void set();           // sets a key in the current track at the playhead
+    void setInAll();      // sets keys in all tracks that have keys; if none has, in all tracks
+    void toggle(int row); // toggles a key at the playhead
+    void remove();        // removes the selected keys, or the current motion
     void move(int by, document::KeyMove how);
     void setEase(const animation::Ease& ease);
-    animation::Ease ease() const; // of the first selected key
+    animation::Ease ease() const; // ease of the first selected key
     void copy();
     bool canPaste() const { return !m_copied.empty(); }
     void paste();
@@ -62,13 +62,13 @@ public:
 
     // Rows: all tracks, then all motions.
     const std::vector<document::TrackKeys>& tracks() const { return m_tracks; }
-    const std::vector<QString>& motions() const { return m_motions; } // their names
+    const std::vector<QString>& motions() const { return m_motions; } // names of the motions
     int rowCount() const { return int(m_tracks.size() + m_motions.size()); }
     bool isTrack(int row) const { return row >= 0 && row < int(m_tracks.size()); }
     QString rowName(int row) const;
-    std::optional<QColor> rowColour(int row) const; // that of a map
+    std::optional<QColor> rowColour(int row) const; // colour of a map's row
     bool hasKey(int row, int frame) const;
-    bool isEmpty() const; // nothing moves
+    bool isEmpty() const; // true if nothing moves
     const document::Timing& timing() const { return m_timing; }
     void setTiming(const QString& text, const document::Timing& timing);
 
@@ -76,9 +76,9 @@ public:
     void setRow(int row);
     // The playhead, 0 … lastFrame().
     int frame() const;
-    int lastFrame() const; // in a cycle the one before the length, which shows frame 0
+    int lastFrame() const; // in a cycle the frame before the length, which would repeat frame 0
     void setFrame(int frame);
-    void stepToKey(int way); // −1, +1: the next frame that has a key in any track
+    void stepToKey(int way); // −1 or +1: previous or next frame with a key in any track
 
     const std::vector<document::KeyAt>& selected() const { return m_selected; }
     bool isSelected(int row, int frame) const;
@@ -88,9 +88,9 @@ public:
     KeyCommands& keys() { return m_keys; }
 
 signals:
-    void changed();          // rows, keys, timing
-    void frameChanged();     // of the playhead
-    void selectionChanged(); // of keys, and of the row
+    void changed();          // sent for rows, keys and timing
+    void frameChanged();     // sent for the frame of the playhead
+    void selectionChanged(); // sent for selected keys and the current row
     void message(const QString& sentence);
 
 private:
@@ -103,13 +103,13 @@ private:
     Playback m_playback;
     std::function<document::SeenCamera()> m_camera;
     std::function<ifs::Vector<3>()> m_vertical;
-    std::shared_ptr<const document::Fractal> m_read; // the entry that the following is of
-    std::vector<ifs::MapId> m_maps;                  // in its order
+    std::shared_ptr<const document::Fractal> m_read; // entry of the values that follow
+    std::vector<ifs::MapId> m_maps;                  // ids in the order of the entry
     std::vector<document::TrackKeys> m_tracks;
     std::vector<QString> m_motions;
     document::Timing m_timing;
     int m_row = 0;
-    int m_wantedRow = 0; // which may be gone, and come back with undo
+    int m_wantedRow = 0; // row chosen last, which may be gone and come back with undo
     std::vector<document::KeyAt> m_selected;
     KeyCommands m_keys{this};
 };

@@ -41,11 +41,11 @@ constexpr const char* windNames[] = {
     QT_TRANSLATE_NOOP("view::TimelinePanel", "Gusts"),
     QT_TRANSLATE_NOOP("view::TimelinePanel", "Storm"),
     QT_TRANSLATE_NOOP("view::TimelinePanel", "Under Water"),
-    QT_TRANSLATE_NOOP("view::TimelinePanel", "Breathing"),
+    QT_TRANSLATE_NOOP("view::TimelinePanel", "Calm"),
     QT_TRANSLATE_NOOP("view::TimelinePanel", "Steady Sway"),
 };
 
-constexpr std::size_t usualWind = 1; // Gusts
+constexpr std::size_t usualWind = 1; // index of Gusts
 
 auto windOf(std::size_t preset) {
     return [preset](const document::Fractal& entry, const std::stop_token& stop) {
@@ -134,6 +134,8 @@ TimelinePanel::TimelinePanel(document::Document* document, QWidget* parent)
     connect(m_page, &MotionPage::tableWanted, this, [this] {
         showTracks();
         m_tracks->setFocus();
+        if (m_timeline.isTrack(m_timeline.row())) m_timeline.keys().set();
+        m_tracks->reveal();
     });
     connect(&m_timeline, &Timeline::changed, this, &TimelinePanel::follow);
     connect(&m_timeline, &Timeline::message, this, &TimelinePanel::message);
@@ -143,6 +145,7 @@ TimelinePanel::TimelinePanel(document::Document* document, QWidget* parent)
         if (change.parts & ~Change::Parts(Change::Time)) m_page->renew();
         if (!(change.parts & (Change::Current | Change::File))) return;
         m_wantsTracks = false;
+        m_tracks->verticalScrollBar()->setValue(0); // rows of another entry
         follow();
     });
     connect(&m_watch, &AttractorWatch::changed, this, &TimelinePanel::showLost);
@@ -298,7 +301,7 @@ void TimelinePanel::apply(const QString& text, const Make& make, const QString& 
         });
     if (!waitFor(QFuture<void>(work), tr("Trying the motion…"), window())) {
         stop.request_stop();
-        return; // perhaps the window has gone
+        return; // the window may have closed
     }
     if (m_document->currentEntry().fractal != entry) return;
     auto after = work.result();
@@ -314,7 +317,8 @@ void TimelinePanel::apply(const QString& text, const Make& make, const QString& 
     }
     m_timeline.playback().setPlaying(true);
     emit motionAdded();
-    QMetaObject::invokeMethod(m_tracks, &TrackView::reveal, Qt::QueuedConnection); // where it is shown now
+    // Queued until the panel has its size.
+    QMetaObject::invokeMethod(m_tracks, &TrackView::reveal, Qt::QueuedConnection);
 }
 
 // The zoom, for the moving picture, and to know whether it can be offered. Finding the copy may take long:
@@ -334,7 +338,7 @@ std::optional<document::Fractal> TimelinePanel::zoomOfEntry() {
 
 // The next entry of the same dimension, for the moving picture.
 std::optional<document::Fractal> TimelinePanel::morphToNext() const {
-    constexpr std::size_t quick = 12; // maps, whose morph is there at once
+    constexpr std::size_t quick = 12; // number of maps whose morph takes no noticeable time
     const auto maps = [](const document::Fractal& fractal) {
         const auto* plane = document::plane(fractal);
         const auto* space = document::space(fractal);

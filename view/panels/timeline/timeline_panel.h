@@ -34,7 +34,7 @@ public:
     const QList<QAction*>& motions() const { return m_actions; }
     QMenu* motionMenu() const { return m_motions; }
     bool showsTracks() const;
-    void showTracks(); // even while nothing moves
+    void showTracks(); // shows the tracks even if nothing moves
 
 signals:
     void motionAdded();
@@ -66,7 +66,7 @@ private:
     Timeline m_timeline;
     AttractorWatch m_watch;
     QList<QAction*> m_actions;
-    std::vector<Make> m_makes; // of each of them
+    std::vector<Make> m_makes; // one for each action
     QAction* m_zoomAction = nullptr;
     QMenu* m_motions;
     QMenu* m_winds;
@@ -74,13 +74,13 @@ private:
     TransportBar* m_transport = nullptr;
     TrackView* m_tracks = nullptr;
     MotionPage* m_page = nullptr;
-    QLabel* m_lost = nullptr; // says at which frame there is no attractor
+    QLabel* m_lost = nullptr; // message with the frame that has no attractor
     QStackedWidget* m_pages = nullptr;
     bool m_wantsTracks = false;
-    std::shared_ptr<const document::Fractal> m_zoomed; // the entry of which the endless zoom is looked for
-    std::optional<document::Fractal> m_zoom;           // the zoom, once found
-    bool m_cannotZoom = false;                         // nothing has been found
-    NewestWork<document::Fractal> m_zooming;           // last: it stops before the rest goes
+    std::shared_ptr<const document::Fractal> m_zoomed; // entry for which the endless zoom is searched
+    std::optional<document::Fractal> m_zoom;           // zoom, once found
+    bool m_cannotZoom = false;                         // true if the search found none
+    NewestWork<document::Fractal> m_zooming;           // last member: its thread uses the others
 };
 
 } // namespace view

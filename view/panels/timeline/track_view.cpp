@@ -26,9 +26,9 @@ using document::KeyMove;
 
 namespace {
 
-constexpr double minScale = 0.01, maxScale = 64; // pixels for one frame
-constexpr int edge = 12;                         // room left of frame 0 and right of the last one
-constexpr double reach = 8;                      // of a diamond, for the pointer
+constexpr double minScale = 0.01, maxScale = 64; // pixels per frame
+constexpr int edge = 12;                         // pixels left of frame 0 and right of the last one
+constexpr double reach = 8;                      // pixels around a diamond
 constexpr int snapReach = 6;                     // pixels
 constexpr char unitSetting[] = "timeline/seconds";
 
@@ -141,7 +141,7 @@ void TrackView::layOut() {
     horizontalScrollBar()->setPageStep(width);
     horizontalScrollBar()->setSingleStep(std::max(1, int(m_scale)));
     const int height = size.height() - rowHeight();
-    const int down = m_down; // as far as there are rows; those that undo brings back are where they were
+    const int down = m_down; // limited by the present rows; m_down stays for rows that undo brings back
     verticalScrollBar()->setRange(0, std::max(0, m_timeline->rowCount() * rowHeight() - height));
     verticalScrollBar()->setValue(down);
     m_down = down;
@@ -284,7 +284,7 @@ int TrackView::snapped(int by) const {
             best = frame;
         }
     };
-    if (m_scale >= 2 * snapReach) return by; // frames lie apart
+    if (m_scale >= 2 * snapReach) return by; // no snapping if frames are far apart
     for (const auto& one : m_timeline->tracks())
         for (const auto& key : one.keys)
             if (std::ranges::find(m_timeline->selected(), KeyAt{one.track, key.frame}) ==
@@ -542,7 +542,7 @@ void TrackView::paintKeys(QPainter& painter, int row) const {
     };
     for (std::size_t i = 0; i + 1 < one.keys.size(); ++i)
         lead(one.keys[i].ease, one.keys[i].frame, one.keys[i + 1].frame);
-    if (one.keys.size() > 1 && m_timeline->timing().loop == animation::Loop::Cycle) { // on to the first key
+    if (one.keys.size() > 1 && m_timeline->timing().loop == animation::Loop::Cycle) { // up to the first key
         lead(one.keys.back().ease, one.keys.back().frame, m_timeline->timing().length);
         lead(one.keys.back().ease, 0, one.keys.front().frame);
     }

@@ -27,15 +27,15 @@ public:
     // Positions in the viewport, also for code that drives the view.
     QPoint keyPosition(int row, int frame) const;
     QPoint rulerPosition(int frame) const;
-    QPoint toggleOf(int row) const; // the diamond in front
+    QPoint toggleOf(int row) const; // diamond at the beginning of the row
 
     RulerPlace rulerPlace() const;
-    QRectF playheadFlag() const; // the number of the frame, which covers the ruler
+    QRectF playheadFlag() const; // area of the frame number, which covers the ruler
 
     double pixelsPerFrame() const { return m_scale; }
-    void fitLength();                                 // all frames into the width
-    void reveal();                                    // the playhead and the current row
-    void setFlawedFrames(std::vector<double> frames); // marked in the ruler
+    void fitLength();                                 // fits all frames into the width
+    void reveal();                                    // scrolls to the playhead and the current row
+    void setFlawedFrames(std::vector<double> frames); // frames marked in the ruler
 
     QSize sizeHint() const override;
     QSize minimumSizeHint() const override;
@@ -59,11 +59,11 @@ private:
 
     int rowHeight() const;
     int namesWidth() const;
-    int left() const; // of frame 0, before scrolling
+    int left() const; // x of frame 0 before scrolling
     double xOf(double frame) const;
     int frameAt(double x) const;
     int topOf(int row) const;
-    int rowAt(double y) const; // −1 above all, rowCount() below all
+    int rowAt(double y) const; // −1 above all rows, rowCount() below
     std::optional<document::KeyAt> keyAt(const QPointF& point) const;
 
     void layOut();
@@ -93,18 +93,18 @@ private:
 
     Timeline* m_timeline;
     QToolButton* m_unit;
-    double m_scale = 8; // pixels for one frame
+    double m_scale = 8; // pixels per frame
     bool m_isFitted = true;
-    int m_down = 0; // that rows are scrolled, if there are so many
+    int m_down = 0; // vertical scroll offset of the rows in pixels
     std::vector<double> m_flawed;
     Drag m_drag = Drag::None;
     QPointF m_pressed, m_pointer;
     Qt::KeyboardModifiers m_modifiers;
     document::KeyAt m_held;
     bool m_hasMoved = false;
-    bool m_wasSelected = false;            // the key that is held, before it was pressed
-    int m_by = 0;                          // frames that the selected keys have been dragged
-    std::vector<document::KeyAt> m_before; // selected before the band
+    bool m_wasSelected = false;            // true if the held key was selected before the press
+    int m_by = 0;                          // frames by which the selected keys have been dragged
+    std::vector<document::KeyAt> m_before; // selection before the rubber band
 };
 
 } // namespace view

@@ -18,6 +18,7 @@
 #include <QToolButton>
 
 #include <chrono>
+#include <optional>
 #include <tuple>
 
 namespace view {
@@ -44,6 +45,11 @@ QLabel* labelled(const QString& text, QWidget* field, QHBoxLayout* row) {
     row->addWidget(field);
     row->addSpacing(8);
     return label;
+}
+
+// With a comma, as many keyboards have it.
+std::optional<animation::FrameRate> typedRate(QString text) {
+    return animation::parseRate(text.trimmed().replace(u',', u'.').toStdString());
 }
 
 QString shownRate(const animation::FrameRate& rate) {
@@ -79,6 +85,13 @@ TransportBar::TransportBar(Timeline* timeline, QWidget* last, QWidget* parent)
     row->addWidget(m_pictures);
     row->addStretch(1);
     row->addWidget(last);
+    QWidget* before = nullptr; // on the way of Tab, which goes as the fields are seen
+    for (int i = 0; i < row->count(); ++i) {
+        QWidget* part = row->itemAt(i)->widget();
+        if (!part || part->focusPolicy() == Qt::NoFocus) continue;
+        if (before) setTabOrder(before, part);
+        before = part;
+    }
     makeRate();
     makeFields();
     connect(previous, &QToolButton::clicked, timeline, [timeline] { timeline->stepToKey(-1); });
@@ -120,7 +133,7 @@ void TransportBar::makeRate() {
            "or 30000/1001. 29.97 stands for the latter, the rate of television."));
     m_rate->setEditable(true);
     m_rate->setInsertPolicy(QComboBox::NoInsert);
-    m_rate->setCompleter(nullptr); // 2 is a rate, and not the beginning of one
+    m_rate->setCompleter(nullptr); // 2 is a rate, not the beginning of another one
     m_rate->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
     m_rate->setMinimumContentsLength(6);
     for (const char* rate : usualRates)
@@ -128,20 +141,25 @@ void TransportBar::makeRate() {
     leaveUndoToDocument(m_rate);
     connect(m_rate->lineEdit(), &QLineEdit::editingFinished, this, &TransportBar::takeRate);
     connect(m_rate, &QComboBox::activated, this, &TransportBar::takeRate);
+    connect(m_rate->lineEdit(), &QLineEdit::textEdited, this, [this](const QString& text) {
+        if (!m_hasComplained || !typedRate(text)) return;
+        m_hasComplained = false;
+        emit m_timeline->message({}); // the complaint is over
+    });
 }
 
 void TransportBar::takeRate() {
     document::Timing timing = m_timeline->timing();
     const QString typed = m_rate->currentText().trimmed();
     if (typed == shownRate(timing.rate)) return;
-    const QString text = QString(typed).replace(u',', u'.'); // as many keyboards have it
-    const auto rate = animation::parseRate(text.toStdString());
+    const auto rate = typedRate(typed);
     if (rate) {
         timing.rate = *rate;
         m_timeline->setTiming(tr("Frames per second: %1").arg(shownRate(*rate)), timing);
     }
     showAnimation();
-    if (!rate)
+    m_hasComplained = !rate;
+    if (m_hasComplained)
         emit m_timeline->message(tr("“%1” is not a frame rate. Enter frames per second, above 0 and at most "
                                     "%2, such as 24, 29.97 or 30000/1001.")
                                      .arg(typed, QString::number(animation::maxRate)));

@@ -42,7 +42,7 @@ private:
     void showFrame();
     void showPlaying(bool playing);
     void showRate();
-    void takeRate(); // typed or chosen
+    void takeRate(); // adopts the typed or chosen rate
 
     Timeline* m_timeline;
     QToolButton* m_play;
@@ -52,6 +52,7 @@ private:
     QComboBox* m_loop;
     QLabel* m_pictures;            // how many a second
     QList<QWidget*> m_dispensable; // the first ones first
+    bool m_hasComplained = false;  // of the rate that was typed last
     QTimer m_count;
 };
 

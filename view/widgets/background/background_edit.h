@@ -25,8 +25,8 @@ class BackgroundEdit : public QObject {
 
 public:
     using Fractal = document::Fractal;
-    using Find = std::function<std::optional<Fractal>(const Fractal&)>; // of the fractal with its cage
-    using Take = std::function<void(std::optional<Fractal>)>;           // nullopt: there is none
+    using Find = std::function<std::optional<Fractal>(const Fractal&)>; // argument: the fractal with its cage
+    using Take = std::function<void(std::optional<Fractal>)>;           // nullopt: no result
 
     explicit BackgroundEdit(const document::Document* document, QObject* parent = nullptr);
 
@@ -42,7 +42,7 @@ private:
 
     const document::Document* m_document;
     QFutureWatcher<Found> m_finding;
-    Take m_take; // empty once it has been called
+    Take m_take; // null once it has been called
 };
 
 } // namespace view

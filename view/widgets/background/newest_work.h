@@ -67,7 +67,7 @@ private:
     std::stop_source m_stop;
     Work m_waiting;
     bool m_isRunning = false;
-    bool m_isUnheard = false; // cancelled while it ran
+    bool m_isUnheard = false; // true if cancelled while running
 };
 
 } // namespace view

@@ -38,9 +38,9 @@ Saving saveBeside(const QString& path, const QByteArray& bytes, QWidget* window,
         }));
     const QString label = Text::tr("Saving “%1”…").arg(QFileInfo(path).fileName());
     const QPointer over(window);
-    while (!waitFor(work, label, over)) // in the end it is cancelled, or saved
+    while (!waitFor(work, label, over)) // ends when the file is saved or saving is cancelled
         if (!shared->isDecided.exchange(true)) return {true, {}};
-    work.waitForFinished(); // throws what went wrong besides
+    work.waitForFinished(); // rethrows other exceptions
     return {false, shared->failure};
 }
 

@@ -13,7 +13,8 @@ class QWidget;
 namespace view {
 
 struct Saving {
-    bool isCancelled = false; // by the user, or because the window has gone; the file is as it was
+    // True if cancelled by the user or the closing of the window; the file is unchanged.
+    bool isCancelled = false;
     io::Failure failure;
 };
 

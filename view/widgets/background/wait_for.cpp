@@ -18,7 +18,7 @@ namespace {
 
 using namespace std::chrono_literals;
 
-constexpr auto moment = 100ms; // nobody needs to be told of less
+constexpr auto moment = 100ms; // shorter waits are not reported
 
 } // namespace
 
@@ -29,8 +29,7 @@ bool waitFor(QFuture<void> work, const QString& label, QWidget* window) {
 
     const QPointer progress = new QProgressDialog(label, Text::tr("Cancel"), 0, 0, window);
     progress->setWindowModality(Qt::WindowModal);
-    auto* bar =
-        new QProgressBar(progress); // which handles no events on its own, unlike the dialog's setValue()
+    auto* bar = new QProgressBar(progress); // unlike the dialog's setValue(), handles no events
     bar->setRange(0, 0);
     progress->setBar(bar);
     QEventLoop loop;
@@ -43,7 +42,7 @@ bool waitFor(QFuture<void> work, const QString& label, QWidget* window) {
     QObject::connect(&watcher, &QFutureWatcherBase::progressRangeChanged, bar, &QProgressBar::setRange);
     QObject::connect(&watcher, &QFutureWatcherBase::progressValueChanged, bar, &QProgressBar::setValue);
     QObject::connect(&watcher, &QFutureWatcherBase::finished, &loop, &QEventLoop::quit);
-    if (!work.isCanceled()) // it is waited for although it was told
+    if (!work.isCanceled()) // still awaited after the cancellation
         QObject::connect(&watcher, &QFutureWatcherBase::canceled, &loop, cancel);
     QObject::connect(progress, &QProgressDialog::canceled, &loop, cancel);
     QObject::connect(progress, &QObject::destroyed, &loop, cancel);

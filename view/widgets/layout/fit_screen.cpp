@@ -25,7 +25,7 @@ public:
     explicit Contents(QWidget* content) {
         setWidgetResizable(true);
         setFrameShape(QFrame::NoFrame);
-        setFocusPolicy(Qt::NoFocus); // the content has the fields that take it
+        setFocusPolicy(Qt::NoFocus); // the content's fields take it
         setWidget(content);
     }
 
@@ -48,7 +48,7 @@ void scrollContents(QDialog& dialog) {
     const QMargins margins = layout->contentsMargins();
     const int spacing = layout->spacing();
     auto* content = new QWidget;
-    content->setLayout(layout); // takes it from the dialog
+    content->setLayout(layout); // removes it from the dialog
     layout->setContentsMargins({});
     auto* column = new QVBoxLayout(&dialog);
     column->setContentsMargins(margins);
@@ -71,7 +71,7 @@ void fit(QDialog& dialog) {
         scrollContents(dialog);
         if (dialog.minimumWidth() > room.width()) dialog.setMinimumWidth(0);
     }
-    // A minimum that was set, for the title, lets the window be narrower than its contents.
+    // Includes the minimum set for the title, which lets the window be narrower than its contents.
     const QSize wanted(width, std::min(dialog.height(), room.height()));
     if (dialog.size() != wanted) dialog.resize(wanted);
 }
@@ -87,10 +87,10 @@ void showTitleBar(QDialog& dialog) {
 } // namespace
 
 QSize roomOnScreen(const QWidget& window) {
-    constexpr double highest = 1.5; // title bar of a desktop, in those of the style
+    constexpr double highest = 1.5; // ratio of a desktop's title bar to the style's
     const int titleBar =
         int(highest * window.style()->pixelMetric(QStyle::PM_TitleBarHeight, nullptr, &window));
-    const QSize frame = window.frameGeometry().size() - window.size(); // not known before it is shown
+    const QSize frame = window.frameGeometry().size() - window.size(); // unknown before the window is shown
     return window.screen()->availableSize() - frame.expandedTo({0, titleBar});
 }
 

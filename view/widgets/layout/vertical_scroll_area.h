@@ -27,7 +27,7 @@ public:
         setAccessibleName(content->accessibleName());
         setWidgetResizable(true);
         setFrameShape(QFrame::NoFrame);
-        setFocusPolicy(Qt::NoFocus); // the content has the fields that take it
+        setFocusPolicy(Qt::NoFocus); // focus goes to the fields of the content
         setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
         if (bar == Bar::InMargin) {
             QMargins margins = content->layout()->contentsMargins();
@@ -81,7 +81,8 @@ public:
     QSize sizeHint() const override { return widget()->sizeHint(); }
     // The scroll bar takes its width from the picture only while there is one.
     QSize minimumSizeHint() const override {
-        constexpr double share = 0.26; // of the screen: two are one above the other, among bars
+        // Share of the screen, so that two areas fit above each other with the bars.
+        constexpr double share = 0.26;
         const QSize needed = widget()->minimumSizeHint().expandedTo(widget()->minimumSize());
         const int most = int(share * screen()->availableSize().height());
         const int bar = verticalScrollBar()->maximum() > 0 ? verticalScrollBar()->sizeHint().width() : 0;
@@ -100,9 +101,9 @@ inline void scrollIntoView(QWidget* widget) {
     QTimer::singleShot(0, widget, [widget] {
         for (QWidget* at = widget->parentWidget(); at != nullptr; at = at->parentWidget()) {
             if (at->layout() != nullptr)
-                at->layout()->activate(); // each asks the next one for room only later
+                at->layout()->activate(); // immediate layout; layouts would notify their parents only later
             if (auto* area = qobject_cast<QScrollArea*>(at)) {
-                QEvent request(QEvent::LayoutRequest); // by which the area learns of it
+                QEvent request(QEvent::LayoutRequest); // tells the area about the new layout
                 QCoreApplication::sendEvent(area, &request);
                 area->ensureWidgetVisible(widget, 0);
             }

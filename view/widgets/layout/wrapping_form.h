@@ -11,7 +11,7 @@ class WrappingForm : public QFormLayout {
 public:
     WrappingForm();
 
-    QSize minimumSize() const override; // with the labels above the fields
+    QSize minimumSize() const override; // size with the labels above the fields
     void setGeometry(const QRect& rect) override;
 
 private:

@@ -10,7 +10,7 @@ namespace {
 
 constexpr int arrow = 10; // pixels
 constexpr int margin = 4;
-constexpr int gap = 4; // between text and arrow
+constexpr int gap = 4; // pixels between text and arrow
 
 } // namespace
 

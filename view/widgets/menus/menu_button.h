@@ -12,7 +12,7 @@ public:
     explicit MenuButton(QWidget* parent);
 
     QSize sizeHint() const override;
-    QRect labelRect() const; // of text and icon, in the middle of it
+    QRect labelRect() const; // centred area of text and icon
     QRect arrowRect() const;
 
 protected:

@@ -50,7 +50,7 @@ private:
         m_isHeld = true;
         m_last = event.globalPosition().x();
         m_rest = 0;
-        m_name->grabKeyboard(); // for Esc
+        m_name->grabKeyboard(); // receives Esc
         return true;
     }
 
@@ -75,14 +75,14 @@ private:
     QLabel* m_name;
     QPointer<NumberField> m_field;
     bool m_isHeld = false;
-    double m_last = 0; // where the pointer was, in pixels
-    double m_rest = 0; // steps not yet taken
+    double m_last = 0; // last position of the pointer in pixels
+    double m_rest = 0; // steps still to be taken
 };
 
 } // namespace
 
 void makeNamesDraggable(QWidget* root) {
-    constexpr auto isDraggable = "isDraggable"; // a property of the label
+    constexpr auto isDraggable = "isDraggable"; // property of the label
     for (auto* label : root->findChildren<QLabel*>())
         if (auto* field = qobject_cast<NumberField*>(label->buddy());
             field && !label->property(isDraggable).toBool()) {

@@ -127,7 +127,7 @@ void NumberBox::fixup(QString& text) const {
 
 double NumberBox::valueFromText(const QString& text) const {
     const auto value = rounded(typedNumber(withoutUnits(*this, text), unitOf(*this)), decimals());
-    return value ? *value : QDoubleSpinBox::valueFromText(text); // a text that stands for the least value
+    return value ? *value : QDoubleSpinBox::valueFromText(text); // special text for the least value
 }
 
 QString NumberBox::textFromValue(double value) const {
@@ -153,19 +153,19 @@ WholeNumberBox::WholeNumberBox(QWidget* parent) : QSpinBox(parent) {
 
 QValidator::State WholeNumberBox::validate(QString& text, int& position) const {
     QString plain = text;
-    const bool isGrouped = text.contains(groupSeparator); // and stays so until the value is shown again
+    const bool isGrouped = text.contains(groupSeparator); // stays grouped until the value is shown again
     plain.remove(groupSeparator);
     int at = position - int(text.left(position).count(groupSeparator));
     const QValidator::State state = QSpinBox::validate(plain, at);
     const QString typed = withoutUnits(*this, text);
-    // Without this the next digit would join those before.
+    // Prevents the next digit from joining the previous ones.
     if (hasDecimals(typed) || (isBeyondRepair(typed) && !isInGroups(typed))) return QValidator::Intermediate;
     if (state == QValidator::Acceptable || !isExpression(typed)) {
         if (!isGrouped) {
             text = plain;
             position = at;
         }
-        bool isNumber = false; // outside the range
+        bool isNumber = false; // false outside the range
         typed.toLongLong(&isNumber);
         return state == QValidator::Invalid && isNumber ? QValidator::Intermediate : state;
     }

@@ -15,7 +15,7 @@ class TypedExpression {
 public:
     // A text that does not stay as it was typed, such as a plain number, is forgotten.
     void keep(const QString& text, double value, io::NumberUnit unit);
-    QString of(double value) const; // empty when it gave another value, or there is none
+    QString of(double value) const; // empty if it gave another value, or there is none
 
 private:
     QString m_text;
@@ -34,9 +34,9 @@ public:
 
     QValidator::State validate(QString& text, int& position) const override;
     void fixup(QString& text) const override;
-    double valueFromText(const QString& text) const override; // as many decimals as the box has
+    double valueFromText(const QString& text) const override; // rounded to the decimals of the box
     QString textFromValue(double value) const override;
-    QString typedText() const { return m_typed.of(value()); } // empty when it was a plain number
+    QString typedText() const { return m_typed.of(value()); } // empty for a plain number
 
 protected:
     void wheelEvent(QWheelEvent* event) override;
@@ -44,7 +44,7 @@ protected:
 private:
     TypedExpression m_typed;
     std::optional<double> m_before; // value before the text being typed
-    mutable QString m_refusal;      // why that is not taken
+    mutable QString m_refusal;      // reason why that text is invalid
 };
 
 // Takes expressions whose value is whole. A number outside the range becomes the nearest in it. Groups of
@@ -53,7 +53,7 @@ class WholeNumberBox : public QSpinBox {
 public:
     explicit WholeNumberBox(QWidget* parent = nullptr);
 
-    QString typedText() const { return m_typed.of(value()); } // empty when it was a plain number
+    QString typedText() const { return m_typed.of(value()); } // empty for a plain number
 
 protected:
     QValidator::State validate(QString& text, int& position) const override;

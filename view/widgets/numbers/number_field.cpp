@@ -123,7 +123,7 @@ void NumberField::takeText() {
     showProblem(reason);
     if (!reason.isEmpty()) {
         if (!isFinishedNumber(text(), m_unit) || m_value == m_before) return;
-        m_value = m_before; // rather than that of the beginning of what was typed
+        m_value = m_before; // restores the value before typing
         emit edited(m_value);
         return;
     }
@@ -158,7 +158,7 @@ void NumberField::finish() {
         return;
     }
     m_edited = false;
-    // The typed text is a step of the document now, and no longer one of the text.
+    // Replaces the typed text, which is a step of the document now.
     setText(isExpression(text()) ? valueText() : text());
     emit committed();
 }
@@ -167,7 +167,7 @@ void NumberField::abandon() {
     if (!m_edited) return;
     m_edited = false;
     m_value = m_before;
-    emit cancelled(); // the owner puts it back, too
+    emit cancelled(); // tells the owner to restore it, too
     showValue();
 }
 
@@ -186,7 +186,7 @@ void NumberField::focusInEvent(QFocusEvent* event) {
     if (!m_edited) {
         showValue();
         if (event->reason() == Qt::TabFocusReason || event->reason() == Qt::BacktabFocusReason) {
-            end(false); // of more digits than there is room for the first are seen
+            end(false); // shows the first digits if there are too many
             home(true);
         }
     }
@@ -194,7 +194,7 @@ void NumberField::focusInEvent(QFocusEvent* event) {
 
 void NumberField::focusOutEvent(QFocusEvent* event) {
     QLineEdit::focusOutEvent(event);
-    if (event->reason() == Qt::PopupFocusReason) // the context menu
+    if (event->reason() == Qt::PopupFocusReason) // context menu
         return;
     finish();
     showValue();
@@ -234,7 +234,7 @@ void NumberField::wheelEvent(QWheelEvent* event) {
         event->ignore();
         return;
     }
-    // With Alt held, some platforms turn the wheel sideways.
+    // Alt turns the wheel sideways on some platforms.
     const QPoint delta = event->angleDelta();
     m_wheelRest += std::abs(delta.y()) >= std::abs(delta.x()) ? delta.y() : delta.x();
     const int count = m_wheelRest / QWheelEvent::DefaultDeltasPerStep;
@@ -248,12 +248,12 @@ bool NumberField::leavesToDocument(const QKeyEvent& event) {
     const bool undo = event.matches(QKeySequence::Undo);
     if (!undo && !event.matches(QKeySequence::Redo)) return false;
     if (m_edited && (undo ? isUndoAvailable() : isRedoAvailable())) return false;
-    finish(); // steps of the arrow keys, or what was typed and taken back
+    finish(); // after steps of the arrow keys, or typing without a change
     return true;
 }
 
 bool NumberField::event(QEvent* event) {
-    // Esc drops the typed text before any dialog or shortcut gets the key.
+    // Takes Esc before any dialog or shortcut, to discard the typed text.
     if (event->type() == QEvent::ShortcutOverride && m_edited &&
         static_cast<QKeyEvent*>(event)->key() == Qt::Key_Escape) {
         event->accept();

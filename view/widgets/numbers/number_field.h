@@ -23,15 +23,16 @@ public:
 
     double value() const { return m_value; }
     // Sets the value of the model. While the user is typing, the text is left alone.
-    void setValue(double value, const QString& typed = {}); // as it was written, if that is known
+    void setValue(double value, const QString& typed = {}); // `typed`: text as typed, if known
     // Starts typing: all digits, or as it was written, selected.
     void editValue(double value, const QString& typed = {});
-    QString typedText() const; // how the value was written; empty when as a plain number
+    QString typedText() const; // text as typed; empty for a plain number
 
     void setRange(const NumberRange& range);
     // Takes angles as degrees: 90, 90° and pi/2 are the same, and Enter shows the number.
     void setDegrees();
-    void setRounding(double rounding) { m_rounding = rounding; } // numbers no larger read 0, until edited
+    // Magnitude up to which numbers read 0 until edited.
+    void setRounding(double rounding) { m_rounding = rounding; }
     // Sets the step of arrow keys (Shift: ×10, Alt or Ctrl: ×0.1), of the wheel and of drags (Shift: ×0.1,
     // Ctrl: ×10).
     void setStep(double step) { m_step = step; }
@@ -39,7 +40,7 @@ public:
     void takeSteps(int count, Qt::KeyboardModifiers modifiers);
     void endSteps();
     void cancelSteps() { abandon(); }
-    QString problem() const; // why the present text is refused; empty when it is a number
+    QString problem() const; // reason why the present text is invalid; empty if it is a number
     bool isEdited() const { return m_edited; }
 
     QSize sizeHint() const override;
@@ -47,8 +48,8 @@ public:
 
 signals:
     void edited(double value);
-    void committed(); // Enter, or left with a number, after an edit
-    void cancelled(); // Esc, or left with something that is no number, after an edit
+    void committed(); // sent for Enter or loss of focus with a number, after an edit
+    void cancelled(); // sent for Esc or loss of focus with another text, after an edit
 
 protected:
     void focusInEvent(QFocusEvent* event) override;
@@ -72,9 +73,9 @@ private:
     void keepTyped(const QString& text);
 
     double m_value = 0;
-    double m_before = 0; // the edit
+    double m_before = 0; // value before the edit
     double m_typedValue = 0;
-    QString m_typed; // an expression that gives it
+    QString m_typed; // expression with the value m_typedValue
     double m_step = 0.01;
     double m_rounding = 0;
     NumberRange m_range;

@@ -28,7 +28,8 @@ QString withoutTrailingZeros(QString text) {
 
 QString withPoint(const QString& text) {
     const bool comma =
-        text.count(u',') == 1 && !text.contains(u'.') && !text.contains(u'('); // as in min(1, 2)
+        // Function arguments, as in min(1, 2).
+        text.count(u',') == 1 && !text.contains(u'.') && !text.contains(u'(');
     return (comma ? QString(text).replace(u',', u'.') : text).trimmed();
 }
 
@@ -86,7 +87,8 @@ QString groupedNumber(double value) {
 
 std::optional<double> typedNumber(const QString& text, io::NumberUnit unit) {
     const auto number = io::evaluate(withPoint(text), unit);
-    return number && io::isCoefficient(*number) ? number : std::nullopt; // what no file may hold
+    // Nullopt for numbers that no file may hold.
+    return number && io::isCoefficient(*number) ? number : std::nullopt;
 }
 
 bool isExpression(const QString& text) {
@@ -103,7 +105,7 @@ bool isWithoutValue(const QString& text) {
 
 bool isBeyondRepair(const QString& text) {
     static const QRegularExpression twoSigns(QStringLiteral("[.,][0-9]*[.,]"));
-    const bool isList = text.contains(u'('); // as in min(1,2,3)
+    const bool isList = text.contains(u'('); // function arguments, as in min(1,2,3)
     return isWithoutValue(text) || (!isList && twoSigns.match(text).hasMatch());
 }
 
@@ -131,7 +133,7 @@ double paceOfSteps(Qt::KeyboardModifiers modifiers) {
 
 double stepped(double value, double step, int count) {
     const double sum = value + count * step;
-    // Twelve digits are more than anybody steps through, and hide the tail of 0.1 + 0.2.
+    // Twelve digits, which hide the tail of 0.1 + 0.2.
     return io::parseNumber(QString::number(sum, 'g', 12)).value_or(sum);
 }
 

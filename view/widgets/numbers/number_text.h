@@ -13,7 +13,7 @@ namespace view {
 constexpr int maxDecimals = 4;
 // A few digits to read, not to edit: `decimals` decimals, or three digits if that is more; six or so in all.
 QString roundedNumber(double value, int decimals);
-QString shortNumber(double value); // with the most decimals
+QString shortNumber(double value); // shortest text with the most decimals allowed
 
 // The number with all digits: reads back as the same double.
 QString fullNumber(double value);
@@ -21,7 +21,7 @@ QString fullNumber(double value);
 // A whole number to read, with narrow spaces between groups of three digits from ten thousand on: a comma or
 // a point there means something else in the next language.
 QString groupedNumber(double value);
-constexpr QChar groupSeparator(0x202f); // no line ends there
+constexpr QChar groupSeparator(0x202f); // no-break space
 
 // Permitted range of a number, ends included unless `open`.
 struct NumberRange {

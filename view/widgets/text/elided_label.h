@@ -14,7 +14,7 @@ class ElidedLabel : public QLabel {
 public:
     explicit ElidedLabel(QWidget* parent = nullptr);
 
-    void setLines(int most); // for which it always has the height
+    void setLines(int most); // most lines; also the constant height of the label
     bool isCut() const;
 
     QSize sizeHint() const override { return withHeight(QLabel::sizeHint()); }
@@ -24,7 +24,7 @@ protected:
     void paintEvent(QPaintEvent* event) override;
 
 private:
-    QStringList lines() const; // the last with all that is left
+    QStringList lines() const; // last line with all of the remaining text
     QSize withHeight(QSize size) const;
 
     int m_most = 1;

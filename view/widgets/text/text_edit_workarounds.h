@@ -20,7 +20,7 @@ public:
     using TextEdit::TextEdit;
 
 protected:
-    void mouseMoveEvent(QMouseEvent* event) override { // returns when a drag that it starts has ended
+    void mouseMoveEvent(QMouseEvent* event) override { // blocks until a drag that it starts has ended
         const QScopedValueRollback<bool> moving(m_isMoving, true);
         TextEdit::mouseMoveEvent(event);
     }

@@ -27,7 +27,7 @@ QString notPlanar() {
 
 QString tooFlat() {
     return Actions::tr(
-        "The cage is too flat to be inverted. Open it by dragging a vertex, or reset it, and try again.");
+        "The cage is too flat to be inverted. Open it by dragging a corner, or reset it, and try again.");
 }
 
 QString onOneLine() {

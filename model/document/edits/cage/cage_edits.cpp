@@ -14,7 +14,7 @@ namespace document {
 
 namespace {
 
-constexpr double relativeTolerance = 1e-10; // finer than anybody sees, and never slow
+constexpr double relativeTolerance = 1e-10; // imperceptible, and fast to reach
 
 ifs::Orientation<2> orientationOf(SimplexChoice choice) {
     const bool left = choice == SimplexChoice::MinusPlus || choice == SimplexChoice::MinusMinus;
@@ -174,7 +174,7 @@ std::optional<Fractal> unbaked(const Fractal& fractal) {
 QString cageWarning(const Fractal& fractal) {
     const ifs::ControlCage<2>* cage = cage2(fractal);
     if (!cage || !ifs::bends(*cage)) return {};
-    // Either kind of coordinates tells, and this one needs no certified hull.
+    // Either kind of coordinates suffices, and this one needs no certified hull.
     const auto kind =
         ifs::isStrictlyConvex(cage->rest) ? ifs::Coordinates::Wachspress : ifs::Coordinates::MeanValue;
     switch (ifs::flawOf(*cage, {*cage, kind})) {
@@ -209,7 +209,7 @@ std::optional<Fractal> withCageFitted(const Fractal& fractal, SimplexChoice choi
         return cage ? std::optional(after) : std::nullopt;
     }
     if (choice == SimplexChoice::Minimal)
-        cage.reset(); // it then follows the code
+        cage.reset(); // the cage follows the code from now on
     else
         cage = ifs::cageAtRest<2>(simplex->vertices);
     return after;

@@ -23,13 +23,13 @@ enum class SpacePolyhedron { Simplex, Box, Octahedron, Hull };
 // Numbers of corners that a fit can have.
 struct CornerCounts {
     int usual, least, most;
-    std::span<const int> offered{}; // in the menu; none: there is no choice
+    std::span<const int> offered{}; // numbers in the menu; empty: no choice
 };
 
 template <int Dim> struct CageFit {
     std::conditional_t<Dim == 2, PolygonChoice, SpacePolyhedron> choice;
-    const char* id;    // on the command line; empty: not there
-    const char* title; // in the menu; to be translated by Text::tr()
+    const char* id;    // name on the command line; empty: none
+    const char* title; // title in the menu, for Text::tr()
     CornerCounts corners;
     // The tolerance is that of extents in space.
     std::vector<ifs::Vector<Dim>> (*around)(const ifs::SupportFunction<Dim>&, double tolerance, int corners);

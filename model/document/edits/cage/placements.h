@@ -10,11 +10,11 @@ namespace document {
 
 // Returns true if the cage shows the picture elsewhere than the code draws it, in an animation at frame 0.
 bool isPlaced(const Fractal& entry);
-QStringList placedEntries(const FractalFile& file); // their names, in order
+QStringList placedEntries(const FractalFile& file); // names in the order of the file
 
 struct BakedFile {
     FractalFile file;
-    QStringList left; // names of entries that other programs still show otherwise
+    QStringList left; // names of entries that other programs still show differently
 };
 
 // Bakes every placement that a code can have: the picture of a bent or flat cage has none, and that of keys

@@ -52,7 +52,7 @@ std::optional<Fractal> withTetrahedronFitted(const Fractal& fractal,
     if (!system) return std::nullopt;
     if (!orientation && rests(fractal)) {
         Fractal after = fractal;
-        space(after)->cage.reset(); // it then follows the code
+        space(after)->cage.reset(); // the cage follows the code from now on
         return spaceSupport(fractal) ? std::optional(std::move(after)) : std::nullopt;
     }
     const auto support = displayedSupport<3>(fractal);

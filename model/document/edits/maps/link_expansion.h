@@ -9,7 +9,7 @@
 // docs/decisions/0019-plain-maps-and-pictures-without-files.md.
 namespace document {
 
-bool isLinked(const Fractal& fractal); // some link is not 1, whether it matters or not
+bool isLinked(const Fractal& fractal); // true if some link is not 1, even one without effect
 
 // Why no plain maps can be written, as a sentence; empty where they can. Of an entry without a symmetry.
 QString linkExpansionObstacle(const Fractal& fractal);

@@ -11,7 +11,7 @@ namespace document {
 
 namespace {
 
-constexpr qsizetype maxNamed = 6; // in a sentence
+constexpr qsizetype maxNamed = 6; // names in a sentence
 
 template <class Use> auto withMaps(const Fractal& fractal, Use use) {
     if (const System2* system = system2(fractal)) return use(system->maps);

@@ -21,7 +21,7 @@ struct Direction {
 // Exact where the values are rational, and the same for both at 45°.
 Direction direction(double degrees) {
     const double quarters = std::nearbyint(degrees / 90);
-    const double rest = std::remainder(degrees, 90); // from −45 to 45
+    const double rest = std::remainder(degrees, 90); // −45 … 45
     const double radians = rest * std::numbers::pi / 180;
     double c = std::cos(radians), s = std::sin(radians);
     if (std::abs(rest) == 45) c = std::numbers::sqrt2 / 2;
@@ -45,7 +45,7 @@ ifs::Matrix<2> linearPart(const MapShape::Parts& parts) {
     const double along = x * parts[MapShape::Shear];
     ifs::Matrix<2> linear;
     linear << x * cosine, along * cosine - y * sine, x * sine, along * sine + y * cosine;
-    return linear.unaryExpr([](double v) { return v + 0.0; }); // no −0
+    return linear.unaryExpr([](double v) { return v + 0.0; }); // avoids −0
 }
 
 ifs::Matrix<3> linearPart(const MapShape3::Parts& parts) {
@@ -57,7 +57,7 @@ ifs::Matrix<3> linearPart(const MapShape3::Parts& parts) {
     result.shear << 1, parts[MapShape3::ShearXY], parts[MapShape3::ShearXZ], //
         0, 1, parts[MapShape3::ShearYZ],                                     //
         0, 0, 1;
-    return ifs::linearPart(result).unaryExpr([](double v) { return v + 0.0; }); // no −0
+    return ifs::linearPart(result).unaryExpr([](double v) { return v + 0.0; }); // avoids −0
 }
 
 double degreesOf(double radians) {

@@ -40,7 +40,7 @@ private:
     };
     ifs::Matrix<Dim> composed(const Parts& parts) const;
 
-    std::vector<Known> m_known; // the first is where the others come from
+    std::vector<Known> m_known; // first: the matrix from which the others were derived
     Parts m_parts{};
 };
 

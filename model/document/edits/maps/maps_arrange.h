@@ -13,15 +13,15 @@
 namespace document {
 
 enum class MapsArrangement {
-    FlipLeftRight, // all together, about their centre
+    FlipLeftRight, // flips all together about their centre
     FlipUpDown,
-    RotateLeft, // by 90°, counter-clockwise with y up
+    RotateLeft, // 90° counter-clockwise with y up
     RotateRight,
-    AlignInRow,       // the centres at one height, their mean
-    AlignInColumn,    // one below the other
-    DistributeAcross, // the centres evenly between the outermost two
+    AlignInRow,       // centres at one height, their mean
+    AlignInColumn,    // centres at one x, their mean
+    DistributeAcross, // centres evenly between the outermost two
     DistributeUpwards,
-    FitToCorners, // each to the nearest corner of the cage, so that it takes this corner to itself
+    FitToCorners, // each map to the nearest corner of the cage, which becomes its fixed point
 };
 
 // Arranges maps of the plane. `indices` ascending, without doubles.

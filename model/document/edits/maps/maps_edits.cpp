@@ -132,7 +132,7 @@ void setWeights(ifs::IteratedFunctionSystem<Dim>& system, WeightRule rule, const
     }
     if (isAnyLocked) {
         const double left = (kept < 1 ? 1 : all) - kept;
-        if (!(left > 0) || !(shared > 0)) return; // nothing to share, or nobody to
+        if (!(left > 0) || !(shared > 0)) return; // nothing to share, or no map to share it
         for (std::size_t i = 0; i < weights.size(); ++i)
             if (!labels.of(enabled.maps[i].id).isLocked) weights[i] *= left / shared;
     }
@@ -230,7 +230,7 @@ MapsEdit withoutMaps(Fractal fractal, const Rows& rows) {
     });
     std::ranges::sort(gone);
     const auto isGone = [&](ifs::MapId id) { return std::ranges::binary_search(gone, id); };
-    result.fractal.appearance.mapColours.eraseIf(isGone); // a later map may get the id
+    result.fractal.appearance.mapColours.eraseIf(isGone); // a later map may reuse the id
     result.fractal.appearance.mapBlends.eraseIf(isGone);
     result.fractal.mapLabels.eraseIf(isGone);
     return keepingSum(wasOne, std::move(result));

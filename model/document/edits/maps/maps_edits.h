@@ -17,7 +17,7 @@ using SpaceMapRows = std::vector<ifs::WeightedMap<3>>;
 
 struct MapsEdit {
     Fractal fractal;
-    std::vector<ifs::MapId> touched; // the maps to select afterwards
+    std::vector<ifs::MapId> touched; // maps to select afterwards
 };
 
 // Appends a map of half the size that fixes the middle of the rest cage.

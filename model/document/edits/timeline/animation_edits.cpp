@@ -66,7 +66,7 @@ template <class Motion, class Use> void visitNumbers(Motion& motion, Use use) {
             if constexpr (requires { which.strength; })
                 use(isSway ? Kind::Degrees : Kind::Share, which.strength);
             if constexpr (requires { which.turns; }) use(Kind::Turns, which.turns);
-            // Positions on a palette go either way.
+            // Positions on a palette may move either way.
             if constexpr (requires { which.cycles; })
                 use(
                     requires { which.reference; } ? Kind::Cycles : Kind::Turns, which.cycles);
@@ -181,7 +181,7 @@ public:
         const auto* seen = m_camera ? std::get_if<animation::CameraPose<Dim>>(&*m_camera) : nullptr;
         if (!seen) return;
         animation::CameraPose<Dim> value = *seen;
-        if constexpr (Dim == 3) { // motions come after the keys
+        if constexpr (Dim == 3) { // motions follow the keys
             value = animation::orbitedBack(value, frameAt(m_entry, animation::moment(m_frame)).orbit);
             value.size = {};
         }
@@ -425,7 +425,7 @@ Fractal withMotionNumbers(Fractal entry, std::size_t motion, std::span<const Mot
         animation::Motion<Dim> changed = shape.animation->motions[motion];
         auto next = numbers.begin();
         visitNumbers(changed, [&]<class Number>(MotionNumber::Kind, Number& number) {
-            constexpr double beyond = 2 * animation::maxCycles; // fits an int, and is refused
+            constexpr double beyond = 2 * animation::maxCycles; // fits into an int, and is refused
             number = Number(std::clamp((next++)->value, -beyond, beyond));
         });
         if (animation::isValid<Dim>(changed)) shape.animation->motions[motion] = std::move(changed);

@@ -17,7 +17,7 @@ namespace document {
 struct Track {
     enum class Kind { Cage, Map, Branch, Look, Camera };
     Kind kind = Kind::Cage;
-    std::vector<ifs::MapId> maps{}; // the map; of a branch, its address; else none
+    std::vector<ifs::MapId> maps{}; // map, or address of a branch; empty for the other kinds
 
     friend bool operator==(const Track&, const Track&) = default;
 };
@@ -67,9 +67,9 @@ Fractal withoutKeys(Fractal entry, std::span<const KeyAt> keys);
 Fractal withEase(Fractal entry, std::span<const KeyAt> keys, const animation::Ease& ease);
 
 enum class KeyMove {
-    Move,   // keys at the new frames give way
-    Copy,   // and they stay where they were as well
-    Ripple, // all later keys of these tracks come along; the animation grows if need be
+    Move,   // replaces keys at the new frames
+    Copy,   // moves copies; the originals stay
+    Ripple, // moves all later keys of these tracks, too, and extends the animation if necessary
 };
 // Moves keys by a number of frames, as far as they stay within the animation.
 Fractal withKeysMoved(Fractal entry, std::span<const KeyAt> keys, int by, KeyMove how);
@@ -100,10 +100,10 @@ Fractal withoutMotion(Fractal entry, std::size_t motion);
 // A number of a motion that a user may change.
 struct MotionNumber {
     enum class Kind {
-        Degrees, // the strength of a sway, to 360 either way
-        Share,   // the strength of breathing, below 1 either way
-        Turns,   // in the length of the animation, to animation::maxCycles either way, not 0
-        Cycles,  // the same, but 1 and more; of a sway, those of each of its waves
+        Degrees, // strength of a sway, up to ±360
+        Share,   // strength of breathing, in (−1, 1)
+        Turns,   // turns in the length of the animation, up to ±animation::maxCycles, not 0
+        Cycles,  // cycles in the length of the animation, at least 1; for a sway, of each wave
     };
     Kind kind = Kind::Turns;
     double value = 0;

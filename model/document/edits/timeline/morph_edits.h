@@ -12,11 +12,11 @@ namespace document {
 
 // Why there is no morph.
 enum class MorphFlaw {
-    Dimensions, // one is in the plane and the other in space, or one could not be read
-    Measure,    // the measure of one of them has no covariance
+    Dimensions, // one in the plane and one in space, or one unreadable
+    Measure,    // no covariance of the measure of one of them
     TooMany,    // more than 256 maps
-    Linked,     // the maps of one of them are linked
-    BentCage,   // the picture of one of them has no code
+    Linked,     // linked maps in one of them
+    BentCage,   // no code for the picture of one of them
 };
 
 // An entry without a cage that shows the first fractal at frame 0 and the second at frame `length`, both as
@@ -24,9 +24,10 @@ enum class MorphFlaw {
 // stay behind. Pins are indices of maps; of maps that stand for several, all copies are pinned.
 struct MorphOutcome {
     std::optional<Fractal> fractal;
-    MorphFlaw flaw = MorphFlaw::Dimensions;   // where there is none
-    std::vector<animation::Shipment> pairs{}; // indices of all maps, and what share of the weight they carry
-    bool isOfSecond = false;                  // the flaw, where it is not that of the first
+    MorphFlaw flaw = MorphFlaw::Dimensions; // valid if there is no fractal
+    // Indices of all maps, and the share of the weight that they carry.
+    std::vector<animation::Shipment> pairs{};
+    bool isOfSecond = false; // true if the flaw is in the second fractal
 };
 MorphOutcome morphed(const Fractal& from, const Fractal& to, int length,
                      std::span<const animation::Pin> pins);

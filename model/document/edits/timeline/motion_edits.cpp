@@ -17,11 +17,11 @@ namespace {
 
 constexpr double swell = 0.1;
 constexpr int secondsOfOrbit = 5;
-constexpr int directions = 64;      // in which a piece is looked at
-constexpr double viewMargin = 0.98; // of the largest view that sees nothing else
-constexpr double roundOff = 1e-9;   // of a similarity
-constexpr double tolerance = 1e-4;  // of a support value, of the size of the attractor
-constexpr int maxNodes = 5'000;     // of its search: with more, the view only becomes a little larger
+constexpr int directions = 64;      // number of directions in which a piece is measured
+constexpr double viewMargin = 0.98; // share of the largest view that sees nothing else
+constexpr double roundOff = 1e-9;   // relative tolerance of a similarity
+constexpr double tolerance = 1e-4;  // error of a support value, as a share of the size of the attractor
+constexpr int maxNodes = 5'000;     // nodes of its search; reaching the limit only enlarges the view a little
 
 template <int Dim> ifs::Vector<Dim> displayed(const Fractal& fractal, const ifs::Vector<Dim>& point) {
     if constexpr (Dim == 2)
@@ -89,10 +89,10 @@ double distanceTo(const ifs::SupportFunction<2>& attractor, const ifs::AffineMap
 }
 
 struct SmallCopy {
-    ifs::Vector<2> centre; // displayed
-    double ratio = 1;      // of what the view comes to
+    ifs::Vector<2> centre; // displayed coordinates
+    double ratio = 1;      // scale of the view in the copy
     double turn = 0;       // counter-clockwise, in (−π, π]
-    double radius = 0;     // of the largest ball about the centre that, scaled, meets no other piece
+    double radius = 0;     // largest ball about the centre that, scaled, meets no other piece
 };
 
 double ratioOf(const ifs::AffineMap<2>& map) {
@@ -212,7 +212,7 @@ std::optional<Fractal> withEndlessZoom(const Fractal& entry, double aspect, attr
     if (!copy) return std::nullopt;
     const double height = viewMargin * 2 * copy->radius / std::hypot(1, aspect);
     const attractor::View from{copy->centre, height, yAxis};
-    // A counter-clockwise copy comes upright again as the picture turns the other way.
+    // Opposite turn of the picture, which makes a rotated copy upright again.
     const double turn = yAxis == attractor::YAxis::Up ? -copy->turn : copy->turn;
     const attractor::View to{copy->centre, height * copy->ratio, yAxis,
                              attractor::rotationOf(attractor::degreesOf(turn))};

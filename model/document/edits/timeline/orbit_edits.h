@@ -12,7 +12,7 @@ namespace document {
 
 // In the plane the axis has no meaning, the pivot is the centre, and z is 0.
 struct OrbitPlace {
-    ifs::Vector<3> axis = ifs::Vector<3>::UnitY(); // of length 1
+    ifs::Vector<3> axis = ifs::Vector<3>::UnitY(); // unit length
     animation::OrbitPivot pivot = animation::OrbitPivot::Centre;
     ifs::Vector<3> centre = ifs::Vector<3>::Zero(); // displayed coordinates
 
@@ -31,11 +31,11 @@ std::optional<ifs::Vector<3>> orbitCentre(const Fractal& entry);
 // A direction as a coordinate axis that leans: `lean` degrees away from it, towards the next axis (y after x,
 // x after z) where `towards` is 0 and the one after that where it is 90.
 struct LeaningAxis {
-    int axis = 1; // x, y, z
+    int axis = 1; // index: x, y, z
     double lean = 0;
     double towards = 0;
 };
-ifs::Vector<3> directionOf(const LeaningAxis& leaning); // of length 1
+ifs::Vector<3> directionOf(const LeaningAxis& leaning); // unit length
 // The axis next to the direction among those of the coordinates.
 LeaningAxis leaningAxisOf(const ifs::Vector<3>& direction);
 

@@ -12,7 +12,7 @@ namespace io {
 namespace {
 
 constexpr std::uint64_t slack = 1 << 20; // pixels
-constexpr qsizetype headerSize = 13;     // with the screen
+constexpr qsizetype headerSize = 13;     // bytes, including the screen descriptor
 constexpr qsizetype descriptorSize = 9;
 
 qsizetype paletteSize(char flags) {
@@ -48,7 +48,7 @@ public:
             const int code = int(m_bits & ((1U << m_size) - 1));
             m_bits >>= m_size;
             m_count -= m_size;
-            follow(code); // which may make codes longer
+            follow(code); // may increase the width of codes
         }
     }
     std::uint64_t pixels() const { return m_pixels; }
@@ -80,11 +80,11 @@ private:
     }
 
     std::array<std::uint32_t, most> m_lengths{};
-    int m_clear, m_first; // code; bits of a code at first
+    int m_clear, m_first; // clear code; initial bits of a code
     int m_size = 0, m_next = 0;
-    std::uint32_t m_before = 0; // the length of the code before; 0: there is none
+    std::uint32_t m_before = 0; // length of the previous code; 0: none
     std::uint32_t m_bits = 0;
-    int m_count = 0; // of bits that wait
+    int m_count = 0; // number of pending bits
     std::uint64_t m_pixels = 0;
     bool m_isOver = false;
 };

@@ -14,8 +14,8 @@ namespace io {
 // A picture as the target of a collage.
 struct LoadedGrey {
     collage::GreyPicture picture;
-    bool isReduced = false;      // it has more pixels than are traced: maxTracedSide
-    std::optional<QString> flaw; // the user's sentence when it cannot be used
+    bool isReduced = false;      // true if it had more pixels than maxTracedSide permits
+    std::optional<QString> flaw; // reason why it cannot be used, as a sentence
 };
 
 constexpr int minTracedSide = 8;    // pixels

@@ -19,7 +19,7 @@ bool isFrameHeader(int marker) {
 qsizetype nextMarker(const QByteArray& bytes, qsizetype index) {
     for (; index + 1 < bytes.size(); ++index) {
         const int code = byteAt(bytes, index + 1);
-        // Libraries pass over those below C0, which have no length, or refuse the file.
+        // Markers below C0 have no length; libraries skip them or refuse the file.
         const bool isData = code < 0xC0 || code == 0xFF || (code >= 0xD0 && code <= 0xD7);
         if (byteAt(bytes, index) == 0xFF && !isData) return index + 1;
     }
@@ -40,7 +40,7 @@ JpegFacts jpegFacts(const QByteArray& bytes) {
         if (length < 2) return facts;
         if (isFrameHeader(marker) && facts.components == 0) {
             facts.components = byteAt(bytes, at + 8);
-            facts.isKept = (marker & 3) == 2; // progressive
+            facts.isKept = (marker & 3) == 2; // progressive mode
         }
         if (marker == startOfScan) {
             ++facts.scans;

@@ -26,10 +26,10 @@ namespace io {
 
 namespace {
 
-constexpr qint64 maxKeptScans = qint64{512} << 20; // bytes of a JPEG that is not read row by row
+constexpr qint64 maxKeptScans = qint64{512} << 20; // bytes of a JPEG that cannot be read row by row
 
 constexpr int megabytesOf(qint64 pixels) {
-    return int(pixels * 8 >> 20) + 1; // 16 bits per channel at most
+    return int(pixels * 8 >> 20) + 1; // for at most 16 bits per channel
 }
 
 bool isKnown(const QByteArray& format) {
@@ -62,7 +62,8 @@ bool changesPixels(QByteArrayView type) {
 // A complete PNG reduced to the chunks that its pixels need, each ancillary one once. The library unpacks all
 // texts and keeps them, and unpacks a profile each time that it comes.
 QByteArray withPixelsOnly(const QByteArray& bytes) {
-    constexpr qsizetype signature = 8, around = 12; // length, name and checksum of a chunk
+    // Length of the signature; length, name and checksum of a chunk.
+    constexpr qsizetype signature = 8, around = 12;
     QByteArray kept = bytes.first(signature);
     std::set<QByteArray> seen;
     for (qsizetype at = signature; at + around <= bytes.size();) {
@@ -82,7 +83,7 @@ quint64 unpackedSize(const QByteArray& png) {
     if (png.size() <= coloursAt) return 0;
     const quint64 width = qFromBigEndian<quint32>(png.constData() + widthAt);
     const quint64 height = qFromBigEndian<quint32>(png.constData() + widthAt + 4);
-    constexpr std::array<quint64, 8> channelsOf{1, 1, 3, 1, 2, 1, 4, 1}; // by the kind of pixels
+    constexpr std::array<quint64, 8> channelsOf{1, 1, 3, 1, 2, 1, 4, 1}; // indexed by the kind of pixels
     const quint64 channels = channelsOf[std::size_t(png[coloursAt] & 7)];
     return (width * channels * quint64(png[depthAt]) / 8 + 2) * height * 2;
 }
@@ -111,7 +112,7 @@ bool isSwollen(const QByteArray& png, const std::stop_token& stop) {
                 unpacked += quint64(room.size()) - stream.avail_out;
             } while (status == Z_OK && stream.avail_out == 0 && unpacked <= allowed &&
                      !stop.stop_requested());
-            if (status == Z_BUF_ERROR) status = Z_OK; // of this chunk, nothing is left
+            if (status == Z_BUF_ERROR) status = Z_OK; // end of this chunk
         }
         at += length + 12;
     }
@@ -194,7 +195,7 @@ bool isTooLargeAtOnce(const QByteArray& bytes, const QByteArray& format, const Q
         return facts.isKept && pixelsOf(size) * facts.components * qint64(sizeof(short)) > maxKeptScans;
     }
     if (format != "png" || bytes.size() <= interlaceAt || bytes[interlaceAt] == 0) return false;
-    const bool isOneByte = bytes[coloursAt] == 0 || bytes[coloursAt] == 3; // grey, or with a palette
+    const bool isOneByte = bytes[coloursAt] == 0 || bytes[coloursAt] == 3; // greyscale or palette
     const qint64 bytesPerPixel = bytes[depthAt] == 16 ? 8 : isOneByte ? 1 : 4;
     return pixelsOf(size) * bytesPerPixel > qint64(megabytesOf(maxDecodedPixels)) << 20;
 }
@@ -294,7 +295,8 @@ DecodedPicture decodedPicture(const QByteArray& given, LargePicture large, const
         if (raster->image.isNull()) return {{}, flawOf(*raster)};
         return inSrgb(std::move(raster->image));
     }
-    // The content decides, and nothing but the readers of pixels is asked, whatever other plug-ins there are.
+    // Recognised from the contents, and read by the plug-ins for these formats only, whatever others are
+    // installed.
     const QByteArray format = formatOf(given);
     const bool isPng = format == "png";
     if (isPng && !isWholePng(given)) return {{}, damaged()};
@@ -312,7 +314,7 @@ DecodedPicture decodedPicture(const QByteArray& given, LargePicture large, const
     const bool isLarge = pixelsOf(size) > maxDecodedPixels;
     if (isLarge) reader.setScaledSize(reduced(size));
     QImage image = reader.read();
-    if (stop.stop_requested()) return {{}, damaged()}; // some readers make do with what they have got
+    if (stop.stop_requested()) return {{}, damaged()}; // some readers accept incomplete data
     if (image.isNull()) return {{}, isLarge ? tooLarge(size) : damaged()};
     return inSrgb(std::move(image));
 }

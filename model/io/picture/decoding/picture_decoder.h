@@ -19,14 +19,14 @@ inline constexpr qint64 maxDecodedPixels = 32'000'000;
 // Number of pixels to which a larger PNG or JPEG picture is scaled down while it is read, in its proportions,
 // where the size does not matter.
 inline constexpr qint64 maxReducedPixels = 256'000'000;
-inline constexpr int maxScans = 100; // of a JPEG; encoders write some ten
+inline constexpr int maxScans = 100; // limit for a JPEG; encoders write some ten
 enum class LargePicture { Refused, Reduced };
 
 struct DecodedPicture {
-    QImage image;                // of any pixel format
-    std::optional<QString> flaw; // the user's sentence when there is none
+    QImage image;                // any pixel format
+    std::optional<QString> flaw; // reason why there is no picture, as a sentence
 };
-const QStringList& pictureSuffixes(); // of files that may be such pictures, in small letters
+const QStringList& pictureSuffixes(); // lower-case suffixes of such pictures
 DecodedPicture decodedPicture(const QByteArray& bytes, LargePicture large = LargePicture::Refused,
                               const std::stop_token& stop = {});
 

@@ -16,14 +16,14 @@ namespace io {
 
 namespace {
 
-constexpr quint32 maxLength = 0x7fffffff; // of a chunk
+constexpr quint32 maxLength = 0x7fffffff; // bytes of a chunk
 constexpr qint64 piece = 1 << 20;
-constexpr qsizetype maxKeptText = 8 << 20;            // that is remembered
-constexpr char palette = 1, colours = 2, opacity = 4; // bits of the kind of pixels
+constexpr qsizetype maxKeptText = 8 << 20;            // bytes of text that are kept
+constexpr char palette = 1, colours = 2, opacity = 4; // bits of the colour type
 
 struct Chunk {
     QByteArray type;
-    QByteArray data; // of IHDR and tEXt; of others nothing
+    QByteArray data; // contents of IHDR and tEXt; empty for other chunks
 };
 
 std::optional<quint32> readNumber(QIODevice& file) {

@@ -18,8 +18,9 @@ namespace io {
 namespace {
 
 constexpr png_size_t maxText = 8 * 1024 * 1024;
-constexpr png_size_t maxMemory = 5 * maxText; // of all chunks; a text is held packed, unpacked and copied
-constexpr png_size_t sizeRoom = 32;           // before each block, for its size; keeps the block aligned
+// Bytes of all chunks; a text is held packed, unpacked and copied.
+constexpr png_size_t maxMemory = 5 * maxText;
+constexpr png_size_t sizeRoom = 32; // bytes before each block, for its size; keeps the block aligned
 
 struct Source {
     const char* next;
@@ -73,7 +74,7 @@ void onRead(png_structp png, png_bytep data, png_size_t size) {
 bool readChunks(png_structp png, png_infop info, Source* source) {
     if (setjmp(png_jmpbuf(png))) return false;
     png_set_read_fn(png, source, onRead);
-    png_set_chunk_malloc_max(png, maxText); // also what a compressed text may grow to
+    png_set_chunk_malloc_max(png, maxText); // also limits the size of a decompressed text
     png_set_chunk_cache_max(png, 100);
     png_set_user_limits(png, PNG_UINT_31_MAX, PNG_UINT_31_MAX);
     png_read_info(png, info);
@@ -97,7 +98,8 @@ EmbeddedSystem systemAmong(png_structp png, png_infop info) {
 
 // Behind the pixels, where an animation has it: as this program writes it, uncompressed and whole.
 std::optional<QByteArray> textBehindPixels(const QByteArray& bytes) {
-    constexpr qsizetype signature = 8, around = 12; // length, name and checksum of a chunk
+    // Length of the signature; length, name and checksum of a chunk.
+    constexpr qsizetype signature = 8, around = 12;
     const QByteArray keyword = QByteArray(pngSystemKeyword) + QByteArray(5, '\0');
     bool areBehind = false;
     for (qsizetype at = signature; at + around <= bytes.size();) {

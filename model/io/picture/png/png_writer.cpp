@@ -78,10 +78,10 @@ bool PngWriter::State::writeHeader() {
                        : transparent() ? PNG_COLOR_TYPE_RGB_ALPHA
                                        : PNG_COLOR_TYPE_RGB;
     png_set_user_limits(png, PNG_UINT_31_MAX, PNG_UINT_31_MAX);
-    if (!deep()) { // few colours of the palette, and noise: neighbours' differences have more values than
-                   // they
+    // Unfiltered: few palette colours and noise, whose differences have more values than they have.
+    if (!deep()) {
         png_set_filter(png, PNG_FILTER_TYPE_BASE, PNG_FILTER_NONE);
-        png_set_compression_level(png, 1); // the higher ones take longer for the same size
+        png_set_compression_level(png, 1); // fast; higher levels give the same size
     }
     png_set_IHDR(png, info, png_uint_32(format.width), png_uint_32(format.height), deep() ? 16 : 8, colour,
                  PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);

@@ -8,7 +8,7 @@ namespace io {
 
 namespace {
 
-constexpr int pageList = 1; // the number of this object
+constexpr int pageList = 1; // object number of the list of pages
 
 } // namespace
 
@@ -40,7 +40,7 @@ int PdfFile::add(const QByteArray& content) {
 }
 
 int PdfFile::addStream(const QByteArray& dictionary, const QByteArray& content) {
-    constexpr int header = 4; // Qt's own, before the zlib stream
+    constexpr int header = 4; // bytes of Qt's own header before the zlib stream
     return addCompressed(dictionary, qCompress(content, 9).mid(header));
 }
 

@@ -8,8 +8,8 @@
 // Building blocks of a PDF file.
 namespace io {
 
-QByteArray pdfNumber(double number);       // without an exponent, which PDF does not know
-QByteArray pdfString(const QString& text); // in Unicode
+QByteArray pdfNumber(double number);       // decimal notation, since PDF has no exponents
+QByteArray pdfString(const QString& text); // Unicode string
 QByteArray pdfReference(int object);
 
 // Numbered objects. The first is the list of the pages.
@@ -17,9 +17,10 @@ class PdfFile {
 public:
     PdfFile();
 
-    int add(const QByteArray& content);                                         // the number of the object
-    int addStream(const QByteArray& dictionary, const QByteArray& content);     // which is compressed here
-    int addCompressed(const QByteArray& dictionary, const QByteArray& content); // by deflate, already
+    int add(const QByteArray& content); // returns the number of the object
+    int addStream(const QByteArray& dictionary, const QByteArray& content); // compresses the content
+    // Content compressed with deflate.
+    int addCompressed(const QByteArray& dictionary, const QByteArray& content);
     // `entries`: of the page’s dictionary, but for its kind and its parent.
     void addPage(const QByteArray& entries);
 

@@ -14,7 +14,7 @@ namespace io {
 
 namespace {
 
-constexpr int deepestNest = 10; // of forms; viewers give up beyond some 30
+constexpr int deepestNest = 10; // nested forms; viewers give up beyond some 30
 
 QByteArray text(double number) {
     return pdfNumber(number);
@@ -188,7 +188,7 @@ private:
                      text(double(m_page.camera.height)) + " re f\n";
     }
 
-    // Resources without the brackets of their dictionary, as from the functions below.
+    // Contents of the resource dictionary without its brackets, as from the functions below.
     QByteArray addCopies(const ifs::CopyHierarchy& levels, int depth) {
         Forms forms(m_file, levels, depth);
         const auto shadow = shapeShadow(m_page.fractal, m_page.camera);
@@ -213,7 +213,7 @@ private:
         return content + "Q\n";
     }
 
-    // Adds a single transparent group, in which overlapping parts are no darker.
+    // Adds a single transparent group, so that overlapping parts are not darker.
     QByteArray addShadow(const QByteArray& content, const QByteArray& resources) {
         const int object =
             m_file.addStream("/Type/XObject/Subtype/Form/BBox[0 0 " + text(double(m_page.camera.width)) +

@@ -16,7 +16,7 @@ struct PdfPage {
 // of form objects, so the file stays small.
 struct PdfPicture {
     QByteArray bytes; // empty after a failure
-    Failure failure;  // of the first page that cannot be
+    Failure failure;  // failure of the first page that cannot be written
 };
 PdfPicture pdfPicture(const std::vector<PdfPage>& pages, const std::stop_token& stop = {});
 

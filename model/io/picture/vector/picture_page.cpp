@@ -41,7 +41,7 @@ public:
     }
 
     PngWriter& writer() { return *m_writer; }
-    const QByteArray& bytes() const { return m_buffer.data(); } // once finished
+    const QByteArray& bytes() const { return m_buffer.data(); } // complete after finish()
 
 private:
     QBuffer m_buffer;
@@ -88,7 +88,7 @@ public:
     }
 
 private:
-    static constexpr std::size_t stripBytes = 7'000'000; // of pixels; a third more as text
+    static constexpr std::size_t stripBytes = 7'000'000; // bytes of pixels; a third more as text
 
     int rowsInStrip() const {
         const std::size_t pixel = m_format.pixels == Pixels::Opaque ? 3 : 4;
@@ -98,7 +98,7 @@ private:
     Failure writeRow(Row row) override {
         if (!m_strip) {
             beginStrip();
-            // Opaque strips overlap by a row, so that no gap shows between them at any scale.
+            // Overlap of one row between opaque strips, so that no gap shows at any scale.
             if (!m_last.empty()) {
                 const Failure failure = m_strip->writer().writeRows(m_last);
                 if (failure) return failure;
@@ -153,13 +153,14 @@ private:
     QIODevice& m_device;
     QXmlStreamWriter m_xml;
     std::unique_ptr<PngBytes> m_strip;
-    std::vector<std::uint32_t> m_last; // row of the strip before
+    std::vector<std::uint32_t> m_last; // last row of the previous strip
     int m_row = 0, m_stripBegin = 0, m_stripEnd = 0;
 };
 
 // The compressed rows of a PNG, which PDF reads as they are.
 QByteArray compressedRows(const QByteArray& png) {
-    constexpr qsizetype signature = 8, around = 12; // length, kind and checksum of a chunk
+    // Length of the signature; length, name and checksum of a chunk.
+    constexpr qsizetype signature = 8, around = 12;
     QByteArray rows;
     for (qsizetype at = signature; at + around <= png.size();) {
         const qsizetype length = qFromBigEndian<quint32>(png.constData() + at);
@@ -225,7 +226,7 @@ private:
     }
 
     void addPage(int image) {
-        const double points = 72 / dotsPerInch(); // a pixel
+        const double points = 72 / dotsPerInch(); // points per pixel
         const QByteArray width = QByteArray::number(m_format.width);
         const QByteArray height = QByteArray::number(m_format.height);
         const int content =

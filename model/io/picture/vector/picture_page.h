@@ -26,7 +26,7 @@ ShapeFileTitles titlesOf(ShapeFile file);
 struct PicturePage {
     ShapeFile file = ShapeFile::Svg;
     QString title;
-    OverlayMarks marks; // in pixels of the picture
+    OverlayMarks marks; // coordinates in pixels of the picture
 };
 
 // Takes the rows of a picture of 8 bits per channel, not Grey. SVG contains the system as text. Without

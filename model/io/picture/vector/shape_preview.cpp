@@ -127,7 +127,7 @@ private:
     const std::stop_token& m_stop;
     QImage m_image;
     Ring m_outline;                               // level 0
-    std::vector<std::vector<ifs::Copy>> m_copies; // by level
+    std::vector<std::vector<ifs::Copy>> m_copies; // copies by level
 };
 
 } // namespace

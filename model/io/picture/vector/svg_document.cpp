@@ -21,7 +21,7 @@ QString withoutControls(const QString& text) {
 
 QString length(int pixels, double dotsPerInch) {
     if (dotsPerInch == pixelsOfSvg) return QString::number(pixels);
-    // A sheet of paper has whole pixels only about: what tenths of a millimetre tell is told in them.
+    // Exact size in tenths of a millimetre for paper sizes, since whole pixels only approximate them.
     const double perMillimetre = dotsPerInch / 25.4;
     const double tenths = std::round(10 * pixels / perMillimetre) / 10;
     const double length = std::lround(tenths * perMillimetre) == pixels ? tenths : pixels / perMillimetre;

@@ -18,7 +18,7 @@ namespace io {
 
 namespace {
 
-constexpr double maxPixel = 1e40; // so that no product of two such numbers leaves the doubles
+constexpr double maxPixel = 1e40; // limit at which products of two numbers do not overflow
 
 // Unions of polygons in whole numbers, in which they are exact. Every level has a grid of its own, in the
 // coordinates of the code, as fine as the numbers allow that are multiplied without overflow.
@@ -43,7 +43,7 @@ private:
     std::vector<Ring> rings(const std::vector<ifs::Copy>& copies) {
         std::vector<Ring> rings;
         for (const ifs::Copy& copy : copies) {
-            // A map that turns the plane over turns rings around, holes and all.
+            // True if the map reverses rings, holes included.
             const bool turns = ifs::determinant<2>(copy.map.linear) < 0;
             for (Ring ring : copy.projection ? m_levels.projection(*copy.projection)->bars : of(copy.level)) {
                 for (auto& point : ring)
@@ -56,7 +56,7 @@ private:
     }
 
     static std::vector<Ring> united(const std::vector<Ring>& rings) {
-        constexpr double maxCoordinate = 1 << 29; // of the library's fast range
+        constexpr double maxCoordinate = 1 << 29; // fast range of the library
         ifs::Vector<2> low = ifs::Vector<2>::Constant(HUGE_VAL);
         ifs::Vector<2> high = -low;
         for (const Ring& ring : rings)
@@ -140,7 +140,7 @@ std::optional<attractor::Rgba> shapeColour(const document::Fractal& fractal, con
     if (appearance.colourBy == attractor::ColourBy::Blend) {
         const auto& maps = document::system2(fractal)->maps;
         const attractor::MapBlend blend = attractor::mapBlend(appearance, maps[index].id, index, maps.size());
-        const double middle = blend.speed * blend.coordinate + (1 - blend.speed) / 2; // of what lies in it
+        const double middle = blend.speed * blend.coordinate + (1 - blend.speed) / 2; // mean of the interval
         return attractor::colourAt(appearance.palette, middle);
     }
     return std::nullopt;
@@ -157,7 +157,7 @@ std::vector<Ring> leafUnion(const ifs::CopyHierarchy& levels, int depth, const s
 
 std::vector<ColouredPoints> shapePoints(const document::Fractal& fractal, const attractor::Camera& camera,
                                         std::uint64_t points, std::uint64_t seed) {
-    constexpr double shades = 64; // along a palette
+    constexpr double shades = 64; // number of colours along a palette
     const attractor::Appearance& appearance = fractal.appearance;
     const document::System2& system = *document::system2(fractal);
     const attractor::PreparedSystem drawable = attractor::prepared(system, document::movedBranches(fractal));
@@ -177,7 +177,7 @@ std::vector<ColouredPoints> shapePoints(const document::Fractal& fractal, const 
         if (appearance.colourBy == attractor::ColourBy::Map) {
             group = drawable.index[point.lastMap];
             colour = attractor::mapColour(appearance, system.maps[group].id, group);
-        } else if (attractor::coloursSamples(appearance.colourBy)) { // along the palette
+        } else if (attractor::coloursSamples(appearance.colourBy)) { // palette
             const double shade = std::min(std::floor(point.colourCoordinate * shades), shades - 1);
             group = std::size_t(shade);
             colour = attractor::colourAt(appearance.palette, (shade + 0.5) / shades);

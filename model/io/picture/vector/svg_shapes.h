@@ -16,7 +16,7 @@ namespace io {
 
 struct ShapeLevels {
     std::optional<ifs::CopyHierarchy> levels;
-    Failure failure; // why there are none
+    Failure failure; // reason why there are none
 };
 ShapeLevels shapeLevels(const document::Fractal& fractal, const attractor::Camera& camera);
 
@@ -45,7 +45,7 @@ std::vector<ColouredPoints> shapePoints(const document::Fractal& fractal, const 
 struct ShapeShadow {
     document::Fractal fractal;
     ifs::AffineMap<2> map;
-    double opacity = 1; // of all of them together
+    double opacity = 1; // opacity of all shapes together
 };
 std::optional<ShapeShadow> shapeShadow(const document::Fractal& fractal, const attractor::Camera& camera);
 

@@ -95,7 +95,7 @@ public:
         });
     }
 
-    // Outlines for a knife or a pen, without fills or a background.
+    // Outlines for a cutter or plotter, without fills and background.
     QByteArray outline(const std::vector<Ring>& rings) {
         return picture([&] {
             QString path;
@@ -129,7 +129,7 @@ public:
 
 private:
     void writePoints(const document::Fractal& fractal) {
-        attribute("stroke-linecap", QStringLiteral("round")); // a line without length is a dot
+        attribute("stroke-linecap", QStringLiteral("round")); // round ends: a line without length is a dot
         for (const ColouredPoints& group : shapePoints(fractal, m_camera, m_format.points, m_format.seed)) {
             QString path;
             for (const auto& point : group.points)
@@ -165,7 +165,7 @@ private:
     void startElement(const char* name) { m_xml.writeStartElement(svg, QLatin1String(name)); }
 
     static QString levelId(int level) { return QStringLiteral("level-%1").arg(level); }
-    // The name that files have always given to a projection.
+    // Permanent name of a projection in files.
     static QString projectionId(std::size_t i) { return QStringLiteral("projection-%1").arg(i + 1); }
 
     void writeDefinitions(const ifs::CopyHierarchy& levels, const ifs::MergedCopies& merged, int depth) {
@@ -193,7 +193,7 @@ private:
         m_xml.writeEndElement();
     }
 
-    // A single path of all pieces, all counter-clockwise: where two overlap, both are filled.
+    // Single path of all pieces, all counter-clockwise: overlaps are filled as well.
     static QString pathOf(const ifs::CopyHierarchy& levels, const ifs::Polygon& outline,
                           const std::vector<ifs::MergedCopies::Piece>& pieces) {
         std::vector<ifs::Polygon> polygons;
@@ -220,7 +220,7 @@ private:
         return path;
     }
 
-    // Decimals that show a thousandth of the smallest polygon.
+    // Number of decimals that resolve a thousandth of the smallest polygon.
     static int digitsFor(const std::vector<ifs::Polygon>& polygons) {
         double smallest = 1;
         for (const ifs::Polygon& polygon : polygons) {
@@ -267,7 +267,7 @@ private:
         if (colour.alpha != 255) attribute("fill-opacity", svgText(colour.alpha / 255.0));
     }
 
-    // Into the element that is open, in the colours of the fractal.
+    // Writes into the open element, in the colours of the fractal.
     void writeCopies(const document::Fractal& fractal, const ifs::AffineMap<2>& display,
                      const ifs::CopyHierarchy& levels, const ifs::MergedCopies& merged) {
         attribute("transform", svgText(display));

@@ -34,19 +34,19 @@ struct SvgFormat {
     ShapeStyle style = ShapeStyle::Structured;
     std::uint64_t points = 20'000; // at most maxPoints
     std::uint64_t seed = 1;
-    PictureOverlay overlay{};         // over all of it
-    double dotsPerInch = pixelsOfSvg; // pixels of the camera an inch
+    PictureOverlay overlay{};         // drawn on top
+    double dotsPerInch = pixelsOfSvg; // pixels of the camera per inch
 };
 
 // A summary of a picture of shapes: for the dialog, before anything is written.
 struct SvgPlan {
     int depth = 0;
-    int deepest = 0;              // the largest depth that stays under the bound of references
+    int deepest = 0;              // largest depth within the bound of references
     std::uint64_t references = 0; // copies that a reader of the file makes
     double errorInPixels = 0;     // certified distance to the attractor
-    bool isCutShort = false;      // a pixel needs more copies than programs draw without a long wait
-    bool unbent = false;          // copies cannot bend: they show the affine fit of the cage
-    Failure failure;              // why there can be no structured picture
+    bool isCutShort = false;      // true if a pixel needs more copies than programs can draw quickly
+    bool unbent = false;          // true if copies show the affine fit of a cage that bends
+    Failure failure;              // reason why there can be no structured picture
 };
 SvgPlan svgPlan(const document::Fractal& fractal, const attractor::Camera& camera, const SvgFormat& format);
 // The depth of the plan alone: measuring the error takes longer.

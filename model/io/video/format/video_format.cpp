@@ -34,7 +34,7 @@ std::span<const VideoFormatFacts> videoFormats() {
                          .listed = QT_TRANSLATE_NOOP("Text", "GIF: 256 colours"),
                          .details = "one palette for all frames",
                          .isPaletted = true,
-                         .maxRate = 50}, // delays are hundredths of a second, and one of them is shown as ten
+                         .maxRate = 50}, // delays are hundredths of a second, and players show 1 as 10
         VideoFormatFacts{.format = VideoFormat::WebP,
                          .suffix = "webp",
                          .title = "WebP",

@@ -11,10 +11,10 @@ namespace io {
 enum class VideoFormat {
     Mp4,  // H.264
     WebM, // VP9
-    Mkv,  // FFV1, without loss
+    Mkv,  // FFV1, lossless
     Gif,
-    WebP, // without loss
-    Apng, // without loss
+    WebP, // lossless
+    Apng, // lossless
 };
 
 // Names and capabilities of a kind of video.
@@ -22,15 +22,15 @@ struct VideoFormatFacts {
     VideoFormat format;
     const char* suffix;  // "mp4", also its name in settings and requests
     const char* title;   // "MP4"
-    const char* listed;  // in lists, for Text::tr()
-    const char* details; // in the help of the command line
+    const char* listed;  // text of lists, for Text::tr()
+    const char* details; // text of the help on the command line
     bool storesAlpha = true;
     bool isPaletted = false; // one palette of 256 colours serves all frames
     bool needsEvenSides = false;
     std::optional<int> maxRate = std::nullopt; // frames per second
     int maxSide = 16'384;                      // pixels
 };
-std::span<const VideoFormatFacts> videoFormats(); // in the order of lists
+std::span<const VideoFormatFacts> videoFormats(); // order of lists
 const VideoFormatFacts& factsOf(VideoFormat format);
 
 // The format with this file suffix, in any case; nullopt for any other.

@@ -13,9 +13,9 @@ struct VideoSettings {
     VideoFormat format = VideoFormat::Mp4;
     int width = 0; // pixels
     int height = 0;
-    bool isTransparent = false; // MP4 shows what is transparent on black
-    animation::FrameRate rate;  // positive
-    bool repeats = false;       // GIF, WebP and APNG are played again and again rather than once
+    bool isTransparent = false; // MP4 shows transparent parts on black
+    animation::FrameRate rate;  // > 0
+    bool repeats = false;       // true: GIF, WebP and APNG play for ever; false: once
     QByteArray systemText;      // UTF-8, embedded for readVideoSystem(); empty: nothing
     QString title;
 };

@@ -27,13 +27,13 @@ struct Recipe {
     const char* encoder;
     AVPixelFormat opaque;
     AVPixelFormat transparent;
-    std::vector<Option> options{};     // of the encoder
-    std::vector<Option> fileOptions{}; // of the muxer
+    std::vector<Option> options{};     // options of the encoder
+    std::vector<Option> fileOptions{}; // options of the muxer
 };
 
 Recipe recipeOf(const VideoSettings& settings) {
     switch (settings.format) {
-    case VideoFormat::Mp4: // with mbtree, x264 reads memory that it has not written, and bytes vary
+    case VideoFormat::Mp4: // without mbtree, with which x264 reads uninitialised memory, and bytes vary
         return {"mp4",
                 "libx264",
                 AV_PIX_FMT_YUV420P,
@@ -41,7 +41,7 @@ Recipe recipeOf(const VideoSettings& settings) {
                 {{"preset", "superfast"}, {"crf", "11"}, {"mbtree", "0"}},
                 {{"movflags", "+faststart"}}};
     case VideoFormat::WebM:
-        // Frames that are never shown and transparency do not go together.
+        // No hidden frames, which are incompatible with transparency.
         return {"webm",
                 "libvpx-vp9",
                 AV_PIX_FMT_YUV420P,
@@ -59,7 +59,7 @@ Recipe recipeOf(const VideoSettings& settings) {
     case VideoFormat::Gif:
         return {"gif",           "gif", AV_PIX_FMT_PAL8,
                 AV_PIX_FMT_PAL8, {},    {{"loop", settings.repeats ? "0" : "-1"}}};
-    case VideoFormat::WebP: // without loss, because with loss it has a quarter of the colours
+    case VideoFormat::WebP: // lossless, because lossy WebP has a quarter of the colours
         return {"webp",
                 "libwebp_anim",
                 AV_PIX_FMT_BGRA,
@@ -177,7 +177,7 @@ Failure encoderObstacle(VideoFormat format) {
 
 Encoder::Encoder(QIODevice& device, const VideoSettings& settings)
     : m_file(device), m_kind(settings.format), m_rate(settings.rate) {
-    library().av_log_set_level(AV_LOG_QUIET); // what fails is said by failure()
+    library().av_log_set_level(AV_LOG_QUIET); // failures are reported by failure()
     open(settings);
 }
 
@@ -213,7 +213,7 @@ void Encoder::openEncoder(const VideoSettings& settings) {
     if (m_kind == VideoFormat::WebP) m_encoder->time_base = {1, ticksPerSecond(m_kind)};
     m_encoder->framerate = {settings.rate.frames, settings.rate.seconds};
     m_encoder->sample_aspect_ratio = {1, 1};
-    m_encoder->bit_rate = 0; // the quality is constant
+    m_encoder->bit_rate = 0; // constant quality
     m_encoder->thread_count = threads;
     m_encoder->flags |= AV_CODEC_FLAG_BITEXACT;
     if ((m_format->oformat->flags & AVFMT_GLOBALHEADER) != 0) m_encoder->flags |= AV_CODEC_FLAG_GLOBAL_HEADER;
@@ -299,7 +299,7 @@ void Encoder::encode(AVFrame* picture) {
 
 void Encoder::finish() {
     if (!m_failure) encode(nullptr);
-    // Without this, the last picture would be shown as long as the one before.
+    // Explicit end: without it, the last picture would be shown as long as the previous one.
     if (!m_failure && m_kind == VideoFormat::Gif && m_pictures > 0)
         isDone(library().av_opt_set_int(m_format->priv_data, "final_delay",
                                         ticksBefore(m_pictures) - ticksBefore(m_pictures - 1), 0));

@@ -24,7 +24,7 @@ public:
     Encoder(QIODevice& device, const VideoSettings& settings);
 
     const Failure& failure() const { return m_failure; }
-    qint64 size() const { return m_file.size(); } // of what has been written
+    qint64 size() const { return m_file.size(); } // bytes written so far
     std::int64_t pictures() const { return m_pictures; }
 
     // The next picture: AV_PIX_FMT_BGRA with straight alpha, or AV_PIX_FMT_PAL8 for a GIF.
@@ -36,8 +36,8 @@ private:
     void openEncoder(const VideoSettings& settings);
     void openFile(const VideoSettings& settings);
     Frame converted(AVFrame& picture);
-    void encode(AVFrame* picture); // nullptr: what waits
-    bool isDone(int result);       // false after a failure, which is remembered
+    void encode(AVFrame* picture); // nullptr: flush
+    bool isDone(int result);       // false after a failure, which it records
     // The start of a picture, in the ticks of a GIF or WebP: rounded each by itself, so that no error adds
     // up.
     std::int64_t ticksBefore(std::int64_t picture) const;

@@ -15,12 +15,13 @@ namespace io::libav {
 // own.
 class File {
 public:
-    explicit File(QIODevice& device); // open for reading and writing, random-access; outlives the file
+    // Must be open for random-access reading and writing; must outlive the file.
+    explicit File(QIODevice& device);
     ~File();
     File(const File&) = delete;
     File& operator=(const File&) = delete;
 
-    void serve(AVFormatContext& format); // which the file outlives
+    void serve(AVFormatContext& format); // sets the I/O of `format`, which must not outlive the file
     qint64 size() const { return m_size; }
     // The first error of a call from the libraries, which do not pass on every one; 0 for none.
     int error() const { return m_error; }
@@ -35,7 +36,7 @@ private:
     static std::int64_t seek(void* cursor, std::int64_t offset, int whence);
     AVIOContext* open(bool isWritable);
     void close(AVIOContext* context);
-    int failed(int error); // remembers and returns it
+    int failed(int error); // records and returns the error
 
     QIODevice& m_device;
     qint64 m_size = 0;

@@ -38,7 +38,7 @@ std::optional<Library> loaded() {
 }
 
 const std::optional<Library>& known() {
-    static const std::optional<Library> library = loaded(); // they stay for as long as the program runs
+    static const std::optional<Library> library = loaded(); // loaded until the end of the program
     return library;
 }
 
@@ -59,7 +59,8 @@ QString loadingError() {
     const QString missing = QString::fromLocal8Bit(std::strerror(ENOENT));
     for (const auto& [name, version] : names) {
         const QByteArray file = QByteArray("lib") + name + ".so." + QByteArray::number(version);
-        if (::dlopen(file.constData(), RTLD_LAZY) != nullptr) continue; // and stays, as those before it do
+        // Remains loaded, like those before it.
+        if (::dlopen(file.constData(), RTLD_LAZY) != nullptr) continue;
         const char* const error = ::dlerror();
         const QString text = QString::fromLocal8Bit(error ? error : "");
         return text.contains(missing) ? QString() : text;

@@ -51,8 +51,8 @@ struct Library {
 #undef BARYCAGE_LIBAV_MEMBER
 };
 
-QString loadingError();   // why one that is there could not be used; empty: one is missing
-bool isInstalled();       // all of them, in the versions that this was compiled for
-const Library& library(); // only where they are installed
+QString loadingError();   // reason why an installed library cannot be used; empty: one is missing
+bool isInstalled();       // true if all are there in the versions used at compilation
+const Library& library(); // requires isInstalled()
 
 } // namespace io::libav

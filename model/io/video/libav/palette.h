@@ -13,7 +13,7 @@ class PaletteMaker {
 public:
     PaletteMaker(int width, int height, bool isTransparent);
 
-    bool add(const Frame& picture); // false: out of memory, or what FFmpeg's libraries need is missing
+    bool add(const Frame& picture); // false: out of memory, or a required FFmpeg library is missing
     Frame finish();                 // 16 × 16 colours; null after a failure
 
 private:

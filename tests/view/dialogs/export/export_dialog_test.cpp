@@ -62,6 +62,8 @@ private slots:
     void writesSvg();
     void shapesAreAsLargeAsTheSheet();
     void saysWhatTheSvgWillBe();
+    void saysHowLargeAnOutlineIs();
+    void saysThatShadesNeedPixels();
     void saysWhenAPixelNeedsMore();
     void failureIsTold();
     void closingWhileExportingIsSafe();
@@ -316,6 +318,43 @@ void ExportDialogTest::saysWhatTheSvgWillBe() {
         plan->text().contains(QStringLiteral("open the file: 12 (the"))); // 3 + 9 for a Sierpiński triangle
     QVERIFY(plan->text() != automatic);
     QVERIFY(!automatic.contains(QStringLiteral("More levels would be more accurate")));
+}
+
+// Makers measure what is cut, not the page around it.
+void ExportDialogTest::saysHowLargeAnOutlineIs() {
+    document::Document document;
+    const auto box = *document::displayedBox(document.fractal());
+    attractor::Camera view;
+    view.width = view.height = 300;
+    view = fitted(view, box.min, box.max, 0.1);
+    ExportDialog dialog(&document, view);
+    dialog.show();
+    chooseFormat(dialog, io::ShapeFile::Svg);
+    support::choose(named<QComboBox>(dialog, "Kind of shapes"), io::ShapeStyle::Outline);
+    auto* size = dialog.findChild<view::ExportSizeEditor*>();
+    auto* plan = named<QLabel>(dialog, "Description of the picture");
+    const ifs::Vector<2> pixels = view.pixelsPerUnit * size->pixels().width() / 300 * (box.max - box.min);
+    const QString width = QString::number(pixels.x(), 'f', 2), height = QString::number(pixels.y(), 'f', 2);
+    QTRY_VERIFY2(plan->text().contains(width) && plan->text().contains(height), qPrintable(plan->text()));
+    QVERIFY(!plan->text().contains(QStringLiteral("Copies drawn by"))); // nothing draws copies of one path
+    support::choose(named<QComboBox>(dialog, "Kind of shapes"), io::ShapeStyle::Structured);
+    QTRY_VERIFY(plan->text().contains(QStringLiteral("Copies drawn by")));
+}
+
+void ExportDialogTest::saysThatShadesNeedPixels() {
+    const QString sentence = QStringLiteral("Shades of density need pixels");
+    for (const attractor::ColourBy colours : {attractor::ColourBy::Density, attractor::ColourBy::Map}) {
+        document::Document document;
+        document::Fractal fractal = document.fractal();
+        fractal.appearance.colourBy = colours;
+        document.setFile(document::fileOf(fractal));
+        ExportDialog dialog(&document, camera());
+        dialog.show();
+        chooseFormat(dialog, io::ShapeFile::Svg);
+        auto* plan = named<QLabel>(dialog, "Description of the picture");
+        QTRY_VERIFY(plan->text().contains(QStringLiteral("Copies drawn by")));
+        QCOMPARE(plan->text().contains(sentence), colours == attractor::ColourBy::Density);
+    }
 }
 
 // A curve whose copies have to become smaller still. The long thin copies of the maple stay long instead,

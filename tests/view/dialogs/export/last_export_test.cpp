@@ -46,6 +46,7 @@ private slots:
         m_document = std::make_unique<document::Document>();
     }
     void pictures();
+    void shapes();
     void solids();
     void animations();
     void data();
@@ -124,6 +125,23 @@ void LastExportTest::pictures() {
     support::choose(format(*dialog), File(io::PictureFile::Png));
     exportAs(*dialog, {});
     QVERIFY(view::chosenValue<File>(format(*picture())) == tiff);
+}
+
+void LastExportTest::shapes() {
+    using File = view::ExportDialog::File;
+    const auto style = [](const QDialog& dialog) { return named<QComboBox>(dialog, "Kind of shapes"); };
+    auto dialog = picture();
+    support::choose(format(*dialog), File(io::ShapeFile::Svg));
+    support::choose(style(*dialog), io::ShapeStyle::Outline);
+    exportAs(*dialog, path("a.svg"));
+    QTRY_VERIFY(QFileInfo::exists(path("a.svg")));
+    dialog = picture();
+    QCOMPARE(view::chosenValue<io::ShapeStyle>(style(*dialog)), io::ShapeStyle::Outline);
+    support::choose(format(*dialog), File(io::PictureFile::Png)); // a picture of pixels leaves it
+    exportAs(*dialog, path("a.png"));
+    QTRY_VERIFY(QFileInfo::exists(path("a.png")));
+    dialog = picture();
+    QCOMPARE(view::chosenValue<io::ShapeStyle>(style(*dialog)), io::ShapeStyle::Outline);
 }
 
 void LastExportTest::solids() {

@@ -284,12 +284,12 @@ private slots:
         QVERIFY2(isRefused("at most 510"), qPrintable(m_dialog->message()));
         resolution->setValue(510);
         QVERIFY2(isAccepted(), qPrintable(m_dialog->message()));
-        wall->setValue(80);
+        wall->setValue(49);
         QVERIFY2(isRefused("million voxels"), qPrintable(m_dialog->message()));
         longest->setValue(100'000); // of which the wall is a small part
         QVERIFY2(isAccepted(), qPrintable(m_dialog->message()));
         longest->setValue(1);
-        QVERIFY2(isRefused("resolution"), qPrintable(m_dialog->message()));
+        QVERIFY2(isRefused("thinner wall"), qPrintable(m_dialog->message()));
         wall->setValue(1000);
         QVERIFY2(isRefused("thinner wall"), qPrintable(m_dialog->message()));
     }

@@ -23,6 +23,7 @@
 #include <QPainter>
 #include <QScrollBar>
 #include <QSet>
+#include <QSignalSpy>
 #include <QTimer>
 
 #include <algorithm>
@@ -292,7 +293,9 @@ private slots:
         QTRY_VERIFY_WITH_TIMEOUT(bridge.isCurrent(), patience);
         QVERIFY(panel.plot().isVisible());
         QCOMPARE(panel.plot().table().count(u'\n'), 10); // eleven sizes
+        QSignalSpy said(&panel, &view::AnalysisPanel::message);
         panel.copyAll();
+        QCOMPARE(said.size(), 1); // nothing else shows that it was done
         QVERIFY(QGuiApplication::clipboard()->text().contains(
             QStringLiteral("Similarity dimension\t1.58496250072115")));
     }

@@ -48,6 +48,23 @@ private slots:
     }
     void cleanup() { m_window.reset(); }
 
+    void picturesFillTheirRows() {
+        const int spare = grid().delegate()->pictureSide() / 2;
+        for (const int width : {760, 1000, 1234}) {
+            m_window->resize(width, 720);
+            QCoreApplication::processEvents();
+            int right = 0;
+            for (int row = 0; row < grid().model()->rowCount(); ++row) {
+                const QModelIndex index = grid().model()->index(row, 0);
+                if (!index.data(CollectionModel::HeadingRole).toBool())
+                    right = qMax(right, grid().visualRect(index).right());
+            }
+            const int room = grid().viewport()->width();
+            QVERIFY2(right < room && right > room - spare,
+                     qPrintable(QStringLiteral("%1 of %2").arg(right).arg(room)));
+        }
+    }
+
     void aThemeIsShownAlone() {
         QCOMPARE(grid().model()->rowCount(), m_model.rowCount());
         auto& themes = *m_window->findChild<QListWidget*>(QStringLiteral("themes"));

@@ -54,6 +54,7 @@ private slots:
     void cleanup();
 
     void add();
+    void theNameOfANewEntryIsTyped();
     void removeSeveral();
     void removeAll();
     void manyAtOnce();
@@ -162,6 +163,21 @@ void EntriesPanelTest::add() {
     QCOMPARE(document::system2(m_document->fractal())->maps.size(), std::size_t{3});
     QCOMPARE(m_list->currentIndex().row(), 2);
     checkOneStep();
+}
+
+// As in a file manager: letters are the name, and no keys of the window.
+void EntriesPanelTest::theNameOfANewEntryIsTyped() {
+    m_list->clearFocus(); // which the button has
+    m_panel->addEntry();
+    QCOMPARE(names().size(), 6);
+    auto* editor = m_list->viewport()->findChild<QLineEdit*>();
+    QVERIFY(editor);
+    QTRY_VERIFY(editor->hasFocus());
+    QCOMPARE(editor->selectedText(), currentName());
+    QTest::keyClicks(editor, u"My"_s);
+    QTest::keyClick(editor, Qt::Key_Return);
+    QCOMPARE(currentName(), u"My"_s);
+    QCOMPARE(names().count(u"My"_s), 1);
 }
 
 void EntriesPanelTest::removeSeveral() {

@@ -29,6 +29,7 @@ private slots:
     void stepsAreWritten();
     void theFirstStepMovesNothing();
     void playingBeginsWhereTheUserChose();
+    void aStepIsAddedAtTheEndOfAnOpenedLesson();
     void changesAreUndone();
     void typingIsOneStep();
     void aLongTextIsCutInSight();
@@ -107,6 +108,9 @@ void LessonPanelTest::stepsAreWritten() {
 void LessonPanelTest::theFirstStepMovesNothing() {
     const QRect list = steps()->geometry();
     const int textTop = text()->mapTo(m_panel.get(), QPoint()).y();
+    const auto* hint = m_panel->findChild<QLabel*>(); // in the empty list: it takes no room of its own
+    QVERIFY(hint && hint->isVisible());
+    QVERIFY(steps()->rect().contains(QRect(hint->mapTo(steps(), QPoint()), hint->size())));
     m_notebook->addStep(stateOf(u"a"_s));
     QCoreApplication::sendPostedEvents(nullptr, QEvent::LayoutRequest);
     QCOMPARE(steps()->geometry(), list);
@@ -134,6 +138,23 @@ void LessonPanelTest::playingBeginsWhereTheUserChose() {
     click(1);
     m_notebook->open(lessonOf(u"B."_s), u"/x/a.lesson"_s);
     QCOMPARE(m_notebook->firstToPlay(), 0);
+}
+
+void LessonPanelTest::aStepIsAddedAtTheEndOfAnOpenedLesson() {
+    const auto open = [this] { m_notebook->open(lessonOf(u"B."_s), u"/x/a.lesson"_s); };
+    open();
+    const int before = int(m_notebook->lesson().steps.size());
+    QVERIFY(before > 1);
+    m_notebook->addStep(stateOf(u"a"_s));
+    QCOMPARE(m_notebook->current(), before);
+    QCOMPARE(m_notebook->lesson().steps.last().state.entry, u"a"_s);
+    open();
+    steps()->setCurrentRow(1);
+    steps()->setCurrentRow(0); // behind the one that the user chose
+    m_notebook->addStep(stateOf(u"b"_s));
+    QCOMPARE(m_notebook->current(), 1);
+    m_notebook->addStep(stateOf(u"c"_s));
+    QCOMPARE(m_notebook->current(), 2);
 }
 
 void LessonPanelTest::changesAreUndone() {

@@ -5,7 +5,9 @@
 #include <QPainter>
 #include <QPrintPreviewDialog>
 #include <QPrintPreviewWidget>
+#include <QToolBar>
 
+#include <algorithm>
 #include <memory>
 
 namespace {
@@ -111,6 +113,15 @@ private slots:
         QVERIFY(preview && preview->isVisible());
         QVERIFY(preview->windowTitle().contains(printed.title));
         QTRY_COMPARE(preview->findChild<QPrintPreviewWidget*>()->pageCount(), 2); // two pictures, then one
+        // However narrow the window is, it can be printed.
+        preview->resize(preview->minimumSizeHint().width(), 500);
+        const auto* bar = preview->findChild<QToolBar*>();
+        const QString print = QCoreApplication::translate("QPrintPreviewDialog", "Print");
+        const auto isPrint = [&print](const QAction* action) { return action->text() == print; };
+        const QList<QAction*> actions = bar->actions();
+        const auto printing = std::ranges::find_if(actions, isPrint);
+        QVERIFY(printing != actions.end());
+        QTRY_VERIFY(bar->widgetForAction(*printing)->isVisible());
         preview->reject();
     }
 };

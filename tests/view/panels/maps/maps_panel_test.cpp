@@ -431,7 +431,7 @@ private slots:
     // A header that names no order is no dead end.
     void anUnknownHeaderIsAskedAbout() {
         QGuiApplication::clipboard()->setText(
-            QStringLiteral("m11 m12 m21 m22 tx ty\n.5 0 0 .5 1 2\n.5 0 0 .5 0 0\n"));
+            QStringLiteral("q1 q2 q3 q4 q5 q6\n.5 0 0 .5 1 2\n.5 0 0 .5 0 0\n"));
         m_panel->appendPasted();
         auto* dialog = m_panel->findChild<view::PasteTableDialog*>();
         QVERIFY(dialog);

@@ -24,6 +24,7 @@
 #include <QPointer>
 #include <QProgressDialog>
 #include <QPushButton>
+#include <QScrollBar>
 #include <QSignalSpy>
 #include <QSpinBox>
 #include <QTimer>
@@ -45,6 +46,7 @@ private slots:
     void cleanup() { m_panel.reset(); }
 
     void motionsAreOfferedFirst();
+    void aFirstKeyIsMade();
     void motionsAreSeenWhole();
     void oneClickMakesALoop();
     void motionsAreChanged();
@@ -131,6 +133,16 @@ void TimelineTest::motionsAreOfferedFirst() {
     QCOMPARE(timeline().rowName(5), QStringLiteral("Camera"));
     m_document->setFile(document::fileOf(document::sierpinskiTriangle())); // offered again
     QVERIFY(!m_panel->showsTracks());
+}
+
+void TimelineTest::aFirstKeyIsMade() {
+    auto* keys = m_panel->findChild<view::MotionPage*>()->findChild<QPushButton*>();
+    QVERIFY(keys);
+    keys->click();
+    QVERIFY(m_panel->showsTracks());
+    QCOMPARE(framesOf(0), (std::vector<int>{0})); // of the cage
+    QCOMPARE(steps(), 1);
+    QCOMPARE(tracks().verticalScrollBar()->value(), 0);
 }
 
 void TimelineTest::motionsAreSeenWhole() {

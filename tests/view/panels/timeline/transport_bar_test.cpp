@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "document/fractal_file.h"
 #include "panels/timeline/ruler_scale.h"
 #include "panels/timeline/track_view.h"
 #include "panels/timeline/transport_bar.h"
@@ -7,10 +8,14 @@
 
 #include <QComboBox>
 #include <QLineEdit>
+#include <QScrollBar>
 #include <QSignalSpy>
 #include <QSpinBox>
 #include <QTest>
 #include <QToolButton>
+
+#include <algorithm>
+#include <vector>
 
 using animation::FrameRate;
 using view::RulerUnit;
@@ -22,6 +27,8 @@ class TransportBarTest : public TimelineFixture {
 private slots:
     void ratesAreFractions();
     void whatIsNoRateIsRefused();
+    void tabGoesAsTheFieldsAreSeen();
+    void rowsOfAnotherEntryBeginAtTheTop();
     void rulersHaveRoundSteps_data();
     void rulersHaveRoundSteps();
     void theRulerSaysSeconds();
@@ -71,6 +78,33 @@ void TransportBarTest::whatIsNoRateIsRefused() {
     QCOMPARE(rate(), (FrameRate{24, 1}));
     QCOMPARE(field()->currentText(), QStringLiteral("24"));
     QCOMPARE(m_document->undoStack()->count(), 0);
+    type("24"); // valid, and no step
+    QCOMPARE(told.size(), 3);
+    QVERIFY(told[2][0].toString().isEmpty()); // the complaint is over
+}
+
+void TransportBarTest::tabGoesAsTheFieldsAreSeen() {
+    const view::TransportBar* bar = m_panel->transport();
+    std::vector<int> places; // along the way of Tab, from the field of the frame
+    const QWidget* first = bar->frame();
+    for (const QWidget* at = first->nextInFocusChain(); at != first; at = at->nextInFocusChain())
+        if (at->parentWidget() == bar && at->isVisible() && at->focusPolicy() & Qt::TabFocus)
+            places.push_back(at->x());
+    QVERIFY(places.size() >= 4);
+    const auto again = std::ranges::min_element(places); // the beginning of the bar
+    std::ranges::rotate(places, again);
+    QVERIFY(std::ranges::is_sorted(places));
+}
+
+void TransportBarTest::rowsOfAnotherEntryBeginAtTheTop() {
+    m_panel->showTracks();
+    m_panel->resize(m_panel->width(), m_panel->minimumSizeHint().height());
+    QScrollBar* down = m_panel->trackView()->verticalScrollBar();
+    QTRY_VERIFY(down->maximum() > 0);
+    down->setValue(down->maximum());
+    m_document->setFile(document::fileOf(document::sierpinskiTriangle()));
+    m_panel->showTracks();
+    QTRY_COMPARE(down->value(), 0);
 }
 
 void TransportBarTest::rulersHaveRoundSteps_data() {

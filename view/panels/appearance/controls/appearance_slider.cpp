@@ -81,19 +81,19 @@ double AppearanceSlider::valueAt(int position) const {
     const double share = static_cast<double>(position) / positions;
     const double value = m_scale == Scale::Logarithmic ? m_min * std::pow(m_max / m_min, share)
                                                        : m_min + share * (m_max - m_min);
-    return QString::number(value, 'g', 3).toDouble(); // no more digits than a hand has
+    return QString::number(value, 'g', 3).toDouble(); // no more digits than a hand can set
 }
 
 void AppearanceSlider::setValue(double value) {
     m_field->setValue(value);
-    if (valueAt(m_slider->value()) == value) return; // it came from here
+    if (valueAt(m_slider->value()) == value) return; // echo of the slider's own change
     const QSignalBlocker blocker(m_slider);
     m_slider->setValue(positionOf(value));
 }
 
 void AppearanceSlider::slide(int position) {
     if (m_slider->isSliderDown())
-        m_settled.stop(); // a drag goes on with the run and ends by itself
+        m_settled.stop(); // a drag continues the run and ends by itself
     else
         m_settled.start();
     emit tried(valueAt(position));

@@ -17,13 +17,13 @@ class AppearanceSlider : public QWidget {
 
 public:
     enum class Scale {
-        Logarithmic, // the slider spans [min, max], 0 < min; the field takes any number > 0
-        Linear,      // the slider spans [min, max]; the field takes any number, none below 0 where min is 0
-        Bounded,     // the same, and the field takes no number outside of it
+        Logarithmic, // slider over [min, max], 0 < min; field for any number > 0
+        Linear,      // slider over [min, max]; field for any number, or any ≥ 0 if min is 0
+        Bounded,     // slider and field over [min, max]
     };
     AppearanceSlider(const QString& name, double min, double max, Scale scale, QWidget* parent = nullptr);
 
-    void setRange(double min, double max); // the value is set anew after it
+    void setRange(double min, double max); // must be followed by a new value
     void setValue(double value);
     // Sets the help for the number: in a few words, and in more of them.
     void explain(const QString& toolTip, const QString& whatsThis);

@@ -163,7 +163,7 @@ void GradientEditor::load(const QString& path) {
     struct Reading {
         io::Failure failure;
         io::PaletteFile file;
-        QImage picture; // where the file is one
+        QImage picture; // valid if the file is a picture
     };
     std::stop_source stop;
     auto reading = io::inBackground<Reading>(io::Lane::Reading, [path, token = stop.get_token()](

@@ -31,21 +31,21 @@ public:
     void distribute();
     // Asks which, when the file holds several; of a picture, its colours.
     void load(const QString& path);
-    void save(const QString& path); // as .gpl
+    void save(const QString& path); // .gpl file
 
 signals:
     void tried(const QString& what, const attractor::Palette& gradient);
     void accepted();
     void rejected();
-    void message(const QString& sentence); // the outcome for a file
+    void message(const QString& sentence); // outcome for a file
 
 private:
-    void connectEditors(); // of the strip and of the selected stop
+    void connectEditors(); // connects the editors of the strip and of the selected stop
     void showSelected();
     void apply(const QString& what, const attractor::Palette& gradient);
     void chooseAndLoad();
     void chooseAndSave();
-    void takeFrom(const QImage& picture); // all of it, or along a line
+    void takeFrom(const QImage& picture); // colours of the whole picture, or along a line
     void chooseAmong(const std::vector<attractor::Palette>& palettes);
 
     GradientStrip* m_strip;

@@ -40,7 +40,8 @@ QPixmap gradientPixmap(const attractor::Palette& palette, const QSize& size, qre
 
 GradientChooser::GradientChooser(QWidget* parent) : QComboBox(parent) {
     setIconSize(rowSize);
-    setSizeAdjustPolicy(AdjustToMinimumContentsLengthWithIcon); // a long name of a file would widen the panel
+    // The long name of a file would widen the panel.
+    setSizeAdjustPolicy(AdjustToMinimumContentsLengthWithIcon);
     setMinimumContentsLength(6);
     for (const attractor::Palette& palette : attractor::builtInPalettes())
         add(palette, paletteTitle(palette));

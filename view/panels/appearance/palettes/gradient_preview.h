@@ -28,7 +28,7 @@ signals:
 private:
     void add(const attractor::Palette& palette, const QString& name);
 
-    int m_builtIn = 0; // how many
+    int m_builtIn = 0; // number of palettes of the program
 };
 
 } // namespace view

@@ -19,7 +19,7 @@ namespace view {
 namespace {
 
 constexpr int barHeight = 22;
-constexpr int inset = 9; // room for the handles of the ends
+constexpr int inset = 9; // pixels for the handles at the ends
 constexpr double handleHalf = 6;
 constexpr std::chrono::milliseconds runPause{600};
 
@@ -117,7 +117,7 @@ int GradientStrip::stopAt(const QPointF& point) const {
     double nearest = handleHalf + 3;
     for (std::size_t i = 0; i < m_gradient.stops.size(); ++i) {
         const double distance = std::abs(point.x() - handleOf(i).x());
-        // The selected stop lies on top of others at its place.
+        // Prefers the selected stop to others at its place.
         if (distance < nearest || (distance == nearest && i == m_selected)) {
             nearest = distance;
             found = int(i);

@@ -24,10 +24,10 @@ public:
     void setGradient(const attractor::Palette& gradient);
     std::size_t selected() const { return m_selected; }
     void select(std::size_t stop);
-    void add(double position); // and selects the new stop
+    void add(double position); // also selects the new stop
     void addAfterSelected();
     void removeSelected();
-    QPoint handleOf(std::size_t stop) const; // its middle, in the widget
+    QPoint handleOf(std::size_t stop) const; // middle of the handle in the widget
 
     QSize sizeHint() const override { return {240, 44}; }
     QSize minimumSizeHint() const override { return {120, 44}; }

@@ -30,9 +30,9 @@ namespace view {
 namespace {
 
 constexpr QSize previewSize(152, 22);
-constexpr int above = 6; // of a preview, clear
+constexpr int above = 6; // free pixels above a preview
 constexpr int columns = 3;
-constexpr int rows = 7; // seen at first
+constexpr int rows = 7; // rows visible at first
 constexpr int previewHeight = 28;
 const QString favouritesKey = QStringLiteral("palettes/favourites");
 
@@ -116,7 +116,7 @@ void PaletteBrowser::createList() {
     m_whyEmpty = new QLabel(m_list->viewport());
     m_whyEmpty->setAlignment(Qt::AlignCenter);
     m_whyEmpty->setWordWrap(true);
-    m_whyEmpty->setEnabled(false); // as a placeholder is drawn
+    m_whyEmpty->setEnabled(false); // same look as a placeholder
     m_whyEmpty->hide();
     auto* cover = new QVBoxLayout(m_list->viewport());
     cover->addWidget(m_whyEmpty);

@@ -35,12 +35,12 @@ public:
     AppearanceSlider* shift() const { return m_shift.slider; }
     QCheckBox* reversed() const { return m_reversed; }
 
-    bool hasChosen() const; // a palette of the list
+    bool hasChosen() const; // true if a palette of the list is selected
     attractor::Palette palette() const;
-    QString title() const; // of what is selected in the list
+    QString title() const; // title of the selected row
 
 signals:
-    void tried(); // palette() has changed
+    void tried(); // sent when palette() has changed
 
 protected:
     void resizeEvent(QResizeEvent* event) override;
@@ -54,10 +54,10 @@ private:
     struct Adjustment {
         AppearanceSlider* slider = nullptr;
         double value = 0;
-        double kept = 0; // the value to which Esc in the field returns
+        double kept = 0; // value that Esc in the field restores
     };
     void createSlider(Adjustment& adjustment, const QString& name, double min, double max);
-    void showFavourite(int row); // of the model
+    void showFavourite(int row); // row of the model
     void setFavourite(bool isFavourite);
     void chooseFound();
     void choose();
@@ -65,7 +65,7 @@ private:
     void paintPreview();
     int chosen() const; // row of the model; −1: none
 
-    attractor::Palette m_present; // until one is selected
+    attractor::Palette m_present; // palette until one is selected
     std::vector<attractor::Palette> m_palettes;
     QStringList m_favourites; // English names
     QStandardItemModel* m_model;
@@ -77,7 +77,7 @@ private:
     QLabel* m_preview;
     QToolButton* m_favourite;
     Adjustment m_hue;   // degrees
-    Adjustment m_shift; // of the length of the palette
+    Adjustment m_shift; // share of the length of the palette
     QCheckBox* m_reversed;
     QPushButton* m_use;
 };

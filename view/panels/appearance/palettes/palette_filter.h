@@ -12,7 +12,7 @@ class PaletteFilter : public QSortFilterProxyModel {
     Q_OBJECT
 
 public:
-    static constexpr int nameRole = Qt::UserRole; // the English name
+    static constexpr int nameRole = Qt::UserRole; // English name
     static constexpr int favouriteRole = Qt::UserRole + 1;
 
     using QSortFilterProxyModel::QSortFilterProxyModel;

@@ -21,8 +21,8 @@ namespace view {
 
 namespace {
 
-constexpr int maxSide = 512;   // pixels that are looked at
-constexpr double shortest = 3; // of a line, pixels: less is a click
+constexpr int maxSide = 512;   // pixels of the side that are evaluated
+constexpr double shortest = 3; // pixels; a shorter line is a click
 constexpr int usualColours = 6;
 
 attractor::Rgba rgba(QRgb pixel) {

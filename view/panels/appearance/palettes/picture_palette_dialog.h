@@ -24,7 +24,7 @@ public:
     QSize sizeHint() const override;
 
 signals:
-    void lineDrawn(); // or taken away by a click
+    void lineDrawn(); // also sent when a click removes the line
 
 protected:
     void paintEvent(QPaintEvent* event) override;
@@ -55,7 +55,7 @@ signals:
 private:
     void take();
 
-    QImage m_picture; // small enough to be looked at anew for every line
+    QImage m_picture; // small copy, so that every line is evaluated quickly
     LinePicture* m_canvas;
     QSpinBox* m_colours;
     attractor::Palette m_palette;

@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: MIT
+// What the program writes into a page (model/io/page), and what page and worker tell each other. Programs and pages never
+// see this file: it is for the type checker and for people.
+
+type Point = number[]; // two or three coordinates
+type Size = { width: number; height: number }; // in pixels of the page
+/** A map: its matrix by rows, its translation and its weight, null where none is given. */
+type Row = (number | null)[];
+type Cage = { rest: Point[]; current: Point[]; bends: boolean };
+type Palette = { name: string; stops: number[][] };
+type Extent = { box: number[]; simplex: Point[] };
+
+/** An entry of a collection. */
+interface Entry {
+  name: string;
+  dimension: number; // 2 or 3
+  maps: Row[];
+  links?: number[][];
+  symmetry?: { group: number; order: number; angle: number; centre: Point; frame: number[] };
+  branches?: { word: number[]; change: number[] }[];
+  cage?: Cage;
+  appearance?: Appearance;
+  solid?: Solid;
+  view?: number[];
+  box?: number[]; // of what is shown in the plane: least and greatest coordinates
+  palette?: string; // of those of the program, chosen on the page
+  text?: { begin: string; lines: string[]; rows: string[] }; // as a collection has it
+}
+
+/** In space: attractor::LookInSpace and SolidColour; clip is a normal and two heights, null without end. */
+type Solid = { look: number; colour: number; light: number[]; fog: number; clip?: (number | null)[] };
+
+interface Appearance {
+  colourBy?: number;
+  brightness?: number;
+  gamma?: number;
+  contrast?: number;
+  vibrancy?: number;
+  supersample?: number;
+  plain?: number[];
+  background?: number[];
+  stops?: number[][];
+  mapColours?: [number, number[]][];
+  mapBlends?: [number, number, number][];
+}
+
+/** A step of a lesson shows an entry by its index, and of the plane an area: its middle, width and height. */
+type Step = { title: string; text: string; entry: number; maps: boolean; area?: number[] };
+/** The content of a page: an entry, a gallery or a lesson. */
+interface Content {
+  entry: Entry;
+  text?: string; // of the entry, in a notebook
+  entries?: Entry[];
+  steps?: Step[];
+  title?: string;
+  caption?: string;
+  allow: string[];
+  points: number;
+}
+
+/** What a script for articles holds: the page of its figures, and what draws them. */
+type Figures = { title: string; page: string; engine: string; worker: string };
+/** What a figure in an article knows of it: the entry that it is to show, if there are several. */
+interface Article {
+  entry?: string;
+  worker(): MessagePort;
+  resized(height: number): void;
+}
+
+/** A map that is dragged: its row as it is shown, and where the hand is. */
+type Change = { map: number; from: Row; to: Row };
+/** What the page asks of the worker; cage and camera are those of the moment. */
+type Question =
+  | { kind: "start"; wasm: string }
+  | { kind: "load"; entry: Entry; change?: Change }
+  | { kind: "look"; appearance: Appearance }
+  | { kind: "thumbnail"; entry: Entry; width: number; height: number; samples: number }
+  | (Cage & { kind: "draw"; width: number; height: number; view: number[]; samples: number; begin: boolean; keepExposure: boolean });
+/** What the worker answers, and what it cannot. */
+type Answer = Partial<Size> & {
+  failure?: string;
+  palettes?: Palette[];
+  versions?: string;
+  knowsSpace?: boolean;
+  extent?: Extent | null;
+  row?: Row;
+  isStopped?: boolean;
+  pixels?: Uint8ClampedArray<ArrayBuffer>;
+  samples?: number;
+  milliseconds?: number;
+};
